@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: Apache-2.0
+# What `cmake --install` writes, and how an outside project finds it again.
+#
+#   include/slipbench/<room>/...     headers; the include root is include/slipbench, as it is the root here
+#   lib/, lib/cmake/slipbench/       libraries; one targets file for each room, so that a room's consumer
+#                                    needs the dependencies of that room only
+#   bin/slipbench                    the program
+#   share/slipbench/                 cases and plot templates
+#   share/doc/slipbench/             documentation, licence, notice
+include(CMakePackageConfigHelpers)
+
+set(SLIPBENCH_INSTALL_CMAKEDIR ${CMAKE_INSTALL_LIBDIR}/cmake/slipbench)
+set(SLIPBENCH_INSTALL_INCLUDEDIR ${CMAKE_INSTALL_INCLUDEDIR}/slipbench)
+
+# slipbench_install_room(TARGET ROOM): the library as slipbench::ROOM, and the headers of the current folder.
+function(slipbench_install_room target room)
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${room})
+  if(NOT SLIPBENCH_INSTALL)
+    return()
+  endif()
+  install(TARGETS ${target} EXPORT slipbench-${room}-targets)
+  install(EXPORT slipbench-${room}-targets NAMESPACE slipbench::
+          DESTINATION ${SLIPBENCH_INSTALL_CMAKEDIR})
+  install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${SLIPBENCH_INSTALL_INCLUDEDIR}/${room}
+          FILES_MATCHING PATTERN *.hpp)
+endfunction()
+
+# slipbench_install_package(): what belongs to no single room.
+function(slipbench_install_package)
+  if(NOT SLIPBENCH_INSTALL)
+    return()
+  endif()
+  configure_package_config_file(cmake/slipbench-config.cmake.in slipbench-config.cmake
+                                INSTALL_DESTINATION ${SLIPBENCH_INSTALL_CMAKEDIR})
+  # Before 1.0 a minor version may change an interface.
+  write_basic_package_version_file(slipbench-config-version.cmake COMPATIBILITY SameMinorVersion)
+  install(FILES ${PROJECT_BINARY_DIR}/slipbench-config.cmake
+                ${PROJECT_BINARY_DIR}/slipbench-config-version.cmake
+                ${PROJECT_SOURCE_DIR}/cmake/FindUDUNITS2.cmake
+          DESTINATION ${SLIPBENCH_INSTALL_CMAKEDIR})
+  install(DIRECTORY cases plots DESTINATION ${CMAKE_INSTALL_DATADIR}/slipbench)
+  install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR})
+  install(FILES README.md CHANGELOG.md LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+endfunction()

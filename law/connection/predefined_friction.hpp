@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+#include "law/component.hpp"
+#include "law/contact_force.hpp"
+#include "law/field.hpp"
+#include "law/friction_definition.hpp"
+#include "law/internal_contact_force.hpp"
+
+namespace slipbench::law {
+
+/// What a connection type holds and leaves free (specification section 2.1). Components in neither
+/// set are not part of the connection: no motion is measured and no reaction acts there.
+struct ConnectionInfo {
+  std::string_view name;
+  std::string_view text;      ///< one sentence for `slipbench describe`
+  std::string_view assembly;  ///< the basic types it is made of, or "basic"
+  ComponentSet held;          ///< constrained: forces are reactions
+  ComponentSet available;     ///< free: motions are prescribed, friction may act
+};
+
+/// One stick-slip check that predefined friction stands for: predefined friction is nothing but an
+/// automatic choice of potential and contact force.
+struct PredefinedFriction {
+  std::string_view suffix;  ///< distinguishes the checks of PLANAR and UJOINT, else empty
+  SlipSpace slip;
+  ContactForce contact_force;
+  InternalContactForce internal_contact_force;
+};
+
+}  // namespace slipbench::law

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+#include <tuple>
+
+#include "law/field.hpp"
+#include "law/friction/coefficient_point.hpp"
+#include "law/table_function.hpp"
+
+namespace slipbench::law {
+
+/// Coulomb friction: mu is a number. Source: Coulomb 1785 (key C1785).
+/// Admissible: mu >= 0; mu = 0 is frictionless. Proven by law/friction_law_test.
+struct ConstantCoefficient {
+  static constexpr std::string_view kName = "constant";
+  static constexpr std::string_view kTitle = "Constant (Coulomb)";
+  static constexpr std::string_view kFormula = "mu";
+  static constexpr std::string_view kSource = "C1785";
+
+  double mu = 0.0;
+
+  static constexpr auto fields() {
+    return std::tuple{Field{"mu", &ConstantCoefficient::mu, dimension::kNone, kNotNegative, true,
+                            "Coefficient of friction."}};
+  }
+
+  template <class Number>
+  Number coefficient(const Number& /*slip_rate*/) const {
+    return Number(mu);
+  }
+  CoefficientPoint evaluate(const Ambient& /*ambient*/,
+                            const SlipArguments& /*slip*/) const noexcept {
+    return {mu, 0.0, 0.0};
+  }
+  bool depends_on_slip_rate() const { return false; }
+  bool depends_on_contact_force() const { return false; }
+  double largest() const { return mu; }
+  double steepest_weakening() const { return 0.0; }
+  bool outside(const Ambient& /*ambient*/, const SlipArguments& /*slip*/) const { return false; }
+};
+
+}  // namespace slipbench::law

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <tuple>
+
+#include "law/field.hpp"
+#include "law/friction/coefficient_point.hpp"
+#include "law/table_function.hpp"
+
+namespace slipbench::law {
+
+/// Exponential decay from the static to the kinetic coefficient (specification section 8):
+///   mu = kinetic + (static - kinetic) exp(-decay rate),  rate >= 0 the equivalent slip rate.
+/// Continuous and monotone; mu(0) = static, mu(inf) = kinetic. No other dependence and no force
+/// limit together with it. Admissible: static >= kinetic >= 0, decay >= 0 [T/L].
+/// Source: Oden & Martins 1985 (key OM1985). Proven by law/friction_law_test.
+struct ExponentialDecay {
+  static constexpr std::string_view kName = "exponential_decay";
+  static constexpr std::string_view kTitle = "Exponential decay from static to kinetic friction";
+  static constexpr std::string_view kFormula =
+      "mu = kinetic + (static - kinetic) exp(-decay slip_rate)";
+  static constexpr std::string_view kSource = "OM1985";
+
+  double mu_static = 0.0;  ///< key `static`, which C++ keeps for itself
+  double kinetic = 0.0;
+  double decay = 0.0;
+
+  static constexpr auto fields() {
+    return std::tuple{Field{"static", &ExponentialDecay::mu_static, dimension::kNone, kNotNegative,
+                            true, "Coefficient at slip rate zero, mu_s."},
+                      Field{"kinetic", &ExponentialDecay::kinetic, dimension::kNone, kNotNegative,
+                            true, "Coefficient at high slip rate, mu_k."},
+                      Field{"decay", &ExponentialDecay::decay, Dimension{0, -1, 1}, kNotNegative,
+                            true, "Decay constant d, the reciprocal of a slip rate."}};
+  }
+
+  /// A rule between the fields that is broken, in words, or nothing.
+  std::optional<std::string_view> violation() const {
+    if (mu_static < kinetic) return "'static' must not be below 'kinetic'";
+    return std::nullopt;
+  }
+
+  template <class Number>
+  Number coefficient(const Number& slip_rate) const {
+    using std::exp;
+    return kinetic + (mu_static - kinetic) * exp(-decay * slip_rate);
+  }
+  CoefficientPoint evaluate(const Ambient& /*ambient*/, const SlipArguments& slip) const noexcept {
+    const double mu = coefficient(slip.slip_rate);
+    return {mu, -decay * (mu - kinetic), 0.0};
+  }
+  bool depends_on_slip_rate() const { return decay > 0.0 && mu_static > kinetic; }
+  bool depends_on_contact_force() const { return false; }
+  double largest() const { return mu_static; }
+  double steepest_weakening() const { return decay * (mu_static - kinetic); }
+  bool outside(const Ambient& /*ambient*/, const SlipArguments& /*slip*/) const { return false; }
+};
+
+}  // namespace slipbench::law

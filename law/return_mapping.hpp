@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+
+#include "law/friction_definition.hpp"
+#include "law/friction_state.hpp"
+#include "law/increment.hpp"
+
+namespace slipbench::law {
+
+/// Consistent tangent of the slip-space force y, in the form it has for every regime:
+///   dy/ds    = transverse (I - n n^T) + radial n n^T + rate n m^T     [F/L], unsymmetric by `rate`
+///   dy/dF_C  = contact n                                             [1]
+/// with n the direction of y, m that of ds. In stick transverse = radial.
+/// F_C stands for all that changes the contact force F_C + F_int from outside; section 10.7.
+struct SlipTangent {
+  double transverse = 0.0;
+  double radial = 0.0;
+  double rate = 0.0;
+  double contact = 0.0;
+};
+
+/// Result of one increment of one definition.
+struct FrictionUpdate {
+  FrictionState state;
+  std::array<double, kComponents> direction{};         ///< n = y/|y|, or 0 where there is no force
+  std::array<double, kComponents> motion_direction{};  ///< m = ds/|ds|, or 0
+  SlipTangent tangent;
+  double phi = 0.0;             ///< P - F_lim [F]; in slip the residual of the return mapping
+  double normal_force = 0.0;    ///< F_N [F]
+  double contact_force = 0.0;   ///< F_C + F_int with its sign [F]
+  double mu = 0.0;              ///< coefficient used
+  double limit = 0.0;           ///< F_lim [F]
+  double slip_increment = 0.0;  ///< dL [L]
+  double slip_rate = 0.0;       ///< the rate the coefficient saw [L/T]
+  double dissipation = 0.0;     ///< F_lim dL of this increment [F L], never negative
+  double stored_energy = 0.0;   ///< y . s_el / 2 at the end [F L]
+  double work = 0.0;            ///< of y over ds, split at the stick-slip point [F L]
+  bool multiple_roots = false;  ///< the falling coefficient allows more than one solution
+};
+
+/// Friction force per connector component: f_i = R_i y_i [F], [F L].
+ConnectorForce friction_force(const FrictionDefinition& definition, const FrictionState& state);
+
+/// One increment of one definition: predictor, admissibility, return mapping, tangent
+/// (specification section 10). Pure: the old state is not touched, nothing is allocated, nothing is
+/// thrown. Preconditions (checked where a definition is built): stick.value > 0, scales > 0,
+/// ordinates of mu and of F_int not negative, increment.end.fields as long as the tables need.
+FrictionUpdate update(const FrictionDefinition& definition, const ConnectorIncrement& increment,
+                      const FrictionState& old) noexcept;
+
+/// The tangent at the connector: how the friction forces of all six components change with the
+/// motion at the end of the increment and with the constraint forces at its end. Both are
+/// unsymmetric in general: the contact force, table weights and internal contact forces over
+/// position, and the angles of a universal joint are all in it.
+struct ConnectorTangent {
+  Eigen::Matrix<double, kComponents, kComponents> to_motion;  ///< df_i/du_j
+  Eigen::Matrix<double, kComponents, kComponents> to_force;   ///< df_i/df_j (constraint force j)
+};
+ConnectorTangent connector_tangent(const FrictionDefinition& definition,
+                                   const ConnectorIncrement& increment,
+                                   const FrictionUpdate& update);
+
+}  // namespace slipbench::law

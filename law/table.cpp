@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "law/table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slipbench::law {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Index i of the segment [x_i, x_i+1] that holds v (right-hand at a knot), in 0 .. count-2.
+/// Tables of friction are short: a linear scan beats a binary search until some 32 points.
+std::uint32_t segment(const double* x, std::uint32_t count, double v) {
+  if (count > 32) {
+    const auto* end = x + count - 1;
+    return static_cast<std::uint32_t>(std::upper_bound(x + 1, end, v) - x) - 1;
+  }
+  std::uint32_t i = 0;
+  while (i + 2 < count && v >= x[i + 1]) ++i;
+  return i;
+}
+
+}  // namespace
+
+bool Table::build(std::span<const std::vector<double>> rows, int dependents, int independents,
+                  Extrapolation extrapolation, Table* table, TableError* error) {
+  const auto fail = [&](TableError e) {
+    *error = e;
+    return false;
+  };
+  if (rows.empty()) return fail({TableError::Kind::kNoRows});
+  if (independents > kMaxIndependents) return fail({TableError::Kind::kTooManyIndependents});
+
+  const int width = dependents + independents;
+  const int count = static_cast<int>(rows.size());
+  for (int r = 0; r < count; ++r) {
+    if (static_cast<int>(rows[at(r)].size()) != width) {
+      return fail({TableError::Kind::kRowLength, r});
+    }
+    for (int c = 0; c < width; ++c) {
+      if (!std::isfinite(rows[at(r)][at(c)])) {
+        return fail({TableError::Kind::kNotFinite, r, -1, c});
+      }
+    }
+  }
+  if (independents == 0 && count > 1) return fail({TableError::Kind::kRepeatedPoint, 1, 0});
+
+  Table built;
+  built.dependents_ = dependents;
+  built.extrapolation_ = extrapolation;
+  built.levels_.resize(at(independents));
+  for (const auto& row : rows) {
+    built.ordinates_.insert(built.ordinates_.end(), row.begin(), row.begin() + dependents);
+  }
+
+  // A row opens a new entry on every level up to the slowest independent that changed.
+  for (int r = 0; r < count; ++r) {
+    const double* now = rows[at(r)].data() + dependents;
+    int changed = independents - 1;  // the slowest level that gets a new entry
+    if (r > 0) {
+      const double* before = rows[at(r - 1)].data() + dependents;
+      while (changed >= 0 && now[changed] == before[changed]) --changed;
+      if (changed < 0) return fail({TableError::Kind::kRepeatedPoint, r, r - 1});
+      if (now[changed] < before[changed]) {
+        return fail({TableError::Kind::kNotAscending, r, r - 1, dependents + changed});
+      }
+    }
+    for (int k = changed; k >= 0; --k) {
+      Level& level = built.levels_[at(k)];
+      const bool opens_block = r == 0 || k < changed;
+      if (opens_block) level.first.push_back(static_cast<std::uint32_t>(level.x.size()));
+      level.x.push_back(now[k]);
+    }
+  }
+  for (int k = 0; k < independents; ++k) {
+    Level& level = built.levels_[at(k)];
+    level.first.push_back(static_cast<std::uint32_t>(level.x.size()));
+    level.knots = level.x;
+    std::sort(level.knots.begin(), level.knots.end());
+    level.knots.erase(std::unique(level.knots.begin(), level.knots.end()), level.knots.end());
+    if (extrapolation == Extrapolation::kLinear) {
+      for (std::size_t b = 0; b + 1 < level.first.size(); ++b) {
+        if (level.first[b + 1] - level.first[b] < 2) {
+          std::uint32_t row = level.first[b];
+          for (int below = k - 1; below >= 0; --below) row = built.levels_[at(below)].first[row];
+          return fail({TableError::Kind::kOneRowLinear, static_cast<int>(row), -1, dependents + k});
+        }
+      }
+    }
+  }
+  *table = std::move(built);
+  return true;
+}
+
+template <bool kSlopes>
+double Table::block(int level, std::uint32_t index, const double* x, double weight, double* slopes,
+                    int column) const noexcept {
+  if (level < 0) {
+    return ordinates_[static_cast<std::size_t>(index) * at(dependents_) + at(column)];
+  }
+  const Level& here = levels_[at(level)];
+  const std::uint32_t first = here.first[index];
+  const std::uint32_t count = here.first[index + 1] - first;
+  const double* grid = here.x.data() + first;
+  const double v = x[level];
+
+  if (extrapolation_ == Extrapolation::kConstant || count == 1) {
+    if (count == 1 || v < grid[0]) {
+      return block<kSlopes>(level - 1, first, x, weight, slopes, column);
+    }
+    if (v >= grid[count - 1]) {
+      return block<kSlopes>(level - 1, first + count - 1, x, weight, slopes, column);
+    }
+  }
+  const std::uint32_t i = segment(grid, count, v);
+  const double width = grid[i + 1] - grid[i];
+  const double w = (v - grid[i]) / width;
+  const double low =
+      block<kSlopes>(level - 1, first + i, x, kSlopes ? weight * (1.0 - w) : 0.0, slopes, column);
+  const double high =
+      block<kSlopes>(level - 1, first + i + 1, x, kSlopes ? weight * w : 0.0, slopes, column);
+  if constexpr (kSlopes) slopes[level] += weight * (high - low) / width;
+  return low + w * (high - low);
+}
+
+double Table::value(std::span<const double> x, int column) const noexcept {
+  return block<false>(independents() - 1, 0, x.data(), 1.0, nullptr, column);
+}
+
+double Table::value_and_slopes(std::span<const double> x, std::span<double> slopes, int column,
+                               double weight) const noexcept {
+  return block<true>(independents() - 1, 0, x.data(), weight, slopes.data(), column);
+}
+
+double Table::smallest(int column) const {
+  double result = ordinates_[at(column)];
+  for (std::size_t i = at(column); i < ordinates_.size(); i += at(dependents_)) {
+    result = std::min(result, ordinates_[i]);
+  }
+  return result;
+}
+
+double Table::largest(int column) const {
+  double result = ordinates_[at(column)];
+  for (std::size_t i = at(column); i < ordinates_.size(); i += at(dependents_)) {
+    result = std::max(result, ordinates_[i]);
+  }
+  return result;
+}
+
+double Table::steepest_fall(int k, int column) const {
+  // Between knots the slope to x_k is a mean of slopes at grid points of the other independents,
+  // so its extreme is met at some combination of knots of the others, just right of a knot of x_k.
+  std::vector<double> x(levels_.size());
+  std::vector<double> slopes(levels_.size());
+  std::vector<std::size_t> pick(levels_.size(), 0);
+  double steepest = 0.0;
+  while (true) {
+    for (std::size_t j = 0; j < x.size(); ++j) x[j] = levels_[j].knots[pick[j]];
+    std::fill(slopes.begin(), slopes.end(), 0.0);
+    value_and_slopes(x, slopes, column);
+    steepest = std::min(steepest, slopes[at(k)]);
+    std::size_t j = 0;
+    while (j < x.size() && ++pick[j] == levels_[j].knots.size()) pick[j++] = 0;
+    if (j == x.size()) return steepest;
+  }
+}
+
+bool Table::outside(std::span<const double> x) const noexcept {
+  for (std::size_t k = 0; k < levels_.size(); ++k) {
+    const auto& knots = levels_[k].knots;
+    if (x[k] < knots.front() || x[k] > knots.back()) return true;
+  }
+  return false;
+}
+
+}  // namespace slipbench::law

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "law/notation.hpp"
+
+namespace slipbench::law {
+
+/// Independents one table may have: six motions, accumulated slip or slip rate and contact force,
+/// temperature and all fields fit.
+inline constexpr int kMaxIndependents = 2 * kComponents + 3 + kMaxFields;
+
+enum class Extrapolation : std::uint8_t {
+  kConstant,  ///< the end value holds outside the table, slope zero
+  kLinear     ///< the end segment is prolonged
+};
+
+/// What is wrong with the rows of a table; `row` and `other_row` are 0-based.
+struct TableError {
+  enum class Kind : std::uint8_t {
+    kNoRows,
+    kRowLength,      ///< a row has not dependents + independents items
+    kNotFinite,      ///< NaN or infinity in `row`
+    kNotAscending,   ///< `row` goes back against `other_row` in independent `column`
+    kRepeatedPoint,  ///< `row` repeats all independents of `other_row`
+    kOneRowLinear,   ///< a block of one row cannot be extrapolated linearly
+    kTooManyIndependents
+  };
+  Kind kind = Kind::kNoRows;
+  int row = -1;
+  int other_row = -1;
+  int column = -1;
+};
+
+/// Piecewise linear table of any number of dependents over any number of independents, with ragged
+/// blocks (specification section 12): the first independent varies fastest, every block of fixed
+/// later independents has its own grid of the earlier ones. Interpolation runs inside the two
+/// neighbouring blocks first and then between them, from the last independent inwards.
+///
+/// Evaluation is const, noexcept, and allocates nothing. The slope at a knot is the right-hand one.
+class Table {
+ public:
+  Table() = default;
+
+  /// Builds from rows of `dependents` values followed by the independents.
+  /// \param rows row-major, each of `dependents + independents` numbers
+  /// \param[out] error why there is no table; untouched on success
+  /// \return true on success
+  static bool build(std::span<const std::vector<double>> rows, int dependents, int independents,
+                    Extrapolation extrapolation, Table* table, TableError* error);
+
+  int dependents() const { return dependents_; }
+  int independents() const { return static_cast<int>(levels_.size()); }
+  Extrapolation extrapolation() const { return extrapolation_; }
+
+  /// Value of dependent `column` at `x` (as many entries as independents) without slopes.
+  double value(std::span<const double> x, int column = 0) const noexcept;
+
+  /// As value(), and adds the slope to each independent to `slopes` (same length as `x`),
+  /// each multiplied by `weight`.
+  double value_and_slopes(std::span<const double> x, std::span<double> slopes, int column = 0,
+                          double weight = 1.0) const noexcept;
+
+  /// All distinct coordinates of independent `k` over all blocks, ascending.
+  std::span<const double> knots(int k) const { return levels_[static_cast<std::size_t>(k)].knots; }
+
+  /// Smallest and largest ordinate of a dependent.
+  double smallest(int column = 0) const;
+  double largest(int column = 0) const;
+
+  /// The most negative slope to independent `k` between neighbouring grid points (0 if none falls).
+  double steepest_fall(int k, int column = 0) const;
+
+  /// True if some coordinate of `x` lies outside its (union) range.
+  bool outside(std::span<const double> x) const noexcept;
+
+ private:
+  /// One independent. Block b of level k covers entries first[b] .. first[b+1]-1 of `x`;
+  /// entry i of level k > 0 is block i of level k-1; entry i of level 0 is row i.
+  struct Level {
+    std::vector<double> x;
+    std::vector<std::uint32_t> first;
+    std::vector<double> knots;
+  };
+
+  template <bool kSlopes>
+  double block(int level, std::uint32_t index, const double* x, double weight, double* slopes,
+               int column) const noexcept;
+
+  int dependents_ = 0;
+  Extrapolation extrapolation_ = Extrapolation::kConstant;
+  std::vector<Level> levels_;
+  std::vector<double> ordinates_;  ///< row-major rows x dependents
+};
+
+}  // namespace slipbench::law

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "law/table_function.hpp"
+
+namespace slipbench::law {
+namespace {
+
+bool is_motion(IndependentKind kind) {
+  return kind == IndependentKind::kPosition || kind == IndependentKind::kConstitutiveMotion;
+}
+
+}  // namespace
+
+TableFunction::TableFunction(Table table, std::vector<Independent> independents)
+    : table_(std::move(table)), independents_(std::move(independents)) {
+  for (const Independent& independent : independents_) {
+    depends_on_motion_ = depends_on_motion_ || is_motion(independent.kind);
+  }
+}
+
+int TableFunction::column_of(IndependentKind kind) const {
+  for (std::size_t k = 0; k < independents_.size(); ++k) {
+    if (independents_[k].kind == kind) return static_cast<int>(k);
+  }
+  return -1;
+}
+
+std::span<const double> TableFunction::gather(const Ambient& ambient, const SlipArguments& slip,
+                                              Arguments* x) const noexcept {
+  for (std::size_t k = 0; k < independents_.size(); ++k) {
+    const Independent& independent = independents_[k];
+    double& argument = (*x)[k];
+    switch (independent.kind) {
+      case IndependentKind::kSlipRate:
+        argument = slip.slip_rate;
+        break;
+      case IndependentKind::kContactForce:
+        argument = slip.contact_force;
+        break;
+      case IndependentKind::kAccumulatedSlip:
+        argument = slip.accumulated_slip;
+        break;
+      case IndependentKind::kTemperature:
+        argument = ambient.temperature;
+        break;
+      case IndependentKind::kField:
+        argument = ambient.fields[static_cast<std::size_t>(independent.index)];
+        break;
+      case IndependentKind::kPosition:
+        argument = ambient.position[independent.index];
+        break;
+      case IndependentKind::kConstitutiveMotion:
+        argument = ambient.motion[independent.index];
+        break;
+    }
+  }
+  return {x->data(), independents_.size()};
+}
+
+double TableFunction::value(const Ambient& ambient, const SlipArguments& slip,
+                            int column) const noexcept {
+  Arguments x;
+  return table_.value(gather(ambient, slip, &x), column);
+}
+
+double TableFunction::value_and_slopes(const Ambient& ambient, const SlipArguments& slip,
+                                       SlipArguments* slopes, int column) const noexcept {
+  Arguments x;
+  Arguments dx;
+  const auto arguments = gather(ambient, slip, &x);
+  for (std::size_t k = 0; k < arguments.size(); ++k) dx[k] = 0.0;
+  const double result = table_.value_and_slopes(arguments, {dx.data(), arguments.size()}, column);
+  *slopes = {};
+  for (std::size_t k = 0; k < arguments.size(); ++k) {
+    switch (independents_[k].kind) {
+      case IndependentKind::kSlipRate:
+        slopes->slip_rate = dx[k];
+        break;
+      case IndependentKind::kContactForce:
+        slopes->contact_force = dx[k];
+        break;
+      case IndependentKind::kAccumulatedSlip:
+        slopes->accumulated_slip = dx[k];
+        break;
+      default:
+        break;
+    }
+  }
+  return result;
+}
+
+void TableFunction::add_motion_slopes(const Ambient& ambient, const SlipArguments& slip,
+                                      double weight, RelativePosition* gradient,
+                                      int column) const noexcept {
+  if (!depends_on_motion_) return;
+  Arguments x;
+  Arguments dx;
+  const auto arguments = gather(ambient, slip, &x);
+  for (std::size_t k = 0; k < arguments.size(); ++k) dx[k] = 0.0;
+  table_.value_and_slopes(arguments, {dx.data(), arguments.size()}, column, weight);
+  for (std::size_t k = 0; k < arguments.size(); ++k) {
+    if (is_motion(independents_[k].kind)) (*gradient)[independents_[k].index] += dx[k];
+  }
+}
+
+bool TableFunction::outside(const Ambient& ambient, const SlipArguments& slip) const noexcept {
+  Arguments x;
+  return table_.outside(gather(ambient, slip, &x));
+}
+
+}  // namespace slipbench::law
