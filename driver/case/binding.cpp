@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/case/binding.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "driver/case/key_index.hpp"
+#include "driver/text/format_number.hpp"
+#include "driver/text/number.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+
+/// The place inside a scalar that an expression's error means, if the scalar stands in one line.
+SourcePosition inside(const Node& node, const ExpressionError& problem) {
+  SourcePosition where = node.where();
+  if (problem.offset < 0 || problem.offset >= where.length) return where;
+  where.column += problem.offset + (node.quoted() ? 1 : 0);
+  where.length = problem.unknown_name.empty() ? 1 : static_cast<int>(problem.unknown_name.size());
+  return where;
+}
+
+}  // namespace
+
+void Binder::error(const Node& at, const Path& path, std::string message, std::string hint) {
+  out_.error(at.source().name(), at.where(), path.text(), std::move(message), std::move(hint));
+}
+void Binder::warning(const Node& at, const Path& path, std::string message, std::string hint) {
+  out_.warning(at.source().name(), at.where(), path.text(), std::move(message), std::move(hint));
+}
+void Binder::note(const Node& at, const Path& path, std::string message, std::string hint) {
+  out_.note(at.source().name(), at.where(), path.text(), std::move(message), std::move(hint));
+}
+
+void Binder::wrong_kind(const Node& node, const Path& path, std::string_view wanted) {
+  std::string found(name_of(node.kind()));
+  if (node.is_scalar()) found = quoted(printable(node.text()));
+  error(node, path, "wanted " + std::string(wanted) + ", found " + found);
+}
+
+void Binder::missing_key(const Node& map, const Path& path, std::string_view key,
+                         std::string_view wanted) {
+  error(map, path, "missing key " + quoted(key) + " (" + std::string(wanted) + ")");
+}
+
+void Binder::unknown_key(const Node& key, const Path& path,
+                         std::span<const std::string_view> allowed) {
+  if (const auto why = later_key(key.text())) {
+    error(key, path, std::string(*why));
+    return;
+  }
+  std::string hint;
+  if (const auto nearest = nearest_name(key.text(), allowed)) {
+    hint = "did you mean " + quoted(*nearest) + "?";
+  } else if (const auto places = places_of_key(key.text()); !places.empty()) {
+    hint = quoted(key.text()) + " belongs to " + places;
+  } else {
+    hint = "known here: " + slipbench::driver::in_words(allowed, "and");
+  }
+  error(key, path, "unknown key", std::move(hint));
+}
+
+bool Binder::is_expression(const Node& node) {
+  if (!node.is_scalar()) return false;
+  const std::string_view text = node.text();
+  const std::size_t begin = text.find_first_not_of(' ');
+  return begin != std::string_view::npos && text[begin] == '=';
+}
+
+void Binder::expression_error(const Node& node, const Path& path, const ExpressionError& problem,
+                              const std::vector<std::string>& variables) {
+  // An unknown name may be a parameter whose own value is faulty: that is reported there.
+  if (!problem.unknown_name.empty() && !parameters_known_) return;
+  std::string hint;
+  if (!problem.unknown_name.empty()) {
+    std::vector<std::string_view> names(variables.begin(), variables.end());
+    for (const auto& [name, value] : parameters_) names.push_back(name);
+    for (const std::string& name : function_names()) names.push_back(name);
+    if (const auto nearest = nearest_name(problem.unknown_name, names)) {
+      hint = "did you mean " + quoted(*nearest) + "?";
+    } else {
+      hint = "define it under 'parameters:'";
+    }
+  }
+  out_.error(node.source().name(), inside(node, problem), path.text(), problem.message,
+             std::move(hint));
+}
+
+std::optional<Expression> Binder::expression(const Node& node, const Path& path,
+                                             const std::vector<std::string>& variables) {
+  auto compiled = Expression::compile(node.text(), variables, parameters_);
+  if (!compiled) {
+    expression_error(node, path, compiled.error(), variables);
+    return std::nullopt;
+  }
+  return std::move(*compiled);
+}
+
+std::optional<double> Binder::number(const Node& node, const Path& path) {
+  if (!node.is_scalar()) {
+    wrong_kind(node, path, "a number");
+    return std::nullopt;
+  }
+  if (is_expression(node)) {
+    const auto compiled = expression(node, path, {});
+    if (!compiled) return std::nullopt;
+    const auto value = (*compiled)({});
+    if (!value) {
+      expression_error(node, path, value.error(), {});
+      return std::nullopt;
+    }
+    return *value;
+  }
+  if (node.quoted()) {
+    error(node, path, "wanted a number, found the text " + quoted(printable(node.text())),
+          "a number stands without quotes");
+    return std::nullopt;
+  }
+  const auto value = parse_number(node.text());
+  if (!value) {
+    error(node, path, "wanted a number: " + value.error());
+    return std::nullopt;
+  }
+  return *value;
+}
+
+std::string in_words(const law::Bounds& bounds) {
+  const bool below = std::isfinite(bounds.lower);
+  const bool above = std::isfinite(bounds.upper);
+  const auto open = [](bool is_open) { return is_open ? " (exclusive)" : ""; };
+  if (below && above) {
+    return "between " + format_number(bounds.lower) + open(bounds.lower_open) + " and " +
+           format_number(bounds.upper) + open(bounds.upper_open);
+  }
+  if (below) {
+    return (bounds.lower_open ? "greater than " : "at least ") + format_number(bounds.lower);
+  }
+  if (above) {
+    return (bounds.upper_open ? "less than " : "at most ") + format_number(bounds.upper);
+  }
+  return "";
+}
+
+bool Binder::in_bounds(double value, const Node& node, const Path& path,
+                       const law::Bounds& bounds) {
+  if (bounds.contains(value)) return true;
+  error(node, path,
+        "must be " + slipbench::driver::in_words(bounds) + ", found " + format_number(value));
+  return false;
+}
+
+namespace {
+
+Json bounded(std::string_view type, const law::Bounds& bounds) {
+  Json schema;
+  schema["type"] = type;
+  if (std::isfinite(bounds.lower)) {
+    schema[bounds.lower_open ? "exclusiveMinimum" : "minimum"] = bounds.lower;
+  }
+  if (std::isfinite(bounds.upper)) {
+    schema[bounds.upper_open ? "exclusiveMaximum" : "maximum"] = bounds.upper;
+  }
+  return schema;
+}
+
+Json number_or_expression(std::string_view type, const law::Bounds& bounds) {
+  Json text;
+  text["type"] = "string";
+  text["pattern"] = "^ *=";
+  Json either = Json::array();
+  either.push_back(bounded(type, bounds));
+  either.push_back(std::move(text));
+  Json schema;
+  schema["anyOf"] = std::move(either);
+  return schema;
+}
+
+}  // namespace
+
+bool Codec<double>::read(Binder& binder, const Node& node, const Path& path, const KeyInfo& info,
+                         double& out) {
+  const std::optional<double> value = binder.number(node, path);
+  if (!value || !binder.in_bounds(*value, node, path, info.bounds)) return false;
+  out = *value;
+  return true;
+}
+
+Json Codec<double>::schema(const KeyInfo& info) {
+  return number_or_expression("number", info.bounds);
+}
+
+bool Codec<int>::read(Binder& binder, const Node& node, const Path& path, const KeyInfo& info,
+                      int& out) {
+  long long integer = 0;
+  if (Binder::is_expression(node)) {
+    const std::optional<double> value = binder.number(node, path);
+    if (!value) return false;
+    if (*value != std::floor(*value) || std::abs(*value) > 1e15) {
+      binder.error(node, path, "wanted an integer, found " + format_number(*value));
+      return false;
+    }
+    integer = static_cast<long long>(*value);
+  } else {
+    if (!node.is_scalar() || node.quoted()) {
+      binder.wrong_kind(node, path, "an integer");
+      return false;
+    }
+    const auto value = parse_integer(node.text());
+    if (!value) {
+      binder.error(node, path, "wanted an integer: " + value.error());
+      return false;
+    }
+    integer = *value;
+  }
+  if (!binder.in_bounds(static_cast<double>(integer), node, path, info.bounds)) return false;
+  if (integer > std::numeric_limits<int>::max() || integer < std::numeric_limits<int>::min()) {
+    binder.error(node, path, "is too large an integer");
+    return false;
+  }
+  out = static_cast<int>(integer);
+  return true;
+}
+
+Json Codec<int>::schema(const KeyInfo& info) {
+  return number_or_expression("integer", info.bounds);
+}
+
+bool Codec<bool>::read(Binder& binder, const Node& node, const Path& path, const KeyInfo&,
+                       bool& out) {
+  if (!node.is_scalar() || node.quoted() || (node.text() != "true" && node.text() != "false")) {
+    binder.wrong_kind(node, path, "true or false");
+    return false;
+  }
+  out = node.text() == "true";
+  return true;
+}
+
+Json Codec<bool>::schema(const KeyInfo&) {
+  Json schema;
+  schema["type"] = "boolean";
+  return schema;
+}
+
+bool Codec<std::string>::read(Binder& binder, const Node& node, const Path& path, const KeyInfo&,
+                              std::string& out) {
+  if (!node.is_scalar()) {
+    binder.wrong_kind(node, path, "a text");
+    return false;
+  }
+  out = std::string(node.text());
+  return true;
+}
+
+Json Codec<std::string>::schema(const KeyInfo&) {
+  Json types = Json::array();  // a title may well be a plain 42
+  types.push_back("string");
+  types.push_back("number");
+  Json schema;
+  schema["type"] = std::move(types);
+  return schema;
+}
+
+bool read_word(Binder& binder, const Node& node, const Path& path,
+               std::span<const std::string_view> words, std::size_t& index) {
+  if (!node.is_scalar()) {
+    binder.wrong_kind(node, path, in_words(words));
+    return false;
+  }
+  const auto word = std::find(words.begin(), words.end(), node.text());
+  if (word == words.end()) {
+    if (const auto why = later_key(node.text())) {
+      binder.error(node, path, std::string(*why));
+      return false;
+    }
+    std::string hint;
+    if (const auto nearest = nearest_name(node.text(), words)) {
+      hint = "did you mean " + quoted(*nearest) + "?";
+    }
+    binder.error(node, path,
+                 "wanted " + in_words(words) + ", found " + quoted(printable(node.text())),
+                 std::move(hint));
+    return false;
+  }
+  index = static_cast<std::size_t>(word - words.begin());
+  return true;
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,404 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a tree to structs: every key of a case file is declared once, beside its member; reader,
+// JSON Schema and the case reference all walk that declaration.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "driver/history/expression.hpp"
+#include "driver/text/diagnostic.hpp"
+#include "driver/text/json.hpp"
+#include "driver/yaml/node.hpp"
+#include "law/field.hpp"
+
+namespace slipbench::driver {
+
+/// What a declaration says of a key besides its type.
+struct KeyInfo {
+  bool required = false;
+  std::string_view text;               ///< one sentence for the user
+  std::string_view default_text = {};  ///< the default in words, if the key is optional
+  law::Dimension dimension = {};
+  law::Bounds bounds = {};
+};
+
+/// One line of the case reference.
+struct KeyRow {
+  std::string path;    ///< friction[].stick.elastic_slip
+  std::string wanted;  ///< "a number"
+  KeyInfo info;
+};
+
+/// Reading context: where messages go and what expressions may use.
+class Binder {
+ public:
+  Binder(Diagnostics& out, const NamedNumbers& parameters, bool parameters_known)
+      : out_(out), parameters_(parameters), parameters_known_(parameters_known) {}
+
+  void error(const Node& at, const Path& path, std::string message, std::string hint = {});
+  void warning(const Node& at, const Path& path, std::string message, std::string hint = {});
+  void note(const Node& at, const Path& path, std::string message, std::string hint = {});
+
+  /// A number: a plain scalar, or an expression over the parameters ("= 2/li").
+  /// \return nothing after reporting an error
+  std::optional<double> number(const Node& node, const Path& path);
+
+  /// True if the scalar is an expression (starts with '='), quoted or not.
+  static bool is_expression(const Node& node);
+  /// Compiles an expression; `variables` get their values at evaluation.
+  std::optional<Expression> expression(const Node& node, const Path& path,
+                                       const std::vector<std::string>& variables);
+  /// Reports an expression's error at its node with the nearest known name.
+  void expression_error(const Node& node, const Path& path, const ExpressionError& error,
+                        const std::vector<std::string>& variables);
+
+  /// Reports a key that `allowed` does not have: nearest name, or where in the file it belongs.
+  void unknown_key(const Node& key, const Path& path, std::span<const std::string_view> allowed);
+  void missing_key(const Node& map, const Path& path, std::string_view key,
+                   std::string_view wanted);
+  /// "wanted a number, found a list".
+  void wrong_kind(const Node& node, const Path& path, std::string_view wanted);
+  /// Checks bounds; "must not be negative (found -0.1)".
+  bool in_bounds(double value, const Node& node, const Path& path, const law::Bounds& bounds);
+
+  [[nodiscard]] const NamedNumbers& parameters() const { return parameters_; }
+  [[nodiscard]] bool parameters_known() const { return parameters_known_; }
+
+ private:
+  Diagnostics& out_;
+  const NamedNumbers& parameters_;
+  bool parameters_known_;  ///< false: a parameter is faulty, so unknown names are not its fault
+};
+
+/// Bounds in words: "not negative", "greater than 0", "between 0 and 1"; empty if any number will
+/// do.
+std::string in_words(const law::Bounds& bounds);
+
+/// How one type is read, described in JSON Schema, and listed in the case reference:
+///   static bool read(Binder&, const Node&, const Path&, const KeyInfo&, T& out);
+///   static Json schema(const KeyInfo&);
+///   static std::string wanted(const KeyInfo&);            // "a number"
+///   static void rows(const std::string& path, std::vector<KeyRow>&);   // keys below this one
+template <class T>
+struct Codec;
+
+/// A value with its place, for what can only be judged later.
+template <class T>
+struct At {
+  T value{};
+  std::optional<Node> node;
+  Path path;
+
+  [[nodiscard]] bool given() const { return node.has_value(); }
+};
+
+/// An entry of a map whose keys are the user's names.
+template <class T>
+struct Named {
+  std::string name;
+  std::optional<Node> key;
+  Path path;
+  T value{};
+};
+template <class T>
+using NamedMap = std::vector<Named<T>>;
+
+// ---------------------------------------------------------------------------------------------
+// Structs: T::declare(visitor) calls visitor(key, &T::member, KeyInfo) for every key; a law's or a
+// connection's fields() tuple serves as well.
+
+template <class T>
+concept Declared = requires {
+  &T::kIsDeclared;
+};
+template <class T>
+concept HasFields = requires {
+  T::fields();
+};
+
+template <class T, class Visitor>
+void for_each_key(Visitor&& visitor) {
+  if constexpr (Declared<T>) {
+    T::declare(visitor);
+  } else {
+    std::apply(
+        [&](const auto&... field) {
+          (visitor(field.key, field.member,
+                   KeyInfo{.required = field.required,
+                           .text = field.text,
+                           .dimension = field.dimension,
+                           .bounds = field.bounds}),
+           ...);
+        },
+        T::fields());
+  }
+}
+
+template <class T>
+std::vector<std::string_view> keys_of() {
+  std::vector<std::string_view> keys;
+  for_each_key<T>([&](std::string_view key, auto, const KeyInfo&) { keys.push_back(key); });
+  return keys;
+}
+
+/// Reads the keys of a map into a struct; all errors are reported.
+template <class T>
+bool read_struct(Binder& binder, const Node& node, const Path& path, T& out) {
+  if (!node.is_map()) {
+    binder.wrong_kind(node, path, "a map");
+    return false;
+  }
+  bool good = true;
+  const std::vector<std::string_view> allowed = keys_of<T>();
+  for (const Entry entry : node.entries()) {
+    if (std::find(allowed.begin(), allowed.end(), entry.key.text()) == allowed.end()) {
+      binder.unknown_key(entry.key, path / entry.key.text(), allowed);
+      good = false;
+    }
+  }
+  for_each_key<T>([&](std::string_view key, auto member, const KeyInfo& info) {
+    using Member = std::remove_reference_t<decltype(out.*member)>;
+    const std::optional<Node> value = node.find(key);
+    if (value) {
+      good = Codec<Member>::read(binder, *value, path / key, info, out.*member) && good;
+    } else if (info.required) {
+      binder.missing_key(node, path, key, Codec<Member>::wanted(info));
+      good = false;
+    }
+  });
+  return good;
+}
+
+template <class T>
+Json struct_schema() {
+  Json schema;
+  schema["type"] = "object";
+  Json required = Json::array();
+  bool any_required = false;
+  Json properties = Json::object();
+  for_each_key<T>([&](std::string_view key, auto member, const KeyInfo& info) {
+    using Member = std::remove_reference_t<decltype(std::declval<T&>().*member)>;
+    Json property = Codec<Member>::schema(info);
+    property["description"] = info.text;
+    properties[key] = std::move(property);
+    if (info.required) {
+      required.push_back(key);
+      any_required = true;
+    }
+  });
+  schema["properties"] = std::move(properties);
+  if (any_required) schema["required"] = std::move(required);
+  schema["additionalProperties"] = false;
+  return schema;
+}
+
+template <class T>
+void struct_rows(const std::string& path, std::vector<KeyRow>& rows) {
+  for_each_key<T>([&](std::string_view key, auto member, const KeyInfo& info) {
+    using Member = std::remove_reference_t<decltype(std::declval<T&>().*member)>;
+    const std::string here = path.empty() ? std::string(key) : path + "." + std::string(key);
+    rows.push_back({here, Codec<Member>::wanted(info), info});
+    Codec<Member>::rows(here, rows);
+  });
+}
+
+template <class T>
+requires(Declared<T> || HasFields<T>) struct Codec<T> {
+  static bool read(Binder& binder, const Node& node, const Path& path, const KeyInfo&, T& out) {
+    return read_struct(binder, node, path, out);
+  }
+  static Json schema(const KeyInfo&) { return struct_schema<T>(); }
+  static std::string wanted(const KeyInfo&) { return "a map"; }
+  static void rows(const std::string& path, std::vector<KeyRow>& rows) {
+    struct_rows<T>(path, rows);
+  }
+};
+
+// ---------------------------------------------------------------------------------------------
+// Leaves.
+
+template <>
+struct Codec<double> {
+  static bool read(Binder& binder, const Node& node, const Path& path, const KeyInfo& info,
+                   double& out);
+  static Json schema(const KeyInfo& info);
+  static std::string wanted(const KeyInfo&) { return "a number"; }
+  static void rows(const std::string&, std::vector<KeyRow>&) {}
+};
+
+template <>
+struct Codec<int> {
+  static bool read(Binder& binder, const Node& node, const Path& path, const KeyInfo& info,
+                   int& out);
+  static Json schema(const KeyInfo& info);
+  static std::string wanted(const KeyInfo&) { return "an integer"; }
+  static void rows(const std::string&, std::vector<KeyRow>&) {}
+};
+
+template <>
+struct Codec<bool> {
+  static bool read(Binder& binder, const Node& node, const Path& path, const KeyInfo& info,
+                   bool& out);
+  static Json schema(const KeyInfo& info);
+  static std::string wanted(const KeyInfo&) { return "true or false"; }
+  static void rows(const std::string&, std::vector<KeyRow>&) {}
+};
+
+template <>
+struct Codec<std::string> {
+  static bool read(Binder& binder, const Node& node, const Path& path, const KeyInfo& info,
+                   std::string& out);
+  static Json schema(const KeyInfo& info);
+  static std::string wanted(const KeyInfo&) { return "a text"; }
+  static void rows(const std::string&, std::vector<KeyRow>&) {}
+};
+
+/// Enumerations give their YAML words in the order of their values: EnumWords<E>::kWords.
+template <class E>
+struct EnumWords;
+
+bool read_word(Binder& binder, const Node& node, const Path& path,
+               std::span<const std::string_view> words, std::size_t& index);
+
+template <class E>
+requires std::is_enum_v<E>
+struct Codec<E> {
+  static bool read(Binder& binder, const Node& node, const Path& path, const KeyInfo&, E& out) {
+    std::size_t index = 0;
+    if (!read_word(binder, node, path, EnumWords<E>::kWords, index)) return false;
+    out = static_cast<E>(index);
+    return true;
+  }
+  static Json schema(const KeyInfo&) {
+    Json words = Json::array();
+    for (const std::string_view word : EnumWords<E>::kWords) words.push_back(word);
+    Json schema;
+    schema["enum"] = std::move(words);
+    return schema;
+  }
+  static std::string wanted(const KeyInfo&) {
+    return slipbench::driver::in_words(std::span<const std::string_view>(EnumWords<E>::kWords));
+  }
+  static void rows(const std::string&, std::vector<KeyRow>&) {}
+};
+
+/// The tree itself, for what is read once more is known (predefined friction).
+template <>
+struct Codec<Node>;
+
+// ---------------------------------------------------------------------------------------------
+// Wrappers.
+
+template <class T>
+struct Codec<std::optional<T>> {
+  static bool read(Binder& binder, const Node& node, const Path& path, const KeyInfo& info,
+                   std::optional<T>& out) {
+    T value{};
+    if (!Codec<T>::read(binder, node, path, info, value)) return false;
+    out = std::move(value);
+    return true;
+  }
+  static Json schema(const KeyInfo& info) { return Codec<T>::schema(info); }
+  static std::string wanted(const KeyInfo& info) { return Codec<T>::wanted(info); }
+  static void rows(const std::string& path, std::vector<KeyRow>& rows) {
+    Codec<T>::rows(path, rows);
+  }
+};
+
+template <class T>
+struct Codec<At<T>> {
+  static bool read(Binder& binder, const Node& node, const Path& path, const KeyInfo& info,
+                   At<T>& out) {
+    if (!Codec<T>::read(binder, node, path, info, out.value)) return false;
+    out.node = node;
+    out.path = path;
+    return true;
+  }
+  static Json schema(const KeyInfo& info) { return Codec<T>::schema(info); }
+  static std::string wanted(const KeyInfo& info) { return Codec<T>::wanted(info); }
+  static void rows(const std::string& path, std::vector<KeyRow>& rows) {
+    Codec<T>::rows(path, rows);
+  }
+};
+
+template <class T>
+struct Codec<std::vector<T>> {
+  static bool read(Binder& binder, const Node& node, const Path& path, const KeyInfo& info,
+                   std::vector<T>& out) {
+    if (!node.is_sequence()) {
+      binder.wrong_kind(node, path, wanted(info));
+      return false;
+    }
+    bool good = true;
+    out.clear();
+    out.reserve(node.size());
+    for (std::size_t i = 0; i < node.size(); ++i) {
+      T item{};
+      if (Codec<T>::read(binder, node[i], path / i, info, item)) {
+        out.push_back(std::move(item));
+      } else {
+        good = false;
+      }
+    }
+    return good;
+  }
+  static Json schema(const KeyInfo& info) {
+    Json schema;
+    schema["type"] = "array";
+    schema["items"] = Codec<T>::schema(info);
+    return schema;
+  }
+  static std::string wanted(const KeyInfo& info) {
+    return "a list, each item " + Codec<T>::wanted(info);
+  }
+  static void rows(const std::string& path, std::vector<KeyRow>& rows) {
+    Codec<T>::rows(path + "[]", rows);
+  }
+};
+
+template <class T>
+struct Codec<Named<T>>;  // only as NamedMap<T>
+
+template <class T>
+struct Codec<std::vector<Named<T>>> {
+  static bool read(Binder& binder, const Node& node, const Path& path, const KeyInfo& info,
+                   NamedMap<T>& out) {
+    if (!node.is_map()) {
+      binder.wrong_kind(node, path, wanted(info));
+      return false;
+    }
+    bool good = true;
+    for (const Entry entry : node.entries()) {
+      Named<T> item;
+      item.name = std::string(entry.key.text());
+      item.key = entry.key;
+      item.path = path / entry.key.text();
+      if (Codec<T>::read(binder, entry.value, item.path, info, item.value)) {
+        out.push_back(std::move(item));
+      } else {
+        good = false;
+      }
+    }
+    return good;
+  }
+  static Json schema(const KeyInfo& info) {
+    Json schema;
+    schema["type"] = "object";
+    schema["additionalProperties"] = Codec<T>::schema(info);
+    return schema;
+  }
+  static std::string wanted(const KeyInfo& info) {
+    return "a map from names to " + Codec<T>::wanted(info);
+  }
+  static void rows(const std::string& path, std::vector<KeyRow>& rows) {
+    Codec<T>::rows(path + ".NAME", rows);
+  }
+};
+
+}  // namespace slipbench::driver

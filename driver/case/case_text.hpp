@@ -1,0 +1,559 @@
+// SPDX-License-Identifier: Apache-2.0
+// A case as it is written: the structs beside whose members every key of the format is declared.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "driver/case/binding.hpp"
+#include "driver/history/profile.hpp"
+#include "law/friction_definition.hpp"
+#include "law/table.hpp"
+
+namespace slipbench::driver {
+
+struct UnitsText {
+  static constexpr bool kIsDeclared = true;
+  At<std::string> length, force, time, temperature;
+
+  template <class V>
+  static void declare(V& key) {
+    key("length", &UnitsText::length,
+        KeyInfo{.text = "Unit of length, e.g. mm.", .default_text = "not stated"});
+    key("force", &UnitsText::force,
+        KeyInfo{.text = "Unit of force, e.g. N.", .default_text = "not stated"});
+    key("time", &UnitsText::time,
+        KeyInfo{.text = "Unit of time, e.g. s.", .default_text = "not stated"});
+    key("temperature", &UnitsText::temperature,
+        KeyInfo{.text = "Unit of temperature, e.g. degC.", .default_text = "not stated"});
+  }
+};
+
+/// One connection type, or two basic ones.
+struct TypeNames {
+  std::vector<At<std::string>> names;
+};
+
+struct ConnectorText {
+  static constexpr bool kIsDeclared = true;
+  At<TypeNames> type;
+  At<int> dimension{.value = 3};
+  NamedMap<double> reference;
+  NamedMap<double> initial;
+
+  template <class V>
+  static void declare(V& key) {
+    key("type", &ConnectorText::type,
+        KeyInfo{.required = true, .text = "Connection type, or a list of two basic types."});
+    key("dimension", &ConnectorText::dimension,
+        KeyInfo{.text = "Dimension of space; 2 exists for SLOT only.",
+                .default_text = "3",
+                .bounds = {.lower = 2, .upper = 3}});
+    key("reference", &ConnectorText::reference,
+        KeyInfo{.text = "Constitutive reference positions, {CP1: ..}; angles in radians.",
+                .default_text = "the initial position"});
+    key("initial", &ConnectorText::initial,
+        KeyInfo{.text = "Initial relative position, {CP1: ..}; angles in radians.",
+                .default_text = "0"});
+  }
+};
+
+/// A table: `columns` names the dependents first, then the independents.
+struct TableText {
+  static constexpr bool kIsDeclared = true;
+  std::vector<At<std::string>> columns;
+  At<std::vector<At<std::vector<double>>>> rows;
+  At<std::string> csv;
+  law::Extrapolation extrapolate = law::Extrapolation::kConstant;
+
+  template <class V>
+  static void declare(V& key) {
+    key("columns", &TableText::columns,
+        KeyInfo{
+            .required = true,
+            .text =
+                "Names of the columns: the dependent quantities first, then the independents."});
+    key("rows", &TableText::rows,
+        KeyInfo{.text = "Rows of numbers; the first independent varies fastest, ascending.",
+                .default_text = "from csv"});
+    key("csv", &TableText::csv,
+        KeyInfo{.text = "A CSV file with these columns, in place of rows.",
+                .default_text = "from rows"});
+    key("extrapolate", &TableText::extrapolate,
+        KeyInfo{.text = "Outside the table: the end value, or the end slope.",
+                .default_text = "constant"});
+  }
+};
+
+template <>
+struct EnumWords<law::Extrapolation> {
+  static constexpr std::array<std::string_view, 2> kWords{"constant", "linear"};
+};
+
+using NumberOrTable = std::variant<double, TableText>;
+using WeightsText = std::variant<std::vector<double>, TableText>;
+
+template <>
+struct EnumWords<law::TermOperator> {
+  static constexpr std::array<std::string_view, 3> kWords{"norm", "sum", "macauley_sum"};
+};
+
+struct DerivedTermText {
+  static constexpr bool kIsDeclared = true;
+  At<law::TermOperator> combine;
+  At<int> sign{.value = 1};
+  std::vector<At<int>> components;
+  At<WeightsText> weights;
+
+  template <class V>
+  static void declare(V& key) {
+    key("operator", &DerivedTermText::combine,
+        KeyInfo{.text = "How the weighted forces are combined.", .default_text = "norm"});
+    key("sign", &DerivedTermText::sign,
+        KeyInfo{.text = "1 or -1.", .default_text = "1", .bounds = {.lower = -1, .upper = 1}});
+    key("components", &DerivedTermText::components,
+        KeyInfo{.required = true,
+                .text = "Component numbers 1-6 of the forces and moments.",
+                .bounds = {.lower = 1, .upper = 6}});
+    key("weights", &DerivedTermText::weights,
+        KeyInfo{.text = "A weight for each component: numbers, or a table over motions CP, CU, "
+                        "temperature and fields.",
+                .default_text = "1 each"});
+  }
+};
+
+struct PotentialTermText {
+  static constexpr bool kIsDeclared = true;
+  At<int> component;
+  double scale = 1.0;
+
+  template <class V>
+  static void declare(V& key) {
+    key("component", &PotentialTermText::component,
+        KeyInfo{.required = true,
+                .text = "Number 1-6 of a free component.",
+                .bounds = {.lower = 1, .upper = 6}});
+    key("scale", &PotentialTermText::scale,
+        KeyInfo{.text = "R_i of the contribution f_i/R_i; a radius turns a moment into a force.",
+                .default_text = "1",
+                .bounds = law::kPositive});
+  }
+};
+
+enum class PotentialOperator { kSum };
+template <>
+struct EnumWords<PotentialOperator> {
+  static constexpr std::array<std::string_view, 1> kWords{"sum"};
+};
+
+struct PotentialText {
+  static constexpr bool kIsDeclared = true;
+  PotentialOperator combine = PotentialOperator::kSum;
+  At<double> exponent{.value = 2.0};
+  At<std::vector<PotentialTermText>> terms;
+
+  template <class V>
+  static void declare(V& key) {
+    key("operator", &PotentialText::combine,
+        KeyInfo{.text = "P = (sum of abs(f_i/R_i)^exponent)^(1/exponent).", .default_text = "sum"});
+    key("exponent", &PotentialText::exponent,
+        KeyInfo{.text = "Exponent of the sum; this version has 2.",
+                .default_text = "2",
+                .bounds = {.lower = 2.0, .upper = 2.0}});
+    key("terms", &PotentialText::terms, KeyInfo{.required = true, .text = "The contributions."});
+  }
+};
+
+struct StickText {
+  static constexpr bool kIsDeclared = true;
+  At<double> slip_tolerance, characteristic_length, elastic_slip, stiffness;
+
+  template <class V>
+  static void declare(V& key) {
+    key("slip_tolerance", &StickText::slip_tolerance,
+        KeyInfo{.text = "F_f: elastic slip as a part of the characteristic length.",
+                .default_text = "1e-4",
+                .bounds = law::kPositive});
+    key("characteristic_length", &StickText::characteristic_length,
+        KeyInfo{.text = "Length (angle for rotations) the slip tolerance refers to.",
+                .default_text = "1, with a note",
+                .dimension = law::dimension::kLength,
+                .bounds = law::kPositive});
+    key("elastic_slip", &StickText::elastic_slip,
+        KeyInfo{.text = "Allowable elastic slip g_c, in place of the slip tolerance.",
+                .default_text = "slip_tolerance * characteristic_length",
+                .dimension = law::dimension::kLength,
+                .bounds = law::kPositive});
+    key("stiffness", &StickText::stiffness,
+        KeyInfo{
+            .text =
+                "Constant stick stiffness kappa in the slip space, in place of an elastic slip.",
+            .default_text = "limit / elastic slip",
+            .dimension = {1, -1, 0},
+            .bounds = law::kPositive});
+  }
+};
+
+/// A number, a table, or a map with the name of one law of law::FrictionLaw.
+struct CoefficientText {
+  std::variant<law::FrictionLaw, TableText> value;
+};
+
+/// A component number or the name of a derived component.
+struct ContactForceText {
+  std::variant<int, std::string> value;
+};
+
+/// The parameters of predefined friction; which they are is known with the connection type.
+struct PredefinedText {
+  std::optional<Node> node;
+};
+
+struct FrictionText {
+  static constexpr bool kIsDeclared = true;
+  At<std::string> name;
+  At<PredefinedText> predefined;
+  At<int> component;
+  At<PotentialText> potential;
+  At<ContactForceText> contact_force;
+  At<NumberOrTable> internal_contact_force;
+  At<CoefficientText> coefficient;
+  At<double> force_limit;
+  At<StickText> stick;
+
+  template <class V>
+  static void declare(V& key) {
+    key("name", &FrictionText::name,
+        KeyInfo{.text = "Name used in result columns where there are several definitions.",
+                .default_text = "friction1, ..."});
+    key("predefined", &FrictionText::predefined,
+        KeyInfo{.text = "Predefined friction of the connection type, with its geometry.",
+                .default_text = "component or potential"});
+    key("component", &FrictionText::component,
+        KeyInfo{.text = "Free component 1-6 that slips: P = abs(f_i).",
+                .default_text = "predefined or potential",
+                .bounds = {.lower = 1, .upper = 6}});
+    key("potential", &FrictionText::potential,
+        KeyInfo{.text = "Several free components that slip together.",
+                .default_text = "predefined or component"});
+    key("contact_force", &FrictionText::contact_force,
+        KeyInfo{.text = "F_C: the name of a derived component, or a component number 1-6 (signed).",
+                .default_text = "none"});
+    key("internal_contact_force", &FrictionText::internal_contact_force,
+        KeyInfo{.text = "F_int: a number, or a table over accumulated_slip, temperature, fields, "
+                        "CP and CU.",
+                .default_text = "0",
+                .dimension = law::dimension::kForce,
+                .bounds = law::kNotNegative});
+    key("coefficient", &FrictionText::coefficient,
+        KeyInfo{.text = "Coefficient of friction: a number, a table, or a law by name.",
+                .default_text = "0: no friction",
+                .bounds = law::kNotNegative});
+    key("force_limit", &FrictionText::force_limit,
+        KeyInfo{.text = "Cap f_t^max of the limiting friction force; 0 means none.",
+                .default_text = "none",
+                .dimension = law::dimension::kForce,
+                .bounds = law::kNotNegative});
+    key("stick", &FrictionText::stick,
+        KeyInfo{.text = "How stiff the connector is while it sticks.",
+                .default_text = "slip tolerance 1e-4"});
+  }
+};
+
+enum class IntegrationMethod { kBackwardEuler };
+template <>
+struct EnumWords<IntegrationMethod> {
+  static constexpr std::array<std::string_view, 1> kWords{"backward_euler"};
+};
+template <>
+struct EnumWords<law::AccumulatedSlipTiming> {
+  static constexpr std::array<std::string_view, 2> kWords{"end", "start"};
+};
+template <>
+struct EnumWords<law::SlipRateMeasure> {
+  static constexpr std::array<std::string_view, 2> kWords{"slip", "relative_motion"};
+};
+
+struct IntegrationText {
+  static constexpr bool kIsDeclared = true;
+  IntegrationMethod method = IntegrationMethod::kBackwardEuler;
+  law::AccumulatedSlipTiming accumulated_slip = law::AccumulatedSlipTiming::kEnd;
+  law::SlipRateMeasure slip_rate = law::SlipRateMeasure::kSlip;
+
+  template <class V>
+  static void declare(V& key) {
+    key("method", &IntegrationText::method,
+        KeyInfo{.text = "Integration over an increment.", .default_text = "backward_euler"});
+    key("accumulated_slip", &IntegrationText::accumulated_slip,
+        KeyInfo{.text = "Accumulated slip that the internal contact force sees: of the end of the "
+                        "increment (implicit) or of its start.",
+                .default_text = "end"});
+    key("slip_rate", &IntegrationText::slip_rate,
+        KeyInfo{.text = "Rate that the coefficient sees: of the slip, or of the whole motion.",
+                .default_text = "slip"});
+  }
+};
+
+/// A profile of a step, compiled.
+struct ProfileText {
+  Profile profile;
+};
+
+struct StepText {
+  static constexpr bool kIsDeclared = true;
+  At<std::string> step;
+  double duration = 1.0;
+  int increments = 1;
+  int repeat = 1;
+  NamedMap<ProfileText> motion;
+  NamedMap<ProfileText> force;
+  At<ProfileText> temperature;
+  NamedMap<ProfileText> fields;
+
+  template <class V>
+  static void declare(V& key) {
+    key("step", &StepText::step, KeyInfo{.required = true, .text = "Name of the step."});
+    key("duration", &StepText::duration,
+        KeyInfo{.text = "Length of the step in time.",
+                .default_text = "1",
+                .dimension = law::dimension::kTime,
+                .bounds = law::kPositive});
+    key("increments", &StepText::increments,
+        KeyInfo{.required = true,
+                .text = "Number of equal increments; breakpoints of the profiles are added.",
+                .bounds = {.lower = 1}});
+    key("repeat", &StepText::repeat,
+        KeyInfo{.text = "How often the step runs, one run after the other.",
+                .default_text = "1",
+                .bounds = {.lower = 1}});
+    key("motion", &StepText::motion,
+        KeyInfo{.text = "Profiles of free components, {CP1: ..., CPR1: ...}.",
+                .default_text = "unchanged"});
+    key("force", &StepText::force,
+        KeyInfo{.text = "Profiles of constraint forces and moments, {f2: ..., m3: ...}.",
+                .default_text = "unchanged"});
+    key("temperature", &StepText::temperature,
+        KeyInfo{.text = "Profile of the temperature.", .default_text = "unchanged, at first 0"});
+    key("fields", &StepText::fields,
+        KeyInfo{.text = "Profiles of field variables, {field1: ...}.",
+                .default_text = "unchanged, at first 0"});
+  }
+};
+
+/// A column of a measured history: its name, or its name and unit.
+struct MeasuredColumnText {
+  At<std::string> column;
+  At<std::string> unit;
+};
+
+struct MeasuredText {
+  static constexpr bool kIsDeclared = true;
+  At<std::string> csv;
+  At<std::string> time;
+  At<std::string> time_unit;
+  NamedMap<MeasuredColumnText> columns;
+  bool hold = false;
+
+  template <class V>
+  static void declare(V& key) {
+    key("csv", &MeasuredText::csv,
+        KeyInfo{.required = true,
+                .text = "CSV file whose rows drive the case, one increment a row."});
+    key("time", &MeasuredText::time, KeyInfo{.required = true, .text = "Name of the time column."});
+    key("unit", &MeasuredText::time_unit,
+        KeyInfo{.text = "Unit of the time column.", .default_text = "the case's"});
+    key("columns", &MeasuredText::columns,
+        KeyInfo{
+            .required = true,
+            .text =
+                "Which quantity each column drives: {CP1: disp, f2: {column: load, unit: lbf}}."});
+    key("hold", &MeasuredText::hold,
+        KeyInfo{.text = "true: a value holds until the next row; false: linear between rows.",
+                .default_text = "false"});
+  }
+};
+
+/// Steps, or one measured history.
+struct HistoryText {
+  std::vector<StepText> steps;
+  std::optional<MeasuredText> measured;
+};
+
+struct OutputText {
+  static constexpr bool kIsDeclared = true;
+  int every = 1;
+  At<std::vector<At<std::string>>> columns;
+
+  template <class V>
+  static void declare(V& key) {
+    key("every", &OutputText::every,
+        KeyInfo{.text = "Write every n-th increment, and the last of each step.",
+                .default_text = "1",
+                .bounds = {.lower = 1}});
+    key("columns", &OutputText::columns,
+        KeyInfo{.text = "Result columns to write; t is always the first.", .default_text = "all"});
+  }
+};
+
+/// Parameters of a closed form: numbers or lists of numbers.
+struct NumberOrList {
+  std::vector<double> values;
+  bool list = false;
+};
+
+struct AgainstText {
+  static constexpr bool kIsDeclared = true;
+  At<std::string> expression;
+  At<std::string> closed_form;
+  NamedMap<NumberOrList> with;
+  NamedMap<std::string> inputs;
+  At<std::string> output;
+
+  template <class V>
+  static void declare(V& key) {
+    key("expression", &AgainstText::expression,
+        KeyInfo{.text = "Expression over t, T, parameters and result columns.",
+                .default_text = "closed_form"});
+    key("closed_form", &AgainstText::closed_form,
+        KeyInfo{.text = "Name of a closed form (slipbench list closed-forms).",
+                .default_text = "expression"});
+    key("with", &AgainstText::with,
+        KeyInfo{.text = "Parameters of the closed form.", .default_text = "its defaults"});
+    key("inputs", &AgainstText::inputs,
+        KeyInfo{.text = "Result columns that drive the closed form, {motion: CU1}.",
+                .default_text = "the columns of the same meaning"});
+    key("output", &AgainstText::output,
+        KeyInfo{.text = "Which result of the closed form is compared.",
+                .default_text = "what the quantity is"});
+  }
+};
+
+struct OverText {
+  static constexpr bool kIsDeclared = true;
+  std::optional<double> from, to;
+
+  template <class V>
+  static void declare(V& key) {
+    key("from", &OverText::from, KeyInfo{.text = "First total time.", .default_text = "the start"});
+    key("to", &OverText::to, KeyInfo{.text = "Last total time.", .default_text = "the end"});
+  }
+};
+
+struct ToleranceText {
+  static constexpr bool kIsDeclared = true;
+  std::optional<double> absolute, relative;
+  std::string why;
+
+  template <class V>
+  static void declare(V& key) {
+    key("absolute", &ToleranceText::absolute,
+        KeyInfo{.text = "Admissible deviation in the quantity's unit.",
+                .default_text = "relative",
+                .bounds = law::kNotNegative});
+    key("relative", &ToleranceText::relative,
+        KeyInfo{.text = "Admissible deviation as a part of the reference's range.",
+                .default_text = "absolute",
+                .bounds = law::kNotNegative});
+    key("why", &ToleranceText::why,
+        KeyInfo{.text = "Which error this tolerance allows for.", .default_text = "none"});
+  }
+};
+
+enum class CheckCriterion { kPointwise };
+template <>
+struct EnumWords<CheckCriterion> {
+  static constexpr std::array<std::string_view, 1> kWords{"pointwise"};
+};
+enum class CheckAbscissa { kTime };
+template <>
+struct EnumWords<CheckAbscissa> {
+  static constexpr std::array<std::string_view, 1> kWords{"time"};
+};
+
+struct CheckText {
+  static constexpr bool kIsDeclared = true;
+  At<std::string> name;
+  At<std::string> quantity;
+  At<AgainstText> against;
+  At<std::string> step;
+  At<OverText> over;
+  CheckCriterion criterion = CheckCriterion::kPointwise;
+  CheckAbscissa abscissa = CheckAbscissa::kTime;
+  At<ToleranceText> tolerance;
+
+  template <class V>
+  static void declare(V& key) {
+    key("name", &CheckText::name, KeyInfo{.required = true, .text = "What the check shows."});
+    key("quantity", &CheckText::quantity,
+        KeyInfo{.required = true,
+                .text = "A result column, or an expression over t, T, parameters and columns."});
+    key("against", &CheckText::against,
+        KeyInfo{.required = true, .text = "What the quantity is compared with."});
+    key("step", &CheckText::step,
+        KeyInfo{.text = "Compare the rows of this step only.", .default_text = "all steps"});
+    key("over", &CheckText::over,
+        KeyInfo{.text = "Compare the rows within these total times only.",
+                .default_text = "the whole run"});
+    key("criterion", &CheckText::criterion,
+        KeyInfo{.text = "How the two are compared.", .default_text = "pointwise"});
+    key("abscissa", &CheckText::abscissa,
+        KeyInfo{.text = "What the two are compared over.", .default_text = "time"});
+    key("tolerance", &CheckText::tolerance,
+        KeyInfo{.required = true,
+                .text = "How far they may be apart; the larger of the two counts."});
+  }
+};
+
+/// The value of a parameter; expressions are resolved before the rest of the case is read.
+struct ParameterValue {};
+
+struct CaseText {
+  static constexpr bool kIsDeclared = true;
+  At<int> slipbench;
+  std::string title;
+  UnitsText units;
+  NamedMap<ParameterValue> parameters;
+  At<ConnectorText> connector;
+  NamedMap<std::vector<DerivedTermText>> derived_components;
+  At<std::vector<At<FrictionText>>> friction;
+  IntegrationText integration;
+  At<HistoryText> history;
+  OutputText output;
+  std::vector<At<CheckText>> checks;
+
+  template <class V>
+  static void declare(V& key) {
+    key("slipbench", &CaseText::slipbench,
+        KeyInfo{.required = true,
+                .text = "Version of the case format: 1.",
+                .bounds = {.lower = 1, .upper = 1}});
+    key("title", &CaseText::title,
+        KeyInfo{.text = "One line for results and plots.", .default_text = "the file's name"});
+    key("units", &CaseText::units,
+        KeyInfo{.text = "The one consistent system of units; angles are radians.",
+                .default_text = "none"});
+    key("parameters", &CaseText::parameters,
+        KeyInfo{.text = "Named numbers for expressions, --set, sweeps and fits.",
+                .default_text = "none"});
+    key("connector", &CaseText::connector, KeyInfo{.required = true, .text = "The connector."});
+    key("derived_components", &CaseText::derived_components,
+        KeyInfo{.text = "Named contact forces g(f); the terms of a name are added.",
+                .default_text = "none"});
+    key("friction", &CaseText::friction,
+        KeyInfo{.required = true,
+                .text = "Friction definitions, each a stick-slip check of its own."});
+    key("integration", &CaseText::integration,
+        KeyInfo{.text = "How an increment is integrated.", .default_text = "as below"});
+    key("history", &CaseText::history,
+        KeyInfo{.required = true, .text = "Steps in order, or a measured history."});
+    key("output", &CaseText::output,
+        KeyInfo{.text = "What the result file holds.", .default_text = "everything"});
+    key("checks", &CaseText::checks,
+        KeyInfo{.text = "What the run is held against.", .default_text = "none"});
+  }
+};
+
+}  // namespace slipbench::driver

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "driver/case/case.hpp"
+#include "driver/history/units.hpp"
+#include "driver/simulation.hpp"
+
+namespace slipbench::driver {
+
+/// Where the number of a result column comes from.
+enum class ColumnSource : std::uint8_t {
+  kTime,            ///< total time
+  kPosition,        ///< CP, and with an offset CU and CCU
+  kVelocity,        ///< CV
+  kForce,           ///< a prescribed constraint force
+  kFrictionForce,   ///< R_i y_i of one entry of a definition's slip space
+  kNoFriction,      ///< 0: an available component without friction
+  kFrictionTotal,   ///< |y| of a definition
+  kSlipVelocity,    ///< n . ds/dt
+  kAccumulatedSlip,
+  kNormalForce,
+  kStatus,
+  kMu,
+  kLimit,
+  kPhi,
+  kElasticSlip,
+  kDissipation,
+  kStoredEnergy,
+  kWork,
+  kQuantity         ///< temperature or a field
+};
+
+/// One column of the result: its name, the dimension its unit follows from, one sentence, and how
+/// its number is read off a row.
+struct Column {
+  std::string name;
+  Dimension dimension;
+  std::string text;
+  ColumnSource source = ColumnSource::kTime;
+  int index = 0;        ///< component 0..5, entry of the slip space, or flat quantity
+  int definition = -1;  ///< of the case's definitions; -1 if it belongs to none
+  double offset = 0.0;  ///< is subtracted
+};
+
+/// All columns a case has, in the order of the result file (specification, section 13; the case
+/// format, section 3). Names of one definition's columns end in `.name` where there are several
+/// definitions.
+std::vector<Column> result_columns(const Case& problem);
+
+/// The columns of the result file: those the case selects under `output.columns`, in its order and
+/// after `t`, or all of them. Names that do not exist are left out; the reader reports them.
+std::vector<Column> output_columns(const Case& problem);
+
+/// The column of a name, for checks: besides the names of `result_columns`, those that belong to a
+/// definition may carry its `.name` even where the file omits it: CSF1.sleeve, FLIM.sleeve.
+std::optional<Column> find_column(const Case& problem, std::span<const Column> columns,
+                                  std::string_view name);
+
+/// Every name a check may use, for suggestions.
+std::vector<std::string> column_names(const Case& problem);
+
+/// The number of a column in a row of a run of `problem`.
+double column_value(const Column& column, const Case& problem, const Row& row);
+
+/// Whether y of the definition is a moment: its slip space has rotations only, none of them scaled
+/// to a force.
+bool is_rotational(const law::FrictionDefinition& definition);
+
+}  // namespace slipbench::driver

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "driver/case/case.hpp"
+#include "driver/case/quantity.hpp"
+#include "driver/history/history_error.hpp"
+#include "driver/history/profile_cursor.hpp"
+#include "driver/history/step_grid.hpp"
+#include "law/return_mapping.hpp"
+
+namespace slipbench::driver {
+
+/// Values of all quantities a case can prescribe, in the numbering of quantity.hpp.
+using Quantities = std::array<double, kQuantities>;
+
+/// What one friction definition did over an increment, and since the start.
+struct DefinitionRow {
+  law::FrictionUpdate update;
+  double dissipation = 0.0;  ///< since the start [F L]
+  double work = 0.0;         ///< of the friction force over the motion, since the start [F L]
+};
+
+/// The result of one increment. Row 0 is the initial state: forces, temperature and fields as the
+/// history begins, no motion yet.
+struct Row {
+  std::int64_t index = 0;            ///< how many increments lie behind
+  int step = 0;                      ///< counts the case's steps; 0 in a measured history
+  int pass = 0;                      ///< which repetition of the step, from 0
+  double time = 0.0;                 ///< total time T [T]
+  double step_time = 0.0;            ///< time in the step t [T]
+  double duration = 0.0;             ///< of the increment [T]; 0 in row 0
+  law::RelativePosition begin;       ///< CP where the increment began
+  Quantities quantities{};           ///< at its end
+  std::vector<DefinitionRow> definitions;  ///< in the order of the case's definitions
+};
+
+/// All that a run has to remember, apart from its case: a run that goes on from here gives the same
+/// bytes as one that was never cut.
+struct SimulationState {
+  struct Definition {
+    law::FrictionState friction;
+    double dissipation = 0.0;
+    double work = 0.0;
+  };
+  std::int64_t increments = 0;  ///< position in the history
+  std::vector<Definition> definitions;
+};
+
+/// A motion that does not start where the connector is: it is made up in the first increment.
+struct MotionJump {
+  int component = 0;   ///< index 0..5
+  double size = 0.0;   ///< [L], [1]
+  double time = 0.0;   ///< total time
+  std::string step;
+};
+
+/// Why a run ended early.
+struct SimulationFailure {
+  enum class Kind {
+    kInput,        ///< the history has no value, or its data are faulty
+    kEnvironment,  ///< a data file cannot be read
+    kNumerical     ///< an update is not finite
+  };
+  Kind kind = Kind::kNumerical;
+  std::string message;  ///< with the file's position where data are at fault
+};
+
+/// A case on its way through its history, one increment after another. Increments end at the
+/// points of each step's uniform grid and at every breakpoint of its profiles, or at the rows of a
+/// measured history. An increment allocates nothing; nothing grows with the number of increments.
+class Simulation {
+ public:
+  /// The initial state; `problem` must outlive the simulation. Errors: a history that has no first value, an initial state that is not finite.
+  static tl::expected<Simulation, SimulationFailure> start(const Case& problem);
+
+  /// The state in which another run of the same case was cut; its history is walked through again
+  /// up to there, without the law. The next row is the one the other run would have given;
+  /// `row()` before it has no updates. Errors: those of `start`; a history shorter than that.
+  static tl::expected<Simulation, SimulationFailure> resume(const Case& problem,
+                                                            const SimulationState& state);
+
+  /// Goes to the end of the next increment; false at the end of the history. After an error or the
+  /// end the simulation stays where it is.
+  tl::expected<bool, SimulationFailure> advance();
+
+  /// The last increment, or the initial state.
+  const Row& row() const { return row_; }
+
+  SimulationState state() const;
+
+  /// Motions that did not start where the connector was, so far; at most kMostJumps are kept.
+  std::span<const MotionJump> jumps() const { return jumps_; }
+  static constexpr std::size_t kMostJumps = 8;
+
+ private:
+  explicit Simulation(const Case& problem);
+
+  tl::expected<void, SimulationFailure> start_history();
+  tl::expected<bool, SimulationFailure> advance_history();
+  tl::expected<bool, SimulationFailure> advance_measured();
+  tl::expected<void, SimulationFailure> begin_step();
+  tl::expected<void, SimulationFailure> begin_pass();
+  tl::expected<void, SimulationFailure> update_definitions();
+  void take_measured_row();
+  void note_jump(int component, double from, double to);
+  SimulationFailure numerical_failure(std::size_t definition, const char* what) const;
+
+  const Case* case_;
+  Row row_;
+  std::vector<MotionJump> jumps_;
+
+  std::vector<ProfileCursor> cursors_;  ///< one for each drive of the current step
+  std::vector<std::size_t> varying_;    ///< the drives that are not constant over the step
+  StepGrid grid_{1.0, 1};
+  bool in_step_ = false;
+  std::optional<MeasuredHistory> measured_;
+  double pass_start_ = 0.0;  ///< total time at which the current pass began
+  double breakpoint_ = 0.0;  ///< the next one
+};
+
+}  // namespace slipbench::driver

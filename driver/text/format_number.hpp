@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// Numbers as text for files: the same double always gives the same bytes, and back.
+#pragma once
+
+#include <string>
+
+namespace slipbench::driver {
+
+/// The shortest text that reads back to the same double, with '.' whatever the locale: "0.1",
+/// "1e+300", "-0" (the sign of a zero is part of the value). Not-a-number is "nan", infinities are
+/// "inf" and "-inf".
+[[nodiscard]] std::string format_number(double value);
+
+/// As format_number, appended to a text that grows: for writing many numbers.
+void append_number(std::string& text, double value);
+
+}  // namespace slipbench::driver

@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# From a fresh clone to checked cases and pictures: sets up, builds the program, checks cases/, draws three cases.
+set -euo pipefail
+. "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+slipbench=build/release/slipbench
+
+scripts/setup.sh
+say "building the program on $(nproc) cores"
+configure release
+build release --target slipbench
+
+say 'checking the cases'
+"$slipbench" check cases/ || fail "slipbench check cases/ ended with exit code $?"
+
+say 'drawing three cases'
+mkdir -p out
+pictures=()
+# draw CASE PICTURE
+draw() {
+  "$slipbench" plot "cases/$1.yaml" -o "out/$2.svg" || fail "drawing cases/$1.yaml failed"
+  pictures+=("out/$2.svg")
+}
+draw examples/shock_absorber shock_absorber
+draw examples/slide_plane_circle circle
+draw examples/puck puck
+say 'done'
+printf 'Pictures: %s\n' "${pictures[*]}"

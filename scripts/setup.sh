@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# Installs the Debian packages of scripts/packages.txt that are missing; with all there it touches nothing.
+# Exit: 0 all there, 1 the installation failed, 4 no apt-get here (says what is needed), 5 not root and no sudo.
+# SLIPBENCH_SETUP=skip leaves the machine as it is, for systems where the needs are met in another way.
+set -euo pipefail
+. "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+[ "${SLIPBENCH_SETUP:-}" != skip ] || exit 0
+
+if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+  {
+    echo 'slipbench needs (the first word is the name of the Debian package):'
+    grep -v '^#' scripts/packages.txt | sed 's/^/  /'
+  } >&2
+  fail 'no apt-get on this system: install the above, then run again with SLIPBENCH_SETUP=skip' 4
+fi
+
+mapfile -t packages < <(awk '!/^#/ && NF {print $1}' scripts/packages.txt)
+installed=$(dpkg-query -W -f='${Package} ${db:Status-Status}\n' "${packages[@]}" 2>/dev/null || true)
+missing=()
+for package in "${packages[@]}"; do
+  grep -qxF "$package installed" <<<"$installed" || missing+=("$package")
+done
+if [ "${#missing[@]}" -eq 0 ]; then
+  exit 0
+fi
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo >/dev/null ||
+    fail "not root and no sudo; as root run: apt-get install ${missing[*]}" 5
+  as_root=(sudo)
+  # Without a terminal nobody can type a password.
+  [ -t 0 ] || as_root=(sudo -n)
+fi
+apt() {
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 \
+    apt-get -q -y -o Dpkg::Use-Pty=0 -o DPkg::Lock::Timeout=120 -o Acquire::Retries=3 "$@" </dev/null
+}
+
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+die() {
+  tail -n 20 "$log" >&2
+  fail "$1"
+}
+
+say "installing ${missing[*]}"
+# Package lists may be absent (a fresh machine) or out of date (a version that left the mirror):
+# they are fetched only then. One broken source among several is apt's warning, not the end.
+if ! apt install --no-install-recommends "${missing[@]}" >"$log" 2>&1; then
+  say 'fetching package lists'
+  apt update >"$log" 2>&1 || die 'apt-get update failed, see above'
+  apt install --no-install-recommends "${missing[@]}" >>"$log" 2>&1 ||
+    die 'apt-get install failed, see above (is the network up?)'
+fi
+say 'packages installed'

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: Apache-2.0
+# Installs the build tree into a fresh prefix, moves the prefix (a package must not remember where it was
+# installed), then configures, builds and runs an outside project against it.
+# Run with cmake -P and BINARY_DIR, CONFIG, GENERATOR, CXX_COMPILER, CXX_FLAGS, WITH_DRIVER, VERSION.
+cmake_minimum_required(VERSION 3.25)
+
+function(run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE code OUTPUT_VARIABLE text ERROR_VARIABLE text)
+  if(NOT code EQUAL 0)
+    list(JOIN ARGV " " command)
+    message(FATAL_ERROR "failed (${code}): ${command}\n${text}")
+  endif()
+  set(text "${text}" PARENT_SCOPE)
+endfunction()
+
+function(expect_file path)
+  if(NOT EXISTS ${prefix}/${path})
+    message(FATAL_ERROR "the installation has no ${path}")
+  endif()
+endfunction()
+
+set(work ${BINARY_DIR}/install-test)
+set(prefix ${work}/moved)
+file(REMOVE_RECURSE ${work})
+file(MAKE_DIRECTORY ${work})
+run(${CMAKE_COMMAND} --install ${BINARY_DIR} --config ${CONFIG} --prefix ${work}/first)
+file(RENAME ${work}/first ${prefix})
+
+file(GLOB_RECURSE stray RELATIVE ${prefix} ${prefix}/include/*.cpp ${prefix}/include/*.txt)
+if(stray)
+  message(FATAL_ERROR "only headers belong under include: ${stray}")
+endif()
+expect_file(share/doc/slipbench/LICENSE)
+expect_file(share/doc/slipbench/NOTICE)
+expect_file(share/slipbench/cases)
+expect_file(share/slipbench/plots)
+
+run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${work}/consumer
+    -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_BUILD_TYPE=${CONFIG} -D CMAKE_CXX_COMPILER=${CXX_COMPILER}
+    "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}" -D WITH_DRIVER=${WITH_DRIVER} -D WANTED_VERSION=${VERSION})
+run(${CMAKE_COMMAND} --build ${work}/consumer --config ${CONFIG})
+run(${work}/consumer/consumer)
+if(WITH_DRIVER)
+  run(${work}/consumer/driver_consumer)
+  run(${prefix}/bin/slipbench --version)
+  if(NOT text MATCHES "${VERSION}")
+    message(FATAL_ERROR "the installed program does not say version ${VERSION}: ${text}")
+  endif()
+endif()
+
+# A component that is not there must be refused by name.
+execute_process(
+  COMMAND ${CMAKE_COMMAND} -G ${GENERATOR} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${work}/refused
+          -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${CXX_COMPILER} -D WANTED_VERSION=${VERSION}
+          -D EXTRA_COMPONENT=no_such_room
+  RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE text)
+if(code EQUAL 0 OR NOT text MATCHES "no component 'no_such_room'")
+  message(FATAL_ERROR "an unknown component was not refused by name: ${text}")
+endif()
+file(REMOVE_RECURSE ${work})

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "law/friction_law.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+
+#include "tests/support/finite_difference.hpp"
+#include "tests/support/law_tables.hpp"
+
+namespace {
+
+using namespace slipbench::law;
+using namespace slipbench::test;
+
+/// A representative of each law, so that the typed tests reach all of the list.
+template <class Law>
+Law example() = delete;
+template <>
+ConstantCoefficient example<ConstantCoefficient>() {
+  return {0.2};
+}
+template <>
+ExponentialDecay example<ExponentialDecay>() {
+  return {0.3, 0.2, 0.05};
+}
+template <>
+TabularCoefficient example<TabularCoefficient>() {
+  return {make_function({{0.30, 0, 0, 20},
+                         {0.20, 10, 0, 20},
+                         {0.26, 0, 100, 20},
+                         {0.18, 10, 100, 20},
+                         {0.24, 0, 50, 120},
+                         {0.22, 20, 50, 120}},
+                        {kOverSlipRate, kOverContactForce, kOverTemperature})};
+}
+
+TEMPLATE_LIST_TEST_CASE("a law's slopes are the derivatives of its coefficient", "", FrictionLaw) {
+  const FrictionLaw law = example<TestType>();
+  Ambient ambient;
+  ambient.temperature = 60.0;
+  for (const double rate : {0.0, 0.7, 3.0, 10.0, 40.0}) {
+    for (const double force : {1.0, 30.0, 99.0, 400.0}) {
+      const CoefficientPoint point =
+          evaluate(law, ambient, {.slip_rate = rate, .contact_force = force});
+      const auto by_rate = one_sided_derivative(
+          [&](double h) -> std::optional<double> {
+            return evaluate(law, ambient, {.slip_rate = rate + h, .contact_force = force}).mu;
+          },
+          1e-2);
+      const auto by_force = one_sided_derivative(
+          [&](double h) -> std::optional<double> {
+            return evaluate(law, ambient, {.slip_rate = rate, .contact_force = force + h}).mu;
+          },
+          1e-2);
+      // Rounding of mu over the step dominates.
+      CHECK(point.to_slip_rate == Approx(by_rate->value).epsilon(1e-9).margin(1e-12));
+      CHECK(point.to_contact_force == Approx(by_force->value).epsilon(1e-9).margin(1e-12));
+    }
+  }
+}
+
+TEMPLATE_LIST_TEST_CASE("a law stays between 0 and its largest value and weakens no faster than said",
+                        "", FrictionLaw) {
+  const FrictionLaw law = example<TestType>();
+  double steepest = 0.0;
+  for (double temperature = 0.0; temperature <= 140.0; temperature += 10.0) {
+    Ambient ambient;
+    ambient.temperature = temperature;
+    for (double rate = 0.0; rate < 30.0; rate += 0.5) {
+      for (double force = 0.0; force <= 120.0; force += 20.0) {
+        const CoefficientPoint point =
+            evaluate(law, ambient, {.slip_rate = rate, .contact_force = force});
+        CHECK(point.mu >= 0.0);
+        CHECK(point.mu <= largest(law) * (1.0 + 1e-15));
+        steepest = std::max(steepest, -point.to_slip_rate);
+      }
+    }
+  }
+  CHECK(steepest <= steepest_weakening(law) * (1.0 + 1e-12));
+  // The steepest place is on the grid above, so the bound is reached, not only kept.
+  CHECK(steepest == Approx(steepest_weakening(law)).margin(1e-15));
+}
+
+TEMPLATE_LIST_TEST_CASE("a law that says it does not depend on something does not look at it", "",
+                        FrictionLaw) {
+  const FrictionLaw law = example<TestType>();
+  Ambient ambient;
+  ambient.temperature = 60.0;
+  const double mu = evaluate(law, ambient, {.slip_rate = 1.0, .contact_force = 50.0}).mu;
+  const double poison = std::nan("");
+  if (!depends_on_slip_rate(law)) {
+    CHECK(evaluate(law, ambient, {.slip_rate = poison, .contact_force = 50.0}).mu == mu);
+  } else {
+    CHECK(evaluate(law, ambient, {.slip_rate = 2.0, .contact_force = 50.0}).mu != mu);
+  }
+  if (!depends_on_contact_force(law)) {
+    CHECK(evaluate(law, ambient, {.slip_rate = 1.0, .contact_force = poison}).mu == mu);
+  } else {
+    CHECK(evaluate(law, ambient, {.slip_rate = 1.0, .contact_force = 60.0}).mu != mu);
+  }
+}
+
+TEMPLATE_LIST_TEST_CASE("a law names itself, its formula and its source", "", FrictionLaw) {
+  CHECK_FALSE(std::string(TestType::kName).empty());
+  CHECK_FALSE(std::string(TestType::kTitle).empty());
+  CHECK_FALSE(std::string(TestType::kFormula).empty());
+  CHECK_FALSE(std::string(TestType::kSource).empty());
+}
+
+TEST_CASE("exponential decay gives the reference values (K1)") {
+  const ExponentialDecay law{0.3, 0.2, 0.05};
+  CHECK(law.coefficient(0.0) == 0.3);
+  CHECK(law.coefficient(1.0) == Approx(0.295122942450071).epsilon(1e-14));
+  CHECK(law.coefficient(10.0) == Approx(0.260653065971263).epsilon(1e-14));
+  CHECK(law.coefficient(50.0) == Approx(0.20820849986239).epsilon(1e-14));
+  CHECK(law.coefficient(100.0) == Approx(0.200673794699909).epsilon(1e-14));
+}
+
+TEST_CASE("exponential decay gives the documentation's values") {
+  const ExponentialDecay law{0.25, 0.10, 0.2};
+  // The numbers are given to six digits.
+  CHECK(law.coefficient(1.0) == Approx(0.222810).margin(5e-7));
+  CHECK(law.coefficient(5.0) == Approx(0.155182).margin(5e-7));
+  CHECK(law.coefficient(20.0) == Approx(0.102747).margin(5e-7));
+}
+
+TEST_CASE("exponential decay refuses a kinetic coefficient above the static one") {
+  CHECK(ExponentialDecay{0.2, 0.3, 1.0}.violation().has_value());
+  CHECK_FALSE(ExponentialDecay{0.3, 0.3, 1.0}.violation().has_value());
+  CHECK_FALSE(depends_on_slip_rate(ExponentialDecay{0.3, 0.3, 1.0}));
+  CHECK_FALSE(depends_on_slip_rate(ExponentialDecay{0.3, 0.2, 0.0}));
+}
+
+TEST_CASE("a coefficient table that is prolonged below zero stops at zero") {
+  const FrictionLaw law = TabularCoefficient{
+      make_function({{0.3, 0}, {0.1, 10}}, {kOverSlipRate}, 1, Extrapolation::kLinear)};
+  const CoefficientPoint point = evaluate(law, Ambient{}, {.slip_rate = 100.0});
+  CHECK(point.mu == 0.0);
+  CHECK(point.to_slip_rate == 0.0);
+}
+
+TEST_CASE("a law says when it is asked outside its data") {
+  const FrictionLaw table = example<TabularCoefficient>();
+  Ambient ambient;
+  ambient.temperature = 60.0;
+  CHECK_FALSE(outside(table, ambient, {.slip_rate = 5.0, .contact_force = 50.0}));
+  CHECK(outside(table, ambient, {.slip_rate = 21.0, .contact_force = 50.0}));
+  ambient.temperature = 121.0;
+  CHECK(outside(table, ambient, {.slip_rate = 5.0, .contact_force = 50.0}));
+  CHECK_FALSE(outside(example<ExponentialDecay>(), ambient, {.slip_rate = 1e9}));
+}
+
+}  // namespace

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "law/table.hpp"
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <limits>
+#include <vector>
+
+#include "tests/support/law_tables.hpp"
+
+namespace {
+
+using slipbench::law::Extrapolation;
+using slipbench::law::Table;
+using slipbench::law::TableError;
+using slipbench::test::make_table;
+using slipbench::test::Rows;
+
+double at(const Table& table, std::vector<double> x, int column = 0) {
+  return table.value(x, column);
+}
+
+/// The error of rows that must not make a table.
+TableError error_of(const Rows& rows, int dependents, int independents,
+                    Extrapolation extrapolation = Extrapolation::kConstant) {
+  Table table;
+  TableError error;
+  REQUIRE_FALSE(Table::build(rows, dependents, independents, extrapolation, &table, &error));
+  return error;
+}
+
+/// Internal contact force over slip and temperature of reference case W3.
+Table press_fit() {
+  return make_table({{100, 0, 20},
+                     {60, 1, 20},
+                     {40, 4, 20},
+                     {80, 0, 120},
+                     {50, 1, 120},
+                     {30, 4, 120}},
+                    1, 2);
+}
+
+TEST_CASE("a table of two independents interpolates inside blocks, then between them (W3)") {
+  const Table table = press_fit();
+  CHECK(at(table, {0.5, 20}) == Approx(80).epsilon(1e-15));
+  CHECK(at(table, {0.5, 70}) == Approx(72.5).epsilon(1e-15));
+  CHECK(at(table, {2.5, 70}) == Approx(45).epsilon(1e-15));
+  CHECK(at(table, {10, 500}) == 30);
+  CHECK(at(table, {0.25, -40}) == Approx(90).epsilon(1e-15));
+}
+
+TEST_CASE("a table is exact at its grid points") {
+  const Table table = press_fit();
+  for (const auto& row : Rows{{100, 0, 20}, {60, 1, 20}, {40, 4, 20}, {50, 1, 120}, {30, 4, 120}}) {
+    CHECK(at(table, {row[1], row[2]}) == row[0]);
+  }
+}
+
+TEST_CASE("weights over position interpolate linearly between two points (D7)") {
+  const Table table = make_table({{2 / 0.55, 0}, {2 / 0.10, 0.45}}, 1, 1);
+  CHECK(at(table, {0.225}) == Approx(11.8181818181818).epsilon(1e-14));
+  CHECK(at(table, {1.0}) == 20.0);
+  const Table prolonged =
+      make_table({{2 / 0.55, 0}, {2 / 0.10, 0.45}}, 1, 1, Extrapolation::kLinear);
+  CHECK(at(prolonged, {0.9}) == Approx(40 - 2 / 0.55).epsilon(1e-14));
+  CHECK(at(prolonged, {-0.45}) == Approx(4 / 0.55 - 20).epsilon(1e-14));
+}
+
+TEST_CASE("a table without independents is a number") {
+  const Table table = make_table({{7.5}}, 1, 0);
+  CHECK(at(table, {}) == 7.5);
+  CHECK(table.independents() == 0);
+}
+
+TEST_CASE("blocks of a ragged table keep their own grids") {
+  // The block at 0 has three points, that at 10 one, that at 20 two others.
+  const Table table =
+      make_table({{1, 0, 0}, {3, 1, 0}, {4, 3, 0}, {10, 5, 10}, {20, 2, 20}, {40, 4, 20}}, 1, 2);
+  CHECK(at(table, {2, 0}) == 3.5);
+  CHECK(at(table, {2, 10}) == 10);
+  CHECK(at(table, {3, 20}) == 30);
+  CHECK(at(table, {2, 5}) == 0.5 * (3.5 + 10));
+  CHECK(at(table, {3, 15}) == 0.5 * (10 + 30));
+  const std::vector<double> expected = {0, 1, 2, 3, 4, 5};
+  CHECK(std::vector<double>(table.knots(0).begin(), table.knots(0).end()) == expected);
+}
+
+TEST_CASE("a later independent may repeat with another grid below a higher one") {
+  // Three independents, ragged on every level: at z = 1 there is only one y.
+  const Table table = make_table({{1, 0, 0, 0}, {2, 1, 0, 0}, {5, 0, 2, 0}, {9, 7, 3, 1}}, 1, 3);
+  CHECK(at(table, {0.5, 0, 0}) == 1.5);
+  CHECK(at(table, {0.5, 1, 0}) == 0.5 * (1.5 + 5));
+  CHECK(at(table, {0.5, 1, 1}) == 9);
+  CHECK(at(table, {0.5, 1, 0.5}) == 0.5 * (0.5 * (1.5 + 5) + 9));
+}
+
+TEST_CASE("a table of multilinear data is reproduced for any number of independents") {
+  for (int independents = 1; independents <= 7; ++independents) {
+    // f = product over k of (1 + c_k x_k), with a grid of two points a dimension.
+    const auto exact = [&](const std::vector<double>& x) {
+      double product = 1.0;
+      for (int k = 0; k < independents; ++k) {
+        product *= 1.0 + 0.1 * (k + 1) * x[static_cast<std::size_t>(k)];
+      }
+      return product;
+    };
+    Rows rows;
+    for (int corner = 0; corner < (1 << independents); ++corner) {
+      std::vector<double> x;
+      for (int k = 0; k < independents; ++k) x.push_back(((corner >> k) & 1) != 0 ? 3.0 : 1.0);
+      std::vector<double> row = {exact(x), 2.0 * exact(x)};
+      row.insert(row.end(), x.begin(), x.end());
+      rows.push_back(row);
+    }
+    const Table table = make_table(rows, 2, independents, Extrapolation::kLinear);
+    std::vector<double> x;
+    for (int k = 0; k < independents; ++k) x.push_back(0.7 + 0.45 * k);  // some lie outside
+    // Rounding of 2^7 products dominates.
+    CHECK(at(table, x) == Approx(exact(x)).epsilon(1e-13));
+    CHECK(at(table, x, 1) == Approx(2.0 * exact(x)).epsilon(1e-13));
+
+    std::vector<double> slopes(x.size(), 0.0);
+    table.value_and_slopes(x, slopes, 1, 0.5);
+    for (int k = 0; k < independents; ++k) {
+      const double c = 0.1 * (k + 1);
+      const double expected = exact(x) / (1.0 + c * x[static_cast<std::size_t>(k)]) * c;
+      CHECK(slopes[static_cast<std::size_t>(k)] == Approx(expected).epsilon(1e-12));
+    }
+  }
+}
+
+TEST_CASE("outside a table the end value holds by default, with slope zero") {
+  const Table table = make_table({{1, 0}, {3, 1}}, 1, 1);
+  for (const double x : {-1e300, -1.0, 1.0, 5.0, 1e300}) {
+    std::array<double, 1> slope = {0.0};
+    const double value = table.value_and_slopes(std::array{x}, slope);
+    CHECK(value == (x < 0.5 ? 1.0 : 3.0));
+    CHECK(slope[0] == 0.0);
+  }
+  CHECK(table.outside(std::array{-0.1}));
+  CHECK(table.outside(std::array{1.1}));
+  CHECK_FALSE(table.outside(std::array{0.0}));
+  CHECK_FALSE(table.outside(std::array{1.0}));
+}
+
+TEST_CASE("the slope at a knot is the right-hand one") {
+  const Table constant = make_table({{0, 0}, {1, 1}, {3, 2}}, 1, 1);
+  const Table linear = make_table({{0, 0}, {1, 1}, {3, 2}}, 1, 1, Extrapolation::kLinear);
+  const auto slope = [](const Table& table, double x) {
+    std::array<double, 1> s = {0.0};
+    table.value_and_slopes(std::array{x}, s);
+    return s[0];
+  };
+  CHECK(slope(constant, 0) == 1);
+  CHECK(slope(constant, 1) == 2);
+  CHECK(slope(constant, 2) == 0);
+  CHECK(slope(linear, -1) == 1);
+  CHECK(slope(linear, 1) == 2);
+  CHECK(slope(linear, 2) == 2);
+  CHECK(slope(linear, 9) == 2);
+}
+
+TEST_CASE("slopes are added with their weight") {
+  const Table table = make_table({{0, 0}, {1, 1}}, 1, 1);
+  std::array<double, 1> slope = {10.0};
+  table.value_and_slopes(std::array{0.5}, slope, 0, 3.0);
+  CHECK(slope[0] == 13.0);
+}
+
+TEST_CASE("a long table finds its segment like a short one") {
+  Rows rows;
+  for (int i = 0; i < 100; ++i) rows.push_back({static_cast<double>(i * i), static_cast<double>(i)});
+  const Table table = make_table(rows, 1, 1);
+  for (int i = 0; i < 99; ++i) {
+    CHECK(at(table, {static_cast<double>(i)}) == i * i);
+    CHECK(at(table, {i + 0.5}) == i * i + i + 0.5);
+  }
+  CHECK(at(table, {98.999999}) < 9801.0);
+  CHECK(at(table, {1000}) == 9801.0);
+}
+
+TEST_CASE("smallest, largest and steepest fall look at all rows") {
+  const Table table = press_fit();
+  CHECK(table.smallest() == 30);
+  CHECK(table.largest() == 100);
+  CHECK(table.steepest_fall(0) == -40);
+  CHECK(table.steepest_fall(1) == Approx(-0.2).epsilon(1e-15));
+  CHECK(make_table({{1, 0}, {2, 1}}, 1, 1).steepest_fall(0) == 0.0);
+}
+
+TEST_CASE("rows that make no table are refused with the row, the other row and the column") {
+  using Kind = TableError::Kind;
+  const double infinity = std::numeric_limits<double>::infinity();
+  CHECK(error_of({}, 1, 1).kind == Kind::kNoRows);
+
+  const TableError length = error_of({{1, 0}, {2}}, 1, 1);
+  CHECK(length.kind == Kind::kRowLength);
+  CHECK(length.row == 1);
+
+  const TableError finite = error_of({{1, 0}, {infinity, 1}}, 1, 1);
+  CHECK(finite.kind == Kind::kNotFinite);
+  CHECK(finite.row == 1);
+  CHECK(finite.column == 0);
+  CHECK(error_of({{1, std::nan("")}}, 1, 1).kind == Kind::kNotFinite);
+
+  const TableError order = error_of({{1, 0, 5}, {2, 2, 5}, {3, 1, 5}}, 1, 2);
+  CHECK(order.kind == Kind::kNotAscending);
+  CHECK(order.row == 2);
+  CHECK(order.other_row == 1);
+  CHECK(order.column == 1);
+  const TableError later = error_of({{1, 0, 5}, {2, 0, 4}}, 1, 2);
+  CHECK(later.kind == Kind::kNotAscending);
+  CHECK(later.column == 2);
+
+  const TableError repeated = error_of({{1, 0, 5}, {2, 0, 5}}, 1, 2);
+  CHECK(repeated.kind == Kind::kRepeatedPoint);
+  CHECK(repeated.row == 1);
+  CHECK(repeated.other_row == 0);
+  CHECK(error_of({{1}, {2}}, 1, 0).kind == Kind::kRepeatedPoint);
+
+  const TableError one = error_of({{1, 0, 0}, {2, 1, 0}, {3, 7, 1}}, 1, 2, Extrapolation::kLinear);
+  CHECK(one.kind == Kind::kOneRowLinear);
+  CHECK(one.row == 2);
+  CHECK(one.column == 1);
+
+  std::vector<double> wide(static_cast<std::size_t>(slipbench::law::kMaxIndependents) + 2, 0.0);
+  CHECK(error_of({wide}, 1, slipbench::law::kMaxIndependents + 1).kind ==
+        Kind::kTooManyIndependents);
+}
+
+TEST_CASE("a refused table leaves the old one alone") {
+  Table table = press_fit();
+  TableError error;
+  CHECK_FALSE(Table::build(Rows{}, 1, 1, Extrapolation::kConstant, &table, &error));
+  CHECK(at(table, {0.5, 20}) == Approx(80).epsilon(1e-15));
+}
+
+}  // namespace
