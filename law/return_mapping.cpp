@@ -40,8 +40,14 @@ class LimitFunction {
                          : 0.0),
         slip_in_wear_(definition.accumulated_slip == AccumulatedSlipTiming::kEnd ? 1.0 : 0.0) {}
 
-  Limit operator()(double slip) const noexcept {
-    return at(slip, motion_rate_ + slip * slip_in_rate_);
+  Limit operator()(double slip) const noexcept { return at(slip, rate(slip)); }
+
+  /// The rate the coefficient sees.
+  double rate(double slip) const { return motion_rate_ + slip * slip_in_rate_; }
+
+  bool depends_on_slip() const {
+    return (slip_in_rate_ > 0.0 && depends_on_slip_rate(definition_.law)) ||
+           (slip_in_wear_ > 0.0 && depends_on_accumulated_slip(definition_.internal_contact_force));
   }
 
   Limit at(double slip, double rate) const noexcept {
@@ -275,9 +281,17 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
     slips = trial > at_rest.force * kSlack;
     if (slips) {
       const double slope = limit.slope(at_rest);
-      const bool implicit = slope != 0.0 || (std::isfinite(limit.next_knot(0.0)));
-      slip = implicit ? first_root(limit, trial, kappa) : (trial - at_rest.force) / kappa;
-      if (implicit) l = limit(slip);
+      // On its cap the limit is flat, yet the slip may take it below: only the law can tell.
+      const bool capped = at_rest.force >= definition.force_limit;
+      const bool implicit = slope != 0.0 || std::isfinite(limit.next_knot(0.0)) ||
+                            (capped && limit.depends_on_slip());
+      if (implicit) {
+        slip = first_root(limit, trial, kappa);
+        l = limit(slip);
+      } else {
+        slip = (trial - at_rest.force) / kappa;
+        l.slip_rate = limit.rate(slip);
+      }
       // The force is put on the limit; with the root at rounding accuracy both agree.
       result.multiple_roots = -slope > kappa || -limit.slope(l) > kappa;
       n = y_trial / trial;

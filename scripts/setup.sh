@@ -4,6 +4,7 @@
 # Exit: 0 all there, 1 the installation failed, 4 no apt-get here (says what is needed), 5 not root and no sudo.
 # SLIPBENCH_SETUP=skip leaves the machine as it is, for systems where the needs are met in another way.
 set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 [ "${SLIPBENCH_SETUP:-}" != skip ] || exit 0

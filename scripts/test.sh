@@ -3,6 +3,7 @@
 # Sets up, builds everything and runs all tests; arguments go to ctest (-L unit, -R hinge, ...).
 # SLIPBENCH_PRESET=dev|asan-ubsan|coverage picks another preset than release.
 set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 preset=${SLIPBENCH_PRESET:-release}
 

@@ -5,13 +5,14 @@
 #include <cmath>
 
 #include "driver/case/key_index.hpp"
+#include "driver/history/data_path.hpp"
 #include "driver/text/format_number.hpp"
 #include "driver/text/number.hpp"
 
 namespace slipbench::driver {
 namespace {
 
-std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+std::string in_quotes(std::string_view text) { return "'" + std::string(text) + "'"; }
 
 /// The place inside a scalar that an expression's error means, if the scalar stands in one line.
 SourcePosition inside(const Node& node, const ExpressionError& problem) {
@@ -36,13 +37,13 @@ void Binder::note(const Node& at, const Path& path, std::string message, std::st
 
 void Binder::wrong_kind(const Node& node, const Path& path, std::string_view wanted) {
   std::string found(name_of(node.kind()));
-  if (node.is_scalar()) found = quoted(printable(node.text()));
+  if (node.is_scalar()) found = in_quotes(printable(node.text()));
   error(node, path, "wanted " + std::string(wanted) + ", found " + found);
 }
 
 void Binder::missing_key(const Node& map, const Path& path, std::string_view key,
                          std::string_view wanted) {
-  error(map, path, "missing key " + quoted(key) + " (" + std::string(wanted) + ")");
+  error(map, path, "missing key " + in_quotes(key) + " (" + std::string(wanted) + ")");
 }
 
 void Binder::unknown_key(const Node& key, const Path& path,
@@ -53,9 +54,9 @@ void Binder::unknown_key(const Node& key, const Path& path,
   }
   std::string hint;
   if (const auto nearest = nearest_name(key.text(), allowed)) {
-    hint = "did you mean " + quoted(*nearest) + "?";
+    hint = "did you mean " + in_quotes(*nearest) + "?";
   } else if (const auto places = places_of_key(key.text()); !places.empty()) {
-    hint = quoted(key.text()) + " belongs to " + places;
+    hint = in_quotes(key.text()) + " belongs to " + places;
   } else {
     hint = "known here: " + slipbench::driver::in_words(allowed, "and");
   }
@@ -79,7 +80,7 @@ void Binder::expression_error(const Node& node, const Path& path, const Expressi
     for (const auto& [name, value] : parameters_) names.push_back(name);
     for (const std::string& name : function_names()) names.push_back(name);
     if (const auto nearest = nearest_name(problem.unknown_name, names)) {
-      hint = "did you mean " + quoted(*nearest) + "?";
+      hint = "did you mean " + in_quotes(*nearest) + "?";
     } else {
       hint = "define it under 'parameters:'";
     }
@@ -114,7 +115,7 @@ std::optional<double> Binder::number(const Node& node, const Path& path) {
     return *value;
   }
   if (node.quoted()) {
-    error(node, path, "wanted a number, found the text " + quoted(printable(node.text())),
+    error(node, path, "wanted a number, found the text " + in_quotes(printable(node.text())),
           "a number stands without quotes");
     return std::nullopt;
   }
@@ -124,6 +125,29 @@ std::optional<double> Binder::number(const Node& node, const Path& path) {
     return std::nullopt;
   }
   return *value;
+}
+
+std::optional<std::filesystem::path> Binder::data_file(const Node& node, const Path& path,
+                                                       std::string_view text) {
+  auto file = resolve_data_path(case_folder_, text, allow_outside_);
+  if (!file) {
+    history_error(node, path, file.error());
+    return std::nullopt;
+  }
+  return std::move(*file);
+}
+
+void Binder::history_error(const Node& node, const Path& path, const HistoryError& problem) {
+  if (problem.kind == HistoryError::Kind::kEnvironment) environment_failed_ = true;
+  std::string message = problem.message;
+  if (problem.line > 0) {
+    std::string place = problem.file + ":" + std::to_string(problem.line);
+    if (problem.column > 0) place += ":" + std::to_string(problem.column);
+    message = place + ": " + message;
+  } else if (!problem.file.empty()) {
+    message = problem.file + ": " + message;
+  }
+  error(node, path, std::move(message));
 }
 
 std::string in_words(const law::Bounds& bounds) {
@@ -169,7 +193,7 @@ Json number_or_expression(std::string_view type, const law::Bounds& bounds) {
   Json text;
   text["type"] = "string";
   text["pattern"] = "^ *=";
-  Json either = Json::array();
+  Json either = Json(json::Array{});
   either.push_back(bounded(type, bounds));
   either.push_back(std::move(text));
   Json schema;
@@ -254,7 +278,7 @@ bool Codec<std::string>::read(Binder& binder, const Node& node, const Path& path
 }
 
 Json Codec<std::string>::schema(const KeyInfo&) {
-  Json types = Json::array();  // a title may well be a plain 42
+  Json types = Json(json::Array{});  // a title may well be a plain 42
   types.push_back("string");
   types.push_back("number");
   Json schema;
@@ -276,10 +300,10 @@ bool read_word(Binder& binder, const Node& node, const Path& path,
     }
     std::string hint;
     if (const auto nearest = nearest_name(node.text(), words)) {
-      hint = "did you mean " + quoted(*nearest) + "?";
+      hint = "did you mean " + in_quotes(*nearest) + "?";
     }
     binder.error(node, path,
-                 "wanted " + in_words(words) + ", found " + quoted(printable(node.text())),
+                 "wanted " + in_words(words) + ", found " + in_quotes(printable(node.text())),
                  std::move(hint));
     return false;
   }

@@ -3,7 +3,10 @@
 // JSON Schema and the case reference all walk that declaration.
 #pragma once
 
+#include <algorithm>
+#include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -12,6 +15,7 @@
 #include <vector>
 
 #include "driver/history/expression.hpp"
+#include "driver/history/history_error.hpp"
 #include "driver/text/diagnostic.hpp"
 #include "driver/text/json.hpp"
 #include "driver/yaml/node.hpp"
@@ -19,10 +23,12 @@
 
 namespace slipbench::driver {
 
+using Json = json::Value;
+
 /// What a declaration says of a key besides its type.
 struct KeyInfo {
   bool required = false;
-  std::string_view text;               ///< one sentence for the user
+  std::string_view text = {};          ///< one sentence for the user
   std::string_view default_text = {};  ///< the default in words, if the key is optional
   law::Dimension dimension = {};
   law::Bounds bounds = {};
@@ -38,8 +44,13 @@ struct KeyRow {
 /// Reading context: where messages go and what expressions may use.
 class Binder {
  public:
-  Binder(Diagnostics& out, const NamedNumbers& parameters, bool parameters_known)
-      : out_(out), parameters_(parameters), parameters_known_(parameters_known) {}
+  Binder(Diagnostics& out, const NamedNumbers& parameters, bool parameters_known,
+         std::filesystem::path case_folder, bool allow_outside)
+      : out_(out),
+        parameters_(parameters),
+        parameters_known_(parameters_known),
+        case_folder_(std::move(case_folder)),
+        allow_outside_(allow_outside) {}
 
   void error(const Node& at, const Path& path, std::string message, std::string hint = {});
   void warning(const Node& at, const Path& path, std::string message, std::string hint = {});
@@ -67,6 +78,14 @@ class Binder {
   /// Checks bounds; "must not be negative (found -0.1)".
   bool in_bounds(double value, const Node& node, const Path& path, const law::Bounds& bounds);
 
+  /// A data file the case names, inside its own folder unless the user allowed more.
+  std::optional<std::filesystem::path> data_file(const Node& node, const Path& path,
+                                                 std::string_view text);
+  /// Reports a fault of a data file, in the file's own words and place.
+  void history_error(const Node& node, const Path& path, const HistoryError& error);
+  /// True if some fault was the machine's (a file that cannot be read), not the text's.
+  [[nodiscard]] bool environment_failed() const { return environment_failed_; }
+
   [[nodiscard]] const NamedNumbers& parameters() const { return parameters_; }
   [[nodiscard]] bool parameters_known() const { return parameters_known_; }
 
@@ -74,6 +93,9 @@ class Binder {
   Diagnostics& out_;
   const NamedNumbers& parameters_;
   bool parameters_known_;  ///< false: a parameter is faulty, so unknown names are not its fault
+  std::filesystem::path case_folder_;
+  bool allow_outside_;
+  bool environment_failed_ = false;
 };
 
 /// Bounds in words: "not negative", "greater than 0", "between 0 and 1"; empty if any number will
@@ -97,6 +119,14 @@ struct At {
 
   [[nodiscard]] bool given() const { return node.has_value(); }
 };
+
+/// The value a key has when it is not given.
+template <class T>
+At<T> default_of(T value) {
+  At<T> at;
+  at.value = std::move(value);
+  return at;
+}
 
 /// An entry of a map whose keys are the user's names.
 template <class T>
@@ -179,9 +209,9 @@ template <class T>
 Json struct_schema() {
   Json schema;
   schema["type"] = "object";
-  Json required = Json::array();
+  Json required = Json(json::Array{});
   bool any_required = false;
-  Json properties = Json::object();
+  Json properties = Json(json::Object{});
   for_each_key<T>([&](std::string_view key, auto member, const KeyInfo& info) {
     using Member = std::remove_reference_t<decltype(std::declval<T&>().*member)>;
     Json property = Codec<Member>::schema(info);
@@ -276,7 +306,7 @@ struct Codec<E> {
     return true;
   }
   static Json schema(const KeyInfo&) {
-    Json words = Json::array();
+    Json words = Json(json::Array{});
     for (const std::string_view word : EnumWords<E>::kWords) words.push_back(word);
     Json schema;
     schema["enum"] = std::move(words);

@@ -40,7 +40,7 @@ struct TypeNames {
 struct ConnectorText {
   static constexpr bool kIsDeclared = true;
   At<TypeNames> type;
-  At<int> dimension{.value = 3};
+  At<int> dimension = default_of(3);
   NamedMap<double> reference;
   NamedMap<double> initial;
 
@@ -104,7 +104,7 @@ struct EnumWords<law::TermOperator> {
 struct DerivedTermText {
   static constexpr bool kIsDeclared = true;
   At<law::TermOperator> combine;
-  At<int> sign{.value = 1};
+  At<int> sign = default_of(1);
   std::vector<At<int>> components;
   At<WeightsText> weights;
 
@@ -152,7 +152,7 @@ struct EnumWords<PotentialOperator> {
 struct PotentialText {
   static constexpr bool kIsDeclared = true;
   PotentialOperator combine = PotentialOperator::kSum;
-  At<double> exponent{.value = 2.0};
+  At<double> exponent = default_of(2.0);
   At<std::vector<PotentialTermText>> terms;
 
   template <class V>
@@ -300,6 +300,7 @@ struct IntegrationText {
 /// A profile of a step, compiled.
 struct ProfileText {
   Profile profile;
+  At<std::string> csv, unit, time_unit;  ///< of a CsvColumn
 };
 
 struct StepText {
@@ -467,7 +468,7 @@ template <>
 struct EnumWords<CheckCriterion> {
   static constexpr std::array<std::string_view, 1> kWords{"pointwise"};
 };
-enum class CheckAbscissa { kTime };
+enum class CheckAbscissa { kTotalTime };
 template <>
 struct EnumWords<CheckAbscissa> {
   static constexpr std::array<std::string_view, 1> kWords{"time"};
@@ -481,7 +482,7 @@ struct CheckText {
   At<std::string> step;
   At<OverText> over;
   CheckCriterion criterion = CheckCriterion::kPointwise;
-  CheckAbscissa abscissa = CheckAbscissa::kTime;
+  CheckAbscissa abscissa = CheckAbscissa::kTotalTime;
   At<ToleranceText> tolerance;
 
   template <class V>

@@ -18,7 +18,7 @@
 #include <system_error>
 #include <utility>
 
-#include "driver/history/nearest_name.hpp"
+#include "driver/text/diagnostic.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -312,8 +312,10 @@ tl::expected<void, HistoryError> CsvReader::File::choose(std::span<const std::st
       std::string message =
           fmt::format("no column '{}'; the columns are {}{}", columns[slot],
                       fmt::join(listed, ", "), header.size() > kListed ? ", ..." : "");
-      const std::string_view nearest = nearest_name(columns[slot], header);
-      if (!nearest.empty()) message += fmt::format("; did you mean '{}'?", nearest);
+      const std::vector<std::string_view> names(header.begin(), header.end());
+      if (const auto nearest = nearest_name(columns[slot], names)) {
+        message += fmt::format("; did you mean '{}'?", *nearest);
+      }
       return error(header_line, 0, std::move(message));
     }
     if (std::find(found + 1, header.end(), columns[slot]) != header.end()) {

@@ -63,12 +63,15 @@ double sine(const Wave& wave, double t) {
          wave.amplitude * std::sin(2.0 * std::numbers::pi * (t / wave.period) + wave.phase);
 }
 
-/// The value at `t` on the piece that starts at corner k.
-double on_piece(const Wave& wave, double k, double t) {
-  const double begin = corner_time(wave, k);
-  const double end = corner_time(wave, k + 1.0);
+}  // namespace
+
+ProfileCursor::WavePiece ProfileCursor::WavePiece::starting_at(const Wave& wave, double corner) {
+  return {corner_time(wave, corner), corner_time(wave, corner + 1.0),
+          std::fmod(corner, 2.0) == 0.0 ? 1.0 : -1.0};
+}
+
+double ProfileCursor::WavePiece::value(const Wave& wave, double t) const {
   const double xi = std::clamp((t - begin) / (end - begin), 0.0, 1.0);
-  const double sign = std::fmod(k, 2.0) == 0.0 ? 1.0 : -1.0;
   switch (wave.shape) {
     case WaveShape::kTriangle:
       return wave.mean + wave.amplitude * (sign * (1.0 - 2.0 * xi));
@@ -81,8 +84,6 @@ double on_piece(const Wave& wave, double k, double t) {
   }
   return sine(wave, t);
 }
-
-}  // namespace
 
 tl::expected<ProfileCursor, HistoryError> ProfileCursor::open(Profile profile) {
   if (const auto* wave = std::get_if<Wave>(&profile)) {
@@ -110,6 +111,7 @@ tl::expected<void, HistoryError> ProfileCursor::begin(const StepStart& start) {
   merge_ = kSameTime * start.duration;
   error_.reset();
   point_ = 0;
+  piece_ = {};
   if (const auto* wave = std::get_if<Wave>(&profile_)) {
     constexpr double kMostPeriods = 1e9;
     if (start.duration / wave->period > kMostPeriods) {
@@ -131,7 +133,7 @@ double ProfileCursor::value(double t) {
 
 double ProfileCursor::value_after(double t) {
   if (const auto* wave = std::get_if<Wave>(&profile_); wave && wave->shape != WaveShape::kSine) {
-    return on_piece(*wave, piece_after(*wave, t, merge_), t);
+    return WavePiece::starting_at(*wave, piece_after(*wave, t, merge_)).value(*wave, t);
   }
   return value(t);
 }
@@ -152,7 +154,10 @@ double ProfileCursor::value_of(const SmoothTo& profile, double t) {
 
 double ProfileCursor::value_of(const Wave& profile, double t) {
   if (profile.shape == WaveShape::kSine) return sine(profile, t);
-  return on_piece(profile, piece_before(profile, t, merge_), t);
+  if (!(t > piece_.begin + merge_ && t <= piece_.end + merge_)) {
+    piece_ = WavePiece::starting_at(profile, piece_before(profile, t, merge_));
+  }
+  return piece_.value(profile, t);
 }
 
 double ProfileCursor::value_of(const Tabular& profile, double t) {
@@ -188,6 +193,7 @@ double ProfileCursor::value_of(const ExpressionProfile& profile, double t) {
 double ProfileCursor::next_breakpoint(double t) {
   if (const auto* wave = std::get_if<Wave>(&profile_)) {
     if (wave->shape == WaveShape::kSine) return kNoBreakpoint;
+    if (t >= piece_.begin - merge_ && t < piece_.end - merge_) return piece_.end;
     return corner_time(*wave, piece_after(*wave, t, merge_) + 1.0);
   }
   if (const auto* table = std::get_if<Tabular>(&profile_)) {

@@ -3,10 +3,10 @@
 
 #include <cstddef>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <span>
 #include <tl/expected.hpp>
+#include <utility>
 
 #include "driver/history/history_error.hpp"
 #include "driver/history/measured_history.hpp"
@@ -55,6 +55,17 @@ class ProfileCursor {
  private:
   explicit ProfileCursor(Profile profile) : profile_(std::move(profile)) {}
 
+  /// A wave between two of its corners or jumps.
+  struct WavePiece {
+    double begin = 0.0;
+    double end = -1.0;  ///< Before `begin`: no piece.
+    double sign = 1.0;  ///< Of the value at its begin (triangle) or all along (square).
+
+    /// The piece from corner number `corner` to the next.
+    static WavePiece starting_at(const Wave& wave, double corner);
+    double value(const Wave& wave, double t) const;
+  };
+
   struct Row {
     double time = 0.0;
     double value = 0.0;
@@ -77,6 +88,8 @@ class ProfileCursor {
   double merge_ = 0.0;  ///< Times this close are the same.
   double start_value_ = 0.0;
   std::optional<HistoryError> error_;
+
+  WavePiece piece_;  ///< Wave: where the last value asked for lay.
 
   std::size_t point_ = 0;  ///< Tabular: the first point not before the last time asked for.
 

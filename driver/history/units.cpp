@@ -11,9 +11,8 @@
 #include <memory>
 #include <mutex>
 #include <span>
-#include <vector>
 
-#include "driver/history/nearest_name.hpp"
+#include "driver/text/diagnostic.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -73,21 +72,22 @@ struct BaseUnit {
   std::string UnitSystem::*entry;
   int Dimension::*exponent;
   const char* si;
-  std::span<const std::string> everyday;
+  std::span<const std::string_view> everyday;
 };
 
+constexpr std::array<std::string_view, 7> kLengths = {"mm", "m", "cm", "km", "um", "in", "ft"};
+constexpr std::array<std::string_view, 8> kForces = {"N",   "kN",  "MN",  "mN",
+                                                     "daN", "lbf", "kip", "kgf"};
+constexpr std::array<std::string_view, 5> kTimes = {"s", "ms", "us", "min", "h"};
+constexpr std::array<std::string_view, 4> kTemperatures = {"degC", "K", "degF", "degR"};
+
 std::span<const BaseUnit> base_units() {
-  static const std::vector<std::string> lengths = {"mm", "m", "cm", "km", "um", "in", "ft"};
-  static const std::vector<std::string> forces = {"N",   "kN",  "MN",  "mN",
-                                                  "daN", "lbf", "kip", "kgf"};
-  static const std::vector<std::string> times = {"s", "ms", "us", "min", "h"};
-  static const std::vector<std::string> temperatures = {"degC", "K", "degF", "degR"};
   static const std::array<BaseUnit, 4> units = {{
-      {"force", kForce, &UnitSystem::force, &Dimension::force, "N", forces},
-      {"length", kLength, &UnitSystem::length, &Dimension::length, "m", lengths},
-      {"time", kTime, &UnitSystem::time, &Dimension::time, "s", times},
+      {"force", kForce, &UnitSystem::force, &Dimension::force, "N", kForces},
+      {"length", kLength, &UnitSystem::length, &Dimension::length, "m", kLengths},
+      {"time", kTime, &UnitSystem::time, &Dimension::time, "s", kTimes},
       {"temperature", kTemperature, &UnitSystem::temperature, &Dimension::temperature, "K",
-       temperatures},
+       kTemperatures},
   }};
   return units;
 }
@@ -97,7 +97,7 @@ bool is_everyday(const BaseUnit& base, std::string_view unit) {
 }
 
 /// The dimension in words: "a force", "a length", "an angle", "force*length^-2".
-std::string in_words(const Dimension& dimension) {
+std::string dimension_in_words(const Dimension& dimension) {
   for (const BaseUnit& base : base_units()) {
     if (dimension == base.dimension) return fmt::format("a {}", base.what);
   }
@@ -155,10 +155,10 @@ std::string unknown_unit_message(std::string_view unit, const Dimension& dimensi
   std::string message = fmt::format("unknown unit '{}'", unit);
   for (const BaseUnit& base : base_units()) {
     if (dimension != base.dimension) continue;
-    const std::string_view nearest = nearest_name(unit, base.everyday);
-    message += nearest.empty() ? fmt::format("; everyday units of {} are {}", base.what,
-                                             fmt::join(base.everyday, ", "))
-                               : fmt::format("; did you mean '{}'?", nearest);
+    const auto nearest = nearest_name(unit, base.everyday);
+    message += nearest ? fmt::format("; did you mean '{}'?", *nearest)
+                       : fmt::format("; everyday units of {} are {}", base.what,
+                                     fmt::join(base.everyday, ", "));
     return message;
   }
   // Units side by side need something between them: "N mm", not "Nmm".
@@ -167,7 +167,8 @@ std::string unknown_unit_message(std::string_view unit, const Dimension& dimensi
 }
 
 std::string wrong_dimension_message(std::string_view unit, const Dimension& dimension) {
-  std::string message = fmt::format("unit '{}' does not measure {}", unit, in_words(dimension));
+  std::string message =
+      fmt::format("unit '{}' does not measure {}", unit, dimension_in_words(dimension));
   if (dimension == kForce && (unit == "lb" || unit == "lbs" || unit == "kg" || unit == "oz")) {
     message += fmt::format("; it is a mass, the force is '{}'",
                            unit == "kg" ? "kgf" : (unit == "oz" ? "ozf" : "lbf"));

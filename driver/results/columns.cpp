@@ -90,10 +90,10 @@ void add_forces(const Case& problem, int c, std::vector<Column>& columns) {
   if (problem.connection.info.held.contains(c)) {
     columns.push_back({force_column("CRF", c), dimension,
                        std::string("Constraint ") + what + where + ", as prescribed.",
-                       ColumnSource::kForce, c});
+                       ColumnSource::kConstraintForce, c});
     columns.push_back({force_column("CTF", c), dimension,
                        std::string("Total ") + what + where + ": the constraint's.",
-                       ColumnSource::kForce, c});
+                       ColumnSource::kConstraintForce, c});
     return;
   }
   const Owner owner = owner_of(problem, c);
@@ -186,7 +186,7 @@ bool is_rotational(const law::FrictionDefinition& definition) {
 
 std::vector<Column> result_columns(const Case& problem) {
   std::vector<Column> columns;
-  columns.push_back({"t", kTime, "Total time.", ColumnSource::kTime});
+  columns.push_back({"t", kTime, "Total time.", ColumnSource::kTotalTime});
   const law::ConnectionInfo& info = problem.connection.info;
   for (int c = 0; c < law::kComponents; ++c) {
     if (info.available.contains(c)) add_motion(problem, c, columns);
@@ -247,7 +247,7 @@ std::vector<std::string> column_names(const Case& problem) {
 double column_value(const Column& column, const Case& problem, const Row& row) {
   const auto index = static_cast<std::size_t>(column.index);
   switch (column.source) {
-    case ColumnSource::kTime:
+    case ColumnSource::kTotalTime:
       return row.time;
     case ColumnSource::kPosition:
       return row.quantities[kFirstMotion + index] - column.offset;
@@ -255,7 +255,7 @@ double column_value(const Column& column, const Case& problem, const Row& row) {
       return row.duration > 0.0
                  ? (row.quantities[kFirstMotion + index] - row.begin.values[index]) / row.duration
                  : 0.0;
-    case ColumnSource::kForce:
+    case ColumnSource::kConstraintForce:
       return row.quantities[kFirstForce + index];
     case ColumnSource::kQuantity:
       return row.quantities[index];

@@ -16,10 +16,10 @@ namespace slipbench::driver {
 
 /// Where the number of a result column comes from.
 enum class ColumnSource : std::uint8_t {
-  kTime,            ///< total time
+  kTotalTime,       ///< total time
   kPosition,        ///< CP, and with an offset CU and CCU
   kVelocity,        ///< CV
-  kForce,           ///< a prescribed constraint force
+  kConstraintForce, ///< a prescribed constraint force
   kFrictionForce,   ///< R_i y_i of one entry of a definition's slip space
   kNoFriction,      ///< 0: an available component without friction
   kFrictionTotal,   ///< |y| of a definition
@@ -43,7 +43,7 @@ struct Column {
   std::string name;
   Dimension dimension;
   std::string text;
-  ColumnSource source = ColumnSource::kTime;
+  ColumnSource source = ColumnSource::kTotalTime;
   int index = 0;        ///< component 0..5, entry of the slip space, or flat quantity
   int definition = -1;  ///< of the case's definitions; -1 if it belongs to none
   double offset = 0.0;  ///< is subtracted

@@ -53,7 +53,8 @@ struct Excerpt {
 
 // The part of a line that is shown, and where the caret stands in it (in code points from 0).
 Excerpt excerpt_of(std::string_view line, const SourcePosition& where) {
-  const std::size_t before = where.column > 0 ? static_cast<std::size_t>(where.column) - 1 : 0;
+  const std::size_t wanted = where.column > 0 ? static_cast<std::size_t>(where.column) - 1 : 0;
+  const std::size_t before = std::min(wanted, count_code_points(line));
   const std::size_t first = before > kWindow / 2 ? before - kWindow / 2 : 0;
   // Only the window is decoded: a line may be as long as the file.
   const std::size_t begin = byte_offset(line, first);

@@ -345,6 +345,7 @@ class LayoutScanner {
     if (in_flow()) {
       check_cut_expression(begin, end);
     } else if (is_key && first) {
+      after_open_quote_ = false;
       parent_ = key_column_ = column(begin);
     } else if (!is_key && first) {
       if (column(begin) <= key_column_) {
@@ -361,6 +362,7 @@ class LayoutScanner {
   }
 
   void report_missing_colon(std::size_t begin, std::size_t end) {
+    if (after_open_quote_) return;
     const std::string_view words = text_.substr(begin, end - begin);
     const std::size_t colon = words.find(':');
     if (colon != std::string_view::npos && colon > 0) {
@@ -424,6 +426,7 @@ class LayoutScanner {
       line_end_ = opening_line_end;
       at_ = opening_line_end;
       brackets_trusted_ = !in_flow();
+      after_open_quote_ = true;
       return;
     }
     at_ = *end + 1;
@@ -499,6 +502,7 @@ class LayoutScanner {
   std::size_t content_ = 0;  // the first character of the line that is no blank
   std::vector<Bracket> open_{};
   bool brackets_trusted_ = true;
+  bool after_open_quote_ = false;  // until the next key, lines may be the rest of a text
   // Columns from 0: of the latest key or dash, and of the one whose value is being read.
   std::ptrdiff_t key_column_ = -1;
   std::ptrdiff_t parent_ = -1;

@@ -188,8 +188,13 @@ class TreeBuilder : public YAML::EventHandler {
     open(offset_of(mark), NodeKind::kMap, anchor, style == YAML::EmitterStyle::Flow);
   }
   void OnMapEnd() override {
-    report_duplicates();
+    report_duplicates(frames_.size() - 1);
     close();
+  }
+
+  // For maps that will not be finished because reading has stopped.
+  void report_open_duplicates() {
+    for (std::size_t i = 0; i < frames_.size(); ++i) report_duplicates(i);
   }
 
   void error(std::size_t offset, std::size_t length, std::string path, std::string message,
@@ -274,8 +279,7 @@ class TreeBuilder : public YAML::EventHandler {
     Path path;
     for (std::size_t i = 0; i < depth; ++i) {
       const Frame& frame = frames_[i];
-      const std::size_t end =
-          i + 1 < frames_.size() ? frames_[i + 1].first_pending : pending_.size();
+      const std::size_t end = pending_end(i);
       const std::size_t elements = end - frame.first_pending;
       if (frame.kind == NodeKind::kSequence) {
         path = path / elements;
@@ -380,9 +384,12 @@ class TreeBuilder : public YAML::EventHandler {
     const std::string path = path_to(frames_.size() - 1).text();
     if (is_alias) {
       error(key.offset, alias_length(key.offset), path, "an alias cannot be a key");
-    } else if (key.kind == NodeKind::kNull && key.count == 0 && frames_.back().flow) {
+    } else if (key.kind == NodeKind::kNull && key.count == 0 &&
+               text_.substr(key.offset).starts_with(',')) {
       // The library reports both halves of ", ,": said once is enough.
       error(key.offset, 1, path, "nothing stands before this ','");
+    } else if (key.kind == NodeKind::kNull && key.count == 0) {
+      error(key.offset, 1, path, "nothing stands before this ':'", "a key is wanted");
     } else if (key.kind != NodeKind::kScalar) {
       error(key.offset, 1, path,
             fmt::format("{} cannot be a key",
@@ -410,10 +417,15 @@ class TreeBuilder : public YAML::EventHandler {
           fmt::format("missing ':' after '{}'", text_of(key)));
   }
 
-  void report_duplicates() {
-    const Frame& frame = frames_.back();
+  // Where the finished children of frame i end.
+  [[nodiscard]] std::size_t pending_end(std::size_t i) const {
+    return i + 1 < frames_.size() ? frames_[i + 1].first_pending : pending_.size();
+  }
+
+  void report_duplicates(std::size_t index) {
+    if (frames_[index].kind != NodeKind::kMap) return;
     std::vector<std::size_t> keys;
-    for (std::size_t i = frame.first_pending; i < pending_.size(); i += 2) {
+    for (std::size_t i = frames_[index].first_pending; i < pending_end(index); i += 2) {
       if (pending_[i].kind == NodeKind::kScalar) keys.push_back(i);
     }
     std::stable_sort(keys.begin(), keys.end(), [&](std::size_t a, std::size_t b) {
@@ -427,7 +439,7 @@ class TreeBuilder : public YAML::EventHandler {
       }
       if (is_flooded()) return;
       const int line = source_.position(pending_[keys[first]].offset).line;
-      const Path path = path_to(frames_.size() - 1) / text_of(key);
+      const Path path = path_to(index) / text_of(key);
       error(key.offset, key_end(key) - key.offset, path.text(),
             fmt::format("duplicate key, first given in line {}", line));
     }
@@ -509,7 +521,9 @@ void run_library(const Feed& feed, std::string_view source_text, bool cut, TreeB
     }
   } catch (const StopReading&) {
     // The builder has said why.
+    builder.report_open_duplicates();
   } catch (const YAML::Exception& problem) {
+    builder.report_open_duplicates();
     const std::size_t offset = builder.offset_of(problem.mark);
     if (cut && (follows_from_cut(problem.msg) || offset >= source_text.size())) return;
     Said said = in_plain_words(problem.msg, source_text, offset);

@@ -18,28 +18,33 @@ Diagnostic at(SourcePosition where) {
 
 TEST_CASE("An error is shown as a compiler shows it") {
   const SourceText source("shock.yaml", std::string(8, '\n') + "    coeficient: 0.15\n");
-  const Diagnostic error{Severity::kError,         "shock.yaml", {9, 5, 10}, "friction[0].coeficient",
-                         "unknown key", "did you mean 'coefficient'?"};
+  const Diagnostic error{Severity::kError,         "shock.yaml",  {9, 5, 10},
+                         "friction[0].coeficient", "unknown key", "did you mean 'coefficient'?"};
   CHECK(render(error, &source) ==
         "shock.yaml:9:5: error: friction[0].coeficient: unknown key; did you mean 'coefficient'?\n"
         "    9 |     coeficient: 0.15\n"
         "      |     ^~~~~~~~~~\n");
-  CHECK(render(error) ==
-        "shock.yaml:9:5: error: friction[0].coeficient: unknown key; did you mean 'coefficient'?\n");
+  CHECK(
+      render(error) ==
+      "shock.yaml:9:5: error: friction[0].coeficient: unknown key; did you mean 'coefficient'?\n");
 }
 
 TEST_CASE("A message without place, file or path leaves them out") {
   CHECK(render({Severity::kError, "a.yaml", {}, "", "is a directory, not a file", ""}) ==
         "a.yaml: error: is a directory, not a file\n");
-  CHECK(render({Severity::kWarning, "", {}, "", "nothing to do", ""}) == "warning: nothing to do\n");
+  CHECK(render({Severity::kWarning, "", {}, "", "nothing to do", ""}) ==
+        "warning: nothing to do\n");
   CHECK(render({Severity::kNote, "", {}, "output", "unused", ""}) == "note: output: unused\n");
 }
 
 TEST_CASE("The caret stands under the character, not under the byte") {
-  const SourceText source("shock.yaml", "gr\xC3\xB6\xC3\x9F" "e: 1,5\n");
+  const SourceText source("shock.yaml",
+                          "gr\xC3\xB6\xC3\x9F"
+                          "e: 1,5\n");
   CHECK(render(at(source.position(9, 3)), &source) ==
         "shock.yaml:1:8: error: mu: wrong\n"
-        "    1 | gr\xC3\xB6\xC3\x9F" "e: 1,5\n"
+        "    1 | gr\xC3\xB6\xC3\x9F"
+        "e: 1,5\n"
         "      |        ^~~\n");
 }
 
@@ -48,7 +53,7 @@ TEST_CASE("A caret past the end or a length beyond the line is cut") {
   CHECK(render(at({1, 4, 99}), &source) ==
         "shock.yaml:1:4: error: mu: wrong\n    1 | mu: 1\n      |    ^~\n");
   CHECK(render(at({1, 99, 5}), &source) ==
-        "shock.yaml:1:99: error: mu: wrong\n    1 | ...\n      |    ^\n");
+        "shock.yaml:1:99: error: mu: wrong\n    1 | mu: 1\n      |      ^\n");
   CHECK(render(at({7, 1, 1}), &source) == "shock.yaml:7:1: error: mu: wrong\n");
 }
 
@@ -111,15 +116,16 @@ TEST_CASE("A flood of messages ends with their number") {
 }
 
 TEST_CASE("Lines are quoted from the text of their own file") {
-  const std::vector<SourceText> sources = {SourceText("a.yaml", "one\n"), SourceText("b.yaml", "two\n")};
+  const std::vector<SourceText> sources = {SourceText("a.yaml", "one\n"),
+                                           SourceText("b.yaml", "two\n")};
   Diagnostics list;
   list.error("b.yaml", {1, 1, 3}, "", "bad");
   CHECK(render(list, sources) == "b.yaml:1:1: error: bad\n    1 | two\n      | ^~~\n");
 }
 
 TEST_CASE("The nearest known name forgives slips of the finger but does not guess wildly") {
-  const std::array<std::string_view, 5> names = {"coefficient", "contact_force", "component",
-                                                 "mu", "CP1"};
+  const std::array<std::string_view, 5> names = {"coefficient", "contact_force", "component", "mu",
+                                                 "CP1"};
   CHECK(nearest_name("coeficient", names) == "coefficient");
   CHECK(nearest_name("Coefficient", names) == "coefficient");
   CHECK(nearest_name("contact-force", names) == "contact_force");

@@ -25,10 +25,9 @@ std::string reason(std::string_view text) {
 
 TEST_CASE("Numbers in decimal notation are read to the nearest double") {
   const std::vector<std::pair<std::string, double>> cases = {
-      {"0", 0.0},          {"12", 12.0},         {"-0.5", -0.5},    {"+3", 3.0},
-      {".5", 0.5},         {"5.", 5.0},          {"1e5", 1e5},      {"1.5E-3", 1.5e-3},
-      {"-2.5e+3", -2.5e3}, {"1e05", 1e5},        {"0e999", 0.0},    {"0.10", 0.1},
-      {"5e-324", 5e-324},  {"1.7e308", 1.7e308}, {"1e-310", 1e-310}};
+      {"0", 0.0},     {"12", 12.0},  {"-0.5", -0.5},     {"+3", 3.0},          {".5", 0.5},
+      {"5.", 5.0},    {"1e5", 1e5},  {"1.5E-3", 1.5e-3}, {"-2.5e+3", -2.5e3},  {"1e05", 1e5},
+      {"0e999", 0.0}, {"0.10", 0.1}, {"5e-324", 5e-324}, {"1.7e308", 1.7e308}, {"1e-310", 1e-310}};
   for (const auto& [text, value] : cases) {
     CAPTURE(text);
     REQUIRE(parse_number(text).has_value());
@@ -49,7 +48,8 @@ TEST_CASE("What is no number is refused with a reason and, if it can be guessed,
       {"1e400", "'1e400' is too large for a double (at most 1.7e308)"},
       {"-1e400", "'-1e400' is too large for a double (at most 1.7e308)"},
       {"1e-400", "'1e-400' is too small for a double; write 0 or at least 2.3e-308"},
-      {"1e99999999999999999999", "'1e99999999999999999999' is too large for a double (at most 1.7e308)"},
+      {"1e99999999999999999999",
+       "'1e99999999999999999999' is too large for a double (at most 1.7e308)"},
       {"1.2345678901234e-315",
        "'1.2345678901234e-315' loses digits as a double; below 2.3e-308 there are fewer than 16"},
       {"010", "'010' has a leading zero; write 10"},
@@ -71,7 +71,10 @@ TEST_CASE("What is no number is refused with a reason and, if it can be guessed,
       {"1.5mm", "'1.5mm': a number stands without a unit here; write 1.5"},
       {"1.5 N", "'1.5 N': a number stands without a unit here; write 1.5"},
       {"5\xC2\xB0", "'5\xC2\xB0': a number stands without a unit here; write 5"},
-      {"\xE2\x88\x92" "5", "'\xE2\x88\x92" "5': write the sign as '-'"},
+      {"\xE2\x88\x92"
+       "5",
+       "'\xE2\x88\x92"
+       "5': write the sign as '-'"},
       {"yes", "'yes' is a truth value where a number is wanted"},
       {"No", "'No' is a truth value where a number is wanted"},
       {"true", "'true' is a truth value where a number is wanted"},

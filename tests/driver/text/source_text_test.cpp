@@ -87,15 +87,18 @@ TEST_CASE("A file above the limit is refused by its size, before reading") {
   REQUIRE_FALSE(source.has_value());
   CHECK(source.error().failure == ReadFailure::kBadInput);
   CHECK(render(source.error().diagnostic) ==
-        path + ": error: is larger than the limit of 64 MiB; put long tables and histories into a "
-               "CSV file\n");
+        path +
+            ": error: is larger than the limit of 64 MiB; put long tables and histories into a "
+            "CSV file\n");
   CHECK(read_source(write(path, "12345"), 5).has_value());
   CHECK(read_source(write(path, "123456"), 5).error().diagnostic.message ==
         "is larger than the limit of 5 bytes");
 }
 
 TEST_CASE("CRLF and a byte order mark leave no trace") {
-  const SourceText source("a.yaml", "\xEF\xBB\xBF" "a: 1\r\nb: 2\r\n");
+  const SourceText source("a.yaml",
+                          "\xEF\xBB\xBF"
+                          "a: 1\r\nb: 2\r\n");
   CHECK(source.text() == "a: 1\nb: 2\n");
   CHECK(check_text(source).empty());
 }
@@ -117,29 +120,37 @@ TEST_CASE("Bytes that are no text are refused with their place") {
   const std::string dot = "\xEF\xBF\xBD";
   CHECK(complaint("a: \xC3\xA4\nb: \xFF\n") ==
         "a.yaml:2:4: error: byte 0xFF is not valid UTF-8; save the file as UTF-8\n"
-        "    2 | b: " + dot + "\n      |    ^\n");
+        "    2 | b: " +
+            dot + "\n      |    ^\n");
   CHECK(complaint("a: 1\nb: \0c\n"s) ==
         "a.yaml:2:4: error: NUL character; is this a text file?\n"
-        "    2 | b: " + dot + "c\n      |    ^\n");
+        "    2 | b: " +
+            dot + "c\n      |    ^\n");
   CHECK(complaint("a: \x1B[0m\n") ==
         "a.yaml:1:4: error: control character U+001B; is this a text file?\n"
-        "    1 | a: " + dot + "[0m\n      |    ^\n");
-  CHECK(complaint("a: 1\rb: 2\r") ==
-        "a.yaml:1:5: error: carriage return without a line feed; save the file with LF or CRLF line "
-        "ends\n    1 | a: 1" + dot + "b: 2" + dot + "\n      |     ^\n");
+        "    1 | a: " +
+            dot + "[0m\n      |    ^\n");
+  CHECK(
+      complaint("a: 1\rb: 2\r") ==
+      "a.yaml:1:5: error: carriage return without a line feed; save the file with LF or CRLF line "
+      "ends\n    1 | a: 1" +
+          dot + "b: 2" + dot + "\n      |     ^\n");
 }
 
 TEST_CASE("Other encodings are named") {
-  CHECK(complaint("\xFF\xFE" "a\0:\0 \0"s).starts_with(
-      "a.yaml:1:1: error: this is UTF-16 text; save it as UTF-8\n"));
+  CHECK(complaint("\xFF\xFE"
+                  "a\0:\0 \0"s)
+            .starts_with("a.yaml:1:1: error: this is UTF-16 text; save it as UTF-8\n"));
   CHECK(complaint("\xFE\xFF\0a\0:"s).find("UTF-16") != std::string::npos);
-  CHECK(complaint("a\0:\0 \0" "1\0\n\0"s).find("UTF-16") != std::string::npos);
+  CHECK(complaint("a\0:\0 \0"
+                  "1\0\n\0"s)
+            .find("UTF-16") != std::string::npos);
   CHECK(complaint("\xFF\xFE\0\0a\0\0\0"s).find("UTF-32") != std::string::npos);
 }
 
 TEST_CASE("Overlong forms, surrogates and cut sequences are invalid UTF-8") {
-  for (const char* bytes : {"\xC0\xAF", "\xE0\x80\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80", "\xE2\x82",
-                            "\x80", "\xF8\x88\x80\x80\x80"}) {
+  for (const char* bytes : {"\xC0\xAF", "\xE0\x80\xAF", "\xED\xA0\x80", "\xF4\x90\x80\x80",
+                            "\xE2\x82", "\x80", "\xF8\x88\x80\x80\x80"}) {
     CAPTURE(bytes);
     CHECK(complaint(bytes).find("is not valid UTF-8") != std::string::npos);
   }

@@ -1,0 +1,560 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/case/case_codecs.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include "law/connection_type.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+Json any_of(json::Array alternatives) {
+  Json schema;
+  schema["anyOf"] = Json(std::move(alternatives));
+  return schema;
+}
+
+Json map_with_one(std::string_view key, Json value) {
+  Json schema;
+  schema["type"] = "object";
+  schema["properties"][key] = std::move(value);
+  Json required = Json(json::Array{});
+  required.push_back(key);
+  schema["required"] = std::move(required);
+  schema["additionalProperties"] = false;
+  return schema;
+}
+
+Json plain(std::string_view type) {
+  Json schema;
+  schema["type"] = type;
+  return schema;
+}
+
+bool has_key(const Node& node, std::string_view key) {
+  return node.is_map() && node.find(key).has_value();
+}
+
+}  // namespace
+
+// --- connector.type ---------------------------------------------------------------------------
+
+bool Codec<TypeNames>::read(Binder& binder, const Node& node, const Path& path, const KeyInfo& info,
+                            TypeNames& out) {
+  if (node.is_scalar()) {
+    At<std::string> name;
+    if (!Codec<At<std::string>>::read(binder, node, path, info, name)) return false;
+    out.names.push_back(std::move(name));
+    return true;
+  }
+  if (!node.is_sequence() || node.size() < 1 || node.size() > 2) {
+    binder.wrong_kind(node, path, wanted(info));
+    return false;
+  }
+  return Codec<std::vector<At<std::string>>>::read(binder, node, path, info, out.names);
+}
+Json Codec<TypeNames>::schema(const KeyInfo&) {
+  Json names = Json(json::Array{});
+  law::for_each_connection_type(
+      [&]<class Type>(std::type_identity<Type>) { names.push_back(Type::kInfo.name); });
+  Json word;
+  word["enum"] = std::move(names);
+  Json list;
+  list["type"] = "array";
+  list["items"] = word;
+  list["minItems"] = 1;
+  list["maxItems"] = 2;
+  return any_of({std::move(word), std::move(list)});
+}
+std::string Codec<TypeNames>::wanted(const KeyInfo&) {
+  return "a connection type, or a list of two basic ones";
+}
+void Codec<TypeNames>::rows(const std::string&, std::vector<KeyRow>&) {}
+
+// --- a number or a table ----------------------------------------------------------------------
+
+bool Codec<NumberOrTable>::read(Binder& binder, const Node& node, const Path& path,
+                                const KeyInfo& info, NumberOrTable& out) {
+  if (node.is_map()) {
+    TableText text;
+    if (!Codec<TableText>::read(binder, node, path, info, text)) return false;
+    out = std::move(text);
+    return true;
+  }
+  if (!node.is_scalar()) {
+    binder.wrong_kind(node, path, wanted(info));
+    return false;
+  }
+  double number = 0.0;
+  if (!Codec<double>::read(binder, node, path, info, number)) return false;
+  out = number;
+  return true;
+}
+Json Codec<NumberOrTable>::schema(const KeyInfo& info) {
+  return any_of({Codec<double>::schema(info), struct_schema<TableText>()});
+}
+std::string Codec<NumberOrTable>::wanted(const KeyInfo&) { return "a number or a table"; }
+void Codec<NumberOrTable>::rows(const std::string& path, std::vector<KeyRow>& rows) {
+  struct_rows<TableText>(path, rows);
+}
+
+bool Codec<WeightsText>::read(Binder& binder, const Node& node, const Path& path,
+                              const KeyInfo& info, WeightsText& out) {
+  if (node.is_map()) {
+    TableText text;
+    if (!Codec<TableText>::read(binder, node, path, info, text)) return false;
+    out = std::move(text);
+    return true;
+  }
+  std::vector<double> numbers;
+  if (!node.is_sequence()) {
+    binder.wrong_kind(node, path, wanted(info));
+    return false;
+  }
+  if (!Codec<std::vector<double>>::read(binder, node, path, info, numbers)) return false;
+  out = std::move(numbers);
+  return true;
+}
+Json Codec<WeightsText>::schema(const KeyInfo& info) {
+  return any_of({Codec<std::vector<double>>::schema(info), struct_schema<TableText>()});
+}
+std::string Codec<WeightsText>::wanted(const KeyInfo&) { return "a list of numbers, or a table"; }
+void Codec<WeightsText>::rows(const std::string&, std::vector<KeyRow>&) {}
+
+// --- friction[].coefficient -------------------------------------------------------------------
+
+namespace {
+
+/// Calls visit(std::type_identity<Law>{}) for the laws that are written by name.
+template <class Visit>
+void for_each_named_law(Visit&& visit) {
+  [&]<class... Law>(std::type_identity<std::variant<Law...>>) {
+    const auto one = [&]<class L>(std::type_identity<L> law) {
+      if constexpr (HasFields<L> && !std::is_same_v<L, law::ConstantCoefficient>) visit(law);
+    };
+    (one(std::type_identity<Law>{}), ...);
+  }(std::type_identity<law::FrictionLaw>{});
+}
+
+}  // namespace
+
+bool Codec<CoefficientText>::read(Binder& binder, const Node& node, const Path& path,
+                                  const KeyInfo& info, CoefficientText& out) {
+  if (node.is_scalar()) {
+    double mu = 0.0;
+    if (!Codec<double>::read(binder, node, path, info, mu)) return false;
+    out.value = law::FrictionLaw(law::ConstantCoefficient{mu});
+    return true;
+  }
+  if (!node.is_map()) {
+    binder.wrong_kind(node, path, wanted(info));
+    return false;
+  }
+  if (has_key(node, "columns")) {
+    TableText text;
+    if (!Codec<TableText>::read(binder, node, path, info, text)) return false;
+    out.value = std::move(text);
+    return true;
+  }
+  std::vector<std::string_view> names;
+  for_each_named_law([&]<class Law>(std::type_identity<Law>) { names.push_back(Law::kName); });
+  if (node.size() != 1) {
+    binder.error(node, path, "wanted one law (" + in_words(names) + ") or a table with 'columns'");
+    return false;
+  }
+  const Entry entry = node.entry(0);
+  const Path below = path / entry.key.text();
+  bool known = false;
+  bool good = false;
+  for_each_named_law([&]<class Law>(std::type_identity<Law>) {
+    if (entry.key.text() != Law::kName) return;
+    known = true;
+    Law law;
+    good = read_struct(binder, entry.value, below, law);
+    if constexpr (requires { law.violation(); }) {
+      if (const auto broken = good ? law.violation() : std::nullopt) {
+        binder.error(entry.value, below, std::string(*broken));
+        good = false;
+      }
+    }
+    out.value = law::FrictionLaw(law);
+  });
+  if (!known) {
+    names.push_back("columns");
+    binder.unknown_key(entry.key, below, names);
+  }
+  return good;
+}
+Json Codec<CoefficientText>::schema(const KeyInfo& info) {
+  json::Array alternatives = {Codec<double>::schema(info), struct_schema<TableText>()};
+  for_each_named_law([&]<class Law>(std::type_identity<Law>) {
+    alternatives.push_back(map_with_one(Law::kName, struct_schema<Law>()));
+  });
+  return any_of(std::move(alternatives));
+}
+std::string Codec<CoefficientText>::wanted(const KeyInfo&) {
+  return "a number, a table, or one law by name";
+}
+void Codec<CoefficientText>::rows(const std::string& path, std::vector<KeyRow>& rows) {
+  for_each_named_law([&]<class Law>(std::type_identity<Law>) {
+    const std::string here = path + "." + std::string(Law::kName);
+    rows.push_back({here, "a map", KeyInfo{.text = Law::kTitle, .default_text = "-"}});
+    struct_rows<Law>(here, rows);
+  });
+}
+
+// --- friction[].contact_force -----------------------------------------------------------------
+
+bool Codec<ContactForceText>::read(Binder& binder, const Node& node, const Path& path,
+                                   const KeyInfo& info, ContactForceText& out) {
+  if (!node.is_scalar() || node.text().empty()) {
+    binder.wrong_kind(node, path, wanted(info));
+    return false;
+  }
+  const char first = node.text().front();
+  if (!node.quoted() && (first == '-' || first == '+' || (first >= '0' && first <= '9'))) {
+    int component = 0;
+    const KeyInfo number{.bounds = {.lower = 1, .upper = 6}};
+    if (!Codec<int>::read(binder, node, path, number, component)) return false;
+    out.value = component;
+    return true;
+  }
+  out.value = std::string(node.text());
+  return true;
+}
+Json Codec<ContactForceText>::schema(const KeyInfo&) {
+  return any_of({Codec<int>::schema(KeyInfo{.bounds = {.lower = 1, .upper = 6}}), plain("string")});
+}
+std::string Codec<ContactForceText>::wanted(const KeyInfo&) {
+  return "a component number 1-6 or the name of a derived component";
+}
+void Codec<ContactForceText>::rows(const std::string&, std::vector<KeyRow>&) {}
+
+// --- friction[].predefined --------------------------------------------------------------------
+
+bool Codec<PredefinedText>::read(Binder& binder, const Node& node, const Path& path,
+                                 const KeyInfo& info, PredefinedText& out) {
+  if (!node.is_map()) {
+    binder.wrong_kind(node, path, wanted(info));
+    return false;
+  }
+  out.node = node;
+  return true;
+}
+Json Codec<PredefinedText>::schema(const KeyInfo&) {
+  json::Array alternatives;
+  law::for_each_connection_type([&]<class Type>(std::type_identity<Type>) {
+    if constexpr (law::HasPredefinedFriction<Type>) alternatives.push_back(struct_schema<Type>());
+  });
+  return any_of(std::move(alternatives));
+}
+std::string Codec<PredefinedText>::wanted(const KeyInfo&) {
+  return "a map of the connection's geometry; {} takes all defaults";
+}
+void Codec<PredefinedText>::rows(const std::string& path, std::vector<KeyRow>& rows) {
+  law::for_each_connection_type([&]<class Type>(std::type_identity<Type>) {
+    if constexpr (law::HasPredefinedFriction<Type>) {
+      struct_rows<Type>(path + " (" + std::string(Type::kInfo.name) + ")", rows);
+    }
+  });
+}
+
+// --- profiles ---------------------------------------------------------------------------------
+
+namespace {
+
+struct ToText {
+  static constexpr bool kIsDeclared = true;
+  double to = 0.0;
+  template <class V>
+  static void declare(V& key) {
+    key("to", &ToText::to,
+        KeyInfo{.required = true, .text = "Linear from the current value to this."});
+  }
+};
+struct SmoothToText {
+  static constexpr bool kIsDeclared = true;
+  double smooth_to = 0.0;
+  template <class V>
+  static void declare(V& key) {
+    key("smooth_to", &SmoothToText::smooth_to,
+        KeyInfo{.required = true,
+                .text = "From the current value to this, with zero rate at both ends."});
+  }
+};
+struct WaveText {
+  static constexpr bool kIsDeclared = true;
+  double amplitude = 0.0;
+  At<double> frequency, period;
+  double mean = 0.0;
+  double phase = 0.0;
+  template <class V>
+  static void declare(V& key) {
+    key("amplitude", &WaveText::amplitude,
+        KeyInfo{.required = true, .text = "Half the peak-to-peak value."});
+    key("frequency", &WaveText::frequency,
+        KeyInfo{.text = "Cycles per time.", .default_text = "period", .bounds = law::kPositive});
+    key("period", &WaveText::period,
+        KeyInfo{
+            .text = "Length of a cycle.", .default_text = "frequency", .bounds = law::kPositive});
+    key("mean", &WaveText::mean,
+        KeyInfo{.text = "Value the wave swings about.", .default_text = "0"});
+    key("phase", &WaveText::phase,
+        KeyInfo{.text = "Phase in radians: where in its cycle the wave starts.",
+                .default_text = "0"});
+  }
+};
+struct CsvProfileText {
+  static constexpr bool kIsDeclared = true;
+  At<std::string> csv, time, value, unit, time_unit;
+  template <class V>
+  static void declare(V& key) {
+    key("csv", &CsvProfileText::csv,
+        KeyInfo{.required = true, .text = "CSV file in the case's folder."});
+    key("time", &CsvProfileText::time,
+        KeyInfo{.required = true, .text = "Name of the time column."});
+    key("value", &CsvProfileText::value,
+        KeyInfo{.required = true, .text = "Name of the value column."});
+    key("unit", &CsvProfileText::unit,
+        KeyInfo{.text = "Unit of the value column.", .default_text = "the case's"});
+    key("time_unit", &CsvProfileText::time_unit,
+        KeyInfo{.text = "Unit of the time column.", .default_text = "the case's"});
+  }
+};
+
+constexpr std::array<std::string_view, 4> kWaves{"sine", "triangle", "sawtooth", "square"};
+constexpr std::string_view kProfileForms =
+    "a profile: a number, an expression, {to: v}, {smooth_to: v}, {sine|triangle|sawtooth|square: "
+    "{...}}, {columns: [value, t], rows: [...]} or {csv: ..., time: ..., value: ...}";
+
+bool read_wave(Binder& binder, const Node& node, const Path& path, std::size_t shape,
+               ProfileText& out) {
+  if (node.size() != 1) {
+    binder.error(
+        node, path,
+        "a profile has one form, found other keys beside '" + std::string(kWaves[shape]) + "'");
+    return false;
+  }
+  WaveText wave;
+  const Path below = path / kWaves[shape];
+  const Node inner = *node.find(kWaves[shape]);
+  if (!read_struct(binder, inner, below, wave)) return false;
+  if (wave.frequency.given() == wave.period.given()) {
+    binder.error(inner, below, "a wave needs 'frequency' or 'period', and only one of them");
+    return false;
+  }
+  out.profile = Wave{static_cast<WaveShape>(shape), wave.amplitude,
+                     wave.period.given() ? wave.period.value : 1.0 / wave.frequency.value,
+                     wave.mean, wave.phase};
+  return true;
+}
+
+bool read_tabular(Binder& binder, const Node& node, const Path& path, ProfileText& out) {
+  TableText text;
+  if (!read_struct(binder, node, path, text)) return false;
+  if (text.columns.size() != 2 || text.columns[1].value != "t") {
+    binder.error(node, path / "columns", "the columns of a profile are [value, t]");
+    return false;
+  }
+  if (text.extrapolate != law::Extrapolation::kConstant) {
+    binder.error(node, path / "extrapolate",
+                 "a profile must cover its step; it is not extrapolated");
+    return false;
+  }
+  const auto built = table(binder, text, node, path, 1, 1, false);
+  if (!built) return false;
+  Tabular tabular;
+  for (const double t : built->knots(0)) {
+    tabular.times.push_back(t);
+    tabular.values.push_back(built->value(std::span(&t, 1)));
+  }
+  if (const auto broken = violation(tabular)) {
+    binder.error(node, path, *broken);
+    return false;
+  }
+  out.profile = std::move(tabular);
+  return true;
+}
+
+}  // namespace
+
+bool Codec<ProfileText>::read(Binder& binder, const Node& node, const Path& path,
+                              const KeyInfo& info, ProfileText& out) {
+  if (node.is_scalar()) {
+    if (Binder::is_expression(node)) {
+      auto compiled = compile_profile(node.text(), binder.parameters());
+      if (!compiled) {
+        binder.expression_error(node, path, compiled.error(), {"t", "T"});
+        return false;
+      }
+      if (compiled->expression.used_variables().empty()) {
+        const auto value = compiled->expression(std::array{0.0, 0.0});
+        if (!value) {
+          binder.expression_error(node, path, value.error(), {"t", "T"});
+          return false;
+        }
+        out.profile = Constant{*value};
+        return true;
+      }
+      out.profile = std::move(*compiled);
+      return true;
+    }
+    double value = 0.0;
+    if (!Codec<double>::read(binder, node, path, info, value)) return false;
+    out.profile = Constant{value};
+    return true;
+  }
+  if (!node.is_map()) {
+    binder.wrong_kind(node, path, kProfileForms);
+    return false;
+  }
+  if (has_key(node, "to")) {
+    ToText to;
+    if (!read_struct(binder, node, path, to)) return false;
+    out.profile = LinearTo{to.to};
+    return true;
+  }
+  if (has_key(node, "smooth_to")) {
+    SmoothToText to;
+    if (!read_struct(binder, node, path, to)) return false;
+    out.profile = SmoothTo{to.smooth_to};
+    return true;
+  }
+  for (std::size_t shape = 0; shape < kWaves.size(); ++shape) {
+    if (has_key(node, kWaves[shape])) return read_wave(binder, node, path, shape, out);
+  }
+  if (has_key(node, "columns")) return read_tabular(binder, node, path, out);
+  if (has_key(node, "csv")) {
+    CsvProfileText csv;
+    if (!read_struct(binder, node, path, csv)) return false;
+    const auto file = binder.data_file(*csv.csv.node, csv.csv.path, csv.csv.value);
+    if (!file) return false;
+    out.profile = CsvColumn{*file, csv.csv.value, csv.time.value, {}, csv.value.value, {}};
+    out.csv = std::move(csv.csv);
+    out.unit = std::move(csv.unit);
+    out.time_unit = std::move(csv.time_unit);
+    return true;
+  }
+  constexpr std::array<std::string_view, 8> kForms{"to",       "smooth_to", "sine",    "triangle",
+                                                   "sawtooth", "square",    "columns", "csv"};
+  if (node.size() > 0) {
+    binder.unknown_key(node.entry(0).key, path / node.entry(0).key.text(), kForms);
+  } else {
+    binder.error(node, path, "wanted " + std::string(kProfileForms) + ", found an empty map");
+  }
+  return false;
+}
+Json Codec<ProfileText>::schema(const KeyInfo& info) {
+  json::Array alternatives = {Codec<double>::schema(info), struct_schema<ToText>(),
+                              struct_schema<SmoothToText>()};
+  for (const std::string_view wave : kWaves) {
+    alternatives.push_back(map_with_one(wave, struct_schema<WaveText>()));
+  }
+  alternatives.push_back(struct_schema<TableText>());
+  alternatives.push_back(struct_schema<CsvProfileText>());
+  return any_of(std::move(alternatives));
+}
+std::string Codec<ProfileText>::wanted(const KeyInfo&) { return "a profile"; }
+void Codec<ProfileText>::rows(const std::string& path, std::vector<KeyRow>& rows) {
+  // The forms of a profile are the same everywhere: listed once, under the temperature.
+  if (!path.ends_with("temperature")) return;
+  struct_rows<ToText>(path, rows);
+  struct_rows<SmoothToText>(path, rows);
+  struct_rows<WaveText>(path + ".sine|triangle|sawtooth|square", rows);
+  struct_rows<CsvProfileText>(path, rows);
+}
+
+// --- history ----------------------------------------------------------------------------------
+
+namespace {
+
+struct ColumnAndUnit {
+  static constexpr bool kIsDeclared = true;
+  At<std::string> column, unit;
+  template <class V>
+  static void declare(V& key) {
+    key("column", &ColumnAndUnit::column, KeyInfo{.required = true, .text = "Name of the column."});
+    key("unit", &ColumnAndUnit::unit,
+        KeyInfo{.text = "Unit of the column.", .default_text = "the case's"});
+  }
+};
+
+}  // namespace
+
+bool Codec<MeasuredColumnText>::read(Binder& binder, const Node& node, const Path& path,
+                                     const KeyInfo& info, MeasuredColumnText& out) {
+  if (node.is_scalar()) {
+    return Codec<At<std::string>>::read(binder, node, path, info, out.column);
+  }
+  ColumnAndUnit both;
+  if (!read_struct(binder, node, path, both)) return false;
+  out.column = std::move(both.column);
+  out.unit = std::move(both.unit);
+  return true;
+}
+Json Codec<MeasuredColumnText>::schema(const KeyInfo&) {
+  return any_of({plain("string"), struct_schema<ColumnAndUnit>()});
+}
+std::string Codec<MeasuredColumnText>::wanted(const KeyInfo&) {
+  return "a column's name, or {column: ..., unit: ...}";
+}
+void Codec<MeasuredColumnText>::rows(const std::string& path, std::vector<KeyRow>& rows) {
+  struct_rows<ColumnAndUnit>(path, rows);
+}
+
+bool Codec<HistoryText>::read(Binder& binder, const Node& node, const Path& path,
+                              const KeyInfo& info, HistoryText& out) {
+  if (node.is_map()) {
+    MeasuredText measured;
+    if (!read_struct(binder, node, path, measured)) return false;
+    out.measured = std::move(measured);
+    return true;
+  }
+  if (!node.is_sequence() || node.size() == 0) {
+    binder.wrong_kind(node, path, wanted(info));
+    return false;
+  }
+  return Codec<std::vector<StepText>>::read(binder, node, path, info, out.steps);
+}
+Json Codec<HistoryText>::schema(const KeyInfo& info) {
+  Json steps = Codec<std::vector<StepText>>::schema(info);
+  steps["minItems"] = 1;
+  return any_of({std::move(steps), struct_schema<MeasuredText>()});
+}
+std::string Codec<HistoryText>::wanted(const KeyInfo&) {
+  return "a list of steps, or a measured history {csv: ...}";
+}
+void Codec<HistoryText>::rows(const std::string& path, std::vector<KeyRow>& rows) {
+  struct_rows<StepText>(path + "[]", rows);
+  struct_rows<MeasuredText>(path, rows);
+}
+
+// --- checks, parameters -----------------------------------------------------------------------
+
+bool Codec<NumberOrList>::read(Binder& binder, const Node& node, const Path& path,
+                               const KeyInfo& info, NumberOrList& out) {
+  if (node.is_sequence()) {
+    out.list = true;
+    return Codec<std::vector<double>>::read(binder, node, path, info, out.values);
+  }
+  double value = 0.0;
+  if (!Codec<double>::read(binder, node, path, info, value)) return false;
+  out.values = {value};
+  return true;
+}
+Json Codec<NumberOrList>::schema(const KeyInfo& info) {
+  return any_of({Codec<double>::schema(info), Codec<std::vector<double>>::schema(info)});
+}
+std::string Codec<NumberOrList>::wanted(const KeyInfo&) { return "a number or a list of numbers"; }
+void Codec<NumberOrList>::rows(const std::string&, std::vector<KeyRow>&) {}
+
+bool Codec<ParameterValue>::read(Binder&, const Node&, const Path&, const KeyInfo&,
+                                 ParameterValue&) {
+  return true;  // read before everything else, see read_case
+}
+Json Codec<ParameterValue>::schema(const KeyInfo& info) { return Codec<double>::schema(info); }
+std::string Codec<ParameterValue>::wanted(const KeyInfo&) { return "a number"; }
+void Codec<ParameterValue>::rows(const std::string&, std::vector<KeyRow>&) {}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is generated from the declarations of the case format.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "driver/case/binding.hpp"
+
+namespace slipbench::driver {
+
+/// One row for every key of a case file, in the order of the declarations.
+std::vector<KeyRow> case_rows();
+
+/// JSON Schema (draft 2020-12) of a case file.
+Json case_schema();
+
+/// The case reference as Markdown: all keys, connection types, coefficient laws, closed forms.
+std::string case_reference_markdown();
+
+}  // namespace slipbench::driver

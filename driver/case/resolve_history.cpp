@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+
+#include "driver/case/quantity.hpp"
+#include "driver/case/resolve.hpp"
+#include "driver/history/profile_cursor.hpp"
+#include "driver/text/format_number.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+Dimension dimension_of(int quantity) {
+  if (quantity < kFirstForce) return law::is_rotation(quantity) ? kAngle : kLength;
+  if (quantity < kTemperatureQuantity) {
+    return law::is_rotation(quantity - kFirstForce) ? kMoment : kForce;
+  }
+  if (quantity == kTemperatureQuantity) return kTemperature;
+  return {};
+}
+
+std::string held_message(const law::Connection& connection, int component) {
+  return connector_words(connection) + " holds component " + std::to_string(component + 1) +
+         " (its constraint " + (law::is_rotation(component) ? "moment " : "force ") +
+         force_name(component) + " goes under 'force:'); free are " +
+         motion_names(connection.info.available);
+}
+
+/// The quantity a name under motion, force, fields or the columns of a measured history means.
+std::optional<int> quantity_of(Binder& binder, const Case& problem, const std::string& name,
+                               const Node& key, const Path& path, bool motion, bool force,
+                               bool others) {
+  const law::ConnectionInfo& info = problem.connection.info;
+  const std::string words = connector_words(problem.connection);
+  if (const auto c = component_of_motion(name); c && (motion || force)) {
+    if (!motion) {
+      binder.error(key, path, "'" + name + "' is a motion: it goes under 'motion:'");
+    } else if (info.available.contains(*c)) {
+      return kFirstMotion + *c;
+    } else if (info.held.contains(*c)) {
+      binder.error(key, path, held_message(problem.connection, *c));
+    } else {
+      binder.error(key, path,
+                   words + " has no component " + std::to_string(*c + 1) + "; free are " +
+                       motion_names(info.available));
+    }
+    return std::nullopt;
+  }
+  if (const auto c = component_of_force(name); c && (motion || force)) {
+    if (!force) {
+      binder.error(key, path, "'" + name + "' is a constraint force: it goes under 'force:'");
+    } else if (info.held.contains(*c)) {
+      return kFirstForce + *c;
+    } else if (info.available.contains(*c)) {
+      binder.error(key, path,
+                   "component " + std::to_string(*c + 1) + " of " + words +
+                       " is free: prescribe its motion " + motion_name(*c) +
+                       " (driving a free component by force is not in this version); constraint "
+                       "forces are " +
+                       force_names(info.held));
+    } else {
+      binder.error(key, path,
+                   words + " has no component " + std::to_string(*c + 1) +
+                       "; its constraint forces are " + force_names(info.held));
+    }
+    return std::nullopt;
+  }
+  if (others) {
+    if (name == "temperature") return kTemperatureQuantity;
+    if (const auto field = field_of(name)) return kFirstField + *field;
+  }
+  std::string known;
+  if (motion) known += motion_names(info.available);
+  if (force) known += (known.empty() ? "" : ", ") + force_names(info.held);
+  if (others) {
+    known += (known.empty() ? "field1 .. field" : ", temperature, field1 .. field") +
+             std::to_string(law::kMaxFields);
+  }
+  binder.error(key, path, "unknown quantity '" + printable(name) + "'", "known here: " + known);
+  return std::nullopt;
+}
+
+std::optional<UnitConversion> conversion(Binder& binder, const At<std::string>& unit,
+                                         const Dimension& dimension, const UnitSystem& system) {
+  if (!unit.given()) return UnitConversion{};
+  auto found = conversion_to_case(unit.value, dimension, system);
+  if (!found) {
+    binder.history_error(*unit.node, unit.path, found.error());
+    return std::nullopt;
+  }
+  return *found;
+}
+
+/// Finishes a profile now that it is known what it drives, and tries its data out.
+std::optional<Profile> finish(Binder& binder, const Case& problem, const ProfileText& text,
+                              const Node& node, const Path& path, int quantity, double duration) {
+  Profile profile = text.profile;
+  if (std::holds_alternative<Constant>(profile) && quantity < kFirstForce) {
+    binder.error(node, path, "a motion needs a profile, found a number",
+                 "{to: " + format_number(std::get<Constant>(profile).value) +
+                     "} goes there linearly over the step");
+    return std::nullopt;
+  }
+  if (const auto* points = std::get_if<Tabular>(&profile); points && !covers(*points, duration)) {
+    binder.error(node, path,
+                 "the table covers t = " + format_number(points->times.front()) + " .. " +
+                     format_number(points->times.back()) + ", the step asks for 0 .. " +
+                     format_number(duration));
+    return std::nullopt;
+  }
+  if (auto* csv = std::get_if<CsvColumn>(&profile)) {
+    const auto value = conversion(binder, text.unit, dimension_of(quantity), problem.units);
+    const auto time = conversion(binder, text.time_unit, kTime, problem.units);
+    if (!value || !time) return std::nullopt;
+    csv->value_conversion = *value;
+    csv->time_conversion = *time;
+    if (auto cursor = ProfileCursor::open(profile); !cursor) {
+      binder.history_error(node, path, cursor.error());
+      return std::nullopt;
+    }
+  }
+  return profile;
+}
+
+void read_step(Binder& binder, const StepText& text, Case& out, const Node& /*history*/) {
+  Step step;
+  step.name = text.step.value;
+  step.duration = text.duration;
+  step.increments = text.increments;
+  step.repeat = text.repeat;
+  const auto add = [&](std::optional<int> quantity, const ProfileText& profile, const Node& node,
+                       const Path& path) {
+    if (!quantity) return;
+    auto finished = finish(binder, out, profile, node, path, *quantity, step.duration);
+    if (finished) step.drives.push_back({*quantity, std::move(*finished)});
+  };
+  for (const auto& entry : text.motion) {
+    add(quantity_of(binder, out, entry.name, *entry.key, entry.path, true, false, false),
+        entry.value, *entry.key, entry.path);
+  }
+  for (const auto& entry : text.force) {
+    add(quantity_of(binder, out, entry.name, *entry.key, entry.path, false, true, false),
+        entry.value, *entry.key, entry.path);
+  }
+  if (text.temperature.given()) {
+    add(kTemperatureQuantity, text.temperature.value, *text.temperature.node,
+        text.temperature.path);
+  }
+  for (const auto& entry : text.fields) {
+    const auto field = field_of(entry.name);
+    if (!field) {
+      binder.error(*entry.key, entry.path, "unknown field '" + printable(entry.name) + "'",
+                   "fields are field1 .. field" + std::to_string(law::kMaxFields));
+      continue;
+    }
+    add(kFirstField + *field, entry.value, *entry.key, entry.path);
+  }
+  out.steps.push_back(std::move(step));
+}
+
+void read_measured(Binder& binder, const MeasuredText& text, Case& out) {
+  MeasuredSource source;
+  const auto file = binder.data_file(*text.csv.node, text.csv.path, text.csv.value);
+  const auto time = conversion(binder, text.time_unit, kTime, out.units);
+  bool good = file.has_value() && time.has_value();
+  if (file) source.file = *file;
+  if (time) source.time_conversion = *time;
+  source.shown_name = text.csv.value;
+  source.time_column = text.time.value;
+  source.hold = text.hold;
+  for (const auto& entry : text.columns) {
+    const auto quantity =
+        quantity_of(binder, out, entry.name, *entry.key, entry.path, true, true, true);
+    if (!quantity) {
+      good = false;
+      continue;
+    }
+    const auto unit = conversion(binder, entry.value.unit, dimension_of(*quantity), out.units);
+    if (!unit) {
+      good = false;
+      continue;
+    }
+    source.columns.push_back(
+        {static_cast<std::size_t>(*quantity), entry.value.column.value, *unit});
+  }
+  if (!good) return;
+  if (auto opened = MeasuredHistory::open(source); !opened) {
+    binder.history_error(*text.csv.node, text.csv.path, opened.error());
+    return;
+  }
+  out.measured = std::move(source);
+}
+
+}  // namespace
+
+void resolve_history(Binder& binder, const CaseText& text, Case& out) {
+  const HistoryText& history = text.history.value;
+  if (history.measured) {
+    read_measured(binder, *history.measured, out);
+    return;
+  }
+  for (std::size_t i = 0; i < history.steps.size(); ++i) {
+    const StepText& step = history.steps[i];
+    for (std::size_t j = 0; j < i; ++j) {
+      if (history.steps[j].step.value == step.step.value) {
+        binder.error(*step.step.node, step.step.path,
+                     "the name '" + step.step.value + "' is already that of history[" +
+                         std::to_string(j) + "]");
+        break;
+      }
+    }
+    read_step(binder, step, out, *text.history.node);
+  }
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/commands/catalogue.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+#include "driver/case/case_codecs.hpp"
+#include "driver/case/case_reference.hpp"
+#include "driver/case/resolve.hpp"
+#include "driver/commands/exit_code.hpp"
+#include "driver/commands/shared.hpp"
+#include "driver/results/columns.hpp"
+#include "reference/catalogue.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+template <class... Argument>
+void tell(fmt::format_string<Argument...> text, Argument&&... arguments) {
+  print(fmt::format(text, std::forward<Argument>(arguments)...));
+}
+
+constexpr std::array<std::string_view, 4> kLists{"connections", "laws", "closed-forms",
+                                                 "quantities"};
+
+template <class Visit>
+void for_each_law(Visit&& visit) {
+  [&]<class... Law>(std::type_identity<std::variant<Law...>>) {
+    (visit(std::type_identity<Law>{}), ...);
+  }(std::type_identity<law::FrictionLaw>{});
+}
+
+void list_connections() {
+  tell("connections (type, made of, constraint forces, free motions)\n");
+  law::for_each_connection_type([&]<class Type>(std::type_identity<Type>) {
+    const law::ConnectionInfo& info = Type::kInfo;
+    tell("  {:<12} {:<24} {:<22} {:<18} {}\n", info.name, info.assembly, force_names(info.held),
+         motion_names(info.available),
+         law::HasPredefinedFriction<Type> ? "predefined friction" : "");
+  });
+}
+
+void list_laws() {
+  tell("laws of the coefficient of friction\n");
+  for_each_law(
+      [&]<class Law>(std::type_identity<Law>) { tell("  {:<20} {}\n", Law::kName, Law::kTitle); });
+}
+
+void list_closed_forms() {
+  tell("closed forms to check against\n");
+  for (const reference::ClosedForm& form : reference::catalogue()) {
+    tell("  {:<30} {}\n", form.name, form.title);
+  }
+}
+
+/// All result columns that some connection with predefined friction has, each once.
+std::vector<Column> all_columns() {
+  std::vector<Column> columns;
+  law::for_each_connection_type([&]<class Type>(std::type_identity<Type>) {
+    if constexpr (law::HasPredefinedFriction<Type>) {
+      Case problem;
+      problem.connection = {Type::kInfo, Type{}};
+      const auto checks = Type{}.predefined();
+      // One definition at a time, so that no name carries a definition's suffix.
+      for (const law::PredefinedFriction& check : checks) {
+        law::FrictionDefinition definition;
+        definition.slip = check.slip;
+        problem.definitions = {{"", check.slip.dimension > 1, definition}};
+        for (Column& column : result_columns(problem)) {
+          const bool known = std::any_of(columns.begin(), columns.end(),
+                                         [&](const Column& c) { return c.name == column.name; });
+          if (!known) columns.push_back(std::move(column));
+        }
+      }
+    }
+  });
+  return columns;
+}
+
+void list_quantities() {
+  tell("quantities a case prescribes\n");
+  tell("  {:<18} {}\n", "CP1..3, CPR1..3",
+       "relative position of a free component, under 'motion:'");
+  tell("  {:<18} {}\n", "f1..3, m1..3",
+       "constraint force or moment of a held component, under 'force:'");
+  tell("  {:<18} {}\n", "temperature", "temperature of the connector");
+  tell("  {:<18} field variables, under 'fields:'\n", fmt::format("field1..{}", law::kMaxFields));
+  tell("quantities a result has, as far as the connection does\n");
+  for (const Column& column : all_columns()) tell("  {:<18} {}\n", column.name, column.text);
+}
+
+template <class Struct>
+void describe_fields(int indent) {
+  for_each_key<Struct>([&](std::string_view key, auto member, const KeyInfo& info) {
+    using Member = std::remove_reference_t<decltype(std::declval<Struct&>().*member)>;
+    std::string wanted = Codec<Member>::wanted(info);
+    if (const std::string bounds = in_words(info.bounds); !bounds.empty()) wanted += ", " + bounds;
+    wanted += info.required ? ", required" : ", default 0";
+    if constexpr (std::is_same_v<Member, std::optional<law::Table>>) {
+      wanted = "a table, default: built-in";
+    }
+    tell("{:{}}{:<28} {}\n{:{}}{:<28} ({})\n", "", indent, key, info.text, "", indent, "", wanted);
+  });
+}
+
+bool describe_connection(std::string_view name) {
+  bool found = false;
+  law::for_each_connection_type([&]<class Type>(std::type_identity<Type>) {
+    const law::ConnectionInfo& info = Type::kInfo;
+    if (info.name != name) return;
+    found = true;
+    tell("{} (connection type, {})\n  {}\n", info.name, info.assembly, info.text);
+    tell("  holds, forces under 'force:'    {}\n", force_names(info.held));
+    tell("  frees, motions under 'motion:'  {}\n", motion_names(info.available));
+    if constexpr (law::HasPredefinedFriction<Type>) {
+      tell("  predefined friction, parameters under 'predefined:'\n");
+      describe_fields<Type>(4);
+    } else {
+      tell("  no predefined friction: give 'component' or 'potential'\n");
+    }
+  });
+  return found;
+}
+
+bool describe_law(std::string_view name) {
+  bool found = false;
+  for_each_law([&]<class Law>(std::type_identity<Law>) {
+    if (Law::kName != name) return;
+    found = true;
+    tell("{} (law of the coefficient of friction)\n  {}\n  {}\n  source: {}\n", Law::kName,
+         Law::kTitle, Law::kFormula, Law::kSource);
+    if constexpr (HasFields<Law>) describe_fields<Law>(4);
+  });
+  return found;
+}
+
+template <class List>
+void describe_signals(std::string_view title, const List& list) {
+  tell("  {}\n", title);
+  for (const auto& item : list) tell("    {:<20} [{}] {}\n", item.name, item.dimension, item.text);
+}
+
+bool describe_closed_form(std::string_view name) {
+  const reference::ClosedForm* form = reference::find(name);
+  if (form == nullptr) return false;
+  tell("{} (closed form)\n  {}\n  {}\n  source: {}\n  admissible: {}\n", form->name, form->title,
+       form->formula, form->source, form->range);
+  describe_signals("parameters, under 'with:'", form->parameters);
+  describe_signals("inputs, result columns under 'inputs:'", form->inputs);
+  describe_signals("outputs, one of them under 'output:'", form->outputs);
+  return true;
+}
+
+int unknown(std::string_view what, std::string_view name, std::span<const std::string_view> known) {
+  std::string hint = "known: " + in_words(known, "and");
+  if (const auto nearest = nearest_name(name, known)) {
+    hint = "did you mean '" + std::string(*nearest) + "'?";
+  }
+  print_error(fmt::format("slipbench: no {} '{}'; {}\n", what, printable(name), hint));
+  return kExitBadInput;
+}
+
+}  // namespace
+
+int list_command(const std::string& what) {
+  if (!what.empty() && std::find(kLists.begin(), kLists.end(), what) == kLists.end()) {
+    return unknown("list", what, kLists);
+  }
+  if (what.empty() || what == "connections") list_connections();
+  if (what.empty() || what == "laws") list_laws();
+  if (what.empty() || what == "closed-forms") list_closed_forms();
+  if (what.empty() || what == "quantities") list_quantities();
+  return finish_output(kExitOk);
+}
+
+int describe_command(const std::string& name) {
+  if (describe_connection(name) || describe_law(name) || describe_closed_form(name)) {
+    return finish_output(kExitOk);
+  }
+  std::vector<std::string_view> known;
+  law::for_each_connection_type(
+      [&]<class Type>(std::type_identity<Type>) { known.push_back(Type::kInfo.name); });
+  for_each_law([&]<class Law>(std::type_identity<Law>) { known.push_back(Law::kName); });
+  for (const reference::ClosedForm& form : reference::catalogue()) known.push_back(form.name);
+  return unknown("connection, law or closed form", name, known);
+}
+
+int schema_command(bool markdown) {
+  const std::string text = markdown ? case_reference_markdown() : case_schema().dump(2) + "\n";
+  print(text);
+  return finish_output(kExitOk);
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+namespace slipbench::driver {
+
+/// What the program tells its caller. An interruption ends it with 130 or 143.
+enum ExitCode : int {
+  kExitOk = 0,
+  kExitCheckFailed = 1,
+  kExitBadInput = 2,
+  kExitNumerical = 3,
+  kExitEnvironment = 4,
+  kExitInternal = 70,
+};
+
+/// Of two outcomes the one to report: the larger number is the worse trouble.
+inline int worse(int a, int b) { return a > b ? a : b; }
+
+}  // namespace slipbench::driver

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/commands/run.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "driver/commands/shared.hpp"
+#include "driver/results/csv_writer.hpp"
+#include "driver/results/provenance.hpp"
+#include "driver/results/summary.hpp"
+#include "driver/text/json.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The three files of a result.
+struct ResultFiles {
+  OutputFile rows;
+  OutputFile events;
+  OutputFile summary;
+};
+
+tl::expected<ResultFiles, std::string> create_files(const Case& problem, const fs::path& folder) {
+  const std::vector<std::string> inputs = input_files(problem);
+  const auto create = [&](const char* extension) {
+    return OutputFile::create(folder / (case_stem(problem) + extension), inputs);
+  };
+  auto rows = create(".csv");
+  if (!rows) return tl::unexpected(rows.error());
+  auto events = create(".events.csv");
+  if (!events) return tl::unexpected(events.error());
+  auto summary = create(".json");
+  if (!summary) return tl::unexpected(summary.error());
+  return ResultFiles{std::move(*rows), std::move(*events), std::move(*summary)};
+}
+
+std::string shown(const fs::path& path) { return path.lexically_normal().string(); }
+
+std::string notes_text(const Diagnostics& diagnostics) {
+  std::string text;
+  for (const Diagnostic& diagnostic : diagnostics.sorted()) {
+    if (diagnostic.severity != Severity::kNote) continue;
+    text += "  note: " + diagnostic.path + (diagnostic.path.empty() ? "" : ": ") +
+            diagnostic.message + (diagnostic.hint.empty() ? "" : "; " + diagnostic.hint) + "\n";
+  }
+  return text;
+}
+
+/// Everything but errors and notes, which have their own places.
+Diagnostics warnings_of(const Diagnostics& diagnostics) {
+  Diagnostics warnings;
+  for (Diagnostic& diagnostic : diagnostics.sorted()) {
+    if (diagnostic.severity == Severity::kWarning) warnings.add(std::move(diagnostic));
+  }
+  return warnings;
+}
+
+int run_one(const ReadCase& read, const RunOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  const Case& problem = *read.value;
+  const int every = options.every.value_or(problem.output_every);
+
+  std::optional<ResultFiles> files;
+  std::optional<CsvWriter> rows;
+  std::optional<EventWriter> events;
+  if (!options.no_output) {
+    auto created = create_files(problem, options.folder);
+    if (!created) {
+      print_error("slipbench: error: " + created.error() + "\n");
+      return kExitEnvironment;
+    }
+    files.emplace(std::move(*created));
+    rows.emplace(problem, output_columns(problem), files->rows);
+    events.emplace(problem, files->events);
+  }
+
+  Summary summary(problem);
+  std::vector<CheckProgress> checks;
+  checks.reserve(problem.checks.size());
+  for (const Check& check : problem.checks) checks.emplace_back(problem, check);
+
+  Row last;
+  const auto ended = [&] {
+    Progress progress(case_stem(problem));
+    return run_case(problem, [&](const Row& row) {
+      summary.add(row);
+      for (CheckProgress& check : checks) check.add(row);
+      if (rows) {
+        events->write(row);
+        if (row.index % every == 0) {
+          rows->write(row);
+        } else {
+          last = row;
+        }
+      }
+      progress.step(row);
+    });
+  }();
+  if (!ended) {
+    print_error(failure_text(problem, ended.error()));
+    return exit_code(ended.error());
+  }
+  // The end of the run is always in the result.
+  if (rows && last.index == summary.increments() && last.index > 0) rows->write(last);
+
+  std::vector<Verdict> verdicts;
+  for (const CheckProgress& check : checks) verdicts.push_back(check.verdict());
+  const std::vector<std::string> warnings = summary.warnings(*ended);
+
+  std::string written;
+  if (files) {
+    json::Value document;
+    document["provenance"] = provenance(problem);
+    document["summary"] = summary.to_json();
+    json::Value warning_list = json::Array{};
+    for (const std::string& warning : warnings) warning_list.push_back(warning);
+    document["warnings"] = warning_list;
+    json::Value check_list = json::Array{};
+    for (const Verdict& verdict : verdicts) check_list.push_back(to_json(verdict));
+    document["checks"] = check_list;
+    files->summary.append(document.dump(2) + "\n");
+    OutputFile* const together[] = {&files->rows, &files->events, &files->summary};
+    if (auto committed = commit(together); !committed) {
+      print_error("slipbench: error: " + committed.error() + "\n");
+      return kExitEnvironment;
+    }
+    for (const OutputFile* file : together) written += "  " + shown(file->target());
+    written += "\n";
+  }
+
+  const auto elapsed = std::chrono::steady_clock::now() - start;
+  std::string text = fmt::format("{}: {} increments, {}\n", case_stem(problem),
+                                 summary.increments(), elapsed_text(elapsed));
+  text += summary.text();
+  text += notes_text(read.diagnostics);
+  for (const std::string& warning : warnings) text += "  warning: " + warning + "\n";
+  bool failed = false;
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    failed = failed || !verdicts[i].passed;
+    text += fmt::format("  {}  {}\n", verdicts[i].passed ? "PASS" : "FAIL",
+                        verdict_text(problem.checks[i], verdicts[i]));
+  }
+  print(text + written);
+  return failed ? kExitCheckFailed : kExitOk;
+}
+
+/// Two cases that would write the same files, as a sentence; empty if there are none.
+std::string collision(const std::vector<std::string>& cases) {
+  std::map<std::string, std::string> first;
+  for (const std::string& path : cases) {
+    const auto [there, added] = first.emplace(fs::path(path).stem().string(), path);
+    if (!added) {
+      return fmt::format("{} and {} would both write {}.csv; run them into different folders (-o)",
+                         there->second, path, there->first);
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+int run_command(const RunOptions& options) {
+  const auto settings = parse_settings(options.settings);
+  if (!settings) {
+    print_error("slipbench: error: " + settings.error() + "\n");
+    return kExitBadInput;
+  }
+  if (const std::string fault = collision(options.cases); !options.no_output && !fault.empty()) {
+    print_error("slipbench: error: " + fault + "\n");
+    return kExitBadInput;
+  }
+  std::vector<ReadCase> cases;
+  int code = kExitOk;
+  Diagnostics all;
+  for (const std::string& path : options.cases) {
+    cases.push_back(read_case(path, {*settings, options.allow_outside}));
+    const ReadCase& read = cases.back();
+    all.append(read.diagnostics);
+    if (read.value && !read.diagnostics.has_errors()) {
+      if (const Diagnostics warnings = warnings_of(read.diagnostics); !warnings.empty()) {
+        print_error(render(warnings, read.sources));
+      }
+      continue;
+    }
+    print_error(render(read.diagnostics, read.sources));
+    code = worse(code, read.environment_failure ? kExitEnvironment : kExitBadInput);
+  }
+  if (code != kExitOk) {
+    print_error(driver::summary(all) + ", nothing was run\n");
+    return code;
+  }
+  for (const ReadCase& read : cases) code = worse(code, run_one(read, options));
+  return code;
+}
+
+}  // namespace slipbench::driver

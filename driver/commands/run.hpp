@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace slipbench::driver {
+
+struct RunOptions {
+  std::vector<std::string> cases;     ///< paths
+  std::string folder = ".";           ///< where the results go
+  std::vector<std::string> settings;  ///< --set, as typed
+  std::optional<int> every;           ///< write every N-th row; the case's choice if absent
+  bool no_output = false;             ///< write no files
+  bool allow_outside = false;
+};
+
+/// `slipbench run`: runs cases, writes their results and tells what happened. All cases are read
+/// before the first is run. Returns the exit code.
+int run_command(const RunOptions& options);
+
+}  // namespace slipbench::driver

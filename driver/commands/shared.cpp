@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/commands/shared.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <system_error>
+#include <variant>
+
+#include "driver/text/number.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+/// The first reason why standard output did not take something.
+int output_error = 0;
+
+void note_output_error() {
+  if (output_error == 0) output_error = errno == 0 ? EIO : errno;
+}
+
+}  // namespace
+
+tl::expected<std::vector<ParameterText>, std::string> parse_settings(
+    std::span<const std::string> settings) {
+  std::vector<ParameterText> all;
+  for (const std::string& setting : settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == setting.size()) {
+      return tl::unexpected(
+          fmt::format("--set {}: wanted name=value, for example --set mu=0.2", setting));
+    }
+    ParameterText text{setting.substr(0, equals), setting.substr(equals + 1)};
+    if (const auto number = parse_number(std::get<std::string>(text.value))) text.value = *number;
+    all.push_back(std::move(text));
+  }
+  return all;
+}
+
+void print(std::string_view text) {
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) note_output_error();
+}
+
+void print_error(std::string_view text) {
+  std::fflush(stdout);
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+int finish_output(int code) {
+  errno = 0;
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) note_output_error();
+  if (output_error == 0) return code;
+  print_error(fmt::format("slipbench: error: standard output cannot be written: {}\n",
+                          std::generic_category().message(output_error)));
+  return worse(code, kExitEnvironment);
+}
+
+bool colour_wanted(int descriptor) {
+  const char* no_colour = std::getenv("NO_COLOR");
+  const char* terminal = std::getenv("TERM");
+  const bool dumb = terminal == nullptr || std::string_view(terminal) == "dumb";
+  return isatty(descriptor) == 1 && (no_colour == nullptr || *no_colour == '\0') && !dumb;
+}
+
+std::string elapsed_text(std::chrono::steady_clock::duration elapsed) {
+  const double seconds = std::chrono::duration<double>(elapsed).count();
+  constexpr double kShort = 0.1;
+  if (seconds < kShort) return fmt::format("{:.2g} ms", 1e3 * seconds);
+  return fmt::format("{:.2f} s", seconds);
+}
+
+Progress::Progress(std::string what)
+    : what_(std::move(what)),
+      start_(std::chrono::steady_clock::now()),
+      terminal_(isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() {
+  if (shown_) print_error("\r\033[K");
+}
+
+void Progress::show(const Row& row) {
+  constexpr std::chrono::milliseconds kPatience{500};
+  if (std::chrono::steady_clock::now() - start_ < kPatience) return;
+  shown_ = true;
+  print_error(fmt::format("\r{}: {} increments, t = {:.4g}\033[K", what_, row.index, row.time));
+}
+
+tl::expected<std::vector<MotionJump>, SimulationFailure> run_case(
+    const Case& problem, const std::function<void(const Row&)>& take) {
+  auto simulation = Simulation::start(problem);
+  if (!simulation) return tl::unexpected(std::move(simulation.error()));
+  while (true) {
+    take(simulation->row());
+    auto more = simulation->advance();
+    if (!more) return tl::unexpected(std::move(more.error()));
+    if (!*more) break;
+  }
+  return std::vector<MotionJump>(simulation->jumps().begin(), simulation->jumps().end());
+}
+
+int exit_code(const SimulationFailure& failure) {
+  switch (failure.kind) {
+    case SimulationFailure::Kind::kInput:
+      return kExitBadInput;
+    case SimulationFailure::Kind::kEnvironment:
+      return kExitEnvironment;
+    case SimulationFailure::Kind::kNumerical:
+      break;
+  }
+  return kExitNumerical;
+}
+
+std::string failure_text(const Case& problem, const SimulationFailure& failure) {
+  return fmt::format("{}: {}: {}\n", problem.file,
+                     failure.kind == SimulationFailure::Kind::kNumerical ? "numerical failure"
+                                                                         : "error",
+                     failure.message);
+}
+
+std::vector<std::string> input_files(const Case& problem) {
+  std::vector<std::string> files = {problem.file};
+  if (problem.measured) files.push_back(problem.measured->file.string());
+  for (const Step& step : problem.steps) {
+    for (const Drive& drive : step.drives) {
+      if (const auto* csv = std::get_if<CsvColumn>(&drive.profile)) {
+        files.push_back(csv->file.string());
+      }
+    }
+  }
+  return files;
+}
+
+std::string worst_text(const Check& check, const Verdict& verdict) {
+  const Tolerance& tolerance = check.tolerance;
+  if (tolerance.relative && !tolerance.absolute && verdict.scale > 0.0) {
+    return fmt::format("worst {:.2g} of {:.2g}", verdict.worst.size() / verdict.scale,
+                       *tolerance.relative);
+  }
+  return fmt::format("worst {:.2g} of its tolerance", verdict.worst_fraction());
+}
+
+std::string verdict_text(const Check& check, const Verdict& verdict) {
+  return fmt::format("check '{}': {}", check.name,
+                     verdict.passed ? worst_text(check, verdict) : verdict.message);
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the commands have in common: reading cases, running them, talking to the terminal.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "driver/case/read_case.hpp"
+#include "driver/commands/exit_code.hpp"
+#include "driver/compare/check.hpp"
+#include "driver/history/parameters.hpp"
+#include "driver/simulation.hpp"
+
+namespace slipbench::driver {
+
+/// `--set name=value` taken apart; the value is a number or an expression over other parameters.
+/// Errors: no '=', nothing before or after it.
+tl::expected<std::vector<ParameterText>, std::string> parse_settings(
+    std::span<const std::string> settings);
+
+/// Everything written to standard output goes through here, so that `finish_output` knows whether
+/// it arrived.
+void print(std::string_view text);
+/// A message for standard error.
+void print_error(std::string_view text);
+/// Flushes standard output. If something did not arrive (a closed or full one), says so on
+/// standard error and returns the worse of `code` and kExitEnvironment.
+int finish_output(int code);
+
+/// Whether a stream is a terminal where colour is wanted: NO_COLOR is unset or empty and TERM is
+/// not "dumb".
+bool colour_wanted(int descriptor);
+
+/// "12 ms", "0.21 s", "3.4 s".
+std::string elapsed_text(std::chrono::steady_clock::duration elapsed);
+
+/// A line on standard error that shows how far a long work is; shown only on a terminal, and only
+/// once it has taken half a second.
+class Progress {
+ public:
+  explicit Progress(std::string what);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  /// Cheap enough to be called for every increment.
+  void step(const Row& row) {
+    if ((++calls_ & kMask) == 0 && terminal_) show(row);
+  }
+
+ private:
+  static constexpr unsigned kMask = (1U << 16U) - 1U;
+  void show(const Row& row);
+
+  std::string what_;
+  std::chrono::steady_clock::time_point start_;
+  unsigned calls_ = 0;
+  bool terminal_ = false;
+  bool shown_ = false;
+};
+
+/// Runs a case to its end: `take` gets every row, row 0 first. Returns the motions that jumped, or
+/// why it ended early.
+tl::expected<std::vector<MotionJump>, SimulationFailure> run_case(
+    const Case& problem, const std::function<void(const Row&)>& take);
+
+/// The exit code that goes with a failed run.
+int exit_code(const SimulationFailure& failure);
+
+/// "shock.yaml: error: ..." for a failed run, with a line feed.
+std::string failure_text(const Case& problem, const SimulationFailure& failure);
+
+/// The files a case is read from, none of which may be overwritten.
+std::vector<std::string> input_files(const Case& problem);
+
+/// The check's line in the results of `run` and `check`: its name, and the worst deviation or what
+/// is wrong.
+std::string verdict_text(const Check& check, const Verdict& verdict);
+
+/// "worst 2.1e-15 of 1e-12" (both relative), or "worst 0.41 of its tolerance".
+std::string worst_text(const Check& check, const Verdict& verdict);
+
+}  // namespace slipbench::driver

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "driver/case/case.hpp"
+#include "driver/results/columns.hpp"
+#include "driver/results/output_file.hpp"
+#include "driver/simulation.hpp"
+
+namespace slipbench::driver {
+
+/// Writes the rows of a run as CSV: provenance lines, the header, and a line a row with the
+/// shortest numbers that read back to the same double.
+class CsvWriter {
+ public:
+  /// Writes provenance and header. Both `problem` and `file` must outlive the writer.
+  CsvWriter(const Case& problem, std::vector<Column> columns, OutputFile& file);
+  void write(const Row& row);
+
+ private:
+  const Case* case_;
+  std::vector<Column> columns_;
+  OutputFile* file_;
+};
+
+/// Writes every change of regime of a run as CSV, the first slip included: when, which definition,
+/// from which regime to which, at what force, limit and accumulated slip, and where.
+class EventWriter {
+ public:
+  EventWriter(const Case& problem, OutputFile& file);
+  void write(const Row& row);
+
+ private:
+  const Case* case_;
+  std::vector<Column> positions_;
+  std::vector<law::Regime> regimes_;
+  OutputFile* file_;
+};
+
+/// "open", "stick" or "slip".
+const char* regime_name(law::Regime regime);
+
+/// The friction force a definition is known by: that of its component, signed, or P of a coupled
+/// definition.
+double representative_force(const CaseDefinition& definition, const DefinitionRow& row);
+
+}  // namespace slipbench::driver

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// What must not be left behind when the user interrupts a run.
+#pragma once
+
+#include <string>
+
+namespace slipbench::driver {
+
+/// From now on SIGINT and SIGTERM remove all registered files, end all registered processes and
+/// end this program at once, with exit code 130 or 143; a closed pipe is an error of the write
+/// instead of a signal.
+void handle_interruption();
+
+/// Holds interruption back while it exists; one that came meanwhile acts at its end.
+class InterruptionPause {
+ public:
+  InterruptionPause();
+  ~InterruptionPause();
+  InterruptionPause(const InterruptionPause&) = delete;
+  InterruptionPause& operator=(const InterruptionPause&) = delete;
+
+ private:
+  bool already_paused_ = false;
+};
+
+/// A file that an interruption removes, until `forget_file`. Returns its number, or -1 when all
+/// places are taken or the path is too long: such a file may be left behind, under its temporary
+/// name. Call it, like forget_file, under an InterruptionPause.
+int register_file(const std::string& path);
+void forget_file(int number);
+
+/// The child process an interruption ends; 0 for none. There is one at a time.
+void register_child(int process);
+
+}  // namespace slipbench::driver

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "driver/case/case.hpp"
+#include "driver/text/json.hpp"
+
+namespace slipbench::driver {
+
+/// The program's version, e.g. "0.1.0".
+std::string_view program_version();
+
+/// The file name of a case without its folders: results do not depend on where they were made.
+std::string case_name(const Case& problem);
+
+/// The file name of a case without folders and extension: what its results are named after.
+std::string case_stem(const Case& problem);
+
+/// Where a result comes from, as lines that start with "# ": program, case, title, units and
+/// parameter values. No date, no machine: the same input gives the same bytes.
+std::string provenance_lines(const Case& problem);
+
+/// The same as a JSON object.
+json::Value provenance(const Case& problem);
+
+}  // namespace slipbench::driver

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/support/allocation_counter.hpp"
+
+#include <catch2/catch.hpp>
+#include <memory>
+#include <vector>
+
+#include "law/connection_type.hpp"
+#include "law/return_mapping.hpp"
+#include "tests/support/friction_run.hpp"
+#include "tests/support/law_tables.hpp"
+
+namespace {
+
+using namespace slipbench::law;
+using namespace slipbench::test;
+
+TEST_CASE("the counter catches deliberate allocations of every form") {
+  CHECK(count_allocations([] {}) == 0);
+  CHECK(count_allocations([] { volatile auto kept = std::make_unique<int>(1).get() != nullptr;
+                               static_cast<void>(kept); }) == 1);
+  CHECK(count_allocations([] { std::vector<double> v(100); v[0] = 1.0; volatile double x = v[0];
+                               static_cast<void>(x); }) == 1);
+  struct alignas(64) Wide {
+    double x[8];
+  };
+  CHECK(count_allocations([] {
+          volatile bool kept = std::make_unique<Wide>() != nullptr;
+          static_cast<void>(kept);
+        }) == 1);
+}
+
+std::vector<FrictionLaw> laws() {
+  return {ConstantCoefficient{0.2}, ExponentialDecay{0.3, 0.2, 0.5},
+          TabularCoefficient{make_function({{0.3, 0, 0, 0}, {0.2, 3, 0, 0}, {0.25, 0, 90, 1}},
+                                           {kOverSlipRate, kOverContactForce, over_field(1)})}};
+}
+
+std::vector<InternalContactForce> internal_contact_forces() {
+  return {50.0, make_function({{80, 0, -1, 0}, {40, 3, -1, 0}, {70, 0, 1, 0}, {60, 0, 0, 50}},
+                              {kOverAccumulatedSlip, over_position(1), kOverTemperature})};
+}
+
+/// Every kind of contact force: those of all predefined types, a component, none.
+std::vector<std::pair<SlipSpace, ContactForce>> contact_forces() {
+  std::vector<std::pair<SlipSpace, ContactForce>> all = {
+      {slip_space({1}), NoContactForce{}},
+      {slip_space({4, 5, 6}), ComponentContactForce{0}},
+      {slip_space({1, 2, 3, 4, 5, 6}), ComponentContactForce{0}}};
+  DerivedTerm varying = norm_term({2, 3}, 0.0);
+  varying.weight_table = make_function({{1, 2, -1}, {3, 4, 1}}, {over_motion(1)}, 2);
+  all.emplace_back(slip_space({2, 3}), DerivedComponent{varying});
+  for_each_connection_type([&]<class Type>(std::type_identity<Type>) {
+    if constexpr (HasPredefinedFriction<Type>) {
+      Type type;
+      const auto set = [](auto& member) {
+        if constexpr (std::is_same_v<decltype(member), double&>) member = 0.5;
+      };
+      std::apply([&](const auto&... field) { (set(type.*(field.member)), ...); }, Type::fields());
+      for (const PredefinedFriction& friction : type.predefined()) {
+        all.emplace_back(friction.slip, friction.contact_force);
+      }
+    }
+  });
+  return all;
+}
+
+TEST_CASE("no update, force or tangent allocates, whatever the definition") {
+  int updates = 0;
+  for (const auto& [space, contact] : contact_forces()) {
+    for (const FrictionLaw& law : laws()) {
+      for (const InternalContactForce& internal : internal_contact_forces()) {
+        for (const StickStiffness stick : {allowable_slip(0.01), fixed_stiffness(1e4)}) {
+          for (const SlipRateMeasure rate :
+               {SlipRateMeasure::kSlip, SlipRateMeasure::kRelativeMotion}) {
+            FrictionDefinition definition;
+            definition.slip = space;
+            definition.contact_force = contact;
+            definition.internal_contact_force = internal;
+            definition.law = law;
+            definition.stick = stick;
+            definition.slip_rate = rate;
+            FrictionRun run(definition);
+            run.force = {{30, 20, -10, 5, 4, -3}};
+            run.fields = {0.0, 0.5};
+            run.duration = 0.1;
+            double sink = 0.0;
+            const std::size_t count = count_allocations([&] {
+              for (int i = 1; i <= 20; ++i) {
+                for (int c = 0; c < kComponents; ++c) {
+                  run.position[c] = 0.1 * (i % 7) * (c % 2 == 0 ? 1.0 : -1.0);
+                }
+                const ConnectorIncrement increment = run.increment();
+                const FrictionUpdate& u = run.step();
+                sink += friction_force(definition, u.state)[0];
+                sink += connector_tangent(definition, increment, u).to_motion.sum();
+                sink += outside(definition.law, increment.end, {}) ? 1.0 : 0.0;
+                ++updates;
+              }
+            });
+            CHECK(count == 0);
+            CHECK(sink == sink);
+          }
+        }
+      }
+    }
+  }
+  CHECK(updates > 5000);
+}
+
+TEST_CASE("no table evaluation allocates") {
+  Rows rows;
+  for (int i = 0; i < 64; ++i) rows.push_back({1.0 * i, i % 8 + 0.0, i / 8 + 0.0});
+  for (const Extrapolation extrapolation : {Extrapolation::kConstant, Extrapolation::kLinear}) {
+    const Table table = make_table(rows, 1, 2, extrapolation);
+    double sink = 0.0;
+    CHECK(count_allocations([&] {
+            for (double x = -1.0; x < 9.0; x += 0.1) {
+              const std::array<double, 2> at = {x, 8.0 - x};
+              std::array<double, 2> slopes{};
+              sink += table.value(at) + table.value_and_slopes(at, slopes) + slopes[0];
+              sink += table.outside(at) ? 1.0 : 0.0;
+            }
+          }) == 0);
+    CHECK(sink > 0.0);
+  }
+}
+
+}  // namespace
