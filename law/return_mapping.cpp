@@ -74,6 +74,11 @@ class LimitFunction {
 
   /// dF_lim/d(dL), rate and wear together.
   double slope(const Limit& limit) const { return limit.to_rate * slip_in_rate_ + limit.to_slip; }
+  /// Whether F_lim depends on the slip of this increment at all.
+  bool follows_slip() const {
+    return (slip_in_rate_ > 0.0 && depends_on_slip_rate(definition_.law)) ||
+           (slip_in_wear_ > 0.0 && depends_on_accumulated_slip(definition_.internal_contact_force));
+  }
   /// d(rate)/d|ds|.
   double motion_in_rate() const {
     return definition_.slip_rate == SlipRateMeasure::kRelativeMotion ? inverse_duration_ : 0.0;
@@ -102,10 +107,10 @@ class LimitFunction {
   /// Smallest slip > `slip` with offset + factor * slip on a knot, at most `best`.
   static double first_above(std::span<const double> knots, double slip, double offset,
                             double factor, double best) noexcept {
-    const auto knot = std::upper_bound(knots.begin(), knots.end(), offset + factor * slip);
-    if (knot == knots.end()) return best;
-    const double x = (*knot - offset) / factor;
-    return x > slip ? std::min(x, best) : best;
+    auto knot = std::upper_bound(knots.begin(), knots.end(), offset + factor * slip);
+    // A slip that stands on a knot may be rounded back before it: that knot is past.
+    while (knot != knots.end() && (*knot - offset) / factor <= slip) ++knot;
+    return knot == knots.end() ? best : std::min((*knot - offset) / factor, best);
   }
 
   const FrictionDefinition& definition_;
@@ -184,6 +189,15 @@ double first_root(const LimitFunction& limit, double trial, double kappa) noexce
   return end;
 }
 
+/// True if h is positive again at a knot after its first root: then there are more roots.
+bool has_later_root(const LimitFunction& limit, double trial, double kappa, double root) noexcept {
+  const double end = trial / kappa;
+  for (double x = limit.next_knot(root); x < end; x = limit.next_knot(x)) {
+    if (trial - kappa * x - limit(x).force > 0.0) return true;
+  }
+  return false;
+}
+
 template <int D>
 using Slip = Eigen::Matrix<double, D, 1>;
 
@@ -214,7 +228,10 @@ double split_work(const Slip<D>& y0, const Slip<D>& trial, const Slip<D>& y1, co
   const Slip<D> rise = trial - y0;
   const double a = rise.squaredNorm();
   const double b = y0.dot(rise);
-  const double c = y0.squaredNorm() - limit * limit;
+  // A force returned to the limit may lie above it by its rounding; it counts as on the limit.
+  const double square = limit * limit;
+  const double excess = y0.squaredNorm() - square;
+  const double c = excess <= 2.0 * (kSlack - 1.0) * square ? std::min(excess, 0.0) : excess;
   double lambda = 0.0;
   if (a > 0.0 && c <= 0.0) {
     // The stable form of the positive root of a x^2 + 2 b x + c = 0.
@@ -267,7 +284,8 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
   }
 
   const double kappa_or_g = definition.stick.value;
-  Slip<D> y, s_elastic, n, y_trial;
+  Slip<D> y, s_elastic, y_trial;
+  Slip<D> n = Slip<D>::Zero();
   Limit l = at_rest;
   double slip = 0.0;
   bool slips = false;
@@ -293,7 +311,8 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
         l.slip_rate = limit.rate(slip);
       }
       // The force is put on the limit; with the root at rounding accuracy both agree.
-      result.multiple_roots = -slope > kappa || -limit.slope(l) > kappa;
+      result.multiple_roots =
+          -slope > kappa || (implicit && has_later_root(limit, trial, kappa, slip));
       n = y_trial / trial;
       y = l.force * n;
       s_elastic = y / kappa;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 
 #include "driver/case/quantity.hpp"
@@ -157,7 +158,13 @@ void read_step(Binder& binder, const StepText& text, Case& out, const Node& /*hi
   out.steps.push_back(std::move(step));
 }
 
-void read_measured(Binder& binder, const MeasuredText& text, Case& out) {
+bool names_component(const NamedMap<double>& positions, int component) {
+  return std::any_of(positions.begin(), positions.end(),
+                     [&](const auto& entry) { return entry.name == motion_name(component); });
+}
+
+void read_measured(Binder& binder, const MeasuredText& text, const ConnectorText& connector,
+                   Case& out) {
   MeasuredSource source;
   const auto file = binder.data_file(*text.csv.node, text.csv.path, text.csv.value);
   const auto time = conversion(binder, text.time_unit, kTime, out.units);
@@ -183,9 +190,20 @@ void read_measured(Binder& binder, const MeasuredText& text, Case& out) {
         {static_cast<std::size_t>(*quantity), entry.value.column.value, *unit});
   }
   if (!good) return;
-  if (auto opened = MeasuredHistory::open(source); !opened) {
-    binder.history_error(*text.csv.node, text.csv.path, opened.error());
+  auto opened = MeasuredHistory::open(source);
+  const auto first = opened ? opened->advance() : tl::unexpected(opened.error());
+  if (!first) {
+    binder.history_error(*text.csv.node, text.csv.path, first.error());
     return;
+  }
+  // A measured path starts at its first row: that is the initial position unless the case says so.
+  for (std::size_t i = 0; i < source.columns.size(); ++i) {
+    const int component = static_cast<int>(source.columns[i].quantity);
+    if (component >= kFirstForce || names_component(connector.initial, component)) continue;
+    out.initial[component] = opened->values()[i];
+    if (!names_component(connector.reference, component)) {
+      out.reference[component] = out.initial[component];
+    }
   }
   out.measured = std::move(source);
 }
@@ -195,7 +213,7 @@ void read_measured(Binder& binder, const MeasuredText& text, Case& out) {
 void resolve_history(Binder& binder, const CaseText& text, Case& out) {
   const HistoryText& history = text.history.value;
   if (history.measured) {
-    read_measured(binder, *history.measured, out);
+    read_measured(binder, *history.measured, text.connector.value, out);
     return;
   }
   for (std::size_t i = 0; i < history.steps.size(); ++i) {

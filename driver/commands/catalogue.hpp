@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Commands that tell what the program knows: list, describe, schema. They return the exit code.
+// The commands that tell what the program knows; they read no case.
 #pragma once
 
 #include <string>
 
 namespace slipbench::driver {
 
-/// Prints names with one line each. `what` is connections, laws, closed-forms or quantities, or
-/// empty for all; anything else is bad input.
-int list_command(const std::string& what);
+/// `slipbench list`: the names of one kind of thing with one sentence each; `what` is connections,
+/// laws, closed-forms or quantities, and empty for all of them. Returns the exit code.
+int list_command(std::string what);
 
-/// Prints all there is on one connection type, law or closed form.
-int describe_command(const std::string& name);
+/// `slipbench describe`: everything about the connection type, coefficient law, closed form or
+/// quantity of that name. Returns the exit code: bad input for an unknown name.
+int describe_command(std::string name);
 
-/// Prints the JSON Schema of a case file, or the case reference as Markdown.
-int schema_command(bool markdown);
+/// `slipbench schema`: the JSON Schema of a case file. Returns the exit code.
+int schema_command();
 
 }  // namespace slipbench::driver

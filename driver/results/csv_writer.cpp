@@ -5,10 +5,31 @@
 #include <cmath>
 #include <utility>
 
+#include "driver/case/quantity.hpp"
 #include "driver/results/provenance.hpp"
 #include "driver/text/format_number.hpp"
 
 namespace slipbench::driver {
+namespace {
+
+/// Which force columns belong to which definition: "# friction: sliding = CSFC(CSF2 CSF3),
+/// spinning = CSM1".
+std::string friction_line(const Case& problem) {
+  std::string text;
+  for (const CaseDefinition& definition : problem.definitions) {
+    const law::SlipSpace& slip = definition.law.slip;
+    std::string components;
+    for (int k = 0; k < slip.dimension; ++k) {
+      components += (components.empty() ? "" : " ") +
+                    force_column("CSF", slip.component[static_cast<std::size_t>(k)]);
+    }
+    if (definition.coupled) components = "CSFC(" + components + ")";
+    text += (text.empty() ? "# friction: " : ", ") + definition.name + " = " + components;
+  }
+  return text.empty() ? text : text + "\n";
+}
+
+}  // namespace
 
 const char* regime_name(law::Regime regime) {
   if (regime == law::Regime::kOpen) return "open";
@@ -27,6 +48,13 @@ double representative_force(const CaseDefinition& definition, const DefinitionRo
 CsvWriter::CsvWriter(const Case& problem, std::vector<Column> columns, OutputFile& file)
     : case_(&problem), columns_(std::move(columns)), file_(&file) {
   file.append(provenance_lines(problem));
+  file.append(friction_line(problem));
+  std::string units;
+  for (const Column& column : columns_) {
+    units += (units.empty() ? "# columns: " : ", ") + column.name + " [" +
+             unit_text(column.dimension, problem.units) + "]";
+  }
+  file.append(units + "\n");
   std::string header;
   for (const Column& column : columns_) header += (header.empty() ? "" : ",") + column.name;
   file.append(header + "\n");

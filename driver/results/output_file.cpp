@@ -110,7 +110,7 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
 OutputFile::~OutputFile() { drop(); }
 
 void OutputFile::drop() {
-  if (descriptor_ >= 0) close(std::exchange(descriptor_, -1));
+  if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
   if (temporary_.empty()) return;
   const InterruptionPause pause;
   unlink(temporary_.c_str());
@@ -134,18 +134,18 @@ void OutputFile::flush() {
   buffer_.clear();
 }
 
-void OutputFile::close_file() {
+tl::expected<void, std::string> OutputFile::close() {
   flush();
-  if (descriptor_ < 0) return;
-  if (close(std::exchange(descriptor_, -1)) != 0 && error_.empty()) {
+  if (descriptor_ >= 0 && ::close(std::exchange(descriptor_, -1)) != 0 && error_.empty()) {
     error_ = fmt::format("{}: cannot be written: {}", target_.string(), reason(errno));
   }
+  if (!error_.empty()) return tl::unexpected(error_);
+  return {};
 }
 
 tl::expected<void, std::string> commit(std::span<OutputFile* const> files) {
   for (OutputFile* file : files) {
-    file->close_file();
-    if (!file->error_.empty()) return tl::unexpected(file->error_);
+    if (auto closed = file->close(); !closed) return closed;
   }
   if (files.empty()) return {};
   const FolderLock lock(folder_of(files.front()->target_));

@@ -34,6 +34,9 @@ class OutputFile {
     flush_if_full();
   }
 
+  /// Writes what is left and closes, for others to read under the temporary name.
+  tl::expected<void, std::string> close();
+
   const std::filesystem::path& target() const { return target_; }
   /// The name under which it is being written.
   const std::filesystem::path& temporary() const { return temporary_; }
@@ -45,7 +48,6 @@ class OutputFile {
 
   OutputFile() = default;
   void flush();
-  void close_file();
   void drop();
 
   std::filesystem::path target_;

@@ -654,6 +654,37 @@ TEST_CASE("with several roots the first one is taken, inside one cell of two tab
   CHECK(run.friction(1) == exactly(20.0 - 5.0 * x));
 }
 
+TEST_CASE("the first of many roots is found and flagged, whatever the duration") {
+  // mu goes up and down over the rate; h falls and rises with it from knot to knot.
+  const Rows rows = {{.1, 0}, {.4, .7}, {.05, 1.3}, {.35, 2.1}, {.02, 2.9}, {.4, 3.7}, {.1, 4.1}};
+  FrictionDefinition definition = slider(0.0, 100.0, fixed_stiffness(1.0));
+  definition.law = TabularCoefficient{make_function(rows, {kOverSlipRate})};
+  for (int i = 1; i <= 400; ++i) {
+    for (const double trial : {11.0, 38.0, 45.0}) {
+      const double duration = 0.01 * i;
+      double root = -1.0;
+      int roots = 0;
+      for (std::size_t k = 0; k + 1 < rows.size(); ++k) {
+        const double x0 = rows[k][1] * duration, x1 = rows[k + 1][1] * duration;
+        const double h0 = trial - x0 - 100.0 * rows[k][0];
+        const double h1 = trial - x1 - 100.0 * rows[k + 1][0];
+        if ((h0 > 0.0) != (h1 > 0.0)) {
+          if (++roots == 1) root = x0 + (x1 - x0) * h0 / (h0 - h1);
+        }
+      }
+      if (trial - rows.back()[1] * duration - 100.0 * rows.back()[0] > 0.0) {
+        if (++roots == 1) root = trial - 100.0 * rows.back()[0];
+      }
+      FrictionRun run(definition);
+      run.duration = duration;
+      run.move_to(1, trial);
+      INFO("duration " << duration << " trial " << trial);
+      CHECK(run.state.accumulated_slip == Approx(root).epsilon(1e-11));
+      CHECK(run.last.multiple_roots == (roots > 1));
+    }
+  }
+}
+
 TEST_CASE("a limit on its cap at rest may leave the cap within the increment") {
   SECTION("through the slip rate") {
     FrictionDefinition definition = falling();

@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <random>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "law/connection_type.hpp"
 #include "law/return_mapping.hpp"
+#include "tests/support/dice.hpp"
 #include "tests/support/finite_difference.hpp"
 #include "tests/support/friction_run.hpp"
 #include "tests/support/law_tables.hpp"
@@ -195,17 +195,6 @@ std::vector<std::pair<std::string, ContactForce>> contact_forces() {
           {"joint axis 3", other}};
 }
 
-class Dice {
- public:
-  explicit Dice(unsigned seed) : engine_(seed) {}
-  double between(double low, double high) {
-    return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
-
 ConnectorForce random_force(Dice* dice) {
   ConnectorForce force;
   for (int c = 0; c < kComponents; ++c) {
@@ -222,7 +211,6 @@ struct Point {
   FrictionDefinition definition;
   ConnectorIncrement increment;
   FrictionState old;
-  std::vector<double> fields;
 };
 
 Point random_point(FrictionDefinition definition, Wanted wanted, Dice* dice) {
@@ -244,7 +232,7 @@ Point random_point(FrictionDefinition definition, Wanted wanted, Dice* dice) {
                            ? -dice->between(0.05, 0.35) * reach * run.position[c]
                            : dice->between(-0.4, 0.4);
   }
-  return {definition, run.increment(), run.state, {}};
+  return {definition, run.increment(), run.state};
 }
 
 TEST_CASE("the consistent tangent meets one-sided differences in every branch") {

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/commands/plot.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "driver/commands/shared.hpp"
+#include "driver/results/csv_writer.hpp"
+#include "driver/results/interruption.hpp"
+#include "driver/results/plot_data.hpp"
+#include "driver/results/provenance.hpp"
+#include "driver/text/format_number.hpp"
+
+extern char** environ;
+
+namespace slipbench::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Why no picture came about.
+struct PlotFailure {
+  int code = kExitEnvironment;
+  std::string message;  ///< whole, with its line feed
+};
+
+tl::unexpected<PlotFailure> failed(int code, const std::string& message) {
+  return tl::unexpected(PlotFailure{code, "slipbench: error: " + message + "\n"});
+}
+
+/// gnuplot's terminal for a picture's file name; empty if there is none.
+std::string terminal_for(const fs::path& picture) {
+  const std::string extension = picture.extension().string();
+  if (extension == ".svg") return "svg size 1200,SIZE background 'white' font 'Helvetica,15'";
+  if (extension == ".png") return "pngcairo size 1200,SIZE background 'white' font 'Sans,11'";
+  if (extension == ".pdf") return "pdfcairo size 1200/100.,SIZE/100. font 'Sans,11'";
+  return {};
+}
+
+/// The template as it is installed beside the program, or in the source folder.
+std::optional<fs::path> find_template() {
+  const fs::path name = fs::path("plots") / "friction.gp";
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  const fs::path source = fs::path(__FILE__).parent_path().parent_path().parent_path();
+  for (const fs::path& folder : {program.parent_path().parent_path() / "share" / "slipbench",
+                                 source}) {
+    if (fs::is_regular_file(folder / name, error)) return folder / name;
+  }
+  return std::nullopt;
+}
+
+/// A text as a gnuplot string that shows it as it is: single quotes know no escapes, and the
+/// characters of the enhanced mode are text here.
+std::string quoted(std::string_view text) {
+  std::string result = "'";
+  for (const char c : text) {
+    if (c == '\'') result += '\'';
+    result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  }
+  return result + "'";
+}
+
+std::string label(const char* what, const PlotColumn& column) {
+  std::string text = fmt::format("{} {}", what, column.name);
+  if (!column.unit.empty()) text += " [" + column.unit + "]";
+  return text;
+}
+
+std::string number_list(const std::vector<int>& numbers) {
+  std::string text;
+  for (const int n : numbers) text += (text.empty() ? "" : " ") + std::to_string(n);
+  return text;
+}
+
+const PlotColumn& column(const PlotData& data, int number) {
+  return data.columns[static_cast<std::size_t>(number)];
+}
+
+/// The largest magnitude a column has.
+double magnitude(const PlotData& data, int number) {
+  const auto k = static_cast<std::size_t>(number);
+  return std::max(std::abs(data.lowest[k]), std::abs(data.highest[k]));
+}
+
+/// What the template is told about one definition: variables named after its number `i`.
+std::string definition_variables(const PlotData& data, const PlotDefinition& definition,
+                                 std::size_t i) {
+  std::string text;
+  const auto set = [&](const char* name, const std::string& value) {
+    text += fmt::format("{}[{}] = {}\n", name, i, value);
+  };
+  // Columns count from 1 in gnuplot; 0 is none.
+  const int main = definition.total >= 0 ? definition.total : definition.components.front();
+  const std::string unit = column(data, main).unit;
+  std::vector<int> beside;
+  std::string beside_names;
+  std::vector<int> translations;
+  for (std::size_t k = 0; k < definition.components.size(); ++k) {
+    const int force = definition.components[k];
+    if (definition.total >= 0 && column(data, force).unit == unit) {
+      beside.push_back(force + 1);
+      beside_names += (beside_names.empty() ? "" : " ") + column(data, force).name;
+    }
+    if (column(data, force).name.starts_with("CSF") && definition.positions[k] >= 0) {
+      translations.push_back(static_cast<int>(k));
+    }
+  }
+  set("NAME", quoted(definition.several ? definition.name : ""));
+  set("FORCE", std::to_string(main + 1));
+  set("FORCE_NAME", quoted(column(data, main).name));
+  set("FORCE_LABEL", quoted(label("friction force", {definition.total >= 0 ? "" : column(data, main).name, unit})));
+  set("SIGNED", std::to_string(data.lowest[static_cast<std::size_t>(main)] < 0.0 || !beside.empty()
+                                   ? 1 : 0));
+  set("BESIDE", quoted(number_list(beside)));
+  set("BESIDE_NAMES", quoted(beside_names));
+  set("LIMIT", std::to_string(definition.limit + 1));
+  const double limit = definition.limit >= 0 ? magnitude(data, definition.limit) : 0.0;
+  double top = std::max(limit, magnitude(data, main));
+  if (!(top > 0.0)) top = 1.0;
+  set("TOP", format_number(top));
+  set("LARGEST_LIMIT", format_number(limit));
+
+  const bool planar = translations.size() >= 2;
+  set("PLANAR", planar ? "1" : "0");
+  const auto first = static_cast<std::size_t>(planar ? translations[0] : 0);
+  std::size_t shown = first;
+  if (!planar) {
+    // The loop of a component that moves says more than that of one that rests.
+    for (std::size_t k = definition.components.size(); k-- > 0;) {
+      const int position = definition.positions[k];
+      if (position < 0) continue;
+      const auto p = static_cast<std::size_t>(position);
+      if (data.highest[p] > data.lowest[p]) shown = k;
+    }
+  }
+  const auto axis = [&](const char* force_name, const char* motion_name_, std::size_t k) {
+    const int force = definition.components.empty() ? main : definition.components[k];
+    const int position = definition.positions.empty() ? -1 : definition.positions[k];
+    set(force_name, std::to_string(force + 1));
+    set((std::string(force_name) + "_LABEL").c_str(),
+        quoted(label("friction force", column(data, force))));
+    set(motion_name_, std::to_string(position + 1));
+    set((std::string(motion_name_) + "_LABEL").c_str(),
+        quoted(position >= 0 ? label("position", column(data, position)) : ""));
+  };
+  axis("FORCE_X", "MOTION_X", shown);
+  axis("FORCE_Y", "MOTION_Y",
+       planar ? static_cast<std::size_t>(translations[1]) : shown);
+
+  std::string slip;
+  std::string open;
+  for (const RegimeSpan& span : definition.spans) {
+    (span.status == 2 ? slip : open) +=
+        format_number(span.from) + " " + format_number(span.to) + "\n";
+  }
+  // An empty block cannot be plotted: a span of no length stands for none.
+  const std::string none = format_number(data.lowest[0]) + " " + format_number(data.lowest[0]) + "\n";
+  text += fmt::format("$SLIP_{} << END\n{}END\n$OPEN_{} << END\n{}END\n", i,
+                      slip.empty() ? none : slip, i, open.empty() ? none : open);
+  set("SLIPS", slip.empty() ? "0" : "1");
+  set("OPENS", open.empty() ? "0" : "1");
+  return text;
+}
+
+/// The whole script: what is drawn as variables and data, then the template.
+std::string script(const PlotData& data, const std::string& title, const fs::path& picture,
+                   const std::string& terminal, const fs::path& pattern) {
+  constexpr std::size_t kMostDefinitions = 4;
+  const std::size_t count = std::min(kMostDefinitions, data.definitions.size());
+  std::string size = std::to_string(60 + 440 * count);
+  std::string sized = terminal;
+  if (const auto at = sized.find("SIZE"); at != std::string::npos) sized.replace(at, 4, size);
+  if (const auto at = sized.find("SIZE"); at != std::string::npos) sized.replace(at, 4, size);
+  std::string text = fmt::format("TERMINAL = {}\nPICTURE = {}\nTITLE = {}\nDEFINITIONS = {}\n",
+                                 "\"" + sized + "\"", quoted(picture.string()), quoted(title),
+                                 count);
+  text += "TIME_LABEL = " + quoted(label("time", {"t", data.columns[0].unit})) + "\n";
+  text += "BEGIN = " + format_number(data.lowest[0]) + "\n";
+  text += "END_TIME = " + format_number(data.highest[0] > data.lowest[0] ? data.highest[0]
+                                                                         : data.lowest[0] + 1.0) +
+          "\n";
+  for (const char* name :
+       {"NAME", "FORCE", "FORCE_NAME", "FORCE_LABEL", "SIGNED", "BESIDE", "BESIDE_NAMES", "LIMIT",
+        "TOP", "LARGEST_LIMIT", "PLANAR", "FORCE_X", "FORCE_X_LABEL", "MOTION_X",
+        "MOTION_X_LABEL", "FORCE_Y", "FORCE_Y_LABEL", "MOTION_Y", "MOTION_Y_LABEL", "SLIPS",
+        "OPENS"}) {
+    text += fmt::format("array {}[{}]\n", name, count);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    text += definition_variables(data, data.definitions[i], i + 1);
+  }
+  text += "$DATA << END\n";
+  const std::size_t columns = data.columns.size();
+  for (std::size_t r = 0; r < data.row_count(); ++r) {
+    for (std::size_t k = 0; k < columns; ++k) {
+      // Six digits are finer than any screen or page.
+      text += fmt::format("{:.6g}{}", data.rows[r * columns + k], k + 1 < columns ? ' ' : '\n');
+    }
+  }
+  text += "END\nload " + quoted(pattern.string()) + "\n";
+  return text;
+}
+
+/// Runs gnuplot on a script and waits for it.
+tl::expected<void, PlotFailure> run_gnuplot(const fs::path& script_file) {
+  std::string program = "gnuplot";
+  std::string argument = script_file.string();
+  std::array<char*, 3> arguments{program.data(), argument.data(), nullptr};
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
+  pid_t child = 0;
+  int error = 0;
+  {
+    const InterruptionPause pause;
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    sigset_t nothing;
+    sigemptyset(&nothing);
+    posix_spawnattr_setsigmask(&attributes, &nothing);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
+    error = posix_spawnp(&child, "gnuplot", &actions, &attributes, arguments.data(), environ);
+    posix_spawnattr_destroy(&attributes);
+    if (error == 0) register_child(child);
+  }
+  posix_spawn_file_actions_destroy(&actions);
+  if (error == ENOENT) {
+    return failed(kExitEnvironment,
+                  "gnuplot is not installed; pictures need it (Debian: apt install gnuplot-nox)");
+  }
+  if (error != 0) {
+    return failed(kExitEnvironment,
+                  "gnuplot cannot be started: " + std::generic_category().message(error));
+  }
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  register_child(0);
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    return failed(kExitEnvironment, "gnuplot failed, see above");
+  }
+  return {};
+}
+
+/// Runs a case and writes its rows to `rows`; the title of the picture.
+tl::expected<std::string, PlotFailure> run_for_plot(const PlotOptions& options,
+                                                    const fs::path& picture,
+                                                    std::optional<OutputFile>& rows) {
+  const auto settings = parse_settings(options.settings);
+  if (!settings) return failed(kExitBadInput, settings.error());
+  const ReadCase read = read_case(options.input, {*settings, options.allow_outside});
+  if (!read.value || read.diagnostics.has_errors()) {
+    return tl::unexpected(PlotFailure{read.environment_failure ? kExitEnvironment : kExitBadInput,
+                                      render(read.diagnostics, read.sources) +
+                                          summary(read.diagnostics) + ", nothing was drawn\n"});
+  }
+  const Case& problem = *read.value;
+  auto created = OutputFile::create(fs::path(picture).concat(".rows"), input_files(problem));
+  if (!created) return failed(kExitEnvironment, created.error());
+  rows.emplace(std::move(*created));
+  CsvWriter writer(problem, result_columns(problem), *rows);
+  const auto ended = [&] {
+    Progress progress(case_stem(problem));
+    return run_case(problem, [&](const Row& row) {
+      writer.write(row);
+      progress.step(row);
+    });
+  }();
+  if (!ended) {
+    return tl::unexpected(PlotFailure{exit_code(ended.error()),
+                                      failure_text(problem, ended.error())});
+  }
+  if (auto closed = rows->close(); !closed) return failed(kExitEnvironment, closed.error());
+  return problem.title.empty() ? case_stem(problem) : problem.title;
+}
+
+tl::expected<void, PlotFailure> draw(const PlotOptions& options, const fs::path& picture) {
+  const std::string terminal = terminal_for(picture);
+  if (terminal.empty()) {
+    return failed(kExitBadInput, fmt::format("{}: wanted a picture that ends in .svg, .png or .pdf",
+                                             picture.string()));
+  }
+  const auto pattern = find_template();
+  if (!pattern) {
+    return failed(kExitEnvironment, "the plot template plots/friction.gp is not installed");
+  }
+  const std::array<std::string, 1> inputs{options.input};
+  auto output = OutputFile::create(picture, inputs);
+  if (!output) return failed(kExitEnvironment, output.error());
+
+  fs::path result = options.input;
+  std::optional<OutputFile> rows;
+  std::string title;
+  if (result.extension() != ".csv") {
+    auto ran = run_for_plot(options, picture, rows);
+    if (!ran) return tl::unexpected(std::move(ran.error()));
+    title = *ran;
+    result = rows->temporary();
+  }
+  const auto data = read_plot_data(result, options.input);
+  if (!data) {
+    const HistoryError& error = data.error();
+    const bool input = error.kind == HistoryError::Kind::kInput;
+    const std::string line = error.line > 0 ? fmt::format(":{}", error.line) : "";
+    return failed(input ? kExitBadInput : kExitEnvironment,
+                  fmt::format("{}{}: {}", options.input, line, error.message));
+  }
+  if (title.empty()) title = data->title.empty() ? result.stem().string() : data->title;
+
+  auto commands = OutputFile::create(fs::path(picture).concat(".gp"));
+  if (!commands) return failed(kExitEnvironment, commands.error());
+  commands->append(script(*data, title, output->temporary(), terminal, *pattern));
+  if (auto closed = commands->close(); !closed) return failed(kExitEnvironment, closed.error());
+  if (auto drawn = run_gnuplot(commands->temporary()); !drawn) return drawn;
+  std::error_code error;
+  if (fs::file_size(output->temporary(), error) == 0 || error) {
+    return failed(kExitEnvironment, picture.string() + ": gnuplot wrote no picture");
+  }
+  OutputFile* const together[] = {&*output};
+  if (auto committed = commit(together); !committed) {
+    return failed(kExitEnvironment, committed.error());
+  }
+  return {};
+}
+
+}  // namespace
+
+int plot_command(const PlotOptions& options) {
+  const fs::path picture = options.output.empty()
+                               ? fs::path(options.input).filename().replace_extension(".svg")
+                               : fs::path(options.output);
+  if (auto drawn = draw(options, picture); !drawn) {
+    print_error(drawn.error().message);
+    return drawn.error().code;
+  }
+  print(picture.lexically_normal().string() + "\n");
+  return kExitOk;
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command line: what is typed becomes the options of a command.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <functional>
+#include <sstream>
+#include <string>
+
+#include "driver/commands/catalogue.hpp"
+#include "driver/commands/check.hpp"
+#include "driver/commands/plot.hpp"
+#include "driver/commands/run.hpp"
+#include "driver/commands/shared.hpp"
+#include "driver/results/interruption.hpp"
+#include "driver/results/provenance.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+/// A closed standard stream would give its number to the next file opened, and messages would end
+/// up in a result. A stand-in that refuses the wrong direction makes them fail instead.
+void fill_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) != -1) continue;
+    // The lowest free number is the closed stream's, since those below it are open by now.
+    if (open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) return;
+  }
+}
+
+void add_settings(CLI::App& command, std::vector<std::string>& settings, bool& allow_outside) {
+  command
+      .add_option("--set", settings,
+                  "Give a parameter of the case another value; a number or an expression")
+      ->type_name("NAME=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command.add_flag("--allow-outside", allow_outside,
+                   "Let the case read data files outside its own folder");
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("A test bench for connector friction: a case in YAML is run increment by increment\n"
+               "and gives forces, slip and energies as CSV, verdicts and pictures.",
+               "slipbench");
+  app.footer(
+      "Examples:\n"
+      "  slipbench run shock.yaml                      run a case; shock.csv is the result\n"
+      "  slipbench run shock.yaml --set mu=0.2 -o out  the same with another parameter value\n"
+      "  slipbench check cases/                        run all cases and judge their checks\n"
+      "  slipbench plot shock.yaml -o shock.svg        force against time and motion\n"
+      "  slipbench list connections                    what a case may use\n"
+      "  slipbench describe CYLINDRICAL                one of them in detail\n"
+      "'slipbench COMMAND --help' tells more about a command.\n"
+      "Exit codes: 0 all well, 1 a check failed, 2 bad input, 3 numerical failure,\n"
+      "4 file or environment, 70 internal error, 130/143 interrupted.");
+  app.set_version_flag("--version", "slipbench " + std::string(program_version()));
+  app.require_subcommand(1);
+  std::function<int()> command;
+
+  RunOptions run_options;
+  CLI::App* run_app = app.add_subcommand("run", "Run cases and write their results");
+  run_app->add_option("CASE", run_options.cases, "Case files (YAML)")->required();
+  run_app->add_option("-o,--output", run_options.folder, "Folder of the results; must exist")
+      ->type_name("DIR")
+      ->capture_default_str();
+  add_settings(*run_app, run_options.settings, run_options.allow_outside);
+  run_app->add_option("--every", run_options.every, "Write every N-th row, and the last")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000000000));
+  std::string format = "csv";
+  run_app->add_option("--format", format, "Format of the rows")
+      ->type_name("csv")
+      ->check(CLI::IsMember({"csv"}))
+      ->capture_default_str();
+  run_app->add_flag("--no-output", run_options.no_output, "Write no files, only tell what happened");
+  run_app->footer(
+      "Writes <case>.csv (a row an increment), <case>.events.csv (every change between stick and\n"
+      "slip) and <case>.json (the summary). Prints what happened and the case's own checks.\n"
+      "Example: slipbench run shock.yaml hinge.yaml -o out --set mu=0.2 --every 10");
+  run_app->callback([&] { command = [&] { return run_command(run_options); }; });
+
+  CheckOptions check_options;
+  CLI::App* check_app = app.add_subcommand("check", "Run cases and judge their checks");
+  check_app
+      ->add_option("PATH", check_options.paths,
+                   "Case files, or folders that are searched for *.yaml; default: this folder")
+      ->expected(0, -1);
+  check_app->add_option("-j,--jobs", check_options.jobs, "Threads; default: one a core")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  add_settings(*check_app, check_options.settings, check_options.allow_outside);
+  check_app->footer(
+      "Writes no files. Folders named 'bad' and hidden ones are not searched. Exit code 1 if a\n"
+      "check failed. Example: slipbench check cases/ -j 4");
+  check_app->callback([&] {
+    if (check_options.paths.empty()) check_options.paths = {"."};
+    command = [&] { return check_command(check_options); };
+  });
+
+  PlotOptions plot_options;
+  CLI::App* plot_app = app.add_subcommand("plot", "Draw a case or a result");
+  plot_app->add_option("CASE|RESULT.csv", plot_options.input, "A case file, or a result of 'run'")
+      ->required();
+  plot_app
+      ->add_option("-o,--output", plot_options.output,
+                   "The picture; its ending (.svg, .png, .pdf) says what it is. Default: <case>.svg")
+      ->type_name("FILE");
+  add_settings(*plot_app, plot_options.settings, plot_options.allow_outside);
+  plot_app->footer(
+      "Friction force against time, with its limit and with slip shaded, and against motion.\n"
+      "Needs gnuplot. Example: slipbench plot shock.yaml -o shock.png --set mu=0.2");
+  plot_app->callback([&] { command = [&] { return plot_command(plot_options); }; });
+
+  std::string what;
+  CLI::App* list_app = app.add_subcommand("list", "List what a case may use");
+  list_app->add_option("WHAT", what, "One kind only")
+      ->type_name("connections|laws|closed-forms|quantities")
+      ->check(CLI::IsMember({"connections", "laws", "closed-forms", "quantities"}));
+  list_app->callback([&] { command = [&] { return list_command(what); }; });
+
+  std::string name;
+  CLI::App* describe_app =
+      app.add_subcommand("describe", "Describe a connection type, law, closed form or quantity");
+  describe_app->add_option("NAME", name, "A name that 'slipbench list' shows")->required();
+  describe_app->callback([&] { command = [&] { return describe_command(name); }; });
+
+  CLI::App* schema_app =
+      app.add_subcommand("schema", "Print the JSON Schema of case files, for editors");
+  schema_app->callback([&] { command = [] { return schema_command(); }; });
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    std::ostringstream out;
+    std::ostringstream err;
+    if (app.exit(error, out, err) == 0) {
+      print(out.str());
+      return kExitOk;
+    }
+    print_error(fmt::format("slipbench: error: {}\nRun 'slipbench --help' for what there is.\n",
+                            error.what()));
+    return kExitBadInput;
+  }
+  return command();
+}
+
+}  // namespace
+}  // namespace slipbench::driver
+
+int main(int argc, char** argv) {
+  using namespace slipbench::driver;
+  fill_closed_streams();
+  handle_interruption();
+  try {
+    return finish_output(run(argc, argv));
+  } catch (const std::exception& error) {
+    print_error(fmt::format("slipbench: internal error: {}\n", error.what()));
+    return kExitInternal;
+  }
+}
