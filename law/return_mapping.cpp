@@ -74,11 +74,6 @@ class LimitFunction {
 
   /// dF_lim/d(dL), rate and wear together.
   double slope(const Limit& limit) const { return limit.to_rate * slip_in_rate_ + limit.to_slip; }
-  /// Whether F_lim depends on the slip of this increment at all.
-  bool follows_slip() const {
-    return (slip_in_rate_ > 0.0 && depends_on_slip_rate(definition_.law)) ||
-           (slip_in_wear_ > 0.0 && depends_on_accumulated_slip(definition_.internal_contact_force));
-  }
   /// d(rate)/d|ds|.
   double motion_in_rate() const {
     return definition_.slip_rate == SlipRateMeasure::kRelativeMotion ? inverse_duration_ : 0.0;
@@ -299,10 +294,7 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
     slips = trial > at_rest.force * kSlack;
     if (slips) {
       const double slope = limit.slope(at_rest);
-      // On its cap the limit is flat, yet the slip may take it below: only the law can tell.
-      const bool capped = at_rest.force >= definition.force_limit;
-      const bool implicit = slope != 0.0 || std::isfinite(limit.next_knot(0.0)) ||
-                            (capped && limit.depends_on_slip());
+      const bool implicit = limit.depends_on_slip();
       if (implicit) {
         slip = first_root(limit, trial, kappa);
         l = limit(slip);
