@@ -8,13 +8,14 @@ namespace slipbench::driver {
 
 /// `slipbench list`: the names of one kind of thing with one sentence each; `what` is connections,
 /// laws, closed-forms or quantities, and empty for all of them. Returns the exit code.
-int list_command(std::string what);
+int list_command(const std::string& what);
 
-/// `slipbench describe`: everything about the connection type, coefficient law, closed form or
-/// quantity of that name. Returns the exit code: bad input for an unknown name.
-int describe_command(std::string name);
+/// `slipbench describe`: everything about the connection type, coefficient law or closed form
+/// of that name. Returns the exit code: bad input for an unknown name.
+int describe_command(const std::string& name);
 
-/// `slipbench schema`: the JSON Schema of a case file. Returns the exit code.
-int schema_command();
+/// `slipbench schema`: the JSON Schema of a case file, or the case reference as Markdown. Returns the
+/// exit code.
+int schema_command(bool markdown = false);
 
 }  // namespace slipbench::driver

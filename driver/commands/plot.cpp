@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -63,7 +64,7 @@ std::optional<fs::path> find_template() {
 
 /// A text as a gnuplot string that shows it as it is: single quotes know no escapes, and the
 /// characters of the enhanced mode are text here.
-std::string quoted(std::string_view text) {
+std::string gnuplot_string(std::string_view text) {
   std::string result = "'";
   for (const char c : text) {
     if (c == '\'') result += '\'';
@@ -117,14 +118,14 @@ std::string definition_variables(const PlotData& data, const PlotDefinition& def
       translations.push_back(static_cast<int>(k));
     }
   }
-  set("NAME", quoted(definition.several ? definition.name : ""));
+  set("NAME", gnuplot_string(definition.several ? definition.name : ""));
   set("FORCE", std::to_string(main + 1));
-  set("FORCE_NAME", quoted(column(data, main).name));
-  set("FORCE_LABEL", quoted(label("friction force", {definition.total >= 0 ? "" : column(data, main).name, unit})));
+  set("FORCE_NAME", gnuplot_string(column(data, main).name));
+  set("FORCE_LABEL", gnuplot_string(label("friction force", {definition.total >= 0 ? "" : column(data, main).name, unit})));
   set("SIGNED", std::to_string(data.lowest[static_cast<std::size_t>(main)] < 0.0 || !beside.empty()
                                    ? 1 : 0));
-  set("BESIDE", quoted(number_list(beside)));
-  set("BESIDE_NAMES", quoted(beside_names));
+  set("BESIDE", gnuplot_string(number_list(beside)));
+  set("BESIDE_NAMES", gnuplot_string(beside_names));
   set("LIMIT", std::to_string(definition.limit + 1));
   const double limit = definition.limit >= 0 ? magnitude(data, definition.limit) : 0.0;
   double top = std::max(limit, magnitude(data, main));
@@ -150,27 +151,20 @@ std::string definition_variables(const PlotData& data, const PlotDefinition& def
     const int position = definition.positions.empty() ? -1 : definition.positions[k];
     set(force_name, std::to_string(force + 1));
     set((std::string(force_name) + "_LABEL").c_str(),
-        quoted(label("friction force", column(data, force))));
+        gnuplot_string(label("friction force", column(data, force))));
     set(motion_name_, std::to_string(position + 1));
     set((std::string(motion_name_) + "_LABEL").c_str(),
-        quoted(position >= 0 ? label("position", column(data, position)) : ""));
+        gnuplot_string(position >= 0 ? label("position", column(data, position)) : ""));
   };
   axis("FORCE_X", "MOTION_X", shown);
   axis("FORCE_Y", "MOTION_Y",
        planar ? static_cast<std::size_t>(translations[1]) : shown);
 
-  std::string slip;
-  std::string open;
-  for (const RegimeSpan& span : definition.spans) {
-    (span.status == 2 ? slip : open) +=
-        format_number(span.from) + " " + format_number(span.to) + "\n";
-  }
-  // An empty block cannot be plotted: a span of no length stands for none.
-  const std::string none = format_number(data.lowest[0]) + " " + format_number(data.lowest[0]) + "\n";
-  text += fmt::format("$SLIP_{} << END\n{}END\n$OPEN_{} << END\n{}END\n", i,
-                      slip.empty() ? none : slip, i, open.empty() ? none : open);
-  set("SLIPS", slip.empty() ? "0" : "1");
-  set("OPENS", open.empty() ? "0" : "1");
+  bool slips = false;
+  bool opens = false;
+  for (const RegimeSpan& span : definition.spans) (span.status == 2 ? slips : opens) = true;
+  set("SLIPS", slips ? "1" : "0");
+  set("OPENS", opens ? "1" : "0");
   return text;
 }
 
@@ -184,9 +178,9 @@ std::string script(const PlotData& data, const std::string& title, const fs::pat
   if (const auto at = sized.find("SIZE"); at != std::string::npos) sized.replace(at, 4, size);
   if (const auto at = sized.find("SIZE"); at != std::string::npos) sized.replace(at, 4, size);
   std::string text = fmt::format("TERMINAL = {}\nPICTURE = {}\nTITLE = {}\nDEFINITIONS = {}\n",
-                                 "\"" + sized + "\"", quoted(picture.string()), quoted(title),
+                                 "\"" + sized + "\"", gnuplot_string(picture.string()), gnuplot_string(title),
                                  count);
-  text += "TIME_LABEL = " + quoted(label("time", {"t", data.columns[0].unit})) + "\n";
+  text += "TIME_LABEL = " + gnuplot_string(label("time", {"t", data.columns[0].unit})) + "\n";
   text += "BEGIN = " + format_number(data.lowest[0]) + "\n";
   text += "END_TIME = " + format_number(data.highest[0] > data.lowest[0] ? data.highest[0]
                                                                          : data.lowest[0] + 1.0) +
@@ -201,7 +195,15 @@ std::string script(const PlotData& data, const std::string& title, const fs::pat
   for (std::size_t i = 0; i < count; ++i) {
     text += definition_variables(data, data.definitions[i], i + 1);
   }
-  text += "$DATA << END\n";
+  // The first span is of no length and no definition: an empty block cannot be plotted.
+  text += "$SPANS << END\n0 0 0 0\n";
+  for (std::size_t i = 0; i < count; ++i) {
+    for (const RegimeSpan& span : data.definitions[i].spans) {
+      text += fmt::format("{} {} {} {}\n", i + 1, span.status, format_number(span.from),
+                          format_number(span.to));
+    }
+  }
+  text += "END\n$DATA << END\n";
   const std::size_t columns = data.columns.size();
   for (std::size_t r = 0; r < data.row_count(); ++r) {
     for (std::size_t k = 0; k < columns; ++k) {
@@ -209,7 +211,7 @@ std::string script(const PlotData& data, const std::string& title, const fs::pat
       text += fmt::format("{:.6g}{}", data.rows[r * columns + k], k + 1 < columns ? ' ' : '\n');
     }
   }
-  text += "END\nload " + quoted(pattern.string()) + "\n";
+  text += "END\nload " + gnuplot_string(pattern.string()) + "\n";
   return text;
 }
 

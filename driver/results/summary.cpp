@@ -19,15 +19,21 @@ double stick_stiffness(const law::FrictionDefinition& definition, double limit) 
              : limit / definition.stick.value;
 }
 
+/// A part of a whole in percent: whole numbers where they say enough.
+std::string percent(double part, double whole) {
+  const double value = whole > 0.0 ? 100.0 * part / whole : 0.0;
+  return value >= 1.0 || value == 0.0 ? fmt::format("{:.0f} %", value)
+                                      : fmt::format("{:.1g} %", value);
+}
+
 const char* plural(std::int64_t count) { return count == 1 ? "" : "s"; }
 
 }  // namespace
 
 std::string rounded(double value, int digits) {
-  if (value == 0.0) return "0";
-  // Alternate form keeps the zeros that show how many digits are meant.
-  std::string text = fmt::format("{:#.{}g}", value, digits);
-  if (text.back() == '.') text.pop_back();
+  std::string text = fmt::format("{:.{}g}", value, digits);
+  // "105.0" is a measured quantity, "105" could be a count.
+  if (text.find_first_not_of("-0123456789") == std::string::npos) text += ".0";
   return text;
 }
 
@@ -115,8 +121,8 @@ std::string Summary::definition_text(const DefinitionSummary& sum, std::size_t i
     text += duration > 0.0 && sum.open_time >= duration ? "never in contact" : "never slips";
   } else {
     const Row& first = *sum.first_slip;
-    text += fmt::format("slips {} % of the time, {} stick-slip event{}, first slip at t = {}",
-                        rounded(100.0 * sum.slip_time / duration, 2), sum.events,
+    text += fmt::format("slips {} of the time, {} stick-slip event{}, first slip at t = {}",
+                        percent(sum.slip_time, duration), sum.events,
                         plural(sum.events), with_unit(rounded(first.time), units.time));
     std::string where;
     for (const Column& position : positions_) {
@@ -130,7 +136,7 @@ std::string Summary::definition_text(const DefinitionSummary& sum, std::size_t i
                   force));
   }
   if (sum.first_slip && sum.open_time > 0.0) {
-    text += fmt::format(", open {} % of the time", rounded(100.0 * sum.open_time / duration, 2));
+    text += fmt::format(", open {} of the time", percent(sum.open_time, duration));
   }
   text += fmt::format("\n  {}friction {} {} .. {}, dissipated {}, stored {}, energy balance {}\n",
                       name, rotational ? "moment" : "force", rounded(sum.lowest_force),

@@ -67,7 +67,7 @@ class Summary {
   double end_time_ = 0.0;
 };
 
-/// A number for people: four significant digits, "105.0", "0.0143", "1.25e+06".
+/// A number for people, of at most `digits` significant digits: "105.0", "0.0143", "1.25e+06".
 std::string rounded(double value, int digits = 4);
 
 /// A number for people with a unit, a blank between them where there is a unit.

@@ -18,9 +18,22 @@
 namespace slipbench::driver {
 
 struct SourceText::Data {
+  // In a very long line: how many code points stand before a byte of it.
+  struct Checkpoint {
+    std::uint32_t offset = 0;
+    std::uint32_t code_points = 0;
+  };
+
   std::string name{};
   std::string text{};
   std::vector<std::uint32_t> line_starts{};
+  std::vector<Checkpoint> checkpoints{};
+
+  // The offset of a line's line feed, or the end of the text.
+  [[nodiscard]] std::size_t line_end(std::size_t index) const {
+    if (index + 1 < line_starts.size()) return line_starts[index + 1] - 1;
+    return !text.empty() && text.back() == '\n' ? text.size() - 1 : text.size();
+  }
 };
 
 namespace {
@@ -103,6 +116,19 @@ SourceText::SourceText(std::string name, std::string bytes) {
   // What follows the last line feed is a line only if there is something in it.
   if (data.line_starts.size() > 1 && data.line_starts.back() == data.text.size())
     data.line_starts.pop_back();
+  // A place in a line is found by counting from its start. Where a line is as long as a file (a
+  // table on one line), that would take quadratic time for all its numbers.
+  constexpr std::size_t kStride = 4096;
+  for (std::size_t i = 0; i < data.line_starts.size(); ++i) {
+    const std::size_t end = data.line_end(i);
+    std::size_t offset = data.line_starts[i];
+    std::uint32_t count = 0;
+    while (end - offset > kStride) {
+      for (const std::size_t stop = offset + kStride; offset < stop; ++count)
+        offset += decode_utf8(std::string_view(data.text).substr(offset)).length;
+      data.checkpoints.push_back({static_cast<std::uint32_t>(offset), count});
+    }
+  }
   data_ = std::make_shared<const Data>(std::move(data));
 }
 
@@ -114,10 +140,9 @@ int SourceText::line_count() const { return static_cast<int>(data_->line_starts.
 
 std::string_view SourceText::line(int number) const {
   if (number < 1 || number > line_count()) return {};
-  const std::string_view text = data_->text;
-  const std::string_view rest =
-      text.substr(data_->line_starts[static_cast<std::size_t>(number - 1)]);
-  return rest.substr(0, rest.find('\n'));
+  const auto index = static_cast<std::size_t>(number - 1);
+  const std::size_t begin = data_->line_starts[index];
+  return std::string_view(data_->text).substr(begin, data_->line_end(index) - begin);
 }
 
 SourcePosition SourceText::position(std::size_t offset, std::size_t length) const {
@@ -125,11 +150,22 @@ SourcePosition SourceText::position(std::size_t offset, std::size_t length) cons
   offset = std::min(offset, data_->text.size());
   const auto after = std::upper_bound(starts.begin(), starts.end(), offset);
   const auto index = static_cast<std::size_t>(after - starts.begin()) - 1;
-  const std::string_view line_text = line(static_cast<int>(index) + 1);
-  const std::size_t before = std::min(offset - starts[index], line_text.size());
-  const std::size_t marked = count_code_points(line_text.substr(before, length));
-  return {static_cast<int>(index) + 1,
-          static_cast<int>(count_code_points(line_text.substr(0, before))) + 1,
+  const std::string_view text = data_->text;
+  const std::size_t line_end = data_->line_end(index);
+  const std::size_t begin = std::min(offset, line_end);
+  std::size_t counted_to = starts[index];
+  std::size_t before = 0;
+  const auto checkpoint = std::upper_bound(
+      data_->checkpoints.begin(), data_->checkpoints.end(), begin,
+      [](std::size_t value, const Data::Checkpoint& c) { return value < c.offset; });
+  if (checkpoint != data_->checkpoints.begin() && (checkpoint - 1)->offset > counted_to) {
+    counted_to = (checkpoint - 1)->offset;
+    before = (checkpoint - 1)->code_points;
+  }
+  before += count_code_points(text.substr(counted_to, begin - counted_to));
+  const std::size_t marked =
+      count_code_points(text.substr(begin, std::min(length, line_end - begin)));
+  return {static_cast<int>(index) + 1, static_cast<int>(before) + 1,
           std::max(1, static_cast<int>(marked))};
 }
 

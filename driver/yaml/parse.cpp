@@ -388,7 +388,8 @@ class TreeBuilder : public YAML::EventHandler {
                text_.substr(key.offset).starts_with(',')) {
       // The library reports both halves of ", ,": said once is enough.
       error(key.offset, 1, path, "nothing stands before this ','");
-    } else if (key.kind == NodeKind::kNull && key.count == 0) {
+    } else if (key.kind == NodeKind::kNull && key.count == 0 &&
+               text_.substr(key.offset).starts_with(':')) {
       error(key.offset, 1, path, "nothing stands before this ':'", "a key is wanted");
     } else if (key.kind != NodeKind::kScalar) {
       error(key.offset, 1, path,

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/support/allocation_counter.hpp"
-
 #include <catch2/catch.hpp>
 #include <memory>
 #include <vector>
 
 #include "law/connection_type.hpp"
 #include "law/return_mapping.hpp"
+#include "tests/support/allocation_counter.hpp"
 #include "tests/support/friction_run.hpp"
 #include "tests/support/law_tables.hpp"
 
@@ -17,10 +16,16 @@ using namespace slipbench::test;
 
 TEST_CASE("the counter catches deliberate allocations of every form") {
   CHECK(count_allocations([] {}) == 0);
-  CHECK(count_allocations([] { volatile auto kept = std::make_unique<int>(1).get() != nullptr;
-                               static_cast<void>(kept); }) == 1);
-  CHECK(count_allocations([] { std::vector<double> v(100); v[0] = 1.0; volatile double x = v[0];
-                               static_cast<void>(x); }) == 1);
+  CHECK(count_allocations([] {
+          volatile auto kept = std::make_unique<int>(1).get() != nullptr;
+          static_cast<void>(kept);
+        }) == 1);
+  CHECK(count_allocations([] {
+          std::vector<double> v(100);
+          v[0] = 1.0;
+          volatile double x = v[0];
+          static_cast<void>(x);
+        }) == 1);
   struct alignas(64) Wide {
     double x[8];
   };

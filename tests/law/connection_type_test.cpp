@@ -122,10 +122,11 @@ TEST_CASE("SLOT alone exists in the plane, without component 3") {
 }
 
 TEST_CASE("two basic types make the assembled type, in either order") {
-  const std::vector<std::array<std::string_view, 3>> pairs = {
-      {"SLOT", "ALIGN", "TRANSLATOR"},      {"SLOT", "REVOLUTE", "CYLINDRICAL"},
-      {"JOIN", "REVOLUTE", "HINGE"},        {"SLIDE-PLANE", "REVOLUTE", "PLANAR"},
-      {"JOIN", "UNIVERSAL", "UJOINT"}};
+  const std::vector<std::array<std::string_view, 3>> pairs = {{"SLOT", "ALIGN", "TRANSLATOR"},
+                                                              {"SLOT", "REVOLUTE", "CYLINDRICAL"},
+                                                              {"JOIN", "REVOLUTE", "HINGE"},
+                                                              {"SLIDE-PLANE", "REVOLUTE", "PLANAR"},
+                                                              {"JOIN", "UNIVERSAL", "UJOINT"}};
   for (const auto& [a, b, whole] : pairs) {
     for (const auto& [first, second] : {std::pair{a, b}, std::pair{b, a}}) {
       const auto made = assemble(*find_connection(first), *find_connection(second));

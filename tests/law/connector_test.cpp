@@ -63,8 +63,7 @@ TEST_CASE("a second potential is reported with the first") {
 
 TEST_CASE("predefined friction must be the only definition, wherever it stands") {
   for (const bool first : {true, false}) {
-    std::vector<FrictionOutline> definitions = {
-        {FrictionForm::kComponent, ComponentSet::of(1)}};
+    std::vector<FrictionOutline> definitions = {{FrictionForm::kComponent, ComponentSet::of(1)}};
     definitions.insert(first ? definitions.begin() : definitions.end(),
                        {FrictionForm::kPredefined, ComponentSet::of(1, 4)});
     const auto alone = check("CYLINDRICAL", definitions);

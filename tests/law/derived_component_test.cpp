@@ -39,8 +39,8 @@ TEST_CASE("NORM is the root of the weighted squares, with one entry the absolute
 TEST_CASE("SUM keeps signs and MACAULEY SUM takes positive shares only") {
   CHECK(evaluate({term(TermOperator::kSum, 1.0, {1, 2}, {1.0, 2.0})}, kForce, {}) == -5.0);
   CHECK(evaluate({term(TermOperator::kSum, -1.0, {1, 2}, {1.0, 2.0})}, kForce, {}) == 5.0);
-  CHECK(evaluate({term(TermOperator::kMacauleySum, 1.0, {1, 2, 3}, {1.0, 2.0, 0.5})}, kForce,
-                 {}) == 9.0);
+  CHECK(evaluate({term(TermOperator::kMacauleySum, 1.0, {1, 2, 3}, {1.0, 2.0, 0.5})}, kForce, {}) ==
+        9.0);
   CHECK(evaluate({term(TermOperator::kMacauleySum, 1.0, {1, 2}, {-1.0, -2.0})}, kForce, {}) == 8.0);
 }
 

@@ -60,8 +60,9 @@ TEMPLATE_LIST_TEST_CASE("a law's slopes are the derivatives of its coefficient",
   }
 }
 
-TEMPLATE_LIST_TEST_CASE("a law stays between 0 and its largest value and weakens no faster than said",
-                        "", FrictionLaw) {
+TEMPLATE_LIST_TEST_CASE(
+    "a law stays between 0 and its largest value and weakens no faster than said", "",
+    FrictionLaw) {
   const FrictionLaw law = example<TestType>();
   double steepest = 0.0;
   for (double temperature = 0.0; temperature <= 140.0; temperature += 10.0) {

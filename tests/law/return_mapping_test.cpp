@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "law/return_mapping.hpp"
 
-
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -380,9 +379,9 @@ TEST_CASE("on an L-shaped path the radial return converges to the closed form, f
       const int count = 500 << refinement;
       for (const Point& point : exact) {
         run.ramp_to(3, point.w, count);
-        force_error[refinement] = std::max(force_error[refinement],
-                                           std::hypot(run.friction(2) - point.f2,
-                                                      run.friction(3) - point.f3));
+        force_error[refinement] =
+            std::max(force_error[refinement],
+                     std::hypot(run.friction(2) - point.f2, run.friction(3) - point.f3));
         CHECK(std::hypot(run.friction(2), run.friction(3)) == exactly(20));
       }
       slip_error[refinement] = std::abs(run.state.accumulated_slip - 0.0662713633585835);
@@ -519,10 +518,9 @@ TEST_CASE("wear at the start of the increment is behind by one step, first order
 }
 
 TEST_CASE("cyclic wear lowers the peaks as the closed form says (W1)") {
-  const std::array<double, 10> peaks = {17.5594327109479, 15.8939667051084, 14.1948549213732,
-                                        12.4614176470575, 10.6929614379072, 8.8887788406932,
-                                        7.04814811020215, 5.17033292050927, 3.25458207041855,
-                                        1.30012918295226};
+  const std::array<double, 10> peaks = {
+      17.5594327109479, 15.8939667051084, 14.1948549213732, 12.4614176470575, 10.6929614379072,
+      8.8887788406932,  7.04814811020215, 5.17033292050927, 3.25458207041855, 1.30012918295226};
   for (const int count : {1, 13}) {
     FrictionRun run(linear_wear(AccumulatedSlipTiming::kEnd));
     run.ramp_to(1, 0.1, count);
@@ -623,7 +621,7 @@ TEST_CASE("far below the threshold falling friction is a saw-tooth and says so (
       }
     }
   }
-  CHECK(lowest == Approx(20.0).margin(0.01));   // one step of k v dt = 0.01 N
+  CHECK(lowest == Approx(20.0).margin(0.01));  // one step of k v dt = 0.01 N
   CHECK(highest == Approx(30.0).margin(0.011));
   REQUIRE(drops.size() > 10);
   const double period =
@@ -692,8 +690,8 @@ TEST_CASE("a limit on its cap at rest may leave the cap within the increment") {
     FrictionRun run(definition);
     run.duration = 1.0;
     run.move_to(1, 100.0);
-    CHECK(run.last.limit == Approx(100.0 * (0.2 + 0.1 * std::exp(-0.05 * run.last.slip_increment)))
-                                .epsilon(1e-12));
+    CHECK(run.last.limit ==
+          Approx(100.0 * (0.2 + 0.1 * std::exp(-0.05 * run.last.slip_increment))).epsilon(1e-12));
     CHECK(run.friction(1) == Approx(1e3 * (100.0 - run.last.slip_increment)).epsilon(1e-9));
   }
   SECTION("through wear on a prolonged table") {
@@ -852,8 +850,8 @@ TEST_CASE("implicit laws survive increments of a thousand million elastic slips"
     FrictionRun decay(falling());
     decay.duration = 1.0;
     decay.move_to(1, 0.03 * factor);
-    CHECK(decay.friction(1) == Approx(100.0 * (0.2 + 0.1 * std::exp(-0.05 * decay.last.slip_rate)))
-                                   .epsilon(1e-12));
+    CHECK(decay.friction(1) ==
+          Approx(100.0 * (0.2 + 0.1 * std::exp(-0.05 * decay.last.slip_rate))).epsilon(1e-12));
     FrictionRun worn(linear_wear(AccumulatedSlipTiming::kEnd));
     worn.move_to(1, 0.02 * factor);
     CHECK(worn.friction(1) == Approx(0.0).margin(1e-12));
@@ -880,9 +878,8 @@ TEST_CASE("degenerate increments give numbers, never NaN") {
   std::vector<FrictionLaw> laws = {ConstantCoefficient{0.0}, ConstantCoefficient{0.2},
                                    ExponentialDecay{0.3, 0.0, 5.0}, ExponentialDecay{0, 0, 0}};
   laws.push_back(TabularCoefficient{make_function({{0, 0}, {0.2, 1}, {0, 2}}, {kOverSlipRate})});
-  laws.push_back(
-      TabularCoefficient{make_function({{0.2, 0, 0}, {0, 0, 100}}, {kOverSlipRate,
-                                                                    kOverContactForce})});
+  laws.push_back(TabularCoefficient{
+      make_function({{0.2, 0, 0}, {0, 0, 100}}, {kOverSlipRate, kOverContactForce})});
   for (const FrictionLaw& law : laws) {
     for (const StickStiffness stick : {fixed_stiffness(1e60), fixed_stiffness(1e-60),
                                        allowable_slip(1e-60), allowable_slip(1e3)}) {

@@ -31,13 +31,8 @@ TableError error_of(const Rows& rows, int dependents, int independents,
 
 /// Internal contact force over slip and temperature of reference case W3.
 Table press_fit() {
-  return make_table({{100, 0, 20},
-                     {60, 1, 20},
-                     {40, 4, 20},
-                     {80, 0, 120},
-                     {50, 1, 120},
-                     {30, 4, 120}},
-                    1, 2);
+  return make_table(
+      {{100, 0, 20}, {60, 1, 20}, {40, 4, 20}, {80, 0, 120}, {50, 1, 120}, {30, 4, 120}}, 1, 2);
 }
 
 TEST_CASE("a table of two independents interpolates inside blocks, then between them (W3)") {
@@ -169,7 +164,8 @@ TEST_CASE("slopes are added with their weight") {
 
 TEST_CASE("a long table finds its segment like a short one") {
   Rows rows;
-  for (int i = 0; i < 100; ++i) rows.push_back({static_cast<double>(i * i), static_cast<double>(i)});
+  for (int i = 0; i < 100; ++i)
+    rows.push_back({static_cast<double>(i * i), static_cast<double>(i)});
   const Table table = make_table(rows, 1, 1);
   for (int i = 0; i < 99; ++i) {
     CHECK(at(table, {static_cast<double>(i)}) == i * i);

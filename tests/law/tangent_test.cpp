@@ -82,8 +82,7 @@ Branch branch_of(const FrictionDefinition& definition, const ConnectorIncrement&
     const double alpha = increment.end.position[3], beta = increment.end.position[4];
     const ConnectorForce& f = increment.force;
     const double along_e3b =
-        std::sin(beta) * f[0] +
-        std::cos(beta) * (std::cos(alpha) * f[2] - std::sin(alpha) * f[1]);
+        std::sin(beta) * f[0] + std::cos(beta) * (std::cos(alpha) * f[2] - std::sin(alpha) * f[1]);
     branch.cells.push_back(along_e3b < 0.0 ? -1 : 1);
   }
   return branch;
@@ -157,18 +156,17 @@ std::vector<std::pair<std::string, SlipSpace>> slip_spaces() {
 std::vector<std::pair<std::string, FrictionLaw>> laws() {
   return {{"constant", ConstantCoefficient{0.25}},
           {"exponential", ExponentialDecay{0.3, 0.15, 0.4}},
-          {"table",
-           TabularCoefficient{make_function({{0.30, 0, 0, 0},
-                                             {0.34, 2, 0, 0},
-                                             {0.22, 9, 0, 0},
-                                             {0.26, 0, 400, 0},
-                                             {0.17, 5, 400, 0},
-                                             {0.28, 0, 0, 100},
-                                             {0.19, 8, 0, 100},
-                                             {0.21, 0, 500, 100},
-                                             {0.23, 7, 500, 100}},
-                                            {kOverSlipRate, kOverContactForce,
-                                             kOverTemperature})}}};
+          {"table", TabularCoefficient{
+                        make_function({{0.30, 0, 0, 0},
+                                       {0.34, 2, 0, 0},
+                                       {0.22, 9, 0, 0},
+                                       {0.26, 0, 400, 0},
+                                       {0.17, 5, 400, 0},
+                                       {0.28, 0, 0, 100},
+                                       {0.19, 8, 0, 100},
+                                       {0.21, 0, 500, 100},
+                                       {0.23, 7, 500, 100}},
+                                      {kOverSlipRate, kOverContactForce, kOverTemperature})}}};
 }
 
 std::vector<std::pair<std::string, InternalContactForce>> internal_contact_forces() {
@@ -177,9 +175,8 @@ std::vector<std::pair<std::string, InternalContactForce>> internal_contact_force
           {"over CP and CU",
            make_function({{60, -1, -1}, {75, 1, -1}, {50, -1, 1}, {95, 0.7, 1}, {90, 2, 1}},
                          {over_position(2), over_motion(4)})},
-          {"over slip and CP",
-           make_function({{90, 0, -1}, {60, 3, -1}, {70, 0, 1}, {50, 2, 1}},
-                         {kOverAccumulatedSlip, over_position(1)})}};
+          {"over slip and CP", make_function({{90, 0, -1}, {60, 3, -1}, {70, 0, 1}, {50, 2, 1}},
+                                             {kOverAccumulatedSlip, over_position(1)})}};
 }
 
 std::vector<std::pair<std::string, ContactForce>> contact_forces() {
@@ -254,8 +251,7 @@ TEST_CASE("the consistent tangent meets one-sided differences in every branch") 
                 definition.stick = stick;
                 definition.slip_rate = rate;
                 definition.accumulated_slip = timing;
-                for (const Wanted wanted :
-                     {Wanted::kStick, Wanted::kSlip, Wanted::kCappedSlip}) {
+                for (const Wanted wanted : {Wanted::kStick, Wanted::kSlip, Wanted::kCappedSlip}) {
                   INFO(slip_name << ", " << law_name << ", F_int " << internal_name << ", F_C "
                                  << contact_name << ", fixed "
                                  << (stick.mode == StickStiffness::Mode::kStiffness)
@@ -269,10 +265,8 @@ TEST_CASE("the consistent tangent meets one-sided differences in every branch") 
                     const FrictionUpdate here =
                         update(point.definition, point.increment, point.old);
                     const bool capped = here.limit >= point.definition.force_limit;
-                    const Regime regime =
-                        wanted == Wanted::kStick ? Regime::kStick : Regime::kSlip;
-                    if (here.state.regime != regime ||
-                        capped != (wanted == Wanted::kCappedSlip)) {
+                    const Regime regime = wanted == Wanted::kStick ? Regime::kStick : Regime::kSlip;
+                    if (here.state.regime != regime || capped != (wanted == Wanted::kCappedSlip)) {
                       continue;
                     }
                     met = tangent_meets_differences(point.definition, point.increment, point.old);

@@ -351,8 +351,7 @@ std::vector<Twin> twins(Dice* dice) {
         {checks[axis == 1 ? 0 : 1],
          slip_space({axis == 1 ? 4 : 6}),
          {weighted_norm({{axis, 2 * s.k_ax * R_a}}),
-          weighted_norm(
-              {{2, 2 * R * 0.25}, {5, 2 * R * s.t_tw / L}, {other, 2 * R * s.t_ax}}),
+          weighted_norm({{2, 2 * R * 0.25}, {5, 2 * R * s.t_tw / L}, {other, 2 * R * s.t_ax}}),
           weighted_norm({{2, 2 * R * 2 / L_s * L / 8}, {5, 2 * R * 2 / L_s * s.k_tw}})},
          true});
   }
@@ -406,8 +405,7 @@ TEST_CASE("a run cut anywhere and restarted from its state gives the same bytes"
     Case c = draw();
     const auto whole = run_history(c.definition(), c.rows);
     const auto cut = static_cast<std::ptrdiff_t>(c.dice.pick(static_cast<int>(c.rows.size())));
-    const auto first =
-        run_history(c.definition(), {c.rows.begin(), c.rows.begin() + cut});
+    const auto first = run_history(c.definition(), {c.rows.begin(), c.rows.begin() + cut});
     FrictionState state;
     if (!first.empty()) {
       const FrictionState& last = first.back().state;
@@ -489,8 +487,7 @@ TEST_CASE("an increment without motion changes nothing") {
     const Case c = draw();
     // A coefficient that saw a rate, or wear that lags, has something to catch up with.
     RC_PRE(c.description.rate_independent());
-    RC_PRE(!c.description.wears() ||
-           c.description.accumulated_slip == AccumulatedSlipTiming::kEnd);
+    RC_PRE(!c.description.wears() || c.description.accumulated_slip == AccumulatedSlipTiming::kEnd);
     const FrictionDefinition definition = c.definition();
     const auto results = run_history(definition, c.rows);
     for (std::size_t i = 0; i < results.size(); ++i) {

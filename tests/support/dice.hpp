@@ -20,7 +20,9 @@ class Dice {
     return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
   }
   /// Uniform multiple of 2^-24 in [low, high]: sums and differences of such numbers are exact.
-  double dyadic(double low, double high) { return std::round(between(low, high) * 0x1p24) * 0x1p-24; }
+  double dyadic(double low, double high) {
+    return std::round(between(low, high) * 0x1p24) * 0x1p-24;
+  }
   /// 0 .. count-1
   int pick(int count) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(count)); }
   bool chance(double probability) { return between(0.0, 1.0) < probability; }

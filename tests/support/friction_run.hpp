@@ -58,9 +58,7 @@ class FrictionRun {
     }
     return move_to(number, value);
   }
-  double friction(int number) const {
-    return law::friction_force(definition, state)[number - 1];
-  }
+  double friction(int number) const { return law::friction_force(definition, state)[number - 1]; }
 
  private:
   law::RelativePosition begin_;

@@ -43,8 +43,8 @@ struct DefinitionDescription {
   std::string name;
   bool moment = false;  ///< the slip space is one of moments and angles
   law::SlipSpace slip;
-  law::ContactForce contact_force;                           ///< weights of tables left at 0
-  std::vector<std::optional<TableRows>> weights;             ///< of the terms of a derived component
+  law::ContactForce contact_force;                ///< weights of tables left at 0
+  std::vector<std::optional<TableRows>> weights;  ///< of the terms of a derived component
   std::variant<double, TableRows> internal_contact_force = 0.0;
   std::variant<law::ConstantCoefficient, law::ExponentialDecay, TableRows> law;
   double force_limit = law::kNoForceLimit;
@@ -108,7 +108,8 @@ struct SlipUnits {
   double time = 1.0;
 };
 inline SlipUnits slip_units(const DefinitionDescription& d, const Units& u) {
-  return d.moment ? SlipUnits{1.0, u.force * u.length, u.time} : SlipUnits{u.length, u.force, u.time};
+  return d.moment ? SlipUnits{1.0, u.force * u.length, u.time}
+                  : SlipUnits{u.length, u.force, u.time};
 }
 inline double motion_unit(int component, const Units& u) {
   return law::is_rotation(component) ? 1.0 : u.length;
@@ -183,8 +184,8 @@ inline DefinitionDescription in_units(DefinitionDescription d, const Units& unit
     decay->decay *= own.slip / own.time;
   }
   d.force_limit /= own.force;
-  d.stick.value /= d.stick.mode == law::StickStiffness::Mode::kElasticSlip ? own.slip
-                                                                          : own.force / own.slip;
+  d.stick.value /=
+      d.stick.mode == law::StickStiffness::Mode::kElasticSlip ? own.slip : own.force / own.slip;
   return d;
 }
 
@@ -316,9 +317,9 @@ inline void add_user_contact(Dice* dice, const DefinitionOptions& options,
   motions.push_back(over_field(1));
   for (int t = 0; t < terms; ++t) {
     law::DerivedTerm term;
-    term.combine = sums ? law::TermOperator::kSum
-                        : (dice->chance(0.5) ? law::TermOperator::kNorm
-                                             : law::TermOperator::kMacauleySum);
+    term.combine =
+        sums ? law::TermOperator::kSum
+             : (dice->chance(0.5) ? law::TermOperator::kNorm : law::TermOperator::kMacauleySum);
     term.sign = sums && dice->chance(0.5) ? -1.0 : 1.0;
     for (int c = 0; c < law::kComponents; ++c) {
       if (!dice->chance(0.5)) continue;
@@ -386,11 +387,10 @@ inline DefinitionDescription random_definition(Dice* dice, int kind,
                            1, 0.05, 0.6);
   }
   if (dice->chance(0.25)) d.force_limit = dice->between(1.0, 30.0);
-  d.stick = dice->chance(0.5)
-                ? law::StickStiffness{law::StickStiffness::Mode::kElasticSlip,
-                                      dice->between(0.002, 0.1)}
-                : law::StickStiffness{law::StickStiffness::Mode::kStiffness,
-                                      dice->between(200.0, 5000.0)};
+  d.stick = dice->chance(0.5) ? law::StickStiffness{law::StickStiffness::Mode::kElasticSlip,
+                                                    dice->between(0.002, 0.1)}
+                              : law::StickStiffness{law::StickStiffness::Mode::kStiffness,
+                                                    dice->between(200.0, 5000.0)};
   if (dice->chance(0.4)) d.accumulated_slip = law::AccumulatedSlipTiming::kStart;
   if (dice->chance(0.4)) d.slip_rate = law::SlipRateMeasure::kRelativeMotion;
   return d;

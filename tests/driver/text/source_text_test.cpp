@@ -116,6 +116,18 @@ TEST_CASE("Places are counted in lines and code points") {
   CHECK(SourceText("a", "").position(3) == SourcePosition{1, 1, 1});
 }
 
+TEST_CASE("Places in a very long line are exact and found quickly") {
+  std::string text = "a\n";
+  for (int i = 0; i < 500000; ++i) text += "\xC3\xA9-";
+  const SourceText source("a.yaml", text + "\nb\n");
+  for (int i = 0; i < 500000; ++i) {
+    const auto offset = 2 + 3 * static_cast<std::size_t>(i);
+    if (source.position(offset, 3) != SourcePosition{2, 2 * i + 1, 2}) FAIL("wrong at " << i);
+  }
+  CHECK(source.position(2 + 1500000) == SourcePosition{2, 1000001, 1});
+  CHECK(source.position(2 + 1500001) == SourcePosition{3, 1, 1});
+}
+
 TEST_CASE("Bytes that are no text are refused with their place") {
   const std::string dot = "\xEF\xBF\xBD";
   CHECK(complaint("a: \xC3\xA4\nb: \xFF\n") ==
