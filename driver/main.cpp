@@ -5,10 +5,13 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
 #include <functional>
 #include <sstream>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "driver/commands/catalogue.hpp"
 #include "driver/commands/check.hpp"
@@ -17,6 +20,7 @@
 #include "driver/commands/shared.hpp"
 #include "driver/results/interruption.hpp"
 #include "driver/results/provenance.hpp"
+#include "driver/text/diagnostic.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -42,10 +46,25 @@ void add_settings(CLI::App& command, std::vector<std::string>& settings, bool& a
                    "Let the case read data files outside its own folder");
 }
 
+/// What is wrong with the command's name, if it is there and unknown; else empty.
+std::string unknown_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return {};
+  const std::string_view word = argv[1];
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands(nullptr)) names.push_back(command->get_name());
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  if (std::find(candidates.begin(), candidates.end(), word) != candidates.end()) return {};
+  const auto near = nearest_name(word, candidates);
+  return fmt::format(
+      "unknown command '{}'; {}", printable(word),
+      near ? fmt::format("did you mean '{}'?", *near) : "there are " + in_words(candidates, "and"));
+}
+
 int run(int argc, char** argv) {
-  CLI::App app("A test bench for connector friction: a case in YAML is run increment by increment\n"
-               "and gives forces, slip and energies as CSV, verdicts and pictures.",
-               "slipbench");
+  CLI::App app(
+      "A test bench for connector friction: a case in YAML is run increment by increment\n"
+      "and gives forces, slip and energies as CSV, verdicts and pictures.",
+      "slipbench");
   app.footer(
       "Examples:\n"
       "  slipbench run shock.yaml                      run a case; shock.csv is the result\n"
@@ -76,7 +95,8 @@ int run(int argc, char** argv) {
       ->type_name("csv")
       ->check(CLI::IsMember({"csv"}))
       ->capture_default_str();
-  run_app->add_flag("--no-output", run_options.no_output, "Write no files, only tell what happened");
+  run_app->add_flag("--no-output", run_options.no_output,
+                    "Write no files, only tell what happened");
   run_app->footer(
       "Writes <case>.csv (a row an increment), <case>.events.csv (every change between stick and\n"
       "slip) and <case>.json (the summary). Prints what happened and the case's own checks.\n"
@@ -106,8 +126,9 @@ int run(int argc, char** argv) {
   plot_app->add_option("CASE|RESULT.csv", plot_options.input, "A case file, or a result of 'run'")
       ->required();
   plot_app
-      ->add_option("-o,--output", plot_options.output,
-                   "The picture; its ending (.svg, .png, .pdf) says what it is. Default: <case>.svg")
+      ->add_option(
+          "-o,--output", plot_options.output,
+          "The picture; its ending (.svg, .png, .pdf) says what it is. Default: <case>.svg")
       ->type_name("FILE");
   add_settings(*plot_app, plot_options.settings, plot_options.allow_outside);
   plot_app->footer(
@@ -132,6 +153,10 @@ int run(int argc, char** argv) {
       app.add_subcommand("schema", "Print the JSON Schema of case files, for editors");
   schema_app->callback([&] { command = [] { return schema_command(); }; });
 
+  if (const std::string fault = unknown_command(app, argc, argv); !fault.empty()) {
+    print_error("slipbench: error: " + fault + "\n");
+    return kExitBadInput;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

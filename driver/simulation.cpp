@@ -27,8 +27,7 @@ bool is_motion(int quantity) { return quantity < kFirstForce; }
 
 law::Ambient ambient_of(const Quantities& quantities, const law::RelativePosition& reference) {
   law::Ambient ambient;
-  std::copy_n(quantities.begin() + kFirstMotion, law::kComponents,
-              ambient.position.values.begin());
+  std::copy_n(quantities.begin() + kFirstMotion, law::kComponents, ambient.position.values.begin());
   ambient.motion = law::constitutive_motion(ambient.position, reference);
   ambient.temperature = quantities[kTemperatureQuantity];
   ambient.fields = std::span(quantities).subspan(kFirstField);
@@ -118,8 +117,7 @@ SimulationState Simulation::state() const {
   SimulationState state;
   state.increments = row_.index;
   for (const DefinitionRow& definition : row_.definitions) {
-    state.definitions.push_back(
-        {definition.update.state, definition.dissipation, definition.work});
+    state.definitions.push_back({definition.update.state, definition.dissipation, definition.work});
   }
   return state;
 }
@@ -196,8 +194,8 @@ tl::expected<void, SimulationFailure> Simulation::begin_pass() {
     auto begun = cursors_[i].begin({step.duration, current, pass_start_});
     if (!begun) {
       SimulationFailure fault = failure(begun.error());
-      fault.message = fmt::format("step '{}', {}: {}", step.name, quantity_name(quantity),
-                                  fault.message);
+      fault.message =
+          fmt::format("step '{}', {}: {}", step.name, quantity_name(quantity), fault.message);
       return tl::unexpected(std::move(fault));
     }
     if (is_motion(quantity)) note_jump(quantity, current, cursors_[i].start_value());
@@ -298,11 +296,11 @@ tl::expected<void, SimulationFailure> Simulation::update_definitions() {
 SimulationFailure Simulation::numerical_failure(std::size_t definition, const char* what) const {
   const std::string step =
       measured_ ? fmt::format("row {} of the measured history", row_.index + 1)
-                      : fmt::format("step '{}', t = {}",
-                                    case_->steps.empty()
-                                        ? std::string()
-                                        : case_->steps[static_cast<std::size_t>(row_.step)].name,
-                                    format_number(row_.step_time));
+                : fmt::format("step '{}', t = {}",
+                              case_->steps.empty()
+                                  ? std::string()
+                                  : case_->steps[static_cast<std::size_t>(row_.step)].name,
+                              format_number(row_.step_time));
   return {SimulationFailure::Kind::kNumerical,
           fmt::format("{} (total time {}): definition '{}': the {} is not finite", step,
                       format_number(row_.time), case_->definitions[definition].name, what)};

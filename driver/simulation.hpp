@@ -31,14 +31,14 @@ struct DefinitionRow {
 /// The result of one increment. Row 0 is the initial state: forces, temperature and fields as the
 /// history begins, no motion yet.
 struct Row {
-  std::int64_t index = 0;            ///< how many increments lie behind
-  int step = 0;                      ///< counts the case's steps; 0 in a measured history
-  int pass = 0;                      ///< which repetition of the step, from 0
-  double time = 0.0;                 ///< total time T [T]
-  double step_time = 0.0;            ///< time in the step t [T]
-  double duration = 0.0;             ///< of the increment [T]; 0 in row 0
-  law::RelativePosition begin;       ///< CP where the increment began
-  Quantities quantities{};           ///< at its end
+  std::int64_t index = 0;                  ///< how many increments lie behind
+  int step = 0;                            ///< counts the case's steps; 0 in a measured history
+  int pass = 0;                            ///< which repetition of the step, from 0
+  double time = 0.0;                       ///< total time T [T]
+  double step_time = 0.0;                  ///< time in the step t [T]
+  double duration = 0.0;                   ///< of the increment [T]; 0 in row 0
+  law::RelativePosition begin;             ///< CP where the increment began
+  Quantities quantities{};                 ///< at its end
   std::vector<DefinitionRow> definitions;  ///< in the order of the case's definitions
 };
 
@@ -56,9 +56,9 @@ struct SimulationState {
 
 /// A motion that does not start where the connector is: it is made up in the first increment.
 struct MotionJump {
-  int component = 0;   ///< index 0..5
-  double size = 0.0;   ///< [L], [1]
-  double time = 0.0;   ///< total time
+  int component = 0;  ///< index 0..5
+  double size = 0.0;  ///< [L], [1]
+  double time = 0.0;  ///< total time
   std::string step;
 };
 
@@ -78,7 +78,8 @@ struct SimulationFailure {
 /// measured history. An increment allocates nothing; nothing grows with the number of increments.
 class Simulation {
  public:
-  /// The initial state; `problem` must outlive the simulation. Errors: a history that has no first value, an initial state that is not finite.
+  /// The initial state; `problem` must outlive the simulation. Errors: a history that has no first
+  /// value, an initial state that is not finite.
   static tl::expected<Simulation, SimulationFailure> start(const Case& problem);
 
   /// The state in which another run of the same case was cut; its history is walked through again

@@ -45,6 +45,10 @@ class LimitFunction {
   /// The rate the coefficient sees.
   double rate(double slip) const { return motion_rate_ + slip * slip_in_rate_; }
 
+  /// The force limit; infinity if there is none.
+  double cap() const { return definition_.force_limit; }
+
+  /// Whether F_lim changes with the slip of this increment at all.
   bool depends_on_slip() const {
     return (slip_in_rate_ > 0.0 && depends_on_slip_rate(definition_.law)) ||
            (slip_in_wear_ > 0.0 && depends_on_accumulated_slip(definition_.internal_contact_force));
@@ -163,6 +167,13 @@ double lowest_point(const LimitFunction& limit, double kappa, double low, double
 double first_root(const LimitFunction& limit, double trial, double kappa) noexcept {
   const double end = trial / kappa;
   double low = 0.0;
+  // Before trial - kappa x has come down to the cap there is no root, and behind that point the cap
+  // is above every root: its corners need no search.
+  const double at_cap = (trial - limit.cap()) / kappa;
+  if (at_cap > 0.0) {
+    if (limit(at_cap).force >= limit.cap()) return at_cap;
+    low = at_cap;
+  }
   while (low < end) {
     const double high = std::min(limit.next_knot(low), end);
     const Limit there = limit(high);

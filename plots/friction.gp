@@ -8,7 +8,7 @@ set output PICTURE
 set encoding utf8
 set termoption noenhanced
 set border 3 linewidth 1 linecolor rgb "#444444"
-set tics nomirror out scale 0.5 textcolor rgb "#222222"
+set tics nomirror out scale 0.5 textcolor rgb "#222222" font ",12"
 set xzeroaxis linewidth 0.6 linecolor rgb "#777777"
 
 slip_shade = "#dcdcdc"
@@ -20,7 +20,7 @@ array dashes[3] = [4, 5, 2]
 # The span (column 3 to 4) if it is of definition d and of this status.
 edge(d, status, value) = column(1) == d && column(2) == status ? value : NaN
 
-set multiplot title TITLE font ",17" offset 0,0.3
+set multiplot title TITLE font ",17" offset 0,-0.2
 head = 60.0 / (60.0 + 440.0 * DEFINITIONS)
 height = (1.0 - head) / DEFINITIONS
 
@@ -35,72 +35,84 @@ do for [i=1:DEFINITIONS] {
   set lmargin at screen 0.075
   set rmargin at screen wide
   set bmargin at screen bottom + 0.15 * height
-  set tmargin at screen bottom + 0.84 * height
+  set tmargin at screen bottom + 0.87 * height
   set xrange [BEGIN:END_TIME]
   set yrange [low:high]
   set xlabel TIME_LABEL
   set ylabel FORCE_LABEL[i]
-  set label 1 NAME[i] at graph 0.0, graph 1.15 left font ",15"
-  set key at graph 1.0, graph 1.02 bottom right horizontal Left reverse samplen 1.5 width 1
+  set label 1 NAME[i] at graph 0.0, graph 1.13 left font ",15"
+  set key at graph 1.0, graph 1.02 bottom right horizontal Left reverse maxrows 2 samplen 1.5 width 0 font ",12"
   plot \
     $SPANS using (0.5 * (edge(i, 2, $3) + $4)):(0.5 * (low + high)):3:4:(low):(high) \
       with boxxyerror fillstyle solid noborder fillcolor rgb slip_shade title (SLIPS[i] ? "slip" : ""), \
     $SPANS using (0.5 * (edge(i, 0, $3) + $4)):(0.5 * (low + high)):3:4:(low):(high) \
       with boxxyerror fillstyle solid noborder fillcolor rgb open_shade title (OPENS[i] ? "no contact" : ""), \
-    $DATA using 1:(LIMIT[i] > 0 ? column(LIMIT[i]) : NaN) with lines linewidth 1.5 dashtype 2 \
-      linecolor rgb limit_colour title (LIMIT[i] > 0 ? "limit" : ""), \
-    $DATA using 1:(LIMIT[i] > 0 && SIGNED[i] ? -column(LIMIT[i]) : NaN) with lines linewidth 1.5 \
-      dashtype 2 linecolor rgb limit_colour notitle, \
+    keyentry with boxes fillstyle empty linecolor rgb "#888888" title "stick", \
     for [k=1:words(BESIDE[i])] $DATA using 1:(column(int(word(BESIDE[i], k)))) with lines \
       linewidth 1.5 dashtype dashes[k] linecolor rgb colour[k] title word(BESIDE_NAMES[i], k), \
-    $DATA using 1:(column(FORCE[i])) with lines linewidth 2 linecolor rgb "black" title FORCE_NAME[i]
+    $DATA using 1:(column(FORCE[i])) with lines linewidth 2 linecolor rgb "black" title FORCE_NAME[i], \
+    $DATA using 1:(LIMIT[i] > 0 ? column(LIMIT[i]) : NaN) with lines linewidth 2 dashtype 2 \
+      linecolor rgb limit_colour title (LIMIT[i] > 0 ? "limit" : ""), \
+    $DATA using 1:(LIMIT[i] > 0 && SIGNED[i] ? -column(LIMIT[i]) : NaN) with lines linewidth 2 \
+      dashtype 2 linecolor rgb limit_colour notitle
   unset label 1
   unset lmargin; unset rmargin; unset tmargin; unset bmargin
 
   if (PLANAR[i]) {
     # The path of the motion.
     set key at graph 0.5, graph 1.02 bottom center
-    set size ratio -1 0.29, 0.86 * height
-    set origin 0.42, bottom + 0.03 * height
+    set size ratio -1 0.29, 0.92 * height
+    set origin 0.42, bottom + 0.02 * height
     set xrange [*:*]
     set yrange [*:*]
     set xlabel MOTION_X_LABEL[i]
     set ylabel MOTION_Y_LABEL[i]
+    set xtics MOTION_X_STEP[i]
+    set ytics MOTION_Y_STEP[i]
+    set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05
     plot $DATA using (column(MOTION_X[i])):(column(MOTION_Y[i])) with lines linewidth 2 \
       linecolor rgb "black" title "path of the motion"
+    set offsets 0, 0, 0, 0
     # The path of the force within its limit.
-    set origin 0.71, bottom + 0.03 * height
-    set size ratio -1 0.29, 0.86 * height
+    set origin 0.71, bottom + 0.02 * height
+    set size ratio -1 0.29, 0.92 * height
     set parametric
     set trange [0:2*pi]
     set xrange [-1.15 * TOP[i]:1.15 * TOP[i]]
     set yrange [-1.15 * TOP[i]:1.15 * TOP[i]]
     set xlabel FORCE_X_LABEL[i]
     set ylabel FORCE_Y_LABEL[i]
-    plot LARGEST_LIMIT[i] * cos(t), LARGEST_LIMIT[i] * sin(t) with lines linewidth 1.5 dashtype 2 \
-        linecolor rgb limit_colour title "largest limit", \
-      $DATA using (column(FORCE_X[i])):(column(FORCE_Y[i])) with lines linewidth 2 \
-        linecolor rgb "black" title "force"
+    set xtics FORCE_STEP[i]
+    set ytics FORCE_STEP[i]
+    plot $DATA using (column(FORCE_X[i])):(column(FORCE_Y[i])) with lines linewidth 2 \
+        linecolor rgb "black" title "force", \
+      LARGEST_LIMIT[i] * cos(t), LARGEST_LIMIT[i] * sin(t) with lines linewidth 2 dashtype 2 \
+        linecolor rgb limit_colour title "largest limit"
+    set xtics autofreq
+    set ytics autofreq
     unset parametric
   } else { if (MOTION_X[i] > 0) {
     # Force against motion.
     set lmargin at screen 0.66
     set rmargin at screen 0.98
     set bmargin at screen bottom + 0.15 * height
-    set tmargin at screen bottom + 0.84 * height
+    set tmargin at screen bottom + 0.87 * height
     set xrange [*:*]
-    set yrange [-1.15 * TOP[i]:1.15 * TOP[i]]
+    set yrange [*:*]
+    if (LIMIT_IN_LOOP[i]) { set yrange [-1.15 * TOP[i]:1.15 * TOP[i]] }
+    set offsets graph 0.04, graph 0.04, 0, 0
     set xlabel MOTION_X_LABEL[i]
     set ylabel FORCE_X_LABEL[i]
-    if (FORCE_X[i] != FORCE[i]) { set yrange [*:*] }
-    draw_limit = LIMIT[i] > 0 && FORCE_X[i] == FORCE[i]
+    set xtics MOTION_X_STEP[i]
     plot \
-      $DATA using (column(MOTION_X[i])):(draw_limit ? column(LIMIT[i]) : NaN) with lines \
-        linewidth 1.5 dashtype 2 linecolor rgb limit_colour title (draw_limit ? "limit" : ""), \
-      $DATA using (column(MOTION_X[i])):(draw_limit ? -column(LIMIT[i]) : NaN) with lines \
-        linewidth 1.5 dashtype 2 linecolor rgb limit_colour notitle, \
       $DATA using (column(MOTION_X[i])):(column(FORCE_X[i])) with lines linewidth 2 \
-        linecolor rgb "black" title "force against motion"
+        linecolor rgb "black" title "force", \
+      $DATA using (column(MOTION_X[i])):(LIMIT_IN_LOOP[i] ? column(LIMIT[i]) : NaN) with lines \
+        linewidth 2 dashtype 2 linecolor rgb limit_colour title (LIMIT_IN_LOOP[i] ? "limit" : ""), \
+      $DATA using (column(MOTION_X[i])):(LIMIT_IN_LOOP[i] ? -column(LIMIT[i]) : NaN) with lines \
+        linewidth 2 dashtype 2 linecolor rgb limit_colour notitle
+    set offsets 0, 0, 0, 0
+    set xtics autofreq
     unset lmargin; unset rmargin; unset tmargin; unset bmargin
   } }
 }

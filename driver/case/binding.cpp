@@ -12,6 +12,12 @@
 namespace slipbench::driver {
 namespace {
 
+/// "wanted a number: '010' has a leading zero; write 10", unless the reason says what is wanted.
+std::string with_wanted(std::string_view wanted, const std::string& reason) {
+  if (reason.find("wanted") != std::string::npos) return reason;
+  return "wanted " + std::string(wanted) + ": " + reason;
+}
+
 std::string in_quotes(std::string_view text) { return "'" + std::string(text) + "'"; }
 
 /// The place inside a scalar that an expression's error means, if the scalar stands in one line.
@@ -46,14 +52,16 @@ void Binder::missing_key(const Node& map, const Path& path, std::string_view key
   error(map, path, "missing key " + in_quotes(key) + " (" + std::string(wanted) + ")");
 }
 
-void Binder::unknown_key(const Node& key, const Path& path,
-                         std::span<const std::string_view> allowed) {
-  if (const auto why = later_key(key.text())) {
-    error(key, path, std::string(*why));
-    return;
+std::optional<std::string_view> Binder::unknown_key(const Node& key, const Path& path,
+                                                    std::span<const std::string_view> allowed) {
+  if (const auto later = later_key(key.text())) {
+    error(key, path, std::string(later->why));
+    if (later->in_place_of.empty()) return std::nullopt;
+    return later->in_place_of;
   }
   std::string hint;
-  if (const auto nearest = nearest_name(key.text(), allowed)) {
+  const auto nearest = nearest_name(key.text(), allowed);
+  if (nearest) {
     hint = "did you mean " + in_quotes(*nearest) + "?";
   } else if (const auto places = places_of_key(key.text()); !places.empty()) {
     hint = in_quotes(key.text()) + " belongs to " + places;
@@ -61,6 +69,7 @@ void Binder::unknown_key(const Node& key, const Path& path,
     hint = "known here: " + slipbench::driver::in_words(allowed, "and");
   }
   error(key, path, "unknown key", std::move(hint));
+  return nearest;
 }
 
 bool Binder::is_expression(const Node& node) {
@@ -72,18 +81,14 @@ bool Binder::is_expression(const Node& node) {
 
 void Binder::expression_error(const Node& node, const Path& path, const ExpressionError& problem,
                               const std::vector<std::string>& variables) {
-  // An unknown name may be a parameter whose own value is faulty: that is reported there.
-  if (!problem.unknown_name.empty() && !parameters_known_) return;
+  if (!problem.unknown_name.empty() && unknown_names_excused_) return;
   std::string hint;
   if (!problem.unknown_name.empty()) {
     std::vector<std::string_view> names(variables.begin(), variables.end());
     for (const auto& [name, value] : parameters_) names.push_back(name);
+    names.insert(names.end(), unresolved_.begin(), unresolved_.end());
     for (const std::string& name : function_names()) names.push_back(name);
-    if (const auto nearest = nearest_name(problem.unknown_name, names)) {
-      hint = "did you mean " + in_quotes(*nearest) + "?";
-    } else {
-      hint = "define it under 'parameters:'";
-    }
+    hint = nearest_or(problem.unknown_name, names, "define it under 'parameters:'");
   }
   out_.error(node.source().name(), inside(node, problem), path.text(), problem.message,
              std::move(hint));
@@ -91,12 +96,21 @@ void Binder::expression_error(const Node& node, const Path& path, const Expressi
 
 std::optional<Expression> Binder::expression(const Node& node, const Path& path,
                                              const std::vector<std::string>& variables) {
-  auto compiled = Expression::compile(node.text(), variables, parameters_);
+  std::vector<std::string> known = variables;
+  for (const std::string& name : unresolved_) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
+  }
+  auto compiled = Expression::compile(node.text(), known, parameters_);
   if (!compiled) {
     expression_error(node, path, compiled.error(), variables);
     return std::nullopt;
   }
-  return std::move(*compiled);
+  // The fault of a parameter is reported where it stands, not where it is used.
+  for (std::size_t i = variables.size(); i < known.size(); ++i) {
+    if (compiled->uses(known[i])) return std::nullopt;
+  }
+  if (known.size() == variables.size()) return std::move(*compiled);
+  return std::move(*Expression::compile(node.text(), variables, parameters_));
 }
 
 std::optional<double> Binder::number(const Node& node, const Path& path) {
@@ -121,7 +135,7 @@ std::optional<double> Binder::number(const Node& node, const Path& path) {
   }
   const auto value = parse_number(node.text());
   if (!value) {
-    error(node, path, "wanted a number: " + value.error());
+    error(node, path, with_wanted("a number", value.error()));
     return std::nullopt;
   }
   return *value;
@@ -154,6 +168,7 @@ std::string in_words(const law::Bounds& bounds) {
   const bool below = std::isfinite(bounds.lower);
   const bool above = std::isfinite(bounds.upper);
   const auto open = [](bool is_open) { return is_open ? " (exclusive)" : ""; };
+  if (below && bounds.lower == bounds.upper) return format_number(bounds.lower);
   if (below && above) {
     return "between " + format_number(bounds.lower) + open(bounds.lower_open) + " and " +
            format_number(bounds.upper) + open(bounds.upper_open);
@@ -165,6 +180,12 @@ std::string in_words(const law::Bounds& bounds) {
     return (bounds.upper_open ? "less than " : "at most ") + format_number(bounds.upper);
   }
   return "";
+}
+
+std::string nearest_or(std::string_view name, std::span<const std::string_view> names,
+                       std::string otherwise) {
+  const auto nearest = nearest_name(name, names);
+  return nearest ? "did you mean " + in_quotes(*nearest) + "?" : std::move(otherwise);
 }
 
 bool Binder::in_bounds(double value, const Node& node, const Path& path,
@@ -227,13 +248,19 @@ bool Codec<int>::read(Binder& binder, const Node& node, const Path& path, const 
     }
     integer = static_cast<long long>(*value);
   } else {
-    if (!node.is_scalar() || node.quoted()) {
+    if (!node.is_scalar()) {
       binder.wrong_kind(node, path, "an integer");
+      return false;
+    }
+    if (node.quoted()) {
+      binder.error(node, path,
+                   "wanted an integer, found the text " + in_quotes(printable(node.text())),
+                   "a number stands without quotes");
       return false;
     }
     const auto value = parse_integer(node.text());
     if (!value) {
-      binder.error(node, path, "wanted an integer: " + value.error());
+      binder.error(node, path, with_wanted("an integer", value.error()));
       return false;
     }
     integer = *value;
@@ -294,17 +321,13 @@ bool read_word(Binder& binder, const Node& node, const Path& path,
   }
   const auto word = std::find(words.begin(), words.end(), node.text());
   if (word == words.end()) {
-    if (const auto why = later_key(node.text())) {
-      binder.error(node, path, std::string(*why));
+    if (const auto later = later_key(node.text())) {
+      binder.error(node, path, std::string(later->why));
       return false;
-    }
-    std::string hint;
-    if (const auto nearest = nearest_name(node.text(), words)) {
-      hint = "did you mean " + in_quotes(*nearest) + "?";
     }
     binder.error(node, path,
                  "wanted " + in_words(words) + ", found " + in_quotes(printable(node.text())),
-                 std::move(hint));
+                 nearest_or(node.text(), words, ""));
     return false;
   }
   index = static_cast<std::size_t>(word - words.begin());

@@ -44,11 +44,13 @@ struct KeyRow {
 /// Reading context: where messages go and what expressions may use.
 class Binder {
  public:
-  Binder(Diagnostics& out, const NamedNumbers& parameters, bool parameters_known,
+  /// \param unresolved parameters whose own value is faulty: expressions that use them have no
+  /// value, and that is not reported again
+  Binder(Diagnostics& out, const NamedNumbers& parameters, std::vector<std::string> unresolved,
          std::filesystem::path case_folder, bool allow_outside)
       : out_(out),
         parameters_(parameters),
-        parameters_known_(parameters_known),
+        unresolved_(std::move(unresolved)),
         case_folder_(std::move(case_folder)),
         allow_outside_(allow_outside) {}
 
@@ -70,7 +72,8 @@ class Binder {
                         const std::vector<std::string>& variables);
 
   /// Reports a key that `allowed` does not have: nearest name, or where in the file it belongs.
-  void unknown_key(const Node& key, const Path& path, std::span<const std::string_view> allowed);
+  /// \return the allowed key that was probably meant, or nothing
+  std::optional<std::string_view> unknown_key(const Node& key, const Path& path, std::span<const std::string_view> allowed);
   void missing_key(const Node& map, const Path& path, std::string_view key,
                    std::string_view wanted);
   /// "wanted a number, found a list".
@@ -86,21 +89,30 @@ class Binder {
   /// True if some fault was the machine's (a file that cannot be read), not the text's.
   [[nodiscard]] bool environment_failed() const { return environment_failed_; }
 
-  [[nodiscard]] const NamedNumbers& parameters() const { return parameters_; }
-  [[nodiscard]] bool parameters_known() const { return parameters_known_; }
+  /// Until the next call, unknown names in expressions are excused: they may be result columns,
+  /// and which there are is not known while the friction definitions are faulty.
+  void excuse_unknown_names(bool excused) { unknown_names_excused_ = excused; }
+  [[nodiscard]] bool unknown_names_excused() const { return unknown_names_excused_; }
+
+  [[nodiscard]] std::size_t errors() const { return out_.count(Severity::kError); }
 
  private:
   Diagnostics& out_;
   const NamedNumbers& parameters_;
-  bool parameters_known_;  ///< false: a parameter is faulty, so unknown names are not its fault
+  std::vector<std::string> unresolved_;
   std::filesystem::path case_folder_;
   bool allow_outside_;
   bool environment_failed_ = false;
+  bool unknown_names_excused_ = false;
 };
 
 /// Bounds in words: "not negative", "greater than 0", "between 0 and 1"; empty if any number will
 /// do.
 std::string in_words(const law::Bounds& bounds);
+
+/// The hint for an unknown name: "did you mean 'normal'?", or `otherwise` if none is near.
+std::string nearest_or(std::string_view name, std::span<const std::string_view> names,
+                       std::string otherwise);
 
 /// How one type is read, described in JSON Schema, and listed in the case reference:
 ///   static bool read(Binder&, const Node&, const Path&, const KeyInfo&, T& out);
@@ -110,14 +122,18 @@ std::string in_words(const law::Bounds& bounds);
 template <class T>
 struct Codec;
 
-/// A value with its place, for what can only be judged later.
+/// A value with its place, for what can only be judged later. A faulty value is kept, so that what
+/// stands beside the fault is judged in the same run: `given` says that the key was written, `sound`
+/// that its value may be used.
 template <class T>
 struct At {
   T value{};
   std::optional<Node> node;
   Path path;
+  bool sound = false;  ///< given and read without error
 
   [[nodiscard]] bool given() const { return node.has_value(); }
+  [[nodiscard]] bool faulty() const { return given() && !sound; }
 };
 
 /// The value a key has when it is not given.
@@ -128,13 +144,15 @@ At<T> default_of(T value) {
   return at;
 }
 
-/// An entry of a map whose keys are the user's names.
+/// An entry of a map whose keys are the user's names; kept if its value is faulty, as in At.
 template <class T>
 struct Named {
   std::string name;
   std::optional<Node> key;
+  std::optional<Node> node;  ///< of the value
   Path path;
   T value{};
+  bool sound = false;
 };
 template <class T>
 using NamedMap = std::vector<Named<T>>;
@@ -177,6 +195,17 @@ std::vector<std::string_view> keys_of() {
   return keys;
 }
 
+/// Whether a map has keys that T does not: then a message that something is missing would only
+/// repeat that one of them is misspelt.
+template <class T>
+bool has_unknown_key(const Node& node) {
+  const std::vector<std::string_view> allowed = keys_of<T>();
+  for (const Entry entry : node.entries()) {
+    if (std::find(allowed.begin(), allowed.end(), entry.key.text()) == allowed.end()) return true;
+  }
+  return false;
+}
+
 /// Reads the keys of a map into a struct; all errors are reported.
 template <class T>
 bool read_struct(Binder& binder, const Node& node, const Path& path, T& out) {
@@ -186,9 +215,11 @@ bool read_struct(Binder& binder, const Node& node, const Path& path, T& out) {
   }
   bool good = true;
   const std::vector<std::string_view> allowed = keys_of<T>();
+  std::vector<std::string_view> meant;  // a misspelt key is not missing as well
   for (const Entry entry : node.entries()) {
     if (std::find(allowed.begin(), allowed.end(), entry.key.text()) == allowed.end()) {
-      binder.unknown_key(entry.key, path / entry.key.text(), allowed);
+      const auto key = binder.unknown_key(entry.key, path / entry.key.text(), allowed);
+      if (key) meant.push_back(*key);
       good = false;
     }
   }
@@ -198,7 +229,8 @@ bool read_struct(Binder& binder, const Node& node, const Path& path, T& out) {
     if (value) {
       good = Codec<Member>::read(binder, *value, path / key, info, out.*member) && good;
     } else if (info.required) {
-      binder.missing_key(node, path, key, Codec<Member>::wanted(info));
+      const bool misspelt = std::find(meant.begin(), meant.end(), key) != meant.end();
+      if (!misspelt) binder.missing_key(node, path, key, Codec<Member>::wanted(info));
       good = false;
     }
   });
@@ -345,10 +377,10 @@ template <class T>
 struct Codec<At<T>> {
   static bool read(Binder& binder, const Node& node, const Path& path, const KeyInfo& info,
                    At<T>& out) {
-    if (!Codec<T>::read(binder, node, path, info, out.value)) return false;
     out.node = node;
     out.path = path;
-    return true;
+    out.sound = Codec<T>::read(binder, node, path, info, out.value);
+    return out.sound;
   }
   static Json schema(const KeyInfo& info) { return Codec<T>::schema(info); }
   static std::string wanted(const KeyInfo& info) { return Codec<T>::wanted(info); }
@@ -369,12 +401,8 @@ struct Codec<std::vector<T>> {
     out.clear();
     out.reserve(node.size());
     for (std::size_t i = 0; i < node.size(); ++i) {
-      T item{};
-      if (Codec<T>::read(binder, node[i], path / i, info, item)) {
-        out.push_back(std::move(item));
-      } else {
-        good = false;
-      }
+      // A faulty item keeps its place: messages count from it.
+      good = Codec<T>::read(binder, node[i], path / i, info, out.emplace_back()) && good;
     }
     return good;
   }
@@ -404,16 +432,16 @@ struct Codec<std::vector<Named<T>>> {
       return false;
     }
     bool good = true;
+    out.clear();
+    out.reserve(node.size());
     for (const Entry entry : node.entries()) {
-      Named<T> item;
+      Named<T>& item = out.emplace_back();
       item.name = std::string(entry.key.text());
       item.key = entry.key;
+      item.node = entry.value;
       item.path = path / entry.key.text();
-      if (Codec<T>::read(binder, entry.value, item.path, info, item.value)) {
-        out.push_back(std::move(item));
-      } else {
-        good = false;
-      }
+      item.sound = Codec<T>::read(binder, entry.value, item.path, info, item.value);
+      good = item.sound && good;
     }
     return good;
   }

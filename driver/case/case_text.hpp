@@ -64,8 +64,8 @@ struct ConnectorText {
 /// A table: `columns` names the dependents first, then the independents.
 struct TableText {
   static constexpr bool kIsDeclared = true;
-  std::vector<At<std::string>> columns;
-  At<std::vector<At<std::vector<double>>>> rows;
+  At<std::vector<At<std::string>>> columns;
+  At<std::vector<std::vector<double>>> rows;
   At<std::string> csv;
   law::Extrapolation extrapolate = law::Extrapolation::kConstant;
 
@@ -105,7 +105,7 @@ struct DerivedTermText {
   static constexpr bool kIsDeclared = true;
   At<law::TermOperator> combine;
   At<int> sign = default_of(1);
-  std::vector<At<int>> components;
+  At<std::vector<At<int>>> components;
   At<WeightsText> weights;
 
   template <class V>
@@ -128,7 +128,7 @@ struct DerivedTermText {
 struct PotentialTermText {
   static constexpr bool kIsDeclared = true;
   At<int> component;
-  double scale = 1.0;
+  At<double> scale = default_of(1.0);
 
   template <class V>
   static void declare(V& key) {
@@ -306,7 +306,7 @@ struct ProfileText {
 struct StepText {
   static constexpr bool kIsDeclared = true;
   At<std::string> step;
-  double duration = 1.0;
+  At<double> duration = default_of(1.0);
   int increments = 1;
   int repeat = 1;
   NamedMap<ProfileText> motion;
@@ -355,7 +355,7 @@ struct MeasuredText {
   At<std::string> csv;
   At<std::string> time;
   At<std::string> time_unit;
-  NamedMap<MeasuredColumnText> columns;
+  At<NamedMap<MeasuredColumnText>> columns;
   bool hold = false;
 
   template <class V>
@@ -379,7 +379,7 @@ struct MeasuredText {
 
 /// Steps, or one measured history.
 struct HistoryText {
-  std::vector<StepText> steps;
+  std::vector<At<StepText>> steps;
   std::optional<MeasuredText> measured;
 };
 
@@ -409,7 +409,7 @@ struct AgainstText {
   static constexpr bool kIsDeclared = true;
   At<std::string> expression;
   At<std::string> closed_form;
-  NamedMap<NumberOrList> with;
+  At<NamedMap<NumberOrList>> with;
   NamedMap<std::string> inputs;
   At<std::string> output;
 
@@ -434,7 +434,7 @@ struct AgainstText {
 
 struct OverText {
   static constexpr bool kIsDeclared = true;
-  std::optional<double> from, to;
+  At<double> from, to;
 
   template <class V>
   static void declare(V& key) {
@@ -445,7 +445,7 @@ struct OverText {
 
 struct ToleranceText {
   static constexpr bool kIsDeclared = true;
-  std::optional<double> absolute, relative;
+  At<double> absolute, relative;
   std::string why;
 
   template <class V>
@@ -518,12 +518,12 @@ struct CaseText {
   UnitsText units;
   NamedMap<ParameterValue> parameters;
   At<ConnectorText> connector;
-  NamedMap<std::vector<DerivedTermText>> derived_components;
+  NamedMap<std::vector<At<DerivedTermText>>> derived_components;
   At<std::vector<At<FrictionText>>> friction;
   IntegrationText integration;
   At<HistoryText> history;
   OutputText output;
-  std::vector<At<CheckText>> checks;
+  At<std::vector<At<CheckText>>> checks;
 
   template <class V>
   static void declare(V& key) {

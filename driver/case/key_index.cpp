@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 #include <vector>
 
 #include "driver/case/case_reference.hpp"
@@ -28,49 +27,50 @@ std::string places_of_key(std::string_view key) {
   return in_words(views);
 }
 
-std::optional<std::string_view> later_key(std::string_view key) {
-  using Later = std::pair<std::string_view, std::string_view>;
+std::optional<LaterKey> later_key(std::string_view key) {
   static constexpr std::array kLater{
-      Later{"elasticity",
+      LaterKey{"elasticity",
             "connector elasticity is not in this version: components are driven by "
             "their motion, and friction is the only force"},
-      Later{"damping",
+      LaterKey{"damping",
             "connector damping is not in this version: components are driven by their "
             "motion, and friction is the only force"},
-      Later{"change_friction",
+      LaterKey{"change_friction",
             "a change of friction in a step is not in this version; run two cases"},
-      Later{"wrap_angle", "SLIPRING is not in this version"},
-      Later{"nodes", "SLIPRING is not in this version"},
-      Later{"initial_strain", "SLIPRING is not in this version"},
-      Later{"SLIPRING", "SLIPRING is not in this version"},
-      Later{"adaptive", "adaptive increments are not in this version; give their number"},
-      Later{"exact",
+      LaterKey{"wrap_angle", "SLIPRING is not in this version"},
+      LaterKey{"nodes", "SLIPRING is not in this version"},
+      LaterKey{"initial_strain", "SLIPRING is not in this version"},
+      LaterKey{"SLIPRING", "SLIPRING is not in this version"},
+      LaterKey{"adaptive", "adaptive increments are not in this version; give their number",
+            "increments"},
+      LaterKey{"exact",
             "exact integration is not in this version; use backward_euler and small increments"},
-      Later{"exponential_test_data",
+      LaterKey{"exponential_test_data",
             "this form of the exponential decay is not in this version; use "
             "exponential_decay {static, kinetic, decay}"},
-      Later{"generalized_viscous", "the Radioss laws are not in this version"},
-      Later{"modified_darmstad", "the Radioss laws are not in this version"},
-      Later{"renard", "the Radioss laws are not in this version"},
-      Later{"orthotropic", "the Radioss laws are not in this version"},
-      Later{"formulation", "the Radioss laws are not in this version"},
-      Later{"filter", "the Radioss laws are not in this version"},
-      Later{"friction_pairs", "tables of part pairs are not in this version"},
-      Later{"parts", "tables of part pairs are not in this version"},
-      Later{"dynamics", "dynamics is not in this version"},
-      Later{"max", "a potential with operator max is not in this version"},
-      Later{"curve",
-            "comparison with a curve is not in this version; use an expression or a closed form"},
-      Later{"peak", "this criterion is not in this version; use pointwise"},
-      Later{"area", "this criterion is not in this version; use pointwise"},
-      Later{"loop_energy", "this criterion is not in this version; use pointwise"},
-      Later{"breakaway", "this criterion is not in this version; use pointwise"},
-      Later{"sprague_geers", "this criterion is not in this version; use pointwise"},
-      Later{"iso18571", "this criterion is not in this version; use pointwise"},
-      Later{"calibrate", "calibration is not in this version"},
-      Later{"sweep", "sweeps are not in this version"}};
-  for (const auto& [name, why] : kLater) {
-    if (name == key) return why;
+      LaterKey{"generalized_viscous", "the Radioss laws are not in this version"},
+      LaterKey{"modified_darmstad", "the Radioss laws are not in this version"},
+      LaterKey{"renard", "the Radioss laws are not in this version"},
+      LaterKey{"orthotropic", "the Radioss laws are not in this version"},
+      LaterKey{"formulation", "the Radioss laws are not in this version"},
+      LaterKey{"filter", "the Radioss laws are not in this version"},
+      LaterKey{"friction_pairs", "tables of part pairs are not in this version"},
+      LaterKey{"parts", "tables of part pairs are not in this version"},
+      LaterKey{"dynamics", "dynamics is not in this version"},
+      LaterKey{"max", "a potential with operator max is not in this version"},
+      LaterKey{"curve",
+            "comparison with a curve is not in this version; use an expression or a closed form",
+            "expression"},
+      LaterKey{"peak", "this criterion is not in this version; use pointwise"},
+      LaterKey{"area", "this criterion is not in this version; use pointwise"},
+      LaterKey{"loop_energy", "this criterion is not in this version; use pointwise"},
+      LaterKey{"breakaway", "this criterion is not in this version; use pointwise"},
+      LaterKey{"sprague_geers", "this criterion is not in this version; use pointwise"},
+      LaterKey{"iso18571", "this criterion is not in this version; use pointwise"},
+      LaterKey{"calibrate", "calibration is not in this version"},
+      LaterKey{"sweep", "sweeps are not in this version"}};
+  for (const LaterKey& later : kLater) {
+    if (later.name == key) return later;
   }
   return std::nullopt;
 }

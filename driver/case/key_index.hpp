@@ -10,7 +10,14 @@ namespace slipbench::driver {
 /// Where in a case file a key is known: "connector", "history[] or friction[]"; empty if nowhere.
 std::string places_of_key(std::string_view key);
 
-/// For keys and words that the case format names but this version does not have: a sentence.
-std::optional<std::string_view> later_key(std::string_view key);
+/// A key or word that the case format names but this version does not have.
+struct LaterKey {
+  std::string_view name;
+  std::string_view why;               ///< a sentence
+  std::string_view in_place_of = {};  ///< the key this version wants instead, if any
+};
+
+/// What there is to say of such a key or word, or nothing.
+std::optional<LaterKey> later_key(std::string_view key);
 
 }  // namespace slipbench::driver

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/case/read_case.hpp"
 
+#include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "driver/case/case_codecs.hpp"
 #include "driver/case/resolve.hpp"
@@ -13,66 +15,122 @@ namespace {
 
 struct Parameters {
   NamedNumbers values;
-  bool good = true;
+  std::vector<std::string> unresolved;  ///< names that have no value because something is faulty
 };
+
+/// A parameter or override, and where it was written.
+struct Definition {
+  ParameterText text;
+  std::optional<Entry> entry;  ///< nothing for --set
+};
+
+void report(Binder& binder, const Node& root, Diagnostics& out, const Definition& definition,
+            const ParameterError& error, std::span<const std::string> names) {
+  if (definition.entry) {
+    const Path path = Path() / "parameters" / definition.text.name;
+    if (error.concerns_name) {
+      binder.error(definition.entry->key, path, error.error.message);
+    } else {
+      binder.expression_error(definition.entry->value, path, error.error, {});
+    }
+    return;
+  }
+  const std::string& wanted = error.error.unknown_name;
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  std::string hint;
+  if (!wanted.empty()) {
+    hint = nearest_or(wanted, known,
+                      known.empty() ? "this case has no parameters"
+                                    : "parameters of this case: " + in_words(known, "and"));
+  }
+  out.error(root.source().name(), {}, "--set " + definition.text.name, error.error.message,
+            std::move(hint));
+}
+
+/// Resolves what can be resolved: parameters that are faulty, or use a faulty one, are left out.
+void resolve(Binder& binder, const Node& root, Diagnostics& out, std::vector<Definition> parameters,
+             std::vector<Definition> overrides, std::span<const std::string> names,
+             Parameters& result) {
+  const auto texts = [](const std::vector<Definition>& definitions) {
+    std::vector<ParameterText> list;
+    for (const Definition& definition : definitions) list.push_back(definition.text);
+    return list;
+  };
+  // Each round takes away those that the last one had taken their names from: a chain as long as
+  // kMostRounds is followed to its end, and all of a longer one counts as unresolved.
+  constexpr int kMostRounds = 32;
+  for (int round = 0; round < kMostRounds; ++round) {
+    auto resolved = resolve_parameters(texts(parameters), texts(overrides));
+    if (resolved) {
+      result.values = std::move(*resolved);
+      return;
+    }
+    std::vector<std::string> faulty;
+    std::vector<std::size_t> unknown_overrides;
+    for (const ParameterError& error : resolved.error()) {
+      const std::vector<Definition>& list = error.in_override ? overrides : parameters;
+      const std::string& name = list[error.index].text.name;
+      const bool declared = std::find(names.begin(), names.end(), name) != names.end();
+      const std::string& unknown = error.error.unknown_name;
+      const bool consequence = std::find(result.unresolved.begin(), result.unresolved.end(),
+                                         unknown) != result.unresolved.end();
+      if (!consequence) report(binder, root, out, list[error.index], error, names);
+      if (declared) {
+        faulty.push_back(name);
+      } else {
+        unknown_overrides.push_back(error.index);
+      }
+    }
+    for (auto it = unknown_overrides.rbegin(); it != unknown_overrides.rend(); ++it) {
+      overrides.erase(overrides.begin() + static_cast<std::ptrdiff_t>(*it));
+    }
+    const auto is_faulty = [&](const Definition& definition) {
+      return std::find(faulty.begin(), faulty.end(), definition.text.name) != faulty.end();
+    };
+    std::erase_if(parameters, is_faulty);
+    std::erase_if(overrides, is_faulty);
+    result.unresolved.insert(result.unresolved.end(), faulty.begin(), faulty.end());
+  }
+  for (const Definition& parameter : parameters) result.unresolved.push_back(parameter.text.name);
+}
 
 /// Parameters come first: every other number of the file may be an expression over them.
 Parameters read_parameters(const Node& root, const ReadOptions& options, Diagnostics& out) {
   Parameters result;
-  std::vector<ParameterText> texts;
-  std::vector<Entry> entries;
-  const NamedNumbers none;
-  Binder binder(out, none, true, {}, false);
-  const Path path = Path() / "parameters";
   const auto map = root.find("parameters");
+  std::vector<std::string> names;
+  if (map && map->is_map()) {
+    for (const Entry entry : map->entries()) names.emplace_back(entry.key.text());
+  }
+  const NamedNumbers none;
+  // Knows the names only, for suggestions.
+  Binder binder(out, none, names, {}, false);
+  std::vector<Definition> parameters;
   if (map && map->is_map()) {
     for (const Entry entry : map->entries()) {
       const std::string name(entry.key.text());
+      const bool overridden = std::any_of(options.overrides.begin(), options.overrides.end(),
+                                          [&](const auto& set) { return set.name == name; });
       if (Binder::is_expression(entry.value)) {
-        texts.push_back({name, std::string(entry.value.text())});
-      } else if (const auto number = binder.number(entry.value, path / name)) {
-        texts.push_back({name, *number});
+        parameters.push_back({{name, std::string(entry.value.text())}, entry});
+      } else if (const auto number = binder.number(entry.value, Path() / "parameters" / name)) {
+        parameters.push_back({{name, *number}, entry});
+      } else if (overridden) {
+        parameters.push_back({{name, 0.0}, entry});
       } else {
-        result.good = false;
-        continue;
+        result.unresolved.push_back(name);
       }
-      entries.push_back(entry);
     }
   }
-  auto resolved = resolve_parameters(texts, options.overrides);
-  if (resolved) {
-    result.values = std::move(*resolved);
-    return result;
-  }
-  result.good = false;
-  for (const ParameterError& error : resolved.error()) {
-    std::vector<std::string_view> names;
-    for (const ParameterText& text : texts) names.push_back(text.name);
-    std::string hint;
-    const std::string& unknown = error.error.unknown_name;
-    if (const auto nearest = unknown.empty() ? std::nullopt : nearest_name(unknown, names)) {
-      hint = "did you mean '" + std::string(*nearest) + "'?";
-    }
-    if (error.in_override) {
-      const std::string& name = options.overrides[error.index].name;
-      if (hint.empty() && !names.empty()) {
-        const auto nearest = nearest_name(name, names);
-        hint = nearest ? "did you mean '" + std::string(*nearest) + "'?"
-                       : "parameters of this case: " + in_words(names, "and");
-      }
-      out.error(root.source().name(), {}, "--set " + name, error.error.message, std::move(hint));
-      continue;
-    }
-    const Entry& entry = entries[error.index];
-    const Node& at = error.concerns_name ? entry.key : entry.value;
-    binder.error(at, path / entry.key.text(), error.error.message, std::move(hint));
-  }
+  std::vector<Definition> overrides;
+  for (const ParameterText& text : options.overrides) overrides.push_back({text, std::nullopt});
+  resolve(binder, root, out, std::move(parameters), std::move(overrides), names, result);
   return result;
 }
 
 UnitSystem read_units(Binder& binder, const UnitsText& text) {
   const auto read = [&](const At<std::string>& unit, const Dimension& dimension) {
-    if (!unit.given()) return std::string();
+    if (!unit.sound) return std::string();
     if (const auto good = check_base_unit(unit.value, dimension); !good) {
       binder.history_error(*unit.node, unit.path, good.error());
     }
@@ -96,7 +154,10 @@ ReadCase read_case_text(const SourceText& source, const std::string& folder,
   const Node root = tree->root();
   Diagnostics& out = result.diagnostics;
   const Parameters parameters = read_parameters(root, options, out);
-  Binder binder(out, parameters.values, parameters.good, folder, options.allow_outside);
+  Binder binder(out, parameters.values, parameters.unresolved, folder, options.allow_outside);
+  // Without parameters, every name in an expression would be unknown.
+  const auto map = root.find("parameters");
+  binder.excuse_unknown_names(map && !map->is_map());
 
   CaseText text;
   const bool bound = read_struct(binder, root, Path(), text);
@@ -107,17 +168,14 @@ ReadCase read_case_text(const SourceText& source, const std::string& folder,
       text.title.empty() ? std::filesystem::path(source.name()).stem().string() : text.title;
   problem.parameters = parameters.values;
   problem.units = read_units(binder, text.units);
-  if (text.connector.given()) resolve_connector(binder, text, problem);
-  // What hangs on the connection is only judged once that is known; each part needs its own text.
-  const bool connected =
-      !(problem.connection.info.held | problem.connection.info.available).empty();
-  if (connected) {
-    if (text.friction.given()) resolve_friction(binder, text, problem);
-    if (text.history.given()) resolve_history(binder, text, problem);
-    if (bound && !out.has_errors()) resolve_output_and_checks(binder, text, problem);
-  }
+  // Faults do not hide one another: each part is judged as far as it was understood.
+  resolve_connector(binder, text, problem);
+  const bool columns_known = resolve_friction(binder, text, problem) &&
+                             !is_any_connection(problem.connection);
+  resolve_history(binder, text, problem);
+  resolve_output_and_checks(binder, text, problem, columns_known);
   result.environment_failure = binder.environment_failed();
-  if (!out.has_errors()) result.value = std::move(problem);
+  if (bound && !out.has_errors()) result.value = std::move(problem);
   return result;
 }
 

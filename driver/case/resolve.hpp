@@ -11,11 +11,29 @@ namespace slipbench::driver {
 
 /// Turns the text of a case into a case: applies the rules that hold between keys (connection and
 /// friction, tables and their use, histories and what they drive, checks and columns). All errors
-/// are reported to the binder; the result is only complete if it reported none.
+/// are reported to the binder; the result is only complete if it reported none. What the text lacks
+/// because it was faulty is not reported again.
 void resolve_connector(Binder& binder, const CaseText& text, Case& out);
-void resolve_friction(Binder& binder, const CaseText& text, Case& out);
+/// \return whether it is known which components slip, and so which result columns there are
+bool resolve_friction(Binder& binder, const CaseText& text, Case& out);
 void resolve_history(Binder& binder, const CaseText& text, Case& out);
-void resolve_output_and_checks(Binder& binder, const CaseText& text, Case& out);
+/// \param columns_known false: names of result columns are not judged
+void resolve_output_and_checks(Binder& binder, const CaseText& text, Case& out, bool columns_known);
+
+/// The hint for a component's name written in the wrong case ("did you mean 'CP1'?"), or
+/// `otherwise`.
+std::string nearest_component(std::string_view name, law::ComponentSet set,
+                              std::string (*name_of_component)(int), std::string otherwise);
+
+/// What a case has while its connection type is faulty: all components, held and free at once, so
+/// that nothing else in the case looks wrong because of it. No real connection does that.
+law::Connection any_connection();
+bool is_any_connection(const law::Connection& connection);
+
+/// "'CP2' cannot be: a CYLINDRICAL connector holds component 2": reports each independent of a table
+/// that is a motion the connection does not have free. `node` is the table's.
+bool independents_available(Binder& binder, const law::Connection& connection,
+                            const law::TableFunction& function, const Node& node, const Path& path);
 
 /// "a CYLINDRICAL connector", or "this connector" for a pair of types without a name.
 std::string connector_words(const law::Connection& connection);

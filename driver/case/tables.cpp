@@ -4,6 +4,7 @@
 
 #include "driver/case/case_codecs.hpp"
 #include "driver/case/quantity.hpp"
+#include "driver/case/resolve.hpp"
 #include "driver/history/csv_reader.hpp"
 #include "driver/text/format_number.hpp"
 
@@ -40,30 +41,60 @@ std::vector<std::string_view> independents_of(const TableUse& use) {
   return names;
 }
 
-/// The rows of a table, from the case or from its CSV file, with a node to point at for each.
+/// The rows of a table, from the case or from its CSV file, and how messages point at them.
 struct Rows {
   std::vector<std::vector<double>> values;
-  std::vector<Node> nodes;
+  std::optional<Node> list;  ///< `rows:` of the case
+  Path path;
+  std::optional<Node> csv;  ///< the name of the file
+  std::vector<long> lines;  ///< in the file
+
+  /// Reports a fault of row r, item c (-1: the whole row).
+  void error(Binder& binder, int r, int c, const std::string& message) const {
+    const auto row = static_cast<std::size_t>(r);
+    if (list) {
+      const Node node = (*list)[row];
+      const bool item = c >= 0 && node.is_sequence() && static_cast<std::size_t>(c) < node.size();
+      const Path here = path / row;
+      binder.error(item ? node[static_cast<std::size_t>(c)] : node, item ? here / c : here,
+                   message);
+    } else {
+      binder.error(*csv, path,
+                   printable(csv->text()) + ":" + std::to_string(lines[row]) + ": " + message);
+    }
+  }
+  /// "row 3", or "line 5" of the file.
+  [[nodiscard]] std::string name(int r) const {
+    const auto row = static_cast<std::size_t>(r);
+    return list ? "row " + std::to_string(r + 1) : "line " + std::to_string(lines[row]);
+  }
 };
 
 std::optional<Rows> rows_of(Binder& binder, const TableText& text, const Node& node,
                             const Path& path) {
-  Rows rows;
   if (text.rows.given() == text.csv.given()) {
-    binder.error(node, path, "a table needs 'rows' or 'csv', and only one of them");
+    if (text.rows.given()) {
+      binder.error(*text.csv.node, text.csv.path, "a table has 'rows' or 'csv', not both");
+    } else if (!has_unknown_key<TableText>(node)) {
+      binder.error(node, path, "a table needs 'rows' or 'csv'");
+    }
     return std::nullopt;
   }
+  Rows rows;
   if (text.rows.given()) {
-    for (const At<std::vector<double>>& row : text.rows.value) {
-      rows.values.push_back(row.value);
-      rows.nodes.push_back(*row.node);
-    }
+    if (!text.rows.sound) return std::nullopt;
+    rows.values = text.rows.value;
+    rows.list = text.rows.node;
+    rows.path = text.rows.path;
     return rows;
   }
+  if (!text.csv.sound) return std::nullopt;
+  rows.csv = text.csv.node;
+  rows.path = text.csv.path;
   const auto file = binder.data_file(*text.csv.node, text.csv.path, text.csv.value);
   if (!file) return std::nullopt;
   std::vector<std::string> columns;
-  for (const auto& column : text.columns) columns.push_back(column.value);
+  for (const auto& column : text.columns.value) columns.push_back(column.value);
   const auto fail = [&](const HistoryError& error) {
     binder.history_error(*text.csv.node, text.csv.path, error);
     return std::nullopt;
@@ -76,11 +107,9 @@ std::optional<Rows> rows_of(Binder& binder, const TableText& text, const Node& n
     if (!more) return fail(more.error());
     if (!*more) return rows;
     rows.values.push_back(row);
-    rows.nodes.push_back(*text.csv.node);
+    rows.lines.push_back(reader->line());
   }
 }
-
-std::string row_name(int row) { return "row " + std::to_string(row + 1); }
 
 }  // namespace
 
@@ -89,98 +118,111 @@ std::optional<law::Table> table(Binder& binder, const TableText& text, const Nod
                                 bool not_negative) {
   const std::optional<Rows> rows = rows_of(binder, text, node, path);
   if (!rows) return std::nullopt;
-  const auto at = [&](int row) {
-    return row >= 0 && row < static_cast<int>(rows->nodes.size())
-               ? rows->nodes[static_cast<std::size_t>(row)]
-               : node;
+  const auto column = [&](int c) {
+    return "'" + text.columns.value[static_cast<std::size_t>(c)].value + "'";
   };
   bool good = true;
-  for (std::size_t r = 0; not_negative && r < rows->values.size(); ++r) {
+  for (std::size_t r = 0; r < rows->values.size(); ++r) {
+    const std::vector<double>& values = rows->values[r];
     const int row = static_cast<int>(r);
-    for (int c = 0; c < dependents && c < static_cast<int>(rows->values[r].size()); ++c) {
-      const double value = rows->values[r][static_cast<std::size_t>(c)];
+    if (static_cast<int>(values.size()) != dependents + independents) {
+      rows->error(binder, row, -1,
+                  "wanted " + std::to_string(dependents + independents) +
+                      " numbers, one for each column, found " + std::to_string(values.size()));
+      good = false;
+      continue;
+    }
+    for (int c = 0; not_negative && c < dependents; ++c) {
+      const double value = values[static_cast<std::size_t>(c)];
       if (value < 0.0) {
-        binder.error(at(row), path,
-                     "'" + text.columns[static_cast<std::size_t>(c)].value +
-                         "' must be at least 0, " + row_name(row) + " has " + format_number(value));
+        rows->error(binder, row, c,
+                    column(c) + " must be at least 0, " + rows->name(row) + " has " +
+                        format_number(value));
         good = false;
       }
     }
   }
+  if (!good) return std::nullopt;
   law::Table result;
   law::TableError error;
-  if (!law::Table::build(rows->values, dependents, independents, text.extrapolate, &result,
-                         &error)) {
-    using Kind = law::TableError::Kind;
-    const auto column = [&] {
-      return "'" + text.columns[static_cast<std::size_t>(error.column)].value + "'";
-    };
-    std::string message;
-    switch (error.kind) {
-      case Kind::kNoRows:
-        message = "a table needs at least one row";
-        break;
-      case Kind::kRowLength:
-        message = row_name(error.row) + " must have " + std::to_string(dependents + independents) +
-                  " numbers, one for each column";
-        break;
-      case Kind::kNotFinite:
-        message = row_name(error.row) + ": " + column() + " is no finite number";
-        break;
-      case Kind::kNotAscending:
-        message = "independents must ascend, the first one fastest: " + column() +
-                  " goes back from " + row_name(error.other_row) + " to " + row_name(error.row);
-        break;
-      case Kind::kRepeatedPoint:
-        message = row_name(error.row) + " repeats the point of " + row_name(error.other_row);
-        break;
-      case Kind::kOneRowLinear:
-        message = "linear extrapolation needs two rows, " + row_name(error.row) +
-                  " stands alone over " + column();
-        break;
-      case Kind::kTooManyIndependents:
-        message = "a table has at most " + std::to_string(law::kMaxIndependents) + " independents";
-        break;
-    }
-    binder.error(at(error.row), path, std::move(message));
-    return std::nullopt;
+  if (law::Table::build(rows->values, dependents, independents, text.extrapolate, &result,
+                        &error)) {
+    return result;
   }
-  if (!good) return std::nullopt;
-  return result;
+  using Kind = law::TableError::Kind;
+  switch (error.kind) {
+    case Kind::kNoRows:
+      binder.error(text.rows.given() ? *text.rows.node : node,
+                   text.rows.given() ? text.rows.path : path, "a table needs at least one row");
+      break;
+    case Kind::kRowLength:
+      rows->error(binder, error.row, -1, "the row has another number of columns");
+      break;
+    case Kind::kNotFinite:
+      rows->error(binder, error.row, error.column, column(error.column) + " is no finite number");
+      break;
+    case Kind::kNotAscending: {
+      const auto item = [&](int r) {
+        return format_number(
+            rows->values[static_cast<std::size_t>(r)][static_cast<std::size_t>(error.column)]);
+      };
+      rows->error(binder, error.row, error.column,
+                  "independents must ascend, the first one fastest: " + column(error.column) +
+                      " goes back from " + item(error.other_row) + " in " +
+                      rows->name(error.other_row) + " to " + item(error.row) + " in " +
+                      rows->name(error.row));
+      break;
+    }
+    case Kind::kRepeatedPoint:
+      rows->error(
+          binder, error.row, -1,
+          rows->name(error.row) + " repeats the point of " + rows->name(error.other_row));
+      break;
+    case Kind::kOneRowLinear:
+      rows->error(binder, error.row, -1,
+                  "linear extrapolation needs two rows, " + rows->name(error.row) +
+                      " stands alone over " + column(error.column));
+      break;
+    case Kind::kTooManyIndependents:
+      binder.error(
+          *text.columns.node, text.columns.path,
+          "a table has at most " + std::to_string(law::kMaxIndependents) + " independents");
+      break;
+  }
+  return std::nullopt;
 }
 
 std::optional<law::TableFunction> table_function(Binder& binder, const TableText& text,
                                                  const Node& node, const Path& path,
                                                  const TableUse& use, int dependents) {
+  if (!text.columns.sound) return std::nullopt;
   bool good = true;
-  const int columns = static_cast<int>(text.columns.size());
+  const int columns = static_cast<int>(text.columns.value.size());
   if (columns < dependents) {
-    binder.error(
-        node, path / "columns",
-        "wanted " + std::to_string(dependents) + " dependent columns first, then the independents");
+    binder.error(*text.columns.node, text.columns.path,
+                 "wanted " + std::to_string(dependents) + " dependent column" +
+                     (dependents == 1 ? "" : "s") + " first, then the independents; found " +
+                     std::to_string(columns));
     return std::nullopt;
   }
   std::vector<law::Independent> independents;
   for (int c = 0; c < columns; ++c) {
-    const At<std::string>& column = text.columns[static_cast<std::size_t>(c)];
+    const At<std::string>& column = text.columns.value[static_cast<std::size_t>(c)];
     const auto found = independent(column.value, use);
     if (c < dependents) {
       if (found) {
         binder.error(*column.node, column.path,
                      "'" + column.value + "' is an independent: the dependent columns come first");
-        good = false;
+        // What the others then are is anybody's guess.
+        return std::nullopt;
       }
       continue;
     }
     if (!found) {
       const auto known = independents_of(use);
-      std::string hint = "known: " + in_words(known, "and");
-      if (const auto nearest = nearest_name(column.value, known)) {
-        hint = "did you mean '" + std::string(*nearest) + "'?";
-      }
       binder.error(*column.node, column.path,
-                   std::string(use.what) + " cannot depend on '" + column.value + "'",
-                   std::move(hint));
+                   std::string(use.what) + " cannot depend on '" + printable(column.value) + "'",
+                   nearest_or(column.value, known, "known: " + in_words(known, "and")));
       good = false;
       continue;
     }
@@ -190,11 +232,33 @@ std::optional<law::TableFunction> table_function(Binder& binder, const TableText
     }
     independents.push_back(*found);
   }
-  if (!good) return std::nullopt;
-  auto built = table(binder, text, node, path, dependents, static_cast<int>(independents.size()),
-                     use.not_negative);
-  if (!built) return std::nullopt;
+  // The rows are judged even so: their faults are their own.
+  auto built = table(binder, text, node, path, dependents, columns - dependents, use.not_negative);
+  if (!good || !built) return std::nullopt;
   return law::TableFunction(std::move(*built), std::move(independents));
+}
+
+bool independents_available(Binder& binder, const law::Connection& connection,
+                            const law::TableFunction& function, const Node& node,
+                            const Path& path) {
+  const auto columns = node.find("columns");
+  if (!columns || !columns->is_sequence()) return true;
+  const std::size_t dependents = columns->size() - function.independents().size();
+  bool good = true;
+  for (std::size_t i = 0; i < function.independents().size(); ++i) {
+    const law::Independent& one = function.independents()[i];
+    const bool motion = one.kind == law::IndependentKind::kPosition ||
+                        one.kind == law::IndependentKind::kConstitutiveMotion;
+    if (!motion || connection.info.available.contains(one.index)) continue;
+    const Node name = (*columns)[dependents + i];
+    binder.error(name, path / "columns" / (dependents + i),
+                 "'" + printable(name.text()) + "' never changes: " + connector_words(connection) +
+                     (connection.info.held.contains(one.index) ? " holds" : " has no") +
+                     " component " + std::to_string(one.index + 1) + "; free are " +
+                     motion_names(connection.info.available));
+    good = false;
+  }
+  return good;
 }
 
 bool Codec<law::InternalContactForce>::read(Binder& binder, const Node& node, const Path& path,
@@ -225,12 +289,13 @@ bool Codec<law::Table>::read(Binder& binder, const Node& node, const Path& path,
   constexpr std::array<std::string_view, 5> kColumns{"k_ax", "t_ax", "k_tw", "t_tw", "slenderness"};
   TableText text;
   if (!Codec<TableText>::read(binder, node, path, info, text)) return false;
-  bool match = text.columns.size() == kColumns.size();
+  bool match = text.columns.value.size() == kColumns.size();
   for (std::size_t i = 0; match && i < kColumns.size(); ++i) {
-    match = text.columns[i].value == kColumns[i];
+    match = text.columns.value[i].value == kColumns[i];
   }
   if (!match) {
-    binder.error(node, path, "wanted the columns [k_ax, t_ax, k_tw, t_tw, slenderness]");
+    binder.error(*text.columns.node, text.columns.path,
+                 "wanted the columns [k_ax, t_ax, k_tw, t_tw, slenderness]");
     return false;
   }
   auto built = table(binder, text, node, path, 4, 1, true);

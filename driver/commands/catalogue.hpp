@@ -14,8 +14,8 @@ int list_command(const std::string& what);
 /// of that name. Returns the exit code: bad input for an unknown name.
 int describe_command(const std::string& name);
 
-/// `slipbench schema`: the JSON Schema of a case file, or the case reference as Markdown. Returns the
-/// exit code.
+/// `slipbench schema`: the JSON Schema of a case file, or the case reference as Markdown. Returns
+/// the exit code.
 int schema_command(bool markdown = false);
 
 }  // namespace slipbench::driver

@@ -31,7 +31,7 @@ struct Outcome {
   enum class Kind { kPassed, kFailed, kNoChecks, kNotRun } kind = Kind::kNotRun;
   int code = kExitOk;
   std::size_t checks = 0;
-  std::string remark;   ///< beside a passed case
+  std::string remark;               ///< beside a passed case
   std::vector<std::string> faults;  ///< of failed checks, one each
   std::string messages;             ///< of the reader or of a failed run, as printed
 };
@@ -163,8 +163,8 @@ void print_table(const std::vector<Candidate>& candidates, const std::vector<Out
     const std::string padded = label + std::string(width - count_code_points(label), ' ');
     switch (outcome.kind) {
       case Outcome::Kind::kPassed:
-        print(fmt::format("  {}  {}   {:>9}   {}\n", pass, padded,
-                          counted(outcome.checks, "check"), outcome.remark));
+        print(fmt::format("  {}  {}   {:>9}   {}\n", pass, padded, counted(outcome.checks, "check"),
+                          outcome.remark));
         break;
       case Outcome::Kind::kNoChecks:
         print(fmt::format("  ----  {}   no checks\n", padded));
@@ -226,12 +226,12 @@ int check_command(const CheckOptions& options) {
   }
   print(two_ends(fmt::format("slipbench {}   {}, {}", program_version(),
                              counted(candidates.size(), "case"), counted(checks, "check")),
-                 counted(jobs, "core")));
+                 counted(jobs, options.jobs > 0 ? "thread" : "core")));
   print_table(candidates, outcomes);
   const auto of_kind = [&](Outcome::Kind kind) { return count[static_cast<std::size_t>(kind)]; };
-  std::string totals = fmt::format("  {} passed, {} failed",
-                                   counted(of_kind(Outcome::Kind::kPassed), "case"),
-                                   of_kind(Outcome::Kind::kFailed));
+  std::string totals =
+      fmt::format("  {} passed, {} failed", counted(of_kind(Outcome::Kind::kPassed), "case"),
+                  of_kind(Outcome::Kind::kFailed));
   if (const auto n = of_kind(Outcome::Kind::kNotRun); n > 0) {
     totals += fmt::format(", {} not run", n);
   }

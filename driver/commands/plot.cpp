@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
@@ -55,8 +56,8 @@ std::optional<fs::path> find_template() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   const fs::path source = fs::path(__FILE__).parent_path().parent_path().parent_path();
-  for (const fs::path& folder : {program.parent_path().parent_path() / "share" / "slipbench",
-                                 source}) {
+  for (const fs::path& folder :
+       {program.parent_path().parent_path() / "share" / "slipbench", source}) {
     if (fs::is_regular_file(folder / name, error)) return folder / name;
   }
   return std::nullopt;
@@ -74,9 +75,24 @@ std::string gnuplot_string(std::string_view text) {
 }
 
 std::string label(const char* what, const PlotColumn& column) {
-  std::string text = fmt::format("{} {}", what, column.name);
+  std::string text = what;
+  if (!column.name.empty()) text += " " + column.name;
   if (!column.unit.empty()) text += " [" + column.unit + "]";
   return text;
+}
+
+const char* force_word(std::string_view name) {
+  return name.starts_with("CSM") ? "friction moment" : "friction force";
+}
+
+/// A distance of tics that divides a range into about five parts: 1, 2 or 5 times a power of ten.
+double tic_step(double range) {
+  constexpr double kParts = 5.0;
+  if (!(range > 0.0)) return 1.0;
+  const double part = range / kParts;
+  const double power = std::pow(10.0, std::floor(std::log10(part)));
+  const double digit = part / power;
+  return power * (digit < 1.5 ? 1.0 : digit < 3.5 ? 2.0 : digit < 7.5 ? 5.0 : 10.0);
 }
 
 std::string number_list(const std::vector<int>& numbers) {
@@ -120,10 +136,14 @@ std::string definition_variables(const PlotData& data, const PlotDefinition& def
   }
   set("NAME", gnuplot_string(definition.several ? definition.name : ""));
   set("FORCE", std::to_string(main + 1));
-  set("FORCE_NAME", gnuplot_string(column(data, main).name));
-  set("FORCE_LABEL", gnuplot_string(label("friction force", {definition.total >= 0 ? "" : column(data, main).name, unit})));
-  set("SIGNED", std::to_string(data.lowest[static_cast<std::size_t>(main)] < 0.0 || !beside.empty()
-                                   ? 1 : 0));
+  set("FORCE_NAME",
+      gnuplot_string((definition.total >= 0 ? "total " : "") + column(data, main).name));
+  set("FORCE_LABEL",
+      gnuplot_string(label(force_word(column(data, main).name),
+                           {definition.total >= 0 ? "" : column(data, main).name, unit})));
+  set("SIGNED", data.lowest[static_cast<std::size_t>(main)] < 0.0 || !beside.empty() ? "1" : "0");
+  // A loop over no columns is an error in gnuplot; the force itself, twice, is not.
+  if (beside.empty()) beside.push_back(main + 1);
   set("BESIDE", gnuplot_string(number_list(beside)));
   set("BESIDE_NAMES", gnuplot_string(beside_names));
   set("LIMIT", std::to_string(definition.limit + 1));
@@ -131,6 +151,7 @@ std::string definition_variables(const PlotData& data, const PlotDefinition& def
   double top = std::max(limit, magnitude(data, main));
   if (!(top > 0.0)) top = 1.0;
   set("TOP", format_number(top));
+  set("FORCE_STEP", format_number(tic_step(2.0 * top)));
   set("LARGEST_LIMIT", format_number(limit));
 
   const bool planar = translations.size() >= 2;
@@ -146,19 +167,27 @@ std::string definition_variables(const PlotData& data, const PlotDefinition& def
       if (data.highest[p] > data.lowest[p]) shown = k;
     }
   }
+  const int loop_force = definition.components.empty() ? main : definition.components[shown];
+  set("LIMIT_IN_LOOP", definition.limit >= 0 && column(data, loop_force).unit == unit ? "1" : "0");
   const auto axis = [&](const char* force_name, const char* motion_name_, std::size_t k) {
     const int force = definition.components.empty() ? main : definition.components[k];
     const int position = definition.positions.empty() ? -1 : definition.positions[k];
     set(force_name, std::to_string(force + 1));
     set((std::string(force_name) + "_LABEL").c_str(),
-        gnuplot_string(label("friction force", column(data, force))));
+        gnuplot_string(label(force_word(column(data, force).name), column(data, force))));
     set(motion_name_, std::to_string(position + 1));
     set((std::string(motion_name_) + "_LABEL").c_str(),
-        gnuplot_string(position >= 0 ? label("position", column(data, position)) : ""));
+        gnuplot_string(
+            position >= 0
+                ? label(column(data, position).name.starts_with("CPR") ? "angle" : "position",
+                        column(data, position))
+                : ""));
+    const auto p = static_cast<std::size_t>(std::max(position, 0));
+    set((std::string(motion_name_) + "_STEP").c_str(),
+        format_number(tic_step(data.highest[p] - data.lowest[p])));
   };
   axis("FORCE_X", "MOTION_X", shown);
-  axis("FORCE_Y", "MOTION_Y",
-       planar ? static_cast<std::size_t>(translations[1]) : shown);
+  axis("FORCE_Y", "MOTION_Y", planar ? static_cast<std::size_t>(translations[1]) : shown);
 
   bool slips = false;
   bool opens = false;
@@ -178,18 +207,19 @@ std::string script(const PlotData& data, const std::string& title, const fs::pat
   if (const auto at = sized.find("SIZE"); at != std::string::npos) sized.replace(at, 4, size);
   if (const auto at = sized.find("SIZE"); at != std::string::npos) sized.replace(at, 4, size);
   std::string text = fmt::format("TERMINAL = {}\nPICTURE = {}\nTITLE = {}\nDEFINITIONS = {}\n",
-                                 "\"" + sized + "\"", gnuplot_string(picture.string()), gnuplot_string(title),
-                                 count);
+                                 "\"" + sized + "\"", gnuplot_string(picture.string()),
+                                 gnuplot_string(title), count);
   text += "TIME_LABEL = " + gnuplot_string(label("time", {"t", data.columns[0].unit})) + "\n";
   text += "BEGIN = " + format_number(data.lowest[0]) + "\n";
-  text += "END_TIME = " + format_number(data.highest[0] > data.lowest[0] ? data.highest[0]
-                                                                         : data.lowest[0] + 1.0) +
+  text += "END_TIME = " +
+          format_number(data.highest[0] > data.lowest[0] ? data.highest[0] : data.lowest[0] + 1.0) +
           "\n";
   for (const char* name :
-       {"NAME", "FORCE", "FORCE_NAME", "FORCE_LABEL", "SIGNED", "BESIDE", "BESIDE_NAMES", "LIMIT",
-        "TOP", "LARGEST_LIMIT", "PLANAR", "FORCE_X", "FORCE_X_LABEL", "MOTION_X",
-        "MOTION_X_LABEL", "FORCE_Y", "FORCE_Y_LABEL", "MOTION_Y", "MOTION_Y_LABEL", "SLIPS",
-        "OPENS"}) {
+       {"NAME",           "FORCE",         "FORCE_NAME",    "FORCE_LABEL",   "SIGNED",
+        "BESIDE",         "BESIDE_NAMES",  "LIMIT",         "TOP",           "LARGEST_LIMIT",
+        "LIMIT_IN_LOOP",  "PLANAR",        "FORCE_X",       "FORCE_X_LABEL", "MOTION_X",
+        "MOTION_X_LABEL", "FORCE_Y",       "FORCE_Y_LABEL", "MOTION_Y",      "MOTION_Y_LABEL",
+        "MOTION_X_STEP",  "MOTION_Y_STEP", "FORCE_STEP",    "SLIPS",         "OPENS"}) {
     text += fmt::format("array {}[{}]\n", name, count);
   }
   for (std::size_t i = 0; i < count; ++i) {
@@ -282,8 +312,8 @@ tl::expected<std::string, PlotFailure> run_for_plot(const PlotOptions& options,
     });
   }();
   if (!ended) {
-    return tl::unexpected(PlotFailure{exit_code(ended.error()),
-                                      failure_text(problem, ended.error())});
+    return tl::unexpected(
+        PlotFailure{exit_code(ended.error()), failure_text(problem, ended.error())});
   }
   if (auto closed = rows->close(); !closed) return failed(kExitEnvironment, closed.error());
   return problem.title.empty() ? case_stem(problem) : problem.title;

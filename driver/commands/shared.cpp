@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <system_error>
+#include <utility>
 #include <variant>
 
 #include "driver/text/number.hpp"
@@ -54,8 +55,10 @@ int finish_output(int code) {
   errno = 0;
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) note_output_error();
   if (output_error == 0) return code;
-  print_error(fmt::format("slipbench: error: standard output cannot be written: {}\n",
-                          std::generic_category().message(output_error)));
+  static bool told = false;
+  if (!std::exchange(told, true))
+    print_error(fmt::format("slipbench: error: standard output cannot be written: {}\n",
+                            std::generic_category().message(output_error)));
   return worse(code, kExitEnvironment);
 }
 
@@ -115,10 +118,10 @@ int exit_code(const SimulationFailure& failure) {
 }
 
 std::string failure_text(const Case& problem, const SimulationFailure& failure) {
-  return fmt::format("{}: {}: {}\n", problem.file,
-                     failure.kind == SimulationFailure::Kind::kNumerical ? "numerical failure"
-                                                                         : "error",
-                     failure.message);
+  return fmt::format(
+      "{}: {}: {}\n", problem.file,
+      failure.kind == SimulationFailure::Kind::kNumerical ? "numerical failure" : "error",
+      failure.message);
 }
 
 std::vector<std::string> input_files(const Case& problem) {

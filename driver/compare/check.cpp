@@ -142,9 +142,9 @@ double CheckProgress::scale() const {
 double CheckProgress::certain_tolerance() const {
   const double range = highest_ - lowest_;
   const double magnitude = std::max(std::abs(highest_), std::abs(lowest_));
-  return std::max(check_->tolerance.absolute.value_or(0.0),
-                  check_->tolerance.relative.value_or(0.0) *
-                      std::max(range, kNearlyConstant * magnitude));
+  return std::max(
+      check_->tolerance.absolute.value_or(0.0),
+      check_->tolerance.relative.value_or(0.0) * std::max(range, kNearlyConstant * magnitude));
 }
 
 void CheckProgress::compare(double time, double value, double reference_value) {
@@ -187,11 +187,11 @@ Verdict CheckProgress::verdict() const {
   } else if (compared_ == 0) {
     result.message = "no row was compared";
   } else if (result.failing > 0) {
-    result.message = fmt::format(
-        "{} off by {} (limit {}) at t = {}, first at {}, last at {}, {} of {} points",
-        check_->quantity_text, with_unit(brief(worst_.size()), unit), brief(result.tolerance),
-        brief(worst_.time), brief(*result.first_failing), brief(*result.last_failing),
-        result.failing, compared_);
+    result.message =
+        fmt::format("{} off by {} (limit {}) at t = {}, first at {}, last at {}, {} of {} points",
+                    check_->quantity_text, with_unit(brief(worst_.size()), unit),
+                    brief(result.tolerance), brief(worst_.time), brief(*result.first_failing),
+                    brief(*result.last_failing), result.failing, compared_);
   }
   result.passed = result.message.empty();
   return result;

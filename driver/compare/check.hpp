@@ -26,12 +26,12 @@ struct Deviation {
 struct Verdict {
   std::string name;
   bool passed = false;
-  std::string message;           ///< in a sentence what is wrong; empty if passed
-  std::int64_t compared = 0;     ///< rows
-  std::int64_t failing = 0;      ///< rows beyond the tolerance
-  double tolerance = 0.0;        ///< in the quantity's unit
-  double scale = 0.0;            ///< what a relative tolerance was relative to
-  Deviation worst;               ///< of all compared rows
+  std::string message;                  ///< in a sentence what is wrong; empty if passed
+  std::int64_t compared = 0;            ///< rows
+  std::int64_t failing = 0;             ///< rows beyond the tolerance
+  double tolerance = 0.0;               ///< in the quantity's unit
+  double scale = 0.0;                   ///< what a relative tolerance was relative to
+  Deviation worst;                      ///< of all compared rows
   std::optional<double> first_failing;  ///< total times
   std::optional<double> last_failing;
 
@@ -83,10 +83,10 @@ class CheckProgress {
   std::vector<double> outputs_;
   std::vector<double> arguments_;
 
-  std::string fault_;          ///< the first thing that makes the check fail whatever the numbers
-  std::int64_t faults_ = 0;    ///< rows without a number
+  std::string fault_;        ///< the first thing that makes the check fail whatever the numbers
+  std::int64_t faults_ = 0;  ///< rows without a number
   std::int64_t compared_ = 0;
-  double lowest_ = 0.0;        ///< of the reference
+  double lowest_ = 0.0;  ///< of the reference
   double highest_ = 0.0;
   Deviation worst_;
   std::vector<Suspect> suspects_;  ///< rows that may turn out to fail

@@ -22,9 +22,7 @@ Dimension per_time(Dimension dimension) {
   return dimension;
 }
 
-Dimension motion_dimension(int component) {
-  return law::is_rotation(component) ? kAngle : kLength;
-}
+Dimension motion_dimension(int component) { return law::is_rotation(component) ? kAngle : kLength; }
 Dimension force_dimension(int component) { return law::is_rotation(component) ? kMoment : kForce; }
 
 std::string of_component(int component) {
@@ -71,8 +69,7 @@ void add_motion(const Case& problem, int c, std::vector<Column>& columns) {
   const Owner owner = owner_of(problem, c);
   const auto add = [&](const char* prefix, Dimension of, std::string text, ColumnSource source,
                        double offset) {
-    columns.push_back(
-        {prefix + suffix, of, std::move(text), source, c, owner.definition, offset});
+    columns.push_back({prefix + suffix, of, std::move(text), source, c, owner.definition, offset});
   };
   add("CP", dimension, "Relative position " + where + ".", ColumnSource::kPosition, 0.0);
   add("CU", dimension, "Displacement from the initial position " + where + ".",
@@ -99,8 +96,9 @@ void add_forces(const Case& problem, int c, std::vector<Column>& columns) {
   const Owner owner = owner_of(problem, c);
   const ColumnSource source =
       owner.definition < 0 ? ColumnSource::kNoFriction : ColumnSource::kFrictionForce;
-  columns.push_back({force_column("CSF", c), dimension, std::string("Friction ") + what + where + ".",
-                     source, owner.entry, owner.definition});
+  columns.push_back({force_column("CSF", c), dimension,
+                     std::string("Friction ") + what + where + ".", source, owner.entry,
+                     owner.definition});
   columns.push_back({force_column("CTF", c), dimension,
                      std::string("Total ") + what + where + ": friction only.", source, owner.entry,
                      owner.definition});

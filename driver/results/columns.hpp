@@ -16,14 +16,14 @@ namespace slipbench::driver {
 
 /// Where the number of a result column comes from.
 enum class ColumnSource : std::uint8_t {
-  kTotalTime,       ///< total time
-  kPosition,        ///< CP, and with an offset CU and CCU
-  kVelocity,        ///< CV
-  kConstraintForce, ///< a prescribed constraint force
-  kFrictionForce,   ///< R_i y_i of one entry of a definition's slip space
-  kNoFriction,      ///< 0: an available component without friction
-  kFrictionTotal,   ///< |y| of a definition
-  kSlipVelocity,    ///< n . ds/dt
+  kTotalTime,        ///< total time
+  kPosition,         ///< CP, and with an offset CU and CCU
+  kVelocity,         ///< CV
+  kConstraintForce,  ///< a prescribed constraint force
+  kFrictionForce,    ///< R_i y_i of one entry of a definition's slip space
+  kNoFriction,       ///< 0: an available component without friction
+  kFrictionTotal,    ///< |y| of a definition
+  kSlipVelocity,     ///< n . ds/dt
   kAccumulatedSlip,
   kNormalForce,
   kStatus,
@@ -34,7 +34,7 @@ enum class ColumnSource : std::uint8_t {
   kDissipation,
   kStoredEnergy,
   kWork,
-  kQuantity         ///< temperature or a field
+  kQuantity  ///< temperature or a field
 };
 
 /// One column of the result: its name, the dimension its unit follows from, one sentence, and how

@@ -98,9 +98,8 @@ void EventWriter::write(const Row& row) {
     append_number(text, row.time);
     text.append(",").append(case_->definitions[d].name).append(",");
     text.append(regime_name(from)).append(",").append(regime_name(to));
-    for (const double number :
-         {representative_force(case_->definitions[d], here), here.update.limit,
-          here.update.state.accumulated_slip}) {
+    for (const double number : {representative_force(case_->definitions[d], here),
+                                here.update.limit, here.update.state.accumulated_slip}) {
       text += ',';
       append_number(text, number);
     }

@@ -70,8 +70,9 @@ class FolderLock {
 
 }  // namespace
 
-tl::expected<OutputFile, std::string> OutputFile::create(const fs::path& target,
+tl::expected<OutputFile, std::string> OutputFile::create(const fs::path& wanted,
                                                          std::span<const std::string> inputs) {
+  const fs::path target = wanted.lexically_normal();
   if (std::string fault = obstacle(target, inputs); !fault.empty()) {
     return tl::unexpected(std::move(fault));
   }
@@ -82,8 +83,8 @@ tl::expected<OutputFile, std::string> OutputFile::create(const fs::path& target,
     const InterruptionPause pause;
     file.descriptor_ = mkostemp(name.data(), O_CLOEXEC);
     if (file.descriptor_ < 0) {
-      return tl::unexpected(fmt::format("{}: cannot be written: {}", target.string(),
-                                        reason(errno)));
+      return tl::unexpected(
+          fmt::format("{}: cannot be written: {}", target.string(), reason(errno)));
     }
     file.temporary_ = name;
     file.registered_ = register_file(name);

@@ -23,7 +23,8 @@ struct RegimeSpan {
   int status = 1;  ///< 0 open, 1 stick, 2 slip
 };
 
-/// One friction definition as it is drawn. Numbers count `PlotData::columns`; -1: not in the result.
+/// One friction definition as it is drawn. Numbers count `PlotData::columns`; -1: not in the
+/// result.
 struct PlotDefinition {
   std::string name;
   bool several = false;         ///< whether the result has other definitions, too
@@ -40,8 +41,8 @@ struct PlotData {
   std::string title;
   std::vector<PlotColumn> columns;  ///< the first is t
   std::vector<PlotDefinition> definitions;
-  std::vector<double> rows;     ///< row after row, as many numbers as columns
-  std::vector<double> lowest;   ///< of each column, over all rows of the result
+  std::vector<double> rows;    ///< row after row, as many numbers as columns
+  std::vector<double> lowest;  ///< of each column, over all rows of the result
   std::vector<double> highest;
 
   std::size_t row_count() const { return columns.empty() ? 0 : rows.size() / columns.size(); }

@@ -52,8 +52,7 @@ std::string energy_unit(const UnitSystem& units) {
 }
 
 double DefinitionSummary::energy_gap() const {
-  const double scale =
-      std::max({std::abs(work), std::abs(dissipation), std::abs(stored_energy)});
+  const double scale = std::max({std::abs(work), std::abs(dissipation), std::abs(stored_energy)});
   return scale > 0.0 ? (work - dissipation - stored_energy) / scale : 0.0;
 }
 
@@ -96,9 +95,8 @@ void Summary::add(const Row& row) {
       sum.stiffness_there = stick_stiffness(case_->definitions[d].law, update.limit);
     }
     if (update.multiple_roots) {
-      sum.shortest_increment = sum.multiple_roots == 0
-                                   ? row.duration
-                                   : std::min(sum.shortest_increment, row.duration);
+      sum.shortest_increment =
+          sum.multiple_roots == 0 ? row.duration : std::min(sum.shortest_increment, row.duration);
       ++sum.multiple_roots;
     }
     sum.accumulated_slip = update.state.accumulated_slip;
@@ -122,8 +120,8 @@ std::string Summary::definition_text(const DefinitionSummary& sum, std::size_t i
   } else {
     const Row& first = *sum.first_slip;
     text += fmt::format("slips {} of the time, {} stick-slip event{}, first slip at t = {}",
-                        percent(sum.slip_time, duration), sum.events,
-                        plural(sum.events), with_unit(rounded(first.time), units.time));
+                        percent(sum.slip_time, duration), sum.events, plural(sum.events),
+                        with_unit(rounded(first.time), units.time));
     std::string where;
     for (const Column& position : positions_) {
       where += fmt::format("{}{} = {}", where.empty() ? "" : ", ", position.name,
@@ -203,8 +201,7 @@ json::Value Summary::to_json() const {
     if (sum.first_slip) {
       json::Value first;
       first["t"] = sum.first_slip->time;
-      first["force"] =
-          representative_force(case_->definitions[d], sum.first_slip->definitions[d]);
+      first["force"] = representative_force(case_->definitions[d], sum.first_slip->definitions[d]);
       for (const Column& position : positions_) {
         first[position.name] = column_value(position, *case_, *sum.first_slip);
       }

@@ -17,20 +17,20 @@ namespace slipbench::driver {
 /// What one friction definition did over a run.
 struct DefinitionSummary {
   std::string name;
-  double slip_time = 0.0;        ///< total length of the increments that ended in slip [T]
-  double open_time = 0.0;        ///< likewise without contact [T]
-  std::int64_t events = 0;       ///< how often stick (or no contact) turned into slip
+  double slip_time = 0.0;         ///< total length of the increments that ended in slip [T]
+  double open_time = 0.0;         ///< likewise without contact [T]
+  std::int64_t events = 0;        ///< how often stick (or no contact) turned into slip
   std::optional<Row> first_slip;  ///< the row that first ended in slip
-  double lowest_force = 0.0;     ///< of representative_force [F]
+  double lowest_force = 0.0;      ///< of representative_force [F]
   double highest_force = 0.0;
   double accumulated_slip = 0.0;  ///< [L]
   double dissipation = 0.0;       ///< [F L]
   double stored_energy = 0.0;     ///< at the end [F L]
   double work = 0.0;              ///< [F L]
   double largest_normal_force = 0.0;
-  double stiffness_there = 0.0;      ///< kappa where the normal force was largest [F/L]
-  double shortest_increment = 0.0;   ///< of the increments with several solutions [T]
-  std::int64_t multiple_roots = 0;   ///< increments with more than one solution
+  double stiffness_there = 0.0;     ///< kappa where the normal force was largest [F/L]
+  double shortest_increment = 0.0;  ///< of the increments with several solutions [T]
+  std::int64_t multiple_roots = 0;  ///< increments with more than one solution
 
   /// (work - dissipation - stored energy) over the largest of them: what the time stepping lost.
   /// 0 where nothing moved.

@@ -24,8 +24,8 @@ class Value {
   Value(std::nullptr_t) {}
   Value(bool value) : data_(value) {}
   template <class Number>
-    requires(std::is_arithmetic_v<Number> && !std::is_same_v<Number, bool>)
-  Value(Number value) : data_(static_cast<double>(value)) {}
+  requires(std::is_arithmetic_v<Number> && !std::is_same_v<Number, bool>) Value(Number value)
+      : data_(static_cast<double>(value)) {}
   Value(std::string value) : data_(std::move(value)) {}
   Value(std::string_view value) : data_(std::string(value)) {}
   Value(const char* value) : data_(std::string(value)) {}
