@@ -131,7 +131,8 @@ double bracketed_root(const LimitFunction& limit, double trial, double kappa, do
   for (int iteration = 0; iteration < 200; ++iteration) {
     const Limit here = limit(x);
     const double h = trial - kappa * x - here.force;
-    if (h == 0.0) return x;
+    // Below this h is its own rounding, and Newton would be led about by it.
+    if (std::abs(h) <= std::numeric_limits<double>::epsilon() * trial) return x;
     if (h > 0.0) {
       low = x;
     } else {

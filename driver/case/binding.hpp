@@ -73,7 +73,8 @@ class Binder {
 
   /// Reports a key that `allowed` does not have: nearest name, or where in the file it belongs.
   /// \return the allowed key that was probably meant, or nothing
-  std::optional<std::string_view> unknown_key(const Node& key, const Path& path, std::span<const std::string_view> allowed);
+  std::optional<std::string_view> unknown_key(const Node& key, const Path& path,
+                                              std::span<const std::string_view> allowed);
   void missing_key(const Node& map, const Path& path, std::string_view key,
                    std::string_view wanted);
   /// "wanted a number, found a list".
@@ -123,8 +124,8 @@ template <class T>
 struct Codec;
 
 /// A value with its place, for what can only be judged later. A faulty value is kept, so that what
-/// stands beside the fault is judged in the same run: `given` says that the key was written, `sound`
-/// that its value may be used.
+/// stands beside the fault is judged in the same run: `given` says that the key was written,
+/// `sound` that its value may be used.
 template <class T>
 struct At {
   T value{};

@@ -2,7 +2,8 @@
 #include "driver/case/case_codecs.hpp"
 
 #include <algorithm>
-#include <numbers>
+#include <array>
+#include <iterator>
 
 #include "law/connection_type.hpp"
 
@@ -36,6 +37,12 @@ bool has_key(const Node& node, std::string_view key) {
   return node.is_map() && node.find(key).has_value();
 }
 
+/// Whether an unquoted text is meant as a number, sound or not.
+bool looks_like_number(std::string_view text) {
+  const char first = text.empty() ? ' ' : text.front();
+  return first == '-' || first == '+' || first == '.' || (first >= '0' && first <= '9');
+}
+
 }  // namespace
 
 // --- connector.type ---------------------------------------------------------------------------
@@ -48,8 +55,13 @@ bool Codec<TypeNames>::read(Binder& binder, const Node& node, const Path& path, 
     out.names.push_back(std::move(name));
     return true;
   }
-  if (!node.is_sequence() || node.size() < 1 || node.size() > 2) {
+  if (!node.is_sequence()) {
     binder.wrong_kind(node, path, wanted(info));
+    return false;
+  }
+  if (node.size() < 1 || node.size() > 2) {
+    binder.error(node, path,
+                 "wanted " + wanted(info) + ", found a list of " + std::to_string(node.size()));
     return false;
   }
   return Codec<std::vector<At<std::string>>>::read(binder, node, path, info, out.names);
@@ -160,7 +172,9 @@ bool Codec<CoefficientText>::read(Binder& binder, const Node& node, const Path& 
   std::vector<std::string_view> names;
   for_each_named_law([&]<class Law>(std::type_identity<Law>) { names.push_back(Law::kName); });
   if (node.size() != 1) {
-    binder.error(node, path, "wanted one law (" + in_words(names) + ") or a table with 'columns'");
+    binder.error(node, path,
+                 "wanted one law (" + in_words(names) + ") or a table with 'columns', found " +
+                     std::to_string(node.size()) + " keys");
     return false;
   }
   const Entry entry = node.entry(0);
@@ -212,8 +226,7 @@ bool Codec<ContactForceText>::read(Binder& binder, const Node& node, const Path&
     binder.wrong_kind(node, path, wanted(info));
     return false;
   }
-  const char first = node.text().front();
-  if (!node.quoted() && (first == '-' || first == '+' || (first >= '0' && first <= '9'))) {
+  if (Binder::is_expression(node) || (!node.quoted() && looks_like_number(node.text()))) {
     int component = 0;
     const KeyInfo number{.bounds = {.lower = 1, .upper = 6}};
     if (!Codec<int>::read(binder, node, path, number, component)) return false;
@@ -250,7 +263,7 @@ Json Codec<PredefinedText>::schema(const KeyInfo&) {
   return any_of(std::move(alternatives));
 }
 std::string Codec<PredefinedText>::wanted(const KeyInfo&) {
-  return "a map of the connection's geometry; {} takes all defaults";
+  return "a map of the connection's geometry ({} takes all defaults)";
 }
 void Codec<PredefinedText>::rows(const std::string& path, std::vector<KeyRow>& rows) {
   law::for_each_connection_type([&]<class Type>(std::type_identity<Type>) {
@@ -330,35 +343,36 @@ constexpr std::string_view kProfileForms =
 
 bool read_wave(Binder& binder, const Node& node, const Path& path, std::size_t shape,
                ProfileText& out) {
-  if (node.size() != 1) {
-    binder.error(
-        node, path,
-        "a profile has one form, found other keys beside '" + std::string(kWaves[shape]) + "'");
-    return false;
-  }
   WaveText wave;
   const Path below = path / kWaves[shape];
   const Node inner = *node.find(kWaves[shape]);
   if (!read_struct(binder, inner, below, wave)) return false;
   if (wave.frequency.given() == wave.period.given()) {
-    binder.error(inner, below, "a wave needs 'frequency' or 'period', and only one of them");
+    binder.error(inner, below,
+                 wave.period.given() ? "a wave has 'frequency' or 'period', not both"
+                                     : "a wave needs 'frequency' or 'period'");
     return false;
   }
   out.profile = Wave{static_cast<WaveShape>(shape), wave.amplitude,
                      wave.period.given() ? wave.period.value : 1.0 / wave.frequency.value,
                      wave.mean, wave.phase};
+  if (const auto broken = violation(std::get<Wave>(out.profile))) {
+    binder.error(inner, below, *broken);
+    return false;
+  }
   return true;
 }
 
 bool read_tabular(Binder& binder, const Node& node, const Path& path, ProfileText& out) {
   TableText text;
   if (!read_struct(binder, node, path, text)) return false;
-  if (text.columns.size() != 2 || text.columns[1].value != "t") {
-    binder.error(node, path / "columns", "the columns of a profile are [value, t]");
+  if (text.columns.value.size() != 2 || text.columns.value[1].value != "t" ||
+      text.columns.value[0].value == "t") {
+    binder.error(*text.columns.node, text.columns.path, "the columns of a profile are [value, t]");
     return false;
   }
   if (text.extrapolate != law::Extrapolation::kConstant) {
-    binder.error(node, path / "extrapolate",
+    binder.error(*node.find("extrapolate"), path / "extrapolate",
                  "a profile must cover its step; it is not extrapolated");
     return false;
   }
@@ -383,21 +397,20 @@ bool Codec<ProfileText>::read(Binder& binder, const Node& node, const Path& path
                               const KeyInfo& info, ProfileText& out) {
   if (node.is_scalar()) {
     if (Binder::is_expression(node)) {
-      auto compiled = compile_profile(node.text(), binder.parameters());
-      if (!compiled) {
-        binder.expression_error(node, path, compiled.error(), {"t", "T"});
-        return false;
-      }
-      if (compiled->expression.used_variables().empty()) {
-        const auto value = compiled->expression(std::array{0.0, 0.0});
+      // The variables of ExpressionProfile, in its order.
+      const std::vector<std::string> variables{"t", "T"};
+      auto compiled = binder.expression(node, path, variables);
+      if (!compiled) return false;
+      if (compiled->used_variables().empty()) {
+        const auto value = (*compiled)(std::array{0.0, 0.0});
         if (!value) {
-          binder.expression_error(node, path, value.error(), {"t", "T"});
+          binder.expression_error(node, path, value.error(), variables);
           return false;
         }
         out.profile = Constant{*value};
         return true;
       }
-      out.profile = std::move(*compiled);
+      out.profile = ExpressionProfile{std::move(*compiled)};
       return true;
     }
     double value = 0.0;
@@ -407,6 +420,16 @@ bool Codec<ProfileText>::read(Binder& binder, const Node& node, const Path& path
   }
   if (!node.is_map()) {
     binder.wrong_kind(node, path, kProfileForms);
+    return false;
+  }
+  constexpr std::array<std::string_view, 8> kForms{"to",       "smooth_to", "sine",    "triangle",
+                                                   "sawtooth", "square",    "columns", "csv"};
+  std::vector<std::string_view> forms;
+  std::copy_if(kForms.begin(), kForms.end(), std::back_inserter(forms),
+               [&](std::string_view form) { return has_key(node, form); });
+  const bool table_from_csv = forms.size() == 2 && forms[0] == "columns" && forms[1] == "csv";
+  if (forms.size() > 1 && !table_from_csv) {
+    binder.error(node, path, "a profile has one form, found " + in_words(forms, "and"));
     return false;
   }
   if (has_key(node, "to")) {
@@ -422,7 +445,16 @@ bool Codec<ProfileText>::read(Binder& binder, const Node& node, const Path& path
     return true;
   }
   for (std::size_t shape = 0; shape < kWaves.size(); ++shape) {
-    if (has_key(node, kWaves[shape])) return read_wave(binder, node, path, shape, out);
+    if (!has_key(node, kWaves[shape])) continue;
+    bool alone = true;
+    for (const Entry entry : node.entries()) {
+      if (entry.key.text() == kWaves[shape]) continue;
+      binder.error(entry.key, path / entry.key.text(),
+                   "stands beside '" + std::string(kWaves[shape]) + "'",
+                   "what belongs to the wave goes inside its braces");
+      alone = false;
+    }
+    return read_wave(binder, node, path, shape, out) && alone;
   }
   if (has_key(node, "columns")) return read_tabular(binder, node, path, out);
   if (has_key(node, "csv")) {
@@ -436,10 +468,10 @@ bool Codec<ProfileText>::read(Binder& binder, const Node& node, const Path& path
     out.time_unit = std::move(csv.time_unit);
     return true;
   }
-  constexpr std::array<std::string_view, 8> kForms{"to",       "smooth_to", "sine",    "triangle",
-                                                   "sawtooth", "square",    "columns", "csv"};
   if (node.size() > 0) {
-    binder.unknown_key(node.entry(0).key, path / node.entry(0).key.text(), kForms);
+    for (const Entry entry : node.entries()) {
+      binder.unknown_key(entry.key, path / entry.key.text(), kForms);
+    }
   } else {
     binder.error(node, path, "wanted " + std::string(kProfileForms) + ", found an empty map");
   }
@@ -487,6 +519,10 @@ bool Codec<MeasuredColumnText>::read(Binder& binder, const Node& node, const Pat
   if (node.is_scalar()) {
     return Codec<At<std::string>>::read(binder, node, path, info, out.column);
   }
+  if (!node.is_map()) {
+    binder.wrong_kind(node, path, wanted(info));
+    return false;
+  }
   ColumnAndUnit both;
   if (!read_struct(binder, node, path, both)) return false;
   out.column = std::move(both.column);
@@ -506,19 +542,20 @@ void Codec<MeasuredColumnText>::rows(const std::string& path, std::vector<KeyRow
 bool Codec<HistoryText>::read(Binder& binder, const Node& node, const Path& path,
                               const KeyInfo& info, HistoryText& out) {
   if (node.is_map()) {
-    MeasuredText measured;
-    if (!read_struct(binder, node, path, measured)) return false;
-    out.measured = std::move(measured);
-    return true;
+    return read_struct(binder, node, path, out.measured.emplace());
   }
-  if (!node.is_sequence() || node.size() == 0) {
+  if (!node.is_sequence()) {
     binder.wrong_kind(node, path, wanted(info));
     return false;
   }
-  return Codec<std::vector<StepText>>::read(binder, node, path, info, out.steps);
+  if (node.size() == 0) {
+    binder.error(node, path, "needs at least one step");
+    return false;
+  }
+  return Codec<std::vector<At<StepText>>>::read(binder, node, path, info, out.steps);
 }
 Json Codec<HistoryText>::schema(const KeyInfo& info) {
-  Json steps = Codec<std::vector<StepText>>::schema(info);
+  Json steps = Codec<std::vector<At<StepText>>>::schema(info);
   steps["minItems"] = 1;
   return any_of({std::move(steps), struct_schema<MeasuredText>()});
 }

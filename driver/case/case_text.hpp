@@ -518,7 +518,7 @@ struct CaseText {
   UnitsText units;
   NamedMap<ParameterValue> parameters;
   At<ConnectorText> connector;
-  NamedMap<std::vector<At<DerivedTermText>>> derived_components;
+  At<NamedMap<std::vector<At<DerivedTermText>>>> derived_components;
   At<std::vector<At<FrictionText>>> friction;
   IntegrationText integration;
   At<HistoryText> history;

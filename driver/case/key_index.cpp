@@ -30,24 +30,24 @@ std::string places_of_key(std::string_view key) {
 std::optional<LaterKey> later_key(std::string_view key) {
   static constexpr std::array kLater{
       LaterKey{"elasticity",
-            "connector elasticity is not in this version: components are driven by "
-            "their motion, and friction is the only force"},
+               "connector elasticity is not in this version: components are driven by "
+               "their motion, and friction is the only force"},
       LaterKey{"damping",
-            "connector damping is not in this version: components are driven by their "
-            "motion, and friction is the only force"},
+               "connector damping is not in this version: components are driven by their "
+               "motion, and friction is the only force"},
       LaterKey{"change_friction",
-            "a change of friction in a step is not in this version; run two cases"},
+               "a change of friction in a step is not in this version; run two cases"},
       LaterKey{"wrap_angle", "SLIPRING is not in this version"},
       LaterKey{"nodes", "SLIPRING is not in this version"},
       LaterKey{"initial_strain", "SLIPRING is not in this version"},
       LaterKey{"SLIPRING", "SLIPRING is not in this version"},
       LaterKey{"adaptive", "adaptive increments are not in this version; give their number",
-            "increments"},
+               "increments"},
       LaterKey{"exact",
-            "exact integration is not in this version; use backward_euler and small increments"},
+               "exact integration is not in this version; use backward_euler and small increments"},
       LaterKey{"exponential_test_data",
-            "this form of the exponential decay is not in this version; use "
-            "exponential_decay {static, kinetic, decay}"},
+               "this form of the exponential decay is not in this version; use "
+               "exponential_decay {static, kinetic, decay}"},
       LaterKey{"generalized_viscous", "the Radioss laws are not in this version"},
       LaterKey{"modified_darmstad", "the Radioss laws are not in this version"},
       LaterKey{"renard", "the Radioss laws are not in this version"},
@@ -59,8 +59,8 @@ std::optional<LaterKey> later_key(std::string_view key) {
       LaterKey{"dynamics", "dynamics is not in this version"},
       LaterKey{"max", "a potential with operator max is not in this version"},
       LaterKey{"curve",
-            "comparison with a curve is not in this version; use an expression or a closed form",
-            "expression"},
+               "comparison with a curve is not in this version; use an expression or a closed form",
+               "expression"},
       LaterKey{"peak", "this criterion is not in this version; use pointwise"},
       LaterKey{"area", "this criterion is not in this version; use pointwise"},
       LaterKey{"loop_energy", "this criterion is not in this version; use pointwise"},

@@ -129,15 +129,19 @@ Parameters read_parameters(const Node& root, const ReadOptions& options, Diagnos
 }
 
 UnitSystem read_units(Binder& binder, const UnitsText& text) {
-  const auto read = [&](const At<std::string>& unit, const Dimension& dimension) {
-    if (!unit.sound) return std::string();
+  // A stand-in for a faulty unit keeps the conversions to it from looking wrong as well.
+  const auto read = [&](const At<std::string>& unit, const Dimension& dimension,
+                        const std::string& fallback) {
+    if (!unit.given()) return std::string();
+    if (!unit.sound) return fallback;
     if (const auto good = check_base_unit(unit.value, dimension); !good) {
       binder.history_error(*unit.node, unit.path, good.error());
+      return fallback;
     }
     return unit.value;
   };
-  return {read(text.length, kLength), read(text.force, kForce), read(text.time, kTime),
-          read(text.temperature, kTemperature)};
+  return {read(text.length, kLength, "m"), read(text.force, kForce, "N"),
+          read(text.time, kTime, "s"), read(text.temperature, kTemperature, "K")};
 }
 
 }  // namespace
@@ -170,10 +174,12 @@ ReadCase read_case_text(const SourceText& source, const std::string& folder,
   problem.units = read_units(binder, text.units);
   // Faults do not hide one another: each part is judged as far as it was understood.
   resolve_connector(binder, text, problem);
-  const bool columns_known = resolve_friction(binder, text, problem) &&
-                             !is_any_connection(problem.connection);
+  const bool columns_known =
+      resolve_friction(binder, text, problem) && !is_any_connection(problem.connection);
+  const std::size_t errors = binder.errors();
   resolve_history(binder, text, problem);
-  resolve_output_and_checks(binder, text, problem, columns_known);
+  const bool history_known = text.history.sound && binder.errors() == errors;
+  resolve_output_and_checks(binder, text, problem, columns_known, history_known);
   result.environment_failure = binder.environment_failed();
   if (bound && !out.has_errors()) result.value = std::move(problem);
   return result;

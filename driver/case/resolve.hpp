@@ -18,7 +18,9 @@ void resolve_connector(Binder& binder, const CaseText& text, Case& out);
 bool resolve_friction(Binder& binder, const CaseText& text, Case& out);
 void resolve_history(Binder& binder, const CaseText& text, Case& out);
 /// \param columns_known false: names of result columns are not judged
-void resolve_output_and_checks(Binder& binder, const CaseText& text, Case& out, bool columns_known);
+/// \param history_known false: any temperature and field may be driven
+void resolve_output_and_checks(Binder& binder, const CaseText& text, Case& out, bool columns_known,
+                               bool history_known);
 
 /// The hint for a component's name written in the wrong case ("did you mean 'CP1'?"), or
 /// `otherwise`.
@@ -30,8 +32,8 @@ std::string nearest_component(std::string_view name, law::ComponentSet set,
 law::Connection any_connection();
 bool is_any_connection(const law::Connection& connection);
 
-/// "'CP2' cannot be: a CYLINDRICAL connector holds component 2": reports each independent of a table
-/// that is a motion the connection does not have free. `node` is the table's.
+/// "'CP2' cannot be: a CYLINDRICAL connector holds component 2": reports each independent of a
+/// table that is a motion the connection does not have free. `node` is the table's.
 bool independents_available(Binder& binder, const law::Connection& connection,
                             const law::TableFunction& function, const Node& node, const Path& path);
 

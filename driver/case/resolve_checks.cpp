@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "driver/case/case_codecs.hpp"
+#include "driver/case/quantity.hpp"
 #include "driver/case/resolve.hpp"
 #include "driver/results/columns.hpp"
 #include "driver/text/format_number.hpp"
@@ -27,6 +28,7 @@ struct Compiled {
 
 std::optional<Compiled> compile(Binder& binder, const At<std::string>& text,
                                 const std::vector<std::string>& variables) {
+  if (!text.sound) return std::nullopt;
   auto first = binder.expression(*text.node, text.path, variables);
   if (!first) return std::nullopt;
   std::vector<std::string> used(first->used_variables().begin(), first->used_variables().end());
@@ -101,18 +103,15 @@ std::optional<ClosedFormReference> closed_form(Binder& binder, const AgainstText
   if (form == nullptr) {
     std::vector<std::string_view> names;
     for (const auto& known : reference::catalogue()) names.push_back(known.name);
-    std::string hint = "known: " + in_words(names, "and");
-    if (const auto nearest = nearest_name(text.closed_form.value, names)) {
-      hint = "did you mean '" + std::string(*nearest) + "'?";
-    }
     binder.error(*text.closed_form.node, text.closed_form.path,
                  "unknown closed form '" + printable(text.closed_form.value) + "'",
-                 std::move(hint));
+                 nearest_or(text.closed_form.value, names, "known: " + in_words(names, "and")));
     return std::nullopt;
   }
   ClosedFormReference result;
   result.name = std::string(form->name);
-  bool good = true;
+  bool good = !text.with.faulty();
+  std::vector<std::string_view> misspelt;
   const auto known_names = [](const auto& list) {
     std::vector<std::string_view> names;
     for (const auto& item : list) names.push_back(item.name);
@@ -123,24 +122,27 @@ std::optional<ClosedFormReference> closed_form(Binder& binder, const AgainstText
   for (std::size_t i = 0; i < form->parameters.size(); ++i) {
     if (const auto value = form->parameters[i].default_value) result.parameters[i] = {*value};
   }
-  for (const Named<NumberOrList>& given : text.with) {
+  for (const Named<NumberOrList>& given : text.with.value) {
     const auto p =
         std::find_if(form->parameters.begin(), form->parameters.end(),
                      [&](const auto& parameter) { return parameter.name == given.name; });
     if (p == form->parameters.end()) {
-      binder.unknown_key(*given.key, given.path, known_names(form->parameters));
+      const auto meant = binder.unknown_key(*given.key, given.path, known_names(form->parameters));
+      if (meant) misspelt.push_back(*meant);
       good = false;
       continue;
     }
+    if (!given.sound) continue;
     if (p->list != given.value.list) {
-      binder.error(*given.key, given.path,
-                   p->list ? "wanted a list of numbers" : "wanted one number");
+      binder.error(
+          *given.node, given.path,
+          p->list ? "wanted a list of numbers, found a number" : "wanted a number, found a list");
       good = false;
       continue;
     }
     for (const double value : given.value.values) {
       good =
-          binder.in_bounds(value, *given.key, given.path,
+          binder.in_bounds(value, *given.node, given.path,
                            {.lower = p->lower, .upper = p->upper, .lower_open = p->lower_open}) &&
           good;
     }
@@ -148,12 +150,16 @@ std::optional<ClosedFormReference> closed_form(Binder& binder, const AgainstText
   }
   for (std::size_t i = 0; i < form->parameters.size(); ++i) {
     const auto& parameter = form->parameters[i];
-    const bool given = std::any_of(text.with.begin(), text.with.end(),
+    const bool given = std::any_of(text.with.value.begin(), text.with.value.end(),
                                    [&](const auto& w) { return w.name == parameter.name; });
-    if (!given && !parameter.default_value) {
+    if (given || parameter.default_value) continue;
+    good = false;
+    if (std::find(misspelt.begin(), misspelt.end(), parameter.name) != misspelt.end()) continue;
+    if (text.with.given() && text.with.node->is_map()) {
+      binder.missing_key(*text.with.node, text.with.path, parameter.name, parameter.text);
+    } else if (!text.with.given()) {
       binder.missing_key(*text.closed_form.node, text.closed_form.path, parameter.name,
                          "under 'with:': " + std::string(parameter.text));
-      good = false;
     }
   }
 
@@ -168,15 +174,14 @@ std::optional<ClosedFormReference> closed_form(Binder& binder, const AgainstText
         column && std::find(variables.begin(), variables.end(), *column) != variables.end();
     if (known) {
       result.inputs.push_back(*column);
-    } else if (given != nullptr) {
-      const std::vector<std::string_view> names(variables.begin(), variables.end());
-      std::string hint;
-      if (const auto nearest = nearest_name(*column, names)) {
-        hint = "did you mean '" + std::string(*nearest) + "'?";
-      }
-      binder.error(*given->key, given->path, "no result column '" + printable(*column) + "'",
-                   std::move(hint));
+    } else if (binder.unknown_names_excused()) {
       good = false;
+    } else if (given != nullptr) {
+      good = false;
+      if (!given->sound) continue;
+      const std::vector<std::string_view> names(variables.begin(), variables.end());
+      binder.error(*given->node, given->path, "no result column '" + printable(*column) + "'",
+                   nearest_or(*column, names, "known: " + in_words(names, "and")));
     } else if (component_of_force(signal.name) || signal.name == "beta") {
       // A plane SLOT has no f3, a straight joint no angle: the closed form then sees 0.
       result.inputs.emplace_back();
@@ -196,12 +201,14 @@ std::optional<ClosedFormReference> closed_form(Binder& binder, const AgainstText
   }
 
   result.output = output_of(*form, quantity, problem);
-  if (text.output.given()) {
+  if (text.output.faulty()) good = false;
+  if (text.output.sound) {
     const auto names = known_names(form->outputs);
     const auto found = std::find(names.begin(), names.end(), text.output.value);
     if (found == names.end()) {
       binder.error(*text.output.node, text.output.path,
-                   "wanted " + in_words(names) + ", found '" + printable(text.output.value) + "'");
+                   "wanted " + in_words(names) + ", found '" + printable(text.output.value) + "'",
+                   nearest_or(text.output.value, names, ""));
       good = false;
     } else {
       result.output = static_cast<int>(found - names.begin());
@@ -217,51 +224,83 @@ std::optional<ClosedFormReference> closed_form(Binder& binder, const AgainstText
   return result;
 }
 
+std::optional<double> number(const At<double>& at) {
+  return at.sound ? std::optional(at.value) : std::nullopt;
+}
+
+/// The names of the steps, as far as the history was understood.
+struct StepNames {
+  std::vector<std::string_view> names;
+  bool known = true;
+};
+
+StepNames step_names(const CaseText& text) {
+  const HistoryText& history = text.history.value;
+  StepNames result;
+  result.known = text.history.sound || !history.steps.empty();
+  for (const At<StepText>& step : history.steps) {
+    if (step.value.step.sound) result.names.push_back(step.value.step.value);
+    result.known = result.known && step.value.step.sound;
+  }
+  return result;
+}
+
 void read_check(Binder& binder, const At<CheckText>& at, const std::vector<std::string>& variables,
-                Case& out) {
+                const StepNames& steps, Case& out) {
   const CheckText& text = at.value;
-  bool good = true;
+  bool good = at.sound;
   auto quantity = compile(binder, text.quantity, variables);
+  if (quantity && quantity->variables.empty()) {
+    binder.error(*text.quantity.node, text.quantity.path,
+                 "names nothing of the result: this check would compare two constants");
+    good = false;
+  }
   const AgainstText& against = text.against.value;
   std::optional<std::variant<ExpressionReference, ClosedFormReference>> reference;
-  if (against.expression.given() == against.closed_form.given()) {
-    binder.error(*text.against.node, text.against.path,
-                 "needs 'expression' or 'closed_form', and only one of them");
+  if (!text.against.given() || !text.against.node->is_map()) {
+    good = false;
+  } else if (against.expression.given() == against.closed_form.given()) {
+    good = false;
+    if (against.expression.given()) {
+      binder.error(*text.against.node, text.against.path,
+                   "has 'expression' and 'closed_form', a check takes one of them");
+    } else if (!has_unknown_key<AgainstText>(*text.against.node)) {
+      binder.error(*text.against.node, text.against.path, "needs 'expression' or 'closed_form'");
+    }
   } else if (against.expression.given()) {
     if (auto compiled = compile(binder, against.expression, variables)) {
       reference = ExpressionReference{std::move(compiled->expression), compiled->variables};
     }
+  } else if (!against.closed_form.sound) {
+    good = false;
   } else if (auto form = closed_form(binder, against, text.quantity.value, out, variables)) {
     reference = std::move(*form);
   }
   if (against.expression.given() &&
-      (!against.with.empty() || !against.inputs.empty() || against.output.given())) {
+      (against.with.given() || !against.inputs.empty() || against.output.given())) {
     binder.error(*text.against.node, text.against.path,
                  "'with', 'inputs' and 'output' belong to a closed form");
   }
-  if (!text.tolerance.value.absolute && !text.tolerance.value.relative) {
+  const ToleranceText& tolerance = text.tolerance.value;
+  if (text.tolerance.given() && text.tolerance.node->is_map() && !tolerance.absolute.given() &&
+      !tolerance.relative.given() && !has_unknown_key<ToleranceText>(*text.tolerance.node)) {
     binder.error(*text.tolerance.node, text.tolerance.path,
                  "needs 'absolute' or 'relative', or both (the larger counts)");
     good = false;
   }
-  if (text.step.given()) {
-    const auto same = [&](const Step& step) { return step.name == text.step.value; };
-    if (std::none_of(out.steps.begin(), out.steps.end(), same)) {
-      std::vector<std::string_view> names;
-      for (const Step& step : out.steps) names.push_back(step.name);
-      std::string hint =
-          names.empty() ? "a measured history has no steps" : "steps: " + in_words(names, "and");
-      if (const auto nearest = nearest_name(text.step.value, names)) {
-        hint = "did you mean '" + std::string(*nearest) + "'?";
-      }
-      binder.error(*text.step.node, text.step.path, "no step '" + printable(text.step.value) + "'",
-                   std::move(hint));
-      good = false;
-    }
+  if (text.step.sound && steps.known &&
+      std::find(steps.names.begin(), steps.names.end(), text.step.value) == steps.names.end()) {
+    binder.error(*text.step.node, text.step.path, "no step '" + printable(text.step.value) + "'",
+                 nearest_or(text.step.value, steps.names,
+                            steps.names.empty() ? "a measured history has no steps"
+                                                : "steps: " + in_words(steps.names, "and")));
+    good = false;
   }
   const OverText& over = text.over.value;
-  if (over.from && over.to && !(*over.from <= *over.to)) {
-    binder.error(*text.over.node, text.over.path, "'from' must not be after 'to'");
+  if (over.from.sound && over.to.sound && !(over.from.value <= over.to.value)) {
+    binder.error(*text.over.node, text.over.path,
+                 "'from' must not be after 'to', found " + format_number(over.from.value) +
+                     " and " + format_number(over.to.value));
     good = false;
   }
   if (!good || !quantity || !reference) return;
@@ -271,35 +310,66 @@ void read_check(Binder& binder, const At<CheckText>& at, const std::vector<std::
               .variables = std::move(quantity->variables),
               .against = std::move(*reference),
               .step = text.step.given() ? std::optional(text.step.value) : std::nullopt,
-              .from = over.from,
-              .to = over.to,
-              .tolerance = {text.tolerance.value.absolute, text.tolerance.value.relative,
-                            text.tolerance.value.why},
+              .from = number(over.from),
+              .to = number(over.to),
+              .tolerance = {number(tolerance.absolute), number(tolerance.relative), tolerance.why},
               .where = at.node->where()};
   out.checks.push_back(std::move(check));
 }
 
 }  // namespace
 
-void resolve_output_and_checks(Binder& binder, const CaseText& text, Case& out) {
+void resolve_output_and_checks(Binder& binder, const CaseText& text, Case& out, bool columns_known,
+                               bool history_known) {
   out.output_every = text.output.every;
-  const std::vector<std::string> variables = check_variables(out);
+  const bool excused = binder.unknown_names_excused();
+  binder.excuse_unknown_names(excused || !columns_known);
+  std::vector<std::string> variables = check_variables(out);
   const auto all = result_columns(out);
   std::vector<std::string_view> columns;
   for (const Column& column : all) columns.push_back(column.name);
-  for (const At<std::string>& column : text.output.columns.value) {
-    if (std::find(columns.begin(), columns.end(), column.value) == columns.end()) {
-      std::string hint = "known: " + in_words(columns, "and");
-      if (const auto nearest = nearest_name(column.value, columns)) {
-        hint = "did you mean '" + std::string(*nearest) + "'?";
-      }
-      binder.error(*column.node, column.path, "no result column '" + printable(column.value) + "'",
-                   std::move(hint));
-    } else {
+  // What is driven has a column; a faulty history may have been meant to drive anything.
+  std::vector<std::string> driven;
+  for (int q = kTemperatureQuantity; !history_known && q < kQuantities; ++q) {
+    driven.push_back(quantity_name(q));
+  }
+  for (const std::string& name : driven) {
+    if (std::find(variables.begin(), variables.end(), name) == variables.end()) {
+      variables.push_back(name);
+    }
+    columns.push_back(name);
+  }
+  const std::vector<At<std::string>>& chosen = text.output.columns.value;
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    const At<std::string>& column = chosen[i];
+    if (!column.sound) continue;
+    const bool twice = std::any_of(chosen.begin(), chosen.begin() + static_cast<std::ptrdiff_t>(i),
+                                   [&](const auto& c) { return c.value == column.value; });
+    if (twice) {
+      binder.error(*column.node, column.path,
+                   "the column '" + printable(column.value) + "' stands twice");
+    } else if (std::find(columns.begin(), columns.end(), column.value) != columns.end()) {
       out.output_columns.push_back(column.value);
+    } else if (!binder.unknown_names_excused()) {
+      binder.error(*column.node, column.path, "no result column '" + printable(column.value) + "'",
+                   nearest_or(column.value, columns, "known: " + in_words(columns, "and")));
     }
   }
-  for (const At<CheckText>& check : text.checks) read_check(binder, check, variables, out);
+  const StepNames steps = step_names(text);
+  const std::vector<At<CheckText>>& checks = text.checks.value;
+  for (std::size_t i = 0; i < checks.size(); ++i) {
+    const At<std::string>& name = checks[i].value.name;
+    for (std::size_t j = 0; j < i && name.sound; ++j) {
+      if (checks[j].value.name.sound && checks[j].value.name.value == name.value) {
+        binder.error(*name.node, name.path,
+                     "the name '" + printable(name.value) + "' is already that of checks[" +
+                         std::to_string(j) + "]");
+        break;
+      }
+    }
+    read_check(binder, checks[i], variables, steps, out);
+  }
+  binder.excuse_unknown_names(excused);
 }
 
 }  // namespace slipbench::driver

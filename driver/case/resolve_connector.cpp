@@ -101,8 +101,7 @@ std::string nearest_component(std::string_view name, law::ComponentSet set,
   };
   for (int c = 0; c < law::kComponents; ++c) {
     const std::string known = name_of_component(c);
-    if (set.contains(c) &&
-        std::equal(known.begin(), known.end(), name.begin(), name.end(), same)) {
+    if (set.contains(c) && std::equal(known.begin(), known.end(), name.begin(), name.end(), same)) {
       return "did you mean '" + known + "'?";
     }
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "driver/case/case_codecs.hpp"
 #include "driver/case/resolve.hpp"
@@ -20,24 +22,27 @@ bool usable_force(Binder& binder, const law::Connection& connection, int compone
   const std::string number = std::to_string(component + 1);
   const std::string what = connection.info.available.contains(component)
                                ? "component " + number + " of " + connector_words(connection) +
-                                     " is free: a contact force comes from the constraint forces"
-                               : connector_words(connection) + " has no component " + number;
+                                     " is free: a contact force comes from its constraint forces"
+                               : connector_words(connection) + " has no component " + number +
+                                     ": a contact force comes from its constraint forces";
   binder.error(at, path, what + " (" + force_names(connection.info.held) + ")");
   return false;
 }
 
 std::optional<law::DerivedTerm> derived_term(Binder& binder, const law::Connection& connection,
-                                             const DerivedTermText& text, const Path& path) {
+                                             const At<DerivedTermText>& at) {
+  const DerivedTermText& text = at.value;
   law::DerivedTerm term;
   term.combine = text.combine.value;
-  bool good = true;
+  bool good = at.sound;
   if (text.sign.value == 0) {
-    binder.error(*text.sign.node, text.sign.path, "the sign of a term is 1 or -1");
+    binder.error(*text.sign.node, text.sign.path, "the sign of a term is 1 or -1, found 0");
     good = false;
   }
   term.sign = text.sign.value;
   ComponentSet seen;
-  for (const At<int>& component : text.components) {
+  for (const At<int>& component : text.components.value) {
+    if (!component.sound) continue;
     const int c = component.value - 1;
     if (seen.contains(c)) {
       binder.error(*component.node, component.path,
@@ -51,13 +56,18 @@ std::optional<law::DerivedTerm> derived_term(Binder& binder, const law::Connecti
     term.weight[static_cast<std::size_t>(term.count)] = 1.0;
     ++term.count;
   }
-  if (term.count == 0) good = false;
-  if (text.weights.given()) {
+  const std::size_t count = text.components.value.size();
+  if (text.components.sound && count == 0) {
+    binder.error(*text.components.node, text.components.path,
+                 "a term needs at least one component");
+    good = false;
+  }
+  if (text.weights.sound && text.components.given() && count > 0) {
     if (const auto* numbers = std::get_if<std::vector<double>>(&text.weights.value)) {
-      if (static_cast<int>(numbers->size()) != static_cast<int>(text.components.size())) {
+      if (numbers->size() != count) {
         binder.error(*text.weights.node, text.weights.path,
-                     "wanted one weight for each of the " + std::to_string(text.components.size()) +
-                         " components, found " + std::to_string(numbers->size()));
+                     "wanted one weight for each component (" + std::to_string(count) +
+                         "), found " + std::to_string(numbers->size()));
         good = false;
       } else if (good) {
         std::copy(numbers->begin(), numbers->end(), term.weight.begin());
@@ -65,29 +75,44 @@ std::optional<law::DerivedTerm> derived_term(Binder& binder, const law::Connecti
     } else {
       auto weights =
           table_function(binder, std::get<TableText>(text.weights.value), *text.weights.node,
-                         text.weights.path, kWeightTable, static_cast<int>(text.components.size()));
-      if (!weights) return std::nullopt;
+                         text.weights.path, kWeightTable, static_cast<int>(count));
+      if (!weights || !independents_available(binder, connection, *weights, *text.weights.node,
+                                              text.weights.path)) {
+        return std::nullopt;
+      }
       term.weight_table = std::move(*weights);
     }
   }
   if (!good) return std::nullopt;
-  static_cast<void>(path);
   return term;
+}
+
+/// A name that looks like a number or an expression is read as one.
+bool can_be_referred_to(std::string_view name) {
+  return !name.empty() &&
+         std::string_view("+-.0123456789= ").find(name.front()) == std::string_view::npos;
 }
 
 struct DerivedComponents {
   std::vector<std::pair<std::string, law::DerivedComponent>> sound;
   std::vector<std::string> names;  ///< of all, so that a faulty one is not reported as unknown
+  bool readable = true;            ///< false: not even the names are known
 };
 
 DerivedComponents derived_components(Binder& binder, const CaseText& text, const Case& problem) {
   DerivedComponents result;
-  for (const auto& named : text.derived_components) {
+  result.readable = !text.derived_components.given() || text.derived_components.node->is_map();
+  for (const auto& named : text.derived_components.value) {
     result.names.push_back(named.name);
+    if (!can_be_referred_to(named.name)) {
+      binder.error(*named.key, named.path,
+                   "a derived component cannot have the name '" + printable(named.name) +
+                       "': 'contact_force:' reads it as a number");
+    }
     law::DerivedComponent component;
     bool norms = false, sums = false, negative = false, others = false;
     for (std::size_t i = 0; i < named.value.size(); ++i) {
-      auto term = derived_term(binder, problem.connection, named.value[i], named.path / i);
+      auto term = derived_term(binder, problem.connection, named.value[i]);
       if (!term) continue;
       norms = norms || term->combine == law::TermOperator::kNorm;
       sums = sums || term->combine == law::TermOperator::kSum;
@@ -103,7 +128,7 @@ DerivedComponents derived_components(Binder& binder, const CaseText& text, const
     if (norms && !others && negative) {
       binder.error(*named.key, named.path, "a contact force of norms only needs sign 1 throughout");
     }
-    if (named.value.empty()) {
+    if (named.sound && named.value.empty()) {
       binder.error(*named.key, named.path, "a derived component needs at least one term");
     }
     if (component.size() == named.value.size() && !component.empty()) {
@@ -116,6 +141,11 @@ DerivedComponents derived_components(Binder& binder, const CaseText& text, const
 law::StickStiffness stick_stiffness(Binder& binder, const FrictionText& text, const Node& friction,
                                     const Path& path, const Case& problem) {
   const StickText& stick = text.stick.value;
+  using Mode = law::StickStiffness::Mode;
+  const bool misspelt =
+      has_unknown_key<FrictionText>(friction) || (text.stick.given() && text.stick.node->is_map() &&
+                                                  has_unknown_key<StickText>(*text.stick.node));
+  if (text.stick.faulty() || misspelt) return {Mode::kElasticSlip, kDefaultSlipTolerance};
   const int ways = (stick.slip_tolerance.given() || stick.characteristic_length.given() ? 1 : 0) +
                    (stick.elastic_slip.given() ? 1 : 0) + (stick.stiffness.given() ? 1 : 0);
   if (ways > 1) {
@@ -123,7 +153,6 @@ law::StickStiffness stick_stiffness(Binder& binder, const FrictionText& text, co
                  "give one of {slip_tolerance, characteristic_length}, {elastic_slip} and "
                  "{stiffness}");
   }
-  using Mode = law::StickStiffness::Mode;
   if (stick.stiffness.given()) return {Mode::kStiffness, stick.stiffness.value};
   if (stick.elastic_slip.given()) return {Mode::kElasticSlip, stick.elastic_slip.value};
   const double tolerance =
@@ -139,12 +168,20 @@ law::StickStiffness stick_stiffness(Binder& binder, const FrictionText& text, co
                     " (1 rad in rotation) used for the stick stiffness: elastic slip " +
                     format_number(tolerance));
   }
-  return {Mode::kElasticSlip, tolerance * length};
+  const double elastic_slip = tolerance * length;
+  if (!(elastic_slip >= std::numeric_limits<double>::min()) || !std::isfinite(elastic_slip)) {
+    binder.error(*text.stick.node, text.stick.path,
+                 "slip_tolerance * characteristic_length = " + format_number(tolerance) + " * " +
+                     format_number(length) + " is no elastic slip a double can hold");
+  }
+  return {Mode::kElasticSlip, elastic_slip};
 }
 
 std::optional<law::FrictionLaw> coefficient(Binder& binder, const FrictionText& text,
                                             const Node& friction, const Path& path) {
+  if (text.coefficient.faulty()) return std::nullopt;
   if (!text.coefficient.given()) {
+    if (has_unknown_key<FrictionText>(friction)) return std::nullopt;
     binder.warning(friction, path, "no coefficient: this definition has no effect");
     return law::FrictionLaw(law::ConstantCoefficient{0.0});
   }
@@ -187,19 +224,26 @@ class Resolver {
     const FrictionText& text = friction.value;
     const Node& node = *friction.node;
     const Path& path = friction.path;
+    if (!node.is_map()) {
+      outlines_known_ = false;
+      return {};
+    }
     const int forms = (text.predefined.given() ? 1 : 0) + (text.component.given() ? 1 : 0) +
                       (text.potential.given() ? 1 : 0);
     if (forms != 1) {
-      binder_.error(node, path,
-                    std::string(forms == 0 ? "needs" : "takes only") +
-                        " one of 'predefined', 'component' and 'potential'");
+      outlines_known_ = false;
+      if (forms > 1 || !has_unknown_key<FrictionText>(node)) {
+        binder_.error(node, path,
+                      std::string(forms == 0 ? "needs" : "takes only") +
+                          " one of 'predefined', 'component' and 'potential'");
+      }
     }
     law::FrictionDefinition shared;
     if (auto law = coefficient(binder_, text, node, path)) shared.law = std::move(*law);
     shared.stick = stick_stiffness(binder_, text, node, path, out_);
     shared.accumulated_slip = text_.integration.accumulated_slip;
     shared.slip_rate = text_.integration.slip_rate;
-    if (text.force_limit.given() && text.force_limit.value > 0.0) {
+    if (text.force_limit.sound && text.force_limit.value > 0.0) {
       shared.force_limit = text.force_limit.value;
       if (std::holds_alternative<law::ExponentialDecay>(shared.law)) {
         binder_.error(*text.force_limit.node, text.force_limit.path,
@@ -215,12 +259,19 @@ class Resolver {
       shared.slip = potential(text.potential.value, outline);
       user_defined(friction, shared, true);
     } else if (text.component.given()) {
-      shared.slip = law::slip_space({text.component.value});
-      outline.components.insert(text.component.value - 1);
+      if (text.component.sound) {
+        shared.slip = law::slip_space({text.component.value});
+        outline.components.insert(text.component.value - 1);
+      } else {
+        outlines_known_ = false;
+      }
       user_defined(friction, shared, false);
     }
     return outline;
   }
+
+  /// Whether it is known which components slip.
+  [[nodiscard]] bool outlines_known() const { return outlines_known_; }
 
  private:
   void predefined(const At<FrictionText>& friction, const law::FrictionDefinition& shared,
@@ -236,6 +287,11 @@ class Resolver {
                       "force goes inside 'predefined:'");
       }
     }
+    // Without its type, nothing is known of the connection's predefined friction.
+    if (!text.predefined.sound || is_any_connection(out_.connection)) {
+      outlines_known_ = false;
+      return;
+    }
     const Node& map = *text.predefined.value.node;
     bool found = false;
     if (out_.connection.type) {
@@ -244,7 +300,11 @@ class Resolver {
             if constexpr (law::HasPredefinedFriction<Type>) {
               found = true;
               Type geometry = type;
-              if (!read_struct(binder_, map, text.predefined.path, geometry)) return;
+              if (!read_struct(binder_, map, text.predefined.path, geometry) ||
+                  !tables_available(map, text.predefined.path, geometry)) {
+                outlines_known_ = false;
+                return;
+              }
               note_dropped_terms(map, text.predefined.path, geometry);
               for (law::PredefinedFriction& check : geometry.predefined()) {
                 law::FrictionDefinition d = shared;
@@ -266,6 +326,7 @@ class Resolver {
           *out_.connection.type);
     }
     if (!found) {
+      outlines_known_ = false;
       std::vector<std::string_view> with;
       law::for_each_connection_type([&]<class Type>(std::type_identity<Type>) {
         if constexpr (law::HasPredefinedFriction<Type>) with.push_back(Type::kInfo.name);
@@ -275,6 +336,24 @@ class Resolver {
           connector_words(out_.connection) + " has no predefined friction",
           "those that have: " + in_words(with, "and") + "; here give 'component' or 'potential'");
     }
+  }
+
+  /// The tables of predefined friction depend on motions the connection has.
+  template <class Type>
+  bool tables_available(const Node& map, const Path& path, const Type& geometry) {
+    bool good = true;
+    for_each_key<Type>([&](std::string_view key, auto member, const KeyInfo&) {
+      using Member = std::remove_cvref_t<decltype(geometry.*member)>;
+      if constexpr (std::is_same_v<Member, law::InternalContactForce>) {
+        const auto* function = std::get_if<law::TableFunction>(&(geometry.*member));
+        const auto value = map.find(key);
+        if (function != nullptr && value) {
+          good = independents_available(binder_, out_.connection, *function, *value, path / key) &&
+                 good;
+        }
+      }
+    });
+    return good;
   }
 
   /// A zero length silently drops its term of the contact force: worth a note if it was written.
@@ -293,11 +372,15 @@ class Resolver {
   law::SlipSpace potential(const PotentialText& text, law::FrictionOutline& outline) {
     law::SlipSpace space;
     space.dimension = 0;
-    if (text.terms.value.empty()) {
+    if (text.terms.sound && text.terms.value.empty()) {
+      outlines_known_ = false;
       binder_.error(*text.terms.node, text.terms.path, "a potential needs at least one term");
-      space.dimension = 1;
     }
     for (const PotentialTermText& term : text.terms.value) {
+      if (!term.component.sound) {
+        outlines_known_ = false;
+        continue;
+      }
       const int c = term.component.value - 1;
       if (outline.components.contains(c)) {
         binder_.error(*term.component.node, term.component.path,
@@ -307,94 +390,120 @@ class Resolver {
       outline.components.insert(c);
       const auto i = static_cast<std::size_t>(space.dimension++);
       space.component[i] = c;
-      space.scale[i] = term.scale;
+      space.scale[i] = term.scale.value;
     }
+    if (!text.terms.given()) outlines_known_ = false;
+    if (space.dimension == 0) space.dimension = 1;
     return space;
   }
 
   void user_defined(const At<FrictionText>& friction, law::FrictionDefinition d, bool coupled) {
     const FrictionText& text = friction.value;
-    bool good = true;
-    if (!text.contact_force.given() && !text.internal_contact_force.given()) {
+    if (!text.contact_force.given() && !text.internal_contact_force.given() &&
+        !has_unknown_key<FrictionText>(*friction.node)) {
       binder_.error(*friction.node, friction.path,
                     "neither 'contact_force' nor 'internal_contact_force': nothing presses");
-      good = false;
     }
-    if (text.contact_force.given()) good = contact_force(text.contact_force, d) && good;
-    if (text.internal_contact_force.given()) {
+    if (text.contact_force.sound) contact_force(text.contact_force, d);
+    if (text.internal_contact_force.sound) {
       if (const auto* t = std::get_if<TableText>(&text.internal_contact_force.value)) {
         auto function = table_function(binder_, *t, *text.internal_contact_force.node,
                                        text.internal_contact_force.path, kInternalForceTable);
-        if (function) {
+        if (function && independents_available(binder_, out_.connection, *function,
+                                               *text.internal_contact_force.node,
+                                               text.internal_contact_force.path)) {
           d.internal_contact_force = std::move(*function);
           check_snap_back(binder_, d, *text.internal_contact_force.node,
                           text.internal_contact_force.path);
-        } else {
-          good = false;
         }
       } else {
         d.internal_contact_force = std::get<double>(text.internal_contact_force.value);
       }
     }
-    static_cast<void>(good);
     out_.definitions.push_back({text.name.value, coupled, std::move(d)});
   }
 
-  bool contact_force(const At<ContactForceText>& contact, law::FrictionDefinition& d) {
+  void contact_force(const At<ContactForceText>& contact, law::FrictionDefinition& d) {
     if (const int* number = std::get_if<int>(&contact.value.value)) {
       d.contact_force = law::ComponentContactForce{*number - 1};
-      return usable_force(binder_, out_.connection, *number - 1, *contact.node, contact.path);
+      usable_force(binder_, out_.connection, *number - 1, *contact.node, contact.path);
+      return;
     }
     const auto& name = std::get<std::string>(contact.value.value);
     for (const auto& [known, component] : derived_.sound) {
       if (known == name) {
         d.contact_force = component;
-        return true;
+        return;
       }
     }
-    if (std::find(derived_.names.begin(), derived_.names.end(), name) != derived_.names.end()) {
-      return false;  // its own fault is reported where it stands
+    // The fault of a faulty one is reported where it stands, and so are faulty names.
+    if (std::find(derived_.names.begin(), derived_.names.end(), name) != derived_.names.end() ||
+        !derived_.readable) {
+      return;
     }
     const std::vector<std::string_view> names(derived_.names.begin(), derived_.names.end());
-    std::string hint = names.empty() ? "define it under 'derived_components:'"
-                                     : "known: " + in_words(names, "and");
-    if (const auto nearest = nearest_name(name, names)) {
-      hint = "did you mean '" + std::string(*nearest) + "'?";
-    }
     binder_.error(*contact.node, contact.path,
-                  "unknown derived component '" + printable(name) + "'", std::move(hint));
-    return false;
+                  "unknown derived component '" + printable(name) + "'",
+                  nearest_or(name, names,
+                             names.empty() ? "define it under 'derived_components:'"
+                                           : "known: " + in_words(names, "and")));
   }
 
   Binder& binder_;
   const CaseText& text_;
   Case& out_;
   DerivedComponents derived_;
+  bool outlines_known_ = true;
 };
 
 /// Definitions need different names, and names that can stand in a column.
-void name_definitions(Binder& binder, const CaseText& text, Case& out) {
-  for (std::size_t i = 0; i < text.friction.value.size(); ++i) {
-    const At<std::string>& name = text.friction.value[i].value.name;
-    if (!name.given()) continue;
+/// \return whether they have
+bool name_definitions(Binder& binder, const CaseText& text, Case& out) {
+  const std::vector<At<FrictionText>>& all = text.friction.value;
+  const auto automatic = [](std::size_t i) { return "friction" + std::to_string(i + 1); };
+  bool good = true;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const At<std::string>& name = all[i].value.name;
+    if (name.faulty()) good = false;
+    if (!name.sound) continue;
     if (!is_identifier(name.value)) {
       binder.error(*name.node, name.path,
                    "a name is a letter, then letters, digits and '_', found '" +
                        printable(name.value) + "'");
+      good = false;
     }
-    for (std::size_t j = 0; j < i; ++j) {
-      if (text.friction.value[j].value.name.value == name.value) {
-        binder.error(
-            *name.node, name.path,
-            "the name '" + name.value + "' is already that of friction[" + std::to_string(j) + "]");
-      }
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      const At<std::string>& other = all[j].value.name;
+      const bool same =
+          other.given() ? j < i && other.value == name.value : j != i && automatic(j) == name.value;
+      if (!same) continue;
+      binder.error(*name.node, name.path,
+                   "the name '" + printable(name.value) + "' is already that of friction[" +
+                       std::to_string(j) + "]");
+      good = false;
+      break;
     }
   }
   for (std::size_t i = 0; i < out.definitions.size(); ++i) {
-    if (out.definitions[i].name.empty()) {
-      out.definitions[i].name = "friction" + std::to_string(i + 1);
-    }
+    if (out.definitions[i].name.empty()) out.definitions[i].name = automatic(i);
   }
+  return good;
+}
+
+/// Where a definition says that it slips in `component` (index 0..5), or that it slips at all.
+std::pair<Node, Path> place_of(const At<FrictionText>& friction, int component) {
+  const FrictionText& text = friction.value;
+  if (text.component.given()) return {*text.component.node, text.component.path};
+  if (text.potential.given()) {
+    for (const PotentialTermText& term : text.potential.value.terms.value) {
+      if (term.component.sound && term.component.value == component + 1) {
+        return {*term.component.node, term.component.path};
+      }
+    }
+    return {*text.potential.node, text.potential.path};
+  }
+  if (text.predefined.given()) return {*text.predefined.node, text.predefined.path};
+  return {*friction.node, friction.path};
 }
 
 void report(Binder& binder, const CaseText& text, const Case& problem,
@@ -404,11 +513,7 @@ void report(Binder& binder, const CaseText& text, const Case& problem,
       text.friction.value[static_cast<std::size_t>(violation.definition)];
   const auto name = [](int i) { return "friction[" + std::to_string(i) + "]"; };
   const std::string component = "component " + std::to_string(violation.component + 1);
-  const FrictionText& f = friction.value;
-  const Node& node = f.component.given()    ? *f.component.node
-                     : f.potential.given()  ? *f.potential.node
-                     : f.predefined.given() ? *f.predefined.node
-                                            : *friction.node;
+  const auto [node, path] = place_of(friction, violation.component);
   switch (violation.rule) {
     case Rule::kNotAvailable: {
       const law::ConnectionInfo& info = problem.connection.info;
@@ -416,7 +521,7 @@ void report(Binder& binder, const CaseText& text, const Case& problem,
       for (int c = 0; c < law::kComponents; ++c) {
         if (info.available.contains(c)) list += (list.empty() ? "" : ", ") + std::to_string(c + 1);
       }
-      binder.error(node, friction.path,
+      binder.error(node, path,
                    connector_words(problem.connection) +
                        (info.held.contains(violation.component) ? " holds " : " has no ") +
                        component + ": friction acts in free components only" +
@@ -424,17 +529,17 @@ void report(Binder& binder, const CaseText& text, const Case& problem,
       break;
     }
     case Rule::kSharedComponent:
-      binder.error(node, friction.path,
+      binder.error(node, path,
                    component + " already slips in " + name(violation.other) +
                        ": a free component has one definition at most");
       break;
     case Rule::kTwoPotentials:
       binder.error(
-          node, friction.path,
+          node, path,
           "a connector has one potential at most, the other is in " + name(violation.other));
       break;
     case Rule::kPredefinedNotAlone:
-      binder.error(node, friction.path,
+      binder.error(node, path,
                    "predefined friction must be the only definition, there is also " +
                        name(violation.other));
       break;
@@ -443,21 +548,38 @@ void report(Binder& binder, const CaseText& text, const Case& problem,
 
 }  // namespace
 
-void resolve_friction(Binder& binder, const CaseText& text, Case& out) {
-  if (text.friction.value.empty()) {
+bool resolve_friction(Binder& binder, const CaseText& text, Case& out) {
+  if (text.friction.sound && text.friction.value.empty()) {
     binder.error(*text.friction.node, text.friction.path, "needs at least one definition");
-    return;
   }
+  if (text.friction.value.empty()) return false;
   Resolver resolver(binder, text, out);
   std::vector<law::FrictionOutline> outlines;
   for (const At<FrictionText>& friction : text.friction.value) {
     outlines.push_back(resolver.add(friction));
   }
-  for (const law::FrictionRuleViolation& violation :
-       law::check_rules(out.connection.info, outlines)) {
-    report(binder, text, out, violation);
+  bool good = resolver.outlines_known();
+  using Rule = law::FrictionRuleViolation::Rule;
+  const auto violations = law::check_rules(out.connection.info, outlines);
+  for (const law::FrictionRuleViolation& violation : violations) {
+    good = false;
+    // One fault is one error: of two predefined definitions the second is too many, and that two
+    // potentials share components, or two definitions one that is not free, follows from those.
+    const auto says_it_all = [&](const law::FrictionRuleViolation& other) {
+      return other.definition == violation.definition &&
+             ((other.rule == Rule::kTwoPotentials && other.other == violation.other) ||
+              (other.rule == Rule::kNotAvailable && other.component == violation.component));
+    };
+    const bool consequence =
+        violation.rule == Rule::kPredefinedNotAlone
+            ? violation.other > violation.definition &&
+                  outlines[static_cast<std::size_t>(violation.other)].form ==
+                      law::FrictionForm::kPredefined
+            : violation.rule == Rule::kSharedComponent &&
+                  std::any_of(violations.begin(), violations.end(), says_it_all);
+    if (!consequence) report(binder, text, out, violation);
   }
-  name_definitions(binder, text, out);
+  return name_definitions(binder, text, out) && good;
 }
 
 }  // namespace slipbench::driver

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "driver/case/quantity.hpp"
@@ -24,6 +25,17 @@ std::string held_message(const law::Connection& connection, int component) {
          " (its constraint " + (law::is_rotation(component) ? "moment " : "force ") +
          force_name(component) + " goes under 'force:'); free are " +
          motion_names(connection.info.available);
+}
+
+std::string nearest_quantity(std::string_view name, const law::ConnectionInfo& info, bool motion,
+                             bool force, bool others, std::string otherwise) {
+  if (force) otherwise = nearest_component(name, info.held, force_name, std::move(otherwise));
+  if (motion) {
+    otherwise = nearest_component(name, info.available, motion_name, std::move(otherwise));
+  }
+  return others ? nearest_or(name, std::array<std::string_view, 2>{"temperature", "field1"},
+                             std::move(otherwise))
+                : otherwise;
 }
 
 /// The quantity a name under motion, force, fields or the columns of a measured history means.
@@ -76,13 +88,15 @@ std::optional<int> quantity_of(Binder& binder, const Case& problem, const std::s
     known += (known.empty() ? "field1 .. field" : ", temperature, field1 .. field") +
              std::to_string(law::kMaxFields);
   }
-  binder.error(key, path, "unknown quantity '" + printable(name) + "'", "known here: " + known);
+  binder.error(key, path, "unknown quantity '" + printable(name) + "'",
+               nearest_quantity(name, info, motion, force, others, "known here: " + known));
   return std::nullopt;
 }
 
 std::optional<UnitConversion> conversion(Binder& binder, const At<std::string>& unit,
                                          const Dimension& dimension, const UnitSystem& system) {
   if (!unit.given()) return UnitConversion{};
+  if (!unit.sound) return std::nullopt;
   auto found = conversion_to_case(unit.value, dimension, system);
   if (!found) {
     binder.history_error(*unit.node, unit.path, found.error());
@@ -92,8 +106,11 @@ std::optional<UnitConversion> conversion(Binder& binder, const At<std::string>& 
 }
 
 /// Finishes a profile now that it is known what it drives, and tries its data out.
+///
+/// \param start of the step; the current value is not known before the run
 std::optional<Profile> finish(Binder& binder, const Case& problem, const ProfileText& text,
-                              const Node& node, const Path& path, int quantity, double duration) {
+                              const Node& node, const Path& path, int quantity,
+                              const StepStart& start) {
   Profile profile = text.profile;
   if (std::holds_alternative<Constant>(profile) && quantity < kFirstForce) {
     binder.error(node, path, "a motion needs a profile, found a number",
@@ -101,11 +118,12 @@ std::optional<Profile> finish(Binder& binder, const Case& problem, const Profile
                      "} goes there linearly over the step");
     return std::nullopt;
   }
-  if (const auto* points = std::get_if<Tabular>(&profile); points && !covers(*points, duration)) {
+  if (const auto* points = std::get_if<Tabular>(&profile);
+      points && !covers(*points, start.duration)) {
     binder.error(node, path,
                  "the table covers t = " + format_number(points->times.front()) + " .. " +
                      format_number(points->times.back()) + ", the step asks for 0 .. " +
-                     format_number(duration));
+                     format_number(start.duration));
     return std::nullopt;
   }
   if (auto* csv = std::get_if<CsvColumn>(&profile)) {
@@ -114,37 +132,44 @@ std::optional<Profile> finish(Binder& binder, const Case& problem, const Profile
     if (!value || !time) return std::nullopt;
     csv->value_conversion = *value;
     csv->time_conversion = *time;
-    if (auto cursor = ProfileCursor::open(profile); !cursor) {
-      binder.history_error(node, path, cursor.error());
-      return std::nullopt;
-    }
+  }
+  auto cursor = ProfileCursor::open(profile);
+  const auto begun = cursor ? cursor->begin(start) : tl::unexpected(cursor.error());
+  if (!begun) {
+    const bool file = text.csv.given();
+    binder.history_error(file ? *text.csv.node : node, file ? text.csv.path : path, begun.error());
+    return std::nullopt;
   }
   return profile;
 }
 
-void read_step(Binder& binder, const StepText& text, Case& out, const Node& /*history*/) {
+/// \param start total time at the step's start
+void read_step(Binder& binder, const StepText& text, Case& out, double start) {
   Step step;
   step.name = text.step.value;
-  step.duration = text.duration;
+  step.duration = text.duration.value;
   step.increments = text.increments;
   step.repeat = text.repeat;
+  // A table may well cover the duration that was meant.
+  const bool judge = !text.duration.faulty();
   const auto add = [&](std::optional<int> quantity, const ProfileText& profile, const Node& node,
-                       const Path& path) {
-    if (!quantity) return;
-    auto finished = finish(binder, out, profile, node, path, *quantity, step.duration);
+                       const Path& path, bool sound) {
+    if (!quantity || !sound || !judge) return;
+    auto finished = finish(binder, out, profile, node, path, *quantity,
+                           {.duration = step.duration, .current_value = 0.0, .total_time = start});
     if (finished) step.drives.push_back({*quantity, std::move(*finished)});
   };
   for (const auto& entry : text.motion) {
     add(quantity_of(binder, out, entry.name, *entry.key, entry.path, true, false, false),
-        entry.value, *entry.key, entry.path);
+        entry.value, *entry.node, entry.path, entry.sound);
   }
   for (const auto& entry : text.force) {
     add(quantity_of(binder, out, entry.name, *entry.key, entry.path, false, true, false),
-        entry.value, *entry.key, entry.path);
+        entry.value, *entry.node, entry.path, entry.sound);
   }
   if (text.temperature.given()) {
-    add(kTemperatureQuantity, text.temperature.value, *text.temperature.node,
-        text.temperature.path);
+    add(kTemperatureQuantity, text.temperature.value, *text.temperature.node, text.temperature.path,
+        text.temperature.sound);
   }
   for (const auto& entry : text.fields) {
     const auto field = field_of(entry.name);
@@ -153,7 +178,7 @@ void read_step(Binder& binder, const StepText& text, Case& out, const Node& /*hi
                    "fields are field1 .. field" + std::to_string(law::kMaxFields));
       continue;
     }
-    add(kFirstField + *field, entry.value, *entry.key, entry.path);
+    add(kFirstField + *field, entry.value, *entry.node, entry.path, entry.sound);
   }
   out.steps.push_back(std::move(step));
 }
@@ -166,18 +191,23 @@ bool names_component(const NamedMap<double>& positions, int component) {
 void read_measured(Binder& binder, const MeasuredText& text, const ConnectorText& connector,
                    Case& out) {
   MeasuredSource source;
-  const auto file = binder.data_file(*text.csv.node, text.csv.path, text.csv.value);
+  const auto file = text.csv.sound ? binder.data_file(*text.csv.node, text.csv.path, text.csv.value)
+                                   : std::nullopt;
   const auto time = conversion(binder, text.time_unit, kTime, out.units);
-  bool good = file.has_value() && time.has_value();
+  bool good = file.has_value() && time.has_value() && text.time.sound && text.columns.sound;
+  if (text.columns.sound && text.columns.value.empty()) {
+    binder.error(*text.columns.node, text.columns.path, "needs at least one column to drive");
+    good = false;
+  }
   if (file) source.file = *file;
   if (time) source.time_conversion = *time;
   source.shown_name = text.csv.value;
   source.time_column = text.time.value;
   source.hold = text.hold;
-  for (const auto& entry : text.columns) {
+  for (const auto& entry : text.columns.value) {
     const auto quantity =
         quantity_of(binder, out, entry.name, *entry.key, entry.path, true, true, true);
-    if (!quantity) {
+    if (!quantity || !entry.sound) {
       good = false;
       continue;
     }
@@ -216,17 +246,23 @@ void resolve_history(Binder& binder, const CaseText& text, Case& out) {
     read_measured(binder, *history.measured, text.connector.value, out);
     return;
   }
+  double start = 0.0;
   for (std::size_t i = 0; i < history.steps.size(); ++i) {
-    const StepText& step = history.steps[i];
-    for (std::size_t j = 0; j < i; ++j) {
-      if (history.steps[j].step.value == step.step.value) {
+    const StepText& step = history.steps[i].value;
+    if (step.step.sound && step.step.value.empty()) {
+      binder.error(*step.step.node, step.step.path, "the name of a step must not be empty");
+    }
+    for (std::size_t j = 0; j < i && step.step.sound; ++j) {
+      const At<std::string>& other = history.steps[j].value.step;
+      if (other.sound && other.value == step.step.value) {
         binder.error(*step.step.node, step.step.path,
-                     "the name '" + step.step.value + "' is already that of history[" +
+                     "the name '" + printable(step.step.value) + "' is already that of history[" +
                          std::to_string(j) + "]");
         break;
       }
     }
-    read_step(binder, step, out, *text.history.node);
+    read_step(binder, step, out, start);
+    start += step.repeat * step.duration.value;
   }
 }
 

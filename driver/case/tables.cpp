@@ -135,9 +135,9 @@ std::optional<law::Table> table(Binder& binder, const TableText& text, const Nod
     for (int c = 0; not_negative && c < dependents; ++c) {
       const double value = values[static_cast<std::size_t>(c)];
       if (value < 0.0) {
-        rows->error(binder, row, c,
-                    column(c) + " must be at least 0, " + rows->name(row) + " has " +
-                        format_number(value));
+        rows->error(
+            binder, row, c,
+            column(c) + " must be at least 0, " + rows->name(row) + " has " + format_number(value));
         good = false;
       }
     }
@@ -174,9 +174,8 @@ std::optional<law::Table> table(Binder& binder, const TableText& text, const Nod
       break;
     }
     case Kind::kRepeatedPoint:
-      rows->error(
-          binder, error.row, -1,
-          rows->name(error.row) + " repeats the point of " + rows->name(error.other_row));
+      rows->error(binder, error.row, -1,
+                  rows->name(error.row) + " repeats the point of " + rows->name(error.other_row));
       break;
     case Kind::kOneRowLinear:
       rows->error(binder, error.row, -1,

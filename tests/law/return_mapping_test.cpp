@@ -708,6 +708,20 @@ TEST_CASE("a limit on its cap at rest may leave the cap within the increment") {
   }
 }
 
+TEST_CASE("on the cap the first root is taken though the coefficient falls further on") {
+  // Trial force 22 on a cap of 18: the first root is 4/1000, where mu F_N is still 18.6; another
+  // one lies near 19/1000, where only 3.1 are left.
+  FrictionDefinition definition = slider(0.0, 100.0, fixed_stiffness(kStiffness));
+  definition.law = ExponentialDecay{0.3, 0.0, 0.12};
+  definition.force_limit = 18.0;
+  FrictionRun run(definition);
+  run.duration = 1e-3;
+  run.move_to(1, 0.022);
+  CHECK(run.state.accumulated_slip == exactly(0.004));
+  CHECK(run.friction(1) == exactly(18.0));
+  CHECK(run.last.tangent.radial == 0.0);
+}
+
 TEST_CASE("the rate may be that of the relative motion, known beforehand") {
   for (const StickStiffness stick : {fixed_stiffness(kStiffness), allowable_slip(0.03)}) {
     FrictionDefinition definition = falling();

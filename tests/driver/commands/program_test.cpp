@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program as its users meet it: what is typed, what is written, how it ends.
+#include <signal.h>
+#include <stdio.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <thread>
+
+#include "tests/driver/history/temporary_folder.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kProgram = SLIPBENCH_BINARY_DIR "/slipbench";
+
+constexpr const char* kSlider = R"(slipbench: 1
+title: Slider
+units: {length: mm, force: N, time: s}
+parameters: {mu: 0.2}
+connector: {type: SLOT}
+friction:
+  - predefined: {}
+    coefficient: = mu
+    stick: {stiffness: 1000}
+history:
+  - {step: slide, duration: 1, increments: 10, motion: {CP1: {to: 0.1}}, force: {f2: 100}}
+checks:
+  - name: force
+    quantity: CSF1
+    against: {closed_form: coulomb_slider, with: {mu: 0.2, normal_force: 100, stick_stiffness: 1000}, inputs: {motion: CU1}, output: force}
+    tolerance: {relative: 1.0e-12, why: rounding}
+)";
+
+struct Ended {
+  int code = -1;
+  std::string output;  ///< of both streams
+};
+
+/// Runs a shell command line in `folder`.
+Ended shell(const TemporaryFolder& folder, const std::string& line) {
+  Ended ended;
+  const std::string command = "cd '" + folder.path().string() + "' && { " + line + "; } 2>&1";
+  FILE* pipe = popen(command.c_str(), "r");
+  REQUIRE(pipe != nullptr);
+  std::array<char, 4096> piece{};
+  for (std::size_t n = 0; (n = fread(piece.data(), 1, piece.size(), pipe)) > 0;) {
+    ended.output.append(piece.data(), n);
+  }
+  const int status = pclose(pipe);
+  ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return ended;
+}
+
+Ended slipbench(const TemporaryFolder& folder, const std::string& arguments) {
+  return shell(folder, "'" + kProgram + "' " + arguments);
+}
+
+std::string read(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+std::size_t file_count(const fs::path& folder) {
+  return static_cast<std::size_t>(
+      std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST_CASE("run writes three files and tells what happened") {
+  const TemporaryFolder folder;
+  folder.write("slider.yaml", kSlider);
+  const Ended ended = slipbench(folder, "run slider.yaml");
+  INFO(ended.output);
+  CHECK(ended.code == 0);
+  CHECK(contains(ended.output, "slider: 10 increments, "));
+  CHECK(contains(ended.output, "first slip at t = 0.3 s (CP1 = 0.03 mm) at 20.0 N"));
+  CHECK(contains(ended.output, "  PASS  check 'force': worst "));
+  CHECK(contains(ended.output, "  slider.csv  slider.events.csv  slider.json\n"));
+  CHECK(file_count(folder.path()) == 4);
+  const std::string rows = read(folder.path() / "slider.csv");
+  CHECK(contains(rows, "\n1,0.1,0.1,0.1,"));
+  CHECK(contains(read(folder.path() / "slider.json"), "\"stick_slip_events\": 1,"));
+
+  slipbench(folder, "run slider.yaml");
+  CHECK(read(folder.path() / "slider.csv") == rows);
+}
+
+TEST_CASE("a parameter can be set, and a failed check is exit code 1") {
+  const TemporaryFolder folder;
+  folder.write("slider.yaml", kSlider);
+  const Ended ended = slipbench(folder, "run slider.yaml --set mu=0.25 --no-output");
+  INFO(ended.output);
+  CHECK(ended.code == 1);
+  CHECK(contains(ended.output, "FAIL  check 'force': CSF1 off by 5 N (limit 2e-11) at t = 0.3"));
+  CHECK(file_count(folder.path()) == 1);
+}
+
+TEST_CASE("--every keeps the first and the last row") {
+  const TemporaryFolder folder;
+  folder.write("slider.yaml", kSlider);
+  CHECK(slipbench(folder, "run slider.yaml --every 4").code == 0);
+  std::string rows = read(folder.path() / "slider.csv");
+  rows.erase(0, rows.find("\nt,"));
+  CHECK(std::count(rows.begin(), rows.end(), '\n') == 6);
+  CHECK(contains(rows, "\n0.8,"));
+  CHECK(contains(rows, "\n1,"));
+}
+
+TEST_CASE("bad input is exit code 2 and nothing is run") {
+  const TemporaryFolder folder;
+  std::string text = kSlider;
+  text.replace(text.find("coefficient"), 11, "coeficient_");
+  folder.write("slider.yaml", kSlider);
+  folder.write("bad.yaml", text);
+  const Ended ended = slipbench(folder, "run slider.yaml bad.yaml");
+  INFO(ended.output);
+  CHECK(ended.code == 2);
+  CHECK(contains(ended.output, "bad.yaml:8:5: error: "));
+  CHECK(contains(ended.output, "nothing was run"));
+  CHECK(file_count(folder.path()) == 2);
+}
+
+TEST_CASE("a wrong command line is exit code 2, help and version are 0") {
+  const TemporaryFolder folder;
+  CHECK(slipbench(folder, "").code == 2);
+  CHECK(slipbench(folder, "run").code == 2);
+  CHECK(slipbench(folder, "run x.yaml --evry 3").code == 2);
+  CHECK(slipbench(folder, "run x.yaml --every 0").code == 2);
+  CHECK(slipbench(folder, "run x.yaml --set mu").code == 2);
+  const Ended unknown = slipbench(folder, "chek");
+  CHECK(unknown.code == 2);
+  CHECK(unknown.output == "slipbench: error: unknown command 'chek'; did you mean 'check'?\n");
+  CHECK(slipbench(folder, "--version").output.find("slipbench ") == 0);
+  CHECK(slipbench(folder, "--help").code == 0);
+  CHECK(contains(slipbench(folder, "run --help").output, "--set"));
+}
+
+TEST_CASE("what the machine refuses is exit code 4") {
+  const TemporaryFolder folder;
+  folder.write("slider.yaml", kSlider);
+  CHECK(slipbench(folder, "run missing.yaml").code == 4);
+  CHECK(slipbench(folder, "run slider.yaml -o missing").code == 4);
+  CHECK(slipbench(folder, "run slider.yaml -o slider.yaml").code == 4);
+  CHECK(slipbench(folder, "check slider.yaml >/dev/full").code == 4);
+  CHECK(slipbench(folder, "check slider.yaml >&-").code == 4);
+  CHECK(slipbench(folder, "plot slider.yaml -o missing/a.svg").code == 4);
+  CHECK(shell(folder, "PATH=/nowhere '" + kProgram + "' plot slider.yaml -o a.svg").code == 4);
+  CHECK(file_count(folder.path()) == 1);
+  CHECK(read(folder.path() / "slider.yaml") == kSlider);
+}
+
+TEST_CASE("a numerical failure is exit code 3, names the place and leaves no result") {
+  const TemporaryFolder folder;
+  std::string text = kSlider;
+  text.replace(text.find("f2: 100"), 7, "f2: {to: 1.0e300}, f3: 0");
+  folder.write("slider.yaml", text);
+  const Ended ended = slipbench(folder, "run slider.yaml");
+  INFO(ended.output);
+  CHECK(ended.code == 3);
+  CHECK(contains(ended.output, "slider.yaml: numerical failure: step 'slide', t = 0.1"));
+  CHECK(file_count(folder.path()) == 1);
+}
+
+TEST_CASE("check searches folders, skips bad ones, and does not depend on the threads") {
+  const TemporaryFolder folder;
+  for (const char* sub : {"a", "b", "bad"}) fs::create_directory(folder.path() / sub);
+  folder.write("a/two.yaml", kSlider);
+  folder.write("a/one.yaml", kSlider);
+  folder.write("bad/never.yaml", "no case\n");
+  std::string text = kSlider;
+  folder.write("b/unchecked.yaml", text.substr(0, text.find("checks:")));
+  const Ended one = slipbench(folder, "check . -j 1");
+  INFO(one.output);
+  CHECK(one.code == 0);
+  const auto lines = [](const std::string& table) {
+    return table.substr(table.find('\n'), table.rfind("passed") - table.find('\n'));
+  };
+  CHECK(lines(one.output).find("\n  PASS  a/one         ") == 0);
+  CHECK(contains(one.output, "  ----  b/unchecked   no checks\n"));
+  CHECK(contains(one.output, "2 cases passed, 0 failed, 1 without checks"));
+  CHECK(lines(slipbench(folder, "check . -j 4").output) == lines(one.output));
+
+  CHECK(slipbench(folder, "check . --set mu=0.3").code == 1);
+  folder.write("b/broken.yaml", "slipbench: 1\n");
+  CHECK(slipbench(folder, "check .").code == 2);
+  fs::create_directory(folder.path() / "empty");
+  CHECK(slipbench(folder, "check empty").code == 2);
+}
+
+TEST_CASE("plot draws a case and a result") {
+  const TemporaryFolder folder;
+  if (shell(folder, "command -v gnuplot").code != 0) {
+    WARN("gnuplot is not installed; nothing was drawn");
+    return;
+  }
+  folder.write("slider.yaml", kSlider);
+  const Ended ended = slipbench(folder, "plot slider.yaml");
+  INFO(ended.output);
+  CHECK(ended.code == 0);
+  const std::string picture = read(folder.path() / "slider.svg");
+  CHECK(contains(picture, "Slider"));
+  CHECK(contains(picture, "time t [s]"));
+  CHECK(contains(picture, "friction force CSF1 [N]"));
+  CHECK(contains(picture, "position CP1 [mm]"));
+  CHECK(contains(picture, "slip"));
+  CHECK(file_count(folder.path()) == 2);
+  REQUIRE(slipbench(folder, "run slider.yaml").code == 0);
+  CHECK(slipbench(folder, "plot slider.csv -o result.svg").code == 0);
+  CHECK(contains(read(folder.path() / "result.svg"), "Slider"));
+  CHECK(slipbench(folder, "plot slider.csv -o result.jpg").code == 2);
+  CHECK(slipbench(folder, "plot slider.csv -o slider.csv").code == 2);
+}
+
+/// Starts a run of many seconds, sends it a signal once its files are there, and says how it ended.
+int interrupted(const TemporaryFolder& folder, int signal_number) {
+  std::string text = kSlider;
+  text.replace(text.find("increments: 10"), 14, "increments: 100000000");
+  folder.write("long.yaml", text);
+  const pid_t child = fork();
+  if (child == 0) {
+    if (chdir(folder.path().c_str()) == 0) {
+      execl(kProgram.c_str(), "slipbench", "run", "long.yaml", static_cast<char*>(nullptr));
+    }
+    _exit(127);
+  }
+  // The case and three temporary files.
+  for (int i = 0; i < 500 && file_count(folder.path()) < 4; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  CHECK(file_count(folder.path()) == 4);
+  kill(child, signal_number);
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST_CASE("an interrupted run ends with its code and leaves nothing behind") {
+  const TemporaryFolder folder;
+  CHECK(interrupted(folder, SIGINT) == 130);
+  CHECK(file_count(folder.path()) == 1);
+  CHECK(interrupted(folder, SIGTERM) == 143);
+  CHECK(file_count(folder.path()) == 1);
+}
+
+}  // namespace
+}  // namespace slipbench::driver

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <sys/stat.h>
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "driver/results/csv_writer.hpp"
+#include "driver/results/output_file.hpp"
+#include "tests/driver/history/temporary_folder.hpp"
+#include "tests/driver/simulation/example_cases.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+std::size_t file_count(const TemporaryFolder& folder) {
+  return static_cast<std::size_t>(
+      std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()));
+}
+
+void complete(OutputFile& file) {
+  OutputFile* const files[] = {&file};
+  REQUIRE(commit(files));
+}
+
+std::string fault_of(const fs::path& target, const std::vector<std::string>& inputs = {}) {
+  const auto file = OutputFile::create(target, inputs);
+  return file ? "" : file.error();
+}
+
+TEST_CASE("a file has its name only once it is complete") {
+  const TemporaryFolder folder;
+  const fs::path target = folder.path() / "a.csv";
+  {
+    auto file = OutputFile::create(target);
+    REQUIRE(file);
+    file->append("text\n");
+    CHECK_FALSE(fs::exists(target));
+    complete(*file);
+    CHECK(read(target) == "text\n");
+  }
+  CHECK(file_count(folder) == 1);
+}
+
+TEST_CASE("a file that is dropped leaves nothing, and what was there stays") {
+  const TemporaryFolder folder;
+  const fs::path target = folder.write("a.csv", "before");
+  {
+    auto file = OutputFile::create(target);
+    REQUIRE(file);
+    file->append(std::string(1 << 20, 'x'));
+  }
+  CHECK(read(target) == "before");
+  CHECK(file_count(folder) == 1);
+}
+
+TEST_CASE("two programs may write the same file at once: the last one to end counts, whole") {
+  const TemporaryFolder folder;
+  const fs::path target = folder.path() / "a.csv";
+  auto first = OutputFile::create(target);
+  auto second = OutputFile::create(target);
+  REQUIRE(first);
+  REQUIRE(second);
+  first->append("first");
+  second->append("second");
+  complete(*second);
+  complete(*first);
+  CHECK(read(target) == "first");
+}
+
+TEST_CASE("a new file is as readable as any other") {
+  const TemporaryFolder folder;
+  const mode_t before = umask(022);
+  auto file = OutputFile::create(folder.path() / "a.csv");
+  umask(before);
+  REQUIRE(file);
+  complete(*file);
+  CHECK(fs::status(folder.path() / "a.csv").permissions() == fs::perms(0644));
+}
+
+TEST_CASE("what cannot be a result file is refused before anything is written") {
+  const TemporaryFolder folder;
+  const std::string base = folder.path().string();
+  folder.write("plain", "");
+  fs::create_directory(folder.path() / "d.csv");
+  fs::create_symlink("/dev/full", folder.path() / "full.csv");
+  CHECK(fault_of(folder.path() / "no" / "a.csv") ==
+        base + "/no/a.csv: the folder " + base + "/no does not exist");
+  CHECK(fault_of(folder.path() / "plain" / "a.csv") ==
+        base + "/plain/a.csv: " + base + "/plain is not a folder");
+  CHECK(fault_of(folder.path() / "d.csv") == base + "/d.csv: is a folder");
+  CHECK(fault_of(folder.path() / "full.csv") == base + "/full.csv: is no regular file");
+  CHECK(file_count(folder) == 3);
+}
+
+TEST_CASE("an input is never overwritten, whatever it is called") {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("rig.csv", "data").string();
+  fs::create_hard_link(input, folder.path() / "same.csv");
+  CHECK_FALSE(fault_of(folder.path() / "rig.csv", {input}).empty());
+  CHECK_FALSE(fault_of(folder.path() / "same.csv", {input}).empty());
+  CHECK(fault_of(folder.path() / "other.csv", {input}).empty());
+  CHECK(read(input) == "data");
+}
+
+std::string written_rows(const Case& problem, const fs::path& target) {
+  auto file = OutputFile::create(target);
+  REQUIRE(file);
+  CsvWriter writer(problem, output_columns(problem), *file);
+  for (const Row& row : rows_of(problem)) writer.write(row);
+  complete(*file);
+  return read(target);
+}
+
+TEST_CASE("rows are written with their origin, a header and the shortest numbers") {
+  const TemporaryFolder folder;
+  Case problem = slider_case({step("slide", 2, 0, LinearTo{0.1})});
+  problem.output_columns = {"CP1", "CSF1", "STATUS"};
+  const std::string text = written_rows(problem, folder.path() / "a.csv");
+  const std::string start = text.substr(0, text.find('\n'));
+  CHECK(start.starts_with("# slipbench "));
+  CHECK(text.substr(start.size()) ==
+        "\n# case: slider.yaml\n# title: Slider\n# units: length mm, force N, time s\n"
+        "# parameters: mu = 0.2\n# friction: sleeve = CSF1\n"
+        "# columns: t [s], CP1 [mm], CSF1 [N], STATUS []\n"
+        "t,CP1,CSF1,STATUS\n0,0,0,1\n0.5,0.05,20,2\n1,0.1,20,2\n");
+}
+
+TEST_CASE("the same case gives the same bytes") {
+  const TemporaryFolder folder;
+  const Case problem =
+      slider_case({step("cycle", 50, 0, Wave{WaveShape::kSine, 0.1, 1.0, 0.0, 0.3})});
+  CHECK(written_rows(problem, folder.path() / "a.csv") ==
+        written_rows(problem, folder.path() / "b.csv"));
+}
+
+TEST_CASE("events are the changes of regime, the first slip included") {
+  const TemporaryFolder folder;
+  const Case problem =
+      slider_case({step("out", 4, 0, LinearTo{0.1}), step("back", 8, 0, LinearTo{-0.1})});
+  auto file = OutputFile::create(folder.path() / "a.csv");
+  REQUIRE(file);
+  EventWriter writer(problem, *file);
+  for (const Row& row : rows_of(problem)) writer.write(row);
+  complete(*file);
+  std::string text = read(folder.path() / "a.csv");
+  text.erase(0, text.find("\nt,") + 1);
+  // Out: 0.025 mm is past the elastic slip. Back: 0.025 mm unload 25 N, the next 25 N reach -20 N.
+  CHECK(text.find("t,definition,from,to,force,limit,accumulated_slip,CP1\n"
+                  "0.25,sleeve,stick,slip,20,20,0.00500000") == 0);
+  std::size_t lines = 0;
+  for (const char c : text) lines += c == '\n' ? 1 : 0;
+  CHECK(lines == 4);
+  CHECK(text.find("1.125,sleeve,slip,stick,-5") != std::string::npos);
+  CHECK(text.find("1.25,sleeve,stick,slip,-20,20,") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace slipbench::driver

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/results/plot_data.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "tests/driver/history/temporary_folder.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+constexpr const char* kHead =
+    "# slipbench 0\n# title: Two, of them\n"
+    "# friction: sliding = CSFC(CSF2 CSF3), spinning = CSM1\n"
+    "# columns: t [s], CP2 [mm], CSF2 [N], CSFC [N], STATUS.sliding [], FLIM.sliding [N]\n"
+    "t,CP2,CSF2,CSFC,STATUS.sliding,FLIM.sliding\n";
+
+TEST_CASE("a result says itself what is to be drawn") {
+  const TemporaryFolder folder;
+  const auto file = folder.write("a.csv", std::string(kHead) + "0,0,0,0,1,5\n1,1,5,5,2,5\n");
+  const auto data = read_plot_data(file, "a.csv");
+  REQUIRE(data);
+  CHECK(data->title == "Two, of them");
+  // CSF3 and all of 'spinning' are not in the file.
+  REQUIRE(data->definitions.size() == 1);
+  const PlotDefinition& sliding = data->definitions[0];
+  CHECK(sliding.several);
+  REQUIRE(sliding.components.size() == 1);
+  CHECK(data->columns[static_cast<std::size_t>(sliding.components[0])].name == "CSF2");
+  CHECK(data->columns[static_cast<std::size_t>(sliding.positions[0])].unit == "mm");
+  CHECK(data->columns[static_cast<std::size_t>(sliding.limit)].name == "FLIM.sliding");
+  REQUIRE(sliding.spans.size() == 1);
+  CHECK(sliding.spans[0].from == 0.0);
+  CHECK(sliding.spans[0].to == 1.0);
+  CHECK(sliding.spans[0].status == 2);
+}
+
+TEST_CASE("a long result is thinned but keeps its ends and extremes") {
+  const TemporaryFolder folder;
+  std::string text = kHead;
+  for (int i = 0; i <= 20000; ++i) {
+    const int force = i == 12345 ? 99 : i % 7;
+    const int status = i > 5000 && i % 2 == 0 ? 2 : 1;
+    text +=
+        std::to_string(i) + ",0," + std::to_string(force) + ",0," + std::to_string(status) + ",5\n";
+  }
+  const auto data = read_plot_data(folder.write("a.csv", text), "a.csv", 100);
+  REQUIRE(data);
+  // At most the first, the last and two extremes of each of the five columns in every piece.
+  CHECK(data->row_count() < 101 * 12);
+  CHECK(data->rows.front() == 0.0);
+  CHECK(data->rows[data->rows.size() - data->columns.size()] == 20000.0);
+  CHECK(std::find(data->rows.begin(), data->rows.end(), 99.0) != data->rows.end());
+  CHECK(data->highest[1] == 99.0);
+  // Slip and stick that alternate faster than the picture resolves are one span.
+  CHECK(data->definitions[0].spans.size() == 1);
+}
+
+TEST_CASE("a file without friction is refused") {
+  const TemporaryFolder folder;
+  const auto data = read_plot_data(folder.write("a.csv", "t,x\n0,1\n1,2\n"), "a.csv");
+  REQUIRE_FALSE(data);
+  CHECK(data.error().kind == HistoryError::Kind::kInput);
+}
+
+}  // namespace
+}  // namespace slipbench::driver
