@@ -60,8 +60,11 @@ std::optional<std::string_view> Binder::unknown_key(const Node& key, const Path&
     return later->in_place_of;
   }
   std::string hint;
-  const auto nearest = nearest_name(key.text(), allowed);
-  if (nearest) {
+  const std::string quantity = place_of_quantity(key.text());
+  const auto nearest = quantity.empty() ? nearest_name(key.text(), allowed) : std::nullopt;
+  if (!quantity.empty()) {
+    hint = in_quotes(key.text()) + " belongs to " + quantity;
+  } else if (nearest) {
     hint = "did you mean " + in_quotes(*nearest) + "?";
   } else if (const auto places = places_of_key(key.text()); !places.empty()) {
     hint = in_quotes(key.text()) + " belongs to " + places;

@@ -207,6 +207,18 @@ bool has_unknown_key(const Node& node) {
   return false;
 }
 
+/// Whether a map lacks `key` because it is misspelt.
+template <class T>
+bool is_misspelt(const Node& node, std::string_view key) {
+  if (!node.is_map() || node.find(key)) return false;
+  const std::vector<std::string_view> allowed = keys_of<T>();
+  for (const Entry entry : node.entries()) {
+    if (std::find(allowed.begin(), allowed.end(), entry.key.text()) != allowed.end()) continue;
+    if (nearest_name(entry.key.text(), allowed) == key) return true;
+  }
+  return false;
+}
+
 /// Reads the keys of a map into a struct; all errors are reported.
 template <class T>
 bool read_struct(Binder& binder, const Node& node, const Path& path, T& out) {

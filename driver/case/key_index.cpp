@@ -6,8 +6,16 @@
 #include <vector>
 
 #include "driver/case/case_reference.hpp"
+#include "driver/case/quantity.hpp"
 
 namespace slipbench::driver {
+
+std::string place_of_quantity(std::string_view key) {
+  if (component_of_motion(key)) return "history[].motion";
+  if (component_of_force(key)) return "history[].force";
+  if (field_of(key)) return "history[].fields";
+  return "";
+}
 
 std::string places_of_key(std::string_view key) {
   std::vector<std::string> places;
@@ -18,6 +26,12 @@ std::string places_of_key(std::string_view key) {
                                       : std::string_view(row.path).substr(dot + 1);
     if (last != key) continue;
     std::string place = dot == std::string::npos ? "the top level" : row.path.substr(0, dot);
+    // The rows of all profiles stand under the temperature.
+    constexpr std::string_view kProfile = "history[].temperature";
+    if (place.starts_with(kProfile)) {
+      place = place == kProfile ? "a profile"
+                                : "a profile's" + (" " + place.substr(kProfile.size() + 1));
+    }
     if (std::find(places.begin(), places.end(), place) == places.end()) {
       places.push_back(std::move(place));
     }

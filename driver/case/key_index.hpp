@@ -10,6 +10,9 @@ namespace slipbench::driver {
 /// Where in a case file a key is known: "connector", "history[] or friction[]"; empty if nowhere.
 std::string places_of_key(std::string_view key);
 
+/// Where CP1, f1, field1 and the like are prescribed; empty for other keys.
+std::string place_of_quantity(std::string_view key);
+
 /// A key or word that the case format names but this version does not have.
 struct LaterKey {
   std::string_view name;

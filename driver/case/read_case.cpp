@@ -161,7 +161,7 @@ ReadCase read_case_text(const SourceText& source, const std::string& folder,
   Binder binder(out, parameters.values, parameters.unresolved, folder, options.allow_outside);
   // Without parameters, every name in an expression would be unknown.
   const auto map = root.find("parameters");
-  binder.excuse_unknown_names(map && !map->is_map());
+  binder.excuse_unknown_names((map && !map->is_map()) || is_misspelt<CaseText>(root, "parameters"));
 
   CaseText text;
   const bool bound = read_struct(binder, root, Path(), text);
@@ -174,8 +174,9 @@ ReadCase read_case_text(const SourceText& source, const std::string& folder,
   problem.units = read_units(binder, text.units);
   // Faults do not hide one another: each part is judged as far as it was understood.
   resolve_connector(binder, text, problem);
-  const bool columns_known =
-      resolve_friction(binder, text, problem) && !is_any_connection(problem.connection);
+  const bool derived_known = !is_misspelt<CaseText>(root, "derived_components");
+  const bool columns_known = resolve_friction(binder, text, derived_known, problem) &&
+                             !is_any_connection(problem.connection);
   const std::size_t errors = binder.errors();
   resolve_history(binder, text, problem);
   const bool history_known = text.history.sound && binder.errors() == errors;

@@ -14,8 +14,9 @@ namespace slipbench::driver {
 /// are reported to the binder; the result is only complete if it reported none. What the text lacks
 /// because it was faulty is not reported again.
 void resolve_connector(Binder& binder, const CaseText& text, Case& out);
+/// \param derived_known false: derived components may be missing
 /// \return whether it is known which components slip, and so which result columns there are
-bool resolve_friction(Binder& binder, const CaseText& text, Case& out);
+bool resolve_friction(Binder& binder, const CaseText& text, bool derived_known, Case& out);
 void resolve_history(Binder& binder, const CaseText& text, Case& out);
 /// \param columns_known false: names of result columns are not judged
 /// \param history_known false: any temperature and field may be driven

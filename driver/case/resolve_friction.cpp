@@ -217,8 +217,10 @@ void check_snap_back(Binder& binder, const law::FrictionDefinition& d, const Nod
 /// One entry of `friction:` with what its definitions share.
 class Resolver {
  public:
-  Resolver(Binder& binder, const CaseText& text, Case& out)
-      : binder_(binder), text_(text), out_(out), derived_(derived_components(binder, text, out)) {}
+  Resolver(Binder& binder, const CaseText& text, bool derived_known, Case& out)
+      : binder_(binder), text_(text), out_(out), derived_(derived_components(binder, text, out)) {
+    derived_.readable = derived_.readable && derived_known;
+  }
 
   law::FrictionOutline add(const At<FrictionText>& friction) {
     const FrictionText& text = friction.value;
@@ -548,12 +550,12 @@ void report(Binder& binder, const CaseText& text, const Case& problem,
 
 }  // namespace
 
-bool resolve_friction(Binder& binder, const CaseText& text, Case& out) {
+bool resolve_friction(Binder& binder, const CaseText& text, bool derived_known, Case& out) {
   if (text.friction.sound && text.friction.value.empty()) {
     binder.error(*text.friction.node, text.friction.path, "needs at least one definition");
   }
   if (text.friction.value.empty()) return false;
-  Resolver resolver(binder, text, out);
+  Resolver resolver(binder, text, derived_known, out);
   std::vector<law::FrictionOutline> outlines;
   for (const At<FrictionText>& friction : text.friction.value) {
     outlines.push_back(resolver.add(friction));

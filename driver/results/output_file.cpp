@@ -44,7 +44,8 @@ std::string obstacle(const fs::path& target, std::span<const std::string> inputs
   }
   for (const std::string& input : inputs) {
     if (fs::equivalent(target, input, error) && !error) {
-      return fmt::format("{}: is an input ({}) and is not overwritten", target.string(), input);
+      return fmt::format("{}: is an input ({}) and is not overwritten; choose another folder (-o)",
+                         target.string(), input);
     }
   }
   return {};

@@ -202,8 +202,7 @@ TEST_CASE("a formula without value ends the run and names step, time and quantit
   const auto more = simulation->advance();
   REQUIRE_FALSE(more);
   CHECK(more.error().kind == SimulationFailure::Kind::kInput);
-  CHECK(more.error().message.substr(0, 30) ==
-        "step 'slide', t = 0.75, CP1: d" + more.error().message.substr(29, 1));
+  CHECK(more.error().message.find("step 'slide', t = 0.75, CP1: ") == 0);
 }
 
 TEST_CASE("an update that is not finite ends the run and names step, time and definition") {
