@@ -55,6 +55,8 @@ std::optional<std::vector<CheckProgress::Input>> CheckProgress::inputs_of(
     Input input;
     if (name == "t" || name == "T") {
       input.kind = name == "t" ? Input::Kind::kStepTime : Input::Kind::kTotalTime;
+    } else if (name.empty()) {
+      input.kind = Input::Kind::kZero;
     } else if (auto column = find_column(*case_, columns_, name)) {
       input.column = std::move(*column);
     } else {
@@ -75,6 +77,9 @@ void CheckProgress::gather(const std::vector<Input>& inputs, const Row& row) {
         break;
       case Input::Kind::kTotalTime:
         arguments_.push_back(row.time);
+        break;
+      case Input::Kind::kZero:
+        arguments_.push_back(0.0);
         break;
       case Input::Kind::kColumn:
         arguments_.push_back(column_value(input.column, *case_, row));

@@ -57,7 +57,7 @@ class CheckProgress {
  private:
   /// Where the numbers of an expression's variables come from.
   struct Input {
-    enum class Kind { kStepTime, kTotalTime, kColumn } kind = Kind::kColumn;
+    enum class Kind { kStepTime, kTotalTime, kColumn, kZero } kind = Kind::kColumn;
     Column column;
   };
   struct Suspect {

@@ -221,6 +221,11 @@ std::vector<Column> output_columns(const Case& problem) {
 std::optional<Column> find_column(const Case& problem, std::span<const Column> columns,
                                   std::string_view name) {
   if (auto column = by_name(columns, name)) return column;
+  if (const auto held = component_of_motion(name);
+      held && problem.connection.info.held.contains(*held)) {
+    return Column{std::string(name), law::is_rotation(*held) ? kAngle : kLength,
+                  "Held position, constant.", ColumnSource::kPosition, *held};
+  }
   const std::size_t dot = name.find('.');
   if (dot == std::string_view::npos) return std::nullopt;
   auto column = by_name(columns, name.substr(0, dot));
@@ -238,6 +243,9 @@ std::vector<std::string> column_names(const Case& problem) {
     if (column.definition < 0 || column.name.find('.') != std::string::npos) continue;
     const auto owner = static_cast<std::size_t>(column.definition);
     names.push_back(column.name + "." + problem.definitions[owner].name);
+  }
+  for (int c = 0; c < law::kComponents; ++c) {
+    if (problem.connection.info.held.contains(c)) names.push_back(motion_name(c));
   }
   return names;
 }
