@@ -151,7 +151,9 @@ int run(int argc, char** argv) {
 
   CLI::App* schema_app =
       app.add_subcommand("schema", "Print the JSON Schema of case files, for editors");
-  schema_app->callback([&] { command = [] { return schema_command(); }; });
+  bool markdown = false;
+  schema_app->add_flag("--markdown", markdown, "Print the case reference as Markdown instead");
+  schema_app->callback([&] { command = [&] { return schema_command(markdown); }; });
 
   if (const std::string fault = unknown_command(app, argc, argv); !fault.empty()) {
     print_error("slipbench: error: " + fault + "\n");

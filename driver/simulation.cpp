@@ -211,11 +211,11 @@ tl::expected<void, SimulationFailure> Simulation::begin_pass() {
 }
 
 void Simulation::note_jump(int component, double from, double to) {
-  // Below this, the difference is the rounding of a path that was meant to go on.
+  // Below this part of the positions passed so far, the difference is the rounding of a path that
+  // was meant to go on (a sine of whole periods ends beside 0).
   constexpr double kRounding = 1e-9;
-  if (std::abs(to - from) <= kRounding * std::max({std::abs(from), std::abs(to), kRounding})) {
-    return;
-  }
+  const double extent = extent_[static_cast<std::size_t>(component)];
+  if (std::abs(to - from) <= kRounding * std::max({std::abs(from), std::abs(to), extent})) return;
   if (jumps_.size() < kMostJumps) {
     const Step& step = case_->steps[static_cast<std::size_t>(row_.step)];
     jumps_.push_back({component, to - from, row_.time, step.name});
@@ -247,7 +247,9 @@ tl::expected<bool, SimulationFailure> Simulation::advance_history() {
   double sum = 0.0;
   for (const std::size_t i : varying_) {
     const double value = cursors_[i].value(to);
-    row_.quantities[static_cast<std::size_t>(step->drives[i].quantity)] = value;
+    const auto quantity = static_cast<std::size_t>(step->drives[i].quantity);
+    row_.quantities[quantity] = value;
+    if (quantity < extent_.size()) extent_[quantity] = std::max(extent_[quantity], std::abs(value));
     sum += value;
   }
   if (!std::isfinite(sum)) {

@@ -117,6 +117,7 @@ class Simulation {
   const Case* case_;
   Row row_;
   std::vector<MotionJump> jumps_;
+  std::array<double, law::kComponents> extent_{};  ///< largest magnitude of each position so far
 
   std::vector<ProfileCursor> cursors_;  ///< one for each drive of the current step
   std::vector<std::size_t> varying_;    ///< the drives that are not constant over the step

@@ -37,7 +37,7 @@ struct FrictionUpdate {
   double dissipation = 0.0;     ///< F_lim dL of this increment [F L], never negative
   double stored_energy = 0.0;   ///< y . s_el / 2 at the end [F L]
   double work = 0.0;            ///< of y over ds, split at the stick-slip point [F L]
-  bool multiple_roots = false;  ///< the falling coefficient allows more than one solution
+  bool multiple_roots = false;  ///< the limit falls too fast for one certain solution
 };
 
 /// Friction force per connector component: f_i = R_i y_i [F], [F L].

@@ -59,6 +59,10 @@ std::optional<std::string_view> Binder::unknown_key(const Node& key, const Path&
     if (later->in_place_of.empty()) return std::nullopt;
     return later->in_place_of;
   }
+  if (flooded()) {
+    error(key, path, "unknown key");
+    return std::nullopt;
+  }
   std::string hint;
   const std::string quantity = place_of_quantity(key.text());
   const auto nearest = quantity.empty() ? nearest_name(key.text(), allowed) : std::nullopt;

@@ -96,6 +96,9 @@ class Binder {
   [[nodiscard]] bool unknown_names_excused() const { return unknown_names_excused_; }
 
   [[nodiscard]] std::size_t errors() const { return out_.count(Severity::kError); }
+  /// True if there are so many errors that further ones are only counted: what costs time or memory
+  /// for their sake can be left out.
+  [[nodiscard]] bool flooded() const { return errors() > Diagnostics::kMaxKept; }
 
  private:
   Diagnostics& out_;
@@ -416,6 +419,7 @@ struct Codec<std::vector<T>> {
     for (std::size_t i = 0; i < node.size(); ++i) {
       // A faulty item keeps its place: messages count from it.
       good = Codec<T>::read(binder, node[i], path / i, info, out.emplace_back()) && good;
+      if (binder.flooded()) out.pop_back();
     }
     return good;
   }

@@ -46,8 +46,8 @@ struct ExpressionReference {
 struct ClosedFormReference {
   std::string name;                             ///< in reference::catalogue()
   std::vector<std::vector<double>> parameters;  ///< in the order of the form's parameters
-  std::vector<std::string> inputs;              ///< a result column for each of its inputs; empty: 0
-  int output = 0;                               ///< which of its outputs is compared
+  std::vector<std::string> inputs;  ///< a result column for each of its inputs; empty: 0
+  int output = 0;                   ///< which of its outputs is compared
 };
 
 /// |quantity - reference| <= max(absolute, relative * range of the reference), at every row.

@@ -391,7 +391,7 @@ struct OutputText {
   template <class V>
   static void declare(V& key) {
     key("every", &OutputText::every,
-        KeyInfo{.text = "Write every n-th increment, and the last of each step.",
+        KeyInfo{.text = "Write every n-th increment, and the last of the run.",
                 .default_text = "1",
                 .bounds = {.lower = 1}});
     key("columns", &OutputText::columns,

@@ -19,7 +19,8 @@ std::string place_of_quantity(std::string_view key) {
 
 std::string places_of_key(std::string_view key) {
   std::vector<std::string> places;
-  for (const KeyRow& row : case_rows()) {
+  static const std::vector<KeyRow> rows = case_rows();
+  for (const KeyRow& row : rows) {
     const std::size_t dot = row.path.rfind('.');
     const std::string_view last = dot == std::string::npos
                                       ? std::string_view(row.path)

@@ -58,7 +58,7 @@ void resolve(Binder& binder, const Node& root, Diagnostics& out, std::vector<Def
   };
   // Each round takes away those that the last one had taken their names from: a chain as long as
   // kMostRounds is followed to its end, and all of a longer one counts as unresolved.
-  constexpr int kMostRounds = 32;
+  constexpr int kMostRounds = 8;
   for (int round = 0; round < kMostRounds; ++round) {
     auto resolved = resolve_parameters(texts(parameters), texts(overrides));
     if (resolved) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <map>
 #include <optional>
 
 #include "driver/case/case_codecs.hpp"
@@ -357,14 +358,15 @@ void resolve_output_and_checks(Binder& binder, const CaseText& text, Case& out, 
   }
   const StepNames steps = step_names(text);
   const std::vector<At<CheckText>>& checks = text.checks.value;
+  std::map<std::string_view, std::size_t> names;
   for (std::size_t i = 0; i < checks.size(); ++i) {
     const At<std::string>& name = checks[i].value.name;
-    for (std::size_t j = 0; j < i && name.sound; ++j) {
-      if (checks[j].value.name.sound && checks[j].value.name.value == name.value) {
+    if (name.sound) {
+      const auto [first, is_new] = names.try_emplace(name.value, i);
+      if (!is_new) {
         binder.error(*name.node, name.path,
                      "the name '" + printable(name.value) + "' is already that of checks[" +
-                         std::to_string(j) + "]");
-        break;
+                         std::to_string(first->second) + "]");
       }
     }
     read_check(binder, checks[i], variables, steps, out);

@@ -560,6 +560,13 @@ bool resolve_friction(Binder& binder, const CaseText& text, bool derived_known, 
   for (const At<FrictionText>& friction : text.friction.value) {
     outlines.push_back(resolver.add(friction));
   }
+  if (outlines.size() > static_cast<std::size_t>(law::kComponents)) {
+    binder.error(*text.friction.node, text.friction.path,
+                 "has " + std::to_string(outlines.size()) + " definitions: a connector has " +
+                     std::to_string(law::kComponents) +
+                     " components, and each takes one definition at most");
+    return false;
+  }
   bool good = resolver.outlines_known();
   using Rule = law::FrictionRuleViolation::Rule;
   const auto violations = law::check_rules(out.connection.info, outlines);

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <string_view>
 
 #include "driver/case/quantity.hpp"
 #include "driver/case/resolve.hpp"
@@ -247,18 +249,18 @@ void resolve_history(Binder& binder, const CaseText& text, Case& out) {
     return;
   }
   double start = 0.0;
+  std::map<std::string_view, std::size_t> names;
   for (std::size_t i = 0; i < history.steps.size(); ++i) {
     const StepText& step = history.steps[i].value;
     if (step.step.sound && step.step.value.empty()) {
       binder.error(*step.step.node, step.step.path, "the name of a step must not be empty");
     }
-    for (std::size_t j = 0; j < i && step.step.sound; ++j) {
-      const At<std::string>& other = history.steps[j].value.step;
-      if (other.sound && other.value == step.step.value) {
+    if (step.step.sound) {
+      const auto [first, is_new] = names.try_emplace(step.step.value, i);
+      if (!is_new) {
         binder.error(*step.step.node, step.step.path,
                      "the name '" + printable(step.step.value) + "' is already that of history[" +
-                         std::to_string(j) + "]");
-        break;
+                         std::to_string(first->second) + "]");
       }
     }
     read_step(binder, step, out, start);

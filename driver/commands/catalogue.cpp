@@ -8,9 +8,10 @@
 
 #include "driver/case/case_codecs.hpp"
 #include "driver/case/case_reference.hpp"
+#include "driver/case/quantity.hpp"
 #include "driver/case/resolve.hpp"
-#include "driver/commands/exit_code.hpp"
 #include "driver/commands/shared.hpp"
+#include "driver/exit_code.hpp"
 #include "driver/results/columns.hpp"
 #include "reference/catalogue.hpp"
 
@@ -153,6 +154,22 @@ bool describe_closed_form(std::string_view name) {
   return true;
 }
 
+bool describe_quantity(std::string_view name) {
+  if (const auto c = component_of_force(name)) {
+    tell(
+        "{} (prescribed quantity)\n  {} {} of a held component, under 'force:'; result column {}\n",
+        name, law::is_rotation(*c) ? "Constraint moment" : "Constraint force", *c % 3 + 1,
+        force_column("CRF", *c));
+    return true;
+  }
+  for (const Column& column : all_columns()) {
+    if (column.name != name) continue;
+    tell("{} (result column)\n  {}\n", column.name, column.text);
+    return true;
+  }
+  return false;
+}
+
 int unknown(std::string_view what, std::string_view name, std::span<const std::string_view> known) {
   std::string hint = "known: " + in_words(known, "and");
   if (const auto nearest = nearest_name(name, known)) {
@@ -172,25 +189,28 @@ int list_command(const std::string& what) {
   if (what.empty() || what == "laws") list_laws();
   if (what.empty() || what == "closed-forms") list_closed_forms();
   if (what.empty() || what == "quantities") list_quantities();
-  return finish_output(kExitOk);
+  return kExitOk;
 }
 
 int describe_command(const std::string& name) {
-  if (describe_connection(name) || describe_law(name) || describe_closed_form(name)) {
-    return finish_output(kExitOk);
+  if (describe_connection(name) || describe_law(name) || describe_closed_form(name) ||
+      describe_quantity(name)) {
+    return kExitOk;
   }
   std::vector<std::string_view> known;
   law::for_each_connection_type(
       [&]<class Type>(std::type_identity<Type>) { known.push_back(Type::kInfo.name); });
   for_each_law([&]<class Law>(std::type_identity<Law>) { known.push_back(Law::kName); });
   for (const reference::ClosedForm& form : reference::catalogue()) known.push_back(form.name);
-  return unknown("connection, law or closed form", name, known);
+  const std::vector<Column> columns = all_columns();
+  for (const Column& column : columns) known.push_back(column.name);
+  return unknown("connection, law, closed form or quantity", name, known);
 }
 
 int schema_command(bool markdown) {
   const std::string text = markdown ? case_reference_markdown() : case_schema().dump(2) + "\n";
   print(text);
-  return finish_output(kExitOk);
+  return kExitOk;
 }
 
 }  // namespace slipbench::driver

@@ -10,8 +10,8 @@ namespace slipbench::driver {
 /// laws, closed-forms or quantities, and empty for all of them. Returns the exit code.
 int list_command(const std::string& what);
 
-/// `slipbench describe`: everything about the connection type, coefficient law or closed form
-/// of that name. Returns the exit code: bad input for an unknown name.
+/// `slipbench describe`: everything about the connection type, coefficient law, closed form or
+/// quantity of that name. Returns the exit code: bad input for an unknown name.
 int describe_command(const std::string& name);
 
 /// `slipbench schema`: the JSON Schema of a case file, or the case reference as Markdown. Returns

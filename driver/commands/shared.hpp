@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "driver/case/read_case.hpp"
-#include "driver/commands/exit_code.hpp"
 #include "driver/compare/check.hpp"
+#include "driver/exit_code.hpp"
 #include "driver/history/parameters.hpp"
 #include "driver/simulation.hpp"
 

@@ -59,8 +59,8 @@ std::vector<Column> result_columns(const Case& problem);
 std::vector<Column> output_columns(const Case& problem);
 
 /// The column of a name, for checks: besides the names of `result_columns`, those that belong to a
-/// definition may carry its `.name` even where the file omits it (CSF1.sleeve, FLIM.sleeve), and the
-/// positions of held components, which are constant (CPR2 of a universal joint).
+/// definition may carry its `.name` even where the file omits it (CSF1.sleeve, FLIM.sleeve), and
+/// the positions of held components, which are constant (CPR2 of a universal joint).
 std::optional<Column> find_column(const Case& problem, std::span<const Column> columns,
                                   std::string_view name);
 

@@ -169,9 +169,9 @@ std::vector<std::string> Summary::warnings(std::span<const MotionJump> jumps) co
                            with_unit(rounded(threshold), units.time));
     }
     all.push_back(fmt::format(
-        "friction '{}': {} increment{} had more than one solution, because the coefficient falls "
-        "with the slip rate faster than the stick stiffness follows; the one of least slip was "
-        "taken{}",
+        "friction '{}': {} increment{} may have more than one solution, because the coefficient "
+        "falls with the slip rate faster than the stick stiffness follows; the one of least slip "
+        "was taken{}",
         sum.name, sum.multiple_roots, plural(sum.multiple_roots), advice));
   }
   for (const MotionJump& jump : jumps) {

@@ -30,7 +30,7 @@ struct DefinitionSummary {
   double largest_normal_force = 0.0;
   double stiffness_there = 0.0;     ///< kappa where the normal force was largest [F/L]
   double shortest_increment = 0.0;  ///< of the increments with several solutions [T]
-  std::int64_t multiple_roots = 0;  ///< increments with more than one solution
+  std::int64_t multiple_roots = 0;  ///< increments that may have more than one solution
 
   /// (work - dissipation - stored energy) over the largest of them: what the time stepping lost.
   /// 0 where nothing moved.

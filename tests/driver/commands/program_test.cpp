@@ -108,7 +108,7 @@ TEST_CASE("a parameter can be set, and a failed check is exit code 1") {
   CHECK(file_count(folder.path()) == 1);
 }
 
-TEST_CASE("--every keeps the first and the last row") {
+TEST_CASE("The option --every keeps the first and the last row") {
   const TemporaryFolder folder;
   folder.write("slider.yaml", kSlider);
   CHECK(slipbench(folder, "run slider.yaml --every 4").code == 0);

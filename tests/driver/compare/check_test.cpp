@@ -122,8 +122,8 @@ TEST_CASE("a check that compares nothing fails") {
 
 TEST_CASE("a column that does not exist fails") {
   const Verdict verdict =
-      verdict_of(ramp(), formula_check("CP2", "T", {"CP2", "T"}, {1.0, {}, ""}));
-  CHECK(verdict.message == "there is no result column 'CP2'");
+      verdict_of(ramp(), formula_check("CPR1", "T", {"CPR1", "T"}, {1.0, {}, ""}));
+  CHECK(verdict.message == "there is no result column 'CPR1'");
   CHECK_FALSE(verdict.passed);
 }
 

@@ -74,6 +74,8 @@ TEST_CASE("names that carry their definition are understood, foreign ones are no
   CHECK_FALSE(find_column(problem, columns, "CSF2.spinning"));
   CHECK_FALSE(find_column(problem, columns, "CSF9.sliding"));
   CHECK_FALSE(find_column(problem, columns, "CRF1.sliding"));
+  // A held position can be read, but is no column of the result.
+  CHECK(find_column(problem, columns, "CP1"));
   const Case single = slider_case({});
   const std::vector<Column> all = result_columns(single);
   CHECK(find_column(single, all, "FLIM.sleeve"));
