@@ -31,6 +31,10 @@ inline bool depends_on_contact_force(const FrictionLaw& law) {
 inline double largest(const FrictionLaw& law) {
   return std::visit([](const auto& l) { return l.largest(); }, law);
 }
+/// The largest d(mu F_N)/dF_N the law has: how fast the limit can follow the normal force.
+inline double largest_growth(const FrictionLaw& law) {
+  return std::visit([](const auto& l) { return l.largest_growth(); }, law);
+}
 /// max(-dmu/d(slip rate)) [T/L], 0 for a law that never weakens.
 inline double steepest_weakening(const FrictionLaw& law) {
   return std::visit([](const auto& l) { return l.steepest_weakening(); }, law);

@@ -84,22 +84,53 @@ class LimitFunction {
   }
   double motion_rate(double motion) const { return motion * inverse_duration_; }
 
-  /// The next slip after `slip` at which a table over rate or accumulated slip has a knot.
+  /// The next slip after `slip` at which F_lim has a kink or changes its curvature: knots of tables
+  /// over rate, accumulated slip and contact force, a change of sign of F_C + F_int, the inflection
+  /// of an exponential coefficient times a normal force that wears. Between two of them F_lim is
+  /// convex or concave, apart from the cubic of a table over both rate and contact force.
   double next_knot(double slip) const noexcept {
     double next = std::numeric_limits<double>::infinity();
-    if (slip_in_rate_ > 0.0) {
-      if (const auto* law = std::get_if<TabularCoefficient>(&definition_.law)) {
-        const int k = law->table.column_of(IndependentKind::kSlipRate);
-        if (k >= 0) next = first_above(law->table.table().knots(k), slip, 0.0, slip_in_rate_, next);
-      }
+    const auto* law = std::get_if<TabularCoefficient>(&definition_.law);
+    if (slip_in_rate_ > 0.0 && law != nullptr) {
+      const int k = law->table.column_of(IndependentKind::kSlipRate);
+      if (k >= 0) next = first_above(law->table.table().knots(k), slip, 0.0, slip_in_rate_, next);
     }
-    if (slip_in_wear_ > 0.0) {
-      if (const auto* f = std::get_if<TableFunction>(&definition_.internal_contact_force)) {
-        const int k = f->column_of(IndependentKind::kAccumulatedSlip);
-        if (k >= 0) next = first_above(f->table().knots(k), slip, accumulated_, 1.0, next);
-      }
+    const auto* wear = std::get_if<TableFunction>(&definition_.internal_contact_force);
+    if (slip_in_wear_ == 0.0 || wear == nullptr) return next;
+    const int s = wear->column_of(IndependentKind::kAccumulatedSlip);
+    if (s < 0) return next;
+    next = first_above(wear->table().knots(s), slip, accumulated_, 1.0, next);
+
+    const auto internal =
+        evaluate(definition_.internal_contact_force, increment_.end, accumulated_ + slip);
+    const double force = contact_ + internal.value;
+    const double fall = internal.to_accumulated_slip;
+    if (fall == 0.0) return next;
+    // A point that rounding puts just ahead is the one the search stands on.
+    const auto candidate = [&](double x) {
+      if (x > slip + 1e-14 * x) next = std::min(next, x);
+    };
+    if (force * fall < 0.0) candidate(slip - force / fall);
+    const double normal = std::abs(force);
+    const double growth = force < 0.0 ? -fall : (force > 0.0 ? fall : std::abs(fall));
+    if (law != nullptr) {
+      const int k = law->table.column_of(IndependentKind::kContactForce);
+      if (k < 0) return next;
+      // F_N moves one way within a piece of the wear table: the next knot lies on that side.
+      for (const double knot : law->table.table().knots(k))
+        candidate(slip + (knot - normal) / growth);
+    } else if (const auto* decay = std::get_if<ExponentialDecay>(&definition_.law)) {
+      const double per_slip = decay->decay * slip_in_rate_;
+      if (per_slip > 0.0) candidate(slip + 2.0 / per_slip - normal / growth);
     }
     return next;
+  }
+
+  /// Whether F_lim is cubic between knots: mu linear in the rate and in F_N, times F_N.
+  bool is_cubic() const {
+    const auto* law = std::get_if<TabularCoefficient>(&definition_.law);
+    return law != nullptr && slip_in_rate_ > 0.0 && slip_in_wear_ > 0.0 &&
+           law->depends_on_slip_rate() && law->depends_on_contact_force();
   }
 
  private:
@@ -163,8 +194,9 @@ double lowest_point(const LimitFunction& limit, double kappa, double low, double
 }
 
 /// Smallest positive root of h(x) = trial - kappa x - F_lim(x), given h(0) > 0. One exists in
-/// (0, trial/kappa] since F_lim >= 0. The search walks from knot to knot of the tables, between
-/// which F_lim is smooth, so no earlier root is passed over.
+/// (0, trial/kappa] since F_lim >= 0. The search walks from knot to knot
+/// (LimitFunction::next_knot); between two of them h is convex or concave, so that one sign change
+/// means one root, and a dip shows in the slopes at the ends: no earlier root is passed over.
 double first_root(const LimitFunction& limit, double trial, double kappa) noexcept {
   const double end = trial / kappa;
   double low = 0.0;
@@ -175,16 +207,29 @@ double first_root(const LimitFunction& limit, double trial, double kappa) noexce
     if (limit(at_cap).force >= limit.cap()) return at_cap;
     low = at_cap;
   }
+  const auto slope_at = [&](double x) { return -kappa - limit.slope(limit(x)); };
   while (low < end) {
-    const double high = std::min(limit.next_knot(low), end);
+    double high = std::min(limit.next_knot(low), end);
+    // Just inside the piece: at its ends the slopes may belong to the neighbours.
+    const double margin = 1e-9 * (high - low);
+    const double slope_low = slope_at(low + margin);
+    double slope_high = slope_at(high - margin);
+    if (limit.is_cubic()) {
+      // h' is a parabola through three of its points; its vertex parts convex from concave.
+      const double half = 0.5 * (high - low);
+      const double slope_middle = slope_at(low + half);
+      const double bend = 0.5 * (slope_low + slope_high) - slope_middle;
+      const double vertex = bend != 0.0 ? -0.25 * (slope_high - slope_low) / bend : 1.0;
+      if (vertex > -1.0 + 1e-6 && vertex < 1.0 - 1e-6) {
+        high = low + half + vertex * half;
+        slope_high = slope_at(high);
+      }
+    }
     const Limit there = limit(high);
     if (trial - kappa * high - there.force <= 0.0 || high >= end) {
       return bracketed_root(limit, trial, kappa, low, high);
     }
     // h > 0 at both ends: a dip between them could still hide a root.
-    const double inside = high - 1e-9 * (high - low);
-    const double slope_low = -kappa - limit.slope(limit(low));
-    const double slope_high = -kappa - limit.slope(limit(inside));
     if (slope_low < 0.0 && slope_high > 0.0) {
       const double dip = lowest_point(limit, kappa, low, high);
       if (trial - kappa * dip - limit(dip).force <= 0.0) {
@@ -196,13 +241,26 @@ double first_root(const LimitFunction& limit, double trial, double kappa) noexce
   return end;
 }
 
-/// True if h is positive again at a knot after its first root: then there are more roots.
+/// True if h is positive at a knot after `root`, where it is not: then there are (more) roots.
 bool has_later_root(const LimitFunction& limit, double trial, double kappa, double root) noexcept {
   const double end = trial / kappa;
   for (double x = limit.next_knot(root); x < end; x = limit.next_knot(x)) {
     if (trial - kappa * x - limit(x).force > 0.0) return true;
   }
   return false;
+}
+
+/// The first slip in [0, slip] from which on F_lim is 0, given that it is 0 at `slip`; 0 if it is 0
+/// at rest already. The limit wears away once: bisection.
+double first_zero(const LimitFunction& limit, double slip) noexcept {
+  if (!(limit(0.0).force > 0.0)) return 0.0;
+  double low = 0.0;
+  double high = slip;
+  for (int i = 0; i < 200 && high - low > std::numeric_limits<double>::epsilon() * high; ++i) {
+    const double middle = low + 0.5 * (high - low);
+    (limit(middle).force > 0.0 ? low : high) = middle;
+  }
+  return high;
 }
 
 template <int D>
@@ -287,6 +345,7 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
       (!(at_rest.normal_force > 0.0) || !(limit.at(0.0, limit.motion_rate(motion)).force > 0.0))) {
     report(at_rest);
     result.state.regime = Regime::kOpen;
+    result.work = 0.5 * y_old.dot(ds);  // the force falls from y_old to 0
     return result;
   }
 
@@ -321,7 +380,8 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
       y = l.force * n;
       s_elastic = y / kappa;
     } else {
-      result.multiple_roots = -limit.slope(at_rest) > kappa;
+      result.multiple_roots = -limit.slope(at_rest) > kappa ||
+                              (limit.depends_on_slip() && has_later_root(limit, trial, kappa, 0.0));
       y = y_trial;
       s_elastic = y / kappa;
     }
@@ -345,23 +405,34 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
     y_trial = (l.force / g) * s_trial;
   }
 
+  // 4c. The slip has worn the limit away: the grip is lost at the first slip without limit, and
+  //     what follows is no friction any more (section 10.6).
+  bool opens = false;
+  if (slips && !(l.force > 0.0)) {
+    opens = true;
+    slip = first_zero(limit, slip);
+    y.setZero();
+    s_elastic.setZero();
+  }
+
   // 5. The new state, bookkeeping and energy (section 10.8).
   report(l);
   store<D>(y, &result.state.force);
   store<D>(s_elastic, &result.state.elastic_slip);
-  result.state.regime = slips ? Regime::kSlip : Regime::kStick;
+  result.state.regime = opens ? Regime::kOpen : (slips ? Regime::kSlip : Regime::kStick);
   result.slip_increment = slip;
   result.state.accumulated_slip += slip;
   result.dissipation = l.force * slip;
   result.stored_energy = 0.5 * y.dot(s_elastic);
   result.work = slips ? split_work<D>(y_old, y_trial, y, ds, l.force) : 0.5 * (y_old + y).dot(ds);
   const double p = norm<D>(y);
-  result.phi = (slips && fixed ? trial - kappa_or_g * slip : p) - l.force;
+  result.phi = (slips && fixed && !opens ? trial - kappa_or_g * slip : p) - l.force;
   if (!slips && p > 0.0) n = y / p;
   if (slips || p > 0.0) store<D>(n, &result.direction);
   if (motion > 0.0) store<D>(ds / motion, &result.motion_direction);
 
   // 6. Consistent tangent (section 10.7, with wear and the rate of the relative motion).
+  if (opens) return result;
   SlipTangent& t = result.tangent;
   const double by_rate = l.to_rate * limit.motion_in_rate();
   if (slips) {

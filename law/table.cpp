@@ -149,22 +149,42 @@ double Table::largest(int column) const {
   return result;
 }
 
-double Table::steepest_fall(int k, int column) const {
-  // Between knots the slope to x_k is a mean of slopes at grid points of the other independents,
-  // so its extreme is met at some combination of knots of the others, just right of a knot of x_k.
+template <class Visit>
+void Table::for_each_knot(int column, Visit visit) const {
   std::vector<double> x(levels_.size());
   std::vector<double> slopes(levels_.size());
   std::vector<std::size_t> pick(levels_.size(), 0);
-  double steepest = 0.0;
   while (true) {
     for (std::size_t j = 0; j < x.size(); ++j) x[j] = levels_[j].knots[pick[j]];
     std::fill(slopes.begin(), slopes.end(), 0.0);
-    value_and_slopes(x, slopes, column);
-    steepest = std::min(steepest, slopes[at(k)]);
+    const double y = value_and_slopes(x, slopes, column);
+    visit(x, y, slopes);
     std::size_t j = 0;
     while (j < x.size() && ++pick[j] == levels_[j].knots.size()) pick[j++] = 0;
-    if (j == x.size()) return steepest;
+    if (j == x.size()) return;
   }
+}
+
+double Table::steepest_fall(int k, int column) const {
+  double steepest = 0.0;
+  for_each_knot(column, [&](const auto&, double, const auto& slopes) {
+    steepest = std::min(steepest, slopes[at(k)]);
+  });
+  return steepest;
+}
+
+double Table::largest_growth(int k, int column) const {
+  double growth = 0.0;
+  const std::vector<double>& knots = levels_[at(k)].knots;
+  for_each_knot(column, [&](const auto& x, double y, const auto& slopes) {
+    const double slope = slopes[at(k)];
+    const double here = x[at(k)];
+    // Within a cell y + x dy/dx is linear in x: its extremes are at the ends of the cell.
+    growth = std::max({growth, y, y + here * slope});
+    const auto next = std::upper_bound(knots.begin(), knots.end(), here);
+    if (next != knots.end()) growth = std::max(growth, y + (2.0 * *next - here) * slope);
+  });
+  return growth;
 }
 
 bool Table::outside(std::span<const double> x) const noexcept {

@@ -74,6 +74,10 @@ class Table {
   /// The most negative slope to independent `k` between neighbouring grid points (0 if none falls).
   double steepest_fall(int k, int column = 0) const;
 
+  /// The largest slope of y x_k to x_k, i.e. of y + x_k dy/dx_k, over all cells and at x_k = 0..:
+  /// with y = mu and x_k = F_N, how fast a limiting force can grow with its normal force.
+  double largest_growth(int k, int column = 0) const;
+
   /// True if some coordinate of `x` lies outside its (union) range.
   bool outside(std::span<const double> x) const noexcept;
 
@@ -89,6 +93,11 @@ class Table {
   template <bool kSlopes>
   double block(int level, std::uint32_t index, const double* x, double weight, double* slopes,
                int column) const noexcept;
+
+  /// Calls visit(x, y, slopes) at every combination of knots, with right-hand slopes: where a mean
+  /// of neighbouring grid values, as every value and slope of the table is, has its extremes.
+  template <class Visit>
+  void for_each_knot(int column, Visit visit) const;
 
   int dependents_ = 0;
   Extrapolation extrapolation_ = Extrapolation::kConstant;

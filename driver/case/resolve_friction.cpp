@@ -194,8 +194,19 @@ std::optional<law::FrictionLaw> coefficient(Binder& binder, const FrictionText& 
   return std::get<law::FrictionLaw>(text.coefficient.value.value);
 }
 
-/// A falling internal contact force whose fall is steeper than the stick stiffness snaps back: the
-/// force drops at constant motion, and no increment can follow it (reference case W1, beta >= 1).
+/// Whether the contact force may be negative, so that a falling internal one raises F_N.
+bool may_be_negative(const law::ContactForce& contact) {
+  if (std::holds_alternative<law::ComponentContactForce>(contact)) return true;
+  const auto* derived = std::get_if<law::DerivedComponent>(&contact);
+  return derived != nullptr &&
+         std::any_of(derived->begin(), derived->end(), [](const law::DerivedTerm& term) {
+           return term.combine == law::TermOperator::kSum || term.sign < 0.0;
+         });
+}
+
+/// A limit that falls faster with slip than the stick stiffness unloads snaps back: the force drops
+/// at constant motion, and no increment can follow it (reference case W1, beta >= 1). The bound
+/// takes the worst of the tables; where F_C may turn the sign it only warns.
 void check_snap_back(Binder& binder, const law::FrictionDefinition& d, const Node& node,
                      const Path& path) {
   const auto* table = std::get_if<law::TableFunction>(&d.internal_contact_force);
@@ -203,14 +214,19 @@ void check_snap_back(Binder& binder, const law::FrictionDefinition& d, const Nod
   const int column = table->column_of(law::IndependentKind::kAccumulatedSlip);
   if (column < 0) return;
   const double fall = -table->table().steepest_fall(column);
-  const double beta = law::largest(d.law) * fall / d.stick.value;
-  if (beta >= 1.0) {
-    binder.error(
-        node, path,
-        "wear falls faster than the stick stiffness can follow (snap-back): mu |F'| / k = " +
-            format_number(law::largest(d.law)) + " * " + format_number(fall) + " / " +
-            format_number(d.stick.value) + " = " + format_number(beta) + ", it must be below 1",
-        "raise stick.stiffness or flatten the table");
+  const double growth = law::largest_growth(d.law);
+  const double beta = growth * fall / d.stick.value;
+  if (beta < 1.0) return;
+  std::string message =
+      "wear falls faster than the stick stiffness can follow (snap-back): mu |F'| / k = " +
+      format_number(growth) + " * " + format_number(fall) + " / " + format_number(d.stick.value) +
+      " = " + format_number(beta) + ", it must be below 1";
+  if (law::depends_on_contact_force(d.law)) message += "; mu stands for d(mu F_N)/dF_N";
+  std::string hint = "raise stick.stiffness or flatten the table";
+  if (may_be_negative(d.contact_force)) {
+    binder.warning(node, path, std::move(message), std::move(hint));
+  } else {
+    binder.error(node, path, std::move(message), std::move(hint));
   }
 }
 
@@ -308,6 +324,7 @@ class Resolver {
                 return;
               }
               note_dropped_terms(map, text.predefined.path, geometry);
+              warn_mixed_units(friction, geometry);
               for (law::PredefinedFriction& check : geometry.predefined()) {
                 law::FrictionDefinition d = shared;
                 d.slip = check.slip;
@@ -356,6 +373,28 @@ class Resolver {
       }
     });
     return good;
+  }
+
+  /// PLANAR checks a force over a length and a moment over an angle with one set of numbers: what
+  /// one number means for both depends on the unit of length.
+  template <class Type>
+  void warn_mixed_units(const At<FrictionText>& friction, const Type&) {
+    if constexpr (std::is_same_v<Type, law::Planar>) {
+      const FrictionText& text = friction.value;
+      const auto warn = [&](const At<double>& number, std::string_view sliding,
+                            std::string_view spinning) {
+        if (!number.given() || number.value == 0.0) return;
+        binder_.warning(*number.node, number.path,
+                        format_number(number.value) + " is " + std::string(sliding) +
+                            " for sliding and " + std::string(spinning) + " for spinning",
+                        "to choose them apart write two definitions: a potential of 2 and 3, and "
+                        "component 4");
+      };
+      warn(text.force_limit, "a force", "a moment");
+      warn(text.stick.value.stiffness, "a force per length", "a moment per radian");
+      warn(text.stick.value.elastic_slip, "a length", "an angle");
+      warn(text.stick.value.characteristic_length, "a length", "an angle");
+    }
   }
 
   /// A zero length silently drops its term of the contact force: worth a note if it was written.

@@ -93,8 +93,10 @@ bool CheckProgress::selected(const Row& row) const {
     const auto step = static_cast<std::size_t>(row.step);
     if (step >= case_->steps.size() || case_->steps[step].name != *check_->step) return false;
   }
-  if (check_->from && row.time < *check_->from) return false;
-  return !check_->to || row.time <= *check_->to;
+  // Times are sums of increments: a border given in decimals may lie beside its row by rounding.
+  const double slack = kSameTime * std::abs(row.time);
+  if (check_->from && row.time < *check_->from - slack) return false;
+  return !check_->to || row.time <= *check_->to + slack;
 }
 
 std::optional<double> CheckProgress::reference(const Row& row, bool compared) {

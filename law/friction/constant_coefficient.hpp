@@ -36,6 +36,7 @@ struct ConstantCoefficient {
   bool depends_on_slip_rate() const { return false; }
   bool depends_on_contact_force() const { return false; }
   double largest() const { return mu; }
+  double largest_growth() const { return mu; }
   double steepest_weakening() const { return 0.0; }
   bool outside(const Ambient& /*ambient*/, const SlipArguments& /*slip*/) const { return false; }
 };

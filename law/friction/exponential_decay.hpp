@@ -55,6 +55,7 @@ struct ExponentialDecay {
   bool depends_on_slip_rate() const { return decay > 0.0 && mu_static > kinetic; }
   bool depends_on_contact_force() const { return false; }
   double largest() const { return mu_static; }
+  double largest_growth() const { return mu_static; }
   double steepest_weakening() const { return decay * (mu_static - kinetic); }
   bool outside(const Ambient& /*ambient*/, const SlipArguments& /*slip*/) const { return false; }
 };

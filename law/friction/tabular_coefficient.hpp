@@ -35,6 +35,10 @@ struct TabularCoefficient {
     return table.column_of(IndependentKind::kContactForce) >= 0;
   }
   double largest() const { return table.table().largest(); }
+  double largest_growth() const {
+    const int k = table.column_of(IndependentKind::kContactForce);
+    return k < 0 ? largest() : table.table().largest_growth(k);
+  }
   double steepest_weakening() const {
     const int k = table.column_of(IndependentKind::kSlipRate);
     return k < 0 ? 0.0 : -table.table().steepest_fall(k);

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "tests/driver/case/read_for_test.hpp"
 #include "tests/driver/history/temporary_folder.hpp"
@@ -120,7 +121,7 @@ TEST_CASE("A length of zero is noted, since its term is dropped") {
 TEST_CASE("A stick without a length notes the length it takes") {
   CHECK(complaint(changed({{"    stick: {elastic_slip: 1.0e-4}\n", ""}})) ==
         "c.yaml:12:5: note: friction[0]: characteristic length not given, 1 mm (1 rad in rotation) "
-        "used for the stick stiffness: elastic slip 0.0001\n"
+        "used for the stick stiffness: elastic slip 1e-04\n"
         "   12 |   - name: sleeve\n"
         "      |     ^\n");
 }
@@ -198,6 +199,76 @@ TEST_CASE("A flood of faults is counted, not printed") {
   CHECK(shown.size() < 5000);
   // 5001 items that are no maps, and one for there being so many definitions.
   CHECK(shown.ends_with("... and 4982 more errors\n"));
+}
+
+/// The text with everything from `key` on replaced.
+std::string cut(const std::string& key, const std::string& rest) {
+  return kSoundCase.substr(0, kSoundCase.find(key)) + rest;
+}
+
+TEST_CASE("Empty lists are no lists of steps, definitions or types") {
+  CHECK(messages(cut("history:", "history: []\n")) ==
+        std::vector<std::string>{"18:10: error: history: needs at least one step"});
+  CHECK(messages(cut("history:", "history:\n")) ==
+        std::vector<std::string>{"18:1: error: history: wanted a list of steps, or a measured "
+                                 "history {csv: ...}, found nothing"});
+  CHECK(messages(cut("friction:", "friction: []\nhistory: [{step: a, increments: 1}]\n")) ==
+        std::vector<std::string>{"11:11: error: friction: needs at least one definition"});
+  CHECK(
+      messages(cut("checks:", "checks: {name: a}\n")) ==
+      std::vector<std::string>{"23:9: error: checks: wanted a list, each item a map, found a map"});
+}
+
+TEST_CASE("Steps, checks and definitions have names of their own") {
+  CHECK(messages(changed({{"checks:", "  - {step: press, increments: 3}\nchecks:"}})) ==
+        std::vector<std::string>{
+            "23:12: error: history[1].step: the name 'press' is already that of history[0]"});
+  CHECK(messages(kSoundCase + "  - name: limit\n    quantity: FLIM\n    against: {expression: 1}\n"
+                              "    tolerance: {relative: 1, why: x}\n") ==
+        std::vector<std::string>{
+            "28:11: error: checks[1].name: the name 'limit' is already that of checks[0]"});
+}
+
+TEST_CASE("All faults of a measured history are shown at once") {
+  const TemporaryFolder folder;
+  folder.write("rig.csv", "t,x,load\n0,0,1\n1,1,2\n");
+  const std::string faulty =
+      "history:\n  csv: rig.csv\n  time: t\n  columns:\n    CP1: x\n"
+      "    f2: {column: load, unit: lb}\n    CP2: x\n    foo: x\n"
+      "    temperature: {colum: x}\n  hold: maybe\n";
+  CHECK(messages(cut("history:", faulty), {}, folder.path()) ==
+        std::vector<std::string>{
+            "23:30: error: history.columns.f2.unit: unit 'lb' does not measure a force; it is a "
+            "mass, the force is 'lbf'",
+            "24:5: error: history.columns.CP2: a CYLINDRICAL connector holds component 2 (its "
+            "constraint force f2 goes under 'force:'); free are CP1, CPR1",
+            "25:5: error: history.columns.foo: unknown quantity 'foo'; known here: CP1, CPR1, f2, "
+            "f3, m2, m3, temperature, field1 .. field16",
+            "26:19: error: history.columns.temperature.colum: unknown key; did you mean 'column'?",
+            "27:9: error: history.hold: wanted true or false, found 'maybe'"});
+  CHECK(messages(cut("history:", "history: {csv: rig.csv, time: t, columns: {}}\n"), {},
+                 folder.path()) ==
+        std::vector<std::string>{
+            "18:43: error: history.columns: needs at least one column to drive"});
+}
+
+TEST_CASE("A faulty connection type makes nothing else look wrong, but hides no other fault") {
+  CHECK(messages(changed({{"CYLINDRICAL", "CYLINDRIC"}})) ==
+        std::vector<std::string>{"6:9: error: connector.type: unknown connection type "
+                                 "'CYLINDRIC'; did you mean 'CYLINDRICAL'?"});
+  CHECK(messages(changed({{"CYLINDRICAL", "CYLINDRIC"},
+                          {"coefficient: = mu",
+                           "coefficient: {columns: [mu, slip_rate], rows: [[-1, 0]]}"}}))
+            .size() == 2);
+}
+
+TEST_CASE("Faulty parameters are reported where they stand, not where they are used") {
+  CHECK(messages(changed({{"mu: 0.15", "mu: = 2*nu"}, {"li: 0.55", "li: = lii"}})) ==
+        std::vector<std::string>{
+            "4:29: error: parameters.li: unknown name 'lii'; did you mean 'li'?",
+            "4:42: error: parameters.mu: unknown name 'nu'; define it under 'parameters:'"});
+  // What can be evaluated is judged all the same.
+  CHECK(messages(changed({{"li: 0.55", "li: = lii"}, {"mu: 0.15", "mu: -1"}})).size() == 2);
 }
 
 }  // namespace
