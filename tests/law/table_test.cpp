@@ -231,4 +231,16 @@ TEST_CASE("a refused table leaves the old one alone") {
   CHECK(at(table, {0.5, 20}) == Approx(80).epsilon(1e-15));
 }
 
+TEST_CASE("the largest growth of y x is that of the steepest cell, at one of its ends") {
+  // y falls from 0.4 to 0.2 over x = 10..20, then rises to 0.5 at x = 30: in the rising cell
+  // d(y x)/dx = y + 0.03 x, largest at its far end: 0.5 + 0.9.
+  const Table table = make_table({{0.4, 10}, {0.2, 20}, {0.5, 30}}, 1, 1);
+  CHECK(table.largest_growth(0) == Approx(1.4).epsilon(1e-15));
+  // A table that falls throughout grows fastest where it is flat: outside, with slope y.
+  CHECK(make_table({{0.4, 10}, {0.2, 20}}, 1, 1).largest_growth(0) == 0.4);
+  // Over another independent the worst row counts.
+  const Table two = make_table({{0.1, 0, 1}, {0.2, 10, 1}, {0.1, 0, 2}, {0.4, 10, 2}}, 1, 2);
+  CHECK(two.largest_growth(0) == Approx(0.4 + 10 * 0.03).epsilon(1e-15));
+}
+
 }  // namespace
