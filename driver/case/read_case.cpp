@@ -182,6 +182,7 @@ ReadCase read_case_text(const SourceText& source, const std::string& folder,
   const bool history_known = text.history.sound && binder.errors() == errors;
   resolve_output_and_checks(binder, text, problem, columns_known, history_known);
   result.environment_failure = binder.environment_failed();
+  if (bound && !out.has_errors()) explain_table_arguments(binder, text, problem);
   if (bound && !out.has_errors()) result.value = std::move(problem);
   return result;
 }

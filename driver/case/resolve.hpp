@@ -23,6 +23,10 @@ void resolve_history(Binder& binder, const CaseText& text, Case& out);
 void resolve_output_and_checks(Binder& binder, const CaseText& text, Case& out, bool columns_known,
                                bool history_known);
 
+/// Says what a table sees that its reader may not expect: a temperature or field that the history
+/// never gives (0), a constitutive motion that is not the displacement from the initial position.
+void explain_table_arguments(Binder& binder, const CaseText& text, const Case& problem);
+
 /// The hint for a component's name written in the wrong case ("did you mean 'CP1'?"), or
 /// `otherwise`.
 std::string nearest_component(std::string_view name, law::ComponentSet set,
