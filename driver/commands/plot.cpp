@@ -85,11 +85,11 @@ const char* force_word(std::string_view name) {
   return name.starts_with("CSM") ? "friction moment" : "friction force";
 }
 
-/// A distance of tics that divides a range into about five parts: 1, 2 or 5 times a power of ten.
-double tic_step(double range) {
-  constexpr double kParts = 5.0;
+/// A distance of tics that divides a range into about `parts` parts: 1, 2 or 5 times a power of
+/// ten.
+double tic_step(double range, double parts) {
   if (!(range > 0.0)) return 1.0;
-  const double part = range / kParts;
+  const double part = range / parts;
   const double power = std::pow(10.0, std::floor(std::log10(part)));
   const double digit = part / power;
   return power * (digit < 1.5 ? 1.0 : digit < 3.5 ? 2.0 : digit < 7.5 ? 5.0 : 10.0);
@@ -151,11 +151,12 @@ std::string definition_variables(const PlotData& data, const PlotDefinition& def
   double top = std::max(limit, magnitude(data, main));
   if (!(top > 0.0)) top = 1.0;
   set("TOP", format_number(top));
-  set("FORCE_STEP", format_number(tic_step(2.0 * top)));
   set("LARGEST_LIMIT", format_number(limit));
 
   const bool planar = translations.size() >= 2;
   set("PLANAR", planar ? "1" : "0");
+  const double parts = planar ? 2.5 : 5.0;  // the panels of a planar motion are small
+  set("FORCE_STEP", format_number(tic_step(2.0 * top, parts)));
   const auto first = static_cast<std::size_t>(planar ? translations[0] : 0);
   std::size_t shown = first;
   if (!planar) {
@@ -184,7 +185,7 @@ std::string definition_variables(const PlotData& data, const PlotDefinition& def
                 : ""));
     const auto p = static_cast<std::size_t>(std::max(position, 0));
     set((std::string(motion_name_) + "_STEP").c_str(),
-        format_number(tic_step(data.highest[p] - data.lowest[p])));
+        format_number(tic_step(data.highest[p] - data.lowest[p], parts)));
   };
   axis("FORCE_X", "MOTION_X", shown);
   axis("FORCE_Y", "MOTION_Y", planar ? static_cast<std::size_t>(translations[1]) : shown);
