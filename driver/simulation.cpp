@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -36,10 +38,11 @@ law::Ambient ambient_of(const Quantities& quantities, const law::RelativePositio
 
 /// The name of the first number of an update that is not finite; null if there is none.
 const char* not_finite(const law::FrictionUpdate& update) {
-  double sum = update.limit + update.normal_force + update.mu + update.phi + update.dissipation +
-               update.stored_energy + update.work + update.state.accumulated_slip;
-  for (const double y : update.state.force) sum += y;
-  for (const double s : update.state.elastic_slip) sum += s;
+  // A force or an elastic slip that is not finite spoils work and stored energy too. Two short sums
+  // run side by side where one long one would wait for itself.
+  const double sum =
+      (update.limit + update.normal_force + update.mu + update.phi) +
+      (update.stored_energy + update.work + update.dissipation + update.state.accumulated_slip);
   // One infinity or NaN spoils the sum: the single numbers are only looked at when it happened.
   if (std::isfinite(sum)) return nullptr;
   const std::array<std::pair<const char*, double>, 8> named{{
@@ -285,7 +288,10 @@ tl::expected<void, SimulationFailure> Simulation::update_definitions() {
   for (std::size_t i = 0; i < row_.definitions.size(); ++i) {
     DefinitionRow& here = row_.definitions[i];
     const law::FrictionState old = here.update.state;
-    here.update = law::update(case_->definitions[i].law, increment, old);
+    // In place: an assignment would build the result elsewhere and copy its 400 bytes.
+    static_assert(std::is_trivially_destructible_v<law::FrictionUpdate>);
+    ::new (&here.update)
+        law::FrictionUpdate(law::update(case_->definitions[i].law, increment, old));
     here.dissipation += here.update.dissipation;
     here.work += here.update.work;
     if (const char* what = not_finite(here.update)) {
