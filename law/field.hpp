@@ -50,7 +50,7 @@ struct Field {
   Member Struct::*member;
   Dimension dimension;
   Bounds bounds;
-  bool required;          ///< false: the brace default of the struct holds
+  bool required = false;  ///< false: the brace default of the struct holds
   std::string_view text;  ///< one sentence: symbol, meaning
 };
 

@@ -96,8 +96,10 @@ double first_root(const LimitFunction& limit, double trial, double kappa) noexce
 
 bool has_later_root(const LimitFunction& limit, double trial, double kappa, double root) noexcept {
   const double end = trial / kappa;
-  for (double x = limit.next_knot(root); x < end; x = limit.next_knot(x)) {
+  double x = limit.next_knot(root);
+  while (x < end) {
     if (trial - kappa * x - limit(x).force > 0.0) return true;
+    x = limit.next_knot(x);
   }
   return false;
 }
