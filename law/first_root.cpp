@@ -63,27 +63,22 @@ double first_root(const LimitFunction& limit, double trial, double kappa) noexce
   const auto slope_at = [&](double x) { return -kappa - limit.slope(limit(x)); };
   while (low < end) {
     double high = std::min(limit.next_knot(low), end);
-    // Just inside the piece: at its ends the slopes may belong to the neighbours.
+    // Slopes are taken just inside the piece: at its ends they may belong to the neighbours.
     const double margin = 1e-9 * (high - low);
-    const double slope_low = slope_at(low + margin);
-    double slope_high = slope_at(high - margin);
     if (limit.is_cubic()) {
       // h' is a parabola through three of its points; its vertex parts convex from concave.
       const double half = 0.5 * (high - low);
-      const double slope_middle = slope_at(low + half);
-      const double bend = 0.5 * (slope_low + slope_high) - slope_middle;
+      const double slope_low = slope_at(low + margin);
+      const double slope_high = slope_at(high - margin);
+      const double bend = 0.5 * (slope_low + slope_high) - slope_at(low + half);
       const double vertex = bend != 0.0 ? -0.25 * (slope_high - slope_low) / bend : 1.0;
-      if (vertex > -1.0 + 1e-6 && vertex < 1.0 - 1e-6) {
-        high = low + half + vertex * half;
-        slope_high = slope_at(high);
-      }
+      if (vertex > -1.0 + 1e-6 && vertex < 1.0 - 1e-6) high = low + half + vertex * half;
     }
-    const Limit there = limit(high);
-    if (trial - kappa * high - there.force <= 0.0 || high >= end) {
+    if (trial - kappa * high - limit(high).force <= 0.0 || high >= end) {
       return bracketed_root(limit, trial, kappa, low, high);
     }
     // h > 0 at both ends: a dip between them could still hide a root.
-    if (slope_low < 0.0 && slope_high > 0.0) {
+    if (slope_at(low + margin) < 0.0 && slope_at(high - margin) > 0.0) {
       const double dip = lowest_point(limit, kappa, low, high);
       if (trial - kappa * dip - limit(dip).force <= 0.0) {
         return bracketed_root(limit, trial, kappa, low, dip);

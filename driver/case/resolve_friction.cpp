@@ -7,6 +7,7 @@
 #include "driver/case/case_codecs.hpp"
 #include "driver/case/resolve.hpp"
 #include "driver/text/format_number.hpp"
+#include "law/uniqueness.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -194,36 +195,20 @@ std::optional<law::FrictionLaw> coefficient(Binder& binder, const FrictionText& 
   return std::get<law::FrictionLaw>(text.coefficient.value.value);
 }
 
-/// Whether the contact force may be negative, so that a falling internal one raises F_N.
-bool may_be_negative(const law::ContactForce& contact) {
-  if (std::holds_alternative<law::ComponentContactForce>(contact)) return true;
-  const auto* derived = std::get_if<law::DerivedComponent>(&contact);
-  return derived != nullptr &&
-         std::any_of(derived->begin(), derived->end(), [](const law::DerivedTerm& term) {
-           return term.combine == law::TermOperator::kSum || term.sign < 0.0;
-         });
-}
-
 /// A limit that falls faster with slip than the stick stiffness unloads snaps back: the force drops
 /// at constant motion, and no increment can follow it (reference case W1, beta >= 1). The bound
 /// takes the worst of the tables; where F_C may turn the sign it only warns.
 void check_snap_back(Binder& binder, const law::FrictionDefinition& d, const Node& node,
                      const Path& path) {
-  const auto* table = std::get_if<law::TableFunction>(&d.internal_contact_force);
-  if (table == nullptr || d.stick.mode != law::StickStiffness::Mode::kStiffness) return;
-  const int column = table->column_of(law::IndependentKind::kAccumulatedSlip);
-  if (column < 0) return;
-  const double fall = -table->table().steepest_fall(column);
-  const double growth = law::largest_growth(d.law);
-  const double beta = growth * fall / d.stick.value;
-  if (beta < 1.0) return;
+  const law::SnapBack snap = law::snap_back(d);
+  if (snap.ratio < 1.0) return;
   std::string message =
       "wear falls faster than the stick stiffness can follow (snap-back): mu |F'| / k = " +
-      format_number(growth) + " * " + format_number(fall) + " / " + format_number(d.stick.value) +
-      " = " + format_number(beta) + ", it must be below 1";
+      format_number(snap.growth) + " * " + format_number(snap.fall) + " / " +
+      format_number(d.stick.value) + " = " + format_number(snap.ratio) + ", it must be below 1";
   if (law::depends_on_contact_force(d.law)) message += "; mu stands for d(mu F_N)/dF_N";
   std::string hint = "raise stick.stiffness or flatten the table";
-  if (may_be_negative(d.contact_force)) {
+  if (law::may_be_negative(d.contact_force)) {
     binder.warning(node, path, std::move(message), std::move(hint));
   } else {
     binder.error(node, path, std::move(message), std::move(hint));

@@ -8,16 +8,10 @@
 #include <cmath>
 
 #include "driver/results/csv_writer.hpp"
+#include "law/uniqueness.hpp"
 
 namespace slipbench::driver {
 namespace {
-
-/// The stick stiffness kappa of a definition at the limit of one increment.
-double stick_stiffness(const law::FrictionDefinition& definition, double limit) {
-  return definition.stick.mode == law::StickStiffness::Mode::kStiffness
-             ? definition.stick.value
-             : limit / definition.stick.value;
-}
 
 /// A part of a whole in percent: whole numbers where they say enough.
 std::string percent(double part, double whole) {
@@ -92,7 +86,7 @@ void Summary::add(const Row& row) {
     sum.highest_force = std::max(sum.highest_force, force);
     if (update.normal_force > sum.largest_normal_force) {
       sum.largest_normal_force = update.normal_force;
-      sum.stiffness_there = stick_stiffness(case_->definitions[d].law, update.limit);
+      sum.stiffness_there = law::stick_stiffness(case_->definitions[d].law, update.limit);
     }
     if (update.multiple_roots) {
       sum.shortest_increment =
@@ -160,9 +154,8 @@ std::vector<std::string> Summary::warnings(std::span<const MotionJump> jumps) co
   for (std::size_t d = 0; d < definitions_.size(); ++d) {
     const DefinitionSummary& sum = definitions_[d];
     if (sum.multiple_roots == 0) continue;
-    const double threshold = sum.largest_normal_force *
-                             law::steepest_weakening(case_->definitions[d].law.law) /
-                             sum.stiffness_there;
+    const double threshold = law::uniqueness_threshold(
+        case_->definitions[d].law.law, sum.largest_normal_force, sum.stiffness_there);
     std::string advice;
     if (threshold > 0.0) {
       advice = fmt::format("; with increments longer than {} there is one only",
@@ -223,3 +216,4 @@ json::Value Summary::to_json() const {
 }
 
 }  // namespace slipbench::driver
+#include "law/uniqueness.hpp"

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// When the return mapping with a constant stick stiffness has one solution (theory 11.4): judged
+// once for a definition, not on the update path.
+#pragma once
+
+#include "law/friction_definition.hpp"
+
+namespace slipbench::law {
+
+/// kappa [F/L] of a definition at the limit F_lim [F] of one increment.
+double stick_stiffness(const FrictionDefinition& definition, double limit);
+
+/// Wear against stick stiffness: beta = growth fall / kappa, the beta = mu c / k of reference case
+/// W1 with the worst of the tables. At beta >= 1 the force drops at constant motion (snap-back).
+struct SnapBack {
+  double growth = 0.0;  ///< largest d(mu F_N)/dF_N [1]
+  double fall = 0.0;    ///< steepest -dF_int/d(accumulated slip) [F/L]
+  double ratio = 0.0;   ///< beta; 0 without wear, or where kappa follows the limit
+};
+SnapBack snap_back(const FrictionDefinition& definition);
+
+/// Whether F_C may be negative: a falling internal contact force then may raise F_N.
+bool may_be_negative(const ContactForce& contact);
+
+/// Increments longer than this [T] have one solution at a falling coefficient: F_N |mu'| / kappa.
+double uniqueness_threshold(const FrictionLaw& law, double normal_force, double stiffness);
+
+}  // namespace slipbench::law
