@@ -198,6 +198,27 @@ inline PathEvaluator make_planar_spinning(std::span<const std::vector<double>> v
   };
 }
 
+inline PathEvaluator make_component(std::span<const std::vector<double>> values) {
+  const double internal = values[0][0];
+  return [internal](std::span<const double> inputs, std::span<double> outputs) {
+    outputs[0] = effective(inputs[0], internal);
+  };
+}
+
+inline constexpr std::array kComponentInputs{
+    Signal{"contact_force", "F", "contact force with its sign, a single reaction"}};
+
+inline constexpr ClosedForm kComponent{
+    .name = "contact_force_component",
+    .title = "Normal force from a signed contact force and an internal one",
+    .formula = "F_N = |F_C + F_int|",
+    .source = kSource,
+    .range = kRange,
+    .parameters = kInternalForceOnly,
+    .inputs = kComponentInputs,
+    .outputs = kForceOutput,
+    .make = make_component,
+    .violation = no_violation};
 inline constexpr ClosedForm kSlot{.name = "contact_force_slot",
                                   .title = "Normal force of SLOT, two and three dimensions",
                                   .formula = "F_N = sqrt(f2^2 + f3^2) + F_int",

@@ -11,12 +11,11 @@
 #include "reference/closed_form.hpp"
 #include "reference/coulomb_slider.hpp"
 
-/// Jenkins elements side by side under one motion (Masing's model), and its continuous limit with a
-/// uniform distribution of yield forces (Iwan).
+/// Jenkins elements side by side under one motion (Masing's model).
 ///
 /// Formula   f = sum f_i. From rest: F_b(u) = sign(u) sum min(k_i |u|, lim_i). After a reversal at
-///           (u_r, F_r): F = F_r -+ 2 F_b(|u_r - u|/2). Closed loop: E = 4 sum lim_i <A -
-///           lim_i/k_i>.
+///           (u_r, F_r): F = F_r -+ 2 F_b(|u_r - u|/2), see masing.hpp. Closed loop: E = 4 sum
+///           lim_i <A - lim_i/k_i>.
 /// Symbols   u motion [L], k_i stick stiffnesses [F/L], lim_i limits [F], A amplitude [L], E [F L].
 /// Sign      forces have the sign of the slip they resist.
 /// Source    Masing 1926; Iwan 1966.
@@ -35,44 +34,11 @@ inline double backbone(std::span<const Slider> sliders, double motion) {
   return std::copysign(force, motion);
 }
 
-/// Force [F] on the branch that left (u_r, F_r) and has reached `motion` [L] without another
-/// reversal (Masing 1926): the backbone, doubled in both directions. `backbone` must be odd.
-template <typename Backbone>
-double masing_branch(const Backbone& backbone, double reversal_motion, double reversal_force,
-                     double motion) {
-  return reversal_force + 2.0 * backbone(0.5 * (motion - reversal_motion));
-}
-
 /// Energy of one closed loop of half width A [F L]; minor loops anywhere cost the same.
 inline double loop_energy(std::span<const Slider> sliders, double amplitude) {
   double energy = 0.0;
   for (const Slider& slider : sliders) energy += coulomb_slider::loop_energy(slider, amplitude);
   return energy;
-}
-
-/// Iwan's continuum whose elements share the stiffness evenly and yield evenly between the motions
-/// 0 and 2 f_y/k (Iwan 1966).
-struct UniformIwan {
-  double initial_stiffness;  ///< k [F/L], > 0
-  double yield_force;        ///< f_y [F], > 0, the force once everything slips
-};
-
-/// Force on first loading [F]: k u - k^2 u^2/(4 f_y) up to u = 2 f_y/k, then f_y; odd.
-inline double backbone(const UniformIwan& iwan, double motion) {
-  const double u = std::abs(motion);
-  const double k = iwan.initial_stiffness;
-  const double fy = iwan.yield_force;
-  const double force = u < 2.0 * fy / k ? k * u * (1.0 - k * u / (4.0 * fy)) : fy;
-  return std::copysign(force, motion);
-}
-
-/// Energy of one closed loop of amplitude A >= 0 [F L]: k^2 A^3/(3 f_y) up to A = 2 f_y/k, then 4
-/// f_y A - 16 f_y^2/(3 k).
-inline double loop_energy(const UniformIwan& iwan, double amplitude) {
-  const double k = iwan.initial_stiffness;
-  const double fy = iwan.yield_force;
-  if (amplitude < 2.0 * fy / k) return k * k * amplitude * amplitude * amplitude / (3.0 * fy);
-  return 4.0 * fy * amplitude - 16.0 * fy * fy / (3.0 * k);
 }
 
 inline constexpr std::array kParameters{Parameter{.name = "stick_stiffnesses",

@@ -8,6 +8,9 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "reference/closed_form.hpp"
@@ -257,5 +260,101 @@ inline constexpr ClosedForm kForm{
     .outputs = kOutputs,
     .make = make,
     .violation = no_violation};
+
+inline constexpr std::array kQuadratureParameters{
+    Parameter{.name = "mu",
+              .dimension = "1",
+              .text = "friction coefficient",
+              .lower = 0.0,
+              .lower_open = true},
+    Parameter{.name = "stick_stiffness",
+              .dimension = "F/L",
+              .text = "stiffness of the sticking contact",
+              .lower = 0.0,
+              .lower_open = true},
+    Parameter{.name = "amplitude",
+              .dimension = "L",
+              .text = "amplitude A of the motion A sin p",
+              .lower = 0.0,
+              .lower_open = true},
+    Parameter{.name = "mean_normal_force",
+              .dimension = "F",
+              .text = "mean N0 of the normal force N0 (1 - h cos p)",
+              .lower = 0.0,
+              .lower_open = true},
+    Parameter{.name = "modulation",
+              .dimension = "1",
+              .text = "modulation h of the normal force, below 1",
+              .lower = 0.0,
+              .upper = 1.0,
+              .lower_open = true},
+    kPeriod,
+    kStartTime};
+inline constexpr std::array kQuadratureInputs{
+    Signal{"time", "T", "time; before the start the slider is at rest"}};
+inline constexpr std::array kQuadratureOutputs{
+    Signal{"force", "F", "friction force"}, Signal{"motion", "L", "motion A sin p"},
+    Signal{"normal_force", "F", "normal force N0 (1 - h cos p)"},
+    Signal{"accumulated_slip", "L", "sum of the slip increments' magnitudes"},
+    Signal{"dissipation", "F L", "integral of mu N over slip"}};
+
+inline std::optional<std::string> quadrature_violation(
+    std::span<const std::vector<double>> values) {
+  if (values[4][0] < 1.0) return std::nullopt;
+  return "modulation is 1; the normal force must stay above 0";
+}
+
+inline PathEvaluator make_quadrature(std::span<const std::vector<double>> values) {
+  const Slider slider{values[0][0], values[1][0]};
+  const Quadrature path{values[2][0], values[3][0], values[4][0]};
+  return [slider, path, period = values[5][0], start_time = values[6][0],
+          events = quadrature_events(slider, path, 8)](std::span<const double> inputs,
+                                                       std::span<double> outputs) mutable {
+    const double phase = std::max(phase_at(inputs[0], start_time, period), 0.0);
+    while (!events.empty() && events.back().phase <= phase) {
+      auto more = quadrature_events(slider, path, 2 * events.size());
+      if (more.size() == events.size()) break;
+      events = std::move(more);
+    }
+    const auto motion = [&](double p) { return path.amplitude * std::sin(p); };
+    const auto normal_force = [&](double p) {
+      return path.mean * (1.0 - path.modulation * std::cos(p));
+    };
+    const double k = slider.stick_stiffness;
+    double force = k * motion(phase);
+    double slip = 0.0;
+    double dissipation = 0.0;
+    for (std::size_t i = 0; i < events.size() && events[i].phase <= phase; ++i) {
+      const Event& event = events[i];
+      if (event.kind == EventKind::kStick) {
+        force = event.force + k * (motion(phase) - event.motion);
+        continue;
+      }
+      const double sense = event.kind == EventKind::kForwardSlip ? 1.0 : -1.0;
+      const double end = i + 1 < events.size() ? std::min(events[i + 1].phase, phase) : phase;
+      force = sense * slider.mu * normal_force(phase);
+      slip += sense * (motion(end) - event.motion) -
+              slider.mu / k * (normal_force(end) - normal_force(event.phase));
+      dissipation += quadrature_slip_energy(slider, path, sense, event.phase, end);
+    }
+    outputs[0] = force;
+    outputs[1] = motion(phase);
+    outputs[2] = normal_force(phase);
+    outputs[3] = slip;
+    outputs[4] = dissipation;
+  };
+}
+
+inline constexpr ClosedForm kQuadratureForm{
+    .name = "quadrature_normal_force",
+    .title = "Elastic Coulomb slider, motion and normal force a quarter period apart",
+    .formula = "u = A sin p, N = N0 (1 - h cos p); slip ends where tan p = +-k A/(mu N0 h)",
+    .source = "Yang and Menq 1998; Menq, Griffin and Bielak 1986",
+    .range = "0 < h < 1; from rest at p = 0; exact at every phase, also between changes",
+    .parameters = kQuadratureParameters,
+    .inputs = kQuadratureInputs,
+    .outputs = kQuadratureOutputs,
+    .make = make_quadrature,
+    .violation = quadrature_violation};
 
 }  // namespace slipbench::reference::varying_normal_force

@@ -90,3 +90,9 @@ TEST_CASE("PLANAR presses differently against sliding and spinning") {
   CHECK(evaluate_once("contact_force_planar_sliding", point, load) == exact(100.0));
   CHECK(evaluate_once("contact_force_planar_spinning", point, load) == exact(10.0));
 }
+
+TEST_CASE("a signed contact force counts with its sign before the absolute value is taken") {
+  CHECK(evaluate_once("contact_force_component", {{100.0}}, {-80.0}) == 20.0);
+  CHECK(evaluate_once("contact_force_component", {{100.0}}, {-100.0}) == 0.0);
+  CHECK(evaluate_once("contact_force_component", {{100.0}}, {-130.0}) == 30.0);
+}

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "reference/masing.hpp"
 #include "tests/reference/evaluate.hpp"
 
 using namespace slipbench::reference;
@@ -38,10 +39,10 @@ TEST_CASE("parallel sliders unload on Masing's branch and remember where they tu
   const double motions[] = {0.04, 0.0, -0.1};
   const double forces[] = {-20.0, -30.0, -45.0};
   for (int i = 0; i < 3; ++i) {
-    CHECK(parallel_sliders::masing_branch(backbone, 0.1, 45.0, motions[i]) == exact(forces[i]));
+    CHECK(masing::branch(backbone, 0.1, 45.0, motions[i]) == exact(forces[i]));
   }
-  CHECK(parallel_sliders::masing_branch(backbone, 0.04, -20.0, 0.06) == exact(15.0));
-  CHECK(parallel_sliders::masing_branch(backbone, 0.04, -20.0, 0.1) == exact(45.0));
+  CHECK(masing::branch(backbone, 0.04, -20.0, 0.06) == exact(15.0));
+  CHECK(masing::branch(backbone, 0.04, -20.0, 0.1) == exact(45.0));
 
   const auto down =
       evaluate("parallel_sliders", kThreeParameters, {{0}, {0.1}, {0.04}, {0}, {-0.1}});
@@ -96,34 +97,4 @@ TEST_CASE("parallel sliders need as many limits as stiffnesses") {
         "stick_stiffnesses has 2 entries and limits has 1; each slider needs one of both");
   CHECK(parallel_sliders::violation(none).has_value());
   CHECK_FALSE(parallel_sliders::violation(kThreeParameters).has_value());
-}
-
-TEST_CASE("a uniform Iwan model has its known backbone and loop energies") {
-  const parallel_sliders::UniformIwan iwan{1000.0, 20.0};
-  CHECK(parallel_sliders::backbone(iwan, 0.01) == exact(8.75));
-  CHECK(parallel_sliders::backbone(iwan, 0.02) == exact(15.0));
-  CHECK(parallel_sliders::backbone(iwan, -0.03) == exact(-18.75));
-  CHECK(parallel_sliders::backbone(iwan, 0.04) == exact(20.0));
-  CHECK(parallel_sliders::backbone(iwan, 0.1) == exact(20.0));
-  CHECK(parallel_sliders::loop_energy(iwan, 0.01) == exact(1.0 / 60.0));
-  CHECK(parallel_sliders::loop_energy(iwan, 0.02) == exact(2.0 / 15.0));
-  CHECK(parallel_sliders::loop_energy(iwan, 0.04) == exact(16.0 / 15.0));
-  CHECK(parallel_sliders::loop_energy(iwan, 0.06) == exact(8.0 / 3.0));
-}
-
-TEST_CASE("equal sliders approach the uniform Iwan model with the square of their number") {
-  const parallel_sliders::UniformIwan iwan{1000.0, 20.0};
-  const auto error = [&](int n) {
-    std::vector<Slider> sliders;
-    for (int i = 0; i < n; ++i) {
-      const double yield_motion = 0.04 * (i + 0.5) / n;
-      sliders.push_back({1000.0 / n, 1000.0 / n * yield_motion});
-    }
-    // At the middle of a class the error is largest, at its edges it is nil.
-    const double u = 0.04 * (n / 2 + 0.5) / n;
-    return std::abs(parallel_sliders::backbone(sliders, u) - parallel_sliders::backbone(iwan, u));
-  };
-  // The error is exactly proportional to 1/n^2; what remains is rounding against the small error.
-  CHECK(error(10) / error(20) == Approx(4.0).epsilon(1e-9));
-  CHECK(error(20) / error(40) == Approx(4.0).epsilon(1e-9));
 }

@@ -167,3 +167,55 @@ TEST_CASE("a negative normal force has no answer") {
   CHECK(std::isnan(rows[1][0]));
   CHECK(std::isnan(rows[2][1]));
 }
+
+TEST_CASE("the closed form of a normal force in quadrature runs through its events") {
+  const std::vector<std::vector<double>> values{{0.2}, {1000.0},   {0.1}, {100.0},
+                                                {0.5}, {2.0 * pi}, {0.0}};
+  std::vector<std::vector<double>> path;
+  for (const Event& event : quadrature_events(kBase, kQuadrature, 7)) path.push_back({event.phase});
+  const auto rows = evaluate("quadrature_normal_force", values, path);
+  const char* forces[] = {"10.0506358398058", "19.0049628097900", "-28.5444422029350",
+                          "-19.0049628097900", "12.6535529695642"};
+  for (std::size_t i = 0; i < 5; ++i) {
+    CHECK_THAT(rows[i][0], printed(forces[i]));
+    CHECK(std::abs(rows[i][0]) == exact(0.2 * rows[i][2]));
+  }
+  const auto periods = evaluate("quadrature_normal_force", values,
+                                {{0.0}, {pi}, {2.0 * pi}, {4.0 * pi}, {60.0 * pi}});
+  CHECK(periods[0] == std::vector<double>{0.0, 0.0, 50.0, 0.0, 0.0});
+  CHECK_THAT(periods[3][4] - periods[2][4], printed("6.37613910583832"));
+  // Thirty periods' roundings.
+  CHECK(periods[4][4] - periods[2][4] == Approx(29.0 * 6.37613910583832).epsilon(1e-12));
+}
+
+TEST_CASE("fine pieces approach the closed form of a normal force in quadrature everywhere") {
+  const int n = 4000;
+  std::vector<std::vector<double>> phases;
+  std::vector<std::vector<double>> path;
+  for (int i = 0; i <= 3 * n; ++i) {
+    const double p = 2.0 * pi * i / n;
+    phases.push_back({p});
+    path.push_back({0.1 * std::sin(p), 100.0 * (1.0 - 0.5 * std::cos(p))});
+  }
+  const auto closed = evaluate("quadrature_normal_force",
+                               {{0.2}, {1000.0}, {0.1}, {100.0}, {0.5}, {2.0 * pi}, {0.0}}, phases);
+  const auto pieces = evaluate("varying_normal_force", kBaseParameters, path);
+  for (std::size_t i = 0; i < path.size(); i += 37) {
+    // Chords instead of arcs: (2 pi/4000)^2 of the forces k A = 100 N, slips 0.1 mm and energies.
+    CHECK(closed[i][0] == Approx(pieces[i][0]).margin(2e-4));
+    CHECK(closed[i][3] == Approx(pieces[i][1]).margin(2e-6));
+    CHECK(closed[i][4] == Approx(pieces[i][2]).margin(5e-5));
+  }
+}
+
+TEST_CASE("motion too small for a normal force in quadrature stays a spring") {
+  const auto rows =
+      evaluate("quadrature_normal_force", {{0.2}, {1000.0}, {0.01}, {100.0}, {0.5}, {0.25}, {3.0}},
+               {{0.0}, {3.0}, {5.5 + 0.25 / 8.0}});
+  CHECK(rows[0] == rows[1]);
+  CHECK(rows[2][0] == exact(10.0 * std::sin(0.25 * pi)));
+  CHECK(rows[2][3] == 0.0);
+  const std::vector<std::vector<double>> lifted{{0.2}, {1000.0}, {0.1}, {100.0},
+                                                {1.0}, {1.0},    {0.0}};
+  CHECK(quadrature_violation(lifted).has_value());
+}
