@@ -5,25 +5,38 @@
 #include <span>
 #include <string_view>
 
+#include "reference/belt_segment.hpp"
 #include "reference/bouc_wen.hpp"
+#include "reference/capstan.hpp"
+#include "reference/capstan_chain.hpp"
+#include "reference/cattaneo_mindlin.hpp"
 #include "reference/closed_form.hpp"
 #include "reference/contact_force.hpp"
 #include "reference/contact_force_ujoint.hpp"
 #include "reference/coulomb_slider.hpp"
 #include "reference/coulomb_vibration.hpp"
 #include "reference/dahl.hpp"
+#include "reference/elastic_belt.hpp"
 #include "reference/exponential_decay.hpp"
 #include "reference/harmonic_balance.hpp"
+#include "reference/helical_capstan.hpp"
+#include "reference/helical_slip.hpp"
 #include "reference/iwan_uniform.hpp"
 #include "reference/lift_off.hpp"
 #include "reference/lugre.hpp"
+#include "reference/moving_belt.hpp"
+#include "reference/p_norm.hpp"
 #include "reference/parallel_sliders.hpp"
 #include "reference/planar_slider.hpp"
+#include "reference/planar_slider_circle.hpp"
+#include "reference/power_law_capstan.hpp"
 #include "reference/segalman_iwan.hpp"
 #include "reference/static_kinetic_sawtooth.hpp"
 #include "reference/stick_slip_oscillator.hpp"
 #include "reference/tanh_friction.hpp"
+#include "reference/v_groove_capstan.hpp"
 #include "reference/varying_normal_force.hpp"
+#include "reference/varying_overlap.hpp"
 #include "reference/wear.hpp"
 #include "reference/wear_table.hpp"
 
@@ -35,13 +48,21 @@ inline constexpr std::array kCatalogue{
     parallel_sliders::kForm, iwan_uniform::kForm, segalman_iwan::kForm, varying_normal_force::kForm,
     varying_normal_force::kQuadratureForm, lift_off::kForm,
     // Two directions
-    planar_slider::kForm,
+    planar_slider::kForm, planar_slider_circle::kForm, planar_slider_circle::kIncrementsForm,
+    helical_slip::kForm, p_norm::kNormForm, p_norm::kSliderForm, p_norm::kBoxForm,
     // Contact force, wear, coefficient
     contact_force::kComponent, contact_force::kSlot, contact_force::kSlidePlane,
     contact_force::kCylindrical, contact_force::kTranslator, contact_force::kHinge,
     contact_force::kPlanarSliding, contact_force::kPlanarSpinning, contact_force_ujoint::kAxis1,
-    contact_force_ujoint::kAxis3, wear::kLinearForm, wear::kExponentialForm, wear_table::kForm,
-    exponential_decay::kForm, exponential_decay::kTestDataForm, static_kinetic_sawtooth::kForm,
+    contact_force_ujoint::kAxis3, varying_overlap::kForm, wear::kLinearForm, wear::kExponentialForm,
+    wear_table::kForm, exponential_decay::kForm, exponential_decay::kTestDataForm,
+    static_kinetic_sawtooth::kForm,
+    // Belts
+    capstan::kForm, capstan::kBandForm, capstan::kStatusForm, capstan::kWrapAngleForm,
+    capstan_chain::kForm, belt_segment::kForm, elastic_belt::kForm, power_law_capstan::kForm,
+    v_groove_capstan::kForm, moving_belt::kForm, helical_capstan::kForm,
+    // Spheres in contact
+    cattaneo_mindlin::kForm, cattaneo_mindlin::kLoopForm, cattaneo_mindlin::kHertzForm,
     // Dynamics
     stick_slip_oscillator::kForm, coulomb_vibration::kForm,
     // Laws that people compare with

@@ -100,6 +100,9 @@ TEST_CASE("small loops of two spheres cost the cube of the force") {
     // The next term of the series is of the relative size q.
     CHECK(loop_energy_over_force(steel, 20.0 * q) == Approx(leading).epsilon(2.0 * q));
   }
+  const double small = 1e-8 * slip_motion(steel);
+  CHECK(backbone_work(steel, small) / (0.5 * initial_stiffness(steel) * small * small) ==
+        Approx(1.0).epsilon(1e-8));
   // Where the series takes over nothing jumps.
   const double edge = kSeriesBelow * slip_motion(steel);
   const double below = edge * (1.0 - 1e-15);

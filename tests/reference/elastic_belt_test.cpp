@@ -156,6 +156,16 @@ TEST_CASE("an elastic belt remembers where it turned and closes its loops") {
   CHECK(rows[10][0] == exact(direct[3][0]));
 }
 
+TEST_CASE("a row without motion changes nothing for an elastic belt") {
+  const auto rows =
+      evaluate(kForm, kBeltParameters, {{0.0}, {0.0}, {0.03}, {0.03}, {0.01}, {0.01}, {0.04}});
+  CHECK(rows[1] == rows[0]);
+  CHECK(rows[3] == rows[2]);
+  CHECK(rows[5] == rows[4]);
+  const auto direct = evaluate(kForm, kBeltParameters, {{0.0}, {0.03}, {0.01}, {0.04}});
+  CHECK(rows[6] == direct[3]);
+}
+
 TEST_CASE("an elastic belt's first branch meets the virgin curve on the other side") {
   // Beyond the mirror point nothing is left of the first pull.
   const auto rows = evaluate(kForm, kBeltParameters, {{0.0}, {0.01}, {-0.03}});

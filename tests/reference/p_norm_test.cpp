@@ -119,6 +119,11 @@ TEST_CASE("a p-norm slider takes the direction of the last motion") {
   CHECK(rows[3][1] == exact(-20.0));
   CHECK(rows[4][0] == exact(-20.0 / std::pow(2.0, 2.0 / 3.0)));
   CHECK(rows[4][1] == exact(rows[4][0]));
+  // Any force inside the box would do where nothing slips; none is taken.
+  const auto resting = steady_slip(20.0, kInfinity, {1.0, 1.0}, {0.0, -3.0});
+  CHECK(resting.force.first == 0.0);
+  CHECK(resting.force.second == -20.0);
+  CHECK(steady_slip(20.0, 1.5, {1.0, 1.0}, {0.0, 0.0}).power == 0.0);
   CHECK(kSliderForm.violation(std::vector<std::vector<double>>{{1.0}, {0.2}, {100.0}, {1}, {1}})
             .has_value());
 }

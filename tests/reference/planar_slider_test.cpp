@@ -242,7 +242,7 @@ TEST_CASE("a planar slider without a limit neither resists nor slips") {
 }
 
 TEST_CASE("a shaft in helical slip has the printed force, moment and power") {
-  const auto helix = helical_slip(105.0, 0.24, 0.3, 1.25);
+  const auto helix = planar_slider::helical_slip(105.0, 0.24, 0.3, 1.25);
   CHECK_THAT(helix.force, printed("74.2462120245875"));
   CHECK_THAT(helix.moment, printed("17.819090885901"));
   CHECK_THAT(helix.power, printed("44.5477272147525"));
