@@ -199,6 +199,9 @@ void swing(benchmark::State& state, const FrictionDefinition& definition) {
 
 ConstantCoefficient example(std::type_identity<ConstantCoefficient>) { return {0.2}; }
 ExponentialDecay example(std::type_identity<ExponentialDecay>) { return {0.3, 0.2, 0.05}; }
+ExponentialTestData example(std::type_identity<ExponentialTestData>) {
+  return {0.3, 0.23, 20.0, 0.2};
+}
 TabularCoefficient example(std::type_identity<TabularCoefficient>) {
   return std::get<TabularCoefficient>(
       two_tables(SlipRateMeasure::kSlip, AccumulatedSlipTiming::kEnd).law);

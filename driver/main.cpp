@@ -97,6 +97,15 @@ int run(int argc, char** argv) {
       ->capture_default_str();
   run_app->add_flag("--no-output", run_options.no_output,
                     "Write no files, only tell what happened");
+  run_app->add_option("--explain", run_options.explain,
+                      "Only tell why it sticks or slips at this total time; writes nothing")
+      ->type_name("TIME");
+  run_app->add_flag("--solver-report", run_options.solver_report,
+                    "Also judge what an implicit solver has to expect; writes <case>.solver.csv");
+  run_app->add_flag("--compare-integration", run_options.compare_integration,
+                    "Only tell how far backward Euler is from exact integration; writes nothing");
+  run_app->add_flag("--converge", run_options.converge,
+                    "Only tell what half and quarter increments change; writes nothing");
   run_app->footer(
       "Writes <case>.csv (a row an increment), <case>.events.csv (every change between stick and\n"
       "slip) and <case>.json (the summary). Prints what happened and the case's own checks.\n"

@@ -10,7 +10,14 @@
 #include <utility>
 #include <variant>
 
+#include "driver/belt_motion.hpp"
+#include "driver/component_forces.hpp"
+#include "driver/connector_increment.hpp"
+#include "driver/dynamics.hpp"
+#include "driver/equilibrium.hpp"
+#include "driver/exact_integration.hpp"
 #include "driver/text/format_number.hpp"
+#include "law/capstan_update.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -26,15 +33,7 @@ SimulationFailure failure(const HistoryError& error) {
 }
 
 bool is_motion(int quantity) { return quantity < kFirstForce; }
-
-law::Ambient ambient_of(const Quantities& quantities, const law::RelativePosition& reference) {
-  law::Ambient ambient;
-  std::copy_n(quantities.begin() + kFirstMotion, law::kComponents, ambient.position.values.begin());
-  ambient.motion = law::constitutive_motion(ambient.position, reference);
-  ambient.temperature = quantities[kTemperatureQuantity];
-  ambient.fields = std::span(quantities).subspan(kFirstField);
-  return ambient;
-}
+bool is_node(int quantity) { return quantity >= kFirstNode; }
 
 /// The name of the first number of an update that is not finite; null if there is none.
 const char* not_finite(const law::FrictionUpdate& update) {
@@ -71,10 +70,31 @@ const char* not_finite(const law::FrictionUpdate& update) {
 
 Simulation::Simulation(const Case& problem) : case_(&problem) {
   row_.definitions.resize(problem.definitions.size());
+  for (const CaseDefinition& definition : problem.definitions) {
+    definitions_.push_back(definition.law);
+  }
+  note_falling_definitions();
   std::copy(problem.initial.values.begin(), problem.initial.values.end(),
             row_.quantities.begin() + kFirstMotion);
   row_.begin = problem.initial;
+  begin_ = row_.quantities;
+  if (problem.dynamics) dynamics_ = std::make_unique<Dynamics>(problem);
+  has_forces_ = has_component_forces(problem);
+  if (!problem.force_driven.empty()) equilibrium_ = std::make_unique<Equilibrium>(problem);
+  if (problem.integration.method == IntegrationMethod::kExact &&
+      !(problem.belt && problem.belt->both_tensions)) {
+    exact_ = std::make_unique<ExactIntegration>(problem);
+  }
+  if (problem.belt && problem.belt->nodes) {
+    auto coordinate = row_.quantities.begin() + kFirstNode;
+    for (const law::Point& node : *problem.belt->nodes) {
+      coordinate = std::copy(node.begin(), node.end(), coordinate);
+    }
+  }
 }
+
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation::~Simulation() = default;
 
 tl::expected<Simulation, SimulationFailure> Simulation::start(const Case& problem) {
   Simulation simulation(problem);
@@ -88,10 +108,15 @@ tl::expected<Simulation, SimulationFailure> Simulation::start(const Case& proble
 
 tl::expected<Simulation, SimulationFailure> Simulation::resume(const Case& problem,
                                                                const SimulationState& state) {
+  // Where motions follow from the law, the walk needs it.
+  const bool solved = problem.dynamics || !problem.force_driven.empty();
   Simulation simulation(problem);
   if (auto begun = simulation.start_history(); !begun) return tl::unexpected(begun.error());
+  if (solved) {
+    if (auto done = simulation.update_definitions(); !done) return tl::unexpected(done.error());
+  }
   while (simulation.row_.index < state.increments) {
-    auto advanced = simulation.advance_history();
+    auto advanced = solved ? simulation.advance() : simulation.advance_history();
     if (!advanced) return tl::unexpected(advanced.error());
     if (!*advanced) {
       return tl::unexpected(SimulationFailure{
@@ -105,6 +130,10 @@ tl::expected<Simulation, SimulationFailure> Simulation::resume(const Case& probl
     definition.update.state = state.definitions[i].friction;
     definition.dissipation = state.definitions[i].dissipation;
     definition.work = state.definitions[i].work;
+    definition.update.mu = state.definitions[i].mu;
+    // The walk knew no coefficients, so not what a change of friction in progress set out from.
+    law::CoefficientBlend& blend = simulation.definitions_[i].blend;
+    if (blend.weight != 1.0) blend.start = state.definitions[i].mu_start;
   }
   return simulation;
 }
@@ -112,15 +141,21 @@ tl::expected<Simulation, SimulationFailure> Simulation::resume(const Case& probl
 tl::expected<bool, SimulationFailure> Simulation::advance() {
   auto advanced = advance_history();
   if (!advanced || !*advanced) return advanced;
-  if (auto updated = update_definitions(); !updated) return tl::unexpected(updated.error());
+  if (auto updated = update_definitions(); !updated) {
+    if (!measured_) updated.error().step = row_.step;
+    return tl::unexpected(std::move(updated.error()));
+  }
+  note_thresholds();
   return true;
 }
 
 SimulationState Simulation::state() const {
   SimulationState state;
   state.increments = row_.index;
-  for (const DefinitionRow& definition : row_.definitions) {
-    state.definitions.push_back({definition.update.state, definition.dissipation, definition.work});
+  for (std::size_t i = 0; i < row_.definitions.size(); ++i) {
+    const DefinitionRow& definition = row_.definitions[i];
+    state.definitions.push_back({definition.update.state, definition.dissipation, definition.work,
+                                 definition.update.mu, definitions_[i].blend.start});
   }
   return state;
 }
@@ -130,24 +165,35 @@ tl::expected<void, SimulationFailure> Simulation::start_history() {
     auto opened = MeasuredHistory::open(*case_->measured);
     if (!opened) return tl::unexpected(failure(opened.error()));
     measured_ = std::move(*opened);
+    force_driven_ = case_->force_driven;
     auto read = measured_->advance();
     if (!read) return tl::unexpected(failure(read.error()));
     take_measured_row();
+    earlier_.assign(measured_->values().begin(), measured_->values().end());
     // A measured path starts where its first row says.
     std::copy_n(row_.quantities.begin() + kFirstMotion, law::kComponents,
                 row_.begin.values.begin());
     row_.time = row_.step_time = measured_->time();
-    return {};
+    return move_belt();
   }
-  if (case_->steps.empty()) return {};
+  if (case_->steps.empty()) return move_belt();
   if (auto begun = begin_step(); !begun) return begun;
   // Motions start where the connector is; whatever else is driven has its first value.
   const Step& step = case_->steps.front();
   for (std::size_t i = 0; i < step.drives.size(); ++i) {
     const int quantity = step.drives[i].quantity;
-    if (!is_motion(quantity)) {
+    if (!is_motion(quantity) && !is_node(quantity)) {
       row_.quantities[static_cast<std::size_t>(quantity)] = cursors_[i].start_value();
     }
+  }
+  return move_belt();
+}
+
+tl::expected<void, SimulationFailure> Simulation::move_belt() {
+  if (!case_->belt) return {};
+  if (auto fault = driver::move_belt(*case_, row_)) {
+    return tl::unexpected(
+        SimulationFailure{SimulationFailure::Kind::kInput, place() + ": " + *std::move(fault)});
   }
   return {};
 }
@@ -161,15 +207,36 @@ void Simulation::take_measured_row() {
 }
 
 tl::expected<bool, SimulationFailure> Simulation::advance_measured() {
-  auto read = measured_->advance();
-  if (!read) return tl::unexpected(failure(read.error()));
-  if (!*read) return false;
+  const int pieces = case_->measured_pieces;
+  if (piece_ == 0) {
+    if (pieces > 1) {
+      std::copy(measured_->values().begin(), measured_->values().end(), earlier_.begin());
+      earlier_time_ = measured_->time();
+    }
+    auto read = measured_->advance();
+    if (!read) return tl::unexpected(failure(read.error()));
+    if (!*read) return false;
+  }
+  if (dynamics_) begin_ = row_.quantities;
+  if (exact_) exact_->begin(row_.quantities, definitions_);
   std::copy_n(row_.quantities.begin() + kFirstMotion, law::kComponents, row_.begin.values.begin());
-  take_measured_row();
-  const double time = measured_->time();
+  double time = measured_->time();
+  if (++piece_ == pieces) {
+    piece_ = 0;
+    take_measured_row();
+  } else {
+    const MeasuredSource& source = *case_->measured;
+    const double between = std::lerp(earlier_time_, time, static_cast<double>(piece_) / pieces);
+    for (std::size_t i = 0; i < source.columns.size(); ++i) {
+      row_.quantities[source.columns[i].quantity] = between_rows(
+          earlier_time_, earlier_[i], time, measured_->values()[i], between, source.hold);
+    }
+    time = between;
+  }
   row_.duration = time - row_.time;
   row_.time = row_.step_time = time;
   ++row_.index;
+  if (auto moved = move_belt(); !moved) return tl::unexpected(moved.error());
   return true;
 }
 
@@ -183,7 +250,48 @@ tl::expected<void, SimulationFailure> Simulation::begin_step() {
     cursors_.push_back(std::move(*cursor));
   }
   row_.pass = 0;
+  choose_force_driven(step);
+  if (auto begun = begin_friction_changes(); !begun) return begun;
   return begin_pass();
+}
+
+tl::expected<void, SimulationFailure> Simulation::begin_friction_changes() {
+  const Step& step = case_->steps[static_cast<std::size_t>(row_.step)];
+  if (step.friction_changes.empty()) return {};
+  std::vector<double> mu;
+  for (const DefinitionRow& definition : row_.definitions) mu.push_back(definition.update.mu);
+  auto begun = friction_changes_.begin_step(step, row_.step == 0, row_.time, mu, definitions_);
+  if (!begun) return tl::unexpected(failure(begun.error()));
+  note_falling_definitions();
+  return {};
+}
+
+void Simulation::note_falling_definitions() {
+  falling_.clear();
+  for (std::size_t i = 0; i < definitions_.size(); ++i) {
+    if (law::has_increment_thresholds(definitions_[i])) falling_.push_back(i);
+    row_.definitions[i].thresholds = {};
+  }
+}
+
+/// Only for definitions whose coefficient may fall: the others' update costs nothing more.
+void Simulation::note_thresholds() {
+  // The thresholds are those of backward Euler.
+  if (falling_.empty() || dynamics_ || exact_ || !(row_.duration > 0.0)) return;
+  const law::Ambient end = ambient_of(row_.quantities, case_->reference);
+  for (const std::size_t i : falling_) {
+    const law::SlipSpace& slip = definitions_[i].slip;
+    double square = 0.0;
+    for (int k = 0; k < slip.dimension; ++k) {
+      const auto a = static_cast<std::size_t>(k);
+      const int c = slip.component[a];
+      const double ds = slip.scale[a] * (end.position[c] - row_.begin[c]);
+      square += ds * ds;
+    }
+    DefinitionRow& row = row_.definitions[i];
+    row.thresholds = law::increment_thresholds(definitions_[i], end, row.update.normal_force,
+                                               std::sqrt(square) / row_.duration);
+  }
 }
 
 tl::expected<void, SimulationFailure> Simulation::begin_pass() {
@@ -208,7 +316,7 @@ tl::expected<void, SimulationFailure> Simulation::begin_pass() {
       varying_.push_back(i);
     }
   }
-  breakpoint_ = next_breakpoint(cursors_, 0.0);
+  breakpoint_ = std::min(next_breakpoint(cursors_, 0.0), friction_changes_.next_breakpoint(0.0));
   in_step_ = true;
   return {};
 }
@@ -243,8 +351,16 @@ tl::expected<bool, SimulationFailure> Simulation::advance_history() {
   }
   const double from = grid_.time();
   if (from + kSameTime * step->duration >= breakpoint_) {
-    breakpoint_ = next_breakpoint(cursors_, from);
+    breakpoint_ =
+        std::min(next_breakpoint(cursors_, from), friction_changes_.next_breakpoint(from));
   }
+  if (dynamics_ || exact_) {
+    begin_ = row_.quantities;
+    for (const std::size_t i : varying_) {
+      begin_[static_cast<std::size_t>(step->drives[i].quantity)] = cursors_[i].value_after(from);
+    }
+  }
+  if (exact_) exact_->begin(begin_, definitions_);
   const double to = grid_.advance(breakpoint_);
   std::copy_n(row_.quantities.begin() + kFirstMotion, law::kComponents, row_.begin.values.begin());
   double sum = 0.0;
@@ -275,43 +391,181 @@ tl::expected<bool, SimulationFailure> Simulation::advance_history() {
   row_.time = pass_start_ + to;
   row_.duration = to - from;
   ++row_.index;
+  if (friction_changes_.active()) {
+    friction_changes_.advance(to, grid_.at_end(), definitions_);
+  }
+  if (auto moved = move_belt(); !moved) return tl::unexpected(moved.error());
   return true;
 }
 
-tl::expected<void, SimulationFailure> Simulation::update_definitions() {
-  law::ConnectorIncrement increment;
-  increment.duration = row_.duration;
-  increment.begin_position = row_.begin;
-  increment.end = ambient_of(row_.quantities, case_->reference);
-  std::copy_n(row_.quantities.begin() + kFirstForce, law::kComponents,
-              increment.force.values.begin());
-  for (std::size_t i = 0; i < row_.definitions.size(); ++i) {
-    DefinitionRow& here = row_.definitions[i];
-    const law::FrictionState old = here.update.state;
-    // In place: an assignment would build the result elsewhere and copy its 400 bytes.
-    static_assert(std::is_trivially_destructible_v<law::FrictionUpdate>);
-    ::new (&here.update)
-        law::FrictionUpdate(law::update(case_->definitions[i].law, increment, old));
-    here.dissipation += here.update.dissipation;
-    here.work += here.update.work;
-    if (const char* what = not_finite(here.update)) {
-      return tl::unexpected(numerical_failure(i, what));
+void Simulation::choose_force_driven(const Step& step) {
+  if (!equilibrium_) return;
+  law::ComponentSet now;
+  for (int c = 0; c < law::kComponents; ++c) {
+    const auto drives = [&](int quantity) {
+      return std::any_of(step.drives.begin(), step.drives.end(),
+                         [&](const Drive& drive) { return drive.quantity == quantity; });
+    };
+    const auto load = static_cast<std::size_t>(kFirstForce + c);
+    const bool loaded = drives(kFirstForce + c) && case_->force_driven.contains(c);
+    if (loaded || (force_driven_.contains(c) && !drives(kFirstMotion + c))) now.insert(c);
+    if (loaded && !force_driven_.contains(c)) {
+      // What held the component until now is the load it starts with.
+      row_.quantities[load] = begin_[load] = row_.index > 0 ? carried_force(c) : 0.0;
     }
+    if (case_->force_driven.contains(c) && !now.contains(c)) {
+      row_.quantities[load] = begin_[load] = 0.0;
+      row_.forces.component[static_cast<std::size_t>(c)].applied = 0.0;
+      row_.forces.component[static_cast<std::size_t>(c)].reaction = 0.0;
+    }
+  }
+  force_driven_ = now;
+}
+
+double Simulation::carried_force(int component) const {
+  const ComponentForces& forces = row_.forces.component[static_cast<std::size_t>(component)];
+  double sum = forces.elastic + forces.viscous;
+  for (std::size_t i = 0; i < definitions_.size(); ++i) {
+    sum += law::friction_force(definitions_[i], row_.definitions[i].update.state)[component];
+  }
+  return sum;
+}
+
+tl::expected<void, SimulationFailure> Simulation::solve_equilibrium() {
+  for (DefinitionRow& definition : row_.definitions) {
+    definition.changes.count = 0;
+    definition.changes.overflow = false;
+  }
+  const IntegrateDefinition one = [this](std::size_t definition,
+                                         const law::ConnectorIncrement& increment,
+                                         const law::FrictionState& old) {
+    return integrate(definition, increment, old);
+  };
+  const auto solved = equilibrium_->solve(force_driven_, begin_, definitions_, one, row_);
+  if (!solved) {
+    const NoEquilibrium& why = solved.error();
+    return tl::unexpected(SimulationFailure{
+        SimulationFailure::Kind::kNumerical,
+        fmt::format("{}: {}", place((1.0 - why.fraction) * row_.duration), why.message)});
+  }
+  for (std::size_t i = 0; i < row_.definitions.size(); ++i) {
+    const law::FrictionUpdate& update = row_.definitions[i].update;
+    if (const char* what = not_finite(update)) {
+      return tl::unexpected(numerical_failure(i, fmt::format("the {} is not finite", what)));
+    }
+    if (!update.converged) {
+      return tl::unexpected(numerical_failure(
+          i, "the return to the limit surface of its potential found no solution"));
+    }
+  }
+  if (auto fault = beyond_stop(*case_, force_driven_, connector_increment(*case_, row_).end.position)) {
+    return tl::unexpected(
+        SimulationFailure{SimulationFailure::Kind::kInput, place() + ": " + *std::move(fault)});
+  }
+  begin_ = row_.quantities;
+  return {};
+}
+
+tl::expected<void, SimulationFailure> Simulation::advance_mass(bool start) {
+  const int definition = dynamics_->definition();
+  const law::FrictionDefinition* friction =
+      definition < 0 ? nullptr : &definitions_[static_cast<std::size_t>(definition)];
+  take_springs_and_dampers(*case_, connector_increment(*case_, row_), row_.forces,
+                           dynamics_->component());
+  if (start) {
+    dynamics_->start(friction, row_);
+    return {};
+  }
+  if (const auto done = dynamics_->advance(begin_, friction, row_); !done) {
+    return tl::unexpected(SimulationFailure{
+        SimulationFailure::Kind::kNumerical,
+        fmt::format("{}: {}", place((1.0 - done.error().fraction) * row_.duration),
+                    done.error().message)});
+  }
+  if (definition < 0) return {};
+  const auto i = static_cast<std::size_t>(definition);
+  if (const char* what = not_finite(row_.definitions[i].update)) {
+    return tl::unexpected(numerical_failure(i, fmt::format("the {} is not finite", what)));
   }
   return {};
 }
 
-SimulationFailure Simulation::numerical_failure(std::size_t definition, const char* what) const {
+tl::expected<void, SimulationFailure> Simulation::take_forces() {
+  const law::ConnectorIncrement increment = connector_increment(*case_, row_);
+  if (auto fault = beyond_stop(*case_, {}, increment.end.position)) {
+    return tl::unexpected(
+        SimulationFailure{SimulationFailure::Kind::kInput, place() + ": " + *std::move(fault)});
+  }
+  if (!dynamics_) take_springs_and_dampers(*case_, increment, row_.forces);
+  for (int c = 0; c < law::kComponents; ++c) {
+    if (!force_driven_.contains(c)) continue;
+    row_.forces.component[static_cast<std::size_t>(c)].applied =
+        row_.quantities[static_cast<std::size_t>(kFirstForce + c)];
+  }
+  if (equilibrium_) begin_ = row_.quantities;
+  return {};
+}
+
+tl::expected<void, SimulationFailure> Simulation::update_definitions() {
+  if (equilibrium_ && !force_driven_.empty() && row_.index > 0) return solve_equilibrium();
+  if (dynamics_) {
+    if (auto moved = advance_mass(row_.index == 0); !moved) return moved;
+  }
+  law::ConnectorIncrement increment = connector_increment(*case_, row_);
+  if (case_->belt) prepare_belt(*case_, row_, increment, definitions_);
+  if (exact_ && row_.index == 0) exact_->begin(row_.quantities, definitions_);
+  for (std::size_t i = 0; i < row_.definitions.size(); ++i) {
+    if (dynamics_ && static_cast<int>(i) == dynamics_->definition()) continue;
+    DefinitionRow& here = row_.definitions[i];
+    const law::FrictionState old = here.update.state;
+    here.changes.count = 0;
+    here.changes.overflow = false;
+    // In place: an assignment would build the result elsewhere and copy its 400 bytes.
+    static_assert(std::is_trivially_destructible_v<law::FrictionUpdate>);
+    ::new (&here.update) law::FrictionUpdate(
+        exact_ ? exact_->update(i, definitions_[i], increment, old, here.changes)
+               : integrate(i, increment, old));
+    here.dissipation += here.update.dissipation;
+    here.work += here.update.work;
+    if (const char* what = not_finite(here.update)) {
+      return tl::unexpected(numerical_failure(i, fmt::format("the {} is not finite", what)));
+    }
+    if (!here.update.converged) {
+      return tl::unexpected(numerical_failure(
+          i, "the return to the limit surface of its potential found no solution"));
+    }
+    // The next ring of a belt meets the tension that this one leaves.
+    if (case_->belt) increment.force[0] = law::tension_behind(here.update);
+  }
+  if (has_forces_) return take_forces();
+  return {};
+}
+
+law::FrictionUpdate Simulation::integrate(std::size_t definition,
+                                          const law::ConnectorIncrement& increment,
+                                          const law::FrictionState& old) const {
+  if (case_->belt && case_->belt->both_tensions) {
+    return law::judge_capstan(definitions_[definition], increment,
+                              row_.quantities[kTensionBehind]);
+  }
+  return law::update(definitions_[definition], increment, old);
+}
+
+std::string Simulation::place(double before) const {
   const std::string step =
       measured_ ? fmt::format("row {} of the measured history", row_.index + 1)
                 : fmt::format("step '{}', t = {}",
                               case_->steps.empty()
                                   ? std::string()
                                   : case_->steps[static_cast<std::size_t>(row_.step)].name,
-                              format_number(row_.step_time));
+                              format_number(row_.step_time - before));
+  return fmt::format("{} (total time {})", step, format_number(row_.time - before));
+}
+
+SimulationFailure Simulation::numerical_failure(std::size_t definition,
+                                                const std::string& what) const {
   return {SimulationFailure::Kind::kNumerical,
-          fmt::format("{} (total time {}): definition '{}': the {} is not finite", step,
-                      format_number(row_.time), case_->definitions[definition].name, what)};
+          fmt::format("{}: definition '{}': {}", place(), case_->definitions[definition].name, what)};
 }
 
 }  // namespace slipbench::driver

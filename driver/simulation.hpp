@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,12 +12,21 @@
 
 #include "driver/case/case.hpp"
 #include "driver/case/quantity.hpp"
+#include "driver/component_forces.hpp"
+#include "driver/friction_change.hpp"
 #include "driver/history/history_error.hpp"
 #include "driver/history/profile_cursor.hpp"
 #include "driver/history/step_grid.hpp"
+#include "law/belt.hpp"
+#include "law/regime_change.hpp"
 #include "law/return_mapping.hpp"
+#include "law/uniqueness.hpp"
 
 namespace slipbench::driver {
+
+class Dynamics;
+class Equilibrium;
+class ExactIntegration;
 
 /// Values of all quantities a case can prescribe, in the numbering of quantity.hpp.
 using Quantities = std::array<double, kQuantities>;
@@ -26,6 +36,10 @@ struct DefinitionRow {
   law::FrictionUpdate update;
   double dissipation = 0.0;  ///< since the start [F L]
   double work = 0.0;         ///< of the friction force over the motion, since the start [F L]
+  /// What the increment should be longer than; 0 where that does not matter.
+  law::IncrementThresholds thresholds;
+  /// Changes of regime within the increment, where the integration locates them.
+  law::RegimeChanges changes;
 };
 
 /// The result of one increment. Row 0 is the initial state: forces, temperature and fields as the
@@ -39,6 +53,8 @@ struct Row {
   double duration = 0.0;                   ///< of the increment [T]; 0 in row 0
   law::RelativePosition begin;             ///< CP where the increment began
   Quantities quantities{};                 ///< at its end
+  law::BeltSegment belt;                   ///< of a SLIPRING, at its end
+  ConnectorForces forces;                  ///< beside friction, where the case has any
   std::vector<DefinitionRow> definitions;  ///< in the order of the case's definitions
 };
 
@@ -49,6 +65,8 @@ struct SimulationState {
     law::FrictionState friction;
     double dissipation = 0.0;
     double work = 0.0;
+    double mu = 0.0;        ///< coefficient of the last increment
+    double mu_start = 0.0;  ///< that a change of friction in progress sets out from
   };
   std::int64_t increments = 0;  ///< position in the history
   std::vector<Definition> definitions;
@@ -67,10 +85,11 @@ struct SimulationFailure {
   enum class Kind {
     kInput,        ///< the history has no value, or its data are faulty
     kEnvironment,  ///< a data file cannot be read
-    kNumerical     ///< an update is not finite
+    kNumerical     ///< an update is not finite, or has no solution
   };
   Kind kind = Kind::kNumerical;
   std::string message;  ///< with the file's position where data are at fault
+  int step = -1;        ///< of the case's steps, where an increment failed
 };
 
 /// A case on its way through its history, one increment after another. Increments end at the
@@ -78,12 +97,15 @@ struct SimulationFailure {
 /// measured history. An increment allocates nothing; nothing grows with the number of increments.
 class Simulation {
  public:
+  Simulation(Simulation&&) noexcept;
+  ~Simulation();
+
   /// The initial state; `problem` must outlive the simulation. Errors: a history that has no first
   /// value, an initial state that is not finite.
   static tl::expected<Simulation, SimulationFailure> start(const Case& problem);
 
   /// The state in which another run of the same case was cut; its history is walked through again
-  /// up to there, without the law. The next row is the one the other run would have given;
+  /// up to there, without the law where nothing that moves depends on it. The next row is the one the other run would have given;
   /// `row()` before it has no updates. Errors: those of `start`; a history shorter than that.
   static tl::expected<Simulation, SimulationFailure> resume(const Case& problem,
                                                             const SimulationState& state);
@@ -94,6 +116,9 @@ class Simulation {
 
   /// The last increment, or the initial state.
   const Row& row() const { return row_; }
+
+  /// The definition in force in the last increment.
+  const law::FrictionDefinition& definition(std::size_t index) const { return definitions_[index]; }
 
   SimulationState state() const;
 
@@ -110,12 +135,40 @@ class Simulation {
   tl::expected<void, SimulationFailure> begin_step();
   tl::expected<void, SimulationFailure> begin_pass();
   tl::expected<void, SimulationFailure> update_definitions();
+  /// One increment of one definition by the case's integration method.
+  law::FrictionUpdate integrate(std::size_t definition, const law::ConnectorIncrement& increment,
+                                const law::FrictionState& old) const;
   void take_measured_row();
+  /// Who is driven by force from now on, and with what load it starts.
+  void choose_force_driven(const Step& step);
+  tl::expected<void, SimulationFailure> solve_equilibrium();
+  tl::expected<void, SimulationFailure> advance_mass(bool start);
+  /// Springs, dampers and stops at the end of an increment whose motions are known.
+  tl::expected<void, SimulationFailure> take_forces();
+  double carried_force(int component) const;
+  tl::expected<void, SimulationFailure> begin_friction_changes();
+  void note_falling_definitions();
+  void note_thresholds();
   void note_jump(int component, double from, double to);
-  SimulationFailure numerical_failure(std::size_t definition, const char* what) const;
+  tl::expected<void, SimulationFailure> move_belt();
+  /// "step 'cycle', t = 0.5 (total time 1.5)".
+  /// \param before how long before the end of the increment [T]
+  std::string place(double before = 0.0) const;
+  SimulationFailure numerical_failure(std::size_t definition, const std::string& what) const;
 
   const Case* case_;
+  /// The definitions in force; a change of friction puts others in place of the case's.
+  std::vector<law::FrictionDefinition> definitions_;
+  FrictionChanges friction_changes_;
+  std::vector<std::size_t> falling_;  ///< definitions whose increments may be too short
   Row row_;
+  /// Of a case with components that are driven by force, and of a dynamic one.
+  std::unique_ptr<Equilibrium> equilibrium_;
+  std::unique_ptr<Dynamics> dynamics_;
+  law::ComponentSet force_driven_;  ///< now
+  bool has_forces_ = false;         ///< beside friction
+  std::unique_ptr<ExactIntegration> exact_;  ///< where the case asks for it
+  Quantities begin_{};              ///< at the begin of the increment, for those three
   std::vector<MotionJump> jumps_;
   std::array<double, law::kComponents> extent_{};  ///< largest magnitude of each position so far
 
@@ -124,6 +177,9 @@ class Simulation {
   StepGrid grid_{1.0, 1};
   bool in_step_ = false;
   std::optional<MeasuredHistory> measured_;
+  std::vector<double> earlier_;  ///< the row before, where increments divide the rows
+  double earlier_time_ = 0.0;
+  int piece_ = 0;  ///< how many of them lie behind since the row before
   double pass_start_ = 0.0;  ///< total time at which the current pass began
   double breakpoint_ = 0.0;  ///< the next one
 };

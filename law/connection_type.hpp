@@ -16,6 +16,7 @@
 #include "law/connection/revolute.hpp"
 #include "law/connection/rotation.hpp"
 #include "law/connection/slide_plane.hpp"
+#include "law/connection/slipring.hpp"
 #include "law/connection/slot.hpp"
 #include "law/connection/translator.hpp"
 #include "law/connection/ujoint.hpp"
@@ -26,7 +27,7 @@ namespace slipbench::law {
 /// The single list of connection types. A new type is one header and one entry here.
 using ConnectionType =
     std::variant<Slot, SlidePlane, Cylindrical, Translator, Hinge, Planar, UJoint, Join, Cartesian,
-                 Align, Revolute, Universal, Cardan, Rotation>;
+                 Align, Revolute, Universal, Cardan, Rotation, SlipRing>;
 
 /// Types with predefined friction declare their parameters in fields() and expand themselves.
 template <class Type>

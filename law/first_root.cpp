@@ -10,7 +10,8 @@ namespace {
 
 /// Root of h(x) = trial - kappa x - F_lim(x) in [low, high] with h(low) > 0 >= h(high), by Newton's
 /// method held inside a shrinking bracket; bisection wherever Newton leaves it or stalls.
-double bracketed_root(const LimitFunction& limit, double trial, double kappa, double low,
+template <class LimitOf>
+double bracketed_root(const LimitOf& limit, double trial, double kappa, double low,
                       double high) noexcept {
   double x = high;
   double previous_width = high - low;
@@ -40,7 +41,8 @@ double bracketed_root(const LimitFunction& limit, double trial, double kappa, do
 }
 
 /// The slip x in [low, high] where h is smallest, h' changing sign from - to + inside: bisection.
-double lowest_point(const LimitFunction& limit, double kappa, double low, double high) noexcept {
+template <class LimitOf>
+double lowest_point(const LimitOf& limit, double kappa, double low, double high) noexcept {
   for (int i = 0; i < 60 && high - low > 1e-15 * high; ++i) {
     const double middle = low + 0.5 * (high - low);
     (-kappa - limit.slope(limit(middle)) < 0.0 ? low : high) = middle;
@@ -50,7 +52,8 @@ double lowest_point(const LimitFunction& limit, double kappa, double low, double
 
 }  // namespace
 
-double first_root(const LimitFunction& limit, double trial, double kappa) noexcept {
+template <class LimitOf>
+double first_root(const LimitOf& limit, double trial, double kappa) noexcept {
   const double end = trial / kappa;
   double low = 0.0;
   // Before trial - kappa x has come down to the cap there is no root, and behind that point the cap
@@ -89,7 +92,8 @@ double first_root(const LimitFunction& limit, double trial, double kappa) noexce
   return end;
 }
 
-bool has_later_root(const LimitFunction& limit, double trial, double kappa, double root) noexcept {
+template <class LimitOf>
+bool has_later_root(const LimitOf& limit, double trial, double kappa, double root) noexcept {
   const double end = trial / kappa;
   double x = limit.next_knot(root);
   while (x < end) {
@@ -99,7 +103,8 @@ bool has_later_root(const LimitFunction& limit, double trial, double kappa, doub
   return false;
 }
 
-double first_zero(const LimitFunction& limit, double slip) noexcept {
+template <class LimitOf>
+double first_zero(const LimitOf& limit, double slip) noexcept {
   if (!(limit(0.0).force > 0.0)) return 0.0;
   double low = 0.0;
   double high = slip;
@@ -109,5 +114,12 @@ double first_zero(const LimitFunction& limit, double slip) noexcept {
   }
   return high;
 }
+
+template double first_root(const LimitFunction&, double, double) noexcept;
+template bool has_later_root(const LimitFunction&, double, double, double) noexcept;
+template double first_zero(const LimitFunction&, double) noexcept;
+template double first_root(const CapstanLimit&, double, double) noexcept;
+template bool has_later_root(const CapstanLimit&, double, double, double) noexcept;
+template double first_zero(const CapstanLimit&, double) noexcept;
 
 }  // namespace slipbench::law

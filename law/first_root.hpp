@@ -2,6 +2,7 @@
 // The implicit part of the return mapping: where a force that slips comes to rest on its limit.
 #pragma once
 
+#include "law/capstan_limit.hpp"
 #include "law/limit_function.hpp"
 
 namespace slipbench::law {
@@ -10,14 +11,17 @@ namespace slipbench::law {
 /// h(0) > 0 and kappa > 0 [F/L]. One exists in (0, trial/kappa] since F_lim >= 0. The search walks
 /// from knot to knot (LimitFunction::next_knot); between two of them h is convex or concave, so
 /// that one sign change means one root, and a dip shows in the slopes at the ends: no earlier root
-/// is passed over.
-double first_root(const LimitFunction& limit, double trial, double kappa) noexcept;
+/// is passed over. `LimitOf` is LimitFunction or one side of a CapstanLimit, here and below.
+template <class LimitOf>
+double first_root(const LimitOf& limit, double trial, double kappa) noexcept;
 
 /// True if h is positive at a knot after `root`, where it is not: then there are (more) roots.
-bool has_later_root(const LimitFunction& limit, double trial, double kappa, double root) noexcept;
+template <class LimitOf>
+bool has_later_root(const LimitOf& limit, double trial, double kappa, double root) noexcept;
 
 /// The first slip in [0, slip] from which on F_lim is 0, given that it is 0 at `slip`; 0 if it is 0
 /// at rest already. The limit wears away once: bisection.
-double first_zero(const LimitFunction& limit, double slip) noexcept;
+template <class LimitOf>
+double first_zero(const LimitOf& limit, double slip) noexcept;
 
 }  // namespace slipbench::law

@@ -3,11 +3,15 @@
 
 #include <array>
 #include <cstdint>
+#include <variant>
 
+#include "law/capstan.hpp"
+#include "law/coefficient_blend.hpp"
 #include "law/component.hpp"
 #include "law/contact_force.hpp"
 #include "law/friction_law.hpp"
 #include "law/internal_contact_force.hpp"
+#include "law/potential.hpp"
 
 namespace slipbench::law {
 
@@ -55,12 +59,20 @@ enum class SlipRateMeasure : std::uint8_t {
   kRelativeMotion  ///< |ds| / dt, known before the return mapping
 };
 
+/// P = |y|, the norm of the scaled slip space: all predefined friction but that of SLIPRING.
+struct EuclideanPotential {};
+
+/// When a definition slips, and in which direction.
+using SlipCriterion = std::variant<EuclideanPotential, Potential, Capstan>;
+
 /// Everything one stick-slip calculation needs; immutable once built.
 struct FrictionDefinition {
   SlipSpace slip;
+  SlipCriterion criterion;
   ContactForce contact_force;
   InternalContactForce internal_contact_force = 0.0;
   FrictionLaw law;
+  CoefficientBlend blend;              ///< of `law` with an earlier one, while friction changes
   double force_limit = kNoForceLimit;  ///< f_t^max [F], > 0
   StickStiffness stick;
   AccumulatedSlipTiming accumulated_slip = AccumulatedSlipTiming::kEnd;

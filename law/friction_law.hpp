@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <variant>
 
 #include "law/friction/constant_coefficient.hpp"
 #include "law/friction/exponential_decay.hpp"
+#include "law/friction/exponential_test_data.hpp"
 #include "law/friction/tabular_coefficient.hpp"
 
 namespace slipbench::law {
 
 /// The single list of coefficient laws: the reader, the schema, `slipbench list`, the documentation
 /// and the tests fold over it. A new law is one header and one entry here.
-using FrictionLaw = std::variant<ConstantCoefficient, ExponentialDecay, TabularCoefficient>;
+using FrictionLaw =
+    std::variant<ConstantCoefficient, ExponentialDecay, ExponentialTestData, TabularCoefficient>;
 
 inline CoefficientPoint evaluate(const FrictionLaw& law, const Ambient& ambient,
                                  const SlipArguments& slip) noexcept {
@@ -38,6 +41,12 @@ inline double largest_growth(const FrictionLaw& law) {
 /// max(-dmu/d(slip rate)) [T/L], 0 for a law that never weakens.
 inline double steepest_weakening(const FrictionLaw& law) {
   return std::visit([](const auto& l) { return l.steepest_weakening(); }, law);
+}
+/// The exponential decay that a law is or stands for; nothing for other laws.
+inline std::optional<ExponentialDecay> exponential_decay(const FrictionLaw& law) {
+  if (const auto* decay = std::get_if<ExponentialDecay>(&law)) return *decay;
+  if (const auto* data = std::get_if<ExponentialTestData>(&law)) return data->fit();
+  return std::nullopt;
 }
 /// True if a table is asked outside its data.
 inline bool outside(const FrictionLaw& law, const Ambient& ambient, const SlipArguments& slip) {

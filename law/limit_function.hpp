@@ -11,6 +11,10 @@
 
 namespace slipbench::law {
 
+/// Slack of the comparison |y| <= F_lim, so that a force returned to the limit and left alone does
+/// not slip again by its own rounding: a state may flip at >, never at =.
+inline constexpr double kLimitSlack = 1.0 + 8.0 * std::numeric_limits<double>::epsilon();
+
 /// The limit F_lim = min(mu F_N, force_limit) at one slip of the increment, with its slopes.
 struct Limit {
   double force = 0.0;          ///< F_lim [F]
@@ -56,15 +60,18 @@ class LimitFunction {
   }
 
   /// The limit at any pair of slip and rate.
-  Limit at(double slip, double rate) const noexcept {
+  Limit at(double slip, double rate) const noexcept { return at(slip, rate, definition_.blend); }
+  /// The same in the middle of a change of friction.
+  Limit at(double slip, double rate, const CoefficientBlend& blend) const noexcept {
     Limit limit;
     const auto internal = evaluate(definition_.internal_contact_force, increment_.end,
                                    accumulated_ + slip_in_wear_ * slip);
     limit.contact_force = contact_ + internal.value;
     limit.normal_force = std::abs(limit.contact_force);
     limit.slip_rate = rate;
-    const CoefficientPoint c = evaluate(definition_.law, increment_.end,
-                                        {.slip_rate = rate, .contact_force = limit.normal_force});
+    const CoefficientPoint c =
+        blended(blend, evaluate(definition_.law, increment_.end,
+                                {.slip_rate = rate, .contact_force = limit.normal_force}));
     limit.mu = c.mu;
     limit.force = c.mu * limit.normal_force;
     if (limit.force >= definition_.force_limit) {
@@ -121,7 +128,7 @@ class LimitFunction {
       // F_N moves one way within a piece of the wear table: the next knot lies on that side.
       for (const double knot : law->table.table().knots(k))
         candidate(slip + (knot - normal) / growth);
-    } else if (const auto* decay = std::get_if<ExponentialDecay>(&definition_.law)) {
+    } else if (const auto decay = exponential_decay(definition_.law)) {
       const double per_slip = decay->decay * slip_in_rate_;
       if (per_slip > 0.0) candidate(slip + 2.0 / per_slip - normal / growth);
     }

@@ -5,15 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "law/capstan_update.hpp"
 #include "law/first_root.hpp"
 #include "law/limit_function.hpp"
+#include "law/potential_return.hpp"
 
 namespace slipbench::law {
 namespace {
-
-/// Slack of the comparison |y| <= F_lim, so that a force returned to the limit and left alone does
-/// not slip again by its own rounding: a state may flip at >, never at =.
-constexpr double kSlack = 1.0 + 8.0 * std::numeric_limits<double>::epsilon();
 
 template <int D>
 using Slip = Eigen::Matrix<double, D, 1>;
@@ -39,16 +37,17 @@ double norm(const Slip<D>& v) {
 /// Work of the force going from y0 to y1 over ds. The force first rises along the straight line to
 /// the predictor `trial`; where that meets the limit the increment is split, so that the trapezoid
 /// is exact for an elastic-plastic path in one dimension (reference cases, section 10, property 3).
+/// \param[out] onset the fraction of the increment before the split
 template <int D>
 double split_work(const Slip<D>& y0, const Slip<D>& trial, const Slip<D>& y1, const Slip<D>& ds,
-                  double limit) {
+                  double limit, double* onset) {
   const Slip<D> rise = trial - y0;
   const double a = rise.squaredNorm();
   const double b = y0.dot(rise);
   // A force returned to the limit may lie above it by its rounding; it counts as on the limit.
   const double square = limit * limit;
   const double excess = y0.squaredNorm() - square;
-  const double c = excess <= 2.0 * (kSlack - 1.0) * square ? std::min(excess, 0.0) : excess;
+  const double c = excess <= 2.0 * (kLimitSlack - 1.0) * square ? std::min(excess, 0.0) : excess;
   double lambda = 0.0;
   if (a > 0.0 && c <= 0.0) {
     // The stable form of the positive root of a x^2 + 2 b x + c = 0.
@@ -56,6 +55,7 @@ double split_work(const Slip<D>& y0, const Slip<D>& trial, const Slip<D>& y1, co
     lambda = b > 0.0 ? -c / (b + root) : (root - b) / a;
     lambda = std::clamp(lambda, 0.0, 1.0);
   }
+  *onset = lambda;
   const Slip<D> split = y0 + lambda * rise;
   return 0.5 * (lambda * (y0 + split).dot(ds) + (1.0 - lambda) * (split + y1).dot(ds));
 }
@@ -114,7 +114,7 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
     const double kappa = kappa_or_g;
     y_trial = y_old + kappa * ds;
     trial = norm<D>(y_trial);
-    slips = trial > at_rest.force * kSlack;
+    slips = trial > at_rest.force * kLimitSlack;
     if (slips) {
       const double slope = limit.slope(at_rest);
       const bool implicit = limit.depends_on_slip();
@@ -142,7 +142,7 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
     //     return is closed (section 10.2).
     const double g = kappa_or_g;
     const double q = norm<D>(s_trial);
-    slips = q > g * kSlack;
+    slips = q > g * kLimitSlack;
     if (slips) {
       slip = q - g;
       l = limit(slip);
@@ -176,7 +176,8 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
   result.state.accumulated_slip += slip;
   result.dissipation = l.force * slip;
   result.stored_energy = 0.5 * y.dot(s_elastic);
-  result.work = slips ? split_work<D>(y_old, y_trial, y, ds, l.force) : 0.5 * (y_old + y).dot(ds);
+  result.work = slips ? split_work<D>(y_old, y_trial, y, ds, l.force, &result.onset)
+                      : 0.5 * (y_old + y).dot(ds);
   const double p = norm<D>(y);
   result.phi = (slips && fixed && !opens ? trial - kappa_or_g * slip : p) - l.force;
   if (!slips && p > 0.0) n = y / p;
@@ -218,6 +219,14 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
 
 FrictionUpdate update(const FrictionDefinition& definition, const ConnectorIncrement& increment,
                       const FrictionState& old) noexcept {
+  switch (definition.criterion.index()) {
+    case 1:
+      return update_potential(definition, increment, old);
+    case 2:
+      return update_capstan(definition, increment, old);
+    default:
+      break;
+  }
   switch (definition.slip.dimension) {
     case 1:
       return update_in<1>(definition, increment, old);
@@ -232,6 +241,35 @@ FrictionUpdate update(const FrictionDefinition& definition, const ConnectorIncre
     default:
       return update_in<6>(definition, increment, old);
   }
+}
+
+namespace {
+
+double magnitude(const FrictionDefinition& definition, const SlipVector& v) noexcept {
+  if (definition.slip.dimension == 1) return std::abs(v[0]);
+  double sum = 0.0;
+  for (int k = 0; k < definition.slip.dimension; ++k) {
+    const double entry = v[static_cast<std::size_t>(k)];
+    sum += entry * entry;
+  }
+  return std::sqrt(sum);
+}
+
+}  // namespace
+
+double equivalent_force(const FrictionDefinition& definition, const FrictionState& state) noexcept {
+  const auto* potential = std::get_if<Potential>(&definition.criterion);
+  return potential != nullptr ? value(*potential, state.force) : magnitude(definition, state.force);
+}
+
+double equivalent_elastic_slip(const FrictionDefinition& definition,
+                               const FrictionState& state) noexcept {
+  const auto* given = std::get_if<Potential>(&definition.criterion);
+  if (given == nullptr) return magnitude(definition, state.elastic_slip);
+  Potential potential = *given;
+  potential.offset = {};
+  for (PotentialLeaf& leaf : potential.leaf) leaf.center = 0.0;
+  return value(potential, state.elastic_slip);
 }
 
 ConnectorForce friction_force(const FrictionDefinition& definition, const FrictionState& state) {
@@ -265,6 +303,24 @@ ConnectorTangent connector_tangent(const FrictionDefinition& definition,
   }
 
   const SlipSpace& space = definition.slip;
+  if (std::holds_alternative<Potential>(definition.criterion)) {
+    const PotentialTangent potential = potential_tangent(definition, update);
+    for (int i = 0; i < space.dimension; ++i) {
+      const auto a = static_cast<std::size_t>(i);
+      const int ci = space.component[a];
+      for (int j = 0; j < space.dimension; ++j) {
+        const auto b = static_cast<std::size_t>(j);
+        tangent.to_motion(ci, space.component[b]) +=
+            space.scale[a] * potential.to_slip(i, j) * space.scale[b];
+      }
+      for (int c = 0; c < kComponents; ++c) {
+        const double to_contact = space.scale[a] * potential.to_contact[i];
+        tangent.to_motion(ci, c) += to_contact * contact_to_position[c];
+        tangent.to_force(ci, c) += to_contact * contact_to_force[c];
+      }
+    }
+    return tangent;
+  }
   const SlipTangent& t = update.tangent;
   for (int i = 0; i < space.dimension; ++i) {
     const auto a = static_cast<std::size_t>(i);

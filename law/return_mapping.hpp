@@ -14,6 +14,8 @@ namespace slipbench::law {
 ///   dy/dF_C  = contact n                                             [1]
 /// with n the direction of y, m that of ds. In stick transverse = radial.
 /// F_C stands for all that changes the contact force F_C + F_int from outside; section 10.7.
+/// With a Potential the four are what its tangent is made of: kappa, dF_lim/d(dL), dF_lim/d|ds| and
+/// dF_lim/dF_C (potential_tangent).
 struct SlipTangent {
   double transverse = 0.0;
   double radial = 0.0;
@@ -24,7 +26,9 @@ struct SlipTangent {
 /// Result of one increment of one definition.
 struct FrictionUpdate {
   FrictionState state;
-  std::array<double, kComponents> direction{};         ///< n = y/|y|, or 0 where there is no force
+  /// n = y/|y|, or 0 where there is no force; with a Potential m/|m|^2 with m = dP/dy, so that
+  /// n . ds is the equivalent slip of steady sliding.
+  std::array<double, kComponents> direction{};
   std::array<double, kComponents> motion_direction{};  ///< m = ds/|ds|, or 0
   SlipTangent tangent;
   double phi = 0.0;             ///< P - F_lim [F]; in slip the residual of the return mapping
@@ -37,11 +41,21 @@ struct FrictionUpdate {
   double dissipation = 0.0;     ///< F_lim dL of this increment [F L], never negative
   double stored_energy = 0.0;   ///< y . s_el / 2 at the end [F L]
   double work = 0.0;            ///< of y over ds, split at the stick-slip point [F L]
+  /// Of an increment that ends in slip: the part of it that is over when the trial force meets the
+  /// limit of its end, 0 where it slips from the start; exact in one dimension at a constant limit.
+  double onset = 0.0;
   bool multiple_roots = false;  ///< the limit falls too fast for one certain solution
+  bool converged = true;        ///< false: a return to a potential found no solution
 };
 
 /// Friction force per connector component: f_i = R_i y_i [F], [F L].
 ConnectorForce friction_force(const FrictionDefinition& definition, const FrictionState& state);
+
+/// P [F], the magnitude of the tangential force: the norm of y, or what a Potential makes of it.
+double equivalent_force(const FrictionDefinition& definition, const FrictionState& state) noexcept;
+/// The equivalent elastic slip [L]: |s_el|, or P(s_el) of a Potential with its shifts left out.
+double equivalent_elastic_slip(const FrictionDefinition& definition,
+                               const FrictionState& state) noexcept;
 
 /// One increment of one definition: predictor, admissibility, return mapping, tangent
 /// (specification section 10). Pure: the old state is not touched, nothing is allocated, nothing is

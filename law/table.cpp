@@ -133,6 +133,54 @@ double Table::value_and_slopes(std::span<const double> x, std::span<double> slop
   return block<true>(independents() - 1, 0, x.data(), weight, slopes.data(), column);
 }
 
+TableInterval Table::interval(int level, std::uint32_t index, double v) const noexcept {
+  const Level& here = levels_[at(level)];
+  const std::uint32_t first = here.first[index];
+  const std::uint32_t count = here.first[index + 1] - first;
+  const double* grid = here.x.data() + first;
+  TableInterval result{grid[0], grid[0]};
+  if (v < grid[0]) result.place = TableInterval::Place::kBelow;
+  if (v > grid[count - 1]) result.place = TableInterval::Place::kAbove;
+  if (count == 1) return result;
+  const std::uint32_t i = segment(grid, count, v);
+  result.lower = grid[i];
+  result.upper = grid[i + 1];
+  result.fraction = (v - result.lower) / (result.upper - result.lower);
+  if (extrapolation_ == Extrapolation::kConstant) {
+    result.fraction = std::clamp(result.fraction, 0.0, 1.0);
+  }
+  return result;
+}
+
+void Table::find_cell(int level, std::uint32_t index, const double* x,
+                      TableCell* cell) const noexcept {
+  if (level < 0) return;
+  const Level& here = levels_[at(level)];
+  const TableInterval found = interval(level, index, x[level]);
+  cell->along[at(level)] = found;
+  std::uint32_t low = here.first[index];
+  while (here.x[low] < found.lower) ++low;
+  const bool one = found.lower == found.upper;
+  const std::uint32_t nearer = !one && found.fraction > 0.5 ? low + 1 : low;
+  find_cell(level - 1, nearer, x, cell);
+  if (one || found.fraction == 0.0 || found.fraction == 1.0) return;
+  TableCell other = *cell;
+  find_cell(level - 1, nearer == low ? low + 1 : low, x, &other);
+  cell->ragged = cell->ragged || other.ragged;
+  for (int k = 0; k < level; ++k) {
+    const TableInterval& a = cell->along[at(k)];
+    const TableInterval& b = other.along[at(k)];
+    cell->ragged = cell->ragged || a.lower != b.lower || a.upper != b.upper;
+  }
+}
+
+TableCell Table::cell(std::span<const double> x) const noexcept {
+  TableCell result;
+  result.independents = independents();
+  find_cell(independents() - 1, 0, x.data(), &result);
+  return result;
+}
+
 double Table::smallest(int column) const {
   double result = ordinates_[at(column)];
   for (std::size_t i = at(column); i < ordinates_.size(); i += at(dependents_)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -33,6 +34,26 @@ struct TableError {
   int row = -1;
   int other_row = -1;
   int column = -1;
+};
+
+/// Where a point lies along one independent of a table.
+struct TableInterval {
+  enum class Place : std::uint8_t { kInside, kBelow, kAbove };
+  double lower = 0.0;  ///< neighbouring grid points; the same where the block has only one
+  double upper = 0.0;
+  /// Of the way from `lower` to `upper`, as used: 0 or 1 where the end value is held, outside
+  /// [0, 1] where the end segment is prolonged.
+  double fraction = 0.0;
+  Place place = Place::kInside;
+};
+
+/// The cell a value is taken from.
+struct TableCell {
+  int independents = 0;
+  std::array<TableInterval, kMaxIndependents> along{};
+  /// Whether the blocks between which the value is interpolated have different grids; `along` is
+  /// of the block that counts for more.
+  bool ragged = false;
 };
 
 /// Piecewise linear table of any number of dependents over any number of independents, with ragged
@@ -78,6 +99,9 @@ class Table {
   /// with y = mu and x_k = F_N, how fast a limiting force can grow with its normal force.
   double largest_growth(int k, int column = 0) const;
 
+  /// The cell that `value` takes its result from; for reading, not for the update path.
+  TableCell cell(std::span<const double> x) const noexcept;
+
   /// True if some coordinate of `x` lies outside its (union) range.
   bool outside(std::span<const double> x) const noexcept;
 
@@ -89,6 +113,9 @@ class Table {
     std::vector<std::uint32_t> first;
     std::vector<double> knots;
   };
+
+  TableInterval interval(int level, std::uint32_t index, double v) const noexcept;
+  void find_cell(int level, std::uint32_t index, const double* x, TableCell* cell) const noexcept;
 
   template <bool kSlopes>
   double block(int level, std::uint32_t index, const double* x, double weight, double* slopes,

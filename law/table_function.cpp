@@ -102,6 +102,18 @@ void TableFunction::add_motion_slopes(const Ambient& ambient, const SlipArgument
   }
 }
 
+std::array<double, kMaxIndependents> TableFunction::arguments(
+    const Ambient& ambient, const SlipArguments& slip) const noexcept {
+  Arguments x{};
+  gather(ambient, slip, &x);
+  return x;
+}
+
+TableCell TableFunction::cell(const Ambient& ambient, const SlipArguments& slip) const noexcept {
+  Arguments x;
+  return table_.cell(gather(ambient, slip, &x));
+}
+
 bool TableFunction::outside(const Ambient& ambient, const SlipArguments& slip) const noexcept {
   Arguments x;
   return table_.outside(gather(ambient, slip, &x));

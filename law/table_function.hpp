@@ -65,6 +65,12 @@ class TableFunction {
   void add_motion_slopes(const Ambient& ambient, const SlipArguments& slip, double weight,
                          RelativePosition* gradient, int column = 0) const noexcept;
 
+  /// What the table is asked for: as many numbers as it has independents, in their order.
+  std::array<double, kMaxIndependents> arguments(const Ambient& ambient,
+                                                 const SlipArguments& slip) const noexcept;
+  /// The cell a value is taken from.
+  TableCell cell(const Ambient& ambient, const SlipArguments& slip) const noexcept;
+
   /// True if an argument lies outside the table.
   bool outside(const Ambient& ambient, const SlipArguments& slip) const noexcept;
 

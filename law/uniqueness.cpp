@@ -33,4 +33,32 @@ double uniqueness_threshold(const FrictionLaw& law, double normal_force, double 
   return normal_force * steepest_weakening(law) / stiffness;
 }
 
+bool has_increment_thresholds(const FrictionDefinition& definition) {
+  return definition.stick.mode == StickStiffness::Mode::kStiffness &&
+         definition.slip_rate == SlipRateMeasure::kSlip && depends_on_slip_rate(definition.law);
+}
+
+IncrementThresholds increment_thresholds(const FrictionDefinition& definition, const Ambient& end,
+                                         double normal_force, double rate) {
+  if (!has_increment_thresholds(definition)) return {};
+  const CoefficientPoint point =
+      blended(definition.blend,
+              evaluate(definition.law, end, {.slip_rate = rate, .contact_force = normal_force}));
+  // dF_lim/dmu, and the limit itself, of a belt in the sense in which it is larger.
+  const auto* belt = std::get_if<Capstan>(&definition.criterion);
+  const double limit = normal_force * (belt == nullptr ? point.mu
+                                                       : capstan_limit(point.mu * belt->wrap_angle,
+                                                                       FlowSense::kForward));
+  if (!(normal_force > 0.0) || limit >= definition.force_limit) return {};
+  const double to_mu = belt == nullptr
+                           ? normal_force
+                           : normal_force * belt->wrap_angle *
+                                 capstan_ratio(point.mu * belt->wrap_angle, FlowSense::kForward);
+  const double per_stiffness = to_mu / definition.stick.value;
+  const double weakening = std::max(-point.to_slip_rate, 0.0);
+  const double steepest = definition.blend.weight * steepest_weakening(definition.law);
+  return {normal_force, weakening, 2.0 * per_stiffness * weakening,
+          per_stiffness * std::max(steepest, 0.0)};
+}
+
 }  // namespace slipbench::law

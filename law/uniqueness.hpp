@@ -25,4 +25,22 @@ bool may_be_negative(const ContactForce& contact);
 /// Increments longer than this [T] have one solution at a falling coefficient: F_N |mu'| / kappa.
 double uniqueness_threshold(const FrictionLaw& law, double normal_force, double stiffness);
 
+/// The increments that decide what backward Euler makes of a coefficient that falls with the slip
+/// rate (theory 11.4, reference cases K3 and K5). Both are 0 where they decide nothing: where the
+/// coefficient does not fall or sees the rate of the relative motion, where the cap holds, and
+/// where the stick stiffness follows the limit, which makes dL independent of it.
+struct IncrementThresholds {
+  double normal_force = 0.0;  ///< F_N they were taken at [F]
+  double weakening = 0.0;     ///< -dmu/d(slip rate) at the rate of the motion [T/L]
+  /// Longer increments settle on the smooth answer F_lim(v): 2 |dF_lim/dv| / kappa [T].
+  double smooth = 0.0;
+  /// Longer increments have one solution: the steepest |dF_lim/dv| of the law / kappa [T].
+  double unique = 0.0;
+};
+/// \param rate |ds|/dt of the relative motion [L/T]
+IncrementThresholds increment_thresholds(const FrictionDefinition& definition, const Ambient& end,
+                                         double normal_force, double rate);
+/// Whether a definition may have such thresholds at all.
+bool has_increment_thresholds(const FrictionDefinition& definition);
+
 }  // namespace slipbench::law

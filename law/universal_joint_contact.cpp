@@ -59,8 +59,8 @@ HingeShares hinge_shares(double slenderness) {
   return shares;
 }
 
-double evaluate(const UniversalJointContact& contact, const ConnectorForce& force,
-                const RelativePosition& position) noexcept {
+UniversalJointTerms terms(const UniversalJointContact& contact, const ConnectorForce& force,
+                          const RelativePosition& position) noexcept {
   const Load load = split(force, position);
   const HingeShares& share = contact.shares;
   const double own = std::abs(contact.axis == 1 ? load.along_1 : load.along_3);
@@ -75,7 +75,13 @@ double evaluate(const UniversalJointContact& contact, const ConnectorForce& forc
     const double arm = load.across * contact.L_a / 8.0;
     bending = 2.0 / contact.L_s * std::sqrt(arm * arm + moment * moment);
   }
-  return 2.0 * (share.k_ax * own * contact.R_a + contact.R_p * (radial + bending));
+  return {share.k_ax * own * contact.R_a, radial, bending};
+}
+
+double evaluate(const UniversalJointContact& contact, const ConnectorForce& force,
+                const RelativePosition& position) noexcept {
+  const UniversalJointTerms t = terms(contact, force, position);
+  return 2.0 * (t.face + contact.R_p * (t.radial + t.bending));
 }
 
 void add_gradient(const UniversalJointContact& contact, const ConnectorForce& force,

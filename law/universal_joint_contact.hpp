@@ -27,6 +27,15 @@ struct UniversalJointContact {
   HingeShares shares;
 };
 
+/// The contact moment of one axis taken apart: 2 (face + R_p (radial + bending)).
+struct UniversalJointTerms {
+  double face = 0.0;     ///< k_ax R_a times the axial force of the pin [F L]
+  double radial = 0.0;   ///< radial force on a hinge [F]
+  double bending = 0.0;  ///< the reaction to its bending moment [F]
+};
+UniversalJointTerms terms(const UniversalJointContact& contact, const ConnectorForce& force,
+                          const RelativePosition& position) noexcept;
+
 /// 2 M_C of the axis (two hinges sit on each) [F L], from f1..f3, m2 and the angles
 /// alpha = CPR1, beta = CPR2 of `position`. Never negative.
 double evaluate(const UniversalJointContact& contact, const ConnectorForce& force,

@@ -19,6 +19,8 @@ array dashes[3] = [4, 5, 2]
 
 # The span (column 3 to 4) if it is of definition d and of this status.
 edge(d, status, value) = column(1) == d && column(2) == status ? value : NaN
+# The limit of negative forces: its own where there is one (belts), else the limit's negative.
+below(i) = LIMIT_BELOW[i] > 0 ? column(LIMIT_BELOW[i]) : -column(LIMIT[i])
 
 set multiplot title TITLE font ",17" offset 0,-0.2
 head = 60.0 / (60.0 + 440.0 * DEFINITIONS)
@@ -53,7 +55,7 @@ do for [i=1:DEFINITIONS] {
     $DATA using 1:(column(FORCE[i])) with lines linewidth 2 linecolor rgb "black" title FORCE_NAME[i], \
     $DATA using 1:(LIMIT[i] > 0 ? column(LIMIT[i]) : NaN) with lines linewidth 2 dashtype 2 \
       linecolor rgb limit_colour title (LIMIT[i] > 0 ? "limit" : ""), \
-    $DATA using 1:(LIMIT[i] > 0 && SIGNED[i] ? -column(LIMIT[i]) : NaN) with lines linewidth 2 \
+    $DATA using 1:(LIMIT[i] > 0 && SIGNED[i] ? below(i) : NaN) with lines linewidth 2 \
       dashtype 2 linecolor rgb limit_colour notitle
   unset label 1
   unset lmargin; unset rmargin; unset tmargin; unset bmargin
@@ -109,7 +111,7 @@ do for [i=1:DEFINITIONS] {
         linecolor rgb "black" title "force", \
       $DATA using (column(MOTION_X[i])):(LIMIT_IN_LOOP[i] ? column(LIMIT[i]) : NaN) with lines \
         linewidth 2 dashtype 2 linecolor rgb limit_colour title (LIMIT_IN_LOOP[i] ? "limit" : ""), \
-      $DATA using (column(MOTION_X[i])):(LIMIT_IN_LOOP[i] ? -column(LIMIT[i]) : NaN) with lines \
+      $DATA using (column(MOTION_X[i])):(LIMIT_IN_LOOP[i] ? below(i) : NaN) with lines \
         linewidth 2 dashtype 2 linecolor rgb limit_colour notitle
     set offsets 0, 0, 0, 0
     set xtics autofreq

@@ -174,6 +174,16 @@ concept HasFields = requires {
   T::fields();
 };
 
+/// A law's or a connection's optional member is absent, where a number is 0.
+template <class T, class Member>
+constexpr std::string_view default_of_member(Member T::*) {
+  return "";
+}
+template <class T, class Member>
+constexpr std::string_view default_of_member(std::optional<Member> T::*) {
+  return "none";
+}
+
 template <class T, class Visitor>
 void for_each_key(Visitor&& visitor) {
   if constexpr (Declared<T>) {
@@ -184,6 +194,7 @@ void for_each_key(Visitor&& visitor) {
           (visitor(field.key, field.member,
                    KeyInfo{.required = field.required,
                            .text = field.text,
+                           .default_text = default_of_member(field.member),
                            .dimension = field.dimension,
                            .bounds = field.bounds}),
            ...);

@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "driver/case/integration.hpp"
 #include "driver/case/quantity.hpp"
 #include "driver/history/expression.hpp"
 #include "driver/history/measured_history.hpp"
 #include "driver/history/profile.hpp"
 #include "driver/history/units.hpp"
 #include "driver/text/diagnostic.hpp"
+#include "law/belt.hpp"
 #include "law/connector.hpp"
+#include "law/damping.hpp"
+#include "law/elasticity.hpp"
+#include "law/stop.hpp"
 
 namespace slipbench::driver {
 
@@ -24,10 +30,53 @@ struct CaseDefinition {
   law::FrictionDefinition law;
 };
 
+/// The belt of a SLIPRING connector; the wrap angles are the connection type's.
+struct Belt {
+  /// Initial positions of a, b, c: the distance CP1 and the wrap angle follow from them.
+  std::optional<std::array<law::Point, 3>> nodes;
+  bool nodes_move = false;
+  double initial_strain = 0.0;
+  bool has_length = false;     ///< the distance is known, and so reference length and strain
+  bool both_tensions = false;  ///< f_bc is prescribed beside f1: stick is judged, no flow integrated
+};
+
+/// Whether a connection is a SLIPRING.
+inline bool is_belt(const law::Connection& connection) {
+  return connection.type && std::holds_alternative<law::SlipRing>(*connection.type);
+}
+
+/// What acts along one free component beside friction.
+struct ComponentBehavior {
+  std::optional<law::Elasticity> elasticity;
+  std::optional<law::Damping> damping;
+  std::optional<law::Stop> stop;
+
+  bool any() const { return elasticity || damping || stop; }
+};
+
+/// One free component as a mass on a belt of constant velocity.
+struct DynamicsData {
+  int component = 0;                         ///< index 0..5
+  double mass = 1.0;                         ///< [F T^2/L], inertia [F L T^2] of a rotation
+  double belt_velocity = 0.0;                ///< [L/T]
+  double initial_velocity = 0.0;             ///< [L/T]
+  std::optional<double> static_coefficient;  ///< of stick [1]; else the law's at rate 0
+};
+
 /// One prescribed quantity of a step.
 struct Drive {
   int quantity = 0;  ///< flat numbering of quantity.hpp
   Profile profile;
+};
+
+/// Friction that changes in the course of a step (connector-friction specification, section 8).
+struct FrictionChange {
+  std::size_t definition = 0;               ///< in Case::definitions
+  Profile amplitude = LinearTo{1.0};        ///< A(t), 0 at the start of the step and 1 at its end
+  law::FrictionLaw law;                     ///< in force where A = 1
+  double force_limit = law::kNoForceLimit;  ///< from the start of the step on
+  law::StickStiffness stick;                ///< where A = 1, or from the start of the step on
+  bool blends_elastic_slip = false;         ///< the elastic slip follows A too
 };
 
 struct Step {
@@ -36,9 +85,10 @@ struct Step {
   int increments = 1;     ///< equal ones; breakpoints of profiles are added
   int repeat = 1;
   std::vector<Drive> drives;  ///< quantities not mentioned keep their value
+  std::vector<FrictionChange> friction_changes = {};
 };
 
-/// A value to hold a check against.
+/// A value to hold a check against, or to drive a closed form with.
 struct ExpressionReference {
   Expression expression;  ///< over t, T and result columns: `variables` in this order
   std::vector<std::string> variables;
@@ -46,8 +96,8 @@ struct ExpressionReference {
 struct ClosedFormReference {
   std::string name;                             ///< in reference::catalogue()
   std::vector<std::vector<double>> parameters;  ///< in the order of the form's parameters
-  std::vector<std::string> inputs;  ///< a result column for each of its inputs; empty: 0
-  int output = 0;                   ///< which of its outputs is compared
+  std::vector<ExpressionReference> inputs;      ///< what drives each of its inputs
+  int output = 0;                               ///< which of its outputs is compared
 };
 
 /// |quantity - reference| <= max(absolute, relative * range of the reference), at every row.
@@ -77,11 +127,17 @@ struct Case {
   UnitSystem units;
   NamedNumbers parameters;
   law::Connection connection;
+  std::optional<Belt> belt;         ///< of a SLIPRING
   law::RelativePosition reference;  ///< constitutive reference positions
   law::RelativePosition initial;    ///< CP at the start, held components included
   std::vector<CaseDefinition> definitions;
+  Integration integration;
+  std::array<ComponentBehavior, law::kComponents> behavior;
+  std::optional<DynamicsData> dynamics;
+  law::ComponentSet force_driven;  ///< free components that are driven by force at some time
   std::vector<Step> steps;                 ///< empty if `measured`
   std::optional<MeasuredSource> measured;  ///< drives the case row by row; opened by each run
+  int measured_pieces = 1;                 ///< increments from one row to the next
   int output_every = 1;
   std::vector<std::string> output_columns;  ///< empty: all
   std::vector<Check> checks;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/case/case_codecs.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <iterator>
 
+#include "driver/text/format_number.hpp"
 #include "law/connection_type.hpp"
 
 namespace slipbench::driver {
@@ -149,6 +152,17 @@ void for_each_named_law(Visit&& visit) {
   }(std::type_identity<law::FrictionLaw>{});
 }
 
+/// The parameters of a law with their numbers, to six digits: "static 0.3, kinetic 0.2".
+template <class Law>
+std::string numbers(const Law& law) {
+  std::string text;
+  for_each_key<Law>([&](std::string_view key, auto member, const KeyInfo&) {
+    const std::optional<double> value = law.*member;
+    if (value) text += fmt::format("{}{} {:.6g}", text.empty() ? "" : ", ", key, *value);
+  });
+  return text;
+}
+
 }  // namespace
 
 bool Codec<CoefficientText>::read(Binder& binder, const Node& node, const Path& path,
@@ -188,11 +202,20 @@ bool Codec<CoefficientText>::read(Binder& binder, const Node& node, const Path& 
     good = read_struct(binder, entry.value, below, law);
     if constexpr (requires { law.violation(); }) {
       if (const auto broken = good ? law.violation() : std::nullopt) {
-        binder.error(entry.value, below, std::string(*broken));
+        binder.error(entry.value, below, std::string(*broken) + " (found " + numbers(law) + ")");
         good = false;
       }
     }
-    out.value = law::FrictionLaw(law);
+    if constexpr (requires { law.fit(); }) {
+      // Fitted once, and in force as what it stands for.
+      if (!good) return;
+      const auto fitted = law.fit();
+      binder.note(entry.value, below,
+                  "stands for " + std::string(fitted.kName) + ": " + numbers(fitted));
+      out.value = law::FrictionLaw(fitted);
+    } else {
+      out.value = law::FrictionLaw(law);
+    }
   });
   if (!known) {
     names.push_back("columns");
@@ -363,21 +386,28 @@ bool read_wave(Binder& binder, const Node& node, const Path& path, std::size_t s
   return true;
 }
 
-bool read_tabular(Binder& binder, const Node& node, const Path& path, ProfileText& out) {
+/// A table over the time in the step.
+/// \param what "a profile", for messages
+/// \param column wanted name of the values; empty: any
+std::optional<Tabular> read_tabular(Binder& binder, const Node& node, const Path& path,
+                                    std::string_view what, std::string_view column) {
   TableText text;
-  if (!read_struct(binder, node, path, text)) return false;
+  if (!read_struct(binder, node, path, text)) return std::nullopt;
   if (text.columns.value.size() != 2 || text.columns.value[1].value != "t" ||
-      text.columns.value[0].value == "t") {
-    binder.error(*text.columns.node, text.columns.path, "the columns of a profile are [value, t]");
-    return false;
+      text.columns.value[0].value == "t" ||
+      (!column.empty() && text.columns.value[0].value != column)) {
+    binder.error(*text.columns.node, text.columns.path,
+                 "the columns of " + std::string(what) + " are [" +
+                     std::string(column.empty() ? "value" : column) + ", t]");
+    return std::nullopt;
   }
   if (text.extrapolate != law::Extrapolation::kConstant) {
     binder.error(*node.find("extrapolate"), path / "extrapolate",
-                 "a profile must cover its step; it is not extrapolated");
-    return false;
+                 std::string(what) + " must cover its step; it is not extrapolated");
+    return std::nullopt;
   }
   const auto built = table(binder, text, node, path, 1, 1, false);
-  if (!built) return false;
+  if (!built) return std::nullopt;
   Tabular tabular;
   for (const double t : built->knots(0)) {
     tabular.times.push_back(t);
@@ -385,10 +415,9 @@ bool read_tabular(Binder& binder, const Node& node, const Path& path, ProfileTex
   }
   if (const auto broken = violation(tabular)) {
     binder.error(node, path, *broken);
-    return false;
+    return std::nullopt;
   }
-  out.profile = std::move(tabular);
-  return true;
+  return tabular;
 }
 
 }  // namespace
@@ -456,7 +485,12 @@ bool Codec<ProfileText>::read(Binder& binder, const Node& node, const Path& path
     }
     return read_wave(binder, node, path, shape, out) && alone;
   }
-  if (has_key(node, "columns")) return read_tabular(binder, node, path, out);
+  if (has_key(node, "columns")) {
+    auto tabular = read_tabular(binder, node, path, "a profile", "");
+    if (!tabular) return false;
+    out.profile = std::move(*tabular);
+    return true;
+  }
   if (has_key(node, "csv")) {
     CsvProfileText csv;
     if (!read_struct(binder, node, path, csv)) return false;
@@ -496,6 +530,49 @@ void Codec<ProfileText>::rows(const std::string& path, std::vector<KeyRow>& rows
   struct_rows<WaveText>(path + ".sine|triangle|sawtooth|square", rows);
   struct_rows<CsvProfileText>(path, rows);
 }
+
+// --- history[].change_friction.NAME.amplitude -------------------------------------------------
+
+bool Codec<AmplitudeText>::read(Binder& binder, const Node& node, const Path& path,
+                                const KeyInfo& info, AmplitudeText& out) {
+  if (node.is_scalar()) {
+    AmplitudeShape shape = AmplitudeShape::kLinear;
+    if (!Codec<AmplitudeShape>::read(binder, node, path, info, shape)) return false;
+    if (shape == AmplitudeShape::kSmooth) {
+      out.profile = SmoothTo{1.0};
+    } else {
+      out.profile = LinearTo{1.0};
+    }
+    return true;
+  }
+  if (!node.is_map()) {
+    binder.wrong_kind(node, path, wanted(info));
+    return false;
+  }
+  auto tabular = read_tabular(binder, node, path, "an amplitude", "weight");
+  if (!tabular) return false;
+  const std::vector<double>& weights = tabular->values;
+  if (weights.front() != 0.0 || weights.back() != 1.0 ||
+      !std::is_sorted(weights.begin(), weights.end())) {
+    std::string found;
+    for (std::size_t i = 0; i < weights.size() && i < 5; ++i) {
+      found += (i == 0 ? "" : ", ") + format_number(weights[i]);
+    }
+    if (weights.size() > 5) found += ", ...";
+    binder.error(node, path,
+                 "the weights of an amplitude go from 0 to 1 and never back, found " + found);
+    return false;
+  }
+  out.profile = std::move(*tabular);
+  return true;
+}
+Json Codec<AmplitudeText>::schema(const KeyInfo& info) {
+  return any_of({Codec<AmplitudeShape>::schema(info), struct_schema<TableText>()});
+}
+std::string Codec<AmplitudeText>::wanted(const KeyInfo&) {
+  return "linear, smooth, or a table {columns: [weight, t], rows: [...]}";
+}
+void Codec<AmplitudeText>::rows(const std::string&, std::vector<KeyRow>&) {}
 
 // --- history ----------------------------------------------------------------------------------
 

@@ -28,6 +28,7 @@ SLIPBENCH_DECLARE_CODEC(CoefficientText);
 SLIPBENCH_DECLARE_CODEC(ContactForceText);
 SLIPBENCH_DECLARE_CODEC(PredefinedText);
 SLIPBENCH_DECLARE_CODEC(ProfileText);
+SLIPBENCH_DECLARE_CODEC(AmplitudeText);
 SLIPBENCH_DECLARE_CODEC(MeasuredColumnText);
 SLIPBENCH_DECLARE_CODEC(HistoryText);
 SLIPBENCH_DECLARE_CODEC(NumberOrList);
@@ -45,6 +46,8 @@ struct TableUse {
   bool accumulated_slip = false;
   bool motion = false;
   bool not_negative = true;  ///< ordinates must not be negative
+  bool displacement = false;
+  bool velocity = false;
 };
 inline constexpr TableUse kInternalForceTable{
     .what = "an internal contact force", .accumulated_slip = true, .motion = true};
@@ -52,6 +55,11 @@ inline constexpr TableUse kCoefficientTable{
     .what = "a coefficient of friction", .slip_rate = true, .contact_force = true};
 inline constexpr TableUse kWeightTable{
     .what = "weights of a derived component", .motion = true, .not_negative = false};
+
+inline constexpr TableUse kElasticityTable{
+    .what = "an elasticity", .not_negative = false, .displacement = true};
+inline constexpr TableUse kDampingTable{
+    .what = "a damping", .not_negative = false, .velocity = true};
 
 /// Builds a table function with `dependents` leading columns; every fault is reported at its row.
 std::optional<law::TableFunction> table_function(Binder& binder, const TableText& text,

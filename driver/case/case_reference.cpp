@@ -95,6 +95,7 @@ std::string case_reference_markdown() {
       for (const std::string_view key : keys_of<Type>()) {
         predefined += (predefined.empty() ? "`" : ", `") + std::string(key) + "`";
       }
+      if (predefined.empty()) predefined = "`{}`";
     }
     out += "| " + std::string(Type::kInfo.name) + " | " + std::string(Type::kInfo.assembly) +
            " | " + component_list(Type::kInfo.held) + " | " +

@@ -9,8 +9,10 @@
 #include <vector>
 
 #include "driver/case/binding.hpp"
+#include "driver/case/integration.hpp"
 #include "driver/history/profile.hpp"
 #include "law/friction_definition.hpp"
+#include "law/potential_terms.hpp"
 #include "law/table.hpp"
 
 namespace slipbench::driver {
@@ -37,12 +39,43 @@ struct TypeNames {
   std::vector<At<std::string>> names;
 };
 
+/// One number or a list of numbers.
+struct NumberOrList {
+  std::vector<double> values;
+  bool list = false;
+};
+
+/// Where the nodes of a belt are.
+struct NodesText {
+  static constexpr bool kIsDeclared = true;
+  At<std::vector<double>> a, b, c;
+
+  template <class V>
+  static void declare(V& key) {
+    key("a", &NodesText::a,
+        KeyInfo{.required = true,
+                .text = "Position [x, y, z] of node a, where the belt comes from.",
+                .dimension = law::dimension::kLength});
+    key("b", &NodesText::b,
+        KeyInfo{.required = true,
+                .text = "Position [x, y, z] of node b, the ring.",
+                .dimension = law::dimension::kLength});
+    key("c", &NodesText::c,
+        KeyInfo{.required = true,
+                .text = "Position [x, y, z] of node c, where the belt goes to.",
+                .dimension = law::dimension::kLength});
+  }
+};
+
 struct ConnectorText {
   static constexpr bool kIsDeclared = true;
   At<TypeNames> type;
   At<int> dimension = default_of(3);
   NamedMap<double> reference;
   NamedMap<double> initial;
+  At<NumberOrList> wrap_angle;
+  At<NodesText> nodes;
+  At<double> initial_strain = default_of(0.0);
 
   template <class V>
   static void declare(V& key) {
@@ -58,6 +91,20 @@ struct ConnectorText {
     key("initial", &ConnectorText::initial,
         KeyInfo{.text = "Initial relative position, {CP1: ..}; angles in radians.",
                 .default_text = "0"});
+    key("wrap_angle", &ConnectorText::wrap_angle,
+        KeyInfo{.text = "SLIPRING: angle the belt turns by on its ring, in radians, of any size; "
+                        "a list for a belt that runs over ring after ring.",
+                .default_text = "from nodes",
+                .bounds = law::kNotNegative});
+    key("nodes", &ConnectorText::nodes,
+        KeyInfo{.text =
+                    "SLIPRING: positions of the nodes, in place of the wrap angle; the distance "
+                    "CP1 follows from them too.",
+                .default_text = "from wrap_angle"});
+    key("initial_strain", &ConnectorText::initial_strain,
+        KeyInfo{.text = "SLIPRING: strain of the belt between a and b at the start.",
+                .default_text = "0",
+                .bounds = {.lower = -1.0, .lower_open = true}});
   }
 };
 
@@ -125,44 +172,69 @@ struct DerivedTermText {
   }
 };
 
+template <>
+struct EnumWords<law::ContributionFunction> {
+  static constexpr std::array<std::string_view, 3> kWords{"abs", "macauley", "none"};
+};
+
 struct PotentialTermText {
   static constexpr bool kIsDeclared = true;
   At<int> component;
+  At<std::string> derived;
   At<double> scale = default_of(1.0);
+  At<double> shift = default_of(0.0);
+  At<law::ContributionFunction> of;
+  At<double> exponent;
+  At<int> sign = default_of(1);
 
   template <class V>
   static void declare(V& key) {
     key("component", &PotentialTermText::component,
-        KeyInfo{.required = true,
-                .text = "Number 1-6 of a free component.",
+        KeyInfo{.text = "E: number 1-6 of a free component.",
+                .default_text = "derived",
                 .bounds = {.lower = 1, .upper = 6}});
+    key("derived", &PotentialTermText::derived,
+        KeyInfo{.text = "E: name of a derived component of free components.",
+                .default_text = "component"});
     key("scale", &PotentialTermText::scale,
-        KeyInfo{.text = "R_i of the contribution f_i/R_i; a radius turns a moment into a force.",
+        KeyInfo{.text = "R of the contribution X = (E - a)/R; a radius turns a moment into a force.",
                 .default_text = "1",
                 .bounds = law::kPositive});
+    key("shift", &PotentialTermText::shift,
+        KeyInfo{.text = "a of the contribution, in the unit of E.", .default_text = "0"});
+    key("of", &PotentialTermText::of,
+        KeyInfo{.text = "What of X counts: its absolute value, its positive part (macauley), or X "
+                        "itself (none).",
+                .default_text = "abs"});
+    key("exponent", &PotentialTermText::exponent,
+        KeyInfo{.text = "Exponent of this contribution; friction needs that of the potential.",
+                .default_text = "the potential's",
+                .bounds = {.lower = 1.0}});
+    key("sign", &PotentialTermText::sign,
+        KeyInfo{.text = "Sign of the contribution; friction needs 1.",
+                .default_text = "1",
+                .bounds = {.lower = -1, .upper = 1}});
   }
 };
 
-enum class PotentialOperator { kSum };
 template <>
-struct EnumWords<PotentialOperator> {
-  static constexpr std::array<std::string_view, 1> kWords{"sum"};
+struct EnumWords<law::PotentialOperator> {
+  static constexpr std::array<std::string_view, 2> kWords{"sum", "max"};
 };
 
 struct PotentialText {
   static constexpr bool kIsDeclared = true;
-  PotentialOperator combine = PotentialOperator::kSum;
+  law::PotentialOperator combine = law::PotentialOperator::kSum;
   At<double> exponent = default_of(2.0);
-  At<std::vector<PotentialTermText>> terms;
+  At<std::vector<At<PotentialTermText>>> terms;
 
   template <class V>
   static void declare(V& key) {
     key("operator", &PotentialText::combine,
-        KeyInfo{.text = "P = (sum of abs(f_i/R_i)^exponent)^(1/exponent).", .default_text = "sum"});
+        KeyInfo{.text = "sum: P = (sum of X^exponent)^(1/exponent); max: P is the largest X.",
+                .default_text = "sum"});
     key("exponent", &PotentialText::exponent,
-        KeyInfo{.text = "Exponent of the sum; this version has 2.",
-                .default_text = "2",
-                .bounds = {.lower = 2.0, .upper = 2.0}});
+        KeyInfo{.text = "Exponent of the sum.", .default_text = "2", .bounds = {.lower = 1.0}});
     key("terms", &PotentialText::terms, KeyInfo{.required = true, .text = "The contributions."});
   }
 };
@@ -263,10 +335,9 @@ struct FrictionText {
   }
 };
 
-enum class IntegrationMethod { kBackwardEuler };
 template <>
 struct EnumWords<IntegrationMethod> {
-  static constexpr std::array<std::string_view, 1> kWords{"backward_euler"};
+  static constexpr std::array<std::string_view, 2> kWords{"backward_euler", "exact"};
 };
 template <>
 struct EnumWords<law::AccumulatedSlipTiming> {
@@ -279,14 +350,22 @@ struct EnumWords<law::SlipRateMeasure> {
 
 struct IntegrationText {
   static constexpr bool kIsDeclared = true;
-  IntegrationMethod method = IntegrationMethod::kBackwardEuler;
+  At<IntegrationMethod> method = default_of(IntegrationMethod::kBackwardEuler);
+  At<double> tolerance = default_of(Integration{}.tolerance);
   law::AccumulatedSlipTiming accumulated_slip = law::AccumulatedSlipTiming::kEnd;
   law::SlipRateMeasure slip_rate = law::SlipRateMeasure::kSlip;
 
   template <class V>
   static void declare(V& key) {
     key("method", &IntegrationText::method,
-        KeyInfo{.text = "Integration over an increment.", .default_text = "backward_euler"});
+        KeyInfo{.text = "Integration over an increment: one implicit step, as solvers do, or the "
+                        "continuous solution between the rows.",
+                .default_text = "backward_euler"});
+    key("tolerance", &IntegrationText::tolerance,
+        KeyInfo{.text = "Of exact integration, as a part of the limit, where there is no closed "
+                        "solution.",
+                .default_text = "1e-10",
+                .bounds = {.lower = 1e-13, .upper = 1e-3}});
     key("accumulated_slip", &IntegrationText::accumulated_slip,
         KeyInfo{.text = "Accumulated slip that the internal contact force sees: of the end of the "
                         "increment (implicit) or of its start.",
@@ -303,6 +382,64 @@ struct ProfileText {
   At<std::string> csv, unit, time_unit;  ///< of a CsvColumn
 };
 
+/// How the nodes of a belt move in a step.
+struct NodeMotionText {
+  static constexpr bool kIsDeclared = true;
+  At<std::vector<At<ProfileText>>> a, b, c;
+
+  template <class V>
+  static void declare(V& key) {
+    constexpr std::string_view kText =
+        "Profiles [x, y, z] of the node's coordinates; a number is one that stays.";
+    key("a", &NodeMotionText::a, KeyInfo{.text = kText, .default_text = "unchanged"});
+    key("b", &NodeMotionText::b, KeyInfo{.text = kText, .default_text = "unchanged"});
+    key("c", &NodeMotionText::c, KeyInfo{.text = kText, .default_text = "unchanged"});
+  }
+};
+
+enum class AmplitudeShape { kLinear, kSmooth };
+template <>
+struct EnumWords<AmplitudeShape> {
+  static constexpr std::array<std::string_view, 2> kWords{"linear", "smooth"};
+};
+
+/// How a change of friction sets in: by a word, or by a table of weights over the time in the step.
+struct AmplitudeText {
+  Profile profile = LinearTo{1.0};  ///< from 0 to 1
+};
+
+/// New friction of one definition, in force at the end of the step.
+struct FrictionChangeText {
+  static constexpr bool kIsDeclared = true;
+  At<CoefficientText> coefficient;
+  At<AmplitudeText> amplitude;
+  At<double> force_limit;
+  At<StickText> stick;
+  At<bool> reset;
+
+  template <class V>
+  static void declare(V& key) {
+    key("coefficient", &FrictionChangeText::coefficient,
+        KeyInfo{.text = "The new coefficient: a number, a table, or a law by name.",
+                .default_text = "required but with reset",
+                .bounds = law::kNotNegative});
+    key("amplitude", &FrictionChangeText::amplitude,
+        KeyInfo{.text = "How the coefficient goes over: mu = mu_start + A(t) (mu_end - mu_start).",
+                .default_text = "linear"});
+    key("force_limit", &FrictionChangeText::force_limit,
+        KeyInfo{.text = "New cap of the limiting friction force from the start of the step; 0 "
+                        "means none.",
+                .default_text = "unchanged",
+                .dimension = law::dimension::kForce,
+                .bounds = law::kNotNegative});
+    key("stick", &FrictionChangeText::stick,
+        KeyInfo{.text = "New stick stiffness of the same kind.", .default_text = "unchanged"});
+    key("reset", &FrictionChangeText::reset,
+        KeyInfo{.text = "true: back to the friction under 'friction:', in place of a coefficient.",
+                .default_text = "false"});
+  }
+};
+
 struct StepText {
   static constexpr bool kIsDeclared = true;
   At<std::string> step;
@@ -310,9 +447,11 @@ struct StepText {
   int increments = 1;
   int repeat = 1;
   NamedMap<ProfileText> motion;
+  At<NodeMotionText> nodes;
   NamedMap<ProfileText> force;
   At<ProfileText> temperature;
   NamedMap<ProfileText> fields;
+  NamedMap<FrictionChangeText> change_friction;
 
   template <class V>
   static void declare(V& key) {
@@ -333,6 +472,9 @@ struct StepText {
     key("motion", &StepText::motion,
         KeyInfo{.text = "Profiles of free components, {CP1: ..., CPR1: ...}.",
                 .default_text = "unchanged"});
+    key("nodes", &StepText::nodes,
+        KeyInfo{.text = "SLIPRING with nodes: how they move, {c: [profile, profile, profile]}.",
+                .default_text = "unchanged"});
     key("force", &StepText::force,
         KeyInfo{.text = "Profiles of constraint forces and moments, {f2: ..., m3: ...}.",
                 .default_text = "unchanged"});
@@ -341,6 +483,9 @@ struct StepText {
     key("fields", &StepText::fields,
         KeyInfo{.text = "Profiles of field variables, {field1: ...}.",
                 .default_text = "unchanged, at first 0"});
+    key("change_friction", &StepText::change_friction,
+        KeyInfo{.text = "New friction of definitions by name, {sleeve: {coefficient: 0.12}}.",
+                .default_text = "unchanged"});
   }
 };
 
@@ -399,12 +544,6 @@ struct OutputText {
   }
 };
 
-/// Parameters of a closed form: numbers or lists of numbers.
-struct NumberOrList {
-  std::vector<double> values;
-  bool list = false;
-};
-
 struct AgainstText {
   static constexpr bool kIsDeclared = true;
   At<std::string> expression;
@@ -424,7 +563,8 @@ struct AgainstText {
     key("with", &AgainstText::with,
         KeyInfo{.text = "Parameters of the closed form.", .default_text = "its defaults"});
     key("inputs", &AgainstText::inputs,
-        KeyInfo{.text = "Result columns that drive the closed form, {motion: CU1}.",
+        KeyInfo{.text = "Result columns or expressions over them that drive the closed form, "
+                        "{motion: CU1} or {phase: = 2*pi*T}.",
                 .default_text = "the columns of the same meaning"});
     key("output", &AgainstText::output,
         KeyInfo{.text = "Which result of the closed form is compared.",
@@ -508,6 +648,133 @@ struct CheckText {
   }
 };
 
+/// A spring along a component: linear, or a table whose keys stand beside the component.
+struct ElasticityText {
+  static constexpr bool kIsDeclared = true;
+  At<int> component;
+  At<double> stiffness;
+  At<std::vector<At<std::string>>> columns;
+  At<std::vector<std::vector<double>>> rows;
+  At<std::string> csv;
+  law::Extrapolation extrapolate = law::Extrapolation::kConstant;
+
+  template <class V>
+  static void declare(V& key) {
+    key("component", &ElasticityText::component,
+        KeyInfo{.required = true,
+                .text = "Number 1-6 of a free component.",
+                .bounds = {.lower = 1, .upper = 6}});
+    key("stiffness", &ElasticityText::stiffness,
+        KeyInfo{.text = "k of the force k u along the component, u its constitutive displacement.",
+                .default_text = "a table",
+                .dimension = {1, -1, 0},
+                .bounds = law::kPositive});
+    key("columns", &ElasticityText::columns,
+        KeyInfo{.text = "Columns of a table in place of the stiffness: a name for the force, then "
+                        "displacement, temperature, fields.",
+                .default_text = "a stiffness"});
+    key("rows", &ElasticityText::rows,
+        KeyInfo{.text = "Rows of the table; the first independent varies fastest, ascending.",
+                .default_text = "from csv"});
+    key("csv", &ElasticityText::csv,
+        KeyInfo{.text = "A CSV file with these columns, in place of rows.",
+                .default_text = "from rows"});
+    key("extrapolate", &ElasticityText::extrapolate,
+        KeyInfo{.text = "Outside the table: the end value, or the end slope.",
+                .default_text = "constant"});
+  }
+};
+
+/// A damper along a component: linear, or a table whose keys stand beside the component.
+struct DampingText {
+  static constexpr bool kIsDeclared = true;
+  At<int> component;
+  At<double> coefficient;
+  At<std::vector<At<std::string>>> columns;
+  At<std::vector<std::vector<double>>> rows;
+  At<std::string> csv;
+  law::Extrapolation extrapolate = law::Extrapolation::kConstant;
+
+  template <class V>
+  static void declare(V& key) {
+    key("component", &DampingText::component,
+        KeyInfo{.required = true,
+                .text = "Number 1-6 of a free component.",
+                .bounds = {.lower = 1, .upper = 6}});
+    key("coefficient", &DampingText::coefficient,
+        KeyInfo{.text = "c of the force c v along the component, v its velocity.",
+                .default_text = "a table",
+                .dimension = {1, -1, 1},
+                .bounds = law::kPositive});
+    key("columns", &DampingText::columns,
+        KeyInfo{.text = "Columns of a table in place of the coefficient: a name for the force, then "
+                        "velocity, temperature, fields.",
+                .default_text = "a coefficient"});
+    key("rows", &DampingText::rows,
+        KeyInfo{.text = "Rows of the table; the first independent varies fastest, ascending.",
+                .default_text = "from csv"});
+    key("csv", &DampingText::csv,
+        KeyInfo{.text = "A CSV file with these columns, in place of rows.",
+                .default_text = "from rows"});
+    key("extrapolate", &DampingText::extrapolate,
+        KeyInfo{.text = "Outside the table: the end value, or the end slope.",
+                .default_text = "constant"});
+  }
+};
+
+struct StopText {
+  static constexpr bool kIsDeclared = true;
+  At<int> component;
+  At<double> lower, upper;
+
+  template <class V>
+  static void declare(V& key) {
+    key("component", &StopText::component,
+        KeyInfo{.required = true,
+                .text = "Number 1-6 of a free component.",
+                .bounds = {.lower = 1, .upper = 6}});
+    key("lower", &StopText::lower,
+        KeyInfo{.text = "Lowest position CP of the component.", .default_text = "no stop below"});
+    key("upper", &StopText::upper,
+        KeyInfo{.text = "Highest position CP of the component.", .default_text = "no stop above"});
+  }
+};
+
+/// One free component as a mass on a belt.
+struct DynamicsText {
+  static constexpr bool kIsDeclared = true;
+  At<int> component;
+  At<double> mass;
+  At<double> belt_velocity = default_of(0.0);
+  At<double> initial_velocity = default_of(0.0);
+  At<double> static_coefficient;
+
+  template <class V>
+  static void declare(V& key) {
+    key("component", &DynamicsText::component,
+        KeyInfo{.text = "Number 1-6 of the free component that moves.",
+                .default_text = "the only free one",
+                .bounds = {.lower = 1, .upper = 6}});
+    key("mass", &DynamicsText::mass,
+        KeyInfo{.required = true,
+                .text = "Mass, or moment of inertia of a rotation.",
+                .dimension = {1, -1, 2},
+                .bounds = law::kPositive});
+    key("belt_velocity", &DynamicsText::belt_velocity,
+        KeyInfo{.text = "Constant velocity of the belt the mass rubs on.",
+                .default_text = "0",
+                .dimension = {0, 1, -1}});
+    key("initial_velocity", &DynamicsText::initial_velocity,
+        KeyInfo{.text = "Velocity of the mass at the start.",
+                .default_text = "0",
+                .dimension = {0, 1, -1}});
+    key("static_coefficient", &DynamicsText::static_coefficient,
+        KeyInfo{.text = "Coefficient that holds while the mass sticks.",
+                .default_text = "the coefficient at rate 0",
+                .bounds = law::kNotNegative});
+  }
+};
+
 /// The value of a parameter; expressions are resolved before the rest of the case is read.
 struct ParameterValue {};
 
@@ -520,6 +787,10 @@ struct CaseText {
   At<ConnectorText> connector;
   At<NamedMap<std::vector<At<DerivedTermText>>>> derived_components;
   At<std::vector<At<FrictionText>>> friction;
+  At<std::vector<At<ElasticityText>>> elasticity;
+  At<std::vector<At<DampingText>>> damping;
+  At<std::vector<At<StopText>>> stops;
+  At<DynamicsText> dynamics;
   IntegrationText integration;
   At<HistoryText> history;
   OutputText output;
@@ -546,6 +817,17 @@ struct CaseText {
     key("friction", &CaseText::friction,
         KeyInfo{.required = true,
                 .text = "Friction definitions, each a stick-slip check of its own."});
+    key("elasticity", &CaseText::elasticity,
+        KeyInfo{.text = "Springs along free components, in parallel with friction.",
+                .default_text = "none"});
+    key("damping", &CaseText::damping,
+        KeyInfo{.text = "Dampers along free components, in parallel with friction.",
+                .default_text = "none"});
+    key("stops", &CaseText::stops,
+        KeyInfo{.text = "Rigid stops of free components.", .default_text = "none"});
+    key("dynamics", &CaseText::dynamics,
+        KeyInfo{.text = "One free component as a mass with rigid stick, stepped in time.",
+                .default_text = "none: motions and forces are quasi-static"});
     key("integration", &CaseText::integration,
         KeyInfo{.text = "How an increment is integrated.", .default_text = "as below"});
     key("history", &CaseText::history,

@@ -12,7 +12,7 @@ namespace slipbench::driver {
 
 std::string place_of_quantity(std::string_view key) {
   if (component_of_motion(key)) return "history[].motion";
-  if (component_of_force(key)) return "history[].force";
+  if (component_of_force(key) || key == "f_bc") return "history[].force";
   if (field_of(key)) return "history[].fields";
   return "";
 }
@@ -44,25 +44,8 @@ std::string places_of_key(std::string_view key) {
 
 std::optional<LaterKey> later_key(std::string_view key) {
   static constexpr std::array kLater{
-      LaterKey{"elasticity",
-               "connector elasticity is not in this version: components are driven by "
-               "their motion, and friction is the only force"},
-      LaterKey{"damping",
-               "connector damping is not in this version: components are driven by their "
-               "motion, and friction is the only force"},
-      LaterKey{"change_friction",
-               "a change of friction in a step is not in this version; run two cases"},
-      LaterKey{"wrap_angle", "SLIPRING is not in this version"},
-      LaterKey{"nodes", "SLIPRING is not in this version"},
-      LaterKey{"initial_strain", "SLIPRING is not in this version"},
-      LaterKey{"SLIPRING", "SLIPRING is not in this version"},
       LaterKey{"adaptive", "adaptive increments are not in this version; give their number",
                "increments"},
-      LaterKey{"exact",
-               "exact integration is not in this version; use backward_euler and small increments"},
-      LaterKey{"exponential_test_data",
-               "this form of the exponential decay is not in this version; use "
-               "exponential_decay {static, kinetic, decay}"},
       LaterKey{"generalized_viscous", "the Radioss laws are not in this version"},
       LaterKey{"modified_darmstad", "the Radioss laws are not in this version"},
       LaterKey{"renard", "the Radioss laws are not in this version"},
@@ -71,8 +54,6 @@ std::optional<LaterKey> later_key(std::string_view key) {
       LaterKey{"filter", "the Radioss laws are not in this version"},
       LaterKey{"friction_pairs", "tables of part pairs are not in this version"},
       LaterKey{"parts", "tables of part pairs are not in this version"},
-      LaterKey{"dynamics", "dynamics is not in this version"},
-      LaterKey{"max", "a potential with operator max is not in this version"},
       LaterKey{"curve",
                "comparison with a curve is not in this version; use an expression or a closed form",
                "expression"},

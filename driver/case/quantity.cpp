@@ -32,7 +32,10 @@ std::string quantity_name(int quantity) {
   if (quantity < kFirstForce) return motion_name(quantity);
   if (quantity < kTemperatureQuantity) return force_name(quantity - kFirstForce);
   if (quantity == kTemperatureQuantity) return "temperature";
-  return "field" + std::to_string(quantity - kFirstField + 1);
+  if (quantity < kTensionBehind) return "field" + std::to_string(quantity - kFirstField + 1);
+  if (quantity == kTensionBehind) return "f_bc";
+  const int coordinate = quantity - kFirstNode;
+  return std::string(1, "abc"[coordinate / 3]) + "." + "xyz"[coordinate % 3];
 }
 
 std::optional<int> component_of_motion(std::string_view name, std::string_view prefix) {

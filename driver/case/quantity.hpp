@@ -11,12 +11,16 @@
 namespace slipbench::driver {
 
 /// What a case can prescribe, in one flat numbering: 0..5 relative positions CP1..CPR3, 6..11
-/// constraint forces f1..m3, 12 temperature, 13.. fields.
+/// constraint forces f1..m3, 12 temperature, 13.. fields; of a belt, behind the fields, the tension
+/// f_bc and the coordinates of its nodes a, b, c.
 inline constexpr int kFirstMotion = 0;
 inline constexpr int kFirstForce = law::kComponents;
 inline constexpr int kTemperatureQuantity = 2 * law::kComponents;
 inline constexpr int kFirstField = kTemperatureQuantity + 1;
-inline constexpr int kQuantities = kFirstField + law::kMaxFields;
+inline constexpr int kTensionBehind = kFirstField + law::kMaxFields;
+inline constexpr int kFirstNode = kTensionBehind + 1;
+inline constexpr int kNodeCoordinates = 9;  ///< x, y, z of a, then of b, then of c
+inline constexpr int kQuantities = kFirstNode + kNodeCoordinates;
 
 /// "1".."3" for translations, "R1".."R3" for rotations: what follows CP, CU, CASU.
 std::string component_suffix(int component);

@@ -174,12 +174,18 @@ ReadCase read_case_text(const SourceText& source, const std::string& folder,
   problem.units = read_units(binder, text.units);
   // Faults do not hide one another: each part is judged as far as it was understood.
   resolve_connector(binder, text, problem);
+  resolve_belt(binder, text, problem);
   const bool derived_known = !is_misspelt<CaseText>(root, "derived_components");
   const bool columns_known = resolve_friction(binder, text, derived_known, problem) &&
                              !is_any_connection(problem.connection);
   const std::size_t errors = binder.errors();
+  resolve_forces(binder, text, problem);
   resolve_history(binder, text, problem);
+  finish_belt(binder, text, problem);
+  finish_forces(binder, text, problem);
   const bool history_known = text.history.sound && binder.errors() == errors;
+  resolve_friction_changes(binder, text, columns_known, problem);
+  resolve_integration(binder, text, problem);
   resolve_output_and_checks(binder, text, problem, columns_known, history_known);
   result.environment_failure = binder.environment_failed();
   if (bound && !out.has_errors()) explain_table_arguments(binder, text, problem);

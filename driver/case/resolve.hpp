@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "driver/case/binding.hpp"
@@ -14,10 +15,28 @@ namespace slipbench::driver {
 /// are reported to the binder; the result is only complete if it reported none. What the text lacks
 /// because it was faulty is not reported again.
 void resolve_connector(Binder& binder, const CaseText& text, Case& out);
+/// The belt of a SLIPRING: wrap angles or nodes, initial strain. Goes before the friction, which
+/// needs the angles.
+void resolve_belt(Binder& binder, const CaseText& text, Case& out);
+/// What of a belt can only be judged with its history: tensions, and whether its length is known.
+void finish_belt(Binder& binder, const CaseText& text, Case& out);
+/// The drives of `nodes:` in a step. \param drive is called with each coordinate that is driven
+void drive_nodes(Binder& binder, const StepText& text, const Case& problem,
+                 const std::function<void(int quantity, const At<ProfileText>&)>& drive);
 /// \param derived_known false: derived components may be missing
 /// \return whether it is known which components slip, and so which result columns there are
 bool resolve_friction(Binder& binder, const CaseText& text, bool derived_known, Case& out);
+/// Springs, dampers, stops and the mass of a dynamic case; goes after the friction.
+void resolve_forces(Binder& binder, const CaseText& text, Case& out);
+/// What of them can only be judged with the history: components driven by force and by motion.
+void finish_forces(Binder& binder, const CaseText& text, Case& out);
 void resolve_history(Binder& binder, const CaseText& text, Case& out);
+/// The changes of friction of every step; goes after the friction and the history.
+/// \param definitions_known false: names of definitions are not judged
+void resolve_friction_changes(Binder& binder, const CaseText& text, bool definitions_known,
+                              Case& out);
+/// The method of integration, and whether the case allows it; goes after all but the checks.
+void resolve_integration(Binder& binder, const CaseText& text, Case& out);
 /// \param columns_known false: names of result columns are not judged
 /// \param history_known false: any temperature and field may be driven
 void resolve_output_and_checks(Binder& binder, const CaseText& text, Case& out, bool columns_known,

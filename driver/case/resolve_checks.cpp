@@ -22,27 +22,39 @@ std::vector<std::string> check_variables(const Case& problem) {
   return names;
 }
 
-struct Compiled {
-  Expression expression;
-  std::vector<std::string> variables;  ///< only those it uses
-};
-
-std::optional<Compiled> compile(Binder& binder, const At<std::string>& text,
-                                const std::vector<std::string>& variables) {
+/// An expression over those of `variables` that it uses.
+template <class Text>
+std::optional<ExpressionReference> compile(Binder& binder, const Text& text,
+                                           const std::vector<std::string>& variables) {
   if (!text.sound) return std::nullopt;
   auto first = binder.expression(*text.node, text.path, variables);
   if (!first) return std::nullopt;
   std::vector<std::string> used(first->used_variables().begin(), first->used_variables().end());
   auto again = binder.expression(*text.node, text.path, used);
   if (!again) return std::nullopt;
-  return Compiled{std::move(*again), std::move(used)};
+  return ExpressionReference{std::move(*again), std::move(used)};
+}
+
+/// The expression that is a result column, or a number, and nothing else.
+std::optional<ExpressionReference> plain(const std::string& text,
+                                         std::vector<std::string> variables) {
+  auto expression = Expression::compile(text, variables);
+  if (!expression) return std::nullopt;
+  return ExpressionReference{std::move(*expression), std::move(variables)};
 }
 
 /// The result columns that carry what a closed form's signals are called.
 struct Meaning {
   std::string_view signal;
-  std::string_view prefix;  ///< of the column's name
+  std::string_view column;  ///< or how its name begins
 };
+constexpr std::array kInputs{
+    Meaning{"time", "T"}, Meaning{"alpha", "CPR1"}, Meaning{"beta", "CPR2"}, Meaning{"mu", "MU"},
+    Meaning{"velocity", "CV1"}, Meaning{"rotation_rate", "CVR1"},
+    // of a belt
+    Meaning{"distance", "CP1"}, Meaning{"flow", "CP2"}, Meaning{"flow_b", "CP2"},
+    Meaning{"flow_a", "CP3"}, Meaning{"tension", "CTF1"}, Meaning{"tension_ab", "CTF1"},
+    Meaning{"tension_bc", "f_bc"}, Meaning{"wrap_angle", "wrap_angle"}};
 constexpr std::array kOutputs{Meaning{"accumulated_slip", "CASU"},  Meaning{"dissipation", "DISS"},
                               Meaning{"stored_energy", "STRAIN_E"}, Meaning{"work", "WORK"},
                               Meaning{"normal_force", "FN"},        Meaning{"normal_force", "CNF"},
@@ -59,7 +71,7 @@ int output_of(const reference::ClosedForm& form, std::string_view quantity, cons
     quantity.remove_prefix(1);
   }
   for (const Meaning& meaning : kOutputs) {
-    if (quantity.starts_with(meaning.prefix) && index(meaning.signal) >= 0) {
+    if (quantity.starts_with(meaning.column) && index(meaning.signal) >= 0) {
       return index(meaning.signal);
     }
   }
@@ -88,12 +100,46 @@ std::optional<std::string> default_input(std::string_view signal, const Case& pr
   };
   if (signal == "motion" || signal == "motion1") return motion(0);
   if (signal == "motion2") return motion(1);
-  if (signal == "alpha") return "CPR1";
-  if (signal == "beta") return "CPR2";
+  for (const Meaning& meaning : kInputs) {
+    if (meaning.signal == signal) return std::string(meaning.column);
+  }
   if (signal == "normal_force") {
     return problem.definitions.size() > 1 ? "FN." + problem.definitions[0].name : "FN";
   }
   if (const auto c = component_of_force(signal)) return force_column("CRF", *c);
+  return std::nullopt;
+}
+
+/// What drives one input of a closed form: the column or the expression that the case names, else
+/// the column of the same meaning. Nothing after reporting an error.
+std::optional<ExpressionReference> input_of(Binder& binder, const AgainstText& text,
+                                            const reference::Signal& signal, const Case& problem,
+                                            const std::vector<std::string>& variables) {
+  const auto is_column = [&](const std::string& name) {
+    return std::find(variables.begin(), variables.end(), name) != variables.end();
+  };
+  const auto given = std::find_if(text.inputs.begin(), text.inputs.end(),
+                                  [&](const auto& entry) { return entry.name == signal.name; });
+  if (given == text.inputs.end()) {
+    const std::optional<std::string> column = default_input(signal.name, problem);
+    if (column && is_column(*column)) return plain(*column, {*column});
+    if (binder.unknown_names_excused()) return std::nullopt;
+    // A plane SLOT has no f3, a straight joint no angle: the closed form then sees 0.
+    if (component_of_force(signal.name) || signal.name == "beta") return plain("0", {});
+    binder.error(*text.closed_form.node, text.closed_form.path,
+                 "the closed form needs '" + std::string(signal.name) +
+                     "': say which result column or expression it is under 'inputs:'");
+    return std::nullopt;
+  }
+  if (!given->sound) return std::nullopt;
+  if (Binder::is_expression(*given->node)) return compile(binder, *given, variables);
+  if (is_column(given->value)) return plain(given->value, {given->value});
+  if (!binder.unknown_names_excused()) {
+    const std::vector<std::string_view> names(variables.begin(), variables.end());
+    binder.error(*given->node, given->path, "no result column '" + printable(given->value) + "'",
+                 nearest_or(given->value, names,
+                            "an expression begins with '='; known: " + in_words(names, "and")));
+  }
   return std::nullopt;
 }
 
@@ -164,43 +210,24 @@ std::optional<ClosedFormReference> closed_form(Binder& binder, const AgainstText
     }
   }
 
-  for (const reference::Signal& signal : form->inputs) {
-    const Named<std::string>* given = nullptr;
-    for (const auto& entry : text.inputs) {
-      if (entry.name == signal.name) given = &entry;
-    }
-    const std::optional<std::string> column =
-        given != nullptr ? std::optional(given->value) : default_input(signal.name, problem);
-    const bool known =
-        column && std::find(variables.begin(), variables.end(), *column) != variables.end();
-    if (known) {
-      result.inputs.push_back(*column);
-    } else if (binder.unknown_names_excused()) {
-      good = false;
-    } else if (given != nullptr) {
-      good = false;
-      if (!given->sound) continue;
-      const std::vector<std::string_view> names(variables.begin(), variables.end());
-      binder.error(*given->node, given->path, "no result column '" + printable(*column) + "'",
-                   nearest_or(*column, names, "known: " + in_words(names, "and")));
-    } else if (component_of_force(signal.name) || signal.name == "beta") {
-      // A plane SLOT has no f3, a straight joint no angle: the closed form then sees 0.
-      result.inputs.emplace_back();
-    } else {
-      binder.error(*text.closed_form.node, text.closed_form.path,
-                   "the closed form needs '" + std::string(signal.name) +
-                       "': say which result column it is under 'inputs:'");
-      good = false;
-    }
-  }
+  misspelt.clear();
   for (const auto& entry : text.inputs) {
     const auto names = known_names(form->inputs);
-    if (std::find(names.begin(), names.end(), entry.name) == names.end()) {
-      binder.unknown_key(*entry.key, entry.path, names);
+    if (std::find(names.begin(), names.end(), entry.name) != names.end()) continue;
+    if (const auto meant = binder.unknown_key(*entry.key, entry.path, names)) {
+      misspelt.push_back(*meant);
+    }
+    good = false;
+  }
+  for (const reference::Signal& signal : form->inputs) {
+    if (std::find(misspelt.begin(), misspelt.end(), signal.name) != misspelt.end()) continue;
+    auto input = input_of(binder, text, signal, problem, variables);
+    if (input) {
+      result.inputs.push_back(std::move(*input));
+    } else {
       good = false;
     }
   }
-
   result.output = output_of(*form, quantity, problem);
   if (text.output.faulty()) good = false;
   if (text.output.sound) {
@@ -270,7 +297,7 @@ void read_check(Binder& binder, const At<CheckText>& at, const std::vector<std::
     }
   } else if (against.expression.given()) {
     if (auto compiled = compile(binder, against.expression, variables)) {
-      reference = ExpressionReference{std::move(compiled->expression), compiled->variables};
+      reference = std::move(*compiled);
     }
   } else if (!against.closed_form.sound) {
     good = false;
@@ -331,7 +358,7 @@ void resolve_output_and_checks(Binder& binder, const CaseText& text, Case& out, 
   for (const Column& column : all) columns.push_back(column.name);
   // What is driven has a column; a faulty history may have been meant to drive anything.
   std::vector<std::string> driven;
-  for (int q = kTemperatureQuantity; !history_known && q < kQuantities; ++q) {
+  for (int q = kTemperatureQuantity; !history_known && q < kTensionBehind; ++q) {
     driven.push_back(quantity_name(q));
   }
   for (const std::string& name : driven) {

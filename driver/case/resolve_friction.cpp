@@ -6,6 +6,8 @@
 
 #include "driver/case/case_codecs.hpp"
 #include "driver/case/resolve.hpp"
+#include "driver/case/resolve_definition.hpp"
+#include "driver/case/resolve_potential.hpp"
 #include "driver/text/format_number.hpp"
 #include "law/uniqueness.hpp"
 
@@ -15,6 +17,18 @@ namespace {
 using law::ComponentSet;
 
 constexpr double kDefaultSlipTolerance = 1.0e-4;  // the connector default of section 9
+
+/// Which forces a derived component may use depends on what it is used for; those of components
+/// that the connection does not have are of no use.
+bool has_component(Binder& binder, const law::Connection& connection, int component, const Node& at,
+                   const Path& path) {
+  const ComponentSet all = connection.info.held | connection.info.available;
+  if (all.contains(component)) return true;
+  binder.error(at, path,
+               connector_words(connection) + " has no component " + std::to_string(component + 1) +
+                   ", it has the forces " + force_names(all));
+  return false;
+}
 
 /// A contact force comes from constraint forces: those are prescribed.
 bool usable_force(Binder& binder, const law::Connection& connection, int component, const Node& at,
@@ -52,7 +66,7 @@ std::optional<law::DerivedTerm> derived_term(Binder& binder, const law::Connecti
       continue;
     }
     seen.insert(c);
-    good = usable_force(binder, connection, c, *component.node, component.path) && good;
+    good = has_component(binder, connection, c, *component.node, component.path) && good;
     term.component[static_cast<std::size_t>(term.count)] = c;
     term.weight[static_cast<std::size_t>(term.count)] = 1.0;
     ++term.count;
@@ -139,18 +153,20 @@ DerivedComponents derived_components(Binder& binder, const CaseText& text, const
   return result;
 }
 
-law::StickStiffness stick_stiffness(Binder& binder, const FrictionText& text, const Node& friction,
-                                    const Path& path, const Case& problem) {
-  const StickText& stick = text.stick.value;
+}  // namespace
+
+law::StickStiffness stick_stiffness(Binder& binder, const At<StickText>& text, const Node& parent,
+                                    const Path& parent_path, bool parent_misspelt,
+                                    const UnitSystem& units) {
+  const StickText& stick = text.value;
   using Mode = law::StickStiffness::Mode;
-  const bool misspelt =
-      has_unknown_key<FrictionText>(friction) || (text.stick.given() && text.stick.node->is_map() &&
-                                                  has_unknown_key<StickText>(*text.stick.node));
-  if (text.stick.faulty() || misspelt) return {Mode::kElasticSlip, kDefaultSlipTolerance};
+  const bool misspelt = parent_misspelt || (text.given() && text.node->is_map() &&
+                                            has_unknown_key<StickText>(*text.node));
+  if (text.faulty() || misspelt) return {Mode::kElasticSlip, kDefaultSlipTolerance};
   const int ways = (stick.slip_tolerance.given() || stick.characteristic_length.given() ? 1 : 0) +
                    (stick.elastic_slip.given() ? 1 : 0) + (stick.stiffness.given() ? 1 : 0);
   if (ways > 1) {
-    binder.error(*text.stick.node, text.stick.path,
+    binder.error(*text.node, text.path,
                  "give one of {slip_tolerance, characteristic_length}, {elastic_slip} and "
                  "{stiffness}");
   }
@@ -162,42 +178,33 @@ law::StickStiffness stick_stiffness(Binder& binder, const FrictionText& text, co
   if (stick.characteristic_length.given()) {
     length = stick.characteristic_length.value;
   } else {
-    const std::string unit = problem.units.length.empty() ? "" : " " + problem.units.length;
-    binder.note(text.stick.given() ? *text.stick.node : friction,
-                text.stick.given() ? text.stick.path : path,
+    const std::string unit = units.length.empty() ? "" : " " + units.length;
+    binder.note(text.given() ? *text.node : parent, text.given() ? text.path : parent_path,
                 "characteristic length not given, 1" + unit +
                     " (1 rad in rotation) used for the stick stiffness: elastic slip " +
                     format_number(tolerance));
   }
   const double elastic_slip = tolerance * length;
   if (!(elastic_slip >= std::numeric_limits<double>::min()) || !std::isfinite(elastic_slip)) {
-    binder.error(*text.stick.node, text.stick.path,
+    binder.error(*text.node, text.path,
                  "slip_tolerance * characteristic_length = " + format_number(tolerance) + " * " +
                      format_number(length) + " is no elastic slip a double can hold");
   }
   return {Mode::kElasticSlip, elastic_slip};
 }
 
-std::optional<law::FrictionLaw> coefficient(Binder& binder, const FrictionText& text,
-                                            const Node& friction, const Path& path) {
-  if (text.coefficient.faulty()) return std::nullopt;
-  if (!text.coefficient.given()) {
-    if (has_unknown_key<FrictionText>(friction)) return std::nullopt;
-    binder.warning(friction, path, "no coefficient: this definition has no effect");
-    return law::FrictionLaw(law::ConstantCoefficient{0.0});
-  }
-  if (const auto* table_text = std::get_if<TableText>(&text.coefficient.value.value)) {
-    auto function = table_function(binder, *table_text, *text.coefficient.node,
-                                   text.coefficient.path, kCoefficientTable);
+std::optional<law::FrictionLaw> coefficient_law(Binder& binder,
+                                                const At<CoefficientText>& coefficient) {
+  if (!coefficient.sound) return std::nullopt;
+  if (const auto* table_text = std::get_if<TableText>(&coefficient.value.value)) {
+    auto function =
+        table_function(binder, *table_text, *coefficient.node, coefficient.path, kCoefficientTable);
     if (!function) return std::nullopt;
     return law::FrictionLaw(law::TabularCoefficient{std::move(*function)});
   }
-  return std::get<law::FrictionLaw>(text.coefficient.value.value);
+  return std::get<law::FrictionLaw>(coefficient.value.value);
 }
 
-/// A limit that falls faster with slip than the stick stiffness unloads snaps back: the force drops
-/// at constant motion, and no increment can follow it (reference case W1, beta >= 1). The bound
-/// takes the worst of the tables; where F_C may turn the sign it only warns.
 void check_snap_back(Binder& binder, const law::FrictionDefinition& d, const Node& node,
                      const Path& path) {
   const law::SnapBack snap = law::snap_back(d);
@@ -213,6 +220,16 @@ void check_snap_back(Binder& binder, const law::FrictionDefinition& d, const Nod
   } else {
     binder.error(node, path, std::move(message), std::move(hint));
   }
+}
+
+namespace {
+
+std::optional<law::FrictionLaw> coefficient(Binder& binder, const FrictionText& text,
+                                            const Node& friction, const Path& path) {
+  if (text.coefficient.given()) return coefficient_law(binder, text.coefficient);
+  if (has_unknown_key<FrictionText>(friction)) return std::nullopt;
+  binder.warning(friction, path, "no coefficient: this definition has no effect");
+  return law::FrictionLaw(law::ConstantCoefficient{0.0});
 }
 
 /// One entry of `friction:` with what its definitions share.
@@ -231,6 +248,10 @@ class Resolver {
       outlines_known_ = false;
       return {};
     }
+    if (is_belt(out_.connection) && belt_has_predefined_friction_only(text)) {
+      outlines_known_ = false;
+      return {};
+    }
     const int forms = (text.predefined.given() ? 1 : 0) + (text.component.given() ? 1 : 0) +
                       (text.potential.given() ? 1 : 0);
     if (forms != 1) {
@@ -243,12 +264,13 @@ class Resolver {
     }
     law::FrictionDefinition shared;
     if (auto law = coefficient(binder_, text, node, path)) shared.law = std::move(*law);
-    shared.stick = stick_stiffness(binder_, text, node, path, out_);
+    shared.stick = stick_stiffness(binder_, text.stick, node, path,
+                                   has_unknown_key<FrictionText>(node) || rigid(text), out_.units);
     shared.accumulated_slip = text_.integration.accumulated_slip;
     shared.slip_rate = text_.integration.slip_rate;
     if (text.force_limit.sound && text.force_limit.value > 0.0) {
       shared.force_limit = text.force_limit.value;
-      if (std::holds_alternative<law::ExponentialDecay>(shared.law)) {
+      if (law::exponential_decay(shared.law)) {
         binder_.error(*text.force_limit.node, text.force_limit.path,
                       "exponential decay takes no force limit");
       }
@@ -259,7 +281,7 @@ class Resolver {
       predefined(friction, shared, outline);
     } else if (text.potential.given()) {
       outline.form = law::FrictionForm::kPotential;
-      shared.slip = potential(text.potential.value, outline);
+      potential(text.potential, shared, outline);
       user_defined(friction, shared, true);
     } else if (text.component.given()) {
       if (text.component.sound) {
@@ -277,6 +299,35 @@ class Resolver {
   [[nodiscard]] bool outlines_known() const { return outlines_known_; }
 
  private:
+  /// A mass sticks rigidly: that a stick stiffness is not given need not be said.
+  bool rigid(const FrictionText& text) const {
+    return text_.dynamics.given() && !text.stick.given();
+  }
+
+  /// A belt's limit depends on the sense of its flow: no potential and no contact force says that.
+  /// \return whether an error was reported
+  bool belt_has_predefined_friction_only(const FrictionText& text) {
+    bool found = false;
+    const auto refuse = [&](const auto& at, std::string message) {
+      if (!at.given()) return;
+      found = true;
+      binder_.error(*at.node, at.path, std::move(message),
+                    "the friction of a SLIPRING is 'predefined: {}' with its coefficient");
+    };
+    const std::string band =
+        ": the limit of a belt on its ring depends on the sense of its flow (capstan), which only "
+        "predefined friction has";
+    refuse(text.component, "a SLIPRING takes no 'component'" + band);
+    refuse(text.potential, "a SLIPRING takes no 'potential'" + band);
+    refuse(
+        text.contact_force,
+        "a SLIPRING takes no contact force: what presses the belt on its ring is its tension f1");
+    refuse(text.internal_contact_force,
+           "a SLIPRING takes no internal contact force: what presses the belt on its ring is its "
+           "tension f1");
+    return found;
+  }
+
   void predefined(const At<FrictionText>& friction, const law::FrictionDefinition& shared,
                   law::FrictionOutline& outline) {
     const FrictionText& text = friction.value;
@@ -315,6 +366,7 @@ class Resolver {
                 d.slip = check.slip;
                 d.contact_force = std::move(check.contact_force);
                 d.internal_contact_force = std::move(check.internal_contact_force);
+                d.criterion = check.criterion;
                 for (int i = 0; i < d.slip.dimension; ++i) {
                   outline.components.insert(d.slip.component[static_cast<std::size_t>(i)]);
                 }
@@ -395,32 +447,15 @@ class Resolver {
     });
   }
 
-  law::SlipSpace potential(const PotentialText& text, law::FrictionOutline& outline) {
-    law::SlipSpace space;
-    space.dimension = 0;
-    if (text.terms.sound && text.terms.value.empty()) {
-      outlines_known_ = false;
-      binder_.error(*text.terms.node, text.terms.path, "a potential needs at least one term");
-    }
-    for (const PotentialTermText& term : text.terms.value) {
-      if (!term.component.sound) {
-        outlines_known_ = false;
-        continue;
-      }
-      const int c = term.component.value - 1;
-      if (outline.components.contains(c)) {
-        binder_.error(*term.component.node, term.component.path,
-                      "component " + std::to_string(c + 1) + " stands twice in the potential");
-        continue;
-      }
-      outline.components.insert(c);
-      const auto i = static_cast<std::size_t>(space.dimension++);
-      space.component[i] = c;
-      space.scale[i] = term.scale.value;
-    }
-    if (!text.terms.given()) outlines_known_ = false;
-    if (space.dimension == 0) space.dimension = 1;
-    return space;
+  /// Slip space and criterion of a potential.
+  void potential(const At<PotentialText>& text, law::FrictionDefinition& d,
+                 law::FrictionOutline& outline) {
+    const ResolvedPotential resolved = resolve_potential(
+        binder_, text, [this](const At<std::string>& name) { return derived(name); });
+    d.slip = resolved.slip;
+    d.criterion = resolved.criterion;
+    outline.components = resolved.components;
+    outlines_known_ = outlines_known_ && resolved.components_known;
   }
 
   void user_defined(const At<FrictionText>& friction, law::FrictionDefinition d, bool coupled) {
@@ -455,24 +490,41 @@ class Resolver {
       usable_force(binder_, out_.connection, *number - 1, *contact.node, contact.path);
       return;
     }
-    const auto& name = std::get<std::string>(contact.value.value);
-    for (const auto& [known, component] : derived_.sound) {
-      if (known == name) {
-        d.contact_force = component;
-        return;
+    At<std::string> name;
+    name.value = std::get<std::string>(contact.value.value);
+    name.node = contact.node;
+    name.path = contact.path;
+    const law::DerivedComponent* component = derived(name);
+    if (component == nullptr) return;
+    ComponentSet seen;
+    for (const law::DerivedTerm& term : *component) {
+      for (std::size_t j = 0; j < static_cast<std::size_t>(term.count); ++j) {
+        const int c = term.component[j];
+        if (!seen.contains(c)) usable_force(binder_, out_.connection, c, *name.node, name.path);
+        seen.insert(c);
       }
     }
+    d.contact_force = *component;
+  }
+
+  /// A derived component by its name; null if it is faulty or unknown, which is reported.
+  const law::DerivedComponent* derived(const At<std::string>& name) {
+    for (const auto& [known, component] : derived_.sound) {
+      if (known == name.value) return &component;
+    }
     // The fault of a faulty one is reported where it stands, and so are faulty names.
-    if (std::find(derived_.names.begin(), derived_.names.end(), name) != derived_.names.end() ||
+    if (std::find(derived_.names.begin(), derived_.names.end(), name.value) !=
+            derived_.names.end() ||
         !derived_.readable) {
-      return;
+      return nullptr;
     }
     const std::vector<std::string_view> names(derived_.names.begin(), derived_.names.end());
-    binder_.error(*contact.node, contact.path,
-                  "unknown derived component '" + printable(name) + "'",
-                  nearest_or(name, names,
+    binder_.error(*name.node, name.path,
+                  "unknown derived component '" + printable(name.value) + "'",
+                  nearest_or(name.value, names,
                              names.empty() ? "define it under 'derived_components:'"
                                            : "known: " + in_words(names, "and")));
+    return nullptr;
   }
 
   Binder& binder_;
@@ -517,17 +569,11 @@ bool name_definitions(Binder& binder, const CaseText& text, Case& out) {
 }
 
 /// Where a definition says that it slips in `component` (index 0..5), or that it slips at all.
-std::pair<Node, Path> place_of(const At<FrictionText>& friction, int component) {
+std::pair<Node, Path> place_of(const At<FrictionText>& friction, const CaseText& all,
+                               int component) {
   const FrictionText& text = friction.value;
   if (text.component.given()) return {*text.component.node, text.component.path};
-  if (text.potential.given()) {
-    for (const PotentialTermText& term : text.potential.value.terms.value) {
-      if (term.component.sound && term.component.value == component + 1) {
-        return {*term.component.node, term.component.path};
-      }
-    }
-    return {*text.potential.node, text.potential.path};
-  }
+  if (text.potential.given()) return place_in_potential(text.potential, all, component);
   if (text.predefined.given()) return {*text.predefined.node, text.predefined.path};
   return {*friction.node, friction.path};
 }
@@ -539,7 +585,7 @@ void report(Binder& binder, const CaseText& text, const Case& problem,
       text.friction.value[static_cast<std::size_t>(violation.definition)];
   const auto name = [](int i) { return "friction[" + std::to_string(i) + "]"; };
   const std::string component = "component " + std::to_string(violation.component + 1);
-  const auto [node, path] = place_of(friction, violation.component);
+  const auto [node, path] = place_of(friction, text, violation.component);
   switch (violation.rule) {
     case Rule::kNotAvailable: {
       const law::ConnectionInfo& info = problem.connection.info;

@@ -19,7 +19,33 @@ Dimension dimension_of(int quantity) {
     return law::is_rotation(quantity - kFirstForce) ? kMoment : kForce;
   }
   if (quantity == kTemperatureQuantity) return kTemperature;
+  if (quantity == kTensionBehind) return kForce;
+  if (quantity >= kFirstNode) return kLength;
   return {};
+}
+
+/// A belt is driven by its tension, by that behind its ring, and by its nodes where it has them.
+/// \return nothing if `name` is none of these; the quantity, or -1 after reporting an error
+std::optional<int> belt_quantity_of(Binder& binder, const Case& problem, const std::string& name,
+                                    const Node& key, const Path& path, bool motion, bool force) {
+  if (motion && name == "CP1" && problem.belt->nodes) {
+    binder.error(key, path, "the distance CP1 follows from the nodes a and b",
+                 "move them under 'nodes:'");
+    return -1;
+  }
+  if (!force) {
+    if (name != "f_bc") return std::nullopt;
+    binder.error(key, path, "'f_bc' is a tension: it goes under 'force:'");
+    return -1;
+  }
+  if (name == "f_bc") return kTensionBehind;
+  const auto c = component_of_force(name);
+  if (!c) return std::nullopt;
+  if (*c == 0) return kFirstForce;
+  binder.error(key, path,
+               "a SLIPRING has the tensions f1, of segment ab, and f_bc, behind the ring; found '" +
+                   name + "'");
+  return -1;
 }
 
 std::string held_message(const law::Connection& connection, int component) {
@@ -46,6 +72,11 @@ std::optional<int> quantity_of(Binder& binder, const Case& problem, const std::s
                                bool others) {
   const law::ConnectionInfo& info = problem.connection.info;
   const std::string words = connector_words(problem.connection);
+  if (problem.belt) {
+    if (const auto q = belt_quantity_of(binder, problem, name, key, path, motion, force)) {
+      return *q < 0 ? std::nullopt : q;
+    }
+  }
   if (const auto c = component_of_motion(name); c && (motion || force)) {
     if (!motion) {
       binder.error(key, path, "'" + name + "' is a motion: it goes under 'motion:'");
@@ -62,20 +93,16 @@ std::optional<int> quantity_of(Binder& binder, const Case& problem, const std::s
   }
   if (const auto c = component_of_force(name); c && (motion || force)) {
     if (!force) {
-      binder.error(key, path, "'" + name + "' is a constraint force: it goes under 'force:'");
+      binder.error(key, path, "'" + name + "' is a force: it goes under 'force:'");
     } else if (info.held.contains(*c)) {
       return kFirstForce + *c;
     } else if (info.available.contains(*c)) {
-      binder.error(key, path,
-                   "component " + std::to_string(*c + 1) + " of " + words +
-                       " is free: prescribe its motion " + motion_name(*c) +
-                       " (driving a free component by force is not in this version); constraint "
-                       "forces are " +
-                       force_names(info.held));
+      return kFirstForce + *c;
     } else {
       binder.error(key, path,
                    words + " has no component " + std::to_string(*c + 1) +
-                       "; its constraint forces are " + force_names(info.held));
+                       "; its constraint forces are " + force_names(info.held) +
+                       ", its free components take " + force_names(info.available));
     }
     return std::nullopt;
   }
@@ -165,6 +192,9 @@ void read_step(Binder& binder, const StepText& text, Case& out, double start) {
     add(quantity_of(binder, out, entry.name, *entry.key, entry.path, true, false, false),
         entry.value, *entry.node, entry.path, entry.sound);
   }
+  drive_nodes(binder, text, out, [&](int quantity, const At<ProfileText>& profile) {
+    add(quantity, profile.value, *profile.node, profile.path, profile.sound);
+  });
   for (const auto& entry : text.force) {
     add(quantity_of(binder, out, entry.name, *entry.key, entry.path, false, true, false),
         entry.value, *entry.node, entry.path, entry.sound);

@@ -18,6 +18,11 @@ std::optional<law::Independent> independent(std::string_view name, const TableUs
   if (use.accumulated_slip && name == "accumulated_slip") {
     return law::Independent{Kind::kAccumulatedSlip};
   }
+  // A spring's table is asked at its displacement, a damper's at its velocity.
+  if (use.displacement && name == "displacement") {
+    return law::Independent{Kind::kConstitutiveMotion};
+  }
+  if (use.velocity && name == "velocity") return law::Independent{Kind::kSlipRate};
   if (name == "temperature") return law::Independent{Kind::kTemperature};
   if (const auto field = field_of(name)) return law::Independent{Kind::kField, *field};
   if (use.motion) {
@@ -36,6 +41,8 @@ std::vector<std::string_view> independents_of(const TableUse& use) {
   if (use.slip_rate) names.push_back("slip_rate");
   if (use.contact_force) names.push_back("contact_force");
   if (use.accumulated_slip) names.push_back("accumulated_slip");
+  if (use.displacement) names.push_back("displacement");
+  if (use.velocity) names.push_back("velocity");
   if (use.motion) names.insert(names.end(), {"CP1", "CU1", "CCU1"});
   names.insert(names.end(), {"temperature", "field1"});
   return names;

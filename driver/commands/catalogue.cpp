@@ -68,6 +68,7 @@ std::vector<Column> all_columns() {
       for (const law::PredefinedFriction& check : checks) {
         law::FrictionDefinition definition;
         definition.slip = check.slip;
+        definition.criterion = check.criterion;
         problem.definitions = {{"", check.slip.dimension > 1, definition}};
         for (Column& column : result_columns(problem)) {
           const bool known = std::any_of(columns.begin(), columns.end(),
@@ -86,6 +87,7 @@ void list_quantities() {
        "relative position of a free component, under 'motion:'");
   tell("  {:<18} {}\n", "f1..3, m1..3",
        "constraint force or moment of a held component, under 'force:'");
+  tell("  {:<18} {}\n", "f1, f_bc", "tensions of a belt (SLIPRING), under 'force:'");
   tell("  {:<18} {}\n", "temperature", "temperature of the connector");
   tell("  {:<18} field variables, under 'fields:'\n", fmt::format("field1..{}", law::kMaxFields));
   tell("quantities a result has, as far as the connection does\n");
@@ -101,6 +103,8 @@ void describe_fields(int indent) {
     wanted += info.required ? ", required" : ", default 0";
     if constexpr (std::is_same_v<Member, std::optional<law::Table>>) {
       wanted = "a table, default: built-in";
+    } else if constexpr (std::is_same_v<Member, std::optional<double>>) {
+      wanted = "a number, " + in_words(info.bounds) + ", optional";
     }
     tell("{:{}}{:<28} {}\n{:{}}{:<28} ({})\n", "", indent, key, info.text, "", indent, "", wanted);
   });
@@ -116,7 +120,11 @@ bool describe_connection(std::string_view name) {
     tell("  holds, forces under 'force:'    {}\n", force_names(info.held));
     tell("  frees, motions under 'motion:'  {}\n", motion_names(info.available));
     if constexpr (law::HasPredefinedFriction<Type>) {
-      tell("  predefined friction, parameters under 'predefined:'\n");
+      if (keys_of<Type>().empty()) {
+        tell("  predefined friction without parameters: 'predefined: {{}}'\n");
+      } else {
+        tell("  predefined friction, parameters under 'predefined:'\n");
+      }
       describe_fields<Type>(4);
     } else {
       tell("  no predefined friction: give 'component' or 'potential'\n");

@@ -147,6 +147,7 @@ std::string definition_variables(const PlotData& data, const PlotDefinition& def
   set("BESIDE", gnuplot_string(number_list(beside)));
   set("BESIDE_NAMES", gnuplot_string(beside_names));
   set("LIMIT", std::to_string(definition.limit + 1));
+  set("LIMIT_BELOW", std::to_string(definition.limit_below + 1));
   const double limit = definition.limit >= 0 ? magnitude(data, definition.limit) : 0.0;
   double top = std::max(limit, magnitude(data, main));
   if (!(top > 0.0)) top = 1.0;
@@ -216,11 +217,12 @@ std::string script(const PlotData& data, const std::string& title, const fs::pat
           format_number(data.highest[0] > data.lowest[0] ? data.highest[0] : data.lowest[0] + 1.0) +
           "\n";
   for (const char* name :
-       {"NAME",           "FORCE",         "FORCE_NAME",    "FORCE_LABEL",   "SIGNED",
-        "BESIDE",         "BESIDE_NAMES",  "LIMIT",         "TOP",           "LARGEST_LIMIT",
-        "LIMIT_IN_LOOP",  "PLANAR",        "FORCE_X",       "FORCE_X_LABEL", "MOTION_X",
-        "MOTION_X_LABEL", "FORCE_Y",       "FORCE_Y_LABEL", "MOTION_Y",      "MOTION_Y_LABEL",
-        "MOTION_X_STEP",  "MOTION_Y_STEP", "FORCE_STEP",    "SLIPS",         "OPENS"}) {
+       {"NAME",           "FORCE",          "FORCE_NAME",    "FORCE_LABEL",   "SIGNED",
+        "BESIDE",         "BESIDE_NAMES",   "LIMIT",         "TOP",           "LARGEST_LIMIT",
+        "LIMIT_BELOW",    "LIMIT_IN_LOOP",  "PLANAR",        "FORCE_X",       "FORCE_X_LABEL",
+        "MOTION_X",       "MOTION_X_LABEL", "FORCE_Y",       "FORCE_Y_LABEL", "MOTION_Y",
+        "MOTION_Y_LABEL", "MOTION_X_STEP",  "MOTION_Y_STEP", "FORCE_STEP",    "SLIPS",
+        "OPENS"}) {
     text += fmt::format("array {}[{}]\n", name, count);
   }
   for (std::size_t i = 0; i < count; ++i) {

@@ -11,9 +11,15 @@
 #include <optional>
 #include <utility>
 
+#include "driver/commands/compare_integration.hpp"
+#include "driver/commands/converge.hpp"
+#include "driver/commands/explain.hpp"
 #include "driver/commands/shared.hpp"
+#include "driver/commands/solver_report.hpp"
 #include "driver/results/csv_writer.hpp"
+#include "driver/results/events.hpp"
 #include "driver/results/provenance.hpp"
+#include "driver/results/reproducer.hpp"
 #include "driver/results/summary.hpp"
 #include "driver/text/json.hpp"
 
@@ -22,14 +28,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The three files of a result.
+/// The files of a result.
 struct ResultFiles {
   OutputFile rows;
   OutputFile events;
   OutputFile summary;
+  std::optional<OutputFile> solver;
 };
 
-tl::expected<ResultFiles, std::string> create_files(const Case& problem, const fs::path& folder) {
+tl::expected<ResultFiles, std::string> create_files(const Case& problem, const fs::path& folder,
+                                                    bool with_solver_report) {
   const std::vector<std::string> inputs = input_files(problem);
   const auto create = [&](const char* extension) {
     return OutputFile::create(folder / (case_stem(problem) + extension), inputs);
@@ -40,7 +48,13 @@ tl::expected<ResultFiles, std::string> create_files(const Case& problem, const f
   if (!events) return tl::unexpected(events.error());
   auto summary = create(".json");
   if (!summary) return tl::unexpected(summary.error());
-  return ResultFiles{std::move(*rows), std::move(*events), std::move(*summary)};
+  ResultFiles files{std::move(*rows), std::move(*events), std::move(*summary), std::nullopt};
+  if (with_solver_report) {
+    auto solver = create(".solver.csv");
+    if (!solver) return tl::unexpected(solver.error());
+    files.solver.emplace(std::move(*solver));
+  }
+  return files;
 }
 
 std::string shown(const fs::path& path) { return path.lexically_normal().string(); }
@@ -64,6 +78,26 @@ Diagnostics warnings_of(const Diagnostics& diagnostics) {
   return warnings;
 }
 
+/// Writes the smallest case that fails in the same way beside where the result would be.
+int write_reproducer(const ReadCase& read, const SimulationFailure& failure,
+                     const fs::path& folder) {
+  const Case& problem = *read.value;
+  const fs::path target = folder / (case_stem(problem) + ".failed.yaml");
+  auto file = OutputFile::create(target, input_files(problem));
+  if (!file) {
+    print_error("slipbench: error: " + file.error() + "\n");
+    return kExitEnvironment;
+  }
+  file->append(reproducer(read.sources.front(), problem, failure));
+  OutputFile* const alone[] = {&*file};
+  if (auto committed = commit(alone); !committed) {
+    print_error("slipbench: error: " + committed.error() + "\n");
+    return kExitEnvironment;
+  }
+  print_error("  a case that fails the same way: " + shown(target) + "\n");
+  return kExitNumerical;
+}
+
 int run_one(const ReadCase& read, const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const Case& problem = *read.value;
@@ -73,7 +107,7 @@ int run_one(const ReadCase& read, const RunOptions& options) {
   std::optional<CsvWriter> rows;
   std::optional<EventWriter> events;
   if (!options.no_output) {
-    auto created = create_files(problem, options.folder);
+    auto created = create_files(problem, options.folder, options.solver_report);
     if (!created) {
       print_error("slipbench: error: " + created.error() + "\n");
       return kExitEnvironment;
@@ -84,6 +118,8 @@ int run_one(const ReadCase& read, const RunOptions& options) {
   }
 
   Summary summary(problem);
+  std::optional<SolverReport> solver;
+  if (options.solver_report) solver.emplace(problem, files ? &*files->solver : nullptr);
   std::vector<CheckProgress> checks;
   checks.reserve(problem.checks.size());
   for (const Check& check : problem.checks) checks.emplace_back(problem, check);
@@ -91,8 +127,10 @@ int run_one(const ReadCase& read, const RunOptions& options) {
   Row last;
   const auto ended = [&] {
     Progress progress(case_stem(problem));
-    return run_case(problem, [&](const Row& row) {
+    return follow_case(problem, [&](const Simulation& simulation) {
+      const Row& row = simulation.row();
       summary.add(row);
+      if (solver) solver->add(simulation);
       for (CheckProgress& check : checks) check.add(row);
       if (rows) {
         events->write(row);
@@ -107,7 +145,11 @@ int run_one(const ReadCase& read, const RunOptions& options) {
   }();
   if (!ended) {
     print_error(failure_text(problem, ended.error()));
-    return exit_code(ended.error());
+    int code = exit_code(ended.error());
+    if (code == kExitNumerical && !options.no_output) {
+      code = worse(code, write_reproducer(read, ended.error(), options.folder));
+    }
+    return code;
   }
   // The end of the run is always in the result.
   if (rows && last.index == summary.increments() && last.index > 0) rows->write(last);
@@ -128,7 +170,8 @@ int run_one(const ReadCase& read, const RunOptions& options) {
     for (const Verdict& verdict : verdicts) check_list.push_back(to_json(verdict));
     document["checks"] = check_list;
     files->summary.append(document.dump(2) + "\n");
-    OutputFile* const together[] = {&files->rows, &files->events, &files->summary};
+    std::vector<OutputFile*> together = {&files->rows, &files->events, &files->summary};
+    if (files->solver) together.push_back(&*files->solver);
     if (auto committed = commit(together); !committed) {
       print_error("slipbench: error: " + committed.error() + "\n");
       return kExitEnvironment;
@@ -141,6 +184,7 @@ int run_one(const ReadCase& read, const RunOptions& options) {
   std::string text = fmt::format("{}: {} increments, {}\n", case_stem(problem),
                                  summary.increments(), elapsed_text(elapsed));
   text += summary.text();
+  if (solver) text += solver->text();
   text += notes_text(read.diagnostics);
   for (const std::string& warning : warnings) text += "  warning: " + warning + "\n";
   bool failed = false;
@@ -151,6 +195,29 @@ int run_one(const ReadCase& read, const RunOptions& options) {
   }
   print(text + written);
   return failed ? kExitCheckFailed : kExitOk;
+}
+
+int explain_one(const Case& problem, double time) {
+  const auto text = explain(problem, time);
+  if (!text) {
+    print_error(text.error().message);
+    return text.error().code;
+  }
+  print(*text);
+  return kExitOk;
+}
+
+/// What smaller increments, or none, would change.
+int judge_increments(const Case& problem, const RunOptions& options) {
+  int code = kExitOk;
+  const auto tell = [&](const tl::expected<std::string, CommandFailure>& text) {
+    if (text) return print(*text);
+    print_error(text.error().message);
+    code = worse(code, text.error().code);
+  };
+  if (options.compare_integration) tell(compare_integration(problem));
+  if (options.converge) tell(converge(problem));
+  return code;
 }
 
 /// Two cases that would write the same files, as a sentence; empty if there are none.
@@ -198,7 +265,16 @@ int run_command(const RunOptions& options) {
     print_error(driver::summary(all) + ", nothing was run\n");
     return code;
   }
-  for (const ReadCase& read : cases) code = worse(code, run_one(read, options));
+  for (const ReadCase& read : cases) {
+    const auto run_it = [&] {
+      if (options.explain) return explain_one(*read.value, *options.explain);
+      if (options.compare_integration || options.converge) {
+        return judge_increments(*read.value, options);
+      }
+      return run_one(read, options);
+    };
+    code = worse(code, run_it());
+  }
   return code;
 }
 

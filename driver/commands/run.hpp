@@ -13,6 +13,10 @@ struct RunOptions {
   std::vector<std::string> settings;  ///< --set, as typed
   std::optional<int> every;           ///< write every N-th row; the case's choice if absent
   bool no_output = false;             ///< write no files
+  std::optional<double> explain;      ///< --explain: only tell why, at this total time
+  bool solver_report = false;         ///< --solver-report: what a solver has to expect
+  bool compare_integration = false;   ///< --compare-integration: backward Euler against exact
+  bool converge = false;              ///< --converge: dt, dt/2, dt/4
   bool allow_outside = false;
 };
 

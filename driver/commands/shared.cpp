@@ -94,10 +94,15 @@ void Progress::show(const Row& row) {
 
 tl::expected<std::vector<MotionJump>, SimulationFailure> run_case(
     const Case& problem, const std::function<void(const Row&)>& take) {
+  return follow_case(problem, [&](const Simulation& simulation) { take(simulation.row()); });
+}
+
+tl::expected<std::vector<MotionJump>, SimulationFailure> follow_case(
+    const Case& problem, const std::function<void(const Simulation&)>& take) {
   auto simulation = Simulation::start(problem);
   if (!simulation) return tl::unexpected(std::move(simulation.error()));
   while (true) {
-    take(simulation->row());
+    take(*simulation);
     auto more = simulation->advance();
     if (!more) return tl::unexpected(std::move(more.error()));
     if (!*more) break;

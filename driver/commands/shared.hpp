@@ -68,6 +68,10 @@ class Progress {
 tl::expected<std::vector<MotionJump>, SimulationFailure> run_case(
     const Case& problem, const std::function<void(const Row&)>& take);
 
+/// The same for a `take` that wants to see the definitions in force, too.
+tl::expected<std::vector<MotionJump>, SimulationFailure> follow_case(
+    const Case& problem, const std::function<void(const Simulation&)>& take);
+
 /// The exit code that goes with a failed run.
 int exit_code(const SimulationFailure& failure);
 

@@ -43,7 +43,11 @@ CheckProgress::CheckProgress(const Case& problem, const Check& check)
     fault_ = "there is no closed form '" + form.name + "'";
     return;
   }
-  if (auto inputs = inputs_of(form.inputs)) reference_inputs_ = std::move(*inputs);
+  for (const ExpressionReference& input : form.inputs) {
+    if (auto inputs = inputs_of(input.variables))
+      form_inputs_.push_back({std::move(*inputs), &input});
+  }
+  form_arguments_.resize(form_inputs_.size());
   closed_form_ = found->make(form.parameters);
   outputs_.resize(found->outputs.size());
 }
@@ -55,8 +59,6 @@ std::optional<std::vector<CheckProgress::Input>> CheckProgress::inputs_of(
     Input input;
     if (name == "t" || name == "T") {
       input.kind = name == "t" ? Input::Kind::kStepTime : Input::Kind::kTotalTime;
-    } else if (name.empty()) {
-      input.kind = Input::Kind::kZero;
     } else if (auto column = find_column(*case_, columns_, name)) {
       input.column = std::move(*column);
     } else {
@@ -78,9 +80,6 @@ void CheckProgress::gather(const std::vector<Input>& inputs, const Row& row) {
       case Input::Kind::kTotalTime:
         arguments_.push_back(row.time);
         break;
-      case Input::Kind::kZero:
-        arguments_.push_back(0.0);
-        break;
       case Input::Kind::kColumn:
         arguments_.push_back(column_value(input.column, *case_, row));
         break;
@@ -99,10 +98,27 @@ bool CheckProgress::selected(const Row& row) const {
   return !check_->to || row.time <= *check_->to + slack;
 }
 
+/// Evaluates the inputs of the closed form. Without one of them the path is broken, and with it all
+/// that follows.
+bool CheckProgress::gather_form_inputs(const Row& row) {
+  for (std::size_t i = 0; i < form_inputs_.size(); ++i) {
+    gather(form_inputs_[i].inputs, row);
+    const auto value = form_inputs_[i].value->expression(arguments_);
+    if (!value) {
+      fault_ = fmt::format("an input of the closed form, '{}', has no value: {} at t = {}",
+                           form_inputs_[i].value->expression.text(), value.error().message,
+                           rounded(row.time));
+      return false;
+    }
+    form_arguments_[i] = *value;
+  }
+  return true;
+}
+
 std::optional<double> CheckProgress::reference(const Row& row, bool compared) {
   if (closed_form_) {
-    gather(reference_inputs_, row);
-    closed_form_(arguments_, outputs_);
+    if (!gather_form_inputs(row)) return std::nullopt;
+    closed_form_(form_arguments_, outputs_);
     const auto& form = std::get<ClosedFormReference>(check_->against);
     return outputs_[static_cast<std::size_t>(form.output)];
   }

@@ -45,7 +45,8 @@ struct Verdict {
 /// tolerance is the larger of the absolute one and the relative one times the range (largest minus
 /// smallest) of the reference over the compared rows; a reference that is constant but for
 /// rounding (range below 1e-9 of its largest magnitude) counts with that magnitude instead.
-/// A closed form is fed with every row from the first on, since it follows the whole path.
+/// A closed form is fed with every row from the first on, since it follows the whole path; if an
+/// input has no value in some row, compared or not, the check fails.
 class CheckProgress {
  public:
   /// `problem` and `check` must outlive it.
@@ -57,7 +58,7 @@ class CheckProgress {
  private:
   /// Where the numbers of an expression's variables come from.
   struct Input {
-    enum class Kind { kStepTime, kTotalTime, kColumn, kZero } kind = Kind::kColumn;
+    enum class Kind { kStepTime, kTotalTime, kColumn } kind = Kind::kColumn;
     Column column;
   };
   struct Suspect {
@@ -65,7 +66,14 @@ class CheckProgress {
     double deviation;
   };
 
+  /// What drives one input of a closed form.
+  struct FormInput {
+    std::vector<Input> inputs;
+    const ExpressionReference* value;
+  };
+
   std::optional<std::vector<Input>> inputs_of(const std::vector<std::string>& names);
+  bool gather_form_inputs(const Row& row);
   void gather(const std::vector<Input>& inputs, const Row& row);
   bool selected(const Row& row) const;
   std::optional<double> reference(const Row& row, bool compared);
@@ -80,6 +88,8 @@ class CheckProgress {
   std::vector<Input> quantity_inputs_;
   std::vector<Input> reference_inputs_;
   reference::PathEvaluator closed_form_;
+  std::vector<FormInput> form_inputs_;
+  std::vector<double> form_arguments_;
   std::vector<double> outputs_;
   std::vector<double> arguments_;
 

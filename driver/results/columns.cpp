@@ -9,6 +9,7 @@
 #include <set>
 
 #include "driver/case/quantity.hpp"
+#include "law/capstan_update.hpp"
 #include "law/component.hpp"
 
 namespace slipbench::driver {
@@ -76,6 +77,11 @@ void add_motion(const Case& problem, int c, std::vector<Column>& columns) {
       ColumnSource::kPosition, problem.initial[c]);
   add("CCU", dimension, "Constitutive displacement from the reference position " + where + ".",
       ColumnSource::kPosition, problem.reference[c]);
+  if (problem.dynamics && problem.dynamics->component == c) {
+    add("CV", per_time(dimension), "Velocity of the mass " + where + " at the end of the increment.",
+        ColumnSource::kMassVelocity, 0.0);
+    return;
+  }
   add("CV", per_time(dimension), "Mean relative velocity of the increment " + where + ".",
       ColumnSource::kVelocity, 0.0);
 }
@@ -96,12 +102,114 @@ void add_forces(const Case& problem, int c, std::vector<Column>& columns) {
   const Owner owner = owner_of(problem, c);
   const ColumnSource source =
       owner.definition < 0 ? ColumnSource::kNoFriction : ColumnSource::kFrictionForce;
+  const ComponentBehavior& behavior = problem.behavior[static_cast<std::size_t>(c)];
+  const bool mass = problem.dynamics && problem.dynamics->component == c;
+  const bool loaded = mass || problem.force_driven.contains(c);
+  const auto add = [&](const char* prefix, std::string text, ColumnSource from) {
+    columns.push_back({force_column(prefix, c), dimension, std::move(text), from, c});
+  };
+  if (behavior.elasticity) {
+    add("CEF", std::string("Elastic ") + what + where + ".", ColumnSource::kElasticForce);
+  }
+  if (behavior.damping) {
+    add("CVF", std::string("Viscous ") + what + where + ".", ColumnSource::kViscousForce);
+  }
   columns.push_back({force_column("CSF", c), dimension,
                      std::string("Friction ") + what + where + ".", source, owner.entry,
                      owner.definition});
   columns.push_back({force_column("CTF", c), dimension,
                      std::string("Total ") + what + where + ": friction only.", source, owner.entry,
                      owner.definition});
+  if (!behavior.any() && !loaded) return;
+  columns.pop_back();
+  if (behavior.stop) {
+    add("CRF", std::string("Reaction ") + what + where + " of a stop.", ColumnSource::kReaction);
+  }
+  if (loaded) {
+    add("CCF", std::string("Applied ") + what + where + ": the load.", ColumnSource::kApplied);
+  }
+  add("CTF",
+      std::string("Total ") + what + where +
+          (mass ? ", CEF + CVF + CSF - CCF: what accelerates the mass, reversed."
+                : ", CEF + CVF + CSF + CRF - CCF."),
+      ColumnSource::kTotalForce);
+  if (behavior.stop) {
+    columns.push_back({"CSLST" + component_suffix(c), kNumber,
+                       "1 at the upper stop " + where + ", -1 at the lower one, else 0.",
+                       ColumnSource::kStopFlag, c});
+  }
+}
+
+/// Energies that belong to no friction definition.
+void add_energies(const Case& problem, std::vector<Column>& columns) {
+  const auto add = [&](const char* name, const char* text, ColumnSource source) {
+    columns.push_back({name, kEnergy, text, source});
+  };
+  const auto any = [&](auto member) {
+    return std::any_of(problem.behavior.begin(), problem.behavior.end(),
+                       [&](const ComponentBehavior& b) { return (b.*member).has_value(); });
+  };
+  if (any(&ComponentBehavior::elasticity)) {
+    add("ELASTIC_E", "Energy in the springs of all components.", ColumnSource::kElasticEnergy);
+  }
+  if (any(&ComponentBehavior::damping)) {
+    add("VISCOUS_DISS", "Energy dissipated by all dampers since the start.",
+        ColumnSource::kViscousDissipation);
+  }
+  if (!problem.dynamics) return;
+  add("KINETIC_E", "Kinetic energy of the mass.", ColumnSource::kKineticEnergy);
+  add("EXTERNAL_WORK", "Work of the belt and the load on the mass since the start.",
+      ColumnSource::kExternalWork);
+}
+
+/// Motions and tensions of a belt; what it lacks (a length, moving nodes) has no column.
+void add_belt(const Case& problem, std::vector<Column>& columns) {
+  // Without a case, as for `slipbench list quantities`: everything.
+  const bool all = !problem.belt;
+  const auto add = [&](std::string name, Dimension dimension, std::string text, ColumnSource source,
+                       int index = 0, int definition = -1) {
+    columns.push_back({std::move(name), dimension, std::move(text), source, index, definition});
+  };
+  const bool has_length = all || problem.belt->has_length;
+  if (has_length) {
+    add("CP1", kLength, "Distance of the nodes a and b of a belt.", ColumnSource::kPosition, 0);
+    add("CU1", kNumber, "Strain of the belt between a and b.", ColumnSource::kStrain);
+    add("CV1", per_time(kLength), "Mean rate of the distance over the increment.",
+        ColumnSource::kVelocity, 0);
+  }
+  add("CP2", kLength, "Flow of material over the ring at b.", ColumnSource::kPosition, 1);
+  add("CV2", per_time(kLength), "Mean rate of the flow at b over the increment.",
+      ColumnSource::kVelocity, 1);
+  add("CP3", kLength, "Flow of material into the segment at a.", ColumnSource::kPosition, 2);
+  add("CV3", per_time(kLength), "Mean rate of the flow at a over the increment.",
+      ColumnSource::kVelocity, 2);
+  if (has_length) {
+    add("reference_length", kLength, "Unstrained length of the belt between a and b.",
+        ColumnSource::kReferenceLength);
+  }
+  if (all || problem.belt->nodes_move) {
+    add("wrap_angle", kAngle, "Angle the belt turns by at b.", ColumnSource::kWrapAngle);
+  }
+  add("CTF1", kForce, "Tension f_ab of the segment between a and b.",
+      ColumnSource::kConstraintForce, 0);
+  if (problem.behavior[0].elasticity) {
+    add("CEF1", kForce, "Tension of the segment from the elasticity of the belt.",
+        ColumnSource::kConstraintForce, 0);
+  }
+  const bool chain = problem.definitions.size() > 1;
+  const int last = static_cast<int>(problem.definitions.size()) - 1;
+  if (last < 0) return;
+  const auto source = chain ? ColumnSource::kChainForce : ColumnSource::kFrictionForce;
+  const std::string text =
+      chain ? "f_bc - f_ab over all rings." : "Friction force of the ring, f_bc - f_ab.";
+  add("CSF2", kForce, text, source, 0, chain ? -1 : 0);
+  add("CTF2", kForce, text, source, 0, chain ? -1 : 0);
+  add("f_bc", kForce, chain ? "Tension behind the last ring." : "Tension behind the ring.",
+      ColumnSource::kRingTension, 0, last);
+  if (all || problem.belt->both_tensions) {
+    add("UTILISATION", kNumber, "abs(ln(f_bc/f_ab))/(mu alpha): the belt sticks below 1.",
+        ColumnSource::kUtilisation, 0, last);
+  }
 }
 
 void add_definition(const Case& problem, int d, std::vector<Column>& columns) {
@@ -125,9 +233,23 @@ void add_definition(const Case& problem, int d, std::vector<Column>& columns) {
         ColumnSource::kSlipVelocity);
   } else {
     const int c = definition.law.slip.component[0];
-    add(force_column("CNF", c), force, "Effective normal force of the definition.",
+    // The rings of a chain share their component, so that its number does not tell them apart.
+    const std::string ring = is_belt(problem.connection) ? suffix : "";
+    if (is_belt(problem.connection)) {
+      add("CSF2_MAX" + ring, force, "Upper end of the stick band of CSF2: flow from a to c.",
+          ColumnSource::kLargestForce);
+      add("CSF2_MIN" + ring, force, "Lower end of the stick band of CSF2: flow from c to a.",
+          ColumnSource::kSmallestForce);
+    }
+    if (!ring.empty()) {
+      add("CSF2" + ring, force, "Friction force of the ring.", ColumnSource::kFrictionForce);
+      add("f_bc" + ring, force, "Tension behind the ring.", ColumnSource::kRingTension);
+    }
+    add(force_column("CNF", c) + ring, force,
+        is_belt(problem.connection) ? "Tension in front of the ring, its contact force."
+                                    : "Effective normal force of the definition.",
         ColumnSource::kNormalForce);
-    add("CASU" + component_suffix(c), slip, "Accumulated slip of the definition.",
+    add("CASU" + component_suffix(c) + ring, slip, "Accumulated slip of the definition.",
         ColumnSource::kAccumulatedSlip);
   }
   add("STATUS" + suffix, kNumber, "0 open, 1 stick, 2 slip.", ColumnSource::kStatus);
@@ -149,13 +271,18 @@ std::optional<Column> by_name(std::span<const Column> columns, std::string_view 
   return *found;
 }
 
-double norm(const std::array<double, law::kComponents>& entries, int dimension) {
-  if (dimension == 1) return std::abs(entries[0]);
-  double sum = 0.0;
-  for (int k = 0; k < dimension; ++k) {
-    sum += entries[static_cast<std::size_t>(k)] * entries[static_cast<std::size_t>(k)];
-  }
-  return std::sqrt(sum);
+/// The wrap angle of a ring in a row.
+double ring_angle(const Case& problem, const Row& row, std::size_t definition) {
+  if (problem.belt && problem.belt->nodes) return row.belt.wrap_angle;
+  return std::get<law::Capstan>(problem.definitions[definition].law.criterion).wrap_angle;
+}
+
+/// How far CSF2 may go on one side, with the coefficient of the row.
+double band_end(const Case& problem, const Row& row, std::size_t definition, law::FlowSense sense) {
+  const law::FrictionUpdate& update = row.definitions[definition].update;
+  const double mu_alpha = update.mu * ring_angle(problem, row, definition);
+  return std::min(update.normal_force * law::capstan_limit(mu_alpha, sense),
+                  problem.definitions[definition].law.force_limit);
 }
 
 double slip_velocity(const law::SlipSpace& slip, const DefinitionRow& here, const Row& row) {
@@ -168,6 +295,19 @@ double slip_velocity(const law::SlipSpace& slip, const DefinitionRow& here, cons
            (row.quantities[kFirstMotion + c] - row.begin.values[c]);
   }
   return sum / row.duration;
+}
+
+/// CEF + CVF + CSF + CRF - CCF of a component.
+double total_force(const Case& problem, const Row& row, int component) {
+  const ComponentForces& forces = row.forces.component[static_cast<std::size_t>(component)];
+  double friction = 0.0;
+  if (const Owner owner = owner_of(problem, component); owner.definition >= 0) {
+    const auto d = static_cast<std::size_t>(owner.definition);
+    const auto entry = static_cast<std::size_t>(owner.entry);
+    friction = problem.definitions[d].law.slip.scale[entry] *
+               row.definitions[d].update.state.force[entry];
+  }
+  return forces.elastic + forces.viscous + friction + forces.reaction - forces.applied;
 }
 
 }  // namespace
@@ -186,17 +326,20 @@ std::vector<Column> result_columns(const Case& problem) {
   std::vector<Column> columns;
   columns.push_back({"t", kTime, "Total time.", ColumnSource::kTotalTime});
   const law::ConnectionInfo& info = problem.connection.info;
-  for (int c = 0; c < law::kComponents; ++c) {
+  const bool belt = is_belt(problem.connection);
+  if (belt) add_belt(problem, columns);
+  for (int c = 0; c < law::kComponents && !belt; ++c) {
     if (info.available.contains(c)) add_motion(problem, c, columns);
   }
-  for (int c = 0; c < law::kComponents; ++c) {
+  for (int c = 0; c < law::kComponents && !belt; ++c) {
     if (info.available.contains(c) || info.held.contains(c)) add_forces(problem, c, columns);
   }
   for (std::size_t d = 0; d < problem.definitions.size(); ++d) {
     add_definition(problem, static_cast<int>(d), columns);
   }
+  if (!belt) add_energies(problem, columns);
   for (const int quantity : driven_quantities(problem)) {
-    if (quantity < kTemperatureQuantity) continue;
+    if (quantity < kTemperatureQuantity || quantity >= kTensionBehind) continue;
     const bool temperature = quantity == kTemperatureQuantity;
     columns.push_back({quantity_name(quantity), temperature ? kTemperature : kNumber,
                        temperature ? "Temperature." : "Field variable.", ColumnSource::kQuantity,
@@ -267,6 +410,39 @@ double column_value(const Column& column, const Case& problem, const Row& row) {
       return row.quantities[index];
     case ColumnSource::kNoFriction:
       return 0.0;
+    case ColumnSource::kElasticForce:
+      return row.forces.component[index].elastic;
+    case ColumnSource::kViscousForce:
+      return row.forces.component[index].viscous;
+    case ColumnSource::kReaction:
+      return row.forces.component[index].reaction;
+    case ColumnSource::kApplied:
+      return row.forces.component[index].applied;
+    case ColumnSource::kTotalForce:
+      return total_force(problem, row, column.index);
+    case ColumnSource::kStopFlag:
+      return problem.behavior[index].stop->flag(row.quantities[kFirstMotion + index]);
+    case ColumnSource::kMassVelocity:
+      return row.forces.velocity;
+    case ColumnSource::kElasticEnergy:
+      return row.forces.elastic_energy;
+    case ColumnSource::kViscousDissipation:
+      return row.forces.viscous_dissipation;
+    case ColumnSource::kKineticEnergy:
+      return row.forces.kinetic_energy;
+    case ColumnSource::kExternalWork:
+      return row.forces.external_work;
+    case ColumnSource::kStrain:
+      return row.belt.strain;
+    case ColumnSource::kReferenceLength:
+      return row.belt.reference_length;
+    case ColumnSource::kWrapAngle:
+      return row.belt.wrap_angle;
+    case ColumnSource::kChainForce: {
+      double sum = 0.0;
+      for (const DefinitionRow& ring : row.definitions) sum += ring.update.state.force[0];
+      return sum;
+    }
     default:
       break;
   }
@@ -276,8 +452,16 @@ double column_value(const Column& column, const Case& problem, const Row& row) {
   switch (column.source) {
     case ColumnSource::kFrictionForce:
       return slip.scale[index] * here.update.state.force[index];
+    case ColumnSource::kRingTension:
+      return law::tension_behind(here.update);
+    case ColumnSource::kUtilisation:
+      return law::capstan_utilisation(here.update, ring_angle(problem, row, d));
+    case ColumnSource::kLargestForce:
+      return band_end(problem, row, d, law::FlowSense::kForward);
+    case ColumnSource::kSmallestForce:
+      return -band_end(problem, row, d, law::FlowSense::kBackward);
     case ColumnSource::kFrictionTotal:
-      return norm(here.update.state.force, slip.dimension);
+      return law::equivalent_force(problem.definitions[d].law, here.update.state);
     case ColumnSource::kSlipVelocity:
       return slip_velocity(slip, here, row);
     case ColumnSource::kAccumulatedSlip:
@@ -293,7 +477,7 @@ double column_value(const Column& column, const Case& problem, const Row& row) {
     case ColumnSource::kPhi:
       return here.update.phi;
     case ColumnSource::kElasticSlip:
-      return norm(here.update.state.elastic_slip, slip.dimension);
+      return law::equivalent_elastic_slip(problem.definitions[d].law, here.update.state);
     case ColumnSource::kDissipation:
       return here.dissipation;
     case ColumnSource::kStoredEnergy:

@@ -22,7 +22,18 @@ enum class ColumnSource : std::uint8_t {
   kConstraintForce,  ///< a prescribed constraint force
   kFrictionForce,    ///< R_i y_i of one entry of a definition's slip space
   kNoFriction,       ///< 0: an available component without friction
-  kFrictionTotal,    ///< |y| of a definition
+  kElasticForce,     ///< CEF
+  kViscousForce,     ///< CVF
+  kReaction,         ///< CRF of a stop
+  kApplied,          ///< CCF
+  kTotalForce,       ///< CEF + CVF + CSF + CRF - CCF
+  kStopFlag,         ///< CSLST
+  kMassVelocity,     ///< CV of the mass of a dynamic case
+  kElasticEnergy,
+  kViscousDissipation,
+  kKineticEnergy,
+  kExternalWork,
+  kFrictionTotal,    ///< P of a definition
   kSlipVelocity,     ///< n . ds/dt
   kAccumulatedSlip,
   kNormalForce,
@@ -34,7 +45,15 @@ enum class ColumnSource : std::uint8_t {
   kDissipation,
   kStoredEnergy,
   kWork,
-  kQuantity  ///< temperature or a field
+  kQuantity,         ///< temperature or a field
+  kStrain,           ///< of a belt, CU1
+  kReferenceLength,  ///< of a belt
+  kWrapAngle,        ///< of a belt with nodes
+  kChainForce,       ///< the sum of the friction forces of all rings
+  kRingTension,      ///< f_bc behind the ring of a definition
+  kLargestForce,     ///< the upper end of a belt's stick band
+  kSmallestForce,    ///< its lower end, negative
+  kUtilisation       ///< |ln(f_bc/f_ab)|/(mu alpha) of a belt whose tensions are both prescribed
 };
 
 /// One column of the result: its name, the dimension its unit follows from, one sentence, and how

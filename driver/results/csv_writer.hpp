@@ -24,23 +24,6 @@ class CsvWriter {
   OutputFile* file_;
 };
 
-/// Writes every change of regime of a run as CSV, the first slip included: when, which definition,
-/// from which regime to which, at what force, limit and accumulated slip, and where.
-class EventWriter {
- public:
-  EventWriter(const Case& problem, OutputFile& file);
-  void write(const Row& row);
-
- private:
-  const Case* case_;
-  std::vector<Column> positions_;
-  std::vector<law::Regime> regimes_;
-  OutputFile* file_;
-};
-
-/// "open", "stick" or "slip".
-const char* regime_name(law::Regime regime);
-
 /// The friction force a definition is known by: that of its component, signed, or P of a coupled
 /// definition.
 double representative_force(const CaseDefinition& definition, const DefinitionRow& row);

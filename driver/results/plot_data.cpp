@@ -69,8 +69,10 @@ Preamble read_preamble(const std::filesystem::path& file) {
   return preamble;
 }
 
-/// The position a friction force column goes with: CSF1 with CP1, CSM2 with CPR2.
-std::string position_of(const std::string& force) {
+/// The position a friction force column goes with: CSF1 with CP1, CSM2 with CPR2, CSF2.ring1 with
+/// CP2.
+std::string position_of(const std::string& column) {
+  const std::string force = column.substr(0, column.find('.'));
   for (int c = 0; c < law::kComponents; ++c) {
     if (force == force_column("CSF", c)) return motion_name(c);
   }
@@ -100,7 +102,13 @@ class Selection {
           definition.positions.push_back(add(position_of(force)));
         }
       }
-      definition.limit = add("FLIM" + suffix);
+      // A belt has another limit in each sense; FLIM is only that of the side its force lies on.
+      const std::string& first = forces.empty() ? name : forces.front();
+      const std::string of_belt = first.substr(0, first.find('.'));
+      definition.limit_below = add(of_belt + "_MIN" + first.substr(of_belt.size()));
+      definition.limit = definition.limit_below >= 0
+                             ? add(of_belt + "_MAX" + first.substr(of_belt.size()))
+                             : add("FLIM" + suffix);
       definition.status = add("STATUS" + suffix);
       if (definition.total >= 0 || !definition.components.empty()) {
         data_.definitions.push_back(std::move(definition));

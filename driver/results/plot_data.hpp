@@ -32,6 +32,7 @@ struct PlotDefinition {
   std::vector<int> components;  ///< its friction forces
   std::vector<int> positions;   ///< the positions they go with, in the same order
   int limit = -1;
+  int limit_below = -1;  ///< where it is not the limit's negative: of a belt
   int status = -1;
   std::vector<RegimeSpan> spans;  ///< of slip and of no contact; the rest is stick
 };

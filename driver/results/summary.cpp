@@ -51,7 +51,11 @@ double DefinitionSummary::energy_gap() const {
 }
 
 Summary::Summary(const Case& problem)
-    : case_(&problem), regimes_(problem.definitions.size(), law::Regime::kStick) {
+    : case_(&problem),
+      detector_(problem),
+      cycles_(problem),
+      coverage_(problem),
+      stick_start_(problem.definitions.size()) {
   for (Column& column : result_columns(problem)) {
     if (column.source == ColumnSource::kPosition && column.name.starts_with("CP")) {
       positions_.push_back(std::move(column));
@@ -67,37 +71,78 @@ void Summary::add(const Row& row) {
   if (row.index == 0) start_time_ = row.time;
   increments_ = row.index;
   end_time_ = row.time;
+  add_events(row);
+  cycles_.add(row);
+  coverage_.add(row);
   for (std::size_t d = 0; d < definitions_.size(); ++d) {
     const DefinitionRow& here = row.definitions[d];
     const law::FrictionUpdate& update = here.update;
     DefinitionSummary& sum = definitions_[d];
-    const law::Regime before = std::exchange(regimes_[d], update.state.regime);
+    add_creep(here, d);
     if (update.state.regime == law::Regime::kSlip) {
       sum.slip_time += row.duration;
-      if (before != law::Regime::kSlip) {
-        ++sum.events;
-        if (!sum.first_slip) sum.first_slip = row;
-      }
     } else if (update.state.regime == law::Regime::kOpen) {
       sum.open_time += row.duration;
     }
     const double force = representative_force(case_->definitions[d], here);
     sum.lowest_force = std::min(sum.lowest_force, force);
     sum.highest_force = std::max(sum.highest_force, force);
-    if (update.normal_force > sum.largest_normal_force) {
-      sum.largest_normal_force = update.normal_force;
-      sum.stiffness_there = law::stick_stiffness(case_->definitions[d].law, update.limit);
-    }
-    if (update.multiple_roots) {
-      sum.shortest_increment =
-          sum.multiple_roots == 0 ? row.duration : std::min(sum.shortest_increment, row.duration);
-      ++sum.multiple_roots;
+    if (update.multiple_roots) ++sum.multiple_roots;
+    const law::IncrementThresholds& thresholds = here.thresholds;
+    sum.unique = std::max(sum.unique, thresholds.unique);
+    if (thresholds.smooth > row.duration) {
+      ++sum.short_increments;
+      // thresholds.smooth / duration is the largest so far, by more than its rounding.
+      constexpr double kMore = 1.0 + 1e-9;
+      if (sum.worst_duration == 0.0 ||
+          thresholds.smooth * sum.worst_duration > kMore * sum.worst.smooth * row.duration) {
+        sum.worst = thresholds;
+        sum.worst_time = row.time;
+        sum.worst_duration = row.duration;
+      }
     }
     sum.accumulated_slip = update.state.accumulated_slip;
     sum.dissipation = here.dissipation;
     sum.stored_energy = update.stored_energy;
     sum.work = here.work;
   }
+}
+
+void Summary::add_events(const Row& row) {
+  for (const Event& event : detector_.take(row)) {
+    DefinitionSummary& sum = definitions_[event.definition];
+    if (event.reversal) ++sum.reversals;
+    if (event.to != law::Regime::kSlip || event.from == law::Regime::kSlip) continue;
+    ++sum.events;
+    if (sum.first_slip) continue;
+    sum.first_slip = event;
+    for (const Column& position : positions_) {
+      sum.first_place.push_back(position_at(event, row, position.index) - position.offset);
+    }
+  }
+}
+
+void Summary::add_creep(const DefinitionRow& here, std::size_t index) {
+  const law::FrictionState& now = here.update.state;
+  law::FrictionState& start = stick_start_[index];
+  DefinitionSummary& sum = definitions_[index];
+  double length = 0.0;
+  double creep = 0.0;
+  double across = 0.0;  // negative where slip turned to the opposite sense: it stuck on the way
+  for (std::size_t k = 0; k < now.elastic_slip.size(); ++k) {
+    const double moved = now.elastic_slip[k] - start.elastic_slip[k];
+    length += now.elastic_slip[k] * now.elastic_slip[k];
+    creep += moved * moved;
+    across += now.elastic_slip[k] * start.elastic_slip[k];
+  }
+  const bool sticks = now.regime == law::Regime::kStick;
+  if (sticks) sum.largest_elastic_slip = std::max(sum.largest_elastic_slip, std::sqrt(length));
+  // The stick before a slip lasts up to the limit, where the elastic slip then stays.
+  const bool stuck_before = now.regime == law::Regime::kSlip && here.update.onset > 0.0 &&
+                            (start.regime == law::Regime::kStick || across < 0.0);
+  if (sticks || stuck_before) sum.largest_creep = std::max(sum.largest_creep, std::sqrt(creep));
+  if (!sticks) start = now;
+  start.regime = now.regime;
 }
 
 std::string Summary::definition_text(const DefinitionSummary& sum, std::size_t index) const {
@@ -112,20 +157,21 @@ std::string Summary::definition_text(const DefinitionSummary& sum, std::size_t i
   if (!sum.first_slip) {
     text += duration > 0.0 && sum.open_time >= duration ? "never in contact" : "never slips";
   } else {
-    const Row& first = *sum.first_slip;
-    text += fmt::format("slips {} of the time, {} stick-slip event{}, first slip at t = {}",
-                        percent(sum.slip_time, duration), sum.events, plural(sum.events),
+    const Event& first = *sum.first_slip;
+    std::string reversals;
+    if (sum.reversals > 0) {
+      reversals = fmt::format(" and {} reversal{}", sum.reversals, plural(sum.reversals));
+    }
+    text += fmt::format("slips {} of the time, {} stick-slip event{}{}, first slip at t = {}",
+                        percent(sum.slip_time, duration), sum.events, plural(sum.events), reversals,
                         with_unit(rounded(first.time), units.time));
     std::string where;
-    for (const Column& position : positions_) {
-      where += fmt::format("{}{} = {}", where.empty() ? "" : ", ", position.name,
-                           with_unit(rounded(column_value(position, *case_, first)),
-                                     unit_text(position.dimension, units)));
+    for (std::size_t p = 0; p < positions_.size(); ++p) {
+      where += fmt::format(
+          "{}{} = {}", where.empty() ? "" : ", ", positions_[p].name,
+          with_unit(rounded(sum.first_place[p]), unit_text(positions_[p].dimension, units)));
     }
-    text += fmt::format(
-        " ({}) at {}", where,
-        with_unit(rounded(std::abs(representative_force(definition, first.definitions[index]))),
-                  force));
+    text += fmt::format(" ({}) at {}", where, with_unit(rounded(std::abs(first.force)), force));
   }
   if (sum.first_slip && sum.open_time > 0.0) {
     text += fmt::format(", open {} of the time", percent(sum.open_time, duration));
@@ -136,7 +182,26 @@ std::string Summary::definition_text(const DefinitionSummary& sum, std::size_t i
                       with_unit(rounded(sum.dissipation, 3), energy),
                       with_unit(rounded(sum.stored_energy, 3), energy),
                       fmt::format("{:.1g}", std::abs(sum.energy_gap())));
-  return text;
+  return text + why_text(sum, index);
+}
+
+std::string Summary::why_text(const DefinitionSummary& sum, std::size_t index) const {
+  const CaseDefinition& definition = case_->definitions[index];
+  const std::string name = definitions_.size() > 1 ? definition.name + ": " : "";
+  const std::string slip =
+      unit_text(is_rotational(definition.law) ? kAngle : kLength, case_->units);
+  std::string text;
+  if (sum.largest_creep > 0.0) {
+    text = "creeps up to " + with_unit(rounded(sum.largest_creep, 3), slip) + " while it sticks";
+  }
+  const CycleEnergy& cycle = cycles_.energies()[index];
+  if (cycle.count > 0 && cycle.highest > 0.0) {
+    text += fmt::format(
+        "{}dissipates {} in the last of {} cycle{}", text.empty() ? "" : ", ",
+        with_unit(rounded(cycle.last, 3), energy_unit(case_->units)), cycle.count,
+        plural(cycle.count));
+  }
+  return text.empty() ? text : "  " + name + text + "\n";
 }
 
 std::string Summary::text() const {
@@ -145,27 +210,53 @@ std::string Summary::text() const {
     text += definition_text(definitions_[d], d);
   }
   if (definitions_.empty()) text = "  no friction\n";
-  return text;
+  return text + coverage_.text();
+}
+
+std::string Summary::falling_warning(const DefinitionSummary& sum, std::size_t index) const {
+  const UnitSystem& units = case_->units;
+  const auto time = [&](double value) {
+    return with_unit(fmt::format("{:.6g}", value), units.time);
+  };
+  // Who never slips has no falling coefficient to follow.
+  const bool jumps = sum.short_increments > 0 && sum.first_slip;
+  if (!jumps && sum.multiple_roots == 0) return {};
+  if (!jumps) {
+    std::string text = fmt::format(
+        "friction '{}': {} increment{} may have more than one solution, because the coefficient "
+        "falls with the slip rate faster than the stick stiffness follows; the one of least slip "
+        "was taken",
+        sum.name, sum.multiple_roots, plural(sum.multiple_roots));
+    if (sum.unique > 0.0) {
+      text += fmt::format("; with increments longer than {} there is one only", time(sum.unique));
+    }
+    return text;
+  }
+  const std::string force =
+      unit_text(is_rotational(case_->definitions[index].law) ? kMoment : kForce, units);
+  std::string text = fmt::format(
+      "friction '{}': {} of {} increments are shorter than 2 F_N |dmu/dv| / k, at worst {} against "
+      "{} (t = {}, F_N = {}): there backward Euler may not settle on F_N mu(v) but jumps between "
+      "the static and the kinetic limit",
+      sum.name, sum.short_increments, increments_, time(sum.worst_duration), time(sum.worst.smooth),
+      rounded(sum.worst_time), with_unit(rounded(sum.worst.normal_force), force));
+  if (sum.multiple_roots > 0) {
+    text += fmt::format(
+        "; below F_N max|dmu/dv| / k = {} an increment may have more than one solution ({} had, "
+        "the one of least slip was taken)",
+        time(sum.unique), sum.multiple_roots);
+  }
+  return text +
+         "; take longer increments, 'slip_rate: relative_motion', a smaller decay, a larger stick "
+         "stiffness, or an 'elastic_slip' in its place";
 }
 
 std::vector<std::string> Summary::warnings(std::span<const MotionJump> jumps) const {
   std::vector<std::string> all;
   const UnitSystem& units = case_->units;
   for (std::size_t d = 0; d < definitions_.size(); ++d) {
-    const DefinitionSummary& sum = definitions_[d];
-    if (sum.multiple_roots == 0) continue;
-    const double threshold = law::uniqueness_threshold(
-        case_->definitions[d].law.law, sum.largest_normal_force, sum.stiffness_there);
-    std::string advice;
-    if (threshold > 0.0) {
-      advice = fmt::format("; with increments longer than {} there is one only",
-                           with_unit(rounded(threshold), units.time));
-    }
-    all.push_back(fmt::format(
-        "friction '{}': {} increment{} may have more than one solution, because the coefficient "
-        "falls with the slip rate faster than the stick stiffness follows; the one of least slip "
-        "was taken{}",
-        sum.name, sum.multiple_roots, plural(sum.multiple_roots), advice));
+    std::string warning = falling_warning(definitions_[d], d);
+    if (!warning.empty()) all.push_back(std::move(warning));
   }
   for (const MotionJump& jump : jumps) {
     const std::string unit = unit_text(jump.component >= 3 ? kAngle : kLength, units);
@@ -191,12 +282,13 @@ json::Value Summary::to_json() const {
     one["slip_time"] = sum.slip_time;
     one["open_time"] = sum.open_time;
     one["stick_slip_events"] = sum.events;
+    one["reversals"] = sum.reversals;
     if (sum.first_slip) {
       json::Value first;
       first["t"] = sum.first_slip->time;
-      first["force"] = representative_force(case_->definitions[d], sum.first_slip->definitions[d]);
-      for (const Column& position : positions_) {
-        first[position.name] = column_value(position, *case_, *sum.first_slip);
+      first["force"] = sum.first_slip->force;
+      for (std::size_t p = 0; p < positions_.size(); ++p) {
+        first[positions_[p].name] = sum.first_place[p];
       }
       one["first_slip"] = first;
     } else {
@@ -208,12 +300,34 @@ json::Value Summary::to_json() const {
     one["dissipation"] = sum.dissipation;
     one["stored_energy"] = sum.stored_energy;
     one["work"] = sum.work;
+    one["energy_balance_residual"] = sum.energy_gap();
+    one["largest_elastic_slip_in_stick"] = sum.largest_elastic_slip;
+    one["largest_creep_in_stick"] = sum.largest_creep;
+    if (const CycleEnergy& energy = cycles_.energies()[d]; energy.count > 0) {
+      json::Value cycles;
+      cycles["found_by"] = cycles_.found_by();
+      cycles["count"] = energy.count;
+      cycles["dissipation_first"] = energy.first;
+      cycles["dissipation_last"] = energy.last;
+      cycles["change_of_last"] = energy.count > 1 ? json::Value(energy.last - energy.before_last)
+                                                  : json::Value(nullptr);
+      cycles["dissipation_lowest"] = energy.lowest;
+      cycles["dissipation_highest"] = energy.highest;
+      one["cycles"] = cycles;
+    } else {
+      one["cycles"] = nullptr;
+    }
     one["increments_with_several_solutions"] = sum.multiple_roots;
+    one["increments_too_short"] = sum.short_increments;
+    if (sum.short_increments > 0) {
+      one["smooth_increment"] = sum.worst.smooth;
+      one["unique_increment"] = sum.worst.unique;
+    }
     list.push_back(one);
   }
   all["definitions"] = list;
+  all["tables"] = coverage_.to_json();
   return all;
 }
 
 }  // namespace slipbench::driver
-#include "law/uniqueness.hpp"

@@ -9,8 +9,12 @@
 
 #include "driver/case/case.hpp"
 #include "driver/results/columns.hpp"
+#include "driver/results/coverage.hpp"
+#include "driver/results/cycles.hpp"
+#include "driver/results/events.hpp"
 #include "driver/simulation.hpp"
 #include "driver/text/json.hpp"
+#include "law/uniqueness.hpp"
 
 namespace slipbench::driver {
 
@@ -20,17 +24,27 @@ struct DefinitionSummary {
   double slip_time = 0.0;         ///< total length of the increments that ended in slip [T]
   double open_time = 0.0;         ///< likewise without contact [T]
   std::int64_t events = 0;        ///< how often stick (or no contact) turned into slip
-  std::optional<Row> first_slip;  ///< the row that first ended in slip
+  std::int64_t reversals = 0;     ///< slips against the sense of the slip before
+  std::optional<Event> first_slip;
+  std::vector<double> first_place;  ///< the free positions there, as in the result columns
+  /// The largest |s_el| of an increment that ended in stick [L].
+  double largest_elastic_slip = 0.0;
+  /// The farthest the elastic slip went within one time of stick [L]: what creeps although it
+  /// sticks, where rigid friction would not move at all.
+  double largest_creep = 0.0;
   double lowest_force = 0.0;      ///< of representative_force [F]
   double highest_force = 0.0;
   double accumulated_slip = 0.0;  ///< [L]
   double dissipation = 0.0;       ///< [F L]
   double stored_energy = 0.0;     ///< at the end [F L]
   double work = 0.0;              ///< [F L]
-  double largest_normal_force = 0.0;
-  double stiffness_there = 0.0;     ///< kappa where the normal force was largest [F/L]
-  double shortest_increment = 0.0;  ///< of the increments with several solutions [T]
-  std::int64_t multiple_roots = 0;  ///< increments that may have more than one solution
+  std::int64_t multiple_roots = 0;    ///< increments that may have more than one solution
+  std::int64_t short_increments = 0;  ///< increments in which backward Euler may not settle
+  /// Of the increment that is shortest against the smooth threshold.
+  law::IncrementThresholds worst;
+  double worst_time = 0.0;      ///< total time at its end [T]
+  double worst_duration = 0.0;  ///< [T]; 0 before the first
+  double unique = 0.0;          ///< longer increments have one solution all along [T]
 
   /// (work - dissipation - stored energy) over the largest of them: what the time stepping lost.
   /// 0 where nothing moved.
@@ -49,19 +63,27 @@ class Summary {
 
   /// What happened, in lines indented by two blanks, with the case's units. Four digits.
   std::string text() const;
-  /// What the user should change or know, one sentence each: several solutions in an increment
-  /// (with the increment below which that may happen), motions that jump at the start of a step.
+  /// What the user should change or know, one sentence each: increments too short for a falling
+  /// coefficient (with the thresholds), motions that jump at the start of a step.
   std::vector<std::string> warnings(std::span<const MotionJump> jumps) const;
   /// The same numbers, unrounded.
   json::Value to_json() const;
 
  private:
   std::string definition_text(const DefinitionSummary& definition, std::size_t index) const;
+  std::string why_text(const DefinitionSummary& definition, std::size_t index) const;
+  void add_events(const Row& row);
+  void add_creep(const DefinitionRow& here, std::size_t index);
+  /// Of a coefficient that falls too fast for the increments; empty if none does.
+  std::string falling_warning(const DefinitionSummary& definition, std::size_t index) const;
 
   const Case* case_;
   std::vector<Column> positions_;
   std::vector<DefinitionSummary> definitions_;
-  std::vector<law::Regime> regimes_;
+  EventDetector detector_;
+  CycleCounter cycles_;
+  Coverage coverage_;
+  std::vector<law::FrictionState> stick_start_;  ///< where the current stick began
   std::int64_t increments_ = 0;
   double start_time_ = 0.0;
   double end_time_ = 0.0;

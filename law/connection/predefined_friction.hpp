@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "law/component.hpp"
@@ -24,10 +25,11 @@ struct ConnectionInfo {
 /// One stick-slip check that predefined friction stands for: predefined friction is nothing but an
 /// automatic choice of potential and contact force.
 struct PredefinedFriction {
-  std::string_view suffix;  ///< distinguishes the checks of PLANAR and UJOINT, else empty
+  std::string suffix;  ///< tells the checks of PLANAR, UJOINT and a chain of rings apart
   SlipSpace slip;
   ContactForce contact_force;
   InternalContactForce internal_contact_force;
+  SlipCriterion criterion{};  ///< the Euclidean norm unless said otherwise
 };
 
 }  // namespace slipbench::law

@@ -37,6 +37,7 @@ TEST_CASE("the counter catches deliberate allocations of every form") {
 
 std::vector<FrictionLaw> laws() {
   return {ConstantCoefficient{0.2}, ExponentialDecay{0.3, 0.2, 0.5},
+          ExponentialTestData{0.3, 0.25, 2.0, 0.2},
           TabularCoefficient{make_function({{0.3, 0, 0, 0}, {0.2, 3, 0, 0}, {0.25, 0, 90, 1}},
                                            {kOverSlipRate, kOverContactForce, over_field(1)})}};
 }

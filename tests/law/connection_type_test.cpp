@@ -39,6 +39,7 @@ const std::vector<Row> kTypes = {
     {"HINGE", ComponentSet::of(1, 2, 3, 5, 6), ComponentSet::of(4), true},
     {"PLANAR", ComponentSet::of(1, 5, 6), ComponentSet::of(2, 3, 4), true},
     {"UJOINT", ComponentSet::of(1, 2, 3, 5), ComponentSet::of(4, 6), true},
+    {"SLIPRING", ComponentSet(), ComponentSet::of(1, 2, 3), true},
 };
 
 /// The limiting force of check number `index` of a type's predefined friction.
@@ -90,7 +91,9 @@ TEST_CASE("predefined friction acts in available components only, each in one ch
           used.insert(c);
         }
       }
-      CHECK(used == Type::kInfo.available);
+      // Of a belt only the flow at its ring rubs; distance and flow at a are free of friction.
+      const bool belt = Type::kInfo.name == "SLIPRING";
+      CHECK(used == (belt ? ComponentSet::of(2) : Type::kInfo.available));
     }
   });
 }
@@ -102,7 +105,7 @@ TEST_CASE("a connection is found by its name, and not by another") {
     CHECK(found->info.name == row.name);
     CHECK(found->type);
   }
-  for (const char* name : {"", "slot", "SLIPRING", "SLIDE_PLANE", "SLOT "}) {
+  for (const char* name : {"", "slot", "RETRACTOR", "SLIDE_PLANE", "SLOT "}) {
     CHECK_FALSE(find_connection(name));
   }
 }
@@ -141,7 +144,7 @@ TEST_CASE("two basic types make the assembled type, in either order") {
 TEST_CASE("the assembly a type declares is the pair it is made of") {
   for_each_connection_type([]<class Type>(std::type_identity<Type>) {
     const std::string_view assembly = Type::kInfo.assembly;
-    if (assembly == "basic") return;
+    if (assembly == "basic" || assembly == "complex") return;
     const auto plus = assembly.find(" + ");
     REQUIRE(plus != std::string_view::npos);
     const auto made = assemble(*find_connection(assembly.substr(0, plus)),

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "tests/support/finite_difference.hpp"
@@ -23,6 +24,10 @@ ConstantCoefficient example<ConstantCoefficient>() {
 template <>
 ExponentialDecay example<ExponentialDecay>() {
   return {0.3, 0.2, 0.05};
+}
+template <>
+ExponentialTestData example<ExponentialTestData>() {
+  return {0.3, 0.23, 20.0, 0.2};
 }
 template <>
 TabularCoefficient example<TabularCoefficient>() {
@@ -131,6 +136,51 @@ TEST_CASE("exponential decay refuses a kinetic coefficient above the static one"
   CHECK_FALSE(ExponentialDecay{0.3, 0.3, 1.0}.violation().has_value());
   CHECK_FALSE(depends_on_slip_rate(ExponentialDecay{0.3, 0.3, 1.0}));
   CHECK_FALSE(depends_on_slip_rate(ExponentialDecay{0.3, 0.2, 0.0}));
+}
+
+TEST_CASE("the decay through measured points has the reference values (K2)") {
+  const ExponentialDecay three = ExponentialTestData{0.3, 0.23, 20.0, 0.2}.fit();
+  CHECK(three.mu_static == 0.3);
+  CHECK(three.kinetic == 0.2);
+  CHECK(three.decay == Approx(0.0601986402162968).epsilon(1e-14));
+  const ExponentialDecay two = ExponentialTestData{0.3, 0.23, 20.0, {}}.fit();
+  CHECK(two.kinetic == Approx(0.226315789473684).epsilon(1e-14));
+  CHECK(two.decay == Approx(0.1497866136777).epsilon(1e-13));
+}
+
+TEST_CASE("the decay through measured points has the specification's values (section 15)") {
+  // The numbers are given to six digits.
+  const ExponentialTestData two{0.3, 0.2, 5.0, {}};
+  CHECK(two.fit().kinetic == Approx(0.194737).margin(5e-7));
+  CHECK(two.fit().decay == Approx(0.599146).margin(5e-7));
+  CHECK(two.coefficient(2.0) == Approx(0.226496).margin(5e-7));
+  const ExponentialTestData three{0.3, 0.2, 5.0, 0.18};
+  CHECK(three.fit().decay == Approx(0.358352).margin(5e-7));
+  CHECK(three.coefficient(2.0) == Approx(0.238603).margin(5e-7));
+}
+
+TEST_CASE("the decay through measured points meets them") {
+  for (const std::optional<double> mu_inf : {std::optional<double>(), std::optional(0.18)}) {
+    const ExponentialTestData data{0.31, 0.2, 3.7, mu_inf};
+    CHECK(data.coefficient(0.0) == Approx(0.31).epsilon(1e-15));
+    // Differences of the coefficients cost two digits.
+    CHECK(data.coefficient(3.7) == Approx(0.2).epsilon(1e-14));
+    CHECK(data.coefficient(1e6) == Approx(data.kinetic()).epsilon(1e-15));
+  }
+}
+
+TEST_CASE("the test data of a decay must fall from point to point") {
+  const auto broken = [](const ExponentialTestData& data) {
+    return std::string(data.violation().value_or("nothing"));
+  };
+  CHECK(broken({0.3, 0.2, 5.0, 0.1}) == "nothing");
+  CHECK(broken({0.3, 0.2, 5.0, {}}) == "nothing");
+  CHECK(broken({0.2, 0.2, 5.0, 0.1}).find("'mu1' is not above 'mu2'") != std::string::npos);
+  CHECK(broken({0.3, 0.2, 5.0, 0.2}).find("'mu2' is not above 'mu_inf'") != std::string::npos);
+  CHECK(broken({0.3, 0.01, 5.0, {}}).find("is negative") != std::string::npos);
+  CHECK(broken({0.3, 0.2, 1e-310, {}}).find("no number a double can hold") != std::string::npos);
+  // 5 % of mu1 is the least mu2 that needs no mu_inf.
+  CHECK(broken({0.25, 0.0126, 5.0, {}}) == "nothing");
 }
 
 TEST_CASE("a coefficient table that is prolonged below zero stops at zero") {

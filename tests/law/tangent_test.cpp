@@ -301,6 +301,8 @@ TEST_CASE("the consistent tangent meets differences for all predefined friction 
           },
           Type::fields());
       for (const PredefinedFriction& friction : type.predefined()) {
+        // The capstan has points and branches of its own: law/capstan_update_test.
+        if (!std::holds_alternative<EuclideanPotential>(friction.criterion)) continue;
         FrictionDefinition definition;
         definition.slip = friction.slip;
         definition.contact_force = friction.contact_force;
@@ -324,6 +326,36 @@ TEST_CASE("the consistent tangent meets differences for all predefined friction 
     }
   });
   CHECK(compared == 9 * 2 * 2 * 5);
+}
+
+TEST_CASE("the consistent tangent meets differences in the middle of a change of friction") {
+  Dice dice(20260611);
+  int compared = 0;
+  for (const auto& [law_name, law] : laws()) {
+    for (const auto& [internal_name, internal] : internal_contact_forces()) {
+      FrictionDefinition definition;
+      definition.slip = slip_space({2, 3});
+      definition.contact_force = DerivedComponent{norm_term({1}, 1.0)};
+      definition.internal_contact_force = internal;
+      definition.law = law;
+      for (const StickStiffness stick : {allowable_slip(0.05), fixed_stiffness(800.0)}) {
+        definition.stick = stick;
+        for (const Wanted wanted : {Wanted::kStick, Wanted::kSlip}) {
+          INFO(law_name << ", F_int " << internal_name << ", fixed "
+                        << (stick.mode == StickStiffness::Mode::kStiffness));
+          int met = 0;
+          for (int attempt = 0; attempt < 60 && met < 3; ++attempt) {
+            definition.blend = {dice.between(0.05, 0.5), dice.between(0.05, 0.95)};
+            const Point point = random_point(definition, wanted, &dice);
+            if (tangent_meets_differences(point.definition, point.increment, point.old)) ++met;
+          }
+          CHECK(met == 3);
+          compared += met;
+        }
+      }
+    }
+  }
+  CHECK(compared == 3 * 4 * 2 * 2 * 3);
 }
 
 TEST_CASE("without contact the tangent is zero") {

@@ -83,12 +83,16 @@ Tally try_many(Kind kind, int draws) {
     definition.internal_contact_force = internal;
     const double kappa = dice.between(5.0, 60.0);
     definition.stick = {StickStiffness::Mode::kStiffness, kappa};
+    // Every third in the middle of a change of friction.
+    if (dice.chance(0.33)) definition.blend = {dice.between(0.0, 0.4), dice.between(0.3, 1.0)};
 
     ConnectorIncrement increment;
     increment.duration = 1.0;
     const auto limit = [&](double slip) {
       const double normal = internal.value({}, {.accumulated_slip = slip});
-      return evaluate(definition.law, {}, {.slip_rate = slip, .contact_force = normal}).mu * normal;
+      const CoefficientPoint law =
+          evaluate(definition.law, {}, {.slip_rate = slip, .contact_force = normal});
+      return blended(definition.blend, law).mu * normal;
     };
     if (!(limit(0.0) > 0.0)) continue;
     const double trial = limit(0.0) * dice.between(1.0001, 2.0);

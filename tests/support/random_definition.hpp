@@ -10,6 +10,7 @@
 
 #include "law/connection_type.hpp"
 #include "law/friction_definition.hpp"
+#include "law/potential_terms.hpp"
 #include "tests/support/dice.hpp"
 #include "tests/support/law_tables.hpp"
 
@@ -43,6 +44,7 @@ struct DefinitionDescription {
   std::string name;
   bool moment = false;  ///< the slip space is one of moments and angles
   law::SlipSpace slip;
+  std::optional<law::Potential> potential;        ///< without one the Euclidean norm
   law::ContactForce contact_force;                ///< weights of tables left at 0
   std::vector<std::optional<TableRows>> weights;  ///< of the terms of a derived component
   std::variant<double, TableRows> internal_contact_force = 0.0;
@@ -51,10 +53,12 @@ struct DefinitionDescription {
   law::StickStiffness stick;
   law::AccumulatedSlipTiming accumulated_slip = law::AccumulatedSlipTiming::kEnd;
   law::SlipRateMeasure slip_rate = law::SlipRateMeasure::kSlip;
+  law::CoefficientBlend blend;
 
   law::FrictionDefinition build() const {
     law::FrictionDefinition definition;
     definition.slip = slip;
+    if (potential) definition.criterion = *potential;
     definition.contact_force = contact_force;
     if (auto* g = std::get_if<law::DerivedComponent>(&definition.contact_force)) {
       for (std::size_t t = 0; t < weights.size(); ++t) {
@@ -77,6 +81,7 @@ struct DefinitionDescription {
     definition.stick = stick;
     definition.accumulated_slip = accumulated_slip;
     definition.slip_rate = slip_rate;
+    definition.blend = blend;
     return definition;
   }
 
@@ -85,6 +90,15 @@ struct DefinitionDescription {
       return !rows->depends_on(law::IndependentKind::kSlipRate);
     }
     return std::holds_alternative<law::ConstantCoefficient>(law);
+  }
+  /// Whether P(-y) = P(y).
+  bool symmetric() const {
+    if (!potential) return true;
+    return std::all_of(potential->leaf.begin(), potential->leaf.begin() + potential->leaves,
+                       [](const law::PotentialLeaf& leaf) {
+                         return leaf.kind != law::PotentialLeaf::Kind::kHalfLine &&
+                                leaf.center == 0.0;
+                       });
   }
   bool wears() const {
     const auto* rows = std::get_if<TableRows>(&internal_contact_force);
@@ -155,6 +169,10 @@ inline DefinitionDescription in_units(DefinitionDescription d, const Units& unit
   for (int i = 0; i < d.slip.dimension; ++i) {
     const auto k = static_cast<std::size_t>(i);
     d.slip.scale[k] /= force_unit(d.slip.component[k], units) / own.force;
+  }
+  if (d.potential) {
+    for (double& offset : d.potential->offset) offset /= own.force;
+    for (law::PotentialLeaf& leaf : d.potential->leaf) leaf.center /= own.force;
   }
   if (auto* g = std::get_if<law::DerivedComponent>(&d.contact_force)) {
     for (std::size_t t = 0; t < g->size(); ++t) {
@@ -272,6 +290,8 @@ inline std::vector<DefinitionKind> predefined_kinds(Dice* dice) {
       std::apply([&](const auto&... field) { (set(type.*(field.member), field.required), ...); },
                  Type::fields());
       for (const law::PredefinedFriction& friction : type.predefined()) {
+        // Belts have a limit on either side: property/capstan_property_test.
+        if (!std::holds_alternative<law::EuclideanPotential>(friction.criterion)) continue;
         kinds.push_back({std::string(Type::kInfo.name) + " " + std::string(friction.suffix),
                          friction.slip, friction.contact_force});
       }
@@ -279,8 +299,11 @@ inline std::vector<DefinitionKind> predefined_kinds(Dice* dice) {
   });
   return kinds;
 }
-/// Nine predefined checks (PLANAR and UJOINT have two) and user-defined friction.
-inline constexpr int kDefinitionKinds = 10;
+/// Nine predefined checks (PLANAR and UJOINT have two), user-defined friction, the same with a
+/// potential that is not the Euclidean norm.
+inline constexpr int kUserKind = 9;
+inline constexpr int kPotentialKind = 10;
+inline constexpr int kDefinitionKinds = 11;
 
 inline DefinitionKind user_kind(Dice* dice) {
   DefinitionKind kind{"user-defined", {}, law::NoContactForce{}};
@@ -294,6 +317,62 @@ inline DefinitionKind user_kind(Dice* dice) {
     }
   }
   return kind;
+}
+
+/// Potential and slip space over random components, each in one place: lines, half lines, norms,
+/// sums of several in one contribution, shifts.
+inline void add_potential(Dice* dice, DefinitionDescription* d) {
+  using Function = law::ContributionFunction;
+  const std::vector<double> exponents = {1.0, 1.0, 1.1, 1.5, 2.0, 3.0, 4.3, 20.0};
+  while (!d->potential) {
+    std::vector<law::PotentialContribution> contributions;
+    int c = 0;
+    while (c < law::kComponents) {
+      if (dice->chance(0.3)) {
+        ++c;
+        continue;
+      }
+      law::PotentialContribution contribution;
+      contribution.scale = dice->between(0.2, 2.0);
+      contribution.function = dice->chance(0.8) ? Function::kAbs : Function::kMacauley;
+      const bool shifted = dice->chance(0.15);
+      if (dice->chance(0.5)) {
+        contribution.of = c++;
+        if (shifted) contribution.shift = dice->between(-3.0, 3.0);
+      } else {
+        law::DerivedComponent derived;
+        const bool sum = dice->chance(0.2);
+        const int terms = 1 + dice->pick(2);
+        for (int t = 0; t < terms && c < law::kComponents; ++t) {
+          law::DerivedTerm term;
+          term.combine = sum ? law::TermOperator::kSum
+                             : (dice->chance(0.7) ? law::TermOperator::kNorm
+                                                  : law::TermOperator::kMacauleySum);
+          const int count = 1 + dice->pick(3);
+          for (int j = 0; j < count && c < law::kComponents; ++j) {
+            const auto k = static_cast<std::size_t>(term.count++);
+            term.component[k] = c++;
+            term.weight[k] = dice->between(0.2, 2.0) * (dice->chance(0.3) ? -1.0 : 1.0);
+          }
+          derived.push_back(term);
+        }
+        contribution.of = derived;
+        if (shifted && contribution.function == Function::kMacauley) {
+          contribution.shift = dice->between(-3.0, 3.0);
+        }
+      }
+      contributions.push_back(std::move(contribution));
+    }
+    if (contributions.empty()) continue;
+    const law::BuiltPotential built = law::build_potential(
+        contributions,
+        dice->chance(0.2) ? law::PotentialOperator::kMax : law::PotentialOperator::kSum,
+        dice->one_of(exponents));
+    if (const auto* potential = std::get_if<law::Potential>(&built.criterion)) {
+      d->slip = built.slip;
+      d->potential = *potential;
+    }
+  }
 }
 
 /// Weights or contact component of a user-defined definition.
@@ -340,12 +419,16 @@ inline void add_user_contact(Dice* dice, const DefinitionOptions& options,
 inline DefinitionDescription random_definition(Dice* dice, int kind,
                                                const DefinitionOptions& options = {}) {
   DefinitionDescription d;
-  const bool user = kind == kDefinitionKinds - 1;
+  const bool user = kind >= kUserKind;
   const DefinitionKind base =
       user ? user_kind(dice) : predefined_kinds(dice).at(static_cast<std::size_t>(kind));
   d.name = base.name;
   d.slip = base.slip;
   d.contact_force = base.contact_force;
+  if (kind == kPotentialKind) {
+    d.name = "potential";
+    add_potential(dice, &d);
+  }
   // A slip space is one of moments if it has no translation; CYLINDRICAL measures its moment as
   // the force m1/R.
   d.moment = std::all_of(d.slip.component.begin(), d.slip.component.begin() + d.slip.dimension,
@@ -393,6 +476,7 @@ inline DefinitionDescription random_definition(Dice* dice, int kind,
                                                     dice->between(200.0, 5000.0)};
   if (dice->chance(0.4)) d.accumulated_slip = law::AccumulatedSlipTiming::kStart;
   if (dice->chance(0.4)) d.slip_rate = law::SlipRateMeasure::kRelativeMotion;
+  if (dice->chance(0.2)) d.blend = {dice->between(0.0, 0.6), dice->between(0.0, 1.0)};
   return d;
 }
 

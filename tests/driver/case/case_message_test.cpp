@@ -21,7 +21,7 @@ TEST_CASE("A misspelt key shows its line, a caret under it and the nearest key")
 TEST_CASE("A key at the wrong level says where it belongs") {
   CHECK(complaint(changed({{"history:", "elastic_slip: 1\nhistory:"}})) ==
         "c.yaml:18:1: error: elastic_slip: unknown key; 'elastic_slip' belongs to "
-        "friction[].stick\n"
+        "friction[].stick or history[].change_friction.NAME.stick\n"
         "   18 | elastic_slip: 1\n"
         "      | ^~~~~~~~~~~~\n");
 }

@@ -469,7 +469,8 @@ TEST_CASE("A closed form finds its inputs and its output by their meaning") {
       "{closed_form: coulomb_slider, with: {mu: = mu, normal_force: 3, stick_stiffness: 100}}";
   const ClosedFormReference force = closed_form_of("CSF1", slider);
   CHECK(force.name == "coulomb_slider");
-  CHECK(force.inputs == std::vector<std::string>{"CU1"});
+  CHECK(force.inputs.at(0).variables == std::vector<std::string>{"CU1"});
+  CHECK(force.inputs.at(0).expression(std::array{7.0}).value() == 7.0);
   const auto output = [](const ClosedFormReference& reference) {
     return form(reference.name).outputs[static_cast<std::size_t>(reference.output)].name;
   };
@@ -486,12 +487,40 @@ TEST_CASE("A closed form takes the inputs and the output it is told, and lists")
       "CSF1",
       "{closed_form: coulomb_slider, with: {mu: 1, normal_force: 3, stick_stiffness: 100}, inputs: "
       "{motion: CUR1}, output: work}");
-  CHECK(told.inputs == std::vector<std::string>{"CUR1"});
+  CHECK(told.inputs.at(0).variables == std::vector<std::string>{"CUR1"});
   CHECK(form(told.name).outputs[static_cast<std::size_t>(told.output)].name == "work");
   const ClosedFormReference list = closed_form_of(
       "CSF1",
       "{closed_form: parallel_sliders, with: {stick_stiffnesses: [1, = 2*mu], limits: [3, 4]}}");
   CHECK(list.parameters.at(0) == std::vector<double>{1.0, 0.3});
+}
+
+TEST_CASE("An input of a closed form may be an expression over t, T, parameters and columns") {
+  const ClosedFormReference told = closed_form_of(
+      "CSF1",
+      "{closed_form: coulomb_slider, with: {mu: 1, normal_force: 3, stick_stiffness: 100}, inputs: "
+      "{motion: = CU1 + r*CUR1 - li}}");
+  const ExpressionReference& motion = told.inputs.at(0);
+  CHECK(motion.variables == std::vector<std::string>{"CU1", "CUR1"});
+  CHECK(motion.expression(std::array{1.0, 10.0}).value() == Approx(1.0 + 0.24 * 10.0 - 0.55));
+  const ClosedFormReference both_times = closed_form_of(
+      "CSF1",
+      "{closed_form: coulomb_slider, with: {mu: 1, normal_force: 3, stick_stiffness: 100}, inputs: "
+      "{motion: = T - t}}");
+  CHECK(both_times.inputs.at(0).expression(std::array{5.0, 2.0}).value() == 3.0);
+  CHECK(both_times.inputs.at(0).variables == std::vector<std::string>{"T", "t"});
+}
+
+TEST_CASE("A closed form without parameters needs no 'with', and its inputs may be constants") {
+  const ClosedFormReference band = closed_form_of(
+      "CSF1",
+      "{closed_form: capstan_band, inputs: {tension: FN, wrap_angle: = pi}, output: upper_limit}");
+  CHECK(band.parameters.empty());
+  REQUIRE(band.inputs.size() == 3);
+  CHECK(band.inputs[0].variables == std::vector<std::string>{"FN"});
+  CHECK(band.inputs[1].variables == std::vector<std::string>{"MU"});  // of the same meaning
+  CHECK(band.inputs[2].variables.empty());
+  CHECK(band.inputs[2].expression({}).value() == Approx(3.14159265358979324));
 }
 
 }  // namespace

@@ -31,6 +31,15 @@ Check formula_check(const std::string& quantity, const std::string& formula,
           .where = {}};
 }
 
+/// The slider of 20 N and 1000 N/mm, driven by `motion`.
+ClosedFormReference slider_reference(const std::string& motion,
+                                     const std::vector<std::string>& variables) {
+  return {"coulomb_slider",
+          {{0.2}, {100.0}, {1000.0}, {1e300}},
+          {ExpressionReference{compiled(motion, variables), variables}},
+          0};
+}
+
 Verdict verdict_of(const Case& problem, const Check& check) {
   CheckProgress progress(problem, check);
   for (const Row& row : rows_of(problem)) progress.add(row);
@@ -140,14 +149,40 @@ TEST_CASE("a closed form follows the whole path, also where only a part is compa
   const Case problem =
       slider_case({step("out", 10, 0, LinearTo{0.1}), step("back", 10, 0, LinearTo{-0.1})});
   Check check = formula_check("CSF1", "T", {"CSF1", "T"}, {{}, 1e-12, ""});
-  check.against =
-      ClosedFormReference{"coulomb_slider", {{0.2}, {100.0}, {1000.0}, {1e300}}, {"CU1"}, 0};
+  check.against = slider_reference("CU1", {"CU1"});
   check.step = "back";
   const Verdict verdict = verdict_of(problem, check);
   INFO(verdict.message);
   CHECK(verdict.passed);
   CHECK(verdict.compared == 10);
   CHECK(verdict.scale == Approx(40.0).margin(25.0));
+}
+
+TEST_CASE("a closed form is driven by expressions over times and columns") {
+  const Case problem =
+      slider_case({step("out", 10, 0, LinearTo{0.1}), step("back", 10, 0, LinearTo{-0.1})});
+  Check check = formula_check("CSF1", "T", {"CSF1", "T"}, {{}, 1e-12, ""});
+  // The motion again, from the times alone and with a column.
+  check.against = slider_reference("T <= 1 ? 0.1*T : 0.1 - 0.2*t", {"T", "t"});
+  CHECK(verdict_of(problem, check).passed);
+  check.against = slider_reference("CU1 + 0*T", {"CU1", "T"});
+  CHECK(verdict_of(problem, check).passed);
+  check.against = slider_reference("0.99*CU1", {"CU1"});
+  CHECK_FALSE(verdict_of(problem, check).passed);
+}
+
+TEST_CASE(
+    "an input without a value breaks the path of a closed form, also where nothing compares") {
+  const Case problem =
+      slider_case({step("out", 10, 0, LinearTo{0.1}), step("back", 10, 0, LinearTo{-0.1})});
+  Check check = formula_check("CSF1", "T", {"CSF1", "T"}, {1e9, {}, ""});
+  check.against = slider_reference("CU1 + 1/(T - 0.5)", {"CU1", "T"});
+  check.step = "back";
+  const Verdict verdict = verdict_of(problem, check);
+  CHECK_FALSE(verdict.passed);
+  CHECK(verdict.message.find("an input of the closed form, 'CU1 + 1/(T - 0.5)', has no value") ==
+        0);
+  CHECK(verdict.message.find("at t = 0.5") != std::string::npos);
 }
 
 }  // namespace

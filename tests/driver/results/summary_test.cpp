@@ -48,6 +48,71 @@ TEST_CASE("a coefficient that falls too fast is warned of, with the increment th
         std::string::npos);
 }
 
+/// Reference case K3: 1 mm/s over increments of the given length; mu 0.3 to 0.2 with d = 0.05.
+Case falling_case(double increment, int count) {
+  const double end = increment * count;
+  Case problem = slider_case({step("drag", count, 0, LinearTo{end}, end)});
+  problem.definitions[0].law.law = law::ExponentialDecay{0.3, 0.2, 0.05};
+  return problem;
+}
+
+TEST_CASE("increments below the smooth threshold are warned of, with both thresholds (K3)") {
+  const Summary summary = summary_of(falling_case(1e-5, 4000));
+  const DefinitionSummary& sum = summary.definitions()[0];
+  CHECK(sum.short_increments == 4000);
+  CHECK(sum.worst.smooth == Approx(9.51229424500714e-4).epsilon(1e-12));
+  CHECK(sum.worst.unique == Approx(5e-4).epsilon(1e-12));
+  CHECK(sum.worst_duration == Approx(1e-5).epsilon(1e-10));
+  const auto warnings = summary.warnings({});
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].find("friction 'sleeve': 4000 of 4000 increments are shorter than 2 F_N "
+                         "|dmu/dv| / k, at worst 1e-05 s against 0.000951229 s (t = 1e-05, F_N = "
+                         "100.0 N): there backward Euler may not settle on F_N mu(v)") == 0);
+  CHECK(warnings[0].find("; below F_N max|dmu/dv| / k = 0.0005 s an increment may have more than "
+                         "one solution") != std::string::npos);
+  CHECK(warnings[0].find("take longer increments, 'slip_rate: relative_motion'") !=
+        std::string::npos);
+}
+
+TEST_CASE("between the thresholds there is one solution, and still no smooth answer (K3)") {
+  const auto warnings = summary_of(falling_case(9.5e-4, 100)).warnings({});
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].find("at worst 0.00095 s against 0.000951229 s") != std::string::npos);
+  CHECK(warnings[0].find("more than one solution") == std::string::npos);
+}
+
+TEST_CASE(
+    "increments above the thresholds, or that see the rate of the motion, are not warned of") {
+  CHECK(summary_of(falling_case(9.6e-4, 100)).warnings({}).empty());
+  Case problem = falling_case(1e-5, 4000);
+  problem.definitions[0].law.slip_rate = law::SlipRateMeasure::kRelativeMotion;
+  CHECK(summary_of(problem).warnings({}).empty());
+  problem = falling_case(1e-5, 4000);
+  problem.definitions[0].law.stick = {law::StickStiffness::Mode::kElasticSlip, 0.02};
+  CHECK(summary_of(problem).warnings({}).empty());
+}
+
+TEST_CASE("who never slips has no smooth answer to miss") {
+  const auto warnings = summary_of(falling_case(1e-5, 100)).warnings({});
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].find("100 increments may have more than one solution") != std::string::npos);
+  CHECK(warnings[0].find("take longer increments") == std::string::npos);
+}
+
+TEST_CASE("a coefficient that begins to fall in a change of friction is warned of") {
+  Case problem = falling_case(1e-4, 1000);
+  problem.definitions[0].law.law = law::ConstantCoefficient{0.2};
+  problem.steps.push_back(step("on", 1000, 0, LinearTo{0.2}, 0.1));
+  FrictionChange change;
+  change.law = law::ExponentialDecay{0.3, 0.2, 0.05};
+  change.stick = problem.definitions[0].law.stick;
+  problem.steps[1].friction_changes = {change};
+  const DefinitionSummary sum = summary_of(problem).definitions()[0];
+  // 2 A N |mu'|/k > 1e-4 s from A = 0.1051 on: from the 106th of 1000 increments.
+  CHECK(sum.short_increments == 895);
+  CHECK(sum.worst.smooth == Approx(9.51229424500714e-4).epsilon(1e-12));
+}
+
 TEST_CASE("a motion that jumps is warned of") {
   const Case problem = slider_case({step("out", 4, 0, LinearTo{0.01})});
   const MotionJump jump{0, 0.5, 0.0, "out"};

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+namespace slipbench::driver {
+
+/// How a definition gets from one row to the next.
+enum class IntegrationMethod : std::uint8_t {
+  kBackwardEuler,  ///< one implicit increment, as finite element solvers do
+  kExact           ///< the continuous solution between rows that are joined by straight lines
+};
+
+struct Integration {
+  IntegrationMethod method = IntegrationMethod::kBackwardEuler;
+  double tolerance = 1e-10;  ///< of the exact method, as a part of the limit
+};
+
+}  // namespace slipbench::driver

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parts of a friction definition that stand under `friction:` and under `change_friction:` alike.
+#pragma once
+
+#include <optional>
+
+#include "driver/case/binding.hpp"
+#include "driver/case/case_text.hpp"
+#include "driver/history/units.hpp"
+#include "law/friction_definition.hpp"
+
+namespace slipbench::driver {
+
+/// The law of a coefficient as written; nothing if it is not given or faulty, which is reported.
+std::optional<law::FrictionLaw> coefficient_law(Binder& binder,
+                                                const At<CoefficientText>& coefficient);
+
+/// The stick stiffness of a `stick:` map or of its absence, with a note where the length it refers
+/// to is a default.
+/// \param parent the definition, for the note where there is no map
+/// \param parent_misspelt the definition has unknown keys, so `stick` may have been meant
+law::StickStiffness stick_stiffness(Binder& binder, const At<StickText>& text, const Node& parent,
+                                    const Path& parent_path, bool parent_misspelt,
+                                    const UnitSystem& units);
+
+/// A limit that falls faster with slip than the stick stiffness unloads snaps back: the force drops
+/// at constant motion, and no increment can follow it (reference case W1, beta >= 1). The bound
+/// takes the worst of the tables; where F_C may turn the sign it only warns.
+void check_snap_back(Binder& binder, const law::FrictionDefinition& definition, const Node& node,
+                     const Path& path);
+
+}  // namespace slipbench::driver

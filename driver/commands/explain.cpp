@@ -1,0 +1,436 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/commands/explain.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "driver/commands/shared.hpp"
+#include "driver/connector_increment.hpp"
+#include "driver/results/coverage.hpp"
+#include "driver/results/csv_writer.hpp"
+#include "driver/results/events.hpp"
+#include "driver/results/provenance.hpp"
+#include "driver/results/summary.hpp"
+#include "driver/text/format_number.hpp"
+#include "law/capstan_update.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+/// Events told on either side of the instant.
+constexpr std::size_t kEventsTold = 2;
+
+std::string digits(double value) { return rounded(value == 0.0 ? 0.0 : value, 6); }
+
+/// The instant and what is around it.
+struct Instant {
+  Row row;
+  std::vector<law::FrictionDefinition> in_force;
+  std::vector<std::deque<Event>> before;  ///< of each definition, the last ones
+  std::vector<std::vector<Event>> after;
+  double end_time = 0.0;  ///< of the history, as far as it was followed
+  bool to_the_end = false;
+};
+
+/// "3.2 in 0 .. 10 (32 %)", "12.0 above 10: held" and the like, for each independent.
+std::string cell_text(const law::TableFunction& function, const law::Ambient& ambient,
+                      const law::SlipArguments& slip) {
+  using Place = law::TableInterval::Place;
+  const law::TableCell cell = function.cell(ambient, slip);
+  const auto x = function.arguments(ambient, slip);
+  const bool held = function.table().extrapolation() == law::Extrapolation::kConstant;
+  std::string text;
+  for (std::size_t k = 0; k < function.independents().size(); ++k) {
+    const law::TableInterval& at = cell.along[k];
+    text += (text.empty() ? "" : ", ") + independent_name(function.independents()[k]) + " " +
+            digits(x[k]);
+    if (at.place != Place::kInside) {
+      const bool below = at.place == Place::kBelow;
+      // The end of the block, whichever segment is prolonged.
+      text += fmt::format(" {} {}: {}", below ? "below" : "above",
+                          format_number(below ? at.lower : at.upper),
+                          held || at.lower == at.upper ? "clamped to the end value"
+                                                       : "extrapolated");
+    } else if (at.lower == at.upper) {
+      text += " at the only point";
+    } else {
+      text += fmt::format(" in {} .. {} ({:.4g} %)", format_number(at.lower),
+                          format_number(at.upper), 100.0 * at.fraction);
+    }
+  }
+  if (cell.ragged) text += ", between blocks with other grid points";
+  return text.empty() ? "its only value" : text;
+}
+
+/// What the components of a term carry.
+const char* words(const law::DerivedTerm& term) {
+  law::ComponentSet set;
+  for (int j = 0; j < term.count; ++j) set.insert(term.component[static_cast<std::size_t>(j)]);
+  if (set == law::ComponentSet::of(1)) return "force along axis 1";
+  if (set == law::ComponentSet::of(2, 3)) return "forces across axis 1";
+  if (set == law::ComponentSet::of(4)) return "moment about axis 1";
+  if (set == law::ComponentSet::of(5, 6)) return "bending moments across axis 1";
+  if ((set & law::ComponentSet::of(4, 5, 6)).empty()) return "constraint forces";
+  if ((set & law::ComponentSet::of(1, 2, 3)).empty()) return "constraint moments";
+  return "constraint forces and moments";
+}
+
+double single_value(const law::DerivedTerm& term, const law::ConnectorForce& force,
+                    const law::Ambient& ambient) {
+  return law::evaluate(law::DerivedComponent{term}, force, ambient);
+}
+
+std::string term_text(const law::DerivedTerm& term, const law::ConnectorForce& force,
+                      const law::Ambient& ambient) {
+  std::string inside;
+  for (int j = 0; j < term.count; ++j) {
+    const auto k = static_cast<std::size_t>(j);
+    const double weight =
+        term.weight_table ? term.weight_table->value(ambient, {}, j) : term.weight[k];
+    const std::string component = force_name(term.component[k]) + " " +
+                                  digits(force[term.component[k]]);
+    const std::string entry = weight == 1.0 ? component : digits(weight) + " x " + component;
+    switch (term.combine) {
+      case law::TermOperator::kNorm:
+        inside += fmt::format("{}({})^2", inside.empty() ? "" : " + ", entry);
+        break;
+      case law::TermOperator::kSum:
+        inside += fmt::format("{}({})", inside.empty() ? "" : " + ", entry);
+        break;
+      case law::TermOperator::kMacauleySum:
+        inside += fmt::format("{}max({}, 0)", inside.empty() ? "" : " + ", entry);
+        break;
+    }
+  }
+  std::string text = fmt::format("{} = {}{}{}{}", digits(single_value(term, force, ambient)),
+                                 term.sign < 0.0 ? "-" : "",
+                                 term.combine == law::TermOperator::kNorm ? "sqrt" : "",
+                                 "(" + inside + ")", std::string("   ") + words(term));
+  if (term.weight_table) {
+    text += "; weights from their table, " + cell_text(*term.weight_table, ambient, {});
+  }
+  return text;
+}
+
+/// The contact force: its value, and a line for each of its terms.
+std::vector<std::string> contact_lines(const law::ContactForce& contact,
+                                       const law::ConnectorIncrement& increment) {
+  const law::ConnectorForce& force = increment.force;
+  std::vector<std::string> lines;
+  if (const auto* component = std::get_if<law::ComponentContactForce>(&contact)) {
+    lines.push_back(force_name(component->component) + " " + digits(force[component->component]) +
+                    "   component with its sign");
+  } else if (const auto* derived = std::get_if<law::DerivedComponent>(&contact)) {
+    for (const law::DerivedTerm& term : *derived) {
+      lines.push_back(term_text(term, force, increment.end));
+    }
+  } else if (const auto* joint = std::get_if<law::UniversalJointContact>(&contact)) {
+    const law::UniversalJointTerms t = law::terms(*joint, force, increment.end.position);
+    lines.push_back(fmt::format("2 x (face {} + R_p {} x (radial {} + bending {}))   two hinges on axis {}",
+                                digits(t.face), digits(joint->R_p), digits(t.radial),
+                                digits(t.bending), joint->axis));
+  }
+  return lines;
+}
+
+std::string force_unit(const law::FrictionDefinition& definition, const Case& problem) {
+  return unit_text(is_rotational(definition) ? kMoment : kForce, problem.units);
+}
+
+/// "CSF1 74.2 N, CSM1 17.8 N mm".
+std::string forces_text(const Case& problem, const law::FrictionDefinition& definition,
+                        const law::FrictionState& state) {
+  const law::ConnectorForce force = law::friction_force(definition, state);
+  std::string text;
+  for (int k = 0; k < definition.slip.dimension; ++k) {
+    const int c = definition.slip.component[static_cast<std::size_t>(k)];
+    const std::string unit = unit_text(law::is_rotation(c) ? kMoment : kForce, problem.units);
+    text += (text.empty() ? "" : ", ") + force_column("CSF", c) + " " +
+            with_unit(fmt::format("{}{}", force[c] > 0.0 ? "+" : "", digits(force[c])), unit);
+  }
+  return text;
+}
+
+/// P of the state, and how it is made up.
+std::pair<double, std::string> magnitude(const law::FrictionDefinition& definition,
+                                         const law::FrictionState& state) {
+  const law::SlipSpace& slip = definition.slip;
+  if (const auto* potential = std::get_if<law::Potential>(&definition.criterion)) {
+    const auto parts = law::contributions(*potential, state.force);
+    std::string text;
+    for (int i = 0; i < potential->parts; ++i) {
+      const auto part = static_cast<std::size_t>(i);
+      std::string members;
+      for (int g = 0; g < potential->leaves; ++g) {
+        const law::PotentialLeaf& leaf = potential->leaf[static_cast<std::size_t>(g)];
+        if (leaf.part != i) continue;
+        for (int k = 0; k < slip.dimension; ++k) {
+          const auto entry = static_cast<std::size_t>(k);
+          if (leaf.direction[entry] == 0.0) continue;
+          members += (members.empty() ? "" : " ") + force_column("CSF", slip.component[entry]);
+        }
+      }
+      text += fmt::format("{}{} [{}]", i == 0 ? "" : ", ", digits(parts[part]), members);
+    }
+    const std::string how = potential->combine == law::PotentialOperator::kMax
+                                ? "the largest of the contributions "
+                                : fmt::format("the sum of powers {} of the contributions ",
+                                              format_number(potential->exponent));
+    return {law::value(*potential, state.force), how + text};
+  }
+  if (slip.dimension == 1 && slip.scale[0] == 1.0) {
+    return {std::abs(state.force[0]), "abs(" + force_column("CSF", slip.component[0]) + ")"};
+  }
+  double square = 0.0;
+  std::string text;
+  for (int k = 0; k < slip.dimension; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    square += state.force[i] * state.force[i];
+    const std::string name = force_column("CSF", slip.component[i]);
+    text += fmt::format("{}({}{})^2", text.empty() ? "" : " + ", name,
+                        slip.scale[i] == 1.0 ? "" : "/" + digits(slip.scale[i]));
+  }
+  return {std::sqrt(square), "sqrt(" + text + ")"};
+}
+
+/// How the coefficient comes about.
+std::string coefficient_text(const law::FrictionDefinition& definition,
+                             const law::FrictionUpdate& update, const law::Ambient& end) {
+  const law::SlipArguments slip{.slip_rate = update.slip_rate,
+                                .contact_force = update.normal_force};
+  const double of_law = law::evaluate(definition.law, end, slip).mu;
+  std::string text = "mu " + digits(update.mu);
+  if (definition.blend.weight != 1.0) {
+    text += fmt::format(" = {} + {} x ({} - {})   the friction is changing; the new mu {}",
+                        digits(definition.blend.start), digits(definition.blend.weight),
+                        digits(of_law), digits(definition.blend.start), digits(of_law));
+  }
+  if (const auto* table = std::get_if<law::TabularCoefficient>(&definition.law)) {
+    text += "   from its table: " + cell_text(table->table, end, slip);
+    if (table->table.value(end, slip) < 0.0) text += "; negative there, 0 is taken";
+  } else if (const auto decay = law::exponential_decay(definition.law)) {
+    text += fmt::format("{}kinetic {} + (static {} - kinetic {}) x exp(-{} x slip rate {})",
+                        definition.blend.weight != 1.0 ? " = " : " = ", digits(decay->kinetic),
+                        digits(decay->mu_static), digits(decay->kinetic), digits(decay->decay),
+                        digits(update.slip_rate));
+  } else {
+    text += "   a constant";
+  }
+  return text;
+}
+
+std::string limit_text(const law::FrictionDefinition& definition,
+                       const law::FrictionUpdate& update) {
+  const std::string limit = "limit " + digits(update.limit);
+  std::string product;
+  double value = update.mu * update.normal_force;
+  if (const auto* belt = std::get_if<law::Capstan>(&definition.criterion)) {
+    const bool forward = !(update.direction[0] < 0.0);
+    const double mu_alpha = update.mu * belt->wrap_angle;
+    value = update.normal_force *
+            law::capstan_limit(mu_alpha,
+                               forward ? law::FlowSense::kForward : law::FlowSense::kBackward);
+    const std::string exponent =
+        fmt::format("mu {} x alpha {}", digits(update.mu), digits(belt->wrap_angle));
+    product = "T " + digits(update.normal_force) +
+              (forward ? " x (exp(" + exponent + ") - 1)" : " x (1 - exp(-" + exponent + "))");
+  } else {
+    product = fmt::format("mu {} x F_N {}", digits(update.mu), digits(update.normal_force));
+  }
+  if (update.limit >= definition.force_limit) {
+    return fmt::format("{} = force_limit   {} = {} is not less", limit, product, digits(value));
+  }
+  return limit + " = " + product;
+}
+
+void append_events(std::string& text, const Instant& instant, std::size_t d,
+                   const std::string& unit, const std::string& time_unit) {
+  const auto one = [&](const Event& event) {
+    return fmt::format("t = {} {} -> {}{} (force {}, accumulated slip {})",
+                       with_unit(digits(event.time), time_unit), regime_name(event.from),
+                       regime_name(event.to), event.reversal ? ", reversed" : "",
+                       with_unit(digits(event.force), unit), digits(event.accumulated_slip));
+  };
+  const std::string now = regime_name(instant.row.definitions[d].update.state.regime);
+  const std::string doing = now == "open" ? "open" : (now == "slip" ? "slipping" : "sticking");
+  const std::deque<Event>& before = instant.before[d];
+  text += before.empty()
+              ? "  " + doing + " since the start\n"
+              : fmt::format("  {} since t = {}\n", doing,
+                            with_unit(digits(before.back().time), time_unit));
+  for (const Event& event : before) text += "    before: " + one(event) + "\n";
+  for (const Event& event : instant.after[d]) text += "    next:   " + one(event) + "\n";
+  if (instant.after[d].empty()) text += "    next:   none until the end of the history\n";
+}
+
+std::string definition_text(const Case& problem, const Instant& instant, std::size_t d,
+                            const law::ConnectorIncrement& increment) {
+  const law::FrictionDefinition& definition = instant.in_force[d];
+  const law::FrictionUpdate& update = instant.row.definitions[d].update;
+  const law::Regime regime = update.state.regime;
+  const std::string unit = force_unit(definition, problem);
+  const bool belt = std::holds_alternative<law::Capstan>(definition.criterion);
+  std::string text = fmt::format("{}{}   {}\n", problem.definitions.size() > 1
+                                                    ? "'" + problem.definitions[d].name + "' "
+                                                    : "",
+                                 regime_name(regime),
+                                 forces_text(problem, definition, update.state));
+  const auto [p, how] = magnitude(definition, update.state);
+  text += fmt::format("  P {} = {}\n", with_unit(digits(p), unit), how);
+  // Rounding of a force that was put on its limit is no distance.
+  const double phi = std::abs(update.phi) <= 1e-12 * update.limit ? 0.0 : update.phi;
+  text += fmt::format("  Phi {} = P - limit", with_unit(digits(phi), unit));
+  if (regime == law::Regime::kStick && update.limit > 0.0) {
+    text += fmt::format("   at {:.4g} % of the limit", 100.0 * p / update.limit);
+  }
+  text += "\n  " + limit_text(definition, update);
+  if (regime == law::Regime::kOpen) text += "   nothing to hold on to";
+  text += "\n  " + coefficient_text(definition, update, increment.end) + "\n";
+
+  const double contact =
+      law::evaluate(definition.contact_force, increment.force, increment.end);
+  if (belt) {
+    text += fmt::format("  F_N {} = tension T before the ring{}\n",
+                        with_unit(digits(update.normal_force), unit),
+                        contact > 0.0 ? "" : ", which is slack");
+    text += fmt::format("     behind the ring f_bc {}\n",
+                        with_unit(digits(law::tension_behind(update)), unit));
+  } else {
+    const bool at_end = definition.accumulated_slip == law::AccumulatedSlipTiming::kEnd;
+    const double slip =
+        update.state.accumulated_slip - (at_end ? 0.0 : update.slip_increment);
+    const double internal =
+        law::evaluate(definition.internal_contact_force, increment.end, slip).value;
+    text += fmt::format("  F_N {} = abs(contact {} + internal {})\n",
+                        with_unit(digits(update.normal_force), unit), digits(contact),
+                        digits(internal));
+    const auto lines = contact_lines(definition.contact_force, increment);
+    for (const std::string& line : lines) text += "     contact:  " + line + "\n";
+    if (lines.empty()) text += "     contact:  none, only the internal contact force acts\n";
+    if (const auto* table = std::get_if<law::TableFunction>(&definition.internal_contact_force)) {
+      const law::SlipArguments arguments{.accumulated_slip = slip};
+      text += fmt::format("     internal: {} from its table: {}\n", digits(internal),
+                          cell_text(*table, increment.end, arguments));
+      if (table->value(increment.end, arguments) < 0.0) {
+        text += "               negative there, 0 is taken\n";
+      }
+    } else {
+      text += fmt::format("     internal: {}   a constant\n", digits(internal));
+    }
+  }
+  if (regime == law::Regime::kSlip) {
+    double length = 0.0;
+    std::string numbers;
+    std::string names;
+    for (const double n : update.direction) length += n * n;
+    length = std::sqrt(length);
+    for (int k = 0; k < definition.slip.dimension; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      const double n = length > 0.0 ? update.direction[i] / length : 0.0;
+      const double scale = definition.slip.scale[i];
+      numbers += (numbers.empty() ? "" : ", ") + digits(n);
+      names += fmt::format("{}{}{}", names.empty() ? "" : ", ",
+                           scale == 1.0 ? "" : digits(scale) + " ",
+                           motion_name(definition.slip.component[i]));
+    }
+    text += fmt::format("  slip direction ({}) in ({}); slip rate {}\n", numbers, names,
+                        digits(update.slip_rate));
+  }
+  append_events(text, instant, d, unit, problem.units.time);
+  return text;
+}
+
+/// Follows the run to the instant and on to the events behind it.
+tl::expected<Instant, ExplainFailure> find(const Case& problem, double time) {
+  const auto failed = [&](const SimulationFailure& failure) {
+    return tl::unexpected(ExplainFailure{exit_code(failure), failure_text(problem, failure)});
+  };
+  auto simulation = Simulation::start(problem);
+  if (!simulation) return failed(simulation.error());
+  const std::size_t count = problem.definitions.size();
+  Instant instant;
+  instant.before.resize(count);
+  instant.after.resize(count);
+  EventDetector detector(problem);
+  bool found = false;
+  const double start_time = simulation->row().time;
+  while (true) {
+    const Row& row = simulation->row();
+    instant.end_time = row.time;
+    const auto events = detector.take(row);
+    constexpr double kSame = 1e-9;
+    if (!found && time >= start_time && time <= row.time + kSame * row.duration) {
+      found = true;
+      instant.row = row;
+      for (std::size_t d = 0; d < count; ++d) instant.in_force.push_back(simulation->definition(d));
+    }
+    for (const Event& event : events) {
+      // Those of the increment itself have led to what it ends with.
+      if (!found || row.index == instant.row.index) {
+        auto& before = instant.before[event.definition];
+        before.push_back(event);
+        if (before.size() > kEventsTold) before.pop_front();
+      } else if (instant.after[event.definition].size() < kEventsTold) {
+        instant.after[event.definition].push_back(event);
+      }
+    }
+    if (found && std::all_of(instant.after.begin(), instant.after.end(),
+                             [](const auto& after) { return after.size() == kEventsTold; })) {
+      return instant;
+    }
+    auto more = simulation->advance();
+    // What fails behind the instant does not matter for it.
+    if (!more && found) return instant;
+    if (!more) return failed(more.error());
+    if (!*more) break;
+  }
+  instant.to_the_end = true;
+  if (found) return instant;
+  return tl::unexpected(ExplainFailure{
+      kExitBadInput,
+      fmt::format("slipbench: error: --explain {}: {} runs from t = {} to t = {}\n",
+                  format_number(time), case_stem(problem), format_number(start_time),
+                  format_number(instant.end_time))});
+}
+
+}  // namespace
+
+tl::expected<std::string, ExplainFailure> explain(const Case& problem, double time) {
+  auto instant = find(problem, time);
+  if (!instant) return tl::unexpected(std::move(instant.error()));
+  const Row& row = instant->row;
+  const std::string& unit = problem.units.time;
+  std::string where =
+      row.index == 0 ? "the start"
+                     : fmt::format("increment {}, from t = {}", row.index,
+                                   with_unit(format_number(row.time - row.duration), unit));
+  if (!problem.steps.empty()) {
+    const Step& step = problem.steps[static_cast<std::size_t>(row.step)];
+    where += fmt::format(", step '{}'", step.name);
+    if (step.repeat > 1) where += fmt::format(", pass {} of {}", row.pass + 1, step.repeat);
+  }
+  std::string text = fmt::format("{}: t = {}   {}\n", case_stem(problem),
+                                 with_unit(format_number(row.time), unit), where);
+  if (std::abs(row.time - time) > 1e-9 * row.duration) {
+    text += fmt::format("  the first increment that ends at or after t = {}\n",
+                        with_unit(format_number(time), unit));
+  }
+  law::ConnectorIncrement increment = connector_increment(problem, row);
+  for (std::size_t d = 0; d < problem.definitions.size(); ++d) {
+    text += definition_text(problem, *instant, d, increment);
+    // The next ring of a belt meets the tension that this one leaves.
+    if (problem.belt) increment.force[0] = law::tension_behind(row.definitions[d].update);
+  }
+  if (problem.definitions.empty()) text += "  no friction\n";
+  return text;
+}
+
+}  // namespace slipbench::driver

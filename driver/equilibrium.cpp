@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/equilibrium.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "driver/bracketed_root.hpp"
+#include "driver/case/quantity.hpp"
+#include "driver/connector_increment.hpp"
+#include "driver/text/format_number.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kRelativeTolerance = 1e-12;  // of the forces of a component
+constexpr double kSmallestPiece = 1.0 / 4096.0;
+
+}  // namespace
+
+Equilibrium::Equilibrium(const Case& problem)
+    : case_(&problem), old_(problem.definitions.size()), updates_(problem.definitions.size()) {
+  component_.fill(0);
+}
+
+/// Everything prescribed at the end of the piece from `from` to `to` of the increment.
+void Equilibrium::prepare(double from, double to, const Quantities& begin, const Row& row) {
+  if (to >= 1.0) {
+    // The unknowns keep their values of before: the trial sets them.
+    for (std::size_t i = 0; i < end_.size(); ++i) end_[i] = row.quantities[i];
+  } else {
+    for (std::size_t i = 0; i < end_.size(); ++i) {
+      end_[i] = std::lerp(begin[i], row.quantities[i], to);
+    }
+  }
+  increment_.duration = row.duration * (to - from);
+  for (int k = 0; k < count_; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const auto c = static_cast<std::size_t>(component_[i]);
+    load_[i] = end_[kFirstForce + c];
+    scale_[i] = std::abs(load_[i]);
+  }
+  increment_.end = ambient_of(end_, case_->reference);
+  std::copy_n(end_.begin() + kFirstForce, kSize, increment_.force.values.begin());
+}
+
+void Equilibrium::evaluate(Trial& trial) {
+  for (int k = 0; k < count_; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const int c = component_[i];
+    increment_.end.position[c] = trial.q[i];
+    increment_.end.motion[c] = trial.q[i] - case_->reference[c];
+    trial.imbalance[i] = -load_[i];
+    trial.tolerance[i] = std::abs(load_[i]);
+    trial.tangent[i].fill(0.0);
+  }
+  for (std::size_t d = 0; d < updates_.size(); ++d) {
+    updates_[d] = (*integrate_)(d, increment_, old_[d]);
+    const law::ConnectorForce force = law::friction_force(definitions_[d], updates_[d].state);
+    const law::ConnectorTangent tangent =
+        law::connector_tangent(definitions_[d], increment_, updates_[d]);
+    for (int k = 0; k < count_; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      const double friction = force[component_[i]];
+      trial.imbalance[i] += friction;
+      trial.tolerance[i] += std::abs(friction);
+      for (int l = 0; l < count_; ++l) {
+        const auto j = static_cast<std::size_t>(l);
+        trial.tangent[i][j] += tangent.to_motion(component_[i], component_[j]);
+      }
+    }
+  }
+  for (int k = 0; k < count_; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const int c = component_[i];
+    const ComponentBehavior& behavior = case_->behavior[static_cast<std::size_t>(c)];
+    const auto add = [&](const law::ForcePoint& point, double slope) {
+      trial.imbalance[i] += point.force;
+      trial.tolerance[i] += std::abs(point.force);
+      trial.tangent[i][i] += slope;
+    };
+    if (behavior.elasticity) {
+      const auto point = behavior.elasticity->value(increment_.end.motion[c], increment_.end);
+      add(point, point.slope);
+    }
+    if (behavior.damping && increment_.duration > 0.0) {
+      const double motion = trial.q[i] - increment_.begin_position[c];
+      const auto point =
+          behavior.damping->value(motion / increment_.duration, increment_.end);
+      add(point, point.slope / increment_.duration);
+    }
+    scale_[i] = std::max(scale_[i], trial.tolerance[i]);
+    // A position cannot be told apart from its neighbour: the stiffest slope times that is noise.
+    trial.tolerance[i] = kRelativeTolerance * trial.tolerance[i] +
+                         4.0 * kEpsilon * std::abs(trial.q[i]) * std::abs(trial.tangent[i][i]);
+  }
+}
+
+/// Whether an unknown lies at a stop and is pushed against it.
+bool Equilibrium::at_stop(const Trial& trial, int k) const {
+  const auto i = static_cast<std::size_t>(k);
+  return (trial.q[i] >= upper_[i] && trial.imbalance[i] < 0.0) ||
+         (trial.q[i] <= lower_[i] && trial.imbalance[i] > 0.0);
+}
+
+bool Equilibrium::balanced(const Trial& trial, int k) const {
+  const auto i = static_cast<std::size_t>(k);
+  return std::abs(trial.imbalance[i]) <= trial.tolerance[i] || at_stop(trial, k);
+}
+
+double Equilibrium::merit(const Trial& trial) const {
+  double sum = 0.0;
+  for (int k = 0; k < count_; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    if (at_stop(trial, k) || !(scale_[i] > 0.0)) continue;
+    const double part = trial.imbalance[i] / scale_[i];
+    sum += part * part;
+  }
+  return sum;
+}
+
+bool Equilibrium::newton(Trial& trial) {
+  constexpr int kMostIterations = 60;
+  constexpr int kMostHalvings = 30;
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kSize, kSize>;
+  using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kSize, 1>;
+  for (int iteration = 0; iteration < kMostIterations; ++iteration) {
+    std::array<int, kSize> moving{};
+    int n = 0;
+    bool all = true;
+    for (int k = 0; k < count_; ++k) {
+      all = all && balanced(trial, k);
+      if (!at_stop(trial, k)) moving[static_cast<std::size_t>(n++)] = k;
+    }
+    if (all) return true;
+    Matrix tangent(n, n);
+    Column imbalance(n);
+    for (int a = 0; a < n; ++a) {
+      const auto i = static_cast<std::size_t>(moving[static_cast<std::size_t>(a)]);
+      imbalance[a] = trial.imbalance[i];
+      for (int b = 0; b < n; ++b) {
+        tangent(a, b) =
+            trial.tangent[i][static_cast<std::size_t>(moving[static_cast<std::size_t>(b)])];
+      }
+    }
+    const Eigen::FullPivLU<Matrix> lu(tangent);
+    if (!lu.isInvertible()) return false;
+    const Column step = lu.solve(imbalance);
+    if (!step.allFinite()) return false;
+    const double before = merit(trial);
+    bool better = false;
+    double part = 1.0;
+    for (int halving = 0; halving < kMostHalvings && !better; ++halving, part *= 0.5) {
+      Trial next = trial;
+      for (int a = 0; a < n; ++a) {
+        const auto i = static_cast<std::size_t>(moving[static_cast<std::size_t>(a)]);
+        next.q[i] = std::clamp(trial.q[i] - part * step[a], lower_[i], upper_[i]);
+      }
+      evaluate(next);
+      all = true;
+      for (int k = 0; k < count_; ++k) all = all && balanced(next, k);
+      better = all || merit(next) < (1.0 - 1e-4 * part) * before;
+      if (better) trial = next;
+    }
+    if (!better) return false;
+  }
+  return false;
+}
+
+/// Looks for a zero of one imbalance along its own component, away from where the load pushes to,
+/// in steps that double; the other components stay. Where there is none before a stop, the stop
+/// holds.
+bool Equilibrium::search_along(int k, Trial& trial) {
+  constexpr int kMostDoublings = 120;
+  const auto i = static_cast<std::size_t>(k);
+  if (balanced(trial, k)) return true;
+  const double start = trial.q[i];
+  const double sense = trial.imbalance[i] < 0.0 ? 1.0 : -1.0;
+  const double end = sense > 0.0 ? upper_[i] : lower_[i];
+  const double slope = trial.tangent[i][i];
+  double step = slope > 0.0 ? std::abs(trial.imbalance[i]) / slope : 1e-6;
+  step = std::max(step, 4.0 * kEpsilon * std::abs(start));
+  const auto imbalance_at = [&](double q) {
+    trial.q[i] = q;
+    evaluate(trial);
+    held_[i] = std::max(held_[i], sense * (trial.imbalance[i] + load_[i]));
+    return trial.imbalance[i];
+  };
+  held_[i] = sense * (trial.imbalance[i] + load_[i]);
+  double a = start, fa = trial.imbalance[i];
+  for (int doubling = 0; doubling < kMostDoublings; ++doubling, step *= 2.0) {
+    double b = start + sense * step;
+    const bool stopped = sense * (end - b) <= 0.0;
+    if (stopped) b = end;
+    if (!std::isfinite(b)) break;
+    const double fb = imbalance_at(b);
+    if (!std::isfinite(fb)) break;
+    if (balanced(trial, k)) return true;
+    if ((fb < 0.0) != (fa < 0.0)) {
+      const Bracket root = narrow({a, b}, fa, fb, 0.0, imbalance_at);
+      // Of two neighbours the better one.
+      const double beyond = std::abs(imbalance_at(root.b));
+      if (balanced(trial, k)) return true;
+      const double before = std::abs(imbalance_at(root.a));
+      if (balanced(trial, k)) return true;
+      if (beyond < before) imbalance_at(root.b);
+      // Between neighbours the imbalance changes by the slope times their distance: more is a jump.
+      jumped_ = true;
+      return false;
+    }
+    if (stopped) return true;
+    a = b;
+    fa = fb;
+  }
+  return false;
+}
+
+bool Equilibrium::solve_piece(Trial& trial) {
+  constexpr int kMostSweeps = 30;
+  const Trial start = trial;
+  jumped_ = false;
+  if (newton(trial)) return true;
+  trial = start;
+  evaluate(trial);
+  for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
+    for (int k = 0; k < count_; ++k) {
+      if (!search_along(k, trial)) return false;
+    }
+    bool all = true;
+    for (int k = 0; k < count_; ++k) all = all && balanced(trial, k);
+    if (all) return true;
+    const Trial swept = trial;
+    if (newton(trial)) return true;
+    trial = swept;
+    evaluate(trial);
+  }
+  return false;
+}
+
+/// Makes the state at the last trial the begin of what follows; the row's sums grow by it. What an
+/// update says of its increment counts from the first piece on.
+void Equilibrium::accept(bool first, Row& row) {
+  for (std::size_t d = 0; d < updates_.size(); ++d) {
+    DefinitionRow& here = row.definitions[d];
+    here.dissipation += updates_[d].dissipation;
+    here.work += updates_[d].work;
+    old_[d] = updates_[d].state;
+    const law::FrictionUpdate before = here.update;
+    here.update = updates_[d];
+    if (first) continue;
+    here.update.slip_increment += before.slip_increment;
+    here.update.dissipation += before.dissipation;
+    here.update.work += before.work;
+    here.update.onset = 0.0;
+    here.update.multiple_roots = here.update.multiple_roots || before.multiple_roots;
+  }
+  take_springs_and_dampers(*case_, increment_, row.forces);
+  increment_.begin_position = increment_.end.position;
+}
+
+std::string Equilibrium::explain(const Trial& trial) const {
+  std::string text = "no static solution: ";
+  if (count_ == 1) {
+    const int c = component_[0];
+    text += fmt::format("component {} is loaded with {} = {}, ", c + 1, force_name(c),
+                        format_number(load_[0]));
+    if (jumped_) {
+      text += fmt::format("but its force jumps past that at {} = {}", motion_name(c),
+                          format_number(trial.q[0]));
+    } else {
+      text += fmt::format("but only {} can hold against it", format_number(held_[0]));
+    }
+  } else {
+    text += "the loads";
+    for (int k = 0; k < count_; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      text += fmt::format("{} {} = {}", k == 0 ? "" : ",", force_name(component_[i]),
+                          format_number(load_[i]));
+    }
+    text += " cannot be held together";
+  }
+  std::string limits;
+  for (std::size_t d = 0; d < updates_.size(); ++d) {
+    const law::SlipSpace& slip = definitions_[d].slip;
+    bool concerned = false;
+    for (int k = 0; k < slip.dimension; ++k) {
+      const auto end = component_.begin() + count_;
+      concerned = concerned ||
+                  std::find(component_.begin(), end, slip.component[static_cast<std::size_t>(k)]) !=
+                      end;
+    }
+    if (!concerned) continue;
+    limits += fmt::format("{}friction '{}' has the limit {}", limits.empty() ? "" : ", ",
+                          case_->definitions[d].name, format_number(updates_[d].limit));
+  }
+  return limits.empty() ? text : text + " (" + limits + ")";
+}
+
+tl::expected<void, NoEquilibrium> Equilibrium::solve(
+    law::ComponentSet unknown, const Quantities& begin,
+    std::span<const law::FrictionDefinition> definitions, const IntegrateDefinition& integrate,
+    Row& row) {
+  definitions_ = definitions;
+  integrate_ = &integrate;
+  count_ = 0;
+  Trial trial;
+  increment_.begin_position = row.begin;
+  for (int c = 0; c < kSize; ++c) {
+    if (!unknown.contains(c)) continue;
+    const auto i = static_cast<std::size_t>(count_++);
+    component_[i] = c;
+    const law::Stop stop =
+        case_->behavior[static_cast<std::size_t>(c)].stop.value_or(law::Stop{});
+    lower_[i] = stop.lower;
+    upper_[i] = stop.upper;
+    trial.q[i] = std::clamp(row.begin[c], stop.lower, stop.upper);
+  }
+  for (std::size_t d = 0; d < updates_.size(); ++d) old_[d] = row.definitions[d].update.state;
+  double done = 0.0;
+  double size = 1.0;
+  while (done < 1.0) {
+    const double to = size >= 1.0 - done ? 1.0 : done + size;
+    const Trial start = trial;
+    prepare(done, to, begin, row);
+    evaluate(trial);
+    if (solve_piece(trial)) {
+      // The updates are those of the last trial, which need not be the accepted one.
+      evaluate(trial);
+      accept(done == 0.0, row);
+      done = to;
+      size = std::min(2.0 * size, 1.0);
+      continue;
+    }
+    size = 0.5 * (to - done);
+    if (size < kSmallestPiece) {
+      return tl::unexpected(NoEquilibrium{done, explain(trial)});
+    }
+    trial = start;
+  }
+  for (int k = 0; k < count_; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const auto c = static_cast<std::size_t>(component_[i]);
+    row.quantities[c] = trial.q[i];
+    row.forces.component[c].applied = load_[i];
+    row.forces.component[c].reaction = at_stop(trial, k) ? -trial.imbalance[i] : 0.0;
+  }
+  return {};
+}
+
+}  // namespace slipbench::driver

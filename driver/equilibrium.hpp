@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// The static equilibrium of components that are driven by force.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <span>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "driver/case/case.hpp"
+#include "driver/component_forces.hpp"
+#include "driver/simulation.hpp"
+#include "law/return_mapping.hpp"
+
+namespace slipbench::driver {
+
+/// One increment of one definition, without memory: the case's integration method.
+using IntegrateDefinition = std::function<law::FrictionUpdate(
+    std::size_t definition, const law::ConnectorIncrement&, const law::FrictionState& old)>;
+
+/// Why an increment has no equilibrium.
+struct NoEquilibrium {
+  double fraction = 0.0;  ///< of the increment that could be solved
+  std::string message;    ///< names components, loads and what holds against them
+};
+
+/// Finds the positions q of all components that are driven by force, together, at the end of an
+/// increment (theory, force-driven components):
+///   CEF_i(q) + CVF_i((q - q_n)/dt) + CSF_i(q) + CRF_i = CCF_i,
+/// where the reaction CRF_i of a stop acts at the stop only, towards the inside. Newton's method
+/// with the law's consistent tangent and a line search, projected on the stops; where it fails, a
+/// search along one component after the other, which finds the answer beyond a jump too. Where that
+/// fails, the increment is cut in halves, down to 2^-12 of it: everything prescribed then goes
+/// linearly through the increment.
+///
+/// Solving allocates nothing.
+class Equilibrium {
+ public:
+  explicit Equilibrium(const Case& problem);
+
+  /// Solves one increment: sets the positions of `unknown` in the row, the updates, dissipation and
+  /// work of its definitions, and its component forces but CCF and CRF of other components.
+  /// \param begin all quantities at the end of the last increment
+  /// \param row with everything prescribed at its end; its definitions hold the old states
+  /// \param definitions in force
+  tl::expected<void, NoEquilibrium> solve(law::ComponentSet unknown, const Quantities& begin,
+                                          std::span<const law::FrictionDefinition> definitions,
+                                          const IntegrateDefinition& integrate, Row& row);
+
+ private:
+  static constexpr int kSize = law::kComponents;
+  using Vector = std::array<double, kSize>;
+
+  /// The imbalance CEF + CVF + CSF - CCF of the unknowns at trial positions, and its slopes.
+  struct Trial {
+    Vector q{};
+    Vector imbalance{};
+    Vector tolerance{};  ///< rounding of the imbalance
+    std::array<Vector, kSize> tangent{};
+  };
+
+  void prepare(double from, double to, const Quantities& begin, const Row& row);
+  void evaluate(Trial& trial);
+  bool solve_piece(Trial& trial);
+  bool newton(Trial& trial);
+  bool search_along(int k, Trial& trial);
+  bool at_stop(const Trial& trial, int k) const;
+  bool balanced(const Trial& trial, int k) const;
+  double merit(const Trial& trial) const;
+  void accept(bool first, Row& row);
+  std::string explain(const Trial& trial) const;
+
+  const Case* case_;
+  std::span<const law::FrictionDefinition> definitions_;
+  const IntegrateDefinition* integrate_ = nullptr;
+
+  int count_ = 0;                     ///< unknowns
+  std::array<int, kSize> component_;  ///< of each
+  Vector lower_{}, upper_{};          ///< stops of each
+  Vector load_{}, scale_{};           ///< load and size of forces of each
+  Vector held_{};                     ///< the most that held against a load in the last search
+  bool jumped_ = false;               ///< the last search ended at a jump
+
+  Quantities end_{};  ///< of the piece of the increment that is being solved
+  law::ConnectorIncrement increment_;
+  std::vector<law::FrictionState> old_;        ///< at its begin
+  std::vector<law::FrictionUpdate> updates_;   ///< at the last trial
+};
+
+}  // namespace slipbench::driver

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/exact_integration.hpp"
+
+#include <algorithm>
+#include <variant>
+
+#include "driver/connector_increment.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+double wrap_angle(const law::FrictionDefinition& definition) {
+  const auto* belt = std::get_if<law::Capstan>(&definition.criterion);
+  return belt != nullptr ? belt->wrap_angle : 0.0;
+}
+
+std::optional<ExactRefusal> refuse_definition(const std::string& name,
+                                              const law::FrictionDefinition& definition) {
+  const auto why = law::no_continuous_solution(definition);
+  if (!why) return std::nullopt;
+  const std::string whose = "friction '" + name + "': ";
+  if (*why == law::NoContinuousSolution::kWeakening) {
+    return ExactRefusal{
+        whose + "the coefficient falls with the rate of the slip it allows, under a constant stick "
+                "stiffness: the continuous force would jump, there is none to follow",
+        "use backward_euler, or slip_rate: relative_motion, or an allowable elastic slip"};
+  }
+  return ExactRefusal{whose + "the accumulated slip of an increment's start depends on the "
+                              "increments, and exact integration does not",
+                      "leave out accumulated_slip: start"};
+}
+
+}  // namespace
+
+ExactIntegration::ExactIntegration(const Case& problem)
+    : case_(&problem), definitions_(problem.definitions.size()) {}
+
+void ExactIntegration::begin(const Quantities& quantities,
+                             std::span<const law::FrictionDefinition> definitions) {
+  quantities_ = quantities;
+  for (std::size_t i = 0; i < definitions.size(); ++i) {
+    definitions_[i] = {definitions[i].blend, definitions[i].stick.value,
+                       wrap_angle(definitions[i])};
+  }
+}
+
+law::FrictionUpdate ExactIntegration::update(std::size_t index,
+                                             const law::FrictionDefinition& definition,
+                                             const law::ConnectorIncrement& increment,
+                                             const law::FrictionState& old,
+                                             law::RegimeChanges& changes) const {
+  law::PathSegment segment;
+  segment.increment = increment;
+  segment.begin = ambient_of(quantities_, case_->reference);
+  // Motions begin where the connector was, even where their profile has jumped away.
+  segment.begin.position = increment.begin_position;
+  segment.begin.motion =
+      law::constitutive_motion(increment.begin_position, case_->reference);
+  std::copy_n(quantities_.begin() + kFirstForce, law::kComponents,
+              segment.begin_force.values.begin());
+  segment.begin_blend = definitions_[index].blend;
+  segment.begin_stick = definitions_[index].stick;
+  segment.begin_wrap_angle = definitions_[index].wrap_angle;
+  return law::continuous_update(definition, segment, old, case_->integration.tolerance, &changes);
+}
+
+std::optional<ExactRefusal> refuse_exact(const Case& problem) {
+  if (problem.dynamics) {
+    return ExactRefusal{"a dynamic case locates its changes itself: there is nothing to choose",
+                        "leave the method out"};
+  }
+  if (!problem.force_driven.empty()) {
+    return ExactRefusal{"exact integration needs components that are driven by their motion; " +
+                            std::string("the motion of one that is driven by force is not straight "
+                                        "between two rows"),
+                        "use backward_euler and small increments"};
+  }
+  if (problem.measured && problem.measured->hold) {
+    return ExactRefusal{"a history that holds its rows jumps from one to the next, and exact "
+                        "integration joins them by straight lines",
+                        "use backward_euler, or leave out 'hold'"};
+  }
+  const bool judged = problem.belt && problem.belt->both_tensions;
+  if (problem.belt && !judged && problem.definitions.size() > 1) {
+    return ExactRefusal{"a ring of a chain meets the tension that the ring before leaves, which "
+                        "does not go straight from row to row",
+                        "use backward_euler and small increments"};
+  }
+  for (const CaseDefinition& definition : problem.definitions) {
+    if (auto refusal = refuse_definition(definition.name, definition.law)) return refusal;
+  }
+  for (const Step& step : problem.steps) {
+    for (const FrictionChange& change : step.friction_changes) {
+      const CaseDefinition& of = problem.definitions[change.definition];
+      law::FrictionDefinition changed = of.law;
+      changed.law = change.law;
+      changed.stick = change.stick;
+      if (auto refusal = refuse_definition(of.name, changed)) return refusal;
+      if (law::continuous_method(of.law) == law::ContinuousMethod::kExtrapolation ||
+          law::continuous_method(changed) == law::ContinuousMethod::kExtrapolation) {
+        return ExactRefusal{"friction '" + of.name +
+                                "' changes in step '" + step.name +
+                                "' while it has a potential or a viscous coefficient: exact "
+                                "integration follows such a change for the other laws only",
+                            "use backward_euler and small increments"};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace slipbench::driver

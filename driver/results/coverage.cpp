@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/results/coverage.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <utility>
+#include <variant>
+
+#include "driver/connector_increment.hpp"
+#include "driver/text/format_number.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+/// Moves `axis.last` to the interval of `x`, right-hand at a grid point. Increments follow each
+/// other closely: mostly it is where it was.
+void locate(TableCoverage::Axis& axis, double x) {
+  const std::vector<double>& knots = axis.knots;
+  if (knots.size() < 3) return;
+  if (x >= knots[axis.last] && (x < knots[axis.last + 1] || axis.last + 2 == knots.size())) return;
+  const auto next = std::upper_bound(knots.begin() + 1, knots.end() - 1, x);
+  axis.last = static_cast<std::size_t>(next - knots.begin()) - 1;
+}
+
+}  // namespace
+
+std::string independent_name(const law::Independent& independent) {
+  using Kind = law::IndependentKind;
+  switch (independent.kind) {
+    case Kind::kSlipRate:
+      return "slip_rate";
+    case Kind::kContactForce:
+      return "contact_force";
+    case Kind::kAccumulatedSlip:
+      return "accumulated_slip";
+    case Kind::kTemperature:
+      return "temperature";
+    case Kind::kField:
+      return fmt::format("field{}", independent.index + 1);
+    case Kind::kPosition:
+      return motion_name(independent.index);
+    case Kind::kConstitutiveMotion:
+      break;
+  }
+  return "CU" + component_suffix(independent.index);
+}
+
+std::size_t TableCoverage::unvisited() const {
+  return static_cast<std::size_t>(std::count(visits.begin(), visits.end(), 0));
+}
+
+std::string TableCoverage::cell_text(std::size_t cell) const {
+  std::string text;
+  for (const Axis& axis : axes) {
+    const std::size_t i = cell / axis.stride % axis.intervals();
+    text += (text.empty() ? "" : ", ") + axis.name + " " + format_number(axis.knots[i]);
+    if (axis.knots.size() > 1) text += " .. " + format_number(axis.knots[i + 1]);
+  }
+  return text;
+}
+
+Coverage::Coverage(const Case& problem) : case_(&problem) {
+  constexpr int kEver = std::numeric_limits<int>::max();
+  const auto add_law = [&](const law::FrictionLaw& law, std::size_t d, std::string what, int first,
+                           int end) {
+    if (const auto* tabular = std::get_if<law::TabularCoefficient>(&law)) {
+      add_table(tabular->table, Use::kCoefficient, d, std::move(what), first, end);
+    }
+  };
+  for (std::size_t d = 0; d < problem.definitions.size(); ++d) {
+    const law::FrictionDefinition& definition = problem.definitions[d].law;
+    // The law in force, and the step since which it is.
+    const law::FrictionLaw* law = &definition.law;
+    std::string what = "coefficient";
+    int since = 0;
+    for (std::size_t s = 0; s < problem.steps.size(); ++s) {
+      for (const FrictionChange& change : problem.steps[s].friction_changes) {
+        if (change.definition != d) continue;
+        if (s > 0) add_law(*law, d, what, since, static_cast<int>(s));
+        law = &change.law;
+        since = static_cast<int>(s);
+        what = "coefficient of step '" + problem.steps[s].name + "'";
+      }
+    }
+    add_law(*law, d, what, since, kEver);
+    if (const auto* table = std::get_if<law::TableFunction>(&definition.internal_contact_force)) {
+      add_table(*table, Use::kInternalContactForce, d, "internal_contact_force", 0, kEver);
+    }
+    if (const auto* derived = std::get_if<law::DerivedComponent>(&definition.contact_force)) {
+      for (const law::DerivedTerm& term : *derived) {
+        if (!term.weight_table) continue;
+        add_table(*term.weight_table, Use::kWeights, d, "weights", 0, kEver);
+      }
+    }
+  }
+}
+
+void Coverage::add_table(const law::TableFunction& function, Use use, std::size_t definition,
+                         std::string what, int first_step, int end_step) {
+  if (function.independents().empty()) return;
+  TableCoverage table;
+  table.definition = definition;
+  table.what = std::move(what);
+  table.extrapolation = function.table().extrapolation();
+  std::size_t cells = 1;
+  for (std::size_t k = 0; k < function.independents().size(); ++k) {
+    const auto knots = function.table().knots(static_cast<int>(k));
+    TableCoverage::Axis axis;
+    axis.name = independent_name(function.independents()[k]);
+    axis.knots.assign(knots.begin(), knots.end());
+    axis.stride = cells;
+    cells = cells > kMostCells ? cells : cells * axis.intervals();
+    table.axes.push_back(std::move(axis));
+  }
+  if (cells <= kMostCells) table.visits.resize(cells);
+  tables_.push_back(std::move(table));
+  probes_.push_back({&function, use, first_step, end_step});
+}
+
+void Coverage::count(const Row& row) {
+  const law::Ambient end = ambient_of(row.quantities, case_->reference);
+  for (std::size_t t = 0; t < tables_.size(); ++t) {
+    const Probe& probe = probes_[t];
+    if (row.step < probe.first_step || row.step >= probe.end_step) continue;
+    TableCoverage& table = tables_[t];
+    const law::FrictionUpdate& update = row.definitions[table.definition].update;
+    law::SlipArguments slip;
+    if (probe.use == Use::kCoefficient) {
+      slip = {.slip_rate = update.slip_rate, .contact_force = update.normal_force};
+    } else if (probe.use == Use::kInternalContactForce) {
+      const bool at_end = case_->definitions[table.definition].law.accumulated_slip ==
+                          law::AccumulatedSlipTiming::kEnd;
+      slip.accumulated_slip =
+          update.state.accumulated_slip - (at_end ? 0.0 : update.slip_increment);
+    }
+    const auto x = probe.function->arguments(end, slip);
+    ++table.increments;
+    std::size_t cell = 0;
+    bool outside = false;
+    for (std::size_t k = 0; k < table.axes.size(); ++k) {
+      TableCoverage::Axis& axis = table.axes[k];
+      if (x[k] < axis.knots.front()) {
+        ++axis.below;
+        outside = true;
+      } else if (x[k] > axis.knots.back()) {
+        ++axis.above;
+        outside = true;
+      } else {
+        locate(axis, x[k]);
+        cell += axis.last * axis.stride;
+      }
+    }
+    if (outside) {
+      ++table.outside;
+    } else if (!table.visits.empty()) {
+      ++table.visits[cell];
+    }
+  }
+}
+
+std::string Coverage::text(std::size_t most_lines) const {
+  std::string text;
+  std::size_t lines = 0;
+  std::size_t left = 0;
+  for (const TableCoverage& table : tables_) {
+    const std::size_t unvisited = table.unvisited();
+    if (table.increments == 0 || (unvisited == 0 && table.outside == 0)) continue;
+    if (lines == most_lines) {
+      ++left;
+      continue;
+    }
+    ++lines;
+    std::string line = fmt::format("  table '{}' of '{}':", table.what,
+                                   case_->definitions[table.definition].name);
+    if (!table.visits.empty()) {
+      line += fmt::format(" {} of {} cell{} used", table.visits.size() - unvisited,
+                          table.visits.size(), table.visits.size() == 1 ? "" : "s");
+    }
+    if (table.outside > 0) {
+      std::string where;
+      for (const TableCoverage::Axis& axis : table.axes) {
+        for (const auto& [count, side, knot] :
+             {std::tuple{axis.below, "below", axis.knots.front()},
+              std::tuple{axis.above, "above", axis.knots.back()}}) {
+          if (count == 0) continue;
+          where += fmt::format("{}{} {} {}", where.empty() ? "" : ", ", axis.name, side,
+                               format_number(knot));
+        }
+      }
+      const bool held = table.extrapolation == law::Extrapolation::kConstant;
+      line += fmt::format("{} outside in {} of {} increments ({}), where {}",
+                          table.visits.empty() ? "" : ",", table.outside, table.increments, where,
+                          held ? "the end value is held" : "the end segment is prolonged");
+    }
+    text += line + "\n";
+  }
+  if (left > 0) text += fmt::format("  {} more table{} like these\n", left, left == 1 ? "" : "s");
+  return text;
+}
+
+json::Value Coverage::to_json() const {
+  constexpr std::size_t kMostListed = 1000;
+  json::Value all = json::Array{};
+  for (const TableCoverage& table : tables_) {
+    json::Value one;
+    one["definition"] = case_->definitions[table.definition].name;
+    one["table"] = table.what;
+    one["increments"] = table.increments;
+    one["increments_outside"] = table.outside;
+    const bool held = table.extrapolation == law::Extrapolation::kConstant;
+    one["outside"] = held ? "held" : "prolonged";
+    json::Value axes = json::Array{};
+    for (const TableCoverage::Axis& axis : table.axes) {
+      json::Value entry;
+      entry["independent"] = axis.name;
+      entry["first"] = axis.knots.front();
+      entry["last"] = axis.knots.back();
+      entry["below"] = axis.below;
+      entry["above"] = axis.above;
+      axes.push_back(entry);
+    }
+    one["independents"] = axes;
+    if (!table.visits.empty()) {
+      one["cells"] = table.visits.size();
+      one["cells_never_visited"] = table.unvisited();
+      json::Value never = json::Array{};
+      json::Value visited = json::Array{};
+      std::size_t listed = 0;
+      for (std::size_t cell = 0; cell < table.visits.size() && listed < kMostListed; ++cell) {
+        ++listed;
+        if (table.visits[cell] == 0) {
+          never.push_back(table.cell_text(cell));
+          continue;
+        }
+        json::Value entry;
+        entry["cell"] = table.cell_text(cell);
+        entry["increments"] = table.visits[cell];
+        visited.push_back(entry);
+      }
+      one["never_visited"] = never;
+      one["visited"] = visited;
+      one["cells_listed"] = listed;
+    }
+    all.push_back(one);
+  }
+  return all;
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "driver/case/case.hpp"
+#include "driver/simulation.hpp"
+#include "driver/text/json.hpp"
+#include "law/table_function.hpp"
+
+namespace slipbench::driver {
+
+/// How often a run used which part of a table. A cell is what lies between neighbouring grid
+/// points in every independent, the grid points of all blocks taken together.
+struct TableCoverage {
+  struct Axis {
+    std::string name;           ///< the independent's, as a case writes it
+    std::vector<double> knots;  ///< ascending
+    std::int64_t below = 0;     ///< increments that asked below the first grid point
+    std::int64_t above = 0;     ///< and above the last
+    std::size_t stride = 1;     ///< of its intervals in `visits`
+    std::size_t last = 0;       ///< the interval of the last increment
+
+    std::size_t intervals() const { return knots.size() > 1 ? knots.size() - 1 : 1; }
+  };
+
+  std::size_t definition = 0;
+  std::string what;  ///< "coefficient", "internal_contact_force", "weights"; with its step if changed
+  law::Extrapolation extrapolation = law::Extrapolation::kConstant;
+  std::vector<Axis> axes;            ///< in the order of the table's independents
+  std::vector<std::int64_t> visits;  ///< increments in each cell; empty for a table too large
+  std::int64_t increments = 0;       ///< in which the table was in force
+  std::int64_t outside = 0;          ///< of them, those outside the table
+
+  /// Cells no increment was in.
+  std::size_t unvisited() const;
+  /// "slip_rate 0 .. 10, temperature 20 .. 90".
+  std::string cell_text(std::size_t cell) const;
+};
+
+/// Counts the cells that the tables of a run are asked in: those of coefficients (also of a changed
+/// friction, from its step on), internal contact forces and weights, each at the arguments of the
+/// end of the increment. The storage is fixed by the tables; a case without tables costs nothing.
+class Coverage {
+ public:
+  explicit Coverage(const Case& problem);
+  /// Row 0 counts nothing.
+  void add(const Row& row) {
+    if (!probes_.empty() && row.index > 0) count(row);
+  }
+
+  std::span<const TableCoverage> tables() const { return tables_; }
+
+  /// A line for each table that has cells never visited, or was asked outside; indented by two
+  /// blanks. \param last_line at most so many lines; more tables are counted in one
+  std::string text(std::size_t most_lines = 3) const;
+  /// All tables; of those with many unvisited cells the first thousand.
+  json::Value to_json() const;
+
+  /// Cells beyond which a table is only counted along its independents, each for itself.
+  static constexpr std::size_t kMostCells = std::size_t{1} << 20U;
+
+ private:
+  enum class Use : std::uint8_t { kCoefficient, kInternalContactForce, kWeights };
+  struct Probe {
+    const law::TableFunction* function = nullptr;
+    Use use = Use::kCoefficient;
+    int first_step = 0;  ///< in force from the start of this step
+    int end_step = 0;    ///< up to the start of this one
+  };
+  void add_table(const law::TableFunction& function, Use use, std::size_t definition,
+                 std::string what, int first_step, int end_step);
+  void count(const Row& row);
+
+  const Case* case_;
+  std::vector<Probe> probes_;  ///< one for each of tables_
+  std::vector<TableCoverage> tables_;
+};
+
+/// An independent as a case writes it: slip_rate, CP1, CU1, field2, ...
+std::string independent_name(const law::Independent& independent);
+
+}  // namespace slipbench::driver

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/results/cycles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "driver/history/step_grid.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+bool has_wave(const Step& step) {
+  return std::any_of(step.drives.begin(), step.drives.end(), [](const Drive& drive) {
+    return std::holds_alternative<Wave>(drive.profile);
+  });
+}
+
+}  // namespace
+
+double cycle_length(const Step& step) {
+  // Periods in text have few digits: a third may be 0.33333333.
+  constexpr double kWhole = 1e-6;
+  double longest = 0.0;
+  for (const Drive& drive : step.drives) {
+    if (const auto* wave = std::get_if<Wave>(&drive.profile)) {
+      longest = std::max(longest, wave->period);
+    }
+  }
+  if (longest == 0.0) return step.repeat > 1 ? step.duration : 0.0;
+  for (const Drive& drive : step.drives) {
+    const auto* wave = std::get_if<Wave>(&drive.profile);
+    if (wave == nullptr) continue;
+    const double times = longest / wave->period;
+    if (std::abs(times - std::rint(times)) > kWhole * times) return 0.0;
+  }
+  return longest <= step.duration * (1.0 + kSameTime) ? longest : 0.0;
+}
+
+CycleCounter::CycleCounter(const Case& problem)
+    : energies_(problem.definitions.size()),
+      start_(problem.definitions.size()),
+      before_(problem.definitions.size()) {
+  for (const Step& step : problem.steps) steps_.push_back({cycle_length(step), has_wave(step)});
+}
+
+void CycleCounter::add(const Row& row) {
+  if (row.index > 0 && !steps_.empty()) {
+    if (row.step != step_ || row.pass != pass_ || row.index == 1) {
+      step_ = row.step;
+      pass_ = row.pass;
+      start_ = before_;
+      step_time_ = 0.0;
+      ends_ = 0;
+    }
+    const double length = steps_[static_cast<std::size_t>(row.step)].length;
+    const double width = row.step_time - step_time_;
+    while (length > 0.0) {
+      const double end = static_cast<double>(ends_ + 1) * length;
+      if (row.step_time < end * (1.0 - kSameTime)) break;
+      end_cycle(width > 0.0 ? std::clamp((end - step_time_) / width, 0.0, 1.0) : 1.0, row);
+      ++ends_;
+    }
+    step_time_ = row.step_time;
+  }
+  for (std::size_t d = 0; d < before_.size(); ++d) before_[d] = row.definitions[d].dissipation;
+}
+
+void CycleCounter::end_cycle(double fraction, const Row& row) {
+  (steps_[static_cast<std::size_t>(row.step)].wave ? waves_ : repeats_) = true;
+  for (std::size_t d = 0; d < energies_.size(); ++d) {
+    const double now = row.definitions[d].dissipation;
+    const double end = fraction == 1.0 ? now : before_[d] + fraction * (now - before_[d]);
+    const double energy = end - start_[d];
+    start_[d] = end;
+    CycleEnergy& all = energies_[d];
+    if (all.count == 0) all.first = all.lowest = all.highest = energy;
+    if (all.count > 0) all.before_last = all.last;
+    all.last = energy;
+    all.lowest = std::min(all.lowest, energy);
+    all.highest = std::max(all.highest, energy);
+    ++all.count;
+  }
+}
+
+std::string CycleCounter::found_by() const {
+  if (waves_ && repeats_) return "period of the waves, or repeated step";
+  if (waves_) return "period of the waves";
+  return repeats_ ? "repeated step" : "";
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/results/events.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "driver/results/csv_writer.hpp"
+#include "driver/results/provenance.hpp"
+#include "driver/text/format_number.hpp"
+
+namespace slipbench::driver {
+
+const char* regime_name(law::Regime regime) {
+  if (regime == law::Regime::kOpen) return "open";
+  return regime == law::Regime::kStick ? "stick" : "slip";
+}
+
+double position_at(const Event& event, const Row& row, int component) {
+  const auto c = static_cast<std::size_t>(component);
+  const double begin = row.begin.values[c];
+  const double end = row.quantities[kFirstMotion + c];
+  return event.fraction == 1.0 ? end : begin + event.fraction * (end - begin);
+}
+
+EventDetector::EventDetector(const Case& problem)
+    : case_(&problem), memory_(problem.definitions.size()) {
+  events_.reserve(problem.definitions.size() * (law::RegimeChanges{}.at.size() + 1));
+}
+
+std::span<const Event> EventDetector::take(const Row& row) {
+  events_.clear();
+  for (std::size_t d = 0; d < memory_.size(); ++d) {
+    const DefinitionRow& here = row.definitions[d];
+    Memory& memory = memory_[d];
+    if (row.index > 0) judge(row, d);
+    memory.regime = here.update.state.regime;
+    memory.force = representative_force(case_->definitions[d], here);
+    memory.limit = here.update.limit;
+    if (memory.regime == law::Regime::kSlip) memory.slip_direction = here.update.direction;
+  }
+  for (Event& event : events_) {
+    event.time = event.fraction == 1.0
+                     ? row.time
+                     : begin_time_ + event.fraction * (row.time - begin_time_);
+  }
+  begin_time_ = row.time;
+  if (events_.size() > 1) {
+    std::stable_sort(events_.begin(), events_.end(),
+                     [](const Event& a, const Event& b) { return a.fraction < b.fraction; });
+  }
+  return events_;
+}
+
+bool EventDetector::turns(std::size_t definition, const DefinitionRow& here) const {
+  double along = 0.0;
+  for (std::size_t k = 0; k < here.update.direction.size(); ++k) {
+    along += memory_[definition].slip_direction[k] * here.update.direction[k];
+  }
+  return along < 0.0;
+}
+
+void EventDetector::judge(const Row& row, std::size_t definition) {
+  const DefinitionRow& here = row.definitions[definition];
+  if (here.changes.count > 0) {
+    add_located(row, definition);
+    return;
+  }
+  const law::FrictionUpdate& update = here.update;
+  const Memory& memory = memory_[definition];
+  const law::Regime to = update.state.regime;
+  const bool slips = to == law::Regime::kSlip;
+  const bool reversal = slips && turns(definition, here);
+  if (memory.regime == to && !reversal) return;
+  Event event{0.0,      0.0, definition, memory.regime, to,
+              reversal, 0.0, 0.0,        update.state.accumulated_slip - update.slip_increment};
+  if (slips || to == law::Regime::kOpen) {
+    event.fraction = slips ? update.onset : 1.0;
+    event.force = representative_force(case_->definitions[definition], here);
+    event.limit = update.limit;
+    if (!slips) event.accumulated_slip = update.state.accumulated_slip;
+  } else {
+    event.force = memory.force;
+    event.limit = memory.limit;
+  }
+  events_.push_back(event);
+}
+
+void EventDetector::add_located(const Row& row, std::size_t definition) {
+  const DefinitionRow& here = row.definitions[definition];
+  Memory& memory = memory_[definition];
+  const bool signed_force =
+      !case_->definitions[definition].coupled && here.update.state.regime != law::Regime::kOpen &&
+      case_->definitions[definition].law.slip.dimension == 1;
+  law::Regime from = memory.regime;
+  for (int i = 0; i < here.changes.count; ++i) {
+    const law::RegimeChange& change = here.changes.at[static_cast<std::size_t>(i)];
+    bool reversal = false;
+    if (change.to == law::Regime::kSlip) {
+      if (signed_force) {
+        const double sense = change.force < 0.0 ? -1.0 : 1.0;
+        reversal = memory.slip_direction[0] * sense < 0.0;
+        memory.slip_direction[0] = sense;
+      } else {
+        reversal = turns(definition, here);
+        memory.slip_direction = here.update.direction;
+      }
+    }
+    events_.push_back({0.0, change.fraction, definition, from, change.to, reversal, change.force,
+                       change.limit, change.accumulated_slip});
+    from = change.to;
+  }
+  // More changes than were kept: the last of them led to the regime of the end.
+  if (from != here.update.state.regime) {
+    events_.push_back({0.0, 1.0, definition, from, here.update.state.regime, false,
+                       representative_force(case_->definitions[definition], here),
+                       here.update.limit, here.update.state.accumulated_slip});
+  }
+}
+
+EventWriter::EventWriter(const Case& problem, OutputFile& file)
+    : case_(&problem), detector_(problem), file_(&file) {
+  std::string text = provenance_lines(problem);
+  text += "t,definition,from,to,force,limit,accumulated_slip";
+  for (Column& column : result_columns(problem)) {
+    if (column.source != ColumnSource::kPosition || !column.name.starts_with("CP")) continue;
+    text += "," + column.name;
+    positions_.push_back(std::move(column));
+  }
+  file.append(text + "\n");
+}
+
+void EventWriter::write(const Row& row) {
+  for (const Event& event : detector_.take(row)) {
+    std::string& text = file_->buffer();
+    append_number(text, event.time);
+    text.append(",").append(case_->definitions[event.definition].name).append(",");
+    text.append(regime_name(event.from)).append(",").append(regime_name(event.to));
+    for (const double number : {event.force, event.limit, event.accumulated_slip}) {
+      text += ',';
+      append_number(text, number);
+    }
+    for (const Column& position : positions_) {
+      text += ',';
+      append_number(text, position_at(event, row, position.index) - position.offset);
+    }
+    text += '\n';
+    file_->flush_if_full();
+  }
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "driver/case/case.hpp"
+#include "driver/results/columns.hpp"
+#include "driver/results/output_file.hpp"
+#include "driver/simulation.hpp"
+
+namespace slipbench::driver {
+
+/// A change between open, stick and slip, or slip that turns to the opposite sense (slip to slip).
+struct Event {
+  double time = 0.0;      ///< total time [T]
+  double fraction = 0.0;  ///< of the increment that is over
+  std::size_t definition = 0;
+  law::Regime from = law::Regime::kStick;
+  law::Regime to = law::Regime::kStick;
+  bool reversal = false;          ///< it slips against the sense of its last slip
+  double force = 0.0;             ///< as of representative_force [F]
+  double limit = 0.0;             ///< F_lim [F]
+  double accumulated_slip = 0.0;  ///< [L]
+};
+
+/// Where within its increment a position stood at the event; the motion is straight within it.
+double position_at(const Event& event, const Row& row, int component);
+
+/// Finds the events of a run, row by row. Where the integration has located them, they are its own.
+/// Otherwise the increment is judged by its ends:
+///   - slip begins where the trial force meets the limit (FrictionUpdate::onset), with the force and
+///     the limit of the increment's end;
+///   - stick begins where the increment begins that ends in stick, with the force and limit there:
+///     exact for a motion that turns at a breakpoint, late or early by at most an increment else;
+///   - contact is lost at the end of the increment that ends open, and found at the begin of the
+///     one that does not.
+/// Nothing grows with the number of rows.
+class EventDetector {
+ public:
+  explicit EventDetector(const Case& problem);
+  /// The events of the increment that a row ends, in the order of their times; valid until the
+  /// next call. Rows have to come one after the other, row 0 first, which has none.
+  std::span<const Event> take(const Row& row);
+
+ private:
+  struct Memory {
+    law::Regime regime = law::Regime::kStick;
+    double force = 0.0;
+    double limit = 0.0;
+    std::array<double, law::kComponents> slip_direction{};  ///< of the last slip
+  };
+  void judge(const Row& row, std::size_t definition);
+  void add_located(const Row& row, std::size_t definition);
+  bool turns(std::size_t definition, const DefinitionRow& here) const;
+
+  const Case* case_;
+  std::vector<Memory> memory_;
+  std::vector<Event> events_;
+  double begin_time_ = 0.0;
+};
+
+/// Writes the events of a run as CSV: when, which definition, from which regime to which, at what
+/// force, limit and accumulated slip, and where.
+class EventWriter {
+ public:
+  EventWriter(const Case& problem, OutputFile& file);
+  void write(const Row& row);
+
+ private:
+  const Case* case_;
+  EventDetector detector_;
+  std::vector<Column> positions_;
+  OutputFile* file_;
+};
+
+/// "open", "stick" or "slip".
+const char* regime_name(law::Regime regime);
+
+}  // namespace slipbench::driver

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "driver/case/case.hpp"
+#include "driver/simulation.hpp"
+#include "driver/text/source_text.hpp"
+
+namespace slipbench::driver {
+
+/// The smallest case that fails as a run did: the text of the case with its numbers as they were
+/// (`--set` included), its history up to the step that failed, no output selection and no checks.
+/// Comments and layout are lost. Data files keep their names, relative to the case's folder.
+/// \param source the case as it was read, without faults
+std::string reproducer(const SourceText& source, const Case& problem,
+                       const SimulationFailure& failure);
+
+}  // namespace slipbench::driver

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <variant>
+
+#include "law/capstan_limit.hpp"
+#include "law/friction_definition.hpp"
+#include "law/increment.hpp"
+#include "law/limit_function.hpp"
+
+namespace slipbench::law {
+
+/// One increment as a straight piece of the history: motion, constraint forces, temperature, fields
+/// and whatever changes in the friction itself go linearly from its begin to its end.
+struct PathSegment {
+  ConnectorIncrement increment;  ///< the end, the duration, and the position at the begin
+  Ambient begin;                 ///< CP, CCU, temperature, fields at the begin
+  ConnectorForce begin_force;    ///< constraint forces at the begin, after a jump there
+  CoefficientBlend begin_blend;  ///< of the definition, at the begin
+  double begin_stick = 1.0;      ///< StickStiffness::value at the begin
+  double begin_wrap_angle = 0.0; ///< of a Capstan, at the begin
+};
+
+/// A segment on which nothing of the definition changes: begin_* are those of `definition`.
+inline PathSegment path_segment(const FrictionDefinition& definition,
+                                const ConnectorIncrement& increment, const Ambient& begin,
+                                const ConnectorForce& begin_force) {
+  const auto* belt = std::get_if<Capstan>(&definition.criterion);
+  return {increment,        begin,
+          begin_force,      definition.blend,
+          definition.stick.value, belt != nullptr ? belt->wrap_angle : 0.0};
+}
+
+/// The points of a segment at the fraction tau in [0, 1]; refers to `definition` and `segment`, and
+/// keeps the fields of the last point asked for.
+class SegmentPoints {
+ public:
+  SegmentPoints(const FrictionDefinition& definition, const PathSegment& segment, double motion)
+      : definition_(definition), segment_(segment), motion_(motion), here_(segment.increment) {
+    here_.end.fields = std::span(fields_).first(segment.increment.end.fields.size());
+    if (const auto* belt = std::get_if<Capstan>(&definition.criterion)) {
+      end_wrap_angle_ = belt->wrap_angle;
+    }
+  }
+  SegmentPoints(const SegmentPoints&) = delete;
+  SegmentPoints& operator=(const SegmentPoints&) = delete;
+
+  /// What is prescribed at tau, as the end of an increment from the begin; its duration is the
+  /// whole segment's.
+  const ConnectorIncrement& increment(double tau) noexcept {
+    const ConnectorIncrement& to = segment_.increment;
+    if (tau == tau_) return here_;
+    tau_ = tau;
+    const auto mix = [tau](double a, double b) { return a == b ? b : (1.0 - tau) * a + tau * b; };
+    for (int c = 0; c < kComponents; ++c) {
+      here_.end.position[c] = mix(segment_.begin.position[c], to.end.position[c]);
+      here_.end.motion[c] = mix(segment_.begin.motion[c], to.end.motion[c]);
+      here_.force[c] = mix(segment_.begin_force[c], to.force[c]);
+    }
+    here_.end.temperature = mix(segment_.begin.temperature, to.end.temperature);
+    for (std::size_t i = 0; i < to.end.fields.size(); ++i) {
+      fields_[i] = mix(segment_.begin.fields[i], to.end.fields[i]);
+    }
+    return here_;
+  }
+
+  /// The limit at tau, with a total accumulated slip [L] and a slip rate [L/T] that counts where the
+  /// coefficient sees the slip. A belt's is that of the side `sense` (the sign of s_el).
+  Limit limit(double tau, double accumulated_slip, double slip_rate, double sense) noexcept {
+    // A change that ends here has forgotten what it set out from; it does not matter at its end.
+    const CoefficientBlend& from = segment_.begin_blend;
+    const CoefficientBlend blend{from.weight == 1.0 ? definition_.blend.start : from.start,
+                                 mix(tau, from.weight, definition_.blend.weight)};
+    const ConnectorIncrement& at = increment(tau);
+    if (std::holds_alternative<Capstan>(definition_.criterion)) {
+      const CapstanLimit limit(definition_, at, motion_,
+                               sense < 0.0 ? FlowSense::kBackward : FlowSense::kForward);
+      return limit.at(rate(limit.rate(0.0), slip_rate), blend,
+                      mix(tau, segment_.begin_wrap_angle, end_wrap_angle_));
+    }
+    FrictionState state;
+    state.accumulated_slip = accumulated_slip;
+    const LimitFunction limit(definition_, at, state, motion_);
+    return limit.at(0.0, rate(limit.rate(0.0), slip_rate), blend);
+  }
+
+  /// StickStiffness::value at tau.
+  double stick(double tau) const {
+    return mix(tau, segment_.begin_stick, definition_.stick.value);
+  }
+
+ private:
+  static double mix(double tau, double a, double b) {
+    return a == b ? b : (1.0 - tau) * a + tau * b;
+  }
+  double rate(double of_motion, double of_slip) const {
+    return definition_.slip_rate == SlipRateMeasure::kSlip ? of_slip : of_motion;
+  }
+
+  const FrictionDefinition& definition_;
+  const PathSegment& segment_;
+  double motion_;
+  ConnectorIncrement here_;
+  std::array<double, kMaxFields> fields_{};
+  double end_wrap_angle_ = 0.0;
+  double tau_ = -1.0;
+};
+
+}  // namespace slipbench::law

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: Apache-2.0
+// What exact integration promises on histories of straight pieces, whatever the law.
+#include <rapidcheck.h>
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "tests/support/exact_run.hpp"
+#include "tests/support/friction_run.hpp"
+#include "tests/support/random_history.hpp"
+
+namespace {
+
+using namespace slipbench::law;
+using namespace slipbench::test;
+
+/// Fixes the seed before RapidCheck first looks; a RC_PARAMS of the environment wins.
+const bool kSeeded = setenv("RC_PARAMS", "seed=20240611 max_success=1500", 0) == 0;
+
+template <class Property>
+void check(const std::string& text, const Property& property) {
+  REQUIRE(kSeeded);
+  REQUIRE(rc::check(text, property));
+}
+
+Dice draw_dice() {
+  return Dice(*rc::gen::noShrink(rc::gen::arbitrary<std::uint32_t>()).as("seed"));
+}
+
+double magnitude(const std::array<double, kComponents>& v) {
+  double square = 0.0;
+  for (const double x : v) square += x * x;
+  return std::sqrt(square);
+}
+
+double distance(const FrictionState& a, const FrictionState& b) {
+  double square = 0.0;
+  for (std::size_t i = 0; i < kComponents; ++i) {
+    square += (a.force[i] - b.force[i]) * (a.force[i] - b.force[i]);
+  }
+  return std::sqrt(square);
+}
+
+/// A slider under a constant normal force, in one to three dimensions, in either stick mode.
+struct Polyline {
+  FrictionDefinition definition;
+  double limit = 0.0;
+  double elastic = 0.0;
+  std::vector<Waypoint> corners;
+};
+
+Polyline draw_polyline(Dice* dice, int dimension, int corners) {
+  Polyline line;
+  const double mu = dice->between(0.05, 0.8);
+  const double normal = dice->between(1.0, 500.0);
+  const double g = dice->between(0.005, 0.1);
+  line.limit = mu * normal;
+  line.elastic = g;
+  const bool fixed = dice->chance(0.5);
+  line.definition = slider(mu, normal, fixed ? fixed_stiffness(line.limit / g) : allowable_slip(g));
+  line.definition.slip.dimension = dimension;
+  for (int i = 0; i < dimension; ++i) line.definition.slip.component[static_cast<std::size_t>(i)] = i;
+  Waypoint here;
+  const std::vector<double> strides = {0.0, 0.01, 0.3, 1.0, 5.0};
+  for (int n = 0; n < corners; ++n) {
+    const double stride = dice->one_of(strides) * g;
+    const bool straight = n > 0 && dice->chance(0.2);
+    const Waypoint before = here;
+    for (int i = 0; i < dimension; ++i) {
+      // Now and then exactly back, or exactly on.
+      const double last = n > 0 ? line.corners.back().position[i] -
+                                      (n > 1 ? line.corners[static_cast<std::size_t>(n - 2)].position[i] : 0.0)
+                                : 0.0;
+      here.position[i] = before.position[i] + (straight ? (dice->chance(0.5) ? -last : last)
+                                                        : dice->between(-stride, stride));
+    }
+    line.corners.push_back(here);
+  }
+  return line;
+}
+
+struct End {
+  FrictionState state;
+  double dissipation = 0.0;
+  double work = 0.0;
+  double stored = 0.0;
+};
+
+End follow(const FrictionDefinition& definition, const std::vector<Waypoint>& corners, int count) {
+  ExactRun run(definition);
+  for (const Waypoint& corner : corners) run.go(corner, count);
+  return {run.state, run.dissipation, run.work, run.last.stored_energy};
+}
+
+TEST_CASE("on polylines at a constant limit dividing segments changes nothing") {
+  check("1, 7 and 100 increments a segment: the same end, the energies close", [] {
+    const int dimension = *rc::gen::inRange(1, 4).as("dimension");
+    const int corners = *rc::gen::inRange(1, 12).as("corners");
+    Dice dice = draw_dice();
+    const Polyline line = draw_polyline(&dice, dimension, corners);
+    const End one = follow(line.definition, line.corners, 1);
+    for (const int count : {7, 100}) {
+      const End end = follow(line.definition, line.corners, count);
+      // The rounding of a hundred increments of every segment.
+      RC_ASSERT(distance(end.state, one.state) <= 1e-11 * line.limit);
+      RC_ASSERT(std::abs(end.state.accumulated_slip - one.state.accumulated_slip) <=
+                1e-11 * (line.elastic + one.state.accumulated_slip));
+      RC_ASSERT(std::abs(end.dissipation - one.dissipation) <=
+                1e-11 * (line.limit * line.elastic + one.dissipation));
+    }
+    RC_ASSERT(magnitude(one.state.force) <= line.limit * (1.0 + 1e-12));
+    RC_ASSERT(std::abs(one.work - one.dissipation - one.stored) <=
+              1e-12 * (line.limit * line.elastic + one.dissipation));
+  });
+}
+
+TEST_CASE("exact paths are odd and turn with the plane") {
+  check("-u gives -y; a rotated path gives the rotated force and the same slip", [] {
+    const int corners = *rc::gen::inRange(1, 12).as("corners");
+    Dice dice = draw_dice();
+    const Polyline line = draw_polyline(&dice, 2, corners);
+    const double angle = dice.between(0.0, 6.3);
+    std::vector<Waypoint> mirrored = line.corners;
+    std::vector<Waypoint> rotated = line.corners;
+    for (std::size_t i = 0; i < line.corners.size(); ++i) {
+      const double x = line.corners[i].position[0];
+      const double y = line.corners[i].position[1];
+      mirrored[i].position[0] = -x;
+      mirrored[i].position[1] = -y;
+      rotated[i].position[0] = std::cos(angle) * x - std::sin(angle) * y;
+      rotated[i].position[1] = std::sin(angle) * x + std::cos(angle) * y;
+    }
+    const End end = follow(line.definition, line.corners, 1);
+    const End back = follow(line.definition, mirrored, 1);
+    for (std::size_t i = 0; i < 2; ++i) RC_ASSERT(back.state.force[i] == -end.state.force[i]);
+    RC_ASSERT(back.state.accumulated_slip == end.state.accumulated_slip);
+    RC_ASSERT(back.dissipation == end.dissipation);
+    const End turned = follow(line.definition, rotated, 1);
+    // A path that goes exactly back is unstable to the rounding of its direction by the rotation:
+    // what it ends with is not, since slip goes on straight.
+    const double fx = std::cos(angle) * end.state.force[0] - std::sin(angle) * end.state.force[1];
+    const double fy = std::sin(angle) * end.state.force[0] + std::cos(angle) * end.state.force[1];
+    RC_ASSERT(std::hypot(fx - turned.state.force[0], fy - turned.state.force[1]) <=
+              1e-10 * line.limit);
+    RC_ASSERT(std::abs(turned.state.accumulated_slip - end.state.accumulated_slip) <=
+              1e-10 * (line.elastic + end.state.accumulated_slip));
+  });
+}
+
+TEST_CASE("backward Euler goes to the exact path with the first power of the increment") {
+  check("the distance at 400 and at 800 increments a segment has the ratio 2", [] {
+    Dice dice = draw_dice();
+    const Polyline line = draw_polyline(&dice, 2, 4);
+    const End exact = follow(line.definition, line.corners, 1);
+    const auto apart = [&](int count) {
+      FrictionRun run(line.definition);
+      Waypoint from;
+      for (const Waypoint& corner : line.corners) {
+        for (int i = 1; i <= count; ++i) {
+          for (int c = 0; c < 2; ++c) {
+            run.position[c] =
+                from.position[c] + (corner.position[c] - from.position[c]) * i / count;
+          }
+          run.step();
+        }
+        from = corner;
+      }
+      return distance(run.state, exact.state);
+    };
+    const double coarse = apart(400);
+    const double fine = apart(800);
+    RC_ASSERT(fine <= 0.02 * line.limit);
+    // Where the error is not rounding it halves, up to what is of higher order.
+    if (coarse > 1e-6 * line.limit) RC_ASSERT(std::abs(fine / coarse - 0.5) < 0.05);
+  });
+}
+
+/// A random definition that has a continuous solution by events, and a history of it.
+struct Case {
+  DefinitionDescription description;
+  FrictionDefinition definition;
+  std::vector<HistoryRow> rows;
+};
+
+std::optional<Case> draw_case() {
+  const int kind = *rc::gen::inRange(0, kDefinitionKinds).as("kind of definition");
+  const int length = *rc::gen::inRange(1, 12).as("increments");
+  Dice dice = draw_dice();
+  Case c{random_definition(&dice, kind), {}, {}};
+  c.definition = c.description.build();
+  if (continuous_method(c.definition) != ContinuousMethod::kEvents ||
+      no_continuous_solution(c.definition)) {
+    return std::nullopt;
+  }
+  c.rows = random_history(&dice, length);
+  RC_LOG() << c.description.name;
+  return c;
+}
+
+Waypoint waypoint(const HistoryRow& row) {
+  Waypoint point;
+  point.position = row.end;
+  point.force = row.force;
+  point.temperature = row.temperature;
+  point.fields.assign(row.fields.begin(), row.fields.end());
+  point.duration = row.duration;
+  return point;
+}
+
+Waypoint first_waypoint(const HistoryRow& row) {
+  Waypoint point = waypoint(row);
+  point.position = row.begin;
+  return point;
+}
+
+TEST_CASE("whatever the law, exact results are finite, admissible and dissipate") {
+  int drawn = 0;
+  check("P <= F_lim, dissipation >= 0, slip monotone, the events are in order", [&] {
+    const auto c = draw_case();
+    if (!c) return;
+    ++drawn;
+    ExactRun run(c->definition, first_waypoint(c->rows.front()), 1e-10);
+    double slip = 0.0;
+    for (const HistoryRow& row : c->rows) {
+      const Regime before = run.state.regime;
+      const double held = run.last.stored_energy;
+      const FrictionUpdate& u = run.go(waypoint(row));
+      for (const double x : numbers(u)) RC_ASSERT(std::isfinite(x));
+      RC_ASSERT(u.converged);
+      RC_ASSERT(magnitude(u.state.force) <= u.limit * (1.0 + 1e-12));
+      RC_ASSERT(u.dissipation >= 0.0);
+      RC_ASSERT(u.slip_increment >= 0.0);
+      RC_ASSERT(u.state.accumulated_slip >= slip);
+      slip = u.state.accumulated_slip;
+      double at = 0.0;
+      Regime regime = before;
+      for (int i = 0; i < run.changes.count; ++i) {
+        const RegimeChange& change = run.changes.at[static_cast<std::size_t>(i)];
+        RC_ASSERT(change.fraction >= at);
+        RC_ASSERT(change.fraction <= 1.0);
+        RC_ASSERT(change.to != regime);
+        at = change.fraction;
+        regime = change.to;
+      }
+      if (!run.changes.overflow) RC_ASSERT(regime == u.state.regime);
+      if (c->definition.stick.mode == StickStiffness::Mode::kStiffness &&
+          u.state.regime != Regime::kOpen && run.changes.count == 0) {
+        RC_ASSERT(std::abs(u.work - u.dissipation - (u.stored_energy - held)) <=
+                  1e-9 * (u.dissipation + u.stored_energy + held) + 1e-300);
+      }
+    }
+  });
+  CHECK(drawn > 500);
+}
+
+TEST_CASE("whatever the law, dividing increments changes nothing beyond the tolerance") {
+  check("1 and 5 increments a row end alike", [] {
+    const auto c = draw_case();
+    if (!c) return;
+    ExactRun whole(c->definition, first_waypoint(c->rows.front()), 1e-11);
+    ExactRun parts(c->definition, first_waypoint(c->rows.front()), 1e-11);
+    for (const HistoryRow& row : c->rows) {
+      whole.go(waypoint(row));
+      parts.go(waypoint(row), 5);
+      const double limit = whole.last.limit + 1e-3;
+      RC_ASSERT(distance(whole.state, parts.state) <= 1e-9 * limit);
+      RC_ASSERT(std::abs(whole.state.accumulated_slip - parts.state.accumulated_slip) <=
+                1e-9 * (1e-3 + whole.state.accumulated_slip));
+      // What differs is not carried on.
+      parts.state = whole.state;
+    }
+  });
+}
+
+}  // namespace
