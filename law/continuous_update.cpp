@@ -18,8 +18,10 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kOnRadius = 64.0 * kEpsilon;
 /// Times closer than this part of the segment are one.
 constexpr double kSameFraction = 1e-13;
-/// A limit below this part of its neighbours' is 0, up to the rounding of where it vanishes.
+/// A limit below this part of the segment's is 0, up to the rounding of where it vanishes.
 constexpr double kNoLimit = 1e-12;
+/// Step of the difference quotients of R as a part of a smooth piece.
+constexpr double kDifference = 1e-5;
 
 bool depends_on_motion(const FrictionDefinition& definition) {
   if (std::holds_alternative<UniversalJointContact>(definition.contact_force)) return true;
@@ -69,15 +71,16 @@ double first_negative(Function&& f, double low, double high) {
   return high;
 }
 
-/// Place of the minimum of f in [low, high], which has one: golden section.
+/// Place of the minimum of f in [low, high], which has one: golden section, as far as f is not
+/// below `enough`.
 template <class Function>
-double lowest(Function&& f, double low, double high) {
+double lowest(Function&& f, double low, double high, double enough) {
   constexpr double kGolden = 0.61803398874989484820;
   double a = high - kGolden * (high - low);
   double b = low + kGolden * (high - low);
   double fa = f(a);
   double fb = f(b);
-  for (int i = 0; i < 60 && fa >= 0.0 && fb >= 0.0; ++i) {
+  for (int i = 0; i < 60 && fa >= enough && fb >= enough; ++i) {
     if (fa < fb) {
       high = b;
       b = a;
@@ -107,7 +110,7 @@ class Walk {
         sign_(sign),
         inverse_duration_(segment.increment.duration > 0.0 ? 1.0 / segment.increment.duration
                                                            : 0.0),
-        tolerance_(std::max(0.1 * tolerance, 1e-15)),
+        tolerance_(std::max(0.1 * tolerance, 1e-14)),
         fixed_(definition.stick.mode == StickStiffness::Mode::kStiffness),
         belt_(std::holds_alternative<Capstan>(definition.criterion)),
         wears_(depends_on_accumulated_slip(definition.internal_contact_force)),
@@ -121,6 +124,7 @@ class Walk {
 
   void run(const PlaneSlip& begin) noexcept {
     slip_at_ = begin;
+    scale_ = largest_limit(0.0, 1.0);
     settle_jump();
     double tau = 0.0;
     while (tau < 1.0) {
@@ -305,7 +309,8 @@ class Walk {
       const double b = to.force[c];
       if ((a < 0.0) != (b < 0.0)) candidate(a / (a - b));
     }
-    // What is found by asking: the first change between samples, by bisection.
+    // What is found by asking: the first change between samples, by bisection. So many are noise.
+    if (++breaks_ > 100) return next;
     constexpr std::array kSamples{0.25, 0.5, 0.75, 1.0 - 1e-9};
     const double width = next - tau;
     double low = tau + 1e-9 * width;
@@ -352,7 +357,7 @@ class Walk {
     const double middle = from + 0.5 * (to - from);
     const double typical = strength(middle);
     if (!(typical > 0.0)) return open(from);
-    if (regime_ != Regime::kOpen && !(strength(from) > kNoLimit * typical)) open(from);
+    if (regime_ != Regime::kOpen && !(strength(from) > kNoLimit * scale_)) open(from);
     if (regime_ == Regime::kOpen) slip_at_ = {};
     // Judged at five points: the piece is smooth.
     bool constant = fixed_ ? !wears_ : radius_rate_ == 0.0;
@@ -407,12 +412,18 @@ class Walk {
       };
       const double spent = constant_ && !wears_ && !by_rate_
                                ? limit(from, slip_).force * slip
-                               : integral(power, from, to, tolerance_ * limit(from, slip_).force * rest);
+                               : integral(power, from, to, tolerance_ * largest_limit(from, to) * rest);
       dissipation_ += spent;
       work_ += spent;
     }
     slip_ += slip;
     slip_at_ = on_radius(turned(onset, rest / r), r);
+  }
+
+  /// What errors of energies are measured by [F].
+  double largest_limit(double from, double to) noexcept {
+    return std::max(
+        {strength(from), strength(from + 0.5 * (to - from)), strength(to)});
   }
 
   /// Stick from `from` to `to` over the motion `travel`: s_el takes all of it.
@@ -428,19 +439,18 @@ class Walk {
       work_ += limit(from, slip_).force / definition_.stick.value * travel * (before + 0.5 * travel);
       return;
     }
-    const double a = limit(from, slip_).force;
     const auto power = [&](double tau) {
       return limit(tau, slip_).force / points_.stick(tau) *
              (before + length_ * (tau - from)) * length_;
     };
-    work_ += integral(power, from, to, tolerance_ * (a + limit(to, slip_).force) * travel);
+    work_ += integral(power, from, to, tolerance_ * largest_limit(from, to) * travel);
   }
 
   /// dR/dtau at tau in the smooth piece [from, to], wear held: differences, one-sided at its ends.
   double radius_rate(double tau, double slip, double from, double to) noexcept {
     if (!fixed_) return radius_rate_;
     if (constant_) return 0.0;
-    const double step = 1e-5 * (to - from);
+    const double step = kDifference * (to - from);
     if (tau - from < step) {
       return (4.0 * radius(tau + step, slip) - 3.0 * radius(tau, slip) -
               radius(tau + 2.0 * step, slip)) /
@@ -458,6 +468,7 @@ class Walk {
   void advance_varying(double from, double to) noexcept {
     double tau = from;
     bool must_slip = false;
+    bool must_stick = false;
     for (int phase = 0; tau < to; ++phase) {
       // Each phase ends at an event; so many cannot be in a smooth piece.
       if (phase > 60) {
@@ -470,14 +481,16 @@ class Walk {
         put_on(r);
         // Below the rounding of the difference quotients, growth is none.
         const double floor = 1e-10 * r / (to - from);
+        // What comes decides, not what was: the difference looks ahead.
         const double growth = length_ * half_angle(slip_at_).cosine_of_angle() -
-                              radius_rate(tau, slip_, from, to);
-        slips = slips || growth > floor;
+                              radius_rate(tau, slip_, tau, to);
+        slips = slips || (!must_stick && growth > floor);
       }
-      must_slip = false;
+      must_slip = must_stick = false;
       if (slips) {
         tau = slip_from(tau, from, to);
         if (regime_ == Regime::kOpen) return;
+        must_stick = true;
         continue;
       }
       const double end = stick_end(tau, to);
@@ -520,7 +533,7 @@ class Walk {
       }
       // A reserve that is smallest in between may pass below 0 and come back.
       if (i >= 2 && value[n - 1] < value[n] && value[n - 1] <= value[n - 2]) {
-        const double dip = lowest(reserve, time[n - 2], time[n]);
+        const double dip = lowest(reserve, time[n - 2], time[n], 0.0);
         if (reserve(dip) < 0.0 && value[n - 2] > 0.0) {
           return first_negative(reserve, time[n - 2], dip);
         }
@@ -553,10 +566,9 @@ class Walk {
     };
     const double middle = begin + 0.5 * (to - begin);
     const double size = std::max({before, radius(middle, slip_), radius(to, slip_)});
-    const double force = std::max({limit(begin, slip_).force, limit(middle, slip_).force,
-                                   limit(to, slip_).force});
+    const double force = largest_limit(begin, to);
     const double floor = 1e-10 * size / (to - from);
-    const double shortest = 1e-12 * (to - begin);
+    double shortest = 1e-12 * (to - begin);
 
     double tau = begin;
     State x{};
@@ -573,11 +585,13 @@ class Walk {
           std::max({angle.sine == 0.0 || angle.cosine == 0.0 ? 0.0 : std::abs(trial.error[0]) * turning,
                     std::abs(trial.error[1]), std::abs(trial.error[2]) / force,
                     std::abs(trial.error[3]) / force}) /
-          (tolerance_ * size);
+          (tolerance_ * size + 16.0 * kEpsilon * (x[1] + length_ * step));
       if (error > 1.0 && step > shortest) {
         step *= std::max(0.2, 0.9 * std::pow(error, -0.2));
         continue;
       }
+      // Where even that is not enough, as beside a limit that vanishes, it is not for long.
+      if (error > 1.0) shortest *= 2.0;
       State end = trial.end;
       double reached = next;
       if (growth(next, end) < -floor) {
@@ -591,6 +605,14 @@ class Walk {
         // It need not have grown at the begin, where it had to slip to stay inside.
         if (still_grows(tau + 1e-6 * step) >= 0.0) {
           reached = first_negative(still_grows, tau + 1e-6 * step, next);
+          // The differences see a corner of R from some way off; the slip itself is largest there.
+          const double about = 3.0 * kDifference * (to - from);
+          const auto lacking = [&](double t) {
+            const State at = t > tau ? runge_kutta_step(rates, tau, x, t - tau).end : x;
+            return -slip_for(t, sum + at[1], slip_);
+          };
+          reached = lowest(lacking, std::max(tau, reached - about), std::min(next, reached + about),
+                           -std::numeric_limits<double>::infinity());
           end = runge_kutta_step(rates, tau, x, reached - tau).end;
         } else {
           ends = false;
@@ -643,6 +665,8 @@ class Walk {
   double work_ = 0.0;
   double onset_ = 0.0;
   Regime regime_;
+  double scale_ = 0.0;  ///< of the limit [F]
+  int breaks_ = 0;
   bool converged_ = true;
   RegimeChanges* changes_;
 };

@@ -235,10 +235,13 @@ double meets_limit(const Potential& potential, const SlipVector& y0, const SlipV
 }
 
 /// Work over ds as in theory (13.2), with the limit surface of the potential.
+/// \param[out] onset the fraction of the increment before it is met
 double split_work(const Potential& potential, const SlipVector& y0, const SlipVector& trial,
-                  const SlipVector& y1, const SlipVector& ds, double limit) noexcept {
+                  const SlipVector& y1, const SlipVector& ds, double limit,
+                  double* onset) noexcept {
   const SlipVector rise = sum_of(trial, -1.0, y0);
   const double lambda = meets_limit(potential, y0, rise, limit);
+  *onset = lambda;
   const SlipVector split = sum_of(y0, lambda, rise);
   return 0.5 * (lambda * (dot(y0, ds) + dot(split, ds)) +
                 (1.0 - lambda) * (dot(split, ds) + dot(y1, ds)));
@@ -348,7 +351,7 @@ FrictionUpdate update_potential(const FrictionDefinition& definition,
                        : potential.homogeneous ? l.force * slip
                                                : std::max(slip * dot(y, m), 0.0);
   result.stored_energy = 0.5 * dot(y, s_elastic);
-  result.work = slips ? split_work(potential, old.force, y_trial, y, ds, l.force)
+  result.work = slips ? split_work(potential, old.force, y_trial, y, ds, l.force, &result.onset)
                       : 0.5 * (dot(old.force, ds) + dot(y, ds));
   result.phi = value(potential, y) - l.force;
   const double square = slips || dot(y, y) > 0.0 ? dot(m, m) : 0.0;
@@ -375,7 +378,7 @@ class Linearised {
     const double power = potential.exponent - 1.0;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       const PartReturn& part = parts_[i];
-      if (maximum_ || !(part.pull > 0.0) || !(part.stiffness > 0.0)) continue;
+      if (maximum_ || !(part.pull > 0.0)) continue;
       if (part.magnitude > 0.0) {
         hardening_[i] = part.stiffness * x * power * part.share / part.magnitude;
         given_[i] = 1.0 / (1.0 + hardening_[i]);
@@ -463,17 +466,16 @@ class Linearised {
     return std::max(projection_.lengths()[g] - leaf.factor * pull, 0.0);
   }
 
-  /// A leaf that is not loaded while others slip: its share (r/T)^(b-1) begins with the slope 0,
-  /// 1/T or without bound. A half line gives way to the other side, and nothing is said of it.
+  /// A leaf that is not loaded while others slip. Where its part is pulled it stays at 0; otherwise
+  /// its share (r/T)^(b-1) begins with the slope 0, 1/T or without bound. A half line gives way to
+  /// the other side, and nothing is said of it.
   void at_apex(const PotentialLeaf& leaf, const SlipVector& by_trial,
                SlipVector* y) const noexcept {
-    if (leaf.kind == PotentialLeaf::Kind::kHalfLine || maximum_ ||
-        potential_.offset[static_cast<std::size_t>(leaf.part)] > 0.0) {
-      return;
-    }
+    if (leaf.kind == PotentialLeaf::Kind::kHalfLine) return;
+    const auto part = static_cast<std::size_t>(leaf.part);
     const double power = potential_.exponent - 1.0;
-    const bool pulled = parts_[static_cast<std::size_t>(leaf.part)].pull > 0.0;
-    if (power > 1.0 && !pulled) return;
+    const bool pulled = parts_[part].pull > 0.0;
+    if (!pulled && (maximum_ || power > 1.0 || potential_.offset[part] > 0.0)) return;
     const double kept =
         power == 1.0 && !pulled ? 1.0 / (1.0 + leaf.factor * leaf.factor * x_ / limit_) : 0.0;
     const double along = dot(leaf.direction, by_trial);

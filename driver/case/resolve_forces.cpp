@@ -89,7 +89,7 @@ void read_forces(Binder& binder, const At<std::vector<At<Text>>>& list, const Ca
 bool lacks(Binder& binder, const law::TableFunction& table, law::IndependentKind kind,
            std::string_view column, const TableUse& use, const Node& node, const Path& path) {
   if (table.column_of(kind) >= 0) return false;
-  binder.error(node, path / "columns",
+  binder.error(*node.find("columns"), path / "columns",
                "the table of " + std::string(use.what) + " needs the column '" +
                    std::string(column) + "' after the force");
   return true;

@@ -55,10 +55,9 @@ std::string cell_text(const law::TableFunction& function, const law::Ambient& am
     if (at.place != Place::kInside) {
       const bool below = at.place == Place::kBelow;
       // The end of the block, whichever segment is prolonged.
-      text += fmt::format(" {} {}: {}", below ? "below" : "above",
-                          format_number(below ? at.lower : at.upper),
-                          held || at.lower == at.upper ? "clamped to the end value"
-                                                       : "extrapolated");
+      text += fmt::format(
+          " {} {}: {}", below ? "below" : "above", format_number(below ? at.lower : at.upper),
+          held || at.lower == at.upper ? "clamped to the end value" : "extrapolated");
     } else if (at.lower == at.upper) {
       text += " at the only point";
     } else {
@@ -71,12 +70,15 @@ std::string cell_text(const law::TableFunction& function, const law::Ambient& am
 }
 
 /// What the components of a term carry.
-const char* words(const law::DerivedTerm& term) {
+std::string words(const law::DerivedTerm& term) {
   law::ComponentSet set;
   for (int j = 0; j < term.count; ++j) set.insert(term.component[static_cast<std::size_t>(j)]);
-  if (set == law::ComponentSet::of(1)) return "force along axis 1";
+  if (set.size() == 1) {
+    const int c = term.component[0];
+    return law::is_rotation(c) ? fmt::format("moment about axis {}", c - 2)
+                               : fmt::format("force along axis {}", c + 1);
+  }
   if (set == law::ComponentSet::of(2, 3)) return "forces across axis 1";
-  if (set == law::ComponentSet::of(4)) return "moment about axis 1";
   if (set == law::ComponentSet::of(5, 6)) return "bending moments across axis 1";
   if ((set & law::ComponentSet::of(4, 5, 6)).empty()) return "constraint forces";
   if ((set & law::ComponentSet::of(1, 2, 3)).empty()) return "constraint moments";
@@ -95,8 +97,8 @@ std::string term_text(const law::DerivedTerm& term, const law::ConnectorForce& f
     const auto k = static_cast<std::size_t>(j);
     const double weight =
         term.weight_table ? term.weight_table->value(ambient, {}, j) : term.weight[k];
-    const std::string component = force_name(term.component[k]) + " " +
-                                  digits(force[term.component[k]]);
+    const std::string component =
+        force_name(term.component[k]) + " " + digits(force[term.component[k]]);
     const std::string entry = weight == 1.0 ? component : digits(weight) + " x " + component;
     switch (term.combine) {
       case law::TermOperator::kNorm:
@@ -134,9 +136,9 @@ std::vector<std::string> contact_lines(const law::ContactForce& contact,
     }
   } else if (const auto* joint = std::get_if<law::UniversalJointContact>(&contact)) {
     const law::UniversalJointTerms t = law::terms(*joint, force, increment.end.position);
-    lines.push_back(fmt::format("2 x (face {} + R_p {} x (radial {} + bending {}))   two hinges on axis {}",
-                                digits(t.face), digits(joint->R_p), digits(t.radial),
-                                digits(t.bending), joint->axis));
+    lines.push_back(fmt::format(
+        "2 x (face {} + R_p {} x (radial {} + bending {}))   two hinges on axis {}", digits(t.face),
+        digits(joint->R_p), digits(t.radial), digits(t.bending), joint->axis));
   }
   return lines;
 }
@@ -235,9 +237,8 @@ std::string limit_text(const law::FrictionDefinition& definition,
   if (const auto* belt = std::get_if<law::Capstan>(&definition.criterion)) {
     const bool forward = !(update.direction[0] < 0.0);
     const double mu_alpha = update.mu * belt->wrap_angle;
-    value = update.normal_force *
-            law::capstan_limit(mu_alpha,
-                               forward ? law::FlowSense::kForward : law::FlowSense::kBackward);
+    value = update.normal_force * law::capstan_limit(mu_alpha, forward ? law::FlowSense::kForward
+                                                                       : law::FlowSense::kBackward);
     const std::string exponent =
         fmt::format("mu {} x alpha {}", digits(update.mu), digits(belt->wrap_angle));
     product = "T " + digits(update.normal_force) +
@@ -262,10 +263,9 @@ void append_events(std::string& text, const Instant& instant, std::size_t d,
   const std::string now = regime_name(instant.row.definitions[d].update.state.regime);
   const std::string doing = now == "open" ? "open" : (now == "slip" ? "slipping" : "sticking");
   const std::deque<Event>& before = instant.before[d];
-  text += before.empty()
-              ? "  " + doing + " since the start\n"
-              : fmt::format("  {} since t = {}\n", doing,
-                            with_unit(digits(before.back().time), time_unit));
+  text += before.empty() ? "  " + doing + " since the start\n"
+                         : fmt::format("  {} since t = {}\n", doing,
+                                       with_unit(digits(before.back().time), time_unit));
   for (const Event& event : before) text += "    before: " + one(event) + "\n";
   for (const Event& event : instant.after[d]) text += "    next:   " + one(event) + "\n";
   if (instant.after[d].empty()) text += "    next:   none until the end of the history\n";
@@ -278,11 +278,9 @@ std::string definition_text(const Case& problem, const Instant& instant, std::si
   const law::Regime regime = update.state.regime;
   const std::string unit = force_unit(definition, problem);
   const bool belt = std::holds_alternative<law::Capstan>(definition.criterion);
-  std::string text = fmt::format("{}{}   {}\n", problem.definitions.size() > 1
-                                                    ? "'" + problem.definitions[d].name + "' "
-                                                    : "",
-                                 regime_name(regime),
-                                 forces_text(problem, definition, update.state));
+  std::string text = fmt::format(
+      "{}{}   {}\n", problem.definitions.size() > 1 ? "'" + problem.definitions[d].name + "' " : "",
+      regime_name(regime), forces_text(problem, definition, update.state));
   const auto [p, how] = magnitude(definition, update.state);
   text += fmt::format("  P {} = {}\n", with_unit(digits(p), unit), how);
   // Rounding of a force that was put on its limit is no distance.
@@ -295,8 +293,7 @@ std::string definition_text(const Case& problem, const Instant& instant, std::si
   if (regime == law::Regime::kOpen) text += "   nothing to hold on to";
   text += "\n  " + coefficient_text(definition, update, increment.end) + "\n";
 
-  const double contact =
-      law::evaluate(definition.contact_force, increment.force, increment.end);
+  const double contact = law::evaluate(definition.contact_force, increment.force, increment.end);
   if (belt) {
     text += fmt::format("  F_N {} = tension T before the ring{}\n",
                         with_unit(digits(update.normal_force), unit),
@@ -305,8 +302,7 @@ std::string definition_text(const Case& problem, const Instant& instant, std::si
                         with_unit(digits(law::tension_behind(update)), unit));
   } else {
     const bool at_end = definition.accumulated_slip == law::AccumulatedSlipTiming::kEnd;
-    const double slip =
-        update.state.accumulated_slip - (at_end ? 0.0 : update.slip_increment);
+    const double slip = update.state.accumulated_slip - (at_end ? 0.0 : update.slip_increment);
     const double internal =
         law::evaluate(definition.internal_contact_force, increment.end, slip).value;
     text += fmt::format("  F_N {} = abs(contact {} + internal {})\n",
@@ -337,9 +333,9 @@ std::string definition_text(const Case& problem, const Instant& instant, std::si
       const double n = length > 0.0 ? update.direction[i] / length : 0.0;
       const double scale = definition.slip.scale[i];
       numbers += (numbers.empty() ? "" : ", ") + digits(n);
-      names += fmt::format("{}{}{}", names.empty() ? "" : ", ",
-                           scale == 1.0 ? "" : digits(scale) + " ",
-                           motion_name(definition.slip.component[i]));
+      names +=
+          fmt::format("{}{}{}", names.empty() ? "" : ", ", scale == 1.0 ? "" : digits(scale) + " ",
+                      motion_name(definition.slip.component[i]));
     }
     text += fmt::format("  slip direction ({}) in ({}); slip rate {}\n", numbers, names,
                         digits(update.slip_rate));
@@ -395,10 +391,9 @@ tl::expected<Instant, ExplainFailure> find(const Case& problem, double time) {
   instant.to_the_end = true;
   if (found) return instant;
   return tl::unexpected(ExplainFailure{
-      kExitBadInput,
-      fmt::format("slipbench: error: --explain {}: {} runs from t = {} to t = {}\n",
-                  format_number(time), case_stem(problem), format_number(start_time),
-                  format_number(instant.end_time))});
+      kExitBadInput, fmt::format("slipbench: error: --explain {}: {} runs from t = {} to t = {}\n",
+                                 format_number(time), case_stem(problem), format_number(start_time),
+                                 format_number(instant.end_time))});
 }
 
 }  // namespace
@@ -408,10 +403,10 @@ tl::expected<std::string, ExplainFailure> explain(const Case& problem, double ti
   if (!instant) return tl::unexpected(std::move(instant.error()));
   const Row& row = instant->row;
   const std::string& unit = problem.units.time;
-  std::string where =
-      row.index == 0 ? "the start"
-                     : fmt::format("increment {}, from t = {}", row.index,
-                                   with_unit(format_number(row.time - row.duration), unit));
+  std::string where = row.index == 0
+                          ? "the start"
+                          : fmt::format("increment {}, from t = {}", row.index,
+                                        with_unit(format_number(row.time - row.duration), unit));
   if (!problem.steps.empty()) {
     const Step& step = problem.steps[static_cast<std::size_t>(row.step)];
     where += fmt::format(", step '{}'", step.name);

@@ -31,8 +31,8 @@ double asymmetry(const Square& part, double size) {
   return size > 0.0 ? (part - part.transpose()).norm() / size : 0.0;
 }
 
-constexpr std::string_view kColumns[] = {"asymmetry",       "by_position",     "by_rate",
-                                         "force_coupling",  "snap_back",       "unique_increment",
+constexpr std::string_view kColumns[] = {"asymmetry",        "by_position",      "by_rate",
+                                         "force_coupling",   "snap_back",        "unique_increment",
                                          "smooth_increment", "several_solutions"};
 
 }  // namespace
@@ -56,8 +56,7 @@ SolverDemand solver_demand(const law::FrictionDefinition& definition,
     tangent.col(ci) /= slip.scale[a];
     for (int j = 0; j < slip.dimension && !potential; ++j) {
       const auto b = static_cast<std::size_t>(j);
-      rate(ci, slip.component[b]) =
-          t.rate * update.direction[a] * update.motion_direction[b];
+      rate(ci, slip.component[b]) = t.rate * update.direction[a] * update.motion_direction[b];
     }
   }
   demand.asymmetry = asymmetry(tangent, tangent.norm());
@@ -75,10 +74,9 @@ SolverDemand solver_demand(const law::FrictionDefinition& definition,
   // What is left of the asymmetry comes with the position. A potential mixes the two; it has the
   // position in it or not.
   const auto* internal = std::get_if<law::TableFunction>(&definition.internal_contact_force);
-  const bool moves =
-      (internal != nullptr && internal->depends_on_motion()) ||
-      std::any_of(to_position.values.begin(), to_position.values.end(),
-                  [](double slope) { return slope != 0.0; });
+  const bool moves = (internal != nullptr && internal->depends_on_motion()) ||
+                     std::any_of(to_position.values.begin(), to_position.values.end(),
+                                 [](double slope) { return slope != 0.0; });
   demand.by_rate = asymmetry(potential && !moves ? tangent : rate, stick);
   demand.by_position = moves ? asymmetry(tangent - rate, stick) : 0.0;
 
@@ -146,10 +144,9 @@ void SolverReport::add(const Simulation& simulation) {
     if (here.update.multiple_roots) ++worst.several;
     if (worst.shortest == 0.0 || row.duration < worst.shortest) worst.shortest = row.duration;
     if (text != nullptr) {
-      for (const double number :
-           {demand.asymmetry, demand.by_position, demand.by_rate, demand.force_coupling,
-            demand.snap_back, here.thresholds.unique, here.thresholds.smooth,
-            here.update.multiple_roots ? 1.0 : 0.0}) {
+      for (const double number : {demand.asymmetry, demand.by_position, demand.by_rate,
+                                  demand.force_coupling, demand.snap_back, here.thresholds.unique,
+                                  here.thresholds.smooth, here.update.multiple_roots ? 1.0 : 0.0}) {
         *text += ',';
         append_number(*text, number);
       }
@@ -169,10 +166,9 @@ std::string SolverReport::definition_text(const Worst& worst, std::size_t index)
   std::string text = case_->definitions.size() > 1
                          ? "  solver, '" + case_->definitions[index].name + "': "
                          : "  solver: ";
-  text += demand.asymmetry > kNoise
-              ? fmt::format("tangent unsymmetric by up to {:.3g}{}", demand.asymmetry,
-                            at(worst.asymmetry_time))
-              : std::string("tangent to the motion symmetric");
+  text += demand.asymmetry > kNoise ? fmt::format("tangent unsymmetric by up to {:.3g}{}",
+                                                  demand.asymmetry, at(worst.asymmetry_time))
+                                    : std::string("tangent to the motion symmetric");
   if (demand.force_coupling > kNoise) {
     text += fmt::format(", limit follows the contact force by up to {:.3g}{}",
                         demand.force_coupling, at(worst.coupling_time));
@@ -180,10 +176,11 @@ std::string SolverReport::definition_text(const Worst& worst, std::size_t index)
   text += "\n    ";
   text += worst.several == 0 && worst.unique == 0.0 ? std::string("one answer for any increment")
           : worst.unique > 0.0
-              ? fmt::format("increments longer than {} have one answer; the shortest is {}, {} of "
-                            "{} are below their bound",
-                            with_unit(rounded(worst.unique), unit),
-                            with_unit(rounded(worst.shortest), unit), worst.below, increments_)
+              ? fmt::format(
+                    "increments longer than {} have one answer; the shortest is {}, {} of "
+                    "{} are below their bound",
+                    with_unit(rounded(worst.unique), unit),
+                    with_unit(rounded(worst.shortest), unit), worst.below, increments_)
               : fmt::format("no bound that makes the answer unique");
   if (worst.several > 0) text += fmt::format(", {} may have several", worst.several);
   if (demand.snap_back > 0.0) {
@@ -195,7 +192,8 @@ std::string SolverReport::definition_text(const Worst& worst, std::size_t index)
 
   std::string reasons;
   const auto because = [&](double size, const char* what) {
-    if (size > kNoise) reasons += (reasons.empty() ? "" : ", ") + fmt::format("{} {:.2g}", what, size);
+    if (size > kNoise)
+      reasons += (reasons.empty() ? "" : ", ") + fmt::format("{} {:.2g}", what, size);
   };
   because(demand.force_coupling, "the contact force follows the constraint forces");
   because(demand.by_position, "the contact force follows the position");
@@ -204,8 +202,10 @@ std::string SolverReport::definition_text(const Worst& worst, std::size_t index)
   if (most <= kNoise) {
     text += "an implicit solver needs no unsymmetric scheme";
   } else if (most < kWanted * (1.0 - kNoise)) {
-    text += "an implicit solver can do without its unsymmetric scheme, at the price of some "
-            "iterations: " + reasons;
+    text +=
+        "an implicit solver can do without its unsymmetric scheme, at the price of some "
+        "iterations: " +
+        reasons;
   } else {
     text += "an implicit solver will want its unsymmetric scheme: " + reasons;
   }

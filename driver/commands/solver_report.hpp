@@ -14,7 +14,7 @@ namespace slipbench::driver {
 /// What an implicit solver would meet in one definition over one increment. The tangents are taken
 /// in the scaled slip space, so that forces and moments compare.
 struct SolverDemand {
-  double asymmetry = 0.0;       ///< |K - K^T|/|K| of K = dy/ds, Frobenius norms [1]
+  double asymmetry = 0.0;  ///< |K - K^T|/|K| of K = dy/ds, Frobenius norms [1]
   /// |K - K^T| over the norm of the stick stiffness, which K is small against in steady slip: the
   /// part from a contact force that depends on the position, and
   double by_position = 0.0;
@@ -45,9 +45,9 @@ class SolverReport {
     double asymmetry_time = 0.0;
     double coupling_time = 0.0;
     double snap_back_time = 0.0;
-    double unique = 0.0;      ///< longer increments have one solution [T]
-    double shortest = 0.0;    ///< increment [T]
-    std::int64_t below = 0;   ///< increments shorter than their own `unique`
+    double unique = 0.0;       ///< longer increments have one solution [T]
+    double shortest = 0.0;     ///< increment [T]
+    std::int64_t below = 0;    ///< increments shorter than their own `unique`
     std::int64_t several = 0;  ///< increments that may have several solutions
   };
   std::string definition_text(const Worst& worst, std::size_t index) const;

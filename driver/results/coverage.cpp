@@ -173,8 +173,8 @@ std::string Coverage::text(std::size_t most_lines) const {
       continue;
     }
     ++lines;
-    std::string line = fmt::format("  table '{}' of '{}':", table.what,
-                                   case_->definitions[table.definition].name);
+    std::string line =
+        fmt::format("  table '{}' of '{}':", table.what, case_->definitions[table.definition].name);
     if (!table.visits.empty()) {
       line += fmt::format(" {} of {} cell{} used", table.visits.size() - unvisited,
                           table.visits.size(), table.visits.size() == 1 ? "" : "s");

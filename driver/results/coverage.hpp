@@ -28,7 +28,8 @@ struct TableCoverage {
   };
 
   std::size_t definition = 0;
-  std::string what;  ///< "coefficient", "internal_contact_force", "weights"; with its step if changed
+  std::string
+      what;  ///< "coefficient", "internal_contact_force", "weights"; with its step if changed
   law::Extrapolation extrapolation = law::Extrapolation::kConstant;
   std::vector<Axis> axes;            ///< in the order of the table's independents
   std::vector<std::int64_t> visits;  ///< increments in each cell; empty for a table too large

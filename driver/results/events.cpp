@@ -39,9 +39,8 @@ std::span<const Event> EventDetector::take(const Row& row) {
     if (memory.regime == law::Regime::kSlip) memory.slip_direction = here.update.direction;
   }
   for (Event& event : events_) {
-    event.time = event.fraction == 1.0
-                     ? row.time
-                     : begin_time_ + event.fraction * (row.time - begin_time_);
+    event.time =
+        event.fraction == 1.0 ? row.time : begin_time_ + event.fraction * (row.time - begin_time_);
   }
   begin_time_ = row.time;
   if (events_.size() > 1) {
@@ -71,8 +70,9 @@ void EventDetector::judge(const Row& row, std::size_t definition) {
   const bool slips = to == law::Regime::kSlip;
   const bool reversal = slips && turns(definition, here);
   if (memory.regime == to && !reversal) return;
-  Event event{0.0,      0.0, definition, memory.regime, to,
-              reversal, 0.0, 0.0,        update.state.accumulated_slip - update.slip_increment};
+  Event event{0.0,           0.0, definition,
+              memory.regime, to,  reversal,
+              0.0,           0.0, update.state.accumulated_slip - update.slip_increment};
   if (slips || to == law::Regime::kOpen) {
     event.fraction = slips ? update.onset : 1.0;
     event.force = representative_force(case_->definitions[definition], here);
@@ -88,9 +88,9 @@ void EventDetector::judge(const Row& row, std::size_t definition) {
 void EventDetector::add_located(const Row& row, std::size_t definition) {
   const DefinitionRow& here = row.definitions[definition];
   Memory& memory = memory_[definition];
-  const bool signed_force =
-      !case_->definitions[definition].coupled && here.update.state.regime != law::Regime::kOpen &&
-      case_->definitions[definition].law.slip.dimension == 1;
+  const bool signed_force = !case_->definitions[definition].coupled &&
+                            here.update.state.regime != law::Regime::kOpen &&
+                            case_->definitions[definition].law.slip.dimension == 1;
   law::Regime from = memory.regime;
   for (int i = 0; i < here.changes.count; ++i) {
     const law::RegimeChange& change = here.changes.at[static_cast<std::size_t>(i)];

@@ -29,7 +29,8 @@ double position_at(const Event& event, const Row& row, int component);
 
 /// Finds the events of a run, row by row. Where the integration has located them, they are its own.
 /// Otherwise the increment is judged by its ends:
-///   - slip begins where the trial force meets the limit (FrictionUpdate::onset), with the force and
+///   - slip begins where the trial force meets the limit (FrictionUpdate::onset), with the force
+///   and
 ///     the limit of the increment's end;
 ///   - stick begins where the increment begins that ends in stick, with the force and limit there:
 ///     exact for a motion that turns at a breakpoint, late or early by at most an increment else;

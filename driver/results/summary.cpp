@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "driver/results/csv_writer.hpp"
 #include "law/uniqueness.hpp"
@@ -55,6 +56,7 @@ Summary::Summary(const Case& problem)
       detector_(problem),
       cycles_(problem),
       coverage_(problem),
+      since_(problem.definitions.size()),
       stick_start_(problem.definitions.size()) {
   for (Column& column : result_columns(problem)) {
     if (column.source == ColumnSource::kPosition && column.name.starts_with("CP")) {
@@ -80,7 +82,7 @@ void Summary::add(const Row& row) {
     DefinitionSummary& sum = definitions_[d];
     add_creep(here, d);
     if (update.state.regime == law::Regime::kSlip) {
-      sum.slip_time += row.duration;
+      sum.slip_time += (1.0 - since_[d]) * row.duration;
     } else if (update.state.regime == law::Regime::kOpen) {
       sum.open_time += row.duration;
     }
@@ -109,8 +111,14 @@ void Summary::add(const Row& row) {
 }
 
 void Summary::add_events(const Row& row) {
+  std::fill(since_.begin(), since_.end(), 0.0);
   for (const Event& event : detector_.take(row)) {
     DefinitionSummary& sum = definitions_[event.definition];
+    const double before = std::exchange(since_[event.definition], event.fraction);
+    // Slip that turns to the opposite sense has stuck on the way.
+    if (event.from == law::Regime::kSlip && event.to != law::Regime::kSlip) {
+      sum.slip_time += (event.fraction - before) * row.duration;
+    }
     if (event.reversal) ++sum.reversals;
     if (event.to != law::Regime::kSlip || event.from == law::Regime::kSlip) continue;
     ++sum.events;
@@ -196,10 +204,9 @@ std::string Summary::why_text(const DefinitionSummary& sum, std::size_t index) c
   }
   const CycleEnergy& cycle = cycles_.energies()[index];
   if (cycle.count > 0 && cycle.highest > 0.0) {
-    text += fmt::format(
-        "{}dissipates {} in the last of {} cycle{}", text.empty() ? "" : ", ",
-        with_unit(rounded(cycle.last, 3), energy_unit(case_->units)), cycle.count,
-        plural(cycle.count));
+    text += fmt::format("{}dissipates {} in the last of {} cycle{}", text.empty() ? "" : ", ",
+                        with_unit(rounded(cycle.last, 3), energy_unit(case_->units)), cycle.count,
+                        plural(cycle.count));
   }
   return text.empty() ? text : "  " + name + text + "\n";
 }
@@ -309,8 +316,8 @@ json::Value Summary::to_json() const {
       cycles["count"] = energy.count;
       cycles["dissipation_first"] = energy.first;
       cycles["dissipation_last"] = energy.last;
-      cycles["change_of_last"] = energy.count > 1 ? json::Value(energy.last - energy.before_last)
-                                                  : json::Value(nullptr);
+      cycles["change_of_last"] =
+          energy.count > 1 ? json::Value(energy.last - energy.before_last) : json::Value(nullptr);
       cycles["dissipation_lowest"] = energy.lowest;
       cycles["dissipation_highest"] = energy.highest;
       one["cycles"] = cycles;

@@ -21,10 +21,10 @@ namespace slipbench::driver {
 /// What one friction definition did over a run.
 struct DefinitionSummary {
   std::string name;
-  double slip_time = 0.0;         ///< total length of the increments that ended in slip [T]
-  double open_time = 0.0;         ///< likewise without contact [T]
-  std::int64_t events = 0;        ///< how often stick (or no contact) turned into slip
-  std::int64_t reversals = 0;     ///< slips against the sense of the slip before
+  double slip_time = 0.0;      ///< between the events that begin and end slip [T]
+  double open_time = 0.0;      ///< likewise without contact [T]
+  std::int64_t events = 0;     ///< how often stick (or no contact) turned into slip
+  std::int64_t reversals = 0;  ///< slips against the sense of the slip before
   std::optional<Event> first_slip;
   std::vector<double> first_place;  ///< the free positions there, as in the result columns
   /// The largest |s_el| of an increment that ended in stick [L].
@@ -32,12 +32,12 @@ struct DefinitionSummary {
   /// The farthest the elastic slip went within one time of stick [L]: what creeps although it
   /// sticks, where rigid friction would not move at all.
   double largest_creep = 0.0;
-  double lowest_force = 0.0;      ///< of representative_force [F]
+  double lowest_force = 0.0;  ///< of representative_force [F]
   double highest_force = 0.0;
-  double accumulated_slip = 0.0;  ///< [L]
-  double dissipation = 0.0;       ///< [F L]
-  double stored_energy = 0.0;     ///< at the end [F L]
-  double work = 0.0;              ///< [F L]
+  double accumulated_slip = 0.0;      ///< [L]
+  double dissipation = 0.0;           ///< [F L]
+  double stored_energy = 0.0;         ///< at the end [F L]
+  double work = 0.0;                  ///< [F L]
   std::int64_t multiple_roots = 0;    ///< increments that may have more than one solution
   std::int64_t short_increments = 0;  ///< increments in which backward Euler may not settle
   /// Of the increment that is shortest against the smooth threshold.
@@ -83,6 +83,7 @@ class Summary {
   EventDetector detector_;
   CycleCounter cycles_;
   Coverage coverage_;
+  std::vector<double> since_;  ///< fraction of the increment at the last event in it
   std::vector<law::FrictionState> stick_start_;  ///< where the current stick began
   std::int64_t increments_ = 0;
   double start_time_ = 0.0;

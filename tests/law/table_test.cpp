@@ -44,6 +44,45 @@ TEST_CASE("a table of two independents interpolates inside blocks, then between 
   CHECK(at(table, {0.25, -40}) == Approx(90).epsilon(1e-15));
 }
 
+TEST_CASE("the cell of a point says between which grid points its value lies") {
+  using Place = slipbench::law::TableInterval::Place;
+  const Table table = press_fit();
+  const std::array<double, 2> inside = {2.5, 70};
+  const slipbench::law::TableCell cell = table.cell(inside);
+  CHECK(cell.independents == 2);
+  CHECK(cell.along[0].lower == 1);
+  CHECK(cell.along[0].upper == 4);
+  CHECK(cell.along[0].fraction == 0.5);
+  CHECK(cell.along[1].lower == 20);
+  CHECK(cell.along[1].upper == 120);
+  CHECK(cell.along[1].fraction == 0.5);
+  CHECK(cell.along[1].place == Place::kInside);
+  CHECK_FALSE(cell.ragged);
+
+  const std::array<double, 2> outside = {10, -40};
+  const slipbench::law::TableCell held = table.cell(outside);
+  CHECK(held.along[0].place == Place::kAbove);
+  CHECK(held.along[0].fraction == 1.0);
+  CHECK(held.along[1].place == Place::kBelow);
+  CHECK(held.along[1].fraction == 0.0);
+
+  const Table prolonged = make_table({{1, 0}, {2, 1}, {4, 2}}, 1, 1, Extrapolation::kLinear);
+  const std::array<double, 1> beyond = {3.0};
+  CHECK(prolonged.cell(beyond).along[0].place == Place::kAbove);
+  CHECK(prolonged.cell(beyond).along[0].fraction == 2.0);
+  CHECK(prolonged.cell(beyond).along[0].upper == 2.0);
+}
+
+TEST_CASE("a cell between blocks of different grids is that of the nearer one, and says so") {
+  const Table table = make_table({{1, 0, 0}, {2, 10, 0}, {1, 0, 1}, {2, 4, 1}, {3, 10, 1}}, 1, 2);
+  const std::array<double, 2> near_second = {3.0, 0.75};
+  CHECK(table.cell(near_second).ragged);
+  CHECK(table.cell(near_second).along[0].upper == 4.0);
+  const std::array<double, 2> on_first = {3.0, 0.0};
+  CHECK_FALSE(table.cell(on_first).ragged);
+  CHECK(table.cell(on_first).along[0].upper == 10.0);
+}
+
 TEST_CASE("a table is exact at its grid points") {
   const Table table = press_fit();
   for (const auto& row : Rows{{100, 0, 20}, {60, 1, 20}, {40, 4, 20}, {50, 1, 120}, {30, 4, 120}}) {

@@ -86,7 +86,7 @@ TEST_CASE("run writes three files and tells what happened") {
   INFO(ended.output);
   CHECK(ended.code == 0);
   CHECK(contains(ended.output, "slider: 10 increments, "));
-  CHECK(contains(ended.output, "first slip at t = 0.3 s (CP1 = 0.03 mm) at 20.0 N"));
+  CHECK(contains(ended.output, "first slip at t = 0.2 s (CP1 = 0.02 mm) at 20.0 N"));
   CHECK(contains(ended.output, "  PASS  check 'force': worst "));
   CHECK(contains(ended.output, "  slider.csv  slider.events.csv  slider.json\n"));
   CHECK(file_count(folder.path()) == 4);
@@ -171,7 +171,33 @@ TEST_CASE("a numerical failure is exit code 3, names the place and leaves no res
   INFO(ended.output);
   CHECK(ended.code == 3);
   CHECK(contains(ended.output, "slider.yaml: numerical failure: step 'slide', t = 0.1"));
-  CHECK(file_count(folder.path()) == 1);
+  CHECK(contains(ended.output, "a case that fails the same way: slider.failed.yaml"));
+  CHECK(file_count(folder.path()) == 2);
+}
+
+TEST_CASE("a load that nothing holds is exit code 3, and the case left behind fails the same way") {
+  const TemporaryFolder folder;
+  std::string text = kSlider;
+  text.replace(text.find("motion: {CP1: {to: 0.1}}, force: {f2: 100}"), 42,
+               "force: {f1: {to: 50}, f2: 100}}\n  - {step: later, increments: 3");
+  folder.write("slider.yaml", text);
+  const Ended ended = slipbench(folder, "run slider.yaml --set mu=0.3");
+  INFO(ended.output);
+  CHECK(ended.code == 3);
+  const std::string message =
+      "numerical failure: step 'slide', t = 0.6 (total time 0.6): no static solution: component 1 "
+      "is loaded with f1 = 30.0";
+  CHECK(contains(ended.output, "slider.yaml: " + message));
+  CHECK(contains(ended.output, "but only 30 can hold against it"));
+  REQUIRE(file_count(folder.path()) == 2);
+  const std::string left = read(folder.path() / "slider.failed.yaml");
+  CHECK(contains(left, "parameters: {mu: 0.3}\n"));
+  CHECK_FALSE(contains(left, "checks"));
+  CHECK_FALSE(contains(left, "later"));
+  const Ended again = slipbench(folder, "run slider.failed.yaml --no-output");
+  CHECK(again.code == 3);
+  CHECK(contains(again.output, "slider.failed.yaml: " + message));
+  CHECK(file_count(folder.path()) == 2);
 }
 
 TEST_CASE("check searches folders, skips bad ones, and does not depend on the threads") {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "driver/results/csv_writer.hpp"
+#include "driver/results/events.hpp"
 #include "driver/results/output_file.hpp"
 #include "tests/driver/history/temporary_folder.hpp"
 #include "tests/driver/simulation/example_cases.hpp"
@@ -155,14 +156,14 @@ TEST_CASE("events are the changes of regime, the first slip included") {
   complete(*file);
   std::string text = read(folder.path() / "a.csv");
   text.erase(0, text.find("\nt,") + 1);
-  // Out: 0.025 mm is past the elastic slip. Back: 0.025 mm unload 25 N, the next 25 N reach -20 N.
+  // Out: slip from 0.02 mm on. Back: from the turn at t = 1 it sticks over 0.04 mm of 0.2 mm.
   CHECK(text.find("t,definition,from,to,force,limit,accumulated_slip,CP1\n"
-                  "0.25,sleeve,stick,slip,20,20,") == 0);
+                  "0.2,sleeve,stick,slip,20,20,0,0.02") == 0);
+  CHECK(text.find("\n1,sleeve,slip,stick,20,20,0.08,0.1\n1.2") != std::string::npos);
   std::size_t lines = 0;
   for (const char c : text) lines += c == '\n' ? 1 : 0;
   CHECK(lines == 4);
-  CHECK(text.find("1.125,sleeve,slip,stick,") != std::string::npos);
-  CHECK(text.find("1.25,sleeve,stick,slip,-20,20,") != std::string::npos);
+  CHECK(text.find(",sleeve,stick,slip,-20,20,0.08") != std::string::npos);
 }
 
 }  // namespace

@@ -2,8 +2,12 @@
 #include "driver/results/summary.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
 
 #include "tests/driver/simulation/example_cases.hpp"
+#include "tests/support/dice.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -24,10 +28,53 @@ TEST_CASE("the summary says what happened, in the case's units") {
   CHECK(summary.definitions()[0].dissipation == Approx(2.8));
   CHECK(summary.definitions()[0].energy_gap() == Approx(0.0).margin(1e-14));
   const std::string text = summary.text();
-  CHECK(
-      text.find("  slips 70 % of the time, 2 stick-slip events, first slip at t = 0.25 s "
-                "(CP1 = 0.025 mm) at 20.0 N\n  friction force -20.0 .. 20.0 N, dissipated 2.8 mJ, "
-                "stored 0.2 mJ, energy balance ") == 0);
+  CHECK(text.find("  slips 70 % of the time, 2 stick-slip events and 1 reversal, first slip at "
+                  "t = 0.2 s (CP1 = 0.02 mm) at 20.0 N\n  friction force -20.0 .. 20.0 N, "
+                  "dissipated 2.8 mJ, "
+                  "stored 0.2 mJ, energy balance ") == 0);
+}
+
+TEST_CASE("the summary tells how far it creeps while it sticks, and the energy of a cycle") {
+  // One increment a half cycle: the stick on the way back is within it.
+  const int increments = GENERATE(4, 400);
+  const Wave triangle{WaveShape::kTriangle, 0.1, 1.0, 0.0, 0.0};
+  const Case problem = slider_case({step("cycle", increments, 0, triangle, 2.0)});
+  const Summary summary = summary_of(problem);
+  const DefinitionSummary& sum = summary.definitions()[0];
+  // From -0.02 to 0.02 mm of elastic slip.
+  CHECK(sum.largest_creep == Approx(0.04).epsilon(1e-12));
+  CHECK(sum.reversals == 4);
+  if (increments == 400) {
+    CHECK(sum.largest_elastic_slip == Approx(0.02).epsilon(0.05));
+  }
+  CHECK(summary.text().find("  creeps up to 0.04 mm while it sticks, dissipates 6.4 mJ in the last "
+                            "of 2 cycles\n") != std::string::npos);
+  const std::string json = summary.to_json().dump();
+  CHECK(json.find("\"reversals\": 4") != std::string::npos);
+  CHECK(json.find("\"found_by\": \"period of the waves\", \"count\": 2") != std::string::npos);
+}
+
+TEST_CASE("in one dimension at a constant limit nothing of the external work is lost") {
+  // Random paths, increments that fit nothing; what is left is the rounding of their sums.
+  test::Dice dice(20240917);
+  for (int path = 0; path < 40; ++path) {
+    std::vector<Step> steps;
+    for (int s = 0; s < 6; ++s) {
+      steps.push_back(step(std::to_string(s), 1 + dice.pick(60), 0,
+                           s % 2 == 0 ? Profile(LinearTo{dice.between(-0.3, 0.3)})
+                                      : Profile(SmoothTo{dice.between(-0.3, 0.3)})));
+    }
+    Case problem = slider_case(std::move(steps));
+    if (path % 2 == 0) {
+      problem.definitions[0].law.stick = {law::StickStiffness::Mode::kElasticSlip,
+                                          dice.between(0.001, 0.1)};
+    } else {
+      problem.definitions[0].law.stick.value = dice.between(100.0, 1e5);
+    }
+    const Summary summary = summary_of(problem);
+    INFO("path " << path);
+    CHECK(std::abs(summary.definitions()[0].energy_gap()) <= 1e-10);
+  }
 }
 
 TEST_CASE("a slider that never slips says so") {

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/results/coverage.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "tests/driver/simulation/example_cases.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+law::TableFunction table_of(const std::vector<std::vector<double>>& rows,
+                            std::vector<law::Independent> independents) {
+  law::Table table;
+  law::TableError error;
+  const int count = static_cast<int>(independents.size());
+  REQUIRE(law::Table::build(rows, 1, count, law::Extrapolation::kConstant, &table, &error));
+  return {table, std::move(independents)};
+}
+
+/// mu over temperature 0 .. 10 .. 30 and field1 0 .. 1; a run from 5 to 45 degrees in 8 increments
+/// at field1 = 0.5.
+Case warming_case() {
+  Case problem = slider_case({step("warm", 8, kTemperatureQuantity, LinearTo{45.0})});
+  problem.definitions[0].law.law = law::TabularCoefficient{
+      table_of({{0.3, 0, 0}, {0.2, 10, 0}, {0.1, 30, 0}, {0.3, 0, 1}, {0.2, 10, 1}, {0.1, 30, 1}},
+               {{law::IndependentKind::kTemperature}, {law::IndependentKind::kField}})};
+  problem.steps[0].drives.push_back({kFirstField, Constant{0.5}});
+  Step first = step("start", 1, kTemperatureQuantity, Constant{5.0});
+  problem.steps.insert(problem.steps.begin(), first);
+  problem.steps[0].drives.push_back({kFirstField, Constant{2.0}});
+  return problem;
+}
+
+Coverage coverage_of(const Case& problem) {
+  Coverage coverage(problem);
+  for (const Row& row : rows_of(problem)) coverage.add(row);
+  return coverage;
+}
+
+TEST_CASE("the cells of a table are counted, those outside for themselves") {
+  const Case problem = warming_case();
+  const Coverage coverage = coverage_of(problem);
+  REQUIRE(coverage.tables().size() == 1);
+  const TableCoverage& table = coverage.tables()[0];
+  // Step 'start': field1 = 2 is above. 'warm': 10 (right-hand cell), 15, 20, 25, 30 (its end), then
+  // 35, 40, 45 above.
+  CHECK(table.increments == 9);
+  CHECK(table.visits == std::vector<std::int64_t>{0, 5});
+  CHECK(table.outside == 4);
+  CHECK(table.axes[0].above == 3);
+  CHECK(table.axes[0].below == 0);
+  CHECK(table.axes[1].above == 1);
+  CHECK(table.unvisited() == 1);
+  CHECK(table.cell_text(0) == "temperature 0 .. 10, field1 0 .. 1");
+  CHECK(coverage.text() ==
+        "  table 'coefficient' of 'sleeve': 1 of 2 cells used, outside in 4 of 9 increments "
+        "(temperature above 30, field1 above 1), where the end value is held\n");
+  const std::string json = coverage.to_json().dump();
+  CHECK(json.find("\"cells_never_visited\": 1") != std::string::npos);
+  CHECK(json.find("temperature 0 .. 10, field1 0 .. 1") != std::string::npos);
+}
+
+TEST_CASE("a table that was used up and never left says nothing on the terminal") {
+  Case problem = slider_case({step("slide", 10, 0, LinearTo{1.0})});
+  problem.definitions[0].law.internal_contact_force =
+      table_of({{100, 0}, {90, 0.5}, {80, 1.0}}, {{law::IndependentKind::kPosition, 0}});
+  const Coverage coverage = coverage_of(problem);
+  REQUIRE(coverage.tables().size() == 1);
+  // 0.1 .. 0.4 in the first, 0.5 .. 1.0 in the second.
+  CHECK(coverage.tables()[0].visits == std::vector<std::int64_t>{4, 6});
+  CHECK(coverage.text().empty());
+}
+
+TEST_CASE("a case without tables has no coverage") {
+  const Case problem = slider_case({step("slide", 10, 0, LinearTo{1.0})});
+  CHECK(coverage_of(problem).tables().empty());
+}
+
+TEST_CASE("the table of a changed friction counts from its step on, the old one up to there") {
+  Case problem =
+      slider_case({step("before", 3, 0, LinearTo{0.1}), step("after", 5, 0, LinearTo{0.0})});
+  problem.definitions[0].law.law =
+      law::TabularCoefficient{table_of({{0.3, 0}, {0.2, 10}}, {{law::IndependentKind::kSlipRate}})};
+  FrictionChange change;
+  change.law =
+      law::TabularCoefficient{table_of({{0.1, 0}, {0.2, 10}}, {{law::IndependentKind::kSlipRate}})};
+  change.stick = problem.definitions[0].law.stick;
+  problem.steps[1].friction_changes.push_back(change);
+  const Coverage coverage = coverage_of(problem);
+  REQUIRE(coverage.tables().size() == 2);
+  CHECK(coverage.tables()[0].increments == 3);
+  CHECK(coverage.tables()[1].increments == 5);
+  CHECK(coverage.tables()[1].what == "coefficient of step 'after'");
+}
+
+}  // namespace
+}  // namespace slipbench::driver

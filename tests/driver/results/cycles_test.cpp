@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/results/cycles.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "tests/driver/simulation/example_cases.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+CycleCounter cycles_of(const Case& problem) {
+  CycleCounter cycles(problem);
+  for (const Row& row : rows_of(problem)) cycles.add(row);
+  return cycles;
+}
+
+const Wave kTriangle{WaveShape::kTriangle, 0.1, 1.0, 0.0, 0.0};
+
+TEST_CASE("the energy of a cycle is found from the period of the motion") {
+  // Reference cases, J2: 6.4 mJ a cycle; the first begins at rest, 0 -> A -> -A -> 0, which leaves
+  // out one elastic slip of 0.02 mm: 20 N (0.08 + 0.16 + 0.06) mm.
+  const Case problem = slider_case({step("cycle", 120, 0, kTriangle, 3.5)});
+  const CycleCounter cycles = cycles_of(problem);
+  REQUIRE(cycles.energies().size() == 1);
+  const CycleEnergy& energy = cycles.energies()[0];
+  CHECK(energy.count == 3);
+  CHECK(energy.first == Approx(6.0).epsilon(1e-12));
+  CHECK(energy.before_last == Approx(6.4).epsilon(1e-12));
+  CHECK(energy.last == Approx(6.4).epsilon(1e-12));
+  CHECK(energy.lowest == Approx(6.0).epsilon(1e-12));
+  CHECK(energy.highest == Approx(6.4).epsilon(1e-12));
+  CHECK(cycles.found_by() == "period of the waves");
+}
+
+TEST_CASE("each pass of a repeated step is a cycle") {
+  Step pass = step("there and back", 100, 0, Tabular{{0.0, 0.5, 1.0}, {0.0, 0.1, 0.0}}, 1.0, 4);
+  const CycleCounter cycles = cycles_of(slider_case({pass}));
+  // 0 <-> 0.1 mm: 20 N x 2 x (0.1 - 0.04) mm, and 20 (0.08 + 0.06) from rest.
+  CHECK(cycles.energies()[0].count == 4);
+  CHECK(cycles.energies()[0].first == Approx(2.8).epsilon(1e-12));
+  CHECK(cycles.energies()[0].last == Approx(2.4).epsilon(1e-12));
+  CHECK(cycles.found_by() == "repeated step");
+}
+
+TEST_CASE("the length of a cycle is the longest period, if the others fit into it") {
+  Step both = step("cycle", 10, 0, kTriangle, 3.0);
+  both.drives.push_back({kFirstForce + 1, Wave{WaveShape::kSine, 1.0, 0.5, 0.0, 0.0}});
+  CHECK(cycle_length(both) == 1.0);
+  both.drives.push_back({kFirstForce + 2, Wave{WaveShape::kSine, 1.0, 0.3, 0.0, 0.0}});
+  CHECK(cycle_length(both) == 0.0);
+  CHECK(cycle_length(step("short", 10, 0, kTriangle, 0.5)) == 0.0);
+  CHECK(cycle_length(step("once", 10, 0, LinearTo{1.0})) == 0.0);
+}
+
+}  // namespace
+}  // namespace slipbench::driver
