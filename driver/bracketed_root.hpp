@@ -27,7 +27,8 @@ Bracket narrow(Bracket bracket, double fa, double fb, double tolerance, Function
   for (int round = 0; round < kMostRounds && fb != 0.0; ++round) {
     const double near = std::max(tolerance, 2.0 * kEpsilon * std::max(std::abs(a), std::abs(b)));
     if (std::abs(b - a) <= near) break;
-    double x = round % 3 == 2 ? 0.5 * (a + b) : (a * weight_b - b * weight_a) / (weight_b - weight_a);
+    double x =
+        round % 3 == 2 ? 0.5 * (a + b) : (a * weight_b - b * weight_a) / (weight_b - weight_a);
     // Close to an end the secant creeps: step over the root to the other side of it.
     const double low = std::min(a, b) + 0.5 * near;
     const double high = std::max(a, b) - 0.5 * near;

@@ -95,8 +95,7 @@ Dynamics::Forces Dynamics::forces(double time, double motion, double velocity) c
   Forces forces;
   forces.load = here.force[data_.component];
   if (behavior.elasticity) {
-    forces.elastic =
-        behavior.elasticity->value(here.end.motion[data_.component], here.end).force;
+    forces.elastic = behavior.elasticity->value(here.end.motion[data_.component], here.end).force;
   }
   if (behavior.damping) forces.viscous = behavior.damping->value(velocity, here.end).force;
   return forces;
@@ -161,17 +160,21 @@ void Dynamics::choose_scales(double time) {
   double period = duration_;
   if (behavior.elasticity) {
     const law::ConnectorIncrement here = conditions(time, x);
-    const double k =
-        behavior.elasticity->value(here.end.motion[data_.component], here.end).slope;
+    const double k = behavior.elasticity->value(here.end.motion[data_.component], here.end).slope;
     if (k > 0.0) period = std::sqrt(data_.mass / k);
   }
-  const double push = (std::abs(f.load) + std::abs(f.elastic) + std::abs(f.viscous) +
-                       static_limit(time, state_).force) /
-                      data_.mass;
-  const double speed = std::max(
-      {std::abs(state_[kRelative]), std::abs(data_.belt_velocity), push * period});
+  // A load that sets out from 0 has its size at the end of the increment.
+  const double load = std::max(std::abs(f.load), std::abs(forces(duration_, x, 0.0).load));
+  const double limit =
+      std::max(static_limit(time, state_).force, static_limit(duration_, state_).force);
+  const double push = (load + std::abs(f.elastic) + std::abs(f.viscous) + limit) / data_.mass;
+  const double speed =
+      std::max({std::abs(state_[kRelative]), std::abs(data_.belt_velocity), push * period});
   const double length = std::max(std::abs(x), speed * period);
-  const auto sound = [](double size) { return size > 0.0 && std::isfinite(size) ? size : 1.0; };
+  constexpr double kNothing = 1e-200;
+  const auto sound = [](double size) {
+    return size > kNothing && std::isfinite(size) ? size : 1.0;
+  };
   scale_.fill(sound(data_.mass * speed * speed));
   scale_[kMotion] = scale_[kSlip] = sound(length);
   scale_[kRelative] = sound(speed);
@@ -247,8 +250,8 @@ double Dynamics::stick(double time) {
   // Above 0 the mass breaks loose.
   const auto excess = [&](double t) {
     const State state = moved(t);
-    const double g = std::abs(forces(t, state[kMotion], velocity).drive()) -
-                     static_limit(t, state).force;
+    const double g =
+        std::abs(forces(t, state[kMotion], velocity).drive()) - static_limit(t, state).force;
     return g != 0.0 ? g : -std::numeric_limits<double>::min();
   };
   double end = duration_;
@@ -266,25 +269,33 @@ double Dynamics::stick(double time) {
       at_a = at_b;
     }
   }
-  // Everything is linear in time but the force of a table: Simpson's rule between its knots is
-  // exact, and with many pieces near enough at them. A linear spring needs one piece.
+  // The load is linear in time, so that Simpson's rule is exact; the damper's force changes at most
+  // with temperature and fields. The work of the spring is the energy it takes up; where that
+  // depends on temperature or fields too, many pieces have to do.
+  const ComponentBehavior& behavior = case_->behavior[static_cast<std::size_t>(data_.component)];
+  const auto* table = behavior.elasticity ? behavior.elasticity->table() : nullptr;
+  const bool by_energy = table == nullptr || table->independents().size() == 1;
   const auto powers = [&](double t) {
     const Forces f = forces(t, before[kMotion] + velocity * (t - time), velocity);
-    return std::array<double, 3>{f.load * velocity, -f.drive() * velocity, f.viscous * velocity};
+    const double spring = by_energy ? 0.0 : f.elastic;
+    return std::array<double, 3>{f.load * velocity, (spring + f.viscous - f.load) * velocity,
+                                 f.viscous * velocity};
   };
+  const auto spring_energy = [&](double t) {
+    if (!by_energy || !behavior.elasticity) return 0.0;
+    const law::ConnectorIncrement here = conditions(t, state_[kMotion]);
+    return behavior.elasticity->energy(here.end.motion[data_.component], here.end);
+  };
+  const double energy_before = spring_energy(time);
   state_ = moved(end);
   if (velocity != 0.0) {
-    const ComponentBehavior& behavior =
-        case_->behavior[static_cast<std::size_t>(data_.component)];
-    const bool table = behavior.elasticity && behavior.elasticity->table() != nullptr;
-    const int pieces = table ? 64 : 1;
+    state_[kBeltWork] += spring_energy(end) - energy_before;
+    const int pieces = by_energy ? 1 : 64;
     const double h = (end - time) / pieces;
     for (int i = 0; i < pieces; ++i) {
       const double t = time + h * i;
       const auto first = powers(t), middle = powers(t + 0.5 * h), last = powers(t + h);
-      const auto mean = [&](std::size_t k) {
-        return (first[k] + 4.0 * middle[k] + last[k]) / 6.0;
-      };
+      const auto mean = [&](std::size_t k) { return (first[k] + 4.0 * middle[k] + last[k]) / 6.0; };
       state_[kLoadWork] += h * mean(0);
       state_[kBeltWork] += h * mean(1);
       state_[kViscous] += h * mean(2);
@@ -410,8 +421,7 @@ tl::expected<void, DynamicsFailure> Dynamics::advance(const Quantities& begin,
     time = sense_ != 0 ? slip(time) : stick(time);
     if (events > kMostEvents) fault_ = "the mass changes between stick and slip without end";
     if (fault_ != nullptr) {
-      return tl::unexpected(
-          DynamicsFailure{duration_ > 0.0 ? time / duration_ : 0.0, fault_});
+      return tl::unexpected(DynamicsFailure{duration_ > 0.0 ? time / duration_ : 0.0, fault_});
     }
     if (time >= duration_ && state_[kRelative] != 0.0) break;
     const int old = sense_;

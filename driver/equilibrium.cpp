@@ -89,8 +89,7 @@ void Equilibrium::evaluate(Trial& trial) {
     }
     if (behavior.damping && increment_.duration > 0.0) {
       const double motion = trial.q[i] - increment_.begin_position[c];
-      const auto point =
-          behavior.damping->value(motion / increment_.duration, increment_.end);
+      const auto point = behavior.damping->value(motion / increment_.duration, increment_.end);
       add(point, point.slope / increment_.duration);
     }
     scale_[i] = std::max(scale_[i], trial.tolerance[i]);
@@ -289,9 +288,8 @@ std::string Equilibrium::explain(const Trial& trial) const {
     bool concerned = false;
     for (int k = 0; k < slip.dimension; ++k) {
       const auto end = component_.begin() + count_;
-      concerned = concerned ||
-                  std::find(component_.begin(), end, slip.component[static_cast<std::size_t>(k)]) !=
-                      end;
+      concerned = concerned || std::find(component_.begin(), end,
+                                         slip.component[static_cast<std::size_t>(k)]) != end;
     }
     if (!concerned) continue;
     limits += fmt::format("{}friction '{}' has the limit {}", limits.empty() ? "" : ", ",
@@ -313,8 +311,7 @@ tl::expected<void, NoEquilibrium> Equilibrium::solve(
     if (!unknown.contains(c)) continue;
     const auto i = static_cast<std::size_t>(count_++);
     component_[i] = c;
-    const law::Stop stop =
-        case_->behavior[static_cast<std::size_t>(c)].stop.value_or(law::Stop{});
+    const law::Stop stop = case_->behavior[static_cast<std::size_t>(c)].stop.value_or(law::Stop{});
     lower_[i] = stop.lower;
     upper_[i] = stop.upper;
     trial.q[i] = std::clamp(row.begin[c], stop.lower, stop.upper);

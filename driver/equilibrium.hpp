@@ -85,8 +85,8 @@ class Equilibrium {
 
   Quantities end_{};  ///< of the piece of the increment that is being solved
   law::ConnectorIncrement increment_;
-  std::vector<law::FrictionState> old_;        ///< at its begin
-  std::vector<law::FrictionUpdate> updates_;   ///< at the last trial
+  std::vector<law::FrictionState> old_;       ///< at its begin
+  std::vector<law::FrictionUpdate> updates_;  ///< at the last trial
 };
 
 }  // namespace slipbench::driver

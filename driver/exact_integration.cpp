@@ -21,12 +21,14 @@ std::optional<ExactRefusal> refuse_definition(const std::string& name,
   const std::string whose = "friction '" + name + "': ";
   if (*why == law::NoContinuousSolution::kWeakening) {
     return ExactRefusal{
-        whose + "the coefficient falls with the rate of the slip it allows, under a constant stick "
-                "stiffness: the continuous force would jump, there is none to follow",
+        whose +
+            "the coefficient falls with the rate of the slip it allows, under a constant stick "
+            "stiffness: the continuous force would jump, there is none to follow",
         "use backward_euler, or slip_rate: relative_motion, or an allowable elastic slip"};
   }
-  return ExactRefusal{whose + "the accumulated slip of an increment's start depends on the "
-                              "increments, and exact integration does not",
+  return ExactRefusal{whose +
+                          "the accumulated slip of an increment's start depends on the "
+                          "increments, and exact integration does not",
                       "leave out accumulated_slip: start"};
 }
 
@@ -54,8 +56,7 @@ law::FrictionUpdate ExactIntegration::update(std::size_t index,
   segment.begin = ambient_of(quantities_, case_->reference);
   // Motions begin where the connector was, even where their profile has jumped away.
   segment.begin.position = increment.begin_position;
-  segment.begin.motion =
-      law::constitutive_motion(increment.begin_position, case_->reference);
+  segment.begin.motion = law::constitutive_motion(increment.begin_position, case_->reference);
   std::copy_n(quantities_.begin() + kFirstForce, law::kComponents,
               segment.begin_force.values.begin());
   segment.begin_blend = definitions_[index].blend;
@@ -76,15 +77,17 @@ std::optional<ExactRefusal> refuse_exact(const Case& problem) {
                         "use backward_euler and small increments"};
   }
   if (problem.measured && problem.measured->hold) {
-    return ExactRefusal{"a history that holds its rows jumps from one to the next, and exact "
-                        "integration joins them by straight lines",
-                        "use backward_euler, or leave out 'hold'"};
+    return ExactRefusal{
+        "a history that holds its rows jumps from one to the next, and exact "
+        "integration joins them by straight lines",
+        "use backward_euler, or leave out 'hold'"};
   }
   const bool judged = problem.belt && problem.belt->both_tensions;
   if (problem.belt && !judged && problem.definitions.size() > 1) {
-    return ExactRefusal{"a ring of a chain meets the tension that the ring before leaves, which "
-                        "does not go straight from row to row",
-                        "use backward_euler and small increments"};
+    return ExactRefusal{
+        "a ring of a chain meets the tension that the ring before leaves, which "
+        "does not go straight from row to row",
+        "use backward_euler and small increments"};
   }
   for (const CaseDefinition& definition : problem.definitions) {
     if (auto refusal = refuse_definition(definition.name, definition.law)) return refusal;
@@ -98,8 +101,7 @@ std::optional<ExactRefusal> refuse_exact(const Case& problem) {
       if (auto refusal = refuse_definition(of.name, changed)) return refusal;
       if (law::continuous_method(of.law) == law::ContinuousMethod::kExtrapolation ||
           law::continuous_method(changed) == law::ContinuousMethod::kExtrapolation) {
-        return ExactRefusal{"friction '" + of.name +
-                                "' changes in step '" + step.name +
+        return ExactRefusal{"friction '" + of.name + "' changes in step '" + step.name +
                                 "' while it has a potential or a viscous coefficient: exact "
                                 "integration follows such a change for the other laws only",
                             "use backward_euler and small increments"};

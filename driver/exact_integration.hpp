@@ -21,8 +21,7 @@ class ExactIntegration {
   explicit ExactIntegration(const Case& problem);
 
   /// An increment begins: the quantities just after its begin, and the definitions in force there.
-  void begin(const Quantities& quantities,
-             std::span<const law::FrictionDefinition> definitions);
+  void begin(const Quantities& quantities, std::span<const law::FrictionDefinition> definitions);
 
   /// The definition number `index` over the increment that has begun.
   law::FrictionUpdate update(std::size_t index, const law::FrictionDefinition& definition,

@@ -92,8 +92,8 @@ class CapstanLimit {
       while (knot != knots.end() && *knot / slip_in_rate_ <= slip) ++knot;
       return knot == knots.end() ? kNone : *knot / slip_in_rate_;
     }
-    const auto* decay = std::get_if<ExponentialDecay>(&definition_.law);
-    if (decay == nullptr || sense_ == FlowSense::kForward) return kNone;
+    const auto decay = exponential_decay(definition_.law);
+    if (!decay || sense_ == FlowSense::kForward) return kNone;
     const double falling =
         definition_.blend.weight * wrap_angle_ * (decay->mu_static - decay->kinetic);
     if (!(falling > 1.0) || !(decay->decay > 0.0)) return kNone;

@@ -169,7 +169,8 @@ FrictionUpdate judge_capstan(const FrictionDefinition& definition,
   result.phi = std::abs(y) - l.force;
   if (y != 0.0) result.direction[0] = y < 0.0 ? -1.0 : 1.0;
   const double wrap_angle = std::get_if<Capstan>(&definition.criterion)->wrap_angle;
-  if (!(tension > 0.0) && !(tension_behind > 0.0)) {
+  const bool no_friction = !(l.force > 0.0) && y == 0.0;
+  if (no_friction || (!(tension > 0.0) && !(tension_behind > 0.0))) {
     result.state.regime = Regime::kOpen;
   } else {
     const bool sticks = capstan_utilisation(result, wrap_angle) < 1.0;
@@ -187,7 +188,11 @@ double capstan_utilisation(const FrictionUpdate& update, double wrap_angle) noex
   if (!(tension > 0.0) || !(tension + change > 0.0) || !(mu_alpha > 0.0)) {
     return std::numeric_limits<double>::infinity();
   }
-  return std::abs(std::log1p(change / tension)) / mu_alpha;
+  const double by_angle = std::abs(std::log1p(change / tension)) / mu_alpha;
+  // A force limit below the band holds less than the angle would.
+  const FlowSense sense = change < 0.0 ? FlowSense::kBackward : FlowSense::kForward;
+  if (!(update.limit < tension * capstan_limit(mu_alpha, sense))) return by_angle;
+  return std::max(by_angle, std::abs(change) / update.limit);
 }
 
 double tension_behind(const FrictionUpdate& update) noexcept {

@@ -22,6 +22,8 @@ constexpr double kSameFraction = 1e-13;
 constexpr double kNoLimit = 1e-12;
 /// Step of the difference quotients of R as a part of a smooth piece.
 constexpr double kDifference = 1e-5;
+/// Steps or pieces after which an integration takes what it has: rounding is in its way.
+constexpr int kMostPieces = 2000;
 
 bool depends_on_motion(const FrictionDefinition& definition) {
   if (std::holds_alternative<UniversalJointContact>(definition.contact_force)) return true;
@@ -39,8 +41,8 @@ bool is_constant(const FrictionDefinition& definition, const PathSegment& segmen
   const ConnectorIncrement& to = segment.increment;
   const auto* belt = std::get_if<Capstan>(&definition.criterion);
   return segment.begin_force == to.force && segment.begin.temperature == to.end.temperature &&
-         std::equal(segment.begin.fields.begin(), segment.begin.fields.end(),
-                    to.end.fields.begin(), to.end.fields.end()) &&
+         std::equal(segment.begin.fields.begin(), segment.begin.fields.end(), to.end.fields.begin(),
+                    to.end.fields.end()) &&
          segment.begin_blend.weight == definition.blend.weight &&
          segment.begin_stick == definition.stick.value &&
          (belt == nullptr || segment.begin_wrap_angle == belt->wrap_angle) &&
@@ -340,13 +342,12 @@ class Walk {
   };
   Kind kind_at(double tau) noexcept {
     const Limit l = limit(tau, slip_);
-    Kind kind{l.contact_force < 0.0, l.force > 0.0, l.force >= definition_.force_limit, 0};
+    Kind kind{l.contact_force<0.0, l.force> 0.0, l.force >= definition_.force_limit, 0};
     if (const auto* law = std::get_if<TabularCoefficient>(&definition_.law)) {
       const int k = law->table.column_of(IndependentKind::kContactForce);
       if (k >= 0) {
         const auto knots = law->table.table().knots(k);
-        kind.cell =
-            std::upper_bound(knots.begin(), knots.end(), l.normal_force) - knots.begin();
+        kind.cell = std::upper_bound(knots.begin(), knots.end(), l.normal_force) - knots.begin();
       }
     }
     return kind;
@@ -410,9 +411,11 @@ class Walk {
         const double so_far = begin + segment_slip(onset, r_travel, r);
         return limit(tau, so_far, length_ * cosine * inverse_duration_).force * cosine * length_;
       };
-      const double spent = constant_ && !wears_ && !by_rate_
-                               ? limit(from, slip_).force * slip
-                               : integral(power, from, to, tolerance_ * largest_limit(from, to) * rest);
+      int budget = kMostPieces;
+      const double spent =
+          constant_ && !wears_ && !by_rate_
+              ? limit(from, slip_).force * slip
+              : integral(power, from, to, tolerance_ * largest_limit(from, to) * rest, &budget);
       dissipation_ += spent;
       work_ += spent;
     }
@@ -422,8 +425,7 @@ class Walk {
 
   /// What errors of energies are measured by [F].
   double largest_limit(double from, double to) noexcept {
-    return std::max(
-        {strength(from), strength(from + 0.5 * (to - from)), strength(to)});
+    return std::max({strength(from), strength(from + 0.5 * (to - from)), strength(to)});
   }
 
   /// Stick from `from` to `to` over the motion `travel`: s_el takes all of it.
@@ -436,14 +438,16 @@ class Walk {
       return;
     }
     if (constant_) {
-      work_ += limit(from, slip_).force / definition_.stick.value * travel * (before + 0.5 * travel);
+      work_ +=
+          limit(from, slip_).force / definition_.stick.value * travel * (before + 0.5 * travel);
       return;
     }
     const auto power = [&](double tau) {
-      return limit(tau, slip_).force / points_.stick(tau) *
-             (before + length_ * (tau - from)) * length_;
+      return limit(tau, slip_).force / points_.stick(tau) * (before + length_ * (tau - from)) *
+             length_;
     };
-    work_ += integral(power, from, to, tolerance_ * largest_limit(from, to) * travel);
+    int budget = kMostPieces;
+    work_ += integral(power, from, to, tolerance_ * largest_limit(from, to) * travel, &budget);
   }
 
   /// dR/dtau at tau in the smooth piece [from, to], wear held: differences, one-sided at its ends.
@@ -482,8 +486,8 @@ class Walk {
         // Below the rounding of the difference quotients, growth is none.
         const double floor = 1e-10 * r / (to - from);
         // What comes decides, not what was: the difference looks ahead.
-        const double growth = length_ * half_angle(slip_at_).cosine_of_angle() -
-                              radius_rate(tau, slip_, tau, to);
+        const double growth =
+            length_ * half_angle(slip_at_).cosine_of_angle() - radius_rate(tau, slip_, tau, to);
         slips = slips || (!must_stick && growth > floor);
       }
       must_slip = must_stick = false;
@@ -522,7 +526,7 @@ class Walk {
       if (i == 0) continue;
       if (value[n] < 0.0) {
         double low = time[n - 1];
-        if (i == 1 && !(value[0] > 0.0)) {
+        if (i == 1 && !(value[0] > 4.0 * kOnRadius * begin.square())) {
           // It begins on the radius: step inside first.
           double step = 0.1 * (time[1] - from);
           while (step > kSameFraction && !(reserve(from + step) > 0.0)) step *= 0.1;
@@ -576,15 +580,18 @@ class Walk {
     bool ends = false;
     bool worn = false;
     while (tau < to && !ends) {
-      step = std::min(step, to - tau);
+      // A limit that wears towards 0, with ever shorter steps, must not take for ever.
+      if (++steps_ > kMostPieces) shortest = std::max(shortest, 0.1 * (to - begin));
+      step = std::max(std::min(step, to - tau), std::min(shortest, to - tau));
       const bool last = step >= to - tau;
       const auto trial = runge_kutta_step(rates, tau, x, step);
       const double next = last ? to : tau + step;
       const double turning = turned(angle, trial.end[0]).sine_of_angle() * radius(next, slip_);
       const double error =
-          std::max({angle.sine == 0.0 || angle.cosine == 0.0 ? 0.0 : std::abs(trial.error[0]) * turning,
-                    std::abs(trial.error[1]), std::abs(trial.error[2]) / force,
-                    std::abs(trial.error[3]) / force}) /
+          std::max(
+              {angle.sine == 0.0 || angle.cosine == 0.0 ? 0.0 : std::abs(trial.error[0]) * turning,
+               std::abs(trial.error[1]), std::abs(trial.error[2]) / force,
+               std::abs(trial.error[3]) / force}) /
           (tolerance_ * size + 16.0 * kEpsilon * (x[1] + length_ * step));
       if (error > 1.0 && step > shortest) {
         step *= std::max(0.2, 0.9 * std::pow(error, -0.2));
@@ -636,8 +643,7 @@ class Walk {
     const double end_slip = std::max(slip_for(tau, sum + x[1], slip_), slip_);
     const double r = radius(tau, end_slip);
     work_ += x[2];
-    dissipation_ +=
-        std::max(fixed_ ? x[2] - (stored(r * r) - stored(before * before)) : x[3], 0.0);
+    dissipation_ += std::max(fixed_ ? x[2] - (stored(r * r) - stored(before * before)) : x[3], 0.0);
     slip_ = end_slip;
     slip_at_ = on_radius(turned(angle, x[0]), r);
     if (worn) open(tau);
@@ -654,8 +660,8 @@ class Walk {
   bool fixed_;
   bool belt_;
   bool wears_;
-  bool by_rate_;   ///< the coefficient sees the rate of the slip
-  bool constant_;  ///< nothing but wear changes the limit
+  bool by_rate_;        ///< the coefficient sees the rate of the slip
+  bool constant_;       ///< nothing but wear changes the limit
   double radius_rate_;  ///< dg_c/dtau of an allowable elastic slip that changes
   double begin_slip_;
 
@@ -667,6 +673,7 @@ class Walk {
   Regime regime_;
   double scale_ = 0.0;  ///< of the limit [F]
   int breaks_ = 0;
+  int steps_ = 0;
   bool converged_ = true;
   RegimeChanges* changes_;
 };
@@ -758,8 +765,7 @@ FrictionUpdate continuous_update(const FrictionDefinition& definition, const Pat
   result.limit = l.force;
   result.slip_rate = l.slip_rate;
   const PlaneSlip& end = walk.elastic_slip();
-  const double stiffness =
-      fixed ? definition.stick.value : l.force / definition.stick.value;
+  const double stiffness = fixed ? definition.stick.value : l.force / definition.stick.value;
   const double share = slip.across > 0.0 ? end.across / slip.across : 0.0;
   double p = 0.0;
   for (std::size_t i = 0; i < dimension; ++i) {

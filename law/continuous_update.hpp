@@ -13,20 +13,21 @@ namespace slipbench::law {
 
 /// Why a definition has no continuous solution, or none that is defined.
 enum class NoContinuousSolution {
-  kWeakening,  ///< constant stick stiffness and a coefficient that falls with the rate of the slip
-  kWearAtStart  ///< the accumulated slip of an increment's start: what that is depends on increments
+  kWeakening,   ///< constant stick stiffness and a coefficient that falls with the rate of the slip
+  kWearAtStart  ///< the accumulated slip of an increment's start: what that is depends on
+                ///< increments
 };
 /// Judged once for a definition, not on the update path.
 std::optional<NoContinuousSolution> no_continuous_solution(const FrictionDefinition& definition);
 
 /// How a definition is integrated by `continuous_update`.
 enum class ContinuousMethod {
-  kEvents,       ///< stick, slip and open with located changes; closed where the limit is constant
+  kEvents,        ///< stick, slip and open with located changes; closed where the limit is constant
   kExtrapolation  ///< sub-increments of the backward Euler update, extrapolated to the tolerance
 };
 ContinuousMethod continuous_method(const FrictionDefinition& definition);
 
-/// `update` for a whole straight segment (specification section 10, theory 11.8). Changes between
+/// `update` for a whole straight segment (specification section 10, theory 11.9). Changes between
 /// stick, slip and open are located inside of it. Where the slip radius R (F_lim/kappa, or g_c) is
 /// constant the geometry is closed (exact_segment.hpp); where it changes, slip obeys
 ///   d(psi)/dr = -sin(psi)/R,   dL = cos(psi) dr - dR,

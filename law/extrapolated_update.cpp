@@ -169,7 +169,8 @@ class Pieces {
         table[n] = entry;
         const double weight = 1.0 / ((j + 1.0) / (j - k) - 1.0);
         previous = entry;
-        entry = combined(entry, above, [weight](double a, double b) { return a + weight * (a - b); });
+        entry =
+            combined(entry, above, [weight](double a, double b) { return a + weight * (a - b); });
       }
       table[static_cast<std::size_t>(j)] = entry;
       const Sums corner = result->end;  // of the row before

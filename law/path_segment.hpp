@@ -16,12 +16,12 @@ namespace slipbench::law {
 /// One increment as a straight piece of the history: motion, constraint forces, temperature, fields
 /// and whatever changes in the friction itself go linearly from its begin to its end.
 struct PathSegment {
-  ConnectorIncrement increment;  ///< the end, the duration, and the position at the begin
-  Ambient begin;                 ///< CP, CCU, temperature, fields at the begin
-  ConnectorForce begin_force;    ///< constraint forces at the begin, after a jump there
-  CoefficientBlend begin_blend;  ///< of the definition, at the begin
-  double begin_stick = 1.0;      ///< StickStiffness::value at the begin
-  double begin_wrap_angle = 0.0; ///< of a Capstan, at the begin
+  ConnectorIncrement increment;   ///< the end, the duration, and the position at the begin
+  Ambient begin;                  ///< CP, CCU, temperature, fields at the begin
+  ConnectorForce begin_force;     ///< constraint forces at the begin, after a jump there
+  CoefficientBlend begin_blend;   ///< of the definition, at the begin
+  double begin_stick = 1.0;       ///< StickStiffness::value at the begin
+  double begin_wrap_angle = 0.0;  ///< of a Capstan, at the begin
 };
 
 /// A segment on which nothing of the definition changes: begin_* are those of `definition`.
@@ -29,9 +29,12 @@ inline PathSegment path_segment(const FrictionDefinition& definition,
                                 const ConnectorIncrement& increment, const Ambient& begin,
                                 const ConnectorForce& begin_force) {
   const auto* belt = std::get_if<Capstan>(&definition.criterion);
-  return {increment,        begin,
-          begin_force,      definition.blend,
-          definition.stick.value, belt != nullptr ? belt->wrap_angle : 0.0};
+  return {increment,
+          begin,
+          begin_force,
+          definition.blend,
+          definition.stick.value,
+          belt != nullptr ? belt->wrap_angle : 0.0};
 }
 
 /// The points of a segment at the fraction tau in [0, 1]; refers to `definition` and `segment`, and
@@ -67,8 +70,8 @@ class SegmentPoints {
     return here_;
   }
 
-  /// The limit at tau, with a total accumulated slip [L] and a slip rate [L/T] that counts where the
-  /// coefficient sees the slip. A belt's is that of the side `sense` (the sign of s_el).
+  /// The limit at tau, with a total accumulated slip [L] and a slip rate [L/T] that counts where
+  /// the coefficient sees the slip. A belt's is that of the side `sense` (the sign of s_el).
   Limit limit(double tau, double accumulated_slip, double slip_rate, double sense) noexcept {
     // A change that ends here has forgotten what it set out from; it does not matter at its end.
     const CoefficientBlend& from = segment_.begin_blend;
@@ -88,9 +91,7 @@ class SegmentPoints {
   }
 
   /// StickStiffness::value at tau.
-  double stick(double tau) const {
-    return mix(tau, segment_.begin_stick, definition_.stick.value);
-  }
+  double stick(double tau) const { return mix(tau, segment_.begin_stick, definition_.stick.value); }
 
  private:
   static double mix(double tau, double a, double b) {

@@ -106,7 +106,9 @@ PartReturn Projection::sum_part(int part, double x, double limit) const noexcept
     result.magnitude = magnitude;
     result.share = share;
     result.stiffness = here.stiffness;
-    const double residual = magnitude - std::max(here.value, 0.0);
+    // Not cut off at 0: where X is too small for a double, only the level tells on which side of
+    // its dead zone the part is.
+    const double residual = magnitude - here.value;
     (residual > 0.0 ? high : low) = u;
     if (residual == 0.0 || high - low <= kEpsilon * high) break;
     const double slope = by_share ? magnitude / (power * u) + x * here.stiffness
@@ -119,6 +121,11 @@ PartReturn Projection::sum_part(int part, double x, double limit) const noexcept
     u = next;
   }
   result.pull = x * result.share;
+  // A share has the rounding of X times b-1: with a large exponent the pull is known better from X.
+  if (power * result.pull * result.stiffness > start.value && result.magnitude > 0.0) {
+    result.pull = pull_to(part, result.magnitude);
+    result.share = result.pull / x;
+  }
   return result;
 }
 

@@ -49,9 +49,11 @@ double split_work(const Slip<D>& y0, const Slip<D>& trial, const Slip<D>& y1, co
   const double excess = y0.squaredNorm() - square;
   const double c = excess <= 2.0 * (kLimitSlack - 1.0) * square ? std::min(excess, 0.0) : excess;
   double lambda = 0.0;
-  if (a > 0.0 && c <= 0.0) {
-    // The stable form of the positive root of a x^2 + 2 b x + c = 0.
-    const double root = std::sqrt(std::max(b * b - a * c, 0.0));
+  const double square_of_root = b * b - a * c;
+  // A limit that fell below a force that turns back is met where the force comes out again.
+  if (a > 0.0 && (c <= 0.0 || (b < 0.0 && square_of_root > 0.0))) {
+    // The stable form of the larger root of a x^2 + 2 b x + c = 0.
+    const double root = std::sqrt(std::max(square_of_root, 0.0));
     lambda = b > 0.0 ? -c / (b + root) : (root - b) / a;
     lambda = std::clamp(lambda, 0.0, 1.0);
   }

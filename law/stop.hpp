@@ -5,7 +5,8 @@
 
 namespace slipbench::law {
 
-/// Rigid stops of one component: lower <= CP <= upper [L], [1]. A side without a number has no stop.
+/// Rigid stops of one component: lower <= CP <= upper [L], [1]. A side without a number has no
+/// stop.
 struct Stop {
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();

@@ -50,15 +50,20 @@ IncrementThresholds increment_thresholds(const FrictionDefinition& definition, c
                                                        : capstan_limit(point.mu * belt->wrap_angle,
                                                                        FlowSense::kForward));
   if (!(normal_force > 0.0) || limit >= definition.force_limit) return {};
-  const double to_mu = belt == nullptr
-                           ? normal_force
-                           : normal_force * belt->wrap_angle *
-                                 capstan_ratio(point.mu * belt->wrap_angle, FlowSense::kForward);
-  const double per_stiffness = to_mu / definition.stick.value;
+  // dF_lim/dmu over the stiffness. That of a belt grows with the coefficient: the steepest fall of
+  // the limit is bounded with the largest.
+  const auto per_stiffness = [&](double mu) {
+    const double to_mu = belt == nullptr
+                             ? normal_force
+                             : normal_force * belt->wrap_angle *
+                                   capstan_ratio(mu * belt->wrap_angle, FlowSense::kForward);
+    return to_mu / definition.stick.value;
+  };
   const double weakening = std::max(-point.to_slip_rate, 0.0);
   const double steepest = definition.blend.weight * steepest_weakening(definition.law);
-  return {normal_force, weakening, 2.0 * per_stiffness * weakening,
-          per_stiffness * std::max(steepest, 0.0)};
+  const double largest_mu = blended(definition.blend, {largest(definition.law), 0.0, 0.0}).mu;
+  return {normal_force, weakening, 2.0 * per_stiffness(point.mu) * weakening,
+          per_stiffness(std::max(largest_mu, point.mu)) * std::max(steepest, 0.0)};
 }
 
 }  // namespace slipbench::law

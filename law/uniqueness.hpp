@@ -32,9 +32,10 @@ double uniqueness_threshold(const FrictionLaw& law, double normal_force, double 
 struct IncrementThresholds {
   double normal_force = 0.0;  ///< F_N they were taken at [F]
   double weakening = 0.0;     ///< -dmu/d(slip rate) at the rate of the motion [T/L]
-  /// Longer increments settle on the smooth answer F_lim(v): 2 |dF_lim/dv| / kappa [T].
+  /// Shorter increments do not settle on the smooth answer F_lim(v): 2 |dF_lim/dv| / kappa [T].
   double smooth = 0.0;
-  /// Longer increments have one solution: the steepest |dF_lim/dv| of the law / kappa [T].
+  /// Longer increments have one solution: the steepest |dF_lim/dv| of the law / kappa [T]; of a
+  /// belt a bound, exp(A) at the largest coefficient.
   double unique = 0.0;
 };
 /// \param rate |ds|/dt of the relative motion [L/T]

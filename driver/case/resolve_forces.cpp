@@ -26,9 +26,10 @@ std::optional<int> free_component(Binder& binder, const At<int>& at, const Case&
   const law::ConnectionInfo& info = problem.connection.info;
   if (info.available.contains(c)) return c;
   binder.error(*at.node, at.path,
-               connector_words(problem.connection) + (info.held.contains(c) ? " holds " : " has no ") +
-                   component_words(c) + ": " + std::string(what) +
-                   " acts along a free component; free are " + motion_names(info.available));
+               connector_words(problem.connection) +
+                   (info.held.contains(c) ? " holds " : " has no ") + component_words(c) + ": " +
+                   std::string(what) + " acts along a free component; free are " +
+                   motion_names(info.available));
   return std::nullopt;
 }
 
@@ -178,19 +179,18 @@ void read_dynamics(Binder& binder, const CaseText& text, Case& out) {
     const auto end = begin + law.slip.dimension;
     if (std::find(begin, end, data.component) == end) continue;
     if (law.slip.dimension > 1) {
-      binder.error(node, path,
-                   "friction '" + out.definitions[d].name + "' couples " +
-                       component_words(data.component) +
-                       " with others: a mass slides along one component only",
-                   "write the friction with 'component: " + std::to_string(data.component + 1) +
-                       "'");
+      binder.error(
+          node, path,
+          "friction '" + out.definitions[d].name + "' couples " + component_words(data.component) +
+              " with others: a mass slides along one component only",
+          "write the friction with 'component: " + std::to_string(data.component + 1) + "'");
     } else if (!std::holds_alternative<law::EuclideanPotential>(law.criterion) ||
                law.slip.scale[0] != 1.0) {
-      binder.error(node, path,
-                   "friction '" + out.definitions[d].name +
-                       "' has a potential: a mass slides along one component only",
-                   "write the friction with 'component: " + std::to_string(data.component + 1) +
-                       "'");
+      binder.error(
+          node, path,
+          "friction '" + out.definitions[d].name +
+              "' has a potential: a mass slides along one component only",
+          "write the friction with 'component: " + std::to_string(data.component + 1) + "'");
     }
     const bool plain = std::holds_alternative<law::ConstantCoefficient>(law.law) ||
                        law::exponential_decay(law.law).has_value();
@@ -275,8 +275,7 @@ void explain_arguments(Binder& binder, const Case& out, const law::TableFunction
 
 void resolve_forces(Binder& binder, const CaseText& text, Case& out) {
   read_forces(binder, text.elasticity, out, kElasticityTable, "stiffness",
-              &ElasticityText::stiffness,
-              [&](int c, const At<ElasticityText>& at, auto value) {
+              &ElasticityText::stiffness, [&](int c, const At<ElasticityText>& at, auto value) {
                 if constexpr (std::is_same_v<decltype(value), law::TableFunction>) {
                   if (lacks(binder, value, law::IndependentKind::kConstitutiveMotion,
                             "displacement", kElasticityTable, *at.node, at.path)) {
@@ -291,24 +290,24 @@ void resolve_forces(Binder& binder, const CaseText& text, Case& out) {
                 }
                 out.behavior[static_cast<std::size_t>(c)].elasticity.emplace(std::move(value));
               });
-  read_forces(
-      binder, text.damping, out, kDampingTable, "coefficient", &DampingText::coefficient,
-      [&](int c, const At<DampingText>& at, auto value) {
-        if (refused_by_a_belt(binder, out, *at.node, at.path, "damping")) return;
-        if constexpr (std::is_same_v<decltype(value), law::TableFunction>) {
-          if (lacks(binder, value, law::IndependentKind::kSlipRate, "velocity", kDampingTable,
-                    *at.node, at.path)) {
-            return;
-          }
-          if (drives_on(value)) {
-            binder.error(*at.node, at.path,
-                         "a damper's force has the sign of the velocity, and is 0 at velocity 0",
-                         "tables are not mirrored: give the rows of negative velocities too");
-            return;
-          }
-        }
-        out.behavior[static_cast<std::size_t>(c)].damping.emplace(std::move(value));
-      });
+  read_forces(binder, text.damping, out, kDampingTable, "coefficient", &DampingText::coefficient,
+              [&](int c, const At<DampingText>& at, auto value) {
+                if (refused_by_a_belt(binder, out, *at.node, at.path, "damping")) return;
+                if constexpr (std::is_same_v<decltype(value), law::TableFunction>) {
+                  if (lacks(binder, value, law::IndependentKind::kSlipRate, "velocity",
+                            kDampingTable, *at.node, at.path)) {
+                    return;
+                  }
+                  if (drives_on(value)) {
+                    binder.error(
+                        *at.node, at.path,
+                        "a damper's force has the sign of the velocity, and is 0 at velocity 0",
+                        "tables are not mirrored: give the rows of negative velocities too");
+                    return;
+                  }
+                }
+                out.behavior[static_cast<std::size_t>(c)].damping.emplace(std::move(value));
+              });
   if (text.stops.given() &&
       !refused_by_a_belt(binder, out, *text.stops.node, text.stops.path, "stops")) {
     read_stops(binder, text, out);

@@ -373,7 +373,8 @@ class Resolver {
                 check_snap_back(binder_, d, map, text.predefined.path);
                 std::string name = text.name.value;
                 if (!check.suffix.empty()) {
-                  name = (name.empty() ? "" : name + ".") + std::string(check.suffix);
+                  name = (name.empty() ? "" : name + ".") + std::string(check.suffix) +
+                         (check.number > 0 ? std::to_string(check.number) : std::string());
                 }
                 out_.definitions.push_back({std::move(name), d.slip.dimension > 1, std::move(d)});
               }

@@ -11,7 +11,6 @@
 #include "driver/exit_code.hpp"
 #include "driver/results/csv_writer.hpp"
 #include "driver/results/provenance.hpp"
-#include "driver/text/format_number.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -35,9 +34,9 @@ tl::expected<std::string, CommandFailure> compare_integration(const Case& proble
   Case exact_case = problem;
   exact_case.integration.method = IntegrationMethod::kExact;
   if (const auto refusal = refuse_exact(exact_case)) {
-    return tl::unexpected(CommandFailure{
-        kExitBadInput, fmt::format("{}: error: integration cannot be compared: {}\n", problem.file,
-                                   refusal->message)});
+    return tl::unexpected(
+        CommandFailure{kExitBadInput, fmt::format("{}: error: integration cannot be compared: {}\n",
+                                                  problem.file, refusal->message)});
   }
   Case euler_case = problem;
   euler_case.integration.method = IntegrationMethod::kBackwardEuler;
@@ -73,10 +72,10 @@ tl::expected<std::string, CommandFailure> compare_integration(const Case& proble
       text += fmt::format("    force       the same to rounding; the largest is {:.7g}\n",
                           distance.largest);
     } else {
-      text += fmt::format("    force       {:.3g} apart at most, {} of the largest ({:.7g}), at T = {}{}\n",
-                          distance.most, percent_text(distance.relative(distance.most)),
-                          distance.largest, format_number(distance.time),
-                          step_text(problem, distance.step));
+      text += fmt::format(
+          "    force       {:.3g} apart at most, {} of the largest ({:.7g}), at T = {}{}\n",
+          distance.most, percent_text(distance.relative(distance.most)), distance.largest,
+          fmt::format("{:.6g}", distance.time), step_text(problem, distance.step));
     }
     text += fmt::format("    slip        {}\n", pair_text(a.update.state.accumulated_slip,
                                                           b.update.state.accumulated_slip));

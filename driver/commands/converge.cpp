@@ -48,15 +48,17 @@ std::string verdict_text(const Comparison& of, const Convergence& force,
   const ConvergenceVerdict verdict = std::max(by_force, by_energy);
   const auto errors = [&] {
     std::string text;
-    if (const double e = force.error(); std::isfinite(e) && by_force != ConvergenceVerdict::kSettled) {
+    if (const double e = force.error();
+        std::isfinite(e) && by_force != ConvergenceVerdict::kSettled) {
       text += fmt::format("; the force is off by about {} on average",
                           percent_text(e / std::max(force.scale, 1e-300)));
     }
     if (const double e = energy.error();
         std::isfinite(e) && by_energy != ConvergenceVerdict::kSettled && energy.scale > 0.0) {
-      text += fmt::format("{} by about {}",
-                          text.empty() ? "; the dissipated energy is off" : ", the dissipated energy",
-                          percent_text(e / energy.scale));
+      text +=
+          fmt::format("{} by about {}",
+                      text.empty() ? "; the dissipated energy is off" : ", the dissipated energy",
+                      percent_text(e / energy.scale));
     }
     return text;
   };
@@ -165,7 +167,8 @@ tl::expected<std::string, CommandFailure> converge(const Case& problem) {
                              std::abs(energy_of[1] - energy_of[2]), std::abs(energy_of[2])};
     text += fmt::format("  {}\n", problem.definitions[d].name);
     text += fmt::format(
-        "    force       dt to dt/2 {:.2g} apart at most ({}), {:.2g} on average; dt/2 to dt/4 {:.2g} "
+        "    force       dt to dt/2 {:.2g} apart at most ({}), {:.2g} on average; dt/2 to dt/4 "
+        "{:.2g} "
         "and {:.2g}; {}\n",
         of.first.most, percent_text(of.first.relative(of.first.most)), of.first.mean(),
         of.second.most, of.second.mean(), order_text(force));

@@ -30,10 +30,10 @@ enum class ConvergenceVerdict { kSettled, kSecondOrder, kFirstOrder, kSlow, kNon
 ConvergenceVerdict judge(const Convergence& convergence);
 
 /// `slipbench run --converge`: the case with one, two and four increments where it has one (between
-/// the rows of a measured history straight lines), compared at the rows of the first. Tells for each
-/// definition how far the forces are apart, the dissipated energy, the observed order, and a verdict
-/// in words; where a coefficient falls with the slip rate, the increment that decides. Writes
-/// nothing. Errors: a run that fails.
+/// the rows of a measured history straight lines), compared at the rows of the first. Tells for
+/// each definition how far the forces are apart, the dissipated energy, the observed order, and a
+/// verdict in words; where a coefficient falls with the slip rate, the increment that decides.
+/// Writes nothing. Errors: a run that fails.
 tl::expected<std::string, CommandFailure> converge(const Case& problem);
 
 }  // namespace slipbench::driver

@@ -128,8 +128,9 @@ std::vector<std::string> contact_lines(const law::ContactForce& contact,
   const law::ConnectorForce& force = increment.force;
   std::vector<std::string> lines;
   if (const auto* component = std::get_if<law::ComponentContactForce>(&contact)) {
-    lines.push_back(force_name(component->component) + " " + digits(force[component->component]) +
-                    "   component with its sign");
+    lines.push_back(fmt::format("{} = {}   component with its sign",
+                                digits(force[component->component]),
+                                force_name(component->component)));
   } else if (const auto* derived = std::get_if<law::DerivedComponent>(&contact)) {
     for (const law::DerivedTerm& term : *derived) {
       lines.push_back(term_text(term, force, increment.end));
@@ -137,7 +138,8 @@ std::vector<std::string> contact_lines(const law::ContactForce& contact,
   } else if (const auto* joint = std::get_if<law::UniversalJointContact>(&contact)) {
     const law::UniversalJointTerms t = law::terms(*joint, force, increment.end.position);
     lines.push_back(fmt::format(
-        "2 x (face {} + R_p {} x (radial {} + bending {}))   two hinges on axis {}", digits(t.face),
+        "{} = 2 x (face {} + R_p {} x (radial {} + bending {}))   two hinges on axis {}",
+        digits(law::evaluate(*joint, force, increment.end.position)), digits(t.face),
         digits(joint->R_p), digits(t.radial), digits(t.bending), joint->axis));
   }
   return lines;
@@ -149,12 +151,16 @@ std::string force_unit(const law::FrictionDefinition& definition, const Case& pr
 
 /// "CSF1 74.2 N, CSM1 17.8 N mm".
 std::string forces_text(const Case& problem, const law::FrictionDefinition& definition,
-                        const law::FrictionState& state) {
-  const law::ConnectorForce force = law::friction_force(definition, state);
+                        const law::FrictionState& state, double limit) {
+  law::ConnectorForce force = law::friction_force(definition, state);
   std::string text;
   for (int k = 0; k < definition.slip.dimension; ++k) {
     const int c = definition.slip.component[static_cast<std::size_t>(k)];
     const std::string unit = unit_text(law::is_rotation(c) ? kMoment : kForce, problem.units);
+    // Rounding of a force that went through zero.
+    if (std::abs(force[c]) <= 1e-12 * definition.slip.scale[static_cast<std::size_t>(k)] * limit) {
+      force[c] = 0.0;
+    }
     text += (text.empty() ? "" : ", ") + force_column("CSF", c) + " " +
             with_unit(fmt::format("{}{}", force[c] > 0.0 ? "+" : "", digits(force[c])), unit);
   }
@@ -280,8 +286,9 @@ std::string definition_text(const Case& problem, const Instant& instant, std::si
   const bool belt = std::holds_alternative<law::Capstan>(definition.criterion);
   std::string text = fmt::format(
       "{}{}   {}\n", problem.definitions.size() > 1 ? "'" + problem.definitions[d].name + "' " : "",
-      regime_name(regime), forces_text(problem, definition, update.state));
-  const auto [p, how] = magnitude(definition, update.state);
+      regime_name(regime), forces_text(problem, definition, update.state, update.limit));
+  auto [p, how] = magnitude(definition, update.state);
+  if (p <= 1e-12 * update.limit) p = 0.0;
   text += fmt::format("  P {} = {}\n", with_unit(digits(p), unit), how);
   // Rounding of a force that was put on its limit is no distance.
   const double phi = std::abs(update.phi) <= 1e-12 * update.limit ? 0.0 : update.phi;

@@ -213,6 +213,9 @@ std::string SolverReport::definition_text(const Worst& worst, std::size_t index)
 }
 
 std::string SolverReport::text() const {
+  if (case_->dynamics) {
+    return "  solver: not judged, a motion that the friction itself drives has no tangent\n";
+  }
   std::string text;
   for (std::size_t d = 0; d < worst_.size(); ++d) text += definition_text(worst_[d], d);
   return text;

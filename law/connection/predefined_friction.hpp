@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "law/component.hpp"
@@ -25,11 +24,12 @@ struct ConnectionInfo {
 /// One stick-slip check that predefined friction stands for: predefined friction is nothing but an
 /// automatic choice of potential and contact force.
 struct PredefinedFriction {
-  std::string suffix;  ///< tells the checks of PLANAR, UJOINT and a chain of rings apart
+  std::string_view suffix;  ///< tells the checks of PLANAR, UJOINT and a chain of rings apart
   SlipSpace slip;
   ContactForce contact_force;
   InternalContactForce internal_contact_force;
   SlipCriterion criterion{};  ///< the Euclidean norm unless said otherwise
+  int number = 0;             ///< follows the suffix in a chain of rings; 0 does not
 };
 
 }  // namespace slipbench::law

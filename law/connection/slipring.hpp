@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
 #include <tuple>
 #include <vector>
 
@@ -26,8 +25,9 @@ struct SlipRing {
   std::vector<PredefinedFriction> predefined() const {
     std::vector<PredefinedFriction> checks;
     for (std::size_t i = 0; i < wrap_angles.size(); ++i) {
-      checks.push_back({wrap_angles.size() > 1 ? "ring" + std::to_string(i + 1) : std::string(),
-                        slip_space({2}), ComponentContactForce{0}, 0.0, Capstan{wrap_angles[i]}});
+      const bool chain = wrap_angles.size() > 1;
+      checks.push_back({chain ? "ring" : "", slip_space({2}), ComponentContactForce{0}, 0.0,
+                        Capstan{wrap_angles[i]}, chain ? static_cast<int>(i) + 1 : 0});
     }
     return checks;
   }

@@ -42,7 +42,7 @@ const std::vector<Room>& rooms() {
       {std::regex("reference/.*"), std::regex("reference/.*"), "reference/"},
       {std::regex("driver/.*"),
        std::regex(
-           "(law|reference|driver|fmt|tl|yaml-cpp|CLI|gsl|sys)/.*|muParser.*\\.h|udunits2\\.h"
+           "(law|reference|driver|Eigen|fmt|tl|yaml-cpp|CLI|gsl|sys)/.*|muParser.*\\.h|udunits2\\.h"
            "|(unistd|fcntl|spawn|signal|poll|locale)\\.h"),
        "law/, reference/, driver/, its third parties and POSIX"},
       {std::regex("tests/law/.*"),

@@ -186,10 +186,9 @@ TEST_CASE("linear wear has the closed solution, reversals too (reference case W1
   run.go(at(0.1));
   CHECK(run.friction(1) == Approx(19.1919191919192).epsilon(1e-13));
   CHECK(run.state.accumulated_slip == Approx(0.0808080808080808).epsilon(1e-13));
-  const std::vector<double> forces{17.5594327109479, 15.8939667051084, 14.1948549213732,
-                                   12.4614176470575, 10.6929614379072, 8.8887788406932,
-                                   7.04814811020215, 5.17033292050927, 3.25458207041855,
-                                   1.30012918295226};
+  const std::vector<double> forces{
+      17.5594327109479, 15.8939667051084, 14.1948549213732, 12.4614176470575, 10.6929614379072,
+      8.8887788406932,  7.04814811020215, 5.17033292050927, 3.25458207041855, 1.30012918295226};
   double side = -1.0;
   for (const double force : forces) {
     run.go(at(0.1 * side));
@@ -292,8 +291,7 @@ TEST_CASE("a coefficient that rises with the slip rate is followed to the tolera
   const double v = 0.5;
   const double onset = 0.02 / v;
   const double tau = 100.0 * 0.1 / 1000.0;
-  const double force = 100.0 * (0.2 + 0.1 * v) -
-                       100.0 * 0.1 * v * std::exp(-(0.1 - onset) / tau);
+  const double force = 100.0 * (0.2 + 0.1 * v) - 100.0 * 0.1 * v * std::exp(-(0.1 - onset) / tau);
   for (const int count : {1, 3, 20}) {
     ExactRun run(definition, at(0.0), 1e-10);
     run.go(end, count);

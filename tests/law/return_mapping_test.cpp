@@ -57,6 +57,31 @@ TEST_CASE("a slider sticks up to the limit and flips above it, not at it (J1)") 
   }
 }
 
+TEST_CASE("the onset is the part of the increment before slip begins") {
+  for (const StickStiffness stick : both_modes()) {
+    FrictionRun run(slider(0.2, 100.0, stick));
+    CHECK(run.move_to(1, 0.1).onset == exactly(0.2));  // 0.02 of 0.1
+    CHECK(run.move_to(1, 0.2).onset == 0.0);           // slips on
+    CHECK(run.move_to(1, 0.1).onset == exactly(0.4));  // back through both elastic slips
+    CHECK(run.move_to(1, 0.11).onset == 0.0);          // sticks
+  }
+  // Within one step of a path in two directions: reference cases, section 4, (14.7) of the theory.
+  FrictionRun plane(slider(0.2, 100.0, fixed_stiffness(kStiffness), {2, 3}));
+  plane.position[1] = 0.03;
+  plane.position[2] = 0.04;
+  CHECK(plane.step().onset == exactly(0.4));  // 20 N of 50 N
+}
+
+TEST_CASE("a force above a limit that fell turns back through the inside of the limit") {
+  FrictionRun run(slider(0.2, 100.0, fixed_stiffness(kStiffness)));
+  run.move_to(1, 0.1);
+  run.definition.internal_contact_force = 90.0;
+  // From 20 to the trial -80 N over -0.1 mm: it meets -18 N after 0.38 of it.
+  const FrictionUpdate& back = run.move_to(1, 0.0);
+  CHECK(back.onset == exactly(0.38));
+  CHECK(back.work == exactly(-0.038 * 0.5 * (20.0 - 18.0) + 0.062 * 18.0));
+}
+
 TEST_CASE("a slider's loop has the four corners and the energy of the closed form (J2)") {
   for (const StickStiffness stick : both_modes()) {
     for (const int per_leg : {1, 7}) {

@@ -63,7 +63,8 @@ Polyline draw_polyline(Dice* dice, int dimension, int corners) {
   const bool fixed = dice->chance(0.5);
   line.definition = slider(mu, normal, fixed ? fixed_stiffness(line.limit / g) : allowable_slip(g));
   line.definition.slip.dimension = dimension;
-  for (int i = 0; i < dimension; ++i) line.definition.slip.component[static_cast<std::size_t>(i)] = i;
+  for (int i = 0; i < dimension; ++i)
+    line.definition.slip.component[static_cast<std::size_t>(i)] = i;
   Waypoint here;
   const std::vector<double> strides = {0.0, 0.01, 0.3, 1.0, 5.0};
   for (int n = 0; n < corners; ++n) {
@@ -72,9 +73,10 @@ Polyline draw_polyline(Dice* dice, int dimension, int corners) {
     const Waypoint before = here;
     for (int i = 0; i < dimension; ++i) {
       // Now and then exactly back, or exactly on.
-      const double last = n > 0 ? line.corners.back().position[i] -
-                                      (n > 1 ? line.corners[static_cast<std::size_t>(n - 2)].position[i] : 0.0)
-                                : 0.0;
+      const double last =
+          n > 0 ? line.corners.back().position[i] -
+                      (n > 1 ? line.corners[static_cast<std::size_t>(n - 2)].position[i] : 0.0)
+                : 0.0;
       here.position[i] = before.position[i] + (straight ? (dice->chance(0.5) ? -last : last)
                                                         : dice->between(-stride, stride));
     }
@@ -262,7 +264,8 @@ TEST_CASE("whatever the law, dividing increments changes nothing beyond the tole
     const auto c = draw_case();
     if (!c) return;
     // The projections of a universal joint have corners of their own, which are not looked for.
-    const double worst = std::holds_alternative<UniversalJointContact>(c->definition.contact_force) ? 1e-5 : 1e-8;
+    const double worst =
+        std::holds_alternative<UniversalJointContact>(c->definition.contact_force) ? 1e-5 : 1e-8;
     ExactRun whole(c->definition, first_waypoint(c->rows.front()), 1e-11);
     ExactRun parts(c->definition, first_waypoint(c->rows.front()), 1e-11);
     for (const HistoryRow& row : c->rows) {

@@ -178,6 +178,27 @@ TEST_CASE("the start can be explained, the time outside the history cannot") {
   }
 }
 
+TEST_CASE("a friction that changes and a component with its sign are explained") {
+  const std::string text = text_of(R"(slipbench: 1
+connector: {type: SLOT}
+friction:
+  - {component: 1, contact_force: 2, internal_contact_force: 100, coefficient: 0.2, stick: {stiffness: 1000}}
+history:
+  - {step: slide, increments: 4, motion: {CP1: {to: 1}}, force: {f2: -80}}
+  - step: change
+    increments: 4
+    motion: {CP1: {to: 2}}
+    change_friction: {friction1: {coefficient: 0.4}}
+)",
+                                   1.5);
+  CHECK(
+      text.find("  limit 6.0 = mu 0.3 x F_N 20.0\n"
+                "  mu 0.3 = 0.2 + 0.5 x (0.4 - 0.2)   the friction is changing; the new mu 0.4   a "
+                "constant\n"
+                "  F_N 20.0 = abs(contact -80.0 + internal 100.0)\n"
+                "     contact:  -80.0 = f2   component with its sign\n") != std::string::npos);
+}
+
 TEST_CASE("every definition of a connector is explained, and every kind of criterion") {
   const std::string puck = text_of(R"(slipbench: 1
 connector: {type: PLANAR}

@@ -79,6 +79,38 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
+TEST_CASE("run --explain tells why and writes nothing") {
+  const TemporaryFolder folder;
+  folder.write("slider.yaml", kSlider);
+  const Ended ended = slipbench(folder, "run slider.yaml --explain 0.55");
+  INFO(ended.output);
+  CHECK(ended.code == 0);
+  CHECK(contains(ended.output, "the first increment that ends at or after t = 0.55 s\n"));
+  CHECK(contains(ended.output, "  limit 20.0 = mu 0.2 x F_N 100.0\n"));
+  CHECK(contains(ended.output, "  slipping since t = 0.2 s\n"));
+  CHECK(file_count(folder.path()) == 1);
+  const Ended outside = slipbench(folder, "run slider.yaml --explain 1.5");
+  CHECK(outside.code == 2);
+  CHECK(contains(outside.output, "--explain 1.5: slider runs from t = 0 to t = 1\n"));
+}
+
+TEST_CASE("run --solver-report judges the tangents and writes them") {
+  const TemporaryFolder folder;
+  folder.write("slider.yaml", kSlider);
+  const Ended ended = slipbench(folder, "run slider.yaml --solver-report");
+  INFO(ended.output);
+  CHECK(ended.code == 0);
+  CHECK(contains(ended.output, "an implicit solver will want its unsymmetric scheme: the contact "
+                               "force follows the constraint forces 0.2\n"));
+  const std::string rows = read(folder.path() / "slider.solver.csv");
+  CHECK(contains(rows, "\nt,duration,asymmetry,by_position,by_rate,force_coupling,snap_back,"
+                       "unique_increment,smooth_increment,several_solutions\n0.1,0.1,0,0,0,0,0,0,"
+                       "0,0\n"));
+  CHECK(contains(rows, "\n1,0.09999999999999998,0,0,0,0.2,0,0,0,0\n"));
+  const Ended silent = slipbench(folder, "run slider.yaml --solver-report --no-output -o .");
+  CHECK(contains(silent.output, "  solver: tangent to the motion symmetric"));
+}
+
 TEST_CASE("run writes three files and tells what happened") {
   const TemporaryFolder folder;
   folder.write("slider.yaml", kSlider);

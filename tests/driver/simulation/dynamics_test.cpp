@@ -56,8 +56,7 @@ TEST_CASE("the limit cycle of reference case K6 is met at its events") {
     CHECK(change.limit == Approx(4.0));
   }
   // After 6.6 cycles the seventh slip is over.
-  CHECK(rows[1].definitions[0].dissipation ==
-        Approx(7.0 * 0.121033318073871).margin(kIntegration));
+  CHECK(rows[1].definitions[0].dissipation == Approx(7.0 * 0.121033318073871).margin(kIntegration));
 }
 
 TEST_CASE("motion and heat do not depend on the increments") {
@@ -125,9 +124,9 @@ TEST_CASE("a resting mass breaks loose when the load or the lost grip says so, a
   for (const Row& row : rows) {
     // x'' = 4 t - 3 from t = 1.
     const double t = row.time;
-    const double x = t < 1.0 ? 0.0
-                             : (4.0 * (t * t * t - 1.0) / 6.0 - 2.0 * (t - 1.0)) -
-                                   1.5 * (t - 1.0) * (t - 1.0);
+    const double x =
+        t < 1.0 ? 0.0
+                : (4.0 * (t * t * t - 1.0) / 6.0 - 2.0 * (t - 1.0)) - 1.5 * (t - 1.0) * (t - 1.0);
     CHECK(motion(row) == Approx(x).margin(kIntegration));
   }
   CHECK(rows[3].definitions[0].changes.count == 1);

@@ -97,8 +97,8 @@ TEST_CASE("a load that a falling coefficient lets go jumps to where the spring h
 }
 
 TEST_CASE("a stop holds what friction and spring do not") {
-  Case problem = loaded_case({step("out", 10, kFirstForce, LinearTo{50.0}),
-                              step("in", 10, kFirstForce, LinearTo{-50.0})});
+  Case problem = loaded_case(
+      {step("out", 10, kFirstForce, LinearTo{50.0}), step("in", 10, kFirstForce, LinearTo{-50.0})});
   problem.behavior[0].stop = law::Stop{-0.1, 0.25};
   for (const Row& row : rows_of(problem)) {
     const ComponentForces& forces = row.forces.component[0];
@@ -127,9 +127,9 @@ TEST_CASE("a prescribed motion beyond a stop is an error that names it") {
 }
 
 TEST_CASE("control changes hands without a jump") {
-  const Case problem = loaded_case({step("pull", 4, kFirstForce, LinearTo{15.0}),
-                                    step("slide", 4, 0, LinearTo{0.1}),
-                                    step("let go", 4, kFirstForce, LinearTo{0.0})});
+  const Case problem =
+      loaded_case({step("pull", 4, kFirstForce, LinearTo{15.0}), step("slide", 4, 0, LinearTo{0.1}),
+                   step("let go", 4, kFirstForce, LinearTo{0.0})});
   const std::vector<Row> rows = rows_of(problem);
   CHECK(motion(rows[4]) == Approx(0.015).epsilon(1e-12));
   CHECK(motion(rows[5]) == Approx(0.015 + 0.085 / 4).epsilon(1e-12));
@@ -140,10 +140,10 @@ TEST_CASE("control changes hands without a jump") {
 }
 
 TEST_CASE("a run of a loaded connector that is cut and resumed gives the same bytes") {
-  const Case problem = loaded_case({step("pull", 7, kFirstForce, LinearTo{35.0}),
-                                    step("slide", 3, 0, LinearTo{0.1}),
-                                    step("let go", 5, kFirstForce, LinearTo{-25.0})},
-                                   100.0);
+  const Case problem =
+      loaded_case({step("pull", 7, kFirstForce, LinearTo{35.0}), step("slide", 3, 0, LinearTo{0.1}),
+                   step("let go", 5, kFirstForce, LinearTo{-25.0})},
+                  100.0);
   auto whole = Simulation::start(problem);
   REQUIRE(whole);
   for (int cut = 0; cut < 14; ++cut) {
