@@ -215,16 +215,18 @@ SlipVector put_on_limit(const Potential& potential, const SlipVector& y, double 
   return result;
 }
 
-/// The fraction of the way from y0 to `trial` at which P reaches the limit. P is convex along it:
-/// Newton's method comes down from the far end.
+/// The fraction of the way from y0 to `trial` at which P reaches the limit, the last time if y0
+/// is beyond it; 0 if it stays beyond. P is convex along it: Newton's method comes down from the
+/// far end.
 double meets_limit(const Potential& potential, const SlipVector& y0, const SlipVector& rise,
                    double limit) noexcept {
-  if (!within(potential, y0, limit)) return 0.0;
+  const bool beyond = !within(potential, y0, limit);
   double lambda = 1.0;
   for (int i = 0; i < 100; ++i) {
     const SlipVector y = sum_of(y0, lambda, rise);
     const double excess = value(potential, y) - limit;
     const double slope = dot(gradient(potential, y), rise);
+    if (beyond && excess > 0.0 && !(slope > 0.0)) return 0.0;
     if (!(excess > 0.0) || !(slope > 0.0)) break;
     const double next = lambda - excess / slope;
     if (!(next < lambda)) break;

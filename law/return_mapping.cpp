@@ -50,8 +50,10 @@ double split_work(const Slip<D>& y0, const Slip<D>& trial, const Slip<D>& y1, co
   const double c = excess <= 2.0 * (kLimitSlack - 1.0) * square ? std::min(excess, 0.0) : excess;
   double lambda = 0.0;
   const double square_of_root = b * b - a * c;
-  // A limit that fell below a force that turns back is met where the force comes out again.
-  if (a > 0.0 && (c <= 0.0 || (b < 0.0 && square_of_root > 0.0))) {
+  // A limit that fell below a force that turns back is met where the force comes out again, if it
+  // gets inside at all before the predictor.
+  const bool comes_out = b < 0.0 && a + b > 0.0 && square_of_root > 0.0;
+  if (a > 0.0 && (c <= 0.0 || comes_out)) {
     // The stable form of the larger root of a x^2 + 2 b x + c = 0.
     const double root = std::sqrt(std::max(square_of_root, 0.0));
     lambda = b > 0.0 ? -c / (b + root) : (root - b) / a;

@@ -220,7 +220,11 @@ std::optional<ClosedFormReference> closed_form(Binder& binder, const AgainstText
     good = false;
   }
   for (const reference::Signal& signal : form->inputs) {
-    if (std::find(misspelt.begin(), misspelt.end(), signal.name) != misspelt.end()) continue;
+    const bool given = std::any_of(text.inputs.begin(), text.inputs.end(),
+                                   [&](const auto& entry) { return entry.name == signal.name; });
+    if (!given && std::find(misspelt.begin(), misspelt.end(), signal.name) != misspelt.end()) {
+      continue;
+    }
     auto input = input_of(binder, text, signal, problem, variables);
     if (input) {
       result.inputs.push_back(std::move(*input));

@@ -226,7 +226,7 @@ const std::vector<Fault>& faults() {
       {{{"f2: 300", "F2: 300"}},
        {"22:13: error: history[0].force.F2: unknown quantity 'F2'; did you mean 'f2'?"}},
       {{{"f2: 300", "f1: 300"}},
-       {"22:13: error: history[0].force.f1: component 1 of a CYLINDRICAL connector is free:"}},
+       {"22:13: error: history[0].force.f1: component 1 is driven by its motion CP1 here"}},
       {{{"motion: {CP1: {to: 0.45}}", "motion: {f2: {to: 0.45}}"}},
        {"21:14: error: history[0].motion.f2: 'f2' is a force: it goes under 'force:'"}},
       {{{"f2: 300", "CP1: {to: 300}"}},
