@@ -269,8 +269,10 @@ tl::expected<void, SimulationFailure> Simulation::begin_friction_changes() {
 void Simulation::note_falling_definitions() {
   falling_.clear();
   for (std::size_t i = 0; i < definitions_.size(); ++i) {
-    if (law::has_increment_thresholds(definitions_[i])) falling_.push_back(i);
     row_.definitions[i].thresholds = {};
+    if (!law::has_increment_thresholds(definitions_[i])) continue;
+    const law::CoefficientBounds bounds = law::coefficient_bounds(definitions_[i].law);
+    if (bounds.steepest_weakening > 0.0) falling_.push_back({i, bounds});
   }
 }
 
@@ -279,7 +281,7 @@ void Simulation::note_thresholds() {
   // The thresholds are those of backward Euler.
   if (falling_.empty() || dynamics_ || exact_ || !(row_.duration > 0.0)) return;
   const law::Ambient end = ambient_of(row_.quantities, case_->reference);
-  for (const std::size_t i : falling_) {
+  for (const auto& [i, bounds] : falling_) {
     const law::SlipSpace& slip = definitions_[i].slip;
     double square = 0.0;
     for (int k = 0; k < slip.dimension; ++k) {
@@ -289,8 +291,8 @@ void Simulation::note_thresholds() {
       square += ds * ds;
     }
     DefinitionRow& row = row_.definitions[i];
-    row.thresholds = law::increment_thresholds(definitions_[i], end, row.update.normal_force,
-                                               std::sqrt(square) / row_.duration);
+    row.thresholds = law::increment_thresholds(
+        definitions_[i], bounds, end, row.update.normal_force, std::sqrt(square) / row_.duration);
   }
 }
 
@@ -436,11 +438,9 @@ tl::expected<void, SimulationFailure> Simulation::solve_equilibrium() {
     definition.changes.count = 0;
     definition.changes.overflow = false;
   }
-  const IntegrateDefinition one = [this](std::size_t definition,
-                                         const law::ConnectorIncrement& increment,
-                                         const law::FrictionState& old) {
-    return integrate(definition, increment, old);
-  };
+  const IntegrateDefinition one =
+      [this](std::size_t definition, const law::ConnectorIncrement& increment,
+             const law::FrictionState& old) { return integrate(definition, increment, old); };
   const auto solved = equilibrium_->solve(force_driven_, begin_, definitions_, one, row_);
   if (!solved) {
     const NoEquilibrium& why = solved.error();
@@ -458,7 +458,8 @@ tl::expected<void, SimulationFailure> Simulation::solve_equilibrium() {
           i, "the return to the limit surface of its potential found no solution"));
     }
   }
-  if (auto fault = beyond_stop(*case_, force_driven_, connector_increment(*case_, row_).end.position)) {
+  if (auto fault =
+          beyond_stop(*case_, force_driven_, connector_increment(*case_, row_).end.position)) {
     return tl::unexpected(
         SimulationFailure{SimulationFailure::Kind::kInput, place() + ": " + *std::move(fault)});
   }
@@ -545,8 +546,7 @@ law::FrictionUpdate Simulation::integrate(std::size_t definition,
                                           const law::ConnectorIncrement& increment,
                                           const law::FrictionState& old) const {
   if (case_->belt && case_->belt->both_tensions) {
-    return law::judge_capstan(definitions_[definition], increment,
-                              row_.quantities[kTensionBehind]);
+    return law::judge_capstan(definitions_[definition], increment, row_.quantities[kTensionBehind]);
   }
   return law::update(definitions_[definition], increment, old);
 }
@@ -564,8 +564,9 @@ std::string Simulation::place(double before) const {
 
 SimulationFailure Simulation::numerical_failure(std::size_t definition,
                                                 const std::string& what) const {
-  return {SimulationFailure::Kind::kNumerical,
-          fmt::format("{}: definition '{}': {}", place(), case_->definitions[definition].name, what)};
+  return {
+      SimulationFailure::Kind::kNumerical,
+      fmt::format("{}: definition '{}': {}", place(), case_->definitions[definition].name, what)};
 }
 
 }  // namespace slipbench::driver

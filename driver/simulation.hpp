@@ -105,8 +105,9 @@ class Simulation {
   static tl::expected<Simulation, SimulationFailure> start(const Case& problem);
 
   /// The state in which another run of the same case was cut; its history is walked through again
-  /// up to there, without the law where nothing that moves depends on it. The next row is the one the other run would have given;
-  /// `row()` before it has no updates. Errors: those of `start`; a history shorter than that.
+  /// up to there, without the law where nothing that moves depends on it. The next row is the one
+  /// the other run would have given; `row()` before it has no updates. Errors: those of `start`; a
+  /// history shorter than that.
   static tl::expected<Simulation, SimulationFailure> resume(const Case& problem,
                                                             const SimulationState& state);
 
@@ -160,15 +161,20 @@ class Simulation {
   /// The definitions in force; a change of friction puts others in place of the case's.
   std::vector<law::FrictionDefinition> definitions_;
   FrictionChanges friction_changes_;
-  std::vector<std::size_t> falling_;  ///< definitions whose increments may be too short
+  /// A definition whose increments may be too short, with the bounds of its law.
+  struct Falling {
+    std::size_t definition = 0;
+    law::CoefficientBounds bounds;
+  };
+  std::vector<Falling> falling_;
   Row row_;
   /// Of a case with components that are driven by force, and of a dynamic one.
   std::unique_ptr<Equilibrium> equilibrium_;
   std::unique_ptr<Dynamics> dynamics_;
-  law::ComponentSet force_driven_;  ///< now
-  bool has_forces_ = false;         ///< beside friction
+  law::ComponentSet force_driven_;           ///< now
+  bool has_forces_ = false;                  ///< beside friction
   std::unique_ptr<ExactIntegration> exact_;  ///< where the case asks for it
-  Quantities begin_{};              ///< at the begin of the increment, for those three
+  Quantities begin_{};                       ///< at the begin of the increment, for those three
   std::vector<MotionJump> jumps_;
   std::array<double, law::kComponents> extent_{};  ///< largest magnitude of each position so far
 
@@ -179,7 +185,7 @@ class Simulation {
   std::optional<MeasuredHistory> measured_;
   std::vector<double> earlier_;  ///< the row before, where increments divide the rows
   double earlier_time_ = 0.0;
-  int piece_ = 0;  ///< how many of them lie behind since the row before
+  int piece_ = 0;            ///< how many of them lie behind since the row before
   double pass_start_ = 0.0;  ///< total time at which the current pass began
   double breakpoint_ = 0.0;  ///< the next one
 };

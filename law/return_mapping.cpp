@@ -262,6 +262,8 @@ double magnitude(const FrictionDefinition& definition, const SlipVector& v) noex
 }  // namespace
 
 double equivalent_force(const FrictionDefinition& definition, const FrictionState& state) noexcept {
+  // Shifts give P(0) > 0, but where nothing holds there is no force to speak of.
+  if (state.regime == Regime::kOpen) return 0.0;
   const auto* potential = std::get_if<Potential>(&definition.criterion);
   return potential != nullptr ? value(*potential, state.force) : magnitude(definition, state.force);
 }

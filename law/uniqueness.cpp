@@ -38,7 +38,12 @@ bool has_increment_thresholds(const FrictionDefinition& definition) {
          definition.slip_rate == SlipRateMeasure::kSlip && depends_on_slip_rate(definition.law);
 }
 
-IncrementThresholds increment_thresholds(const FrictionDefinition& definition, const Ambient& end,
+CoefficientBounds coefficient_bounds(const FrictionLaw& law) {
+  return {largest(law), std::max(steepest_weakening(law), 0.0)};
+}
+
+IncrementThresholds increment_thresholds(const FrictionDefinition& definition,
+                                         const CoefficientBounds& bounds, const Ambient& end,
                                          double normal_force, double rate) {
   if (!has_increment_thresholds(definition)) return {};
   const CoefficientPoint point =
@@ -60,10 +65,10 @@ IncrementThresholds increment_thresholds(const FrictionDefinition& definition, c
     return to_mu / definition.stick.value;
   };
   const double weakening = std::max(-point.to_slip_rate, 0.0);
-  const double steepest = definition.blend.weight * steepest_weakening(definition.law);
-  const double largest_mu = blended(definition.blend, {largest(definition.law), 0.0, 0.0}).mu;
+  const double steepest = definition.blend.weight * bounds.steepest_weakening;
+  const double largest_mu = blended(definition.blend, {bounds.largest, 0.0, 0.0}).mu;
   return {normal_force, weakening, 2.0 * per_stiffness(point.mu) * weakening,
-          per_stiffness(std::max(largest_mu, point.mu)) * std::max(steepest, 0.0)};
+          per_stiffness(std::max(largest_mu, point.mu)) * steepest};
 }
 
 }  // namespace slipbench::law

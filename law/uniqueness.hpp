@@ -38,9 +38,25 @@ struct IncrementThresholds {
   /// belt a bound, exp(A) at the largest coefficient.
   double unique = 0.0;
 };
+/// How far a coefficient goes: its largest value [1] and its steepest fall with the slip rate
+/// [T/L]. Of a table both take a walk over all cells, so they are kept between increments.
+struct CoefficientBounds {
+  double largest = 0.0;
+  double steepest_weakening = 0.0;
+};
+CoefficientBounds coefficient_bounds(const FrictionLaw& law);
+
+/// \param bounds of the definition's law
 /// \param rate |ds|/dt of the relative motion [L/T]
-IncrementThresholds increment_thresholds(const FrictionDefinition& definition, const Ambient& end,
+IncrementThresholds increment_thresholds(const FrictionDefinition& definition,
+                                         const CoefficientBounds& bounds, const Ambient& end,
                                          double normal_force, double rate);
+inline IncrementThresholds increment_thresholds(const FrictionDefinition& definition,
+                                                const Ambient& end, double normal_force,
+                                                double rate) {
+  return increment_thresholds(definition, coefficient_bounds(definition.law), end, normal_force,
+                              rate);
+}
 /// Whether a definition may have such thresholds at all.
 bool has_increment_thresholds(const FrictionDefinition& definition);
 

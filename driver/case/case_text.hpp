@@ -197,9 +197,10 @@ struct PotentialTermText {
         KeyInfo{.text = "E: name of a derived component of free components.",
                 .default_text = "component"});
     key("scale", &PotentialTermText::scale,
-        KeyInfo{.text = "R of the contribution X = (E - a)/R; a radius turns a moment into a force.",
-                .default_text = "1",
-                .bounds = law::kPositive});
+        KeyInfo{
+            .text = "R of the contribution X = (E - a)/R; a radius turns a moment into a force.",
+            .default_text = "1",
+            .bounds = law::kPositive});
     key("shift", &PotentialTermText::shift,
         KeyInfo{.text = "a of the contribution, in the unit of E.", .default_text = "0"});
     key("of", &PotentialTermText::of,
@@ -234,7 +235,9 @@ struct PotentialText {
         KeyInfo{.text = "sum: P = (sum of X^exponent)^(1/exponent); max: P is the largest X.",
                 .default_text = "sum"});
     key("exponent", &PotentialText::exponent,
-        KeyInfo{.text = "Exponent of the sum.", .default_text = "2", .bounds = {.lower = 1.0}});
+        KeyInfo{.text = "Exponent of the sum; for one beyond the range take operator max.",
+                .default_text = "2",
+                .bounds = {.lower = 1.0, .upper = 1.0e4}});
     key("terms", &PotentialText::terms, KeyInfo{.required = true, .text = "The contributions."});
   }
 };
@@ -707,8 +710,9 @@ struct DampingText {
                 .dimension = {1, -1, 1},
                 .bounds = law::kPositive});
     key("columns", &DampingText::columns,
-        KeyInfo{.text = "Columns of a table in place of the coefficient: a name for the force, then "
-                        "velocity, temperature, fields.",
+        KeyInfo{.text =
+                    "Columns of a table in place of the coefficient: a name for the force, then "
+                    "velocity, temperature, fields.",
                 .default_text = "a coefficient"});
     key("rows", &DampingText::rows,
         KeyInfo{.text = "Rows of the table; the first independent varies fastest, ascending.",

@@ -555,7 +555,7 @@ const std::vector<Fault>& faults() {
       {{{"history:", "title_: 3\nhistory:"}},
        {"18:1: error: title_: unknown key; did you mean 'title'?"}},
       {{{"history:", "tolerance: 3\nhistory:"}},
-       {"18:1: error: tolerance: unknown key; 'tolerance' belongs to checks[]"}},
+       {"18:1: error: tolerance: unknown key; 'tolerance' belongs to integration or checks[]"}},
       {{{"      terms:", "      contact_force: normal\n      terms:"}},
        {"14:7: error: friction[0].potential.contact_force: unknown key; 'contact_force' belongs"}},
       {{{"{component: 1}", "{componnt: 1}"}},
