@@ -409,7 +409,7 @@ const std::vector<Fault>& faults() {
       {{{"scale: = r", "scale: 0"}},
        {"14:53: error: friction[0].potential.terms[1].scale: must be greater than 0, found 0"}},
       {{{"    potential:\n", "    potential:\n      exponent: 0.5\n"}},
-       {"14:17: error: friction[0].potential.exponent: must be at least 1, found 0.5"}},
+       {"14:17: error: friction[0].potential.exponent: must be between 1 and 10000, found"}},
       {{{"    potential:\n", "    potential:\n      operator: most\n"}},
        {"14:17: error: friction[0].potential.operator: wanted sum or max, found 'most'"}},
       {{{"terms: [{component: 1}, {component: 4, scale: = r}]",
