@@ -315,6 +315,12 @@ double Dynamics::friction_force(double time) const {
   return forces(time, state_[kMotion], data_.belt_velocity).drive();
 }
 
+/// Whether stick or slip began, or slip turned against friction: without a limit nothing does.
+bool Dynamics::changes_since(int old, double time) const {
+  if ((old == 0) != (sense_ == 0)) return true;
+  return old != sense_ && static_limit(time, state_).force > 0.0;
+}
+
 void Dynamics::note_change(double time, Row& row) const {
   if (definition_ < 0) return;
   law::RegimeChanges& changes = row.definitions[static_cast<std::size_t>(definition_)].changes;
@@ -323,11 +329,14 @@ void Dynamics::note_change(double time, Row& row) const {
     changes.overflow = true;
     return;
   }
-  // Where slip begins, the force is still the one that broke loose.
+  // Where slip begins, the force is still the one that broke loose; beyond a jump of the load it is
+  // the limit.
+  const double limit = static_limit(time, state_).force;
   changes.at[i] = {.fraction = duration_ > 0.0 ? time / duration_ : 0.0,
                    .to = sense_ == 0 ? law::Regime::kStick : law::Regime::kSlip,
-                   .force = forces(time, state_[kMotion], data_.belt_velocity).drive(),
-                   .limit = static_limit(time, state_).force,
+                   .force = std::clamp(forces(time, state_[kMotion], data_.belt_velocity).drive(),
+                                       -limit, limit),
+                   .limit = limit,
                    .accumulated_slip = state_[kSlip]};
   ++changes.count;
 }
@@ -415,7 +424,7 @@ tl::expected<void, DynamicsFailure> Dynamics::advance(const Quantities& begin,
   // A load that jumps may break a stuck mass loose, or hold it, at once.
   const int before = sense_;
   if (state_[kRelative] == 0.0) decide(time);
-  if ((sense_ == 0) != (before == 0)) note_change(time, row);
+  if (changes_since(before, time)) note_change(time, row);
   for (int events = 0; time < duration_; ++events) {
     if (sense_ != 0) choose_scales(time);
     time = sense_ != 0 ? slip(time) : stick(time);
@@ -426,7 +435,7 @@ tl::expected<void, DynamicsFailure> Dynamics::advance(const Quantities& begin,
     if (time >= duration_ && state_[kRelative] != 0.0) break;
     const int old = sense_;
     decide(time);
-    if ((old == 0) != (sense_ == 0)) note_change(time, row);
+    if (changes_since(old, time)) note_change(time, row);
   }
   report(duration_, row);
   begin_ = end_ = nullptr;

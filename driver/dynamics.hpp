@@ -82,6 +82,7 @@ class Dynamics {
   void decide(double time);
   void choose_scales(double time);
   double friction_force(double time) const;
+  bool changes_since(int old, double time) const;
   void note_change(double time, Row& row) const;
   void report(double time, Row& row);
 

@@ -43,6 +43,10 @@ void Equilibrium::prepare(double from, double to, const Quantities& begin, const
     const auto c = static_cast<std::size_t>(component_[i]);
     load_[i] = end_[kFirstForce + c];
     scale_[i] = std::abs(load_[i]);
+    begin_friction_[i] = 0.0;
+    for (std::size_t d = 0; d < old_.size(); ++d) {
+      begin_friction_[i] += std::abs(law::friction_force(definitions_[d], old_[d])[component_[i]]);
+    }
   }
   increment_.end = ambient_of(end_, case_->reference);
   std::copy_n(end_.begin() + kFirstForce, kSize, increment_.force.values.begin());
@@ -93,9 +97,16 @@ void Equilibrium::evaluate(Trial& trial) {
       add(point, point.slope / increment_.duration);
     }
     scale_[i] = std::max(scale_[i], trial.tolerance[i]);
-    // A position cannot be told apart from its neighbour: the stiffest slope times that is noise.
-    trial.tolerance[i] = kRelativeTolerance * trial.tolerance[i] +
-                         4.0 * kEpsilon * std::abs(trial.q[i]) * std::abs(trial.tangent[i][i]);
+    // A position cannot be told apart from its neighbour: the slopes times that are noise. So is
+    // the rounding of the friction at the begin, which a load that ends at 0 takes back.
+    double noise = begin_friction_[i];
+    for (int l = 0; l < count_; ++l) {
+      const auto j = static_cast<std::size_t>(l);
+      const double size =
+          std::max(std::abs(trial.q[j]), std::abs(increment_.begin_position[component_[j]]));
+      noise += size * std::abs(trial.tangent[i][j]);
+    }
+    trial.tolerance[i] = kRelativeTolerance * trial.tolerance[i] + 4.0 * kEpsilon * noise;
   }
 }
 
@@ -241,8 +252,9 @@ bool Equilibrium::solve_piece(Trial& trial) {
 }
 
 /// Makes the state at the last trial the begin of what follows; the row's sums grow by it. What an
-/// update says of its increment counts from the first piece on.
-void Equilibrium::accept(bool first, Row& row) {
+/// update says of its increment counts from the first piece on; the piece runs `from`..`to` of it.
+void Equilibrium::accept(double from, double to, Row& row) {
+  const bool first = from == 0.0;
   for (std::size_t d = 0; d < updates_.size(); ++d) {
     DefinitionRow& here = row.definitions[d];
     here.dissipation += updates_[d].dissipation;
@@ -250,11 +262,12 @@ void Equilibrium::accept(bool first, Row& row) {
     old_[d] = updates_[d].state;
     const law::FrictionUpdate before = here.update;
     here.update = updates_[d];
+    here.update.onset = from + updates_[d].onset * (to - from);
     if (first) continue;
     here.update.slip_increment += before.slip_increment;
     here.update.dissipation += before.dissipation;
     here.update.work += before.work;
-    here.update.onset = 0.0;
+    if (before.state.regime == law::Regime::kSlip) here.update.onset = before.onset;
     here.update.multiple_roots = here.update.multiple_roots || before.multiple_roots;
   }
   take_springs_and_dampers(*case_, increment_, row.forces);
@@ -327,7 +340,7 @@ tl::expected<void, NoEquilibrium> Equilibrium::solve(
     if (solve_piece(trial)) {
       // The updates are those of the last trial, which need not be the accepted one.
       evaluate(trial);
-      accept(done == 0.0, row);
+      accept(done, to, row);
       done = to;
       size = std::min(2.0 * size, 1.0);
       continue;

@@ -69,7 +69,7 @@ class Equilibrium {
   bool at_stop(const Trial& trial, int k) const;
   bool balanced(const Trial& trial, int k) const;
   double merit(const Trial& trial) const;
-  void accept(bool first, Row& row);
+  void accept(double from, double to, Row& row);
   std::string explain(const Trial& trial) const;
 
   const Case* case_;
@@ -80,6 +80,7 @@ class Equilibrium {
   std::array<int, kSize> component_;  ///< of each
   Vector lower_{}, upper_{};          ///< stops of each
   Vector load_{}, scale_{};           ///< load and size of forces of each
+  Vector begin_friction_{};           ///< size of the friction at the begin of the piece
   Vector held_{};                     ///< the most that held against a load in the last search
   bool jumped_ = false;               ///< the last search ended at a jump
 

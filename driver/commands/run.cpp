@@ -78,6 +78,13 @@ Diagnostics warnings_of(const Diagnostics& diagnostics) {
   return warnings;
 }
 
+/// Whether the case names data files that are not found from `folder`.
+bool reads_data_elsewhere(const Case& problem, const fs::path& folder) {
+  std::error_code ignored;
+  return input_files(problem).size() > 1 &&
+         !fs::equivalent(folder, fs::absolute(problem.file).parent_path(), ignored);
+}
+
 /// Writes the smallest case that fails in the same way beside where the result would be.
 int write_reproducer(const ReadCase& read, const SimulationFailure& failure,
                      const fs::path& folder) {
@@ -94,7 +101,10 @@ int write_reproducer(const ReadCase& read, const SimulationFailure& failure,
     print_error("slipbench: error: " + committed.error() + "\n");
     return kExitEnvironment;
   }
-  print_error("  a case that fails the same way: " + shown(target) + "\n");
+  print_error(
+      "  a case that fails the same way: " + shown(target) +
+      (reads_data_elsewhere(problem, folder) ? " (move it beside the case's data files)" : "") +
+      "\n");
   return kExitNumerical;
 }
 

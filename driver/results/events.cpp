@@ -2,6 +2,7 @@
 #include "driver/results/events.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "driver/results/csv_writer.hpp"
@@ -68,7 +69,10 @@ void EventDetector::judge(const Row& row, std::size_t definition) {
   const Memory& memory = memory_[definition];
   const law::Regime to = update.state.regime;
   const bool slips = to == law::Regime::kSlip;
-  const bool reversal = slips && turns(definition, here);
+  // Exact integration has located what there is: slip that goes on has turned step by step.
+  const bool goes_on =
+      case_->integration.method == IntegrationMethod::kExact && memory.regime == law::Regime::kSlip;
+  const bool reversal = slips && !goes_on && turns(definition, here);
   if (memory.regime == to && !reversal) return;
   Event event{0.0,           0.0, definition,
               memory.regime, to,  reversal,
@@ -97,7 +101,8 @@ void EventDetector::add_located(const Row& row, std::size_t definition) {
     bool reversal = false;
     if (change.to == law::Regime::kSlip) {
       if (signed_force) {
-        const double sense = change.force < 0.0 ? -1.0 : 1.0;
+        // A limit of 0 has a force of -0 or 0.
+        const double sense = std::signbit(change.force) ? -1.0 : 1.0;
         reversal = memory.slip_direction[0] * sense < 0.0;
         memory.slip_direction[0] = sense;
       } else {

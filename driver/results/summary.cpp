@@ -70,7 +70,10 @@ Summary::Summary(const Case& problem)
 }
 
 void Summary::add(const Row& row) {
-  if (row.index == 0) start_time_ = row.time;
+  if (row.index == 0) {
+    start_time_ = row.time;
+    add_start(row);
+  }
   increments_ = row.index;
   end_time_ = row.time;
   add_events(row);
@@ -84,7 +87,7 @@ void Summary::add(const Row& row) {
     if (update.state.regime == law::Regime::kSlip) {
       sum.slip_time += (1.0 - since_[d]) * row.duration;
     } else if (update.state.regime == law::Regime::kOpen) {
-      sum.open_time += row.duration;
+      sum.open_time += (1.0 - since_[d]) * row.duration;
     }
     const double force = representative_force(case_->definitions[d], here);
     sum.lowest_force = std::min(sum.lowest_force, force);
@@ -110,23 +113,51 @@ void Summary::add(const Row& row) {
   }
 }
 
+/// A mass that moves against its belt slips from the start: no event begins that slip.
+void Summary::add_start(const Row& row) {
+  for (std::size_t d = 0; d < definitions_.size(); ++d) {
+    const DefinitionRow& here = row.definitions[d];
+    const law::FrictionUpdate& update = here.update;
+    if (update.state.regime != law::Regime::kSlip) continue;
+    const Event start{row.time,
+                      1.0,
+                      d,
+                      law::Regime::kSlip,
+                      law::Regime::kSlip,
+                      false,
+                      representative_force(case_->definitions[d], here),
+                      update.limit,
+                      update.state.accumulated_slip};
+    note_first_slip(start, row);
+  }
+}
+
+void Summary::note_first_slip(const Event& event, const Row& row) {
+  DefinitionSummary& sum = definitions_[event.definition];
+  if (sum.first_slip) return;
+  sum.first_slip = event;
+  for (const Column& position : positions_) {
+    sum.first_place.push_back(position_at(event, row, position.index) - position.offset);
+  }
+}
+
 void Summary::add_events(const Row& row) {
   std::fill(since_.begin(), since_.end(), 0.0);
   for (const Event& event : detector_.take(row)) {
     DefinitionSummary& sum = definitions_[event.definition];
     const double before = std::exchange(since_[event.definition], event.fraction);
-    // Slip that turns to the opposite sense has stuck on the way.
-    if (event.from == law::Regime::kSlip && event.to != law::Regime::kSlip) {
+    // Slip that turns to the opposite sense has stuck on the way, but where the turn was located.
+    const bool located = row.definitions[event.definition].changes.count > 0;
+    if (event.from == law::Regime::kSlip && (located || event.to != law::Regime::kSlip)) {
       sum.slip_time += (event.fraction - before) * row.duration;
+    }
+    if (event.from == law::Regime::kOpen) {
+      sum.open_time += (event.fraction - before) * row.duration;
     }
     if (event.reversal) ++sum.reversals;
     if (event.to != law::Regime::kSlip || event.from == law::Regime::kSlip) continue;
     ++sum.events;
-    if (sum.first_slip) continue;
-    sum.first_slip = event;
-    for (const Column& position : positions_) {
-      sum.first_place.push_back(position_at(event, row, position.index) - position.offset);
-    }
+    note_first_slip(event, row);
   }
 }
 
@@ -163,7 +194,8 @@ std::string Summary::definition_text(const DefinitionSummary& sum, std::size_t i
   const double duration = end_time_ - start_time_;
   std::string text = "  " + name;
   if (!sum.first_slip) {
-    text += duration > 0.0 && sum.open_time >= duration ? "never in contact" : "never slips";
+    constexpr double kAll = 1.0 - 1e-9;  // a sum of many increments has its rounding
+    text += duration > 0.0 && sum.open_time >= kAll * duration ? "never in contact" : "never slips";
   } else {
     const Event& first = *sum.first_slip;
     std::string reversals;

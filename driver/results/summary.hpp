@@ -72,6 +72,8 @@ class Summary {
  private:
   std::string definition_text(const DefinitionSummary& definition, std::size_t index) const;
   std::string why_text(const DefinitionSummary& definition, std::size_t index) const;
+  void add_start(const Row& row);
+  void note_first_slip(const Event& event, const Row& row);
   void add_events(const Row& row);
   void add_creep(const DefinitionRow& here, std::size_t index);
   /// Of a coefficient that falls too fast for the increments; empty if none does.

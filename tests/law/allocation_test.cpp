@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "law/connection_type.hpp"
+#include "law/continuous_update.hpp"
+#include "law/potential_terms.hpp"
 #include "law/return_mapping.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/friction_run.hpp"
@@ -112,6 +114,63 @@ TEST_CASE("no update, force or tangent allocates, whatever the definition") {
     }
   }
   CHECK(updates > 5000);
+}
+
+TEST_CASE("no belt, potential or exactly integrated increment allocates") {
+  std::vector<FrictionDefinition> definitions(4);
+  definitions[0].slip = slip_space({2});
+  definitions[0].contact_force = ComponentContactForce{0};
+  definitions[0].criterion = Capstan{2.0};
+  definitions[0].law = laws().back();
+  std::vector<PotentialContribution> terms(2);
+  terms[0].of = 1;
+  terms[1].of = 2;
+  terms[1].scale = 0.5;
+  for (const std::size_t i : {1U, 2U}) {
+    const BuiltPotential built = build_potential(
+        terms, i == 1 ? PotentialOperator::kSum : PotentialOperator::kMax, i == 1 ? 1.5 : 2.0);
+    REQUIRE(built.violations.empty());
+    definitions[i].slip = built.slip;
+    definitions[i].criterion = built.criterion;
+    definitions[i].contact_force = ComponentContactForce{0};
+    definitions[i].law = ConstantCoefficient{0.2};
+  }
+  definitions[3].slip = slip_space({2, 3});
+  definitions[3].contact_force = ComponentContactForce{0};
+  definitions[3].internal_contact_force = internal_contact_forces().back();
+  definitions[3].law = ConstantCoefficient{0.2};
+
+  int moved = 0;
+  for (FrictionDefinition& definition : definitions) {
+    for (const StickStiffness stick : {allowable_slip(0.01), fixed_stiffness(1e4)}) {
+      definition.stick = stick;
+      const bool continuous = !no_continuous_solution(definition);
+      FrictionRun run(definition);
+      run.fields = {0.0, 0.5};
+      run.duration = 0.1;
+      ConnectorIncrement before = run.increment();
+      FrictionState exact;
+      CHECK(count_allocations([&] {
+              for (int i = 1; i <= 20; ++i) {
+                run.position[1] = 0.1 * (i % 7);
+                run.position[2] = 0.05 * (i % 5);
+                run.force[0] = 20.0 + 3.0 * (i % 4);
+                const ConnectorIncrement increment = run.increment();
+                const FrictionUpdate& u = run.step();
+                moved += connector_tangent(definition, increment, u).to_motion.sum() != 0.0 ? 1 : 0;
+                if (continuous) {
+                  const FrictionUpdate whole = continuous_update(
+                      definition, path_segment(definition, increment, before.end, before.force),
+                      exact, 1e-8);
+                  exact = whole.state;
+                  moved += whole.slip_increment > 0.0 ? 1 : 0;
+                }
+                before = increment;
+              }
+            }) == 0);
+    }
+  }
+  CHECK(moved > 160);
 }
 
 TEST_CASE("no table evaluation allocates") {

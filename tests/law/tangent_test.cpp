@@ -290,7 +290,7 @@ TEST_CASE("the consistent tangent meets differences for all predefined friction 
       Type type;
       std::apply(
           [&](const auto&... field) {
-            const auto set = [&](auto& member) {
+            [[maybe_unused]] const auto set = [&](auto& member) {
               if constexpr (std::is_same_v<decltype(member), double&>) {
                 member = dice.between(0.2, 0.9);
               } else if constexpr (std::is_same_v<decltype(member), InternalContactForce&>) {

@@ -98,6 +98,26 @@ TEST_CASE("a slip that goes on in another direction is no event, one that turns 
   CHECK(all[1].time == Approx(2.04).margin(1e-9));
 }
 
+TEST_CASE("exactly integrated slip that turns far is no event, in one increment or many") {
+  // West, then north with a little east while the normal force falls from 100 N to 10 N: the limit
+  // comes down on the force and slip never ceases, though its direction turns by over 90 degrees.
+  const int increments = GENERATE(1, 7);
+  Case problem = slider_case(
+      {step("west", 1, 1, LinearTo{-1.0}), step("north", increments, 1, LinearTo{-0.99})});
+  problem.steps[0].drives.push_back({kFirstForce, Constant{100.0}});
+  problem.steps[1].drives.push_back({2, LinearTo{0.0995}});
+  problem.steps[1].drives.push_back({kFirstForce, LinearTo{10.0}});
+  problem.connection = law::find_connection("SLIDE-PLANE").value();
+  problem.definitions[0].coupled = true;
+  problem.definitions[0].law.slip = law::slip_space({2, 3});
+  problem.definitions[0].law.internal_contact_force = 0.0;
+  problem.definitions[0].law.contact_force = law::ComponentContactForce{0};
+  problem.integration.method = IntegrationMethod::kExact;
+  const auto found = events_of(problem);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].event.time == Approx(0.02).margin(1e-12));
+}
+
 TEST_CASE("contact is lost where the increment ends and found where it begins") {
   Case problem = slider_case({step("slide", 4, 0, LinearTo{0.1})});
   law::Table table;

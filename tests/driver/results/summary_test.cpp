@@ -82,6 +82,50 @@ TEST_CASE("a slider that never slips says so") {
   CHECK(summary_of(problem).text().find("  never slips\n") == 0);
 }
 
+TEST_CASE("time without contact ends and begins with its events") {
+  // Pressed less and less, not at all for 1 s, and more again.
+  Case problem = slider_case({step("less", 4, kFirstForce + 1, LinearTo{0.0}),
+                              step("nothing", 3, kFirstForce + 1, Constant{0.0}),
+                              step("more", 4, kFirstForce + 1, LinearTo{100.0})});
+  problem.steps.insert(problem.steps.begin(), step("press", 1, kFirstForce + 1, Constant{100.0}));
+  problem.definitions[0].law.internal_contact_force = 0.0;
+  problem.definitions[0].law.contact_force = law::ComponentContactForce{1};
+  problem.integration.method =
+      GENERATE(IntegrationMethod::kBackwardEuler, IntegrationMethod::kExact);
+  CHECK(summary_of(problem).definitions()[0].open_time == Approx(1.0).epsilon(1e-12));
+  problem.steps = {step("nothing", 10, kFirstForce + 1, Constant{0.0})};
+  CHECK(summary_of(problem).text().find("  never in contact\n") == 0);
+}
+
+TEST_CASE("a mass that moves against its belt slips from the start, without an event") {
+  // mass 1 at 1 mm/s on a fixed track, 20 N: it stops after 0.05 s; 0.1 s are run.
+  Case problem = slider_case({step("run", 3, kFirstForce, LinearTo{0.0}, 0.1)});
+  problem.dynamics = DynamicsData{0, 1.0, 0.0, 1.0, std::nullopt};
+  const Summary summary = summary_of(problem);
+  const DefinitionSummary& sum = summary.definitions()[0];
+  REQUIRE(sum.first_slip);
+  CHECK(sum.first_slip->time == 0.0);
+  CHECK(sum.first_slip->force == Approx(20.0));
+  CHECK(sum.first_place.at(0) == 0.0);
+  CHECK(sum.events == 0);
+  // Integrated to 1e-13 of the motion's size.
+  CHECK(sum.slip_time == Approx(0.05).epsilon(1e-11));
+  CHECK(summary.text().find(
+            "  slips 50 % of the time, 0 stick-slip events, first slip at t = 0.0") == 0);
+}
+
+TEST_CASE("a mass that turns slips all the time, up to and beyond its turn") {
+  // Spring 1000 N/mm, 20 N, mass 1 thrown with 3 mm/s: it turns far beyond where it could stick.
+  Case problem = slider_case({step("run", 1, kFirstForce, LinearTo{0.0}, 0.06)});
+  problem.behavior[0].elasticity.emplace(1000.0);
+  problem.dynamics = DynamicsData{0, 1.0, 0.0, 3.0, std::nullopt};
+  const Summary summary = summary_of(problem);
+  const DefinitionSummary& sum = summary.definitions()[0];
+  CHECK(sum.reversals == 1);
+  CHECK(sum.events == 0);
+  CHECK(sum.slip_time == Approx(0.06).epsilon(1e-11));
+}
+
 TEST_CASE("a coefficient that falls too fast is warned of, with the increment that would do") {
   Case problem = slider_case({step("out", 100, 0, LinearTo{1.0}, 0.01)});
   // Reference cases, section 6: 2 N (mu_s - mu_k) d/k/2 = N 0.1 0.05/k = 5e-4 s.

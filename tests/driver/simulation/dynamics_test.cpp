@@ -96,6 +96,23 @@ TEST_CASE("work of belt and load goes into heat, spring, damper and motion") {
   CHECK(slip > 5);
 }
 
+TEST_CASE("where the mass turns and slips on, that instant is a change of its own") {
+  // m = 1, k = 100, limit 3 on a fixed track, x = 0, v = 1: x = -0.03 + 0.03 cos 10t + 0.1 sin 10t
+  // stands still where tan 10t = 1/0.3.
+  Case problem = belt_case({rest("all", 1, 0.2)});
+  problem.dynamics = DynamicsData{0, 1.0, 0.0, 1.0, std::nullopt};
+  const std::vector<Row> rows = rows_of(problem);
+  const law::RegimeChanges& changes = rows[1].definitions[0].changes;
+  REQUIRE(changes.count == 1);
+  CHECK(changes.at[0].to == law::Regime::kSlip);
+  CHECK(changes.at[0].fraction * rows[1].duration ==
+        Approx(0.1 * std::atan2(1.0, 0.3)).margin(kIntegration));
+  // The spring pulls with more than the limit; friction holds against it with the limit.
+  CHECK(changes.at[0].force == Approx(-3.0));
+  CHECK(changes.at[0].accumulated_slip ==
+        Approx(-0.03 + std::hypot(0.03, 0.1)).margin(kIntegration));
+}
+
 TEST_CASE("a damped mass without friction swings like the textbook's") {
   // m = 2, k = 50, c = 3 from x = 1 at rest: x = e^(-d t) (cos w t + d/w sin w t).
   Case problem = slider_case({rest("swing", 40, 4.0)});

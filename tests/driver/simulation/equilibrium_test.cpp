@@ -59,6 +59,34 @@ TEST_CASE("a load below the limit is held by elastic stick, one above it by noth
   CHECK(message.find("friction 'sleeve' has the limit 20") != std::string::npos);
 }
 
+TEST_CASE("a load that comes back to the rounding of 0 is held") {
+  // The end of a sine of whole periods: friction of 12 N is taken back to 1e-14, where its own
+  // rounding is as large.
+  const double left = GENERATE(-7.3e-15, 0.0, 1e-17, 2e-16);
+  const auto mode =
+      GENERATE(law::StickStiffness::Mode::kStiffness, law::StickStiffness::Mode::kElasticSlip);
+  Case problem = loaded_case({step("pull", 3, kFirstForce, LinearTo{12.99038105676658}),
+                              step("back", 1, kFirstForce, LinearTo{left})});
+  problem.definitions[0].law.stick = {
+      mode, mode == law::StickStiffness::Mode::kStiffness ? 1000.0 : 0.02};
+  const std::vector<Row> rows = rows_of(problem);
+  REQUIRE(rows.size() == 5);
+  CHECK(friction(rows.back()) == Approx(left).margin(1e-13));
+}
+
+TEST_CASE("slip within an increment that had to be cut begins where its piece began to slip") {
+  // 18 to 40 N with the spring behind: the limit of 20 N is met at 2/22 of the increment, within
+  // the softness of the parallel spring; a cut only moves the pieces.
+  const Case problem = loaded_case(
+      {step("pull", 1, kFirstForce, LinearTo{18.0}), step("on", 1, kFirstForce, LinearTo{40.0})},
+      50.0);
+  const std::vector<Row> rows = rows_of(problem);
+  const law::FrictionUpdate& update = rows.back().definitions[0].update;
+  REQUIRE(update.state.regime == law::Regime::kSlip);
+  CHECK(update.onset > 0.0);
+  CHECK(update.onset < 0.1);
+}
+
 TEST_CASE("the motion a load makes gives the friction force back when it is prescribed") {
   // A random walk of loads; the motion found is fed to the same slider as a prescribed one.
   std::mt19937 random(7);

@@ -84,7 +84,7 @@ TEST_CASE("in a repeated step the friction changes in the first pass") {
   Case problem = sliding_case({change_to(law::ConstantCoefficient{0.12})}, 3);
   const auto rows = rows_of(problem);
   CHECK(mu(rows[6]) == Approx(0.16).epsilon(1e-15));
-  for (const std::size_t i : {8, 9, 12, 13, 16}) CHECK(mu(rows[i]) == 0.12);
+  for (const std::size_t i : {8U, 9U, 12U, 13U, 16U}) CHECK(mu(rows[i]) == 0.12);
 }
 
 TEST_CASE("the force limit switches with the step, the elastic slip follows the amplitude") {
