@@ -21,6 +21,13 @@ class Builder {
 
   void add(const PotentialContribution& contribution) {
     here_ = contribution_++;
+    const auto* terms = std::get_if<DerivedComponent>(&contribution.of);
+    if (terms != nullptr && terms->empty()) return fault(Rule::kNoWeight);
+    // More contributions than components: this one names a component that is taken.
+    if (here_ >= kComponents) {
+      return fault(Rule::kTwice,
+                   terms != nullptr ? terms->front().component[0] : std::get<int>(contribution.of));
+    }
     if (contribution.sign < 0.0) fault(Rule::kSign);
     const bool sum = potential_.combine == PotentialOperator::kSum;
     if (sum && contribution.exponent && *contribution.exponent != potential_.exponent) {

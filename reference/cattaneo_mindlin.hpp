@@ -223,16 +223,7 @@ inline constexpr std::array kOutputs{
     Signal{"work", "F L", "integral of force over motion"}};
 
 inline PathEvaluator make(std::span<const std::vector<double>> values) {
-  return [path = masing::Path(contact_of(values)), origin = 0.0, started = false](
-             std::span<const double> inputs, std::span<double> outputs) mutable {
-    if (!started) origin = inputs[0];
-    started = true;
-    path.advance(inputs[0] - origin);
-    outputs[0] = path.state().force;
-    outputs[1] = path.state().dissipation;
-    outputs[2] = path.state().work - path.state().dissipation;
-    outputs[3] = path.state().work;
-  };
+  return masing::evaluator(contact_of(values));
 }
 
 inline constexpr ClosedForm kForm{

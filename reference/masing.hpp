@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cmath>
+#include <span>
 #include <vector>
+
+#include "reference/closed_form.hpp"
 
 namespace slipbench::reference::masing {
 
@@ -84,5 +87,21 @@ class Path {
   std::vector<Turn> turns_;
   double sense_ = 0.0;
 };
+
+/// The evaluator of a closed form that is such a model: input the motion [L], outputs force,
+/// dissipation, stored energy and work, all from the first row on.
+template <typename Model>
+PathEvaluator evaluator(const Model& model) {
+  return [path = Path(model), origin = 0.0, started = false](std::span<const double> inputs,
+                                                             std::span<double> outputs) mutable {
+    if (!started) origin = inputs[0];
+    started = true;
+    path.advance(inputs[0] - origin);
+    outputs[0] = path.state().force;
+    outputs[1] = path.state().dissipation;
+    outputs[2] = path.state().work - path.state().dissipation;
+    outputs[3] = path.state().work;
+  };
+}
 
 }  // namespace slipbench::reference::masing

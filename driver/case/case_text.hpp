@@ -108,6 +108,20 @@ struct ConnectorText {
   }
 };
 
+/// The keys that all tables share, whatever their columns are.
+template <class Text, class V>
+void declare_rows(V& key) {
+  key("rows", &Text::rows,
+      KeyInfo{.text = "Rows of numbers; the first independent varies fastest, ascending.",
+              .default_text = "from csv"});
+  key("csv", &Text::csv,
+      KeyInfo{.text = "A CSV file with these columns, in place of rows.",
+              .default_text = "from rows"});
+  key("extrapolate", &Text::extrapolate,
+      KeyInfo{.text = "Outside the table: the end value, or the end slope.",
+              .default_text = "constant"});
+}
+
 /// A table: `columns` names the dependents first, then the independents.
 struct TableText {
   static constexpr bool kIsDeclared = true;
@@ -123,15 +137,7 @@ struct TableText {
             .required = true,
             .text =
                 "Names of the columns: the dependent quantities first, then the independents."});
-    key("rows", &TableText::rows,
-        KeyInfo{.text = "Rows of numbers; the first independent varies fastest, ascending.",
-                .default_text = "from csv"});
-    key("csv", &TableText::csv,
-        KeyInfo{.text = "A CSV file with these columns, in place of rows.",
-                .default_text = "from rows"});
-    key("extrapolate", &TableText::extrapolate,
-        KeyInfo{.text = "Outside the table: the end value, or the end slope.",
-                .default_text = "constant"});
+    declare_rows<TableText>(key);
   }
 };
 
@@ -676,15 +682,7 @@ struct ElasticityText {
         KeyInfo{.text = "Columns of a table in place of the stiffness: a name for the force, then "
                         "displacement, temperature, fields.",
                 .default_text = "a stiffness"});
-    key("rows", &ElasticityText::rows,
-        KeyInfo{.text = "Rows of the table; the first independent varies fastest, ascending.",
-                .default_text = "from csv"});
-    key("csv", &ElasticityText::csv,
-        KeyInfo{.text = "A CSV file with these columns, in place of rows.",
-                .default_text = "from rows"});
-    key("extrapolate", &ElasticityText::extrapolate,
-        KeyInfo{.text = "Outside the table: the end value, or the end slope.",
-                .default_text = "constant"});
+    declare_rows<ElasticityText>(key);
   }
 };
 
@@ -714,15 +712,7 @@ struct DampingText {
                     "Columns of a table in place of the coefficient: a name for the force, then "
                     "velocity, temperature, fields.",
                 .default_text = "a coefficient"});
-    key("rows", &DampingText::rows,
-        KeyInfo{.text = "Rows of the table; the first independent varies fastest, ascending.",
-                .default_text = "from csv"});
-    key("csv", &DampingText::csv,
-        KeyInfo{.text = "A CSV file with these columns, in place of rows.",
-                .default_text = "from rows"});
-    key("extrapolate", &DampingText::extrapolate,
-        KeyInfo{.text = "Outside the table: the end value, or the end slope.",
-                .default_text = "constant"});
+    declare_rows<DampingText>(key);
   }
 };
 

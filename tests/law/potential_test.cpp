@@ -292,4 +292,15 @@ TEST_CASE("a number that is none is reported as no solution") {
   CHECK((!u.converged || !std::isfinite(u.phi) || !std::isfinite(u.work)));
 }
 
+TEST_CASE("a potential has no room for more contributions than components, nor for empty ones") {
+  std::vector<PotentialContribution> many(9);
+  for (std::size_t i = 0; i < many.size(); ++i) many[i].of = static_cast<int>(i % 6);
+  CHECK_FALSE(build_potential(many, PotentialOperator::kSum, 3.0).violations.empty());
+  std::vector<PotentialContribution> empty(9);
+  for (PotentialContribution& contribution : empty) contribution.of = DerivedComponent{};
+  const auto violations = build_potential(empty, PotentialOperator::kMax, 2.0).violations;
+  REQUIRE(violations.size() == 9);
+  CHECK(violations[0].rule == PotentialViolation::Rule::kNoWeight);
+}
+
 }  // namespace
