@@ -29,10 +29,6 @@ bool may_be_negative(const ContactForce& contact) {
          });
 }
 
-double uniqueness_threshold(const FrictionLaw& law, double normal_force, double stiffness) {
-  return normal_force * steepest_weakening(law) / stiffness;
-}
-
 bool has_increment_thresholds(const FrictionDefinition& definition) {
   return definition.stick.mode == StickStiffness::Mode::kStiffness &&
          definition.slip_rate == SlipRateMeasure::kSlip && depends_on_slip_rate(definition.law);

@@ -22,9 +22,6 @@ SnapBack snap_back(const FrictionDefinition& definition);
 /// Whether F_C may be negative: a falling internal contact force then may raise F_N.
 bool may_be_negative(const ContactForce& contact);
 
-/// Increments longer than this [T] have one solution at a falling coefficient: F_N |mu'| / kappa.
-double uniqueness_threshold(const FrictionLaw& law, double normal_force, double stiffness);
-
 /// The increments that decide what backward Euler makes of a coefficient that falls with the slip
 /// rate (theory 11.4, reference cases K3 and K5). Both are 0 where they decide nothing: where the
 /// coefficient does not fall or sees the rate of the relative motion, where the cap holds, and

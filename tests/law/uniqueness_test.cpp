@@ -40,17 +40,19 @@ TEST_CASE("without wear, or with a stiffness that follows the limit, nothing sna
   CHECK(stick_stiffness(definition, 20.0) == 1000.0);
 }
 
-TEST_CASE("several roots coexist below N (mu_s - mu_k) d / k") {
-  const FrictionLaw law = ExponentialDecay{0.3, 0.2, 0.05};
-  CHECK(uniqueness_threshold(law, 100.0, 1000.0) == Approx(5e-4).epsilon(1e-14));  // K3's data
-}
-
 /// The data of reference case K3: N 100, k 1000, 0.3 to 0.2 with d = 0.05.
 FrictionDefinition falling() {
   FrictionDefinition definition;
   definition.law = ExponentialDecay{0.3, 0.2, 0.05};
   definition.stick = {StickStiffness::Mode::kStiffness, 1000.0};
   return definition;
+}
+
+TEST_CASE("several roots coexist below N (mu_s - mu_k) d / k, at whatever rate") {
+  for (const double rate : {0.0, 1.0, 100.0}) {
+    const IncrementThresholds t = increment_thresholds(falling(), Ambient{}, 100.0, rate);
+    CHECK(t.unique == Approx(5e-4).epsilon(1e-14));
+  }
 }
 
 TEST_CASE("backward Euler is smooth in increments above 2 N |mu'(v)| / k") {
