@@ -197,16 +197,6 @@ void swing(benchmark::State& state, const FrictionDefinition& definition) {
   count_increments(state);
 }
 
-ConstantCoefficient example(std::type_identity<ConstantCoefficient>) { return {0.2}; }
-ExponentialDecay example(std::type_identity<ExponentialDecay>) { return {0.3, 0.2, 0.05}; }
-ExponentialTestData example(std::type_identity<ExponentialTestData>) {
-  return {0.3, 0.23, 20.0, 0.2};
-}
-TabularCoefficient example(std::type_identity<TabularCoefficient>) {
-  return std::get<TabularCoefficient>(
-      two_tables(SlipRateMeasure::kSlip, AccumulatedSlipTiming::kEnd).law);
-}
-
 /// One row a law and stick mode, one a check of every type with predefined friction.
 bool register_rows() {
   const auto add = [](const std::string& name, const FrictionDefinition& definition) {
@@ -216,9 +206,9 @@ bool register_rows() {
   };
   FrictionDefinition base;
   base.internal_contact_force = 20.0;
-  const auto add_law = [&]<class Law>(std::type_identity<Law> law) {
+  const auto add_law = [&]<class Law>(std::type_identity<Law>) {
     FrictionDefinition definition = base;
-    definition.law = example(law);
+    definition.law = Law::example();
     definition.stick = {StickStiffness::Mode::kElasticSlip, 1e-3};
     add("law " + std::string(Law::kName) + ", elastic slip", definition);
     definition.stick = {StickStiffness::Mode::kStiffness, 1e4};

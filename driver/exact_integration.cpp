@@ -16,6 +16,12 @@ double wrap_angle(const law::FrictionDefinition& definition) {
 
 std::optional<ExactRefusal> refuse_definition(const std::string& name,
                                               const law::FrictionDefinition& definition) {
+  if (definition.formulation) {
+    return ExactRefusal{"friction '" + name +
+                            "': a formulation is a rule for increments, as the solver takes them: "
+                            "there is no continuous solution to follow",
+                        "leave the method out"};
+  }
   const auto why = law::no_continuous_solution(definition);
   if (!why) return std::nullopt;
   const std::string whose = "friction '" + name + "': ";

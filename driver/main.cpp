@@ -15,6 +15,7 @@
 
 #include "driver/commands/catalogue.hpp"
 #include "driver/commands/check.hpp"
+#include "driver/commands/import.hpp"
 #include "driver/commands/plot.hpp"
 #include "driver/commands/run.hpp"
 #include "driver/commands/shared.hpp"
@@ -97,8 +98,9 @@ int run(int argc, char** argv) {
       ->capture_default_str();
   run_app->add_flag("--no-output", run_options.no_output,
                     "Write no files, only tell what happened");
-  run_app->add_option("--explain", run_options.explain,
-                      "Only tell why it sticks or slips at this total time; writes nothing")
+  run_app
+      ->add_option("--explain", run_options.explain,
+                   "Only tell why it sticks or slips at this total time; writes nothing")
       ->type_name("TIME");
   run_app->add_flag("--solver-report", run_options.solver_report,
                     "Also judge what an implicit solver has to expect; writes <case>.solver.csv");
@@ -139,11 +141,40 @@ int run(int argc, char** argv) {
           "-o,--output", plot_options.output,
           "The picture; its ending (.svg, .png, .pdf) says what it is. Default: <case>.svg")
       ->type_name("FILE");
+  plot_app->add_flag("--law", plot_options.law,
+                     "Draw the coefficients of a case over slip rate and pressure");
   add_settings(*plot_app, plot_options.settings, plot_options.allow_outside);
   plot_app->footer(
       "Friction force against time, with its limit and with slip shaded, and against motion.\n"
+      "With --law: mu as curves and as a map, with the states that the run visits; the default\n"
+      "name is <case>.law.svg.\n"
       "Needs gnuplot. Example: slipbench plot shock.yaml -o shock.png --set mu=0.2");
   plot_app->callback([&] { command = [&] { return plot_command(plot_options); }; });
+
+  ImportOptions import_options;
+  CLI::App* import_app =
+      app.add_subcommand("import", "Write a case with the friction of a Radioss starter deck");
+  import_app->add_option("DECK", import_options.deck, "A starter deck with a /FRICTION")
+      ->required();
+  import_app
+      ->add_option("-o,--output", import_options.output, "The case file; default: the terminal")
+      ->type_name("FILE");
+  import_app->add_option("--id", import_options.id, "The /FRICTION to take, if there are several")
+      ->type_name("ID");
+  import_app
+      ->add_option("--units", import_options.units,
+                   "Length, force and time the deck is in; default: those of /BEGIN")
+      ->type_name("\"mm N s\"");
+  import_app
+      ->add_option("--normal", import_options.normal,
+                   "Normal of the contact, to judge the directions of orthotropic friction by")
+      ->type_name("\"X Y Z\"");
+  import_app->footer(
+      "What a deck has no number for (stiffness, mass, area, load) is a parameter without a value\n"
+      "in the case: give it there or with --set. Example:\n"
+      "  slipbench import model_0000.rad --units \"mm N s\" -o pad.yaml\n"
+      "  slipbench run pad.yaml --set K=5000 --set m=1e-6 --set normal_force=100 ...");
+  import_app->callback([&] { command = [&] { return import_command(import_options); }; });
 
   std::string what;
   CLI::App* list_app = app.add_subcommand("list", "List what a case may use");

@@ -18,6 +18,7 @@
 #include "driver/exact_integration.hpp"
 #include "driver/text/format_number.hpp"
 #include "law/capstan_update.hpp"
+#include "law/penalty_update.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -66,12 +67,45 @@ const char* not_finite(const law::FrictionUpdate& update) {
   return nullptr;
 }
 
+/// Whether a coefficient of the definition is kept above a floor at some time.
+bool has_floor(const Case& problem, std::size_t index) {
+  const law::FrictionDefinition& definition = problem.definitions[index].law;
+  bool found = law::has_floor(definition.law) ||
+               (definition.formulation && definition.formulation->orthotropy &&
+                law::has_floor(definition.formulation->orthotropy->second));
+  for (const Step& step : problem.steps) {
+    for (const FrictionChange& change : step.friction_changes) {
+      found = found || (change.definition == index && law::has_floor(change.law));
+    }
+  }
+  return found;
+}
+
+/// "the exponent C4 V of its coefficient passes 700 at V = 800", or nothing.
+std::optional<std::string> overflow(const law::FrictionDefinition& definition,
+                                    const DefinitionRow& row) {
+  const auto words = [](const law::FrictionLaw& law, double speed) -> std::optional<std::string> {
+    const std::string_view name = law::overflow(law, speed);
+    if (name.empty()) return std::nullopt;
+    return fmt::format(
+        "the exponent {} V of the coefficient passes 700 at V = {}: exp({} V) is "
+        "beyond any friction",
+        name, format_number(speed), name);
+  };
+  if (!definition.formulation || !definition.formulation->orthotropy) {
+    return words(definition.law, row.update.slip_rate);
+  }
+  if (auto first = words(definition.law, row.penalty.speeds[0])) return first;
+  return words(definition.formulation->orthotropy->second, row.penalty.speeds[1]);
+}
+
 }  // namespace
 
 Simulation::Simulation(const Case& problem) : case_(&problem) {
   row_.definitions.resize(problem.definitions.size());
   for (const CaseDefinition& definition : problem.definitions) {
     definitions_.push_back(definition.law);
+    if (has_floor(problem, definitions_.size() - 1)) with_floor_.push_back(definitions_.size() - 1);
   }
   note_falling_definitions();
   std::copy(problem.initial.values.begin(), problem.initial.values.end(),
@@ -449,15 +483,9 @@ tl::expected<void, SimulationFailure> Simulation::solve_equilibrium() {
         fmt::format("{}: {}", place((1.0 - why.fraction) * row_.duration), why.message)});
   }
   for (std::size_t i = 0; i < row_.definitions.size(); ++i) {
-    const law::FrictionUpdate& update = row_.definitions[i].update;
-    if (const char* what = not_finite(update)) {
-      return tl::unexpected(numerical_failure(i, fmt::format("the {} is not finite", what)));
-    }
-    if (!update.converged) {
-      return tl::unexpected(numerical_failure(
-          i, "the return to the limit surface of its potential found no solution"));
-    }
+    if (auto judged = judge(i); !judged) return judged;
   }
+  note_raw_coefficients();
   if (auto fault =
           beyond_stop(*case_, force_driven_, connector_increment(*case_, row_).end.position)) {
     return tl::unexpected(
@@ -484,11 +512,7 @@ tl::expected<void, SimulationFailure> Simulation::advance_mass(bool start) {
                     done.error().message)});
   }
   if (definition < 0) return {};
-  const auto i = static_cast<std::size_t>(definition);
-  if (const char* what = not_finite(row_.definitions[i].update)) {
-    return tl::unexpected(numerical_failure(i, fmt::format("the {} is not finite", what)));
-  }
-  return {};
+  return judge(static_cast<std::size_t>(definition));
 }
 
 tl::expected<void, SimulationFailure> Simulation::take_forces() {
@@ -528,23 +552,71 @@ tl::expected<void, SimulationFailure> Simulation::update_definitions() {
                : integrate(i, increment, old));
     here.dissipation += here.update.dissipation;
     here.work += here.update.work;
-    if (const char* what = not_finite(here.update)) {
-      return tl::unexpected(numerical_failure(i, fmt::format("the {} is not finite", what)));
-    }
-    if (!here.update.converged) {
-      return tl::unexpected(numerical_failure(
-          i, "the return to the limit surface of its potential found no solution"));
-    }
+    if (auto judged = judge(i); !judged) return judged;
     // The next ring of a belt meets the tension that this one leaves.
     if (case_->belt) increment.force[0] = law::tension_behind(here.update);
   }
+  note_raw_coefficients();
   if (has_forces_) return take_forces();
   return {};
 }
 
+tl::expected<void, SimulationFailure> Simulation::judge(std::size_t definition) const {
+  const DefinitionRow& row = row_.definitions[definition];
+  const law::FrictionDefinition& in_force = definitions_[definition];
+  if (in_force.formulation && in_force.formulation->filter.kind == law::Filter::Kind::kPeriod &&
+      row.penalty.alpha > 1.0) {
+    const double period = in_force.formulation->filter.value;
+    return tl::unexpected(SimulationFailure{
+        SimulationFailure::Kind::kInput,
+        fmt::format("{}: definition '{}': alpha = 2 pi dt/T = {:.6g} of its filter is above 1: dt "
+                    "= {}, T = {}; take shorter increments or a longer period",
+                    place(), case_->definitions[definition].name, row.penalty.alpha,
+                    format_number(row_.duration), format_number(period))});
+  }
+  if (const char* what = not_finite(row.update)) {
+    if (auto exponent = overflow(in_force, row)) {
+      return tl::unexpected(numerical_failure(definition, *exponent));
+    }
+    return tl::unexpected(numerical_failure(definition, fmt::format("the {} is not finite", what)));
+  }
+  if (!row.update.converged) {
+    return tl::unexpected(numerical_failure(
+        definition, "the return to the limit surface of its potential found no solution"));
+  }
+  return {};
+}
+
+/// Behind the update, and only for the laws concerned: the others cost nothing more.
+void Simulation::note_raw_coefficients() {
+  if (with_floor_.empty()) return;
+  const law::Ambient end = ambient_of(row_.quantities, case_->reference);
+  for (const std::size_t i : with_floor_) {
+    DefinitionRow& row = row_.definitions[i];
+    const double normal_force = row.update.normal_force;
+    const law::FrictionDefinition& definition = definitions_[i];
+    row.clamped = false;
+    const auto note = [&](const law::FrictionLaw& law, double speed, double& raw) {
+      const law::SlipArguments slip{.slip_rate = speed, .contact_force = normal_force};
+      raw = law::raw_coefficient(law, end, slip);
+      row.clamped = row.clamped || law::is_clamped(law, end, slip);
+    };
+    if (definition.formulation && definition.formulation->orthotropy) {
+      note(definition.law, row.penalty.speeds[0], row.raw_mu[0]);
+      note(definition.formulation->orthotropy->second, row.penalty.speeds[1], row.raw_mu[1]);
+    } else {
+      note(definition.law, row.update.slip_rate, row.raw_mu[0]);
+    }
+  }
+}
+
 law::FrictionUpdate Simulation::integrate(std::size_t definition,
                                           const law::ConnectorIncrement& increment,
-                                          const law::FrictionState& old) const {
+                                          const law::FrictionState& old) {
+  if (definitions_[definition].formulation) {
+    return law::update_penalty(definitions_[definition], increment, old,
+                               &row_.definitions[definition].penalty);
+  }
   if (case_->belt && case_->belt->both_tensions) {
     return law::judge_capstan(definitions_[definition], increment, row_.quantities[kTensionBehind]);
   }

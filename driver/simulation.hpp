@@ -18,6 +18,7 @@
 #include "driver/history/profile_cursor.hpp"
 #include "driver/history/step_grid.hpp"
 #include "law/belt.hpp"
+#include "law/formulation.hpp"
 #include "law/regime_change.hpp"
 #include "law/return_mapping.hpp"
 #include "law/uniqueness.hpp"
@@ -40,6 +41,11 @@ struct DefinitionRow {
   law::IncrementThresholds thresholds;
   /// Changes of regime within the increment, where the integration locates them.
   law::RegimeChanges changes;
+  law::PenaltyDetail penalty;  ///< of a definition with a formulation
+  /// Coefficients before their floor [1], of laws that have one: the definition's, or those of both
+  /// directions.
+  std::array<double, 2> raw_mu{};
+  bool clamped = false;  ///< whether one of them is below it
 };
 
 /// The result of one increment. Row 0 is the initial state: forces, temperature and fields as the
@@ -138,7 +144,10 @@ class Simulation {
   tl::expected<void, SimulationFailure> update_definitions();
   /// One increment of one definition by the case's integration method.
   law::FrictionUpdate integrate(std::size_t definition, const law::ConnectorIncrement& increment,
-                                const law::FrictionState& old) const;
+                                const law::FrictionState& old);
+  /// Whether the update of a definition can be used; else why not.
+  tl::expected<void, SimulationFailure> judge(std::size_t definition) const;
+  void note_raw_coefficients();
   void take_measured_row();
   /// Who is driven by force from now on, and with what load it starts.
   void choose_force_driven(const Step& step);
@@ -167,6 +176,7 @@ class Simulation {
     law::CoefficientBounds bounds;
   };
   std::vector<Falling> falling_;
+  std::vector<std::size_t> with_floor_;  ///< definitions whose coefficient is kept above a floor
   Row row_;
   /// Of a case with components that are driven by force, and of a dynamic one.
   std::unique_ptr<Equilibrium> equilibrium_;

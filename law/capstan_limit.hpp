@@ -50,9 +50,9 @@ class CapstanLimit {
     limit.contact_force = tension_;
     limit.normal_force = std::max(tension_, 0.0);
     limit.slip_rate = rate;
-    const CoefficientPoint c = blended(
-        blend, evaluate(definition_.law, increment_.end,
-                        {.slip_rate = rate, .contact_force = limit.normal_force}));
+    const CoefficientPoint c =
+        blended(blend, evaluate(definition_.law, increment_.end,
+                                {.slip_rate = rate, .contact_force = limit.normal_force}));
     limit.mu = c.mu;
     if (!(tension_ > 0.0)) return limit;
     const double mu_alpha = c.mu * wrap_angle;
@@ -76,29 +76,17 @@ class CapstanLimit {
   }
   double motion_rate(double motion) const { return motion * inverse_duration_; }
 
-  /// The next slip after `slip` at which the limit has a kink or changes its curvature. Forward,
-  /// exp(A) of a coefficient that is linear or convex is convex. Backward, 1 - exp(-A) is concave
-  /// over each piece of a table; over an exponential decay A = A_k + A_d exp(-d r) it turns from
-  /// concave to convex where A_d exp(-d r) = 1, if ever.
-  double next_knot(double slip) const noexcept {
-    constexpr double kNone = std::numeric_limits<double>::infinity();
-    if (!(slip_in_rate_ > 0.0)) return kNone;
-    if (const auto* table = std::get_if<TabularCoefficient>(&definition_.law)) {
-      const int k = table->table.column_of(IndependentKind::kSlipRate);
-      if (k < 0) return kNone;
-      const auto knots = table->table.table().knots(k);
-      auto knot = std::upper_bound(knots.begin(), knots.end(), slip * slip_in_rate_);
-      // A slip that stands on a knot may be rounded back before it: that knot is past.
-      while (knot != knots.end() && *knot / slip_in_rate_ <= slip) ++knot;
-      return knot == knots.end() ? kNone : *knot / slip_in_rate_;
-    }
-    const auto decay = exponential_decay(definition_.law);
-    if (!decay || sense_ == FlowSense::kForward) return kNone;
-    const double falling =
-        definition_.blend.weight * wrap_angle_ * (decay->mu_static - decay->kinetic);
-    if (!(falling > 1.0) || !(decay->decay > 0.0)) return kNone;
-    const double inflection = std::log(falling) / (decay->decay * slip_in_rate_);
-    return inflection > slip ? inflection : kNone;
+  /// The next slip after `slip`, up to `end`, at which the limit has a kink or changes its
+  /// curvature, as the law says; infinity, or something behind `end`, if there is none.
+  double next_knot(double slip, double end) const noexcept {
+    if (!(slip_in_rate_ > 0.0)) return kNoBend;
+    return next_belt_bend(definition_.law,
+                          {.slip = slip,
+                           .end = end,
+                           .rate_at_zero = motion_rate_,
+                           .rate_per_slip = slip_in_rate_,
+                           .force = std::max(tension_, 0.0)},
+                          definition_.blend.weight * wrap_angle_, sense_);
   }
   /// Whether the limit is cubic between knots.
   static constexpr bool is_cubic() { return false; }

@@ -9,6 +9,7 @@
 #include "law/connection/align.hpp"
 #include "law/connection/cardan.hpp"
 #include "law/connection/cartesian.hpp"
+#include "law/connection/contact.hpp"
 #include "law/connection/cylindrical.hpp"
 #include "law/connection/hinge.hpp"
 #include "law/connection/join.hpp"
@@ -27,7 +28,7 @@ namespace slipbench::law {
 /// The single list of connection types. A new type is one header and one entry here.
 using ConnectionType =
     std::variant<Slot, SlidePlane, Cylindrical, Translator, Hinge, Planar, UJoint, Join, Cartesian,
-                 Align, Revolute, Universal, Cardan, Rotation, SlipRing>;
+                 Align, Revolute, Universal, Cardan, Rotation, SlipRing, Contact>;
 
 /// Types with predefined friction declare their parameters in fields() and expand themselves.
 template <class Type>
@@ -52,7 +53,7 @@ struct Connection {
 };
 
 /// A connection from its type's name, case as in the documentation (SLIDE-PLANE).
-/// \param dimension of space; 2 exists for SLOT only
+/// \param dimension of space; 2 exists for SLOT and CONTACT only
 /// \return nothing for an unknown name, or for 2 where there is no plane version
 std::optional<Connection> find_connection(std::string_view name, int dimension = 3);
 

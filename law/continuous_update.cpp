@@ -337,12 +337,16 @@ class Walk {
     bool negative = false;  ///< F_C + F_int
     bool grips = false;
     bool capped = false;
+    bool floored = false;     ///< the coefficient, by its floor
     std::ptrdiff_t cell = 0;  ///< of the coefficient's table over F_N
     friend bool operator==(const Kind&, const Kind&) = default;
   };
   Kind kind_at(double tau) noexcept {
     const Limit l = limit(tau, slip_);
-    Kind kind{l.contact_force<0.0, l.force> 0.0, l.force >= definition_.force_limit, 0};
+    Kind kind{l.contact_force<0.0, l.force> 0.0, l.force >= definition_.force_limit,
+              is_clamped(definition_.law, points_.increment(tau).end,
+                         {.slip_rate = l.slip_rate, .contact_force = l.normal_force}),
+              0};
     if (const auto* law = std::get_if<TabularCoefficient>(&definition_.law)) {
       const int k = law->table.column_of(IndependentKind::kContactForce);
       if (k >= 0) {

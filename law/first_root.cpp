@@ -65,7 +65,7 @@ double first_root(const LimitOf& limit, double trial, double kappa) noexcept {
   }
   const auto slope_at = [&](double x) { return -kappa - limit.slope(limit(x)); };
   while (low < end) {
-    double high = std::min(limit.next_knot(low), end);
+    double high = std::min(limit.next_knot(low, end), end);
     // Slopes are taken just inside the piece: at its ends they may belong to the neighbours.
     const double margin = 1e-9 * (high - low);
     if (limit.is_cubic()) {
@@ -95,10 +95,10 @@ double first_root(const LimitOf& limit, double trial, double kappa) noexcept {
 template <class LimitOf>
 bool has_later_root(const LimitOf& limit, double trial, double kappa, double root) noexcept {
   const double end = trial / kappa;
-  double x = limit.next_knot(root);
+  double x = limit.next_knot(root, end);
   while (x < end) {
     if (trial - kappa * x - limit(x).force > 0.0) return true;
-    x = limit.next_knot(x);
+    x = limit.next_knot(x, end);
   }
   return false;
 }

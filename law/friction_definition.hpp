@@ -3,12 +3,14 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <variant>
 
 #include "law/capstan.hpp"
 #include "law/coefficient_blend.hpp"
 #include "law/component.hpp"
 #include "law/contact_force.hpp"
+#include "law/formulation.hpp"
 #include "law/friction_law.hpp"
 #include "law/internal_contact_force.hpp"
 #include "law/potential.hpp"
@@ -77,6 +79,9 @@ struct FrictionDefinition {
   StickStiffness stick;
   AccumulatedSlipTiming accumulated_slip = AccumulatedSlipTiming::kEnd;
   SlipRateMeasure slip_rate = SlipRateMeasure::kSlip;
+  /// A contact penalty in place of the return mapping; `stick`, `slip_rate` and `accumulated_slip`
+  /// then do not matter.
+  std::optional<Formulation> formulation;
 };
 
 }  // namespace slipbench::law

@@ -2,24 +2,31 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <variant>
 
 #include "law/friction/constant_coefficient.hpp"
 #include "law/friction/exponential_decay.hpp"
 #include "law/friction/exponential_test_data.hpp"
+#include "law/friction/generalized_viscous.hpp"
+#include "law/friction/modified_darmstad.hpp"
+#include "law/friction/renard.hpp"
 #include "law/friction/tabular_coefficient.hpp"
 
 namespace slipbench::law {
 
 /// The single list of coefficient laws: the reader, the schema, `slipbench list`, the documentation
 /// and the tests fold over it. A new law is one header and one entry here.
-using FrictionLaw =
-    std::variant<ConstantCoefficient, ExponentialDecay, ExponentialTestData, TabularCoefficient>;
+using FrictionLaw = std::variant<ConstantCoefficient, ExponentialDecay, ExponentialTestData,
+                                 GeneralizedViscous, ModifiedDarmstad, Renard, TabularCoefficient>;
 
 inline CoefficientPoint evaluate(const FrictionLaw& law, const Ambient& ambient,
                                  const SlipArguments& slip) noexcept {
   if (const auto* constant = std::get_if<ConstantCoefficient>(&law)) {
     return constant->evaluate(ambient, slip);
+  }
+  if (const auto* decay = std::get_if<ExponentialDecay>(&law)) {
+    return decay->evaluate(ambient, slip);
   }
   return std::visit([&](const auto& l) { return l.evaluate(ambient, slip); }, law);
 }
@@ -30,18 +37,69 @@ inline bool depends_on_slip_rate(const FrictionLaw& law) {
 inline bool depends_on_contact_force(const FrictionLaw& law) {
   return std::visit([](const auto& l) { return l.depends_on_contact_force(); }, law);
 }
-/// The largest coefficient the law gives inside its data.
+/// The largest coefficient the law gives inside its data; infinity where no bound is known.
 inline double largest(const FrictionLaw& law) {
   return std::visit([](const auto& l) { return l.largest(); }, law);
 }
 /// The largest d(mu F_N)/dF_N the law has: how fast the limit can follow the normal force.
+/// Infinity where no bound is known.
 inline double largest_growth(const FrictionLaw& law) {
   return std::visit([](const auto& l) { return l.largest_growth(); }, law);
 }
-/// max(-dmu/d(slip rate)) [T/L], 0 for a law that never weakens.
+/// max(-dmu/d(slip rate)) [T/L], 0 for a law that never weakens; infinity where no bound is known.
 inline double steepest_weakening(const FrictionLaw& law) {
   return std::visit([](const auto& l) { return l.steepest_weakening(); }, law);
 }
+/// The next slip along the line [L] at which mu F_N may have a kink or change its curvature, all of
+/// them but the inflection of a table over both rate and contact force; infinity if there is none.
+inline double next_bend(const FrictionLaw& law, const SlipLine& line) noexcept {
+  if (const auto* table = std::get_if<TabularCoefficient>(&law)) return table->next_bend(line);
+  return std::visit([&](const auto& l) { return l.next_bend(line); }, law);
+}
+/// The same of exp(mu alpha) or -exp(-mu alpha) at a constant contact force.
+inline double next_belt_bend(const FrictionLaw& law, const SlipLine& line, double wrap_angle,
+                             FlowSense sense) noexcept {
+  return std::visit([&](const auto& l) { return l.next_belt_bend(line, wrap_angle, sense); }, law);
+}
+
+/// Whether the law keeps its coefficient above kCoefficientFloor.
+inline bool has_floor(const FrictionLaw& law) {
+  return std::visit([](const auto& l) { return l.kHasFloor; }, law);
+}
+/// The coefficient [1] before the floor; that of evaluate() for a law without one.
+inline double raw_coefficient(const FrictionLaw& law, const Ambient& ambient,
+                              const SlipArguments& slip) noexcept {
+  return std::visit(
+      [&](const auto& l) {
+        if constexpr (requires { l.raw(ambient, slip); }) {
+          return l.raw(ambient, slip);
+        } else {
+          return l.evaluate(ambient, slip).mu;
+        }
+      },
+      law);
+}
+/// Whether the floor holds the coefficient up.
+inline bool is_clamped(const FrictionLaw& law, const Ambient& ambient,
+                       const SlipArguments& slip) noexcept {
+  return has_floor(law) && !(raw_coefficient(law, ambient, slip) >= kCoefficientFloor);
+}
+/// The key of the coefficient whose exponent overflows at a slip rate [L/T], so that mu is
+/// infinite; empty if none does.
+inline std::string_view overflow(const FrictionLaw& law, double slip_rate) {
+  const auto* darmstad = std::get_if<ModifiedDarmstad>(&law);
+  return darmstad == nullptr ? std::string_view{} : darmstad->overflow(slip_rate);
+}
+/// Whether the law sees the pressure and has no area to take it from.
+inline bool needs_area(const FrictionLaw& law) {
+  return std::visit(
+      [](const auto& l) {
+        if constexpr (requires { l.needs_area(); }) return l.needs_area();
+        return false;
+      },
+      law);
+}
+
 /// The exponential decay that a law is or stands for; nothing for other laws.
 inline std::optional<ExponentialDecay> exponential_decay(const FrictionLaw& law) {
   if (const auto* decay = std::get_if<ExponentialDecay>(&law)) return *decay;

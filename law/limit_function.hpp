@@ -93,46 +93,42 @@ class LimitFunction {
   }
   double motion_rate(double motion) const { return motion * inverse_duration_; }
 
-  /// The next slip after `slip` at which F_lim has a kink or changes its curvature: knots of tables
-  /// over rate, accumulated slip and contact force, a change of sign of F_C + F_int, the inflection
-  /// of an exponential coefficient times a normal force that wears. Between two of them F_lim is
-  /// convex or concave, apart from the cubic of a table over both rate and contact force.
-  double next_knot(double slip) const noexcept {
+  /// The next slip after `slip`, up to `end`, at which F_lim has a kink or changes its curvature:
+  /// knots of tables over rate, accumulated slip and contact force, a change of sign of
+  /// F_C + F_int, and what the law says of itself (next_bend). Between two of them F_lim is convex
+  /// or concave, apart from the cubic of a table over both rate and contact force. Infinity, or
+  /// something behind `end`, if there is none.
+  double next_knot(double slip, double end) const noexcept {
+    SlipLine line{
+        .slip = slip, .end = end, .rate_at_zero = motion_rate_, .rate_per_slip = slip_in_rate_};
     double next = std::numeric_limits<double>::infinity();
-    const auto* law = std::get_if<TabularCoefficient>(&definition_.law);
-    if (slip_in_rate_ > 0.0 && law != nullptr) {
-      const int k = law->table.column_of(IndependentKind::kSlipRate);
-      if (k >= 0) next = first_above(law->table.table().knots(k), slip, 0.0, slip_in_rate_, next);
-    }
     const auto* wear = std::get_if<TableFunction>(&definition_.internal_contact_force);
-    if (slip_in_wear_ == 0.0 || wear == nullptr) return next;
-    const int s = wear->column_of(IndependentKind::kAccumulatedSlip);
-    if (s < 0) return next;
-    next = first_above(wear->table().knots(s), slip, accumulated_, 1.0, next);
-
-    const auto internal =
-        evaluate(definition_.internal_contact_force, increment_.end, accumulated_ + slip);
-    const double force = contact_ + internal.value;
-    const double fall = internal.to_accumulated_slip;
-    if (fall == 0.0) return next;
-    // A point that rounding puts just ahead is the one the search stands on.
-    const auto candidate = [&](double x) {
-      if (x > slip + 1e-14 * x) next = std::min(next, x);
-    };
-    if (force * fall < 0.0) candidate(slip - force / fall);
-    const double normal = std::abs(force);
-    const double growth = force < 0.0 ? -fall : (force > 0.0 ? fall : std::abs(fall));
-    if (law != nullptr) {
-      const int k = law->table.column_of(IndependentKind::kContactForce);
-      if (k < 0) return next;
-      // F_N moves one way within a piece of the wear table: the next knot lies on that side.
-      for (const double knot : law->table.table().knots(k))
-        candidate(slip + (knot - normal) / growth);
-    } else if (const auto decay = exponential_decay(definition_.law)) {
-      const double per_slip = decay->decay * slip_in_rate_;
-      if (per_slip > 0.0) candidate(slip + 2.0 / per_slip - normal / growth);
+    const int s = slip_in_wear_ == 0.0 || wear == nullptr
+                      ? -1
+                      : wear->column_of(IndependentKind::kAccumulatedSlip);
+    if (s >= 0) {
+      next = first_above(wear->table().knots(s), slip, accumulated_, next);
+      const auto internal =
+          evaluate(definition_.internal_contact_force, increment_.end, accumulated_ + slip);
+      const double force = contact_ + internal.value;
+      const double fall = internal.to_accumulated_slip;
+      const auto zero_of = [&](double value) {
+        const double x = slip - value / fall;
+        if (value * fall < 0.0 && is_ahead(line, x)) next = std::min(next, x);
+      };
+      zero_of(force);
+      zero_of(internal.value);  // a table that is prolonged below 0 stops there
+      // F_N moves one way within a piece of the wear table.
+      line.force = std::abs(force);
+      line.force_per_slip = force < 0.0 ? -fall : (force > 0.0 ? fall : std::abs(fall));
+      line.end = std::min(next, end);
+    } else if (slip_in_rate_ > 0.0) {
+      // A constant F_N matters to the coefficient alone.
+      line.force = depends_on_contact_force(definition_.law) ? contact_force_at_rest() : 1.0;
+    } else {
+      return next;
     }
-    return next;
+    return std::min(next, next_bend(definition_.law, line));
   }
 
   /// Whether F_lim is cubic between knots: mu linear in the rate and in F_N, times F_N.
@@ -143,13 +139,20 @@ class LimitFunction {
   }
 
  private:
-  /// Smallest slip > `slip` with offset + factor * slip on a knot, at most `best`.
+  /// F_N of an increment whose slip does not change it.
+  double contact_force_at_rest() const noexcept {
+    return std::abs(
+        contact_ +
+        evaluate(definition_.internal_contact_force, increment_.end, accumulated_).value);
+  }
+
+  /// Smallest slip > `slip` with offset + slip on a knot, at most `best`.
   static double first_above(std::span<const double> knots, double slip, double offset,
-                            double factor, double best) noexcept {
-    auto knot = std::upper_bound(knots.begin(), knots.end(), offset + factor * slip);
+                            double best) noexcept {
+    auto knot = std::upper_bound(knots.begin(), knots.end(), offset + slip);
     // A slip that stands on a knot may be rounded back before it: that knot is past.
-    while (knot != knots.end() && (*knot - offset) / factor <= slip) ++knot;
-    return knot == knots.end() ? best : std::min((*knot - offset) / factor, best);
+    while (knot != knots.end() && *knot - offset <= slip) ++knot;
+    return knot == knots.end() ? best : std::min(*knot - offset, best);
   }
 
   const FrictionDefinition& definition_;

@@ -159,7 +159,7 @@ bool first_slip(const Start& start, double* slip) noexcept {
   for (int i = 0; i < 200; ++i) {  // an end that shifts push out is followed
     const double step = (end - low) / kSteps;
     while (low < end) {
-      const double high = std::min({start.limit.next_knot(low), low + step, end});
+      const double high = std::min({start.limit.next_knot(low, end), low + step, end});
       if (distance(start, high).value <= 0.0) {
         *slip = bracketed(start, low, high, radial);
         return true;
@@ -187,7 +187,7 @@ bool first_slip(const Start& start, double* slip) noexcept {
 
 /// Whether the force is beyond the limit again at a knot behind the root.
 bool beyond_again(const Start& start, double slip, double end) noexcept {
-  for (double x = start.limit.next_knot(slip); x < end; x = start.limit.next_knot(x)) {
+  for (double x = start.limit.next_knot(slip, end); x < end; x = start.limit.next_knot(x, end)) {
     if (distance(start, x).value > 0.0) return true;
   }
   return false;

@@ -8,61 +8,13 @@
 #include "law/capstan_update.hpp"
 #include "law/first_root.hpp"
 #include "law/limit_function.hpp"
+#include "law/penalty_update.hpp"
 #include "law/potential_return.hpp"
+#include "law/slip_vector.hpp"
+#include "law/split_work.hpp"
 
 namespace slipbench::law {
 namespace {
-
-template <int D>
-using Slip = Eigen::Matrix<double, D, 1>;
-
-template <int D>
-Slip<D> load(const std::array<double, kComponents>& a) {
-  return Eigen::Map<const Slip<D>>(a.data());
-}
-template <int D>
-void store(const Slip<D>& v, std::array<double, kComponents>* a) {
-  Eigen::Map<Slip<D>>(a->data()) = v;
-}
-
-template <int D>
-double norm(const Slip<D>& v) {
-  if constexpr (D == 1) {
-    return std::abs(v[0]);
-  } else {
-    return std::sqrt(v.squaredNorm());
-  }
-}
-
-/// Work of the force going from y0 to y1 over ds. The force first rises along the straight line to
-/// the predictor `trial`; where that meets the limit the increment is split, so that the trapezoid
-/// is exact for an elastic-plastic path in one dimension (reference cases, section 10, property 3).
-/// \param[out] onset the fraction of the increment before the split
-template <int D>
-double split_work(const Slip<D>& y0, const Slip<D>& trial, const Slip<D>& y1, const Slip<D>& ds,
-                  double limit, double* onset) {
-  const Slip<D> rise = trial - y0;
-  const double a = rise.squaredNorm();
-  const double b = y0.dot(rise);
-  // A force returned to the limit may lie above it by its rounding; it counts as on the limit.
-  const double square = limit * limit;
-  const double excess = y0.squaredNorm() - square;
-  const double c = excess <= 2.0 * (kLimitSlack - 1.0) * square ? std::min(excess, 0.0) : excess;
-  double lambda = 0.0;
-  const double square_of_root = b * b - a * c;
-  // A limit that fell below a force that turns back is met where the force comes out again, if it
-  // gets inside at all before the predictor.
-  const bool comes_out = b < 0.0 && a + b > 0.0 && square_of_root > 0.0;
-  if (a > 0.0 && (c <= 0.0 || comes_out)) {
-    // The stable form of the larger root of a x^2 + 2 b x + c = 0.
-    const double root = std::sqrt(std::max(square_of_root, 0.0));
-    lambda = b > 0.0 ? -c / (b + root) : (root - b) / a;
-    lambda = std::clamp(lambda, 0.0, 1.0);
-  }
-  *onset = lambda;
-  const Slip<D> split = y0 + lambda * rise;
-  return 0.5 * (lambda * (y0 + split).dot(ds) + (1.0 - lambda) * (split + y1).dot(ds));
-}
 
 template <int D>
 FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIncrement& increment,
@@ -223,6 +175,7 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
 
 FrictionUpdate update(const FrictionDefinition& definition, const ConnectorIncrement& increment,
                       const FrictionState& old) noexcept {
+  if (definition.formulation) return update_penalty(definition, increment, old);
   switch (definition.criterion.index()) {
     case 1:
       return update_potential(definition, increment, old);
@@ -301,7 +254,8 @@ ConnectorTangent connector_tangent(const FrictionDefinition& definition,
                &contact_to_position);
   if (const auto* f = std::get_if<TableFunction>(&definition.internal_contact_force)) {
     // At the accumulated slip the increment's internal contact force was taken at.
-    const bool at_end = definition.accumulated_slip == AccumulatedSlipTiming::kEnd;
+    const bool at_end =
+        !definition.formulation && definition.accumulated_slip == AccumulatedSlipTiming::kEnd;
     const double slip = update.state.accumulated_slip - (at_end ? 0.0 : update.slip_increment);
     if (f->value(increment.end, {.accumulated_slip = slip}) >= 0.0) {
       f->add_motion_slopes(increment.end, {.accumulated_slip = slip}, 1.0, &contact_to_position);
@@ -309,22 +263,33 @@ ConnectorTangent connector_tangent(const FrictionDefinition& definition,
   }
 
   const SlipSpace& space = definition.slip;
-  if (std::holds_alternative<Potential>(definition.criterion)) {
-    const PotentialTangent potential = potential_tangent(definition, update);
+  const auto add = [&](const auto& slip_tangent) {
     for (int i = 0; i < space.dimension; ++i) {
       const auto a = static_cast<std::size_t>(i);
       const int ci = space.component[a];
       for (int j = 0; j < space.dimension; ++j) {
         const auto b = static_cast<std::size_t>(j);
         tangent.to_motion(ci, space.component[b]) +=
-            space.scale[a] * potential.to_slip(i, j) * space.scale[b];
+            space.scale[a] * slip_tangent.to_slip(i, j) * space.scale[b];
       }
       for (int c = 0; c < kComponents; ++c) {
-        const double to_contact = space.scale[a] * potential.to_contact[i];
+        const double to_contact = space.scale[a] * slip_tangent.to_contact[i];
         tangent.to_motion(ci, c) += to_contact * contact_to_position[c];
         tangent.to_force(ci, c) += to_contact * contact_to_force[c];
       }
     }
+  };
+  if (definition.formulation) {
+    const PenaltyTangent penalty = penalty_tangent(definition, increment, update);
+    add(penalty);
+    for (int i = 0; i < space.dimension; ++i) {
+      const auto a = static_cast<std::size_t>(i);
+      tangent.to_motion.row(space.component[a]) += space.scale[a] * penalty.to_position.row(i);
+    }
+    return tangent;
+  }
+  if (std::holds_alternative<Potential>(definition.criterion)) {
+    add(potential_tangent(definition, update));
     return tangent;
   }
   const SlipTangent& t = update.tangent;

@@ -15,12 +15,14 @@ namespace slipbench::law {
 /// with n the direction of y, m that of ds. In stick transverse = radial.
 /// F_C stands for all that changes the contact force F_C + F_int from outside; section 10.7.
 /// With a Potential the four are what its tangent is made of: kappa, dF_lim/d(dL), dF_lim/d|ds| and
-/// dF_lim/dF_C (potential_tangent).
+/// dF_lim/dF_C (potential_tangent). With a formulation n is the direction before the filter, and
+/// penalty_tangent has the whole.
 struct SlipTangent {
   double transverse = 0.0;
   double radial = 0.0;
   double rate = 0.0;
   double contact = 0.0;
+  double clip = 1.0;  ///< of a formulation: what clipping behind the filter left of the force
 };
 
 /// Result of one increment of one definition.
@@ -44,6 +46,8 @@ struct FrictionUpdate {
   /// Of an increment that ends in slip: the part of it that is over when the trial force meets the
   /// limit of its end, 0 where it slips from the start; exact in one dimension at a constant limit.
   double onset = 0.0;
+  /// Of an orthotropic law: the predictor along its axes [F], which its tangent is made of.
+  std::array<double, 2> trial{};
   bool multiple_roots = false;  ///< the limit falls too fast for one certain solution
   bool converged = true;        ///< false: a return to a potential found no solution
 };

@@ -2,8 +2,25 @@
 #include "law/uniqueness.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace slipbench::law {
+namespace {
+
+/// mu before its floor over the rates from 0 (t = 0) to `rate` (t = 1), of a law that is no table
+/// and not bounded; such a law has no denominator.
+ExponentialSum curve_over_rates(const FrictionLaw& law, double contact_force, double rate) {
+  const SlipLine line{.end = rate, .rate_per_slip = 1.0, .force = contact_force};
+  if (const auto* viscous = std::get_if<GeneralizedViscous>(&law)) {
+    return viscous->along(line).numerator;
+  }
+  if (const auto* darmstad = std::get_if<ModifiedDarmstad>(&law)) {
+    return darmstad->along(line).numerator;
+  }
+  return {};
+}
+
+}  // namespace
 
 double stick_stiffness(const FrictionDefinition& definition, double limit) {
   return definition.stick.mode == StickStiffness::Mode::kStiffness ? definition.stick.value
@@ -16,7 +33,8 @@ SnapBack snap_back(const FrictionDefinition& definition) {
   const int column = wear->column_of(IndependentKind::kAccumulatedSlip);
   if (column < 0) return {};
   SnapBack result{largest_growth(definition.law), -wear->table().steepest_fall(column), 0.0};
-  result.ratio = result.growth * result.fall / definition.stick.value;
+  result.judged = std::isfinite(result.growth);
+  if (result.judged) result.ratio = result.growth * result.fall / definition.stick.value;
   return result;
 }
 
@@ -36,6 +54,39 @@ bool has_increment_thresholds(const FrictionDefinition& definition) {
 
 CoefficientBounds coefficient_bounds(const FrictionLaw& law) {
   return {largest(law), std::max(steepest_weakening(law), 0.0)};
+}
+
+CoefficientBounds coefficient_bounds(const FrictionLaw& law, const Ambient& ambient,
+                                     double contact_force, double rate) {
+  const CoefficientBounds over_all = coefficient_bounds(law);
+  if (std::isfinite(over_all.largest) && std::isfinite(over_all.steepest_weakening)) {
+    return over_all;
+  }
+  CoefficientBounds found;
+  const auto look = [&](double at) {
+    const CoefficientPoint point =
+        evaluate(law, ambient, {.slip_rate = at, .contact_force = contact_force});
+    if (!std::isfinite(point.mu)) return;
+    found.largest = std::max(found.largest, point.mu);
+    found.steepest_weakening = std::max(found.steepest_weakening, -point.to_slip_rate);
+  };
+  look(0.0);
+  look(rate);
+  // Between the ends the extremes of mu and of its slope lie where their slopes change sign, and
+  // beside the floor.
+  const ExponentialSum mu = curve_over_rates(law, contact_force, rate);
+  const ExponentialSum slope = derivative(mu);
+  ExponentialSum above_floor = mu;
+  above_floor.add(polynomial({1.0}), -kCoefficientFloor);
+  for (const ExponentialSum& sum : {slope, derivative(slope), above_floor}) {
+    const SignChanges changes = sign_changes(sum, 0.0, 1.0);
+    for (int i = 0; i < changes.count; ++i) {
+      const double at = changes.at[static_cast<std::size_t>(i)] * rate;
+      look(at * (1.0 - 1e-9));
+      look(at * (1.0 + 1e-9));
+    }
+  }
+  return found;
 }
 
 IncrementThresholds increment_thresholds(const FrictionDefinition& definition,
@@ -60,9 +111,15 @@ IncrementThresholds increment_thresholds(const FrictionDefinition& definition,
                                    capstan_ratio(mu * belt->wrap_angle, FlowSense::kForward);
     return to_mu / definition.stick.value;
   };
+  CoefficientBounds here = bounds;
+  if (!std::isfinite(bounds.largest) || !std::isfinite(bounds.steepest_weakening)) {
+    const CoefficientBounds up_to = coefficient_bounds(definition.law, end, normal_force, rate);
+    if (!std::isfinite(here.largest)) here.largest = up_to.largest;
+    if (!std::isfinite(here.steepest_weakening)) here.steepest_weakening = up_to.steepest_weakening;
+  }
   const double weakening = std::max(-point.to_slip_rate, 0.0);
-  const double steepest = definition.blend.weight * bounds.steepest_weakening;
-  const double largest_mu = blended(definition.blend, {bounds.largest, 0.0, 0.0}).mu;
+  const double steepest = definition.blend.weight * here.steepest_weakening;
+  const double largest_mu = blended(definition.blend, {here.largest, 0.0, 0.0}).mu;
   return {normal_force, weakening, 2.0 * per_stiffness(point.mu) * weakening,
           per_stiffness(std::max(largest_mu, point.mu)) * steepest};
 }

@@ -12,10 +12,13 @@ double stick_stiffness(const FrictionDefinition& definition, double limit);
 
 /// Wear against stick stiffness: beta = growth fall / kappa, the beta = mu c / k of reference case
 /// W1 with the worst of the tables. At beta >= 1 the force drops at constant motion (snap-back).
+/// Where the coefficient grows with the contact force without bound there is no worst: then it is
+/// not judged, and FrictionUpdate::multiple_roots tells in the run.
 struct SnapBack {
   double growth = 0.0;  ///< largest d(mu F_N)/dF_N [1]
   double fall = 0.0;    ///< steepest -dF_int/d(accumulated slip) [F/L]
-  double ratio = 0.0;   ///< beta; 0 without wear, or where kappa follows the limit
+  double ratio = 0.0;   ///< beta; 0 without wear, where kappa follows the limit, or not judged
+  bool judged = true;
 };
 SnapBack snap_back(const FrictionDefinition& definition);
 
@@ -36,13 +39,20 @@ struct IncrementThresholds {
   double unique = 0.0;
 };
 /// How far a coefficient goes: its largest value [1] and its steepest fall with the slip rate
-/// [T/L]. Of a table both take a walk over all cells, so they are kept between increments.
+/// [T/L]. Of a table both take a walk over all cells, so they are kept between increments. Infinity
+/// where the law has no bound over all rates and contact forces.
 struct CoefficientBounds {
   double largest = 0.0;
   double steepest_weakening = 0.0;
 };
 CoefficientBounds coefficient_bounds(const FrictionLaw& law);
+/// The same over the slip rates from 0 to `rate` [L/T] at one contact force [F], which have one:
+/// for a law without a bound over all. A rate beyond overflow counts as far as that.
+CoefficientBounds coefficient_bounds(const FrictionLaw& law, const Ambient& ambient,
+                                     double contact_force, double rate);
 
+/// Where the law has no bounds over all rates, `unique` is taken over those up to `rate`: it is
+/// always finite.
 /// \param bounds of the definition's law
 /// \param rate |ds|/dt of the relative motion [L/T]
 IncrementThresholds increment_thresholds(const FrictionDefinition& definition,

@@ -88,7 +88,9 @@ do for [i=1:DEFINITIONS] {
     set ytics FORCE_STEP[i]
     plot $DATA using (column(FORCE_X[i])):(column(FORCE_Y[i])) with lines linewidth 2 \
         linecolor rgb "black" title "force", \
-      LARGEST_LIMIT[i] * cos(t), LARGEST_LIMIT[i] * sin(t) with lines linewidth 2 dashtype 2 \
+      LIMIT_AXIS_1[i] * cos(t) * DIRECTION_X[i] - LIMIT_AXIS_2[i] * sin(t) * DIRECTION_Y[i], \
+      LIMIT_AXIS_1[i] * cos(t) * DIRECTION_Y[i] + LIMIT_AXIS_2[i] * sin(t) * DIRECTION_X[i] \
+        with lines linewidth 2 dashtype 2 \
         linecolor rgb limit_colour title "largest limit"
     set xtics autofreq
     set ytics autofreq

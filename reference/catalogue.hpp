@@ -17,26 +17,34 @@
 #include "reference/coulomb_vibration.hpp"
 #include "reference/dahl.hpp"
 #include "reference/elastic_belt.hpp"
+#include "reference/ellipse_point.hpp"
 #include "reference/exponential_decay.hpp"
+#include "reference/first_order_filter.hpp"
+#include "reference/generalized_viscous.hpp"
 #include "reference/harmonic_balance.hpp"
 #include "reference/helical_capstan.hpp"
 #include "reference/helical_slip.hpp"
 #include "reference/iwan_uniform.hpp"
 #include "reference/lift_off.hpp"
 #include "reference/lugre.hpp"
+#include "reference/modified_darmstad.hpp"
 #include "reference/moving_belt.hpp"
+#include "reference/orthotropic_sliding.hpp"
 #include "reference/p_norm.hpp"
 #include "reference/parallel_sliders.hpp"
 #include "reference/planar_slider.hpp"
 #include "reference/planar_slider_circle.hpp"
 #include "reference/power_law_capstan.hpp"
+#include "reference/renard.hpp"
 #include "reference/segalman_iwan.hpp"
 #include "reference/static_kinetic_sawtooth.hpp"
 #include "reference/stick_slip_oscillator.hpp"
+#include "reference/stiffness_penalty.hpp"
 #include "reference/tanh_friction.hpp"
 #include "reference/v_groove_capstan.hpp"
 #include "reference/varying_normal_force.hpp"
 #include "reference/varying_overlap.hpp"
+#include "reference/viscous_penalty.hpp"
 #include "reference/wear.hpp"
 #include "reference/wear_table.hpp"
 
@@ -61,6 +69,13 @@ inline constexpr std::array kCatalogue{
     capstan::kForm, capstan::kBandForm, capstan::kStatusForm, capstan::kWrapAngleForm,
     capstan_chain::kForm, belt_segment::kForm, elastic_belt::kForm, power_law_capstan::kForm,
     v_groove_capstan::kForm, moving_belt::kForm, helical_capstan::kForm,
+    // Radioss-type friction
+    generalized_viscous::kForm, modified_darmstad::kForm, renard::kForm,
+    first_order_filter::kStepForm, first_order_filter::kHarmonicForm,
+    first_order_filter::kSignalForm, viscous_penalty::kForm, viscous_penalty::kPlaneForm,
+    viscous_penalty::kCreepForm, viscous_penalty::kDampingForm, stiffness_penalty::kRampForm,
+    stiffness_penalty::kIncrementsForm, orthotropic_sliding::kForm, ellipse_point::kClosestForm,
+    ellipse_point::kRatioForm,
     // Spheres in contact
     cattaneo_mindlin::kForm, cattaneo_mindlin::kLoopForm, cattaneo_mindlin::kHertzForm,
     // Dynamics

@@ -320,6 +320,21 @@ Json Codec<std::string>::schema(const KeyInfo&) {
   return schema;
 }
 
+bool Codec<law::UnitName>::read(Binder& binder, const Node& node, const Path& path,
+                                const KeyInfo& info, law::UnitName& out) {
+  std::string text;
+  if (!Codec<std::string>::read(binder, node, path, info, text)) return false;
+  if (text.size() > law::UnitName::kLongest) {
+    binder.error(node, path,
+                 "the name of a unit has at most " + std::to_string(law::UnitName::kLongest) +
+                     " characters, found " + std::to_string(text.size()));
+    return false;
+  }
+  out = law::UnitName(text);
+  return true;
+}
+Json Codec<law::UnitName>::schema(const KeyInfo& info) { return Codec<std::string>::schema(info); }
+
 bool read_word(Binder& binder, const Node& node, const Path& path,
                std::span<const std::string_view> words, std::size_t& index) {
   if (!node.is_scalar()) {
@@ -328,8 +343,8 @@ bool read_word(Binder& binder, const Node& node, const Path& path,
   }
   const auto word = std::find(words.begin(), words.end(), node.text());
   if (word == words.end()) {
-    if (const auto later = later_key(node.text())) {
-      binder.error(node, path, std::string(later->why));
+    if (const auto later = later_word(node.text())) {
+      binder.error(node, path, std::string(*later));
       return false;
     }
     binder.error(node, path,

@@ -20,6 +20,7 @@
 #include "driver/text/json.hpp"
 #include "driver/yaml/node.hpp"
 #include "law/field.hpp"
+#include "law/unit_name.hpp"
 
 namespace slipbench::driver {
 
@@ -174,7 +175,11 @@ concept HasFields = requires {
   T::fields();
 };
 
-/// A law's or a connection's optional member is absent, where a number is 0.
+/// Enumerations give their YAML words in the order of their values: EnumWords<E>::kWords.
+template <class E>
+struct EnumWords;
+
+/// The default of a law's or a connection's member in words; empty for 0.
 template <class T, class Member>
 constexpr std::string_view default_of_member(Member T::*) {
   return "";
@@ -182,6 +187,15 @@ constexpr std::string_view default_of_member(Member T::*) {
 template <class T, class Member>
 constexpr std::string_view default_of_member(std::optional<Member> T::*) {
   return "none";
+}
+template <class T>
+constexpr std::string_view default_of_member(law::UnitName T::*) {
+  return "none";
+}
+template <class T, class Member>
+requires std::is_enum_v<Member>
+constexpr std::string_view default_of_member(Member T::*) {
+  return EnumWords<Member>::kWords.front();
 }
 
 template <class T, class Visitor>
@@ -348,10 +362,6 @@ struct Codec<std::string> {
   static void rows(const std::string&, std::vector<KeyRow>&) {}
 };
 
-/// Enumerations give their YAML words in the order of their values: EnumWords<E>::kWords.
-template <class E>
-struct EnumWords;
-
 bool read_word(Binder& binder, const Node& node, const Path& path,
                std::span<const std::string_view> words, std::size_t& index);
 
@@ -374,6 +384,15 @@ struct Codec<E> {
   static std::string wanted(const KeyInfo&) {
     return slipbench::driver::in_words(std::span<const std::string_view>(EnumWords<E>::kWords));
   }
+  static void rows(const std::string&, std::vector<KeyRow>&) {}
+};
+
+template <>
+struct Codec<law::UnitName> {
+  static bool read(Binder& binder, const Node& node, const Path& path, const KeyInfo& info,
+                   law::UnitName& out);
+  static Json schema(const KeyInfo& info);
+  static std::string wanted(const KeyInfo&) { return "the name of a unit"; }
   static void rows(const std::string&, std::vector<KeyRow>&) {}
 };
 

@@ -30,14 +30,21 @@ struct CaseDefinition {
   law::FrictionDefinition law;
 };
 
+/// The record of a table of part pairs whose friction is in force.
+struct PickedPair {
+  std::array<int, 2> parts{};  ///< ids, as the case names them
+  std::string record;          ///< its path in the case: "friction_pairs.pairs[1]"
+};
+
 /// The belt of a SLIPRING connector; the wrap angles are the connection type's.
 struct Belt {
   /// Initial positions of a, b, c: the distance CP1 and the wrap angle follow from them.
   std::optional<std::array<law::Point, 3>> nodes;
   bool nodes_move = false;
   double initial_strain = 0.0;
-  bool has_length = false;     ///< the distance is known, and so reference length and strain
-  bool both_tensions = false;  ///< f_bc is prescribed beside f1: stick is judged, no flow integrated
+  bool has_length = false;  ///< the distance is known, and so reference length and strain
+  bool both_tensions =
+      false;  ///< f_bc is prescribed beside f1: stick is judged, no flow integrated
 };
 
 /// Whether a connection is a SLIPRING.
@@ -131,11 +138,12 @@ struct Case {
   law::RelativePosition reference;  ///< constitutive reference positions
   law::RelativePosition initial;    ///< CP at the start, held components included
   std::vector<CaseDefinition> definitions;
+  std::optional<PickedPair> pair;  ///< of a case with a table of part pairs
   Integration integration;
   std::array<ComponentBehavior, law::kComponents> behavior;
   std::optional<DynamicsData> dynamics;
   law::ComponentSet force_driven;  ///< free components that are driven by force at some time
-  std::vector<Step> steps;                 ///< empty if `measured`
+  std::vector<Step> steps;         ///< empty if `measured`
   std::optional<MeasuredSource> measured;  ///< drives the case row by row; opened by each run
   int measured_pieces = 1;                 ///< increments from one row to the next
   int output_every = 1;

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <utility>
 
+#include "driver/case/law_numbers.hpp"
 #include "driver/text/format_number.hpp"
 #include "law/connection_type.hpp"
 
@@ -141,6 +143,8 @@ void Codec<WeightsText>::rows(const std::string&, std::vector<KeyRow>&) {}
 
 namespace {
 
+constexpr std::string_view kOrthotropic = "orthotropic";
+
 /// Calls visit(std::type_identity<Law>{}) for the laws that are written by name.
 template <class Visit>
 void for_each_named_law(Visit&& visit) {
@@ -152,15 +156,34 @@ void for_each_named_law(Visit&& visit) {
   }(std::type_identity<law::FrictionLaw>{});
 }
 
-/// The parameters of a law with their numbers, to six digits: "static 0.3, kinetic 0.2".
+/// Reports what rules between its parameters a law breaks: as errors, or, where the law lets it
+/// pass, as warnings. The numbers stand with the first of them.
 template <class Law>
-std::string numbers(const Law& law) {
-  std::string text;
-  for_each_key<Law>([&](std::string_view key, auto member, const KeyInfo&) {
-    const std::optional<double> value = law.*member;
-    if (value) text += fmt::format("{}{} {:.6g}", text.empty() ? "" : ", ", key, *value);
-  });
-  return text;
+bool rules_hold(Binder& binder, const Law& law, const Node& node, const Path& path) {
+  std::string found = " (found " + numbers(law) + ")";
+  const auto broken = [&](std::string_view rule) {
+    return std::string(rule) + std::exchange(found, std::string());
+  };
+  if constexpr (requires { law.leniences(); }) {
+    const auto let_pass = law.leniences();
+    const auto held = law.rules_held();
+    for (std::size_t i = 0; i < held.size(); ++i) {
+      if (held[i]) continue;
+      const std::string_view rule = law.kRules[i];
+      if (std::find(let_pass.begin(), let_pass.end(), rule) == let_pass.end()) {
+        binder.error(node, path, broken(rule));
+      } else {
+        binder.warning(node, path, broken(rule) + ": let pass by 'rules: lenient'");
+      }
+    }
+    return !law.violation();
+  } else if constexpr (requires { law.violation(); }) {
+    const auto rule = law.violation();
+    if (rule) binder.error(node, path, broken(*rule));
+    return !rule;
+  } else {
+    return true;
+  }
 }
 
 }  // namespace
@@ -183,6 +206,12 @@ bool Codec<CoefficientText>::read(Binder& binder, const Node& node, const Path& 
     out.value = std::move(text);
     return true;
   }
+  if (node.size() == 1 && has_key(node, kOrthotropic)) {
+    auto text = std::make_shared<OrthotropicText>();
+    const bool good = read_struct(binder, *node.find(kOrthotropic), path / kOrthotropic, *text);
+    out.orthotropic = std::move(text);
+    return good;
+  }
   std::vector<std::string_view> names;
   for_each_named_law([&]<class Law>(std::type_identity<Law>) { names.push_back(Law::kName); });
   if (node.size() != 1) {
@@ -200,12 +229,7 @@ bool Codec<CoefficientText>::read(Binder& binder, const Node& node, const Path& 
     known = true;
     Law law;
     good = read_struct(binder, entry.value, below, law);
-    if constexpr (requires { law.violation(); }) {
-      if (const auto broken = good ? law.violation() : std::nullopt) {
-        binder.error(entry.value, below, std::string(*broken) + " (found " + numbers(law) + ")");
-        good = false;
-      }
-    }
+    if (good) good = rules_hold(binder, law, entry.value, below);
     if constexpr (requires { law.fit(); }) {
       // Fitted once, and in force as what it stands for.
       if (!good) return;
@@ -218,17 +242,22 @@ bool Codec<CoefficientText>::read(Binder& binder, const Node& node, const Path& 
     }
   });
   if (!known) {
+    names.push_back(kOrthotropic);
     names.push_back("columns");
     binder.unknown_key(entry.key, below, names);
   }
   return good;
 }
-Json Codec<CoefficientText>::schema(const KeyInfo& info) {
+Json Codec<DirectionText>::schema(const KeyInfo& info) {
   json::Array alternatives = {Codec<double>::schema(info), struct_schema<TableText>()};
   for_each_named_law([&]<class Law>(std::type_identity<Law>) {
     alternatives.push_back(map_with_one(Law::kName, struct_schema<Law>()));
   });
   return any_of(std::move(alternatives));
+}
+Json Codec<CoefficientText>::schema(const KeyInfo& info) {
+  return any_of({Codec<DirectionText>::schema(info),
+                 map_with_one(kOrthotropic, struct_schema<OrthotropicText>())});
 }
 std::string Codec<CoefficientText>::wanted(const KeyInfo&) {
   return "a number, a table, or one law by name";
@@ -239,7 +268,27 @@ void Codec<CoefficientText>::rows(const std::string& path, std::vector<KeyRow>& 
     rows.push_back({here, "a map", KeyInfo{.text = Law::kTitle, .default_text = "-"}});
     struct_rows<Law>(here, rows);
   });
+  const std::string here = path + "." + std::string(kOrthotropic);
+  rows.push_back(
+      {here, "a map",
+       KeyInfo{.text = "Two coefficients at right angles (Radioss Idir 1).", .default_text = "-"}});
+  struct_rows<OrthotropicText>(here, rows);
 }
+
+bool Codec<DirectionText>::read(Binder& binder, const Node& node, const Path& path,
+                                const KeyInfo& info, DirectionText& out) {
+  if (has_key(node, kOrthotropic)) {
+    binder.error(*node.find(kOrthotropic), path / kOrthotropic,
+                 "a direction of an orthotropic coefficient cannot be orthotropic itself",
+                 "give a number, a table, or one law by name");
+    return false;
+  }
+  return Codec<CoefficientText>::read(binder, node, path, info, out.coefficient);
+}
+std::string Codec<DirectionText>::wanted(const KeyInfo& info) {
+  return Codec<CoefficientText>::wanted(info);
+}
+void Codec<DirectionText>::rows(const std::string&, std::vector<KeyRow>&) {}
 
 // --- friction[].contact_force -----------------------------------------------------------------
 
@@ -266,6 +315,29 @@ std::string Codec<ContactForceText>::wanted(const KeyInfo&) {
   return "a component number 1-6 or the name of a derived component";
 }
 void Codec<ContactForceText>::rows(const std::string&, std::vector<KeyRow>&) {}
+
+// --- friction_pairs.pairs[].parts -------------------------------------------------------------
+
+bool Codec<PartOrGroup>::read(Binder& binder, const Node& node, const Path& path,
+                              const KeyInfo& info, PartOrGroup& out) {
+  if (!node.is_scalar() || node.text().empty()) {
+    binder.wrong_kind(node, path, wanted(info));
+    return false;
+  }
+  if (Binder::is_expression(node) || (!node.quoted() && looks_like_number(node.text()))) {
+    int part = 0;
+    if (!Codec<int>::read(binder, node, path, KeyInfo{.bounds = {.lower = 1}}, part)) return false;
+    out.value = part;
+    return true;
+  }
+  out.value = std::string(node.text());
+  return true;
+}
+Json Codec<PartOrGroup>::schema(const KeyInfo&) {
+  return any_of({Codec<int>::schema(KeyInfo{.bounds = {.lower = 1}}), plain("string")});
+}
+std::string Codec<PartOrGroup>::wanted(const KeyInfo&) { return "a part id or a group's name"; }
+void Codec<PartOrGroup>::rows(const std::string&, std::vector<KeyRow>&) {}
 
 // --- friction[].predefined --------------------------------------------------------------------
 

@@ -25,7 +25,9 @@ SLIPBENCH_DECLARE_CODEC(TypeNames);
 SLIPBENCH_DECLARE_CODEC(NumberOrTable);
 SLIPBENCH_DECLARE_CODEC(WeightsText);
 SLIPBENCH_DECLARE_CODEC(CoefficientText);
+SLIPBENCH_DECLARE_CODEC(DirectionText);
 SLIPBENCH_DECLARE_CODEC(ContactForceText);
+SLIPBENCH_DECLARE_CODEC(PartOrGroup);
 SLIPBENCH_DECLARE_CODEC(PredefinedText);
 SLIPBENCH_DECLARE_CODEC(ProfileText);
 SLIPBENCH_DECLARE_CODEC(AmplitudeText);
@@ -53,6 +55,8 @@ inline constexpr TableUse kInternalForceTable{
     .what = "an internal contact force", .accumulated_slip = true, .motion = true};
 inline constexpr TableUse kCoefficientTable{
     .what = "a coefficient of friction", .slip_rate = true, .contact_force = true};
+inline constexpr TableUse kNormalStiffnessTable{.what = "a normal stiffness",
+                                                .contact_force = true};
 inline constexpr TableUse kWeightTable{
     .what = "weights of a derived component", .motion = true, .not_negative = false};
 

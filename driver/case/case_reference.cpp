@@ -15,12 +15,6 @@ std::string power(std::string_view symbol, int exponent) {
   return text + " ";
 }
 
-std::string dimension_text(const law::Dimension& d) {
-  std::string text = power("F", d.force) + power("L", d.length) + power("T", d.time);
-  if (!text.empty()) text.pop_back();
-  return text;
-}
-
 /// A pipe would end a cell of a Markdown table.
 std::string cell(std::string_view text) {
   std::string out;
@@ -56,6 +50,12 @@ std::string component_list(law::ComponentSet set) {
 }
 
 }  // namespace
+
+std::string dimension_text(const law::Dimension& d) {
+  std::string text = power("F", d.force) + power("L", d.length) + power("T", d.time);
+  if (!text.empty()) text.pop_back();
+  return text;
+}
 
 std::vector<KeyRow> case_rows() {
   std::vector<KeyRow> rows;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -11,6 +12,7 @@
 #include "driver/case/binding.hpp"
 #include "driver/case/integration.hpp"
 #include "driver/history/profile.hpp"
+#include "law/formulation.hpp"
 #include "law/friction_definition.hpp"
 #include "law/potential_terms.hpp"
 #include "law/table.hpp"
@@ -76,13 +78,15 @@ struct ConnectorText {
   At<NumberOrList> wrap_angle;
   At<NodesText> nodes;
   At<double> initial_strain = default_of(0.0);
+  At<double> area;
+  At<std::vector<At<int>>> parts;
 
   template <class V>
   static void declare(V& key) {
     key("type", &ConnectorText::type,
         KeyInfo{.required = true, .text = "Connection type, or a list of two basic types."});
     key("dimension", &ConnectorText::dimension,
-        KeyInfo{.text = "Dimension of space; 2 exists for SLOT only.",
+        KeyInfo{.text = "Dimension of space; 2 exists for SLOT and CONTACT only.",
                 .default_text = "3",
                 .bounds = {.lower = 2, .upper = 3}});
     key("reference", &ConnectorText::reference,
@@ -105,6 +109,15 @@ struct ConnectorText {
         KeyInfo{.text = "SLIPRING: strain of the belt between a and b at the start.",
                 .default_text = "0",
                 .bounds = {.lower = -1.0, .lower_open = true}});
+    key("area", &ConnectorText::area,
+        KeyInfo{.text = "Area A of the contact, for coefficients that see the pressure p = F_N/A.",
+                .default_text = "that of each coefficient",
+                .dimension = {0, 2, 0},
+                .bounds = law::kPositive});
+    key("parts", &ConnectorText::parts,
+        KeyInfo{.text = "Ids of the two parts that meet here: pick a record of friction_pairs.",
+                .default_text = "none",
+                .bounds = {.lower = 1}});
   }
 };
 
@@ -278,9 +291,160 @@ struct StickText {
   }
 };
 
-/// A number, a table, or a map with the name of one law of law::FrictionLaw.
+template <>
+struct EnumWords<law::RenardRules> {
+  static constexpr std::array<std::string_view, 2> kWords{"strict", "lenient"};
+};
+
+struct OrthotropicText;
+
+/// A number, a table, or a map with the name of one law of law::FrictionLaw; or two of these.
 struct CoefficientText {
   std::variant<law::FrictionLaw, TableText> value;
+  std::shared_ptr<const OrthotropicText> orthotropic;  ///< in place of the value
+};
+
+/// The coefficient along one direction: everything a coefficient may be but orthotropic.
+struct DirectionText {
+  CoefficientText coefficient;
+};
+
+template <>
+struct EnumWords<law::Orthotropy::Speed> {
+  static constexpr std::array<std::string_view, 2> kWords{"component", "total"};
+};
+
+/// Two coefficients at right angles.
+struct OrthotropicText {
+  static constexpr bool kIsDeclared = true;
+  At<DirectionText> direction1, direction2;
+  law::Orthotropy::Speed speed = law::Orthotropy::Speed::kComponent;
+  At<std::vector<double>> axis;
+
+  template <class V>
+  static void declare(V& key) {
+    key("direction1", &OrthotropicText::direction1,
+        KeyInfo{.required = true,
+                .text = "Coefficient along direction 1.",
+                .bounds = law::kNotNegative});
+    key("direction2", &OrthotropicText::direction2,
+        KeyInfo{.required = true,
+                .text = "Coefficient along direction 2, at right angles to direction 1.",
+                .bounds = law::kNotNegative});
+    key("speed", &OrthotropicText::speed,
+        KeyInfo{.text = "Speed that each coefficient sees: the component of the motion along its "
+                        "direction, or the total.",
+                .default_text = "component"});
+    key("axis", &OrthotropicText::axis,
+        KeyInfo{.text = "Direction 1 in the two components that slip, of any length; direction 2 "
+                        "is turned by 90 degrees from it.",
+                .default_text = "[1, 0]"});
+  }
+};
+
+enum class PenaltyKind { kViscous, kStiffness };
+template <>
+struct EnumWords<PenaltyKind> {
+  static constexpr std::array<std::string_view, 2> kWords{"viscous", "stiffness"};
+};
+template <>
+struct EnumWords<law::Convention> {
+  static constexpr std::array<std::string_view, 2> kWords{"documented", "as_coded"};
+};
+
+/// A contact penalty in place of the connector's return mapping.
+struct FormulationText {
+  static constexpr bool kIsDeclared = true;
+  At<PenaltyKind> penalty;
+  At<double> visf;
+  At<NumberOrTable> normal_stiffness;
+  At<double> mass;
+  At<double> viscous_coefficient;
+  At<double> tangential_stiffness;
+  law::Convention convention = law::Convention::kDocumented;
+
+  template <class V>
+  static void declare(V& key) {
+    key("penalty", &FormulationText::penalty,
+        KeyInfo{.required = true, .text = "viscous (Radioss Iform 1) or stiffness (Iform 2)."});
+    key("VISF", &FormulationText::visf,
+        KeyInfo{.text = "viscous: factor of the viscous coefficient C; 0 means 1.",
+                .default_text = "1",
+                .bounds = law::kNotNegative});
+    key("K", &FormulationText::normal_stiffness,
+        KeyInfo{.text = "viscous: stiffness of the normal penalty, a number or a table over "
+                        "contact_force, temperature, fields; C = VISF sqrt(2 K m).",
+                .default_text = "C",
+                .dimension = {1, -1, 0},
+                .bounds = law::kNotNegative});
+    key("m", &FormulationText::mass,
+        KeyInfo{.text = "viscous: mass of the contact point.",
+                .default_text = "C",
+                .dimension = {1, -1, 2},
+                .bounds = law::kNotNegative});
+    key("C", &FormulationText::viscous_coefficient,
+        KeyInfo{.text = "viscous: the coefficient itself, in place of VISF, K and m.",
+                .default_text = "VISF sqrt(2 K m)",
+                .dimension = {1, -1, 1},
+                .bounds = law::kPositive});
+    key("K_t", &FormulationText::tangential_stiffness,
+        KeyInfo{.text = "stiffness: tangential stiffness of the contact.",
+                .default_text = "-",
+                .dimension = {1, -1, 0},
+                .bounds = law::kPositive});
+    key("convention", &FormulationText::convention,
+        KeyInfo{.text = "Where the published page and the program differ: as the page promises, or "
+                        "as OpenRadioss (2026) computes.",
+                .default_text = "documented"});
+  }
+};
+
+enum class XfreqConvention { kSteps, kRatio };
+template <>
+struct EnumWords<XfreqConvention> {
+  static constexpr std::array<std::string_view, 2> kWords{"steps", "ratio"};
+};
+
+/// First-order filter of the friction force of a formulation.
+struct FilterText {
+  static constexpr bool kIsDeclared = true;
+  At<double> simple, period, frequency, xfreq;
+  At<XfreqConvention> xfreq_convention;
+  bool clip = false;
+
+  template <class V>
+  static void declare(V& key) {
+    key("simple", &FilterText::simple,
+        KeyInfo{.text = "alpha of F_k = alpha F + (1 - alpha) F_{k-1} (Radioss Ifiltr 1), up to 1; "
+                        "0 is no filter.",
+                .default_text = "another of the four",
+                .bounds = {.lower = 0.0, .upper = 1.0}});
+    key("period", &FilterText::period,
+        KeyInfo{.text = "Time T of alpha = 2 pi dt/T (Ifiltr 2); increments longer than T/(2 pi) "
+                        "are refused.",
+                .default_text = "another of the four",
+                .dimension = law::dimension::kTime,
+                .bounds = law::kPositive});
+    key("frequency", &FilterText::frequency,
+        KeyInfo{.text = "Cut-off frequency f of alpha = min(1, 2 pi f dt) (Ifiltr 3); 0 is no "
+                        "filter.",
+                .default_text = "another of the four",
+                .dimension = {0, 0, -1},
+                .bounds = law::kNotNegative});
+    key("Xfreq", &FilterText::xfreq,
+        KeyInfo{.text = "The number of Ifiltr 2 as a deck has it, read as xfreq_convention says; "
+                        "0 is no filter.",
+                .default_text = "another of the four",
+                .bounds = law::kNotNegative});
+    key("xfreq_convention", &FilterText::xfreq_convention,
+        KeyInfo{.text = "steps: Xfreq = T/dt, as OpenRadioss (2026) computes; ratio: Xfreq = dt/T, "
+                        "as the page says.",
+                .default_text = "required with Xfreq"});
+    key("clip", &FilterText::clip,
+        KeyInfo{.text = "true: a filtered force above the limit is taken back to it, which neither "
+                        "the page nor the program does.",
+                .default_text = "false"});
+  }
 };
 
 /// A component number or the name of a derived component.
@@ -304,6 +468,8 @@ struct FrictionText {
   At<CoefficientText> coefficient;
   At<double> force_limit;
   At<StickText> stick;
+  At<FormulationText> formulation;
+  At<FilterText> filter;
 
   template <class V>
   static void declare(V& key) {
@@ -341,6 +507,85 @@ struct FrictionText {
     key("stick", &FrictionText::stick,
         KeyInfo{.text = "How stiff the connector is while it sticks.",
                 .default_text = "slip tolerance 1e-4"});
+    key("formulation", &FrictionText::formulation,
+        KeyInfo{.text = "The penalty of a Radioss contact in place of 'stick'.",
+                .default_text = "the connector's stick and return mapping"});
+    key("filter", &FrictionText::filter,
+        KeyInfo{.text = "Smooths the friction force of a formulation over the increments.",
+                .default_text = "none"});
+  }
+};
+
+/// One side of a pair of parts: the id of a part, or the name of a group.
+struct PartOrGroup {
+  std::variant<int, std::string> value = 0;
+};
+
+/// What a record of a table of part pairs says of the friction.
+struct PairDefaultText {
+  static constexpr bool kIsDeclared = true;
+  At<CoefficientText> coefficient;
+  At<double> visf;
+
+  template <class V>
+  static void declare(V& key) {
+    declare_friction<PairDefaultText>(key);
+  }
+
+  /// The keys that the default and the records share.
+  template <class Text, class V>
+  static void declare_friction(V& key) {
+    key("coefficient", &Text::coefficient,
+        KeyInfo{.required = true,
+                .text = "Coefficient of friction: a number, a table, or a law by name.",
+                .bounds = law::kNotNegative});
+    key("VISF", &Text::visf,
+        KeyInfo{.text = "VISF of a viscous penalty, in place of that under 'formulation:'; 0 means "
+                        "1.",
+                .default_text = "that of the formulation",
+                .bounds = law::kNotNegative});
+  }
+};
+
+/// A record of a table of part pairs.
+struct PartPairText {
+  static constexpr bool kIsDeclared = true;
+  At<std::vector<At<PartOrGroup>>> parts;
+  At<CoefficientText> coefficient;
+  At<double> visf;
+
+  template <class V>
+  static void declare(V& key) {
+    key("parts", &PartPairText::parts,
+        KeyInfo{.required = true, .text = "The two sides, each a part or a group."});
+    PairDefaultText::declare_friction<PartPairText>(key);
+  }
+};
+
+/// Friction by the parts that meet: `connector.parts` picks the record.
+struct FrictionPairsText {
+  static constexpr bool kIsDeclared = true;
+  At<std::vector<At<int>>> parts;
+  NamedMap<std::vector<At<int>>> groups;
+  At<PairDefaultText> otherwise;
+  At<std::vector<At<PartPairText>>> pairs;
+
+  template <class V>
+  static void declare(V& key) {
+    key("parts", &FrictionPairsText::parts,
+        KeyInfo{.text = "Ids of all parts there are, so that a mistyped one is found.",
+                .default_text = "any id will do",
+                .bounds = {.lower = 1}});
+    key("groups", &FrictionPairsText::groups,
+        KeyInfo{
+            .text = "Named lists of part ids.", .default_text = "none", .bounds = {.lower = 1}});
+    key("default", &FrictionPairsText::otherwise,
+        KeyInfo{.text = "Friction of the parts that no pair joins.",
+                .default_text = "none: such parts are an error"});
+    key("pairs", &FrictionPairsText::pairs,
+        KeyInfo{.text = "Records in order, each symmetric; of those that join the two parts the "
+                        "last one holds.",
+                .default_text = "none"});
   }
 };
 
@@ -781,6 +1026,7 @@ struct CaseText {
   At<ConnectorText> connector;
   At<NamedMap<std::vector<At<DerivedTermText>>>> derived_components;
   At<std::vector<At<FrictionText>>> friction;
+  At<FrictionPairsText> friction_pairs;
   At<std::vector<At<ElasticityText>>> elasticity;
   At<std::vector<At<DampingText>>> damping;
   At<std::vector<At<StopText>>> stops;
@@ -811,6 +1057,9 @@ struct CaseText {
     key("friction", &CaseText::friction,
         KeyInfo{.required = true,
                 .text = "Friction definitions, each a stick-slip check of its own."});
+    key("friction_pairs", &CaseText::friction_pairs,
+        KeyInfo{.text = "Coefficients by the parts that meet; connector.parts picks one.",
+                .default_text = "none: each definition has its own coefficient"});
     key("elasticity", &CaseText::elasticity,
         KeyInfo{.text = "Springs along free components, in parallel with friction.",
                 .default_text = "none"});

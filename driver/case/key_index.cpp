@@ -46,29 +46,22 @@ std::optional<LaterKey> later_key(std::string_view key) {
   static constexpr std::array kLater{
       LaterKey{"adaptive", "adaptive increments are not in this version; give their number",
                "increments"},
-      LaterKey{"generalized_viscous", "the Radioss laws are not in this version"},
-      LaterKey{"modified_darmstad", "the Radioss laws are not in this version"},
-      LaterKey{"renard", "the Radioss laws are not in this version"},
-      LaterKey{"orthotropic", "the Radioss laws are not in this version"},
-      LaterKey{"formulation", "the Radioss laws are not in this version"},
-      LaterKey{"filter", "the Radioss laws are not in this version"},
-      LaterKey{"friction_pairs", "tables of part pairs are not in this version"},
-      LaterKey{"parts", "tables of part pairs are not in this version"},
       LaterKey{"curve",
                "comparison with a curve is not in this version; use an expression or a closed form",
                "expression"},
-      LaterKey{"peak", "this criterion is not in this version; use pointwise"},
-      LaterKey{"area", "this criterion is not in this version; use pointwise"},
-      LaterKey{"loop_energy", "this criterion is not in this version; use pointwise"},
-      LaterKey{"breakaway", "this criterion is not in this version; use pointwise"},
-      LaterKey{"sprague_geers", "this criterion is not in this version; use pointwise"},
-      LaterKey{"iso18571", "this criterion is not in this version; use pointwise"},
       LaterKey{"calibrate", "calibration is not in this version"},
       LaterKey{"sweep", "sweeps are not in this version"}};
   for (const LaterKey& later : kLater) {
     if (later.name == key) return later;
   }
   return std::nullopt;
+}
+
+std::optional<std::string_view> later_word(std::string_view word) {
+  static constexpr std::array<std::string_view, 6> kCriteria{
+      "peak", "area", "loop_energy", "breakaway", "sprague_geers", "iso18571"};
+  if (std::find(kCriteria.begin(), kCriteria.end(), word) == kCriteria.end()) return std::nullopt;
+  return "this criterion is not in this version; use pointwise";
 }
 
 }  // namespace slipbench::driver

@@ -13,14 +13,17 @@ std::string places_of_key(std::string_view key);
 /// Where CP1, f1, field1 and the like are prescribed; empty for other keys.
 std::string place_of_quantity(std::string_view key);
 
-/// A key or word that the case format names but this version does not have.
+/// A key that the case format names but this version does not have.
 struct LaterKey {
   std::string_view name;
   std::string_view why;               ///< a sentence
   std::string_view in_place_of = {};  ///< the key this version wants instead, if any
 };
 
-/// What there is to say of such a key or word, or nothing.
+/// What there is to say of such a key, or nothing.
 std::optional<LaterKey> later_key(std::string_view key);
+
+/// The same for a word that stands as a value: a sentence, or nothing.
+std::optional<std::string_view> later_word(std::string_view word);
 
 }  // namespace slipbench::driver

@@ -7,6 +7,7 @@
 
 #include "driver/case/case_codecs.hpp"
 #include "driver/case/resolve.hpp"
+#include "driver/case/resolve_formulation.hpp"
 #include "driver/text/number.hpp"
 #include "driver/yaml/parse.hpp"
 
@@ -111,7 +112,16 @@ Parameters read_parameters(const Node& root, const ReadOptions& options, Diagnos
       const std::string name(entry.key.text());
       const bool overridden = std::any_of(options.overrides.begin(), options.overrides.end(),
                                           [&](const auto& set) { return set.name == name; });
-      if (Binder::is_expression(entry.value)) {
+      if (entry.value.is_null()) {
+        // A parameter without a value waits for one: so does the skeleton of a case.
+        if (overridden) {
+          parameters.push_back({{name, 0.0}, entry});
+        } else {
+          binder.error(entry.value, Path() / "parameters" / name, "wanted a number, found nothing",
+                       "give it one here, or with --set " + name + "=VALUE");
+          result.unresolved.push_back(name);
+        }
+      } else if (Binder::is_expression(entry.value)) {
         parameters.push_back({{name, std::string(entry.value.text())}, entry});
       } else if (const auto number = binder.number(entry.value, Path() / "parameters" / name)) {
         parameters.push_back({{name, *number}, entry});
@@ -175,6 +185,7 @@ ReadCase read_case_text(const SourceText& source, const std::string& folder,
   // Faults do not hide one another: each part is judged as far as it was understood.
   resolve_connector(binder, text, problem);
   resolve_belt(binder, text, problem);
+  resolve_friction_pairs(binder, text, !is_misspelt<CaseText>(root, "friction_pairs"), problem);
   const bool derived_known = !is_misspelt<CaseText>(root, "derived_components");
   const bool columns_known = resolve_friction(binder, text, derived_known, problem) &&
                              !is_any_connection(problem.connection);
@@ -183,6 +194,7 @@ ReadCase read_case_text(const SourceText& source, const std::string& folder,
   resolve_history(binder, text, problem);
   finish_belt(binder, text, problem);
   finish_forces(binder, text, problem);
+  check_formulations(binder, text, problem);
   const bool history_known = text.history.sound && binder.errors() == errors;
   resolve_friction_changes(binder, text, columns_known, problem);
   resolve_integration(binder, text, problem);

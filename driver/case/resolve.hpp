@@ -23,6 +23,11 @@ void finish_belt(Binder& binder, const CaseText& text, Case& out);
 /// The drives of `nodes:` in a step. \param drive is called with each coordinate that is driven
 void drive_nodes(Binder& binder, const StepText& text, const Case& problem,
                  const std::function<void(int quantity, const At<ProfileText>&)>& drive);
+/// Picks the record of `friction_pairs:` that joins the connector's parts and gives its coefficient
+/// (and VISF) to every friction definition of `text`, as if it were written there. Goes before the
+/// friction.
+/// \param table_known false: the table may be missing because its key is misspelt
+void resolve_friction_pairs(Binder& binder, CaseText& text, bool table_known, Case& out);
 /// \param derived_known false: derived components may be missing
 /// \return whether it is known which components slip, and so which result columns there are
 bool resolve_friction(Binder& binder, const CaseText& text, bool derived_known, Case& out);

@@ -23,8 +23,9 @@ std::optional<law::Connection> one_type(Binder& binder, const At<std::string>& n
                                         int dimension) {
   if (auto found = law::find_connection(name.value, dimension)) return found;
   if (dimension == 2 && law::find_connection(name.value)) {
-    binder.error(*name.node, name.path,
-                 name.value + " has no two-dimensional form; only SLOT may say dimension: 2");
+    binder.error(
+        *name.node, name.path,
+        name.value + " has no two-dimensional form; only SLOT and CONTACT may say dimension: 2");
     return std::nullopt;
   }
   if (const auto later = later_key(name.value)) {

@@ -11,9 +11,22 @@
 
 namespace slipbench::driver {
 
-/// The law of a coefficient as written; nothing if it is not given or faulty, which is reported.
+/// What a coefficient law may take from the rest of its case.
+struct LawSurroundings {
+  const At<double>& area;   ///< `connector: {area: ..}` [L^2]
+  const UnitSystem& units;  ///< of the case
+};
+
+/// The law of a coefficient as written; nothing if it is not given or faulty, which is reported. A
+/// law of the pressure without an area takes the connector's; a law whose constants hide a unit of
+/// speed gets its factor to the case's.
 std::optional<law::FrictionLaw> coefficient_law(Binder& binder,
-                                                const At<CoefficientText>& coefficient);
+                                                const At<CoefficientText>& coefficient,
+                                                const LawSurroundings& surroundings);
+/// The same for one direction of an orthotropic coefficient, written at `node`.
+std::optional<law::FrictionLaw> coefficient_law(Binder& binder, const CoefficientText& coefficient,
+                                                const Node& node, const Path& path,
+                                                const LawSurroundings& surroundings);
 
 /// The stick stiffness of a `stick:` map or of its absence, with a note where the length it refers
 /// to is a default.

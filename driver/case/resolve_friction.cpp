@@ -7,6 +7,7 @@
 #include "driver/case/case_codecs.hpp"
 #include "driver/case/resolve.hpp"
 #include "driver/case/resolve_definition.hpp"
+#include "driver/case/resolve_formulation.hpp"
 #include "driver/case/resolve_potential.hpp"
 #include "driver/text/format_number.hpp"
 #include "law/uniqueness.hpp"
@@ -193,18 +194,6 @@ law::StickStiffness stick_stiffness(Binder& binder, const At<StickText>& text, c
   return {Mode::kElasticSlip, elastic_slip};
 }
 
-std::optional<law::FrictionLaw> coefficient_law(Binder& binder,
-                                                const At<CoefficientText>& coefficient) {
-  if (!coefficient.sound) return std::nullopt;
-  if (const auto* table_text = std::get_if<TableText>(&coefficient.value.value)) {
-    auto function =
-        table_function(binder, *table_text, *coefficient.node, coefficient.path, kCoefficientTable);
-    if (!function) return std::nullopt;
-    return law::FrictionLaw(law::TabularCoefficient{std::move(*function)});
-  }
-  return std::get<law::FrictionLaw>(coefficient.value.value);
-}
-
 void check_snap_back(Binder& binder, const law::FrictionDefinition& d, const Node& node,
                      const Path& path) {
   const law::SnapBack snap = law::snap_back(d);
@@ -225,8 +214,13 @@ void check_snap_back(Binder& binder, const law::FrictionDefinition& d, const Nod
 namespace {
 
 std::optional<law::FrictionLaw> coefficient(Binder& binder, const FrictionText& text,
-                                            const Node& friction, const Path& path) {
-  if (text.coefficient.given()) return coefficient_law(binder, text.coefficient);
+                                            const Node& friction, const Path& path,
+                                            const LawSurroundings& surroundings) {
+  if (text.coefficient.value.orthotropic) {
+    const At<DirectionText>& first = text.coefficient.value.orthotropic->direction1;
+    return coefficient_law(binder, coefficient_of(first), surroundings);
+  }
+  if (text.coefficient.given()) return coefficient_law(binder, text.coefficient, surroundings);
   if (has_unknown_key<FrictionText>(friction)) return std::nullopt;
   binder.warning(friction, path, "no coefficient: this definition has no effect");
   return law::FrictionLaw(law::ConstantCoefficient{0.0});
@@ -263,11 +257,17 @@ class Resolver {
       }
     }
     law::FrictionDefinition shared;
-    if (auto law = coefficient(binder_, text, node, path)) shared.law = std::move(*law);
-    shared.stick = stick_stiffness(binder_, text.stick, node, path,
-                                   has_unknown_key<FrictionText>(node) || rigid(text), out_.units);
+    if (auto law =
+            coefficient(binder_, text, node, path, {text_.connector.value.area, out_.units})) {
+      shared.law = std::move(*law);
+    }
+    const bool silent = has_unknown_key<FrictionText>(node) || rigid(text) || has_formulation(text);
+    shared.stick = stick_stiffness(binder_, text.stick, node, path, silent, out_.units);
     shared.accumulated_slip = text_.integration.accumulated_slip;
     shared.slip_rate = text_.integration.slip_rate;
+    const auto penalty = formulation(binder_, friction, {text_.connector.value.area, out_.units});
+    if (penalty) set_formulation(shared, *penalty);
+    const std::size_t first = out_.definitions.size();
     if (text.force_limit.sound && text.force_limit.value > 0.0) {
       shared.force_limit = text.force_limit.value;
       if (law::exponential_decay(shared.law)) {
@@ -291,6 +291,9 @@ class Resolver {
         outlines_known_ = false;
       }
       user_defined(friction, shared, false);
+    }
+    for (std::size_t i = first; i < out_.definitions.size() && has_formulation(text); ++i) {
+      if (!slip_suits_formulation(binder_, friction, out_.definitions[i].law)) break;
     }
     return outline;
   }
@@ -430,6 +433,10 @@ class Resolver {
       };
       warn(text.force_limit, "a force", "a moment");
       warn(text.stick.value.stiffness, "a force per length", "a moment per radian");
+      warn(text.formulation.value.tangential_stiffness, "a force per length",
+           "a moment per radian");
+      warn(text.formulation.value.viscous_coefficient, "a force per speed",
+           "a moment per angular speed");
       warn(text.stick.value.elastic_slip, "a length", "an angle");
       warn(text.stick.value.characteristic_length, "a length", "an angle");
     }

@@ -37,7 +37,8 @@ class Changes {
     const std::vector<std::size_t> meant = definitions_called(change);
     const bool reset = text.reset.sound && text.reset.value;
     const bool sound = rules_hold(change, reset);
-    const auto law = coefficient_law(binder_, text.coefficient);
+    const auto law =
+        coefficient_law(binder_, text.coefficient, {text_.connector.value.area, out_.units});
     const Profile* amplitude = amplitude_of(text.amplitude);
     std::optional<law::StickStiffness> stick;
     if (text.stick.sound) {
@@ -133,6 +134,11 @@ class Changes {
     refuse(text.coefficient);
     refuse(text.force_limit);
     refuse(text.stick);
+    if (text.coefficient.value.orthotropic) {
+      binder_.error(*text.coefficient.node, text.coefficient.path,
+                    "friction changes from one coefficient to another, not to two directions");
+      good = false;
+    }
     return good;
   }
 
@@ -158,6 +164,17 @@ class Changes {
   bool result_is_possible(const Named<FrictionChangeText>& change,
                           const law::FrictionDefinition& before, const FrictionChange& result) {
     const FrictionChangeText& text = change.value;
+    if (before.formulation && text.stick.given()) {
+      binder_.error(*text.stick.node, text.stick.path,
+                    "this definition has a 'formulation' in place of 'stick': only its coefficient "
+                    "and its force limit can change");
+      return false;
+    }
+    if (before.formulation && before.formulation->orthotropy) {
+      binder_.error(*change.node, change.path,
+                    "the coefficients of an orthotropic definition cannot change");
+      return false;
+    }
     using Mode = law::StickStiffness::Mode;
     if (result.stick.mode != before.stick.mode) {
       const bool stiffness = before.stick.mode == Mode::kStiffness;

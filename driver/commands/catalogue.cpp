@@ -10,6 +10,7 @@
 #include "driver/case/case_reference.hpp"
 #include "driver/case/quantity.hpp"
 #include "driver/case/resolve.hpp"
+#include "driver/commands/describe_law.hpp"
 #include "driver/commands/shared.hpp"
 #include "driver/exit_code.hpp"
 #include "driver/results/columns.hpp"
@@ -56,6 +57,17 @@ void list_closed_forms() {
   }
 }
 
+/// Definitions that have all columns of a formulation between them.
+void add_formulations(law::FrictionDefinition definition,
+                      std::vector<law::FrictionDefinition>& all) {
+  definition.law = law::GeneralizedViscous::example();
+  definition.formulation = law::Formulation{.penalty = law::ViscousPenalty{}};
+  definition.formulation->filter.kind = law::Filter::Kind::kSimple;
+  all.push_back(definition);
+  definition.formulation->orthotropy = law::Orthotropy{.second = definition.law};
+  all.push_back(definition);
+}
+
 /// All result columns that some connection with predefined friction has, each once.
 std::vector<Column> all_columns() {
   std::vector<Column> columns;
@@ -69,11 +81,15 @@ std::vector<Column> all_columns() {
         law::FrictionDefinition definition;
         definition.slip = check.slip;
         definition.criterion = check.criterion;
-        problem.definitions = {{"", check.slip.dimension > 1, definition}};
-        for (Column& column : result_columns(problem)) {
-          const bool known = std::any_of(columns.begin(), columns.end(),
-                                         [&](const Column& c) { return c.name == column.name; });
-          if (!known) columns.push_back(std::move(column));
+        std::vector<law::FrictionDefinition> forms = {definition};
+        if constexpr (std::is_same_v<Type, law::Contact>) add_formulations(definition, forms);
+        for (const law::FrictionDefinition& form : forms) {
+          problem.definitions = {{"", check.slip.dimension > 1, form}};
+          for (Column& column : result_columns(problem)) {
+            const bool known = std::any_of(columns.begin(), columns.end(),
+                                           [&](const Column& c) { return c.name == column.name; });
+            if (!known) columns.push_back(std::move(column));
+          }
         }
       }
     }
@@ -133,16 +149,10 @@ bool describe_connection(std::string_view name) {
   return found;
 }
 
-bool describe_law(std::string_view name) {
-  bool found = false;
-  for_each_law([&]<class Law>(std::type_identity<Law>) {
-    if (Law::kName != name) return;
-    found = true;
-    tell("{} (law of the coefficient of friction)\n  {}\n  {}\n  source: {}\n", Law::kName,
-         Law::kTitle, Law::kFormula, Law::kSource);
-    if constexpr (HasFields<Law>) describe_fields<Law>(4);
-  });
-  return found;
+/// Prints a text if there is one.
+bool told(const std::string& text) {
+  print(text);
+  return !text.empty();
 }
 
 template <class List>
@@ -201,8 +211,8 @@ int list_command(const std::string& what) {
 }
 
 int describe_command(const std::string& name) {
-  if (describe_connection(name) || describe_law(name) || describe_closed_form(name) ||
-      describe_quantity(name)) {
+  if (describe_connection(name) || told(describe_law(name)) || describe_closed_form(name) ||
+      describe_quantity(name) || told(describe_key(name))) {
     return kExitOk;
   }
   std::vector<std::string_view> known;

@@ -209,9 +209,47 @@ std::pair<double, std::string> magnitude(const law::FrictionDefinition& definiti
   return {std::sqrt(square), "sqrt(" + text + ")"};
 }
 
+/// What a law with a floor saw and what it gave before it.
+std::string floored_text(const law::FrictionLaw& law, double speed, double normal_force,
+                         double raw) {
+  return std::visit(
+      [&](const auto& l) {
+        std::string text = fmt::format("{} at speed {}", l.kName, digits(speed));
+        if constexpr (requires { l.area; }) {
+          if (l.area) {
+            text +=
+                fmt::format(" and pressure {} = F_N {} / area {}", digits(normal_force / *l.area),
+                            digits(normal_force), digits(*l.area));
+          }
+        }
+        if (law::has_floor(law) && raw < 0.0) {
+          text += fmt::format("; it gives {}, kept at 1e-30", digits(raw));
+        }
+        return text;
+      },
+      law);
+}
+
+/// Both coefficients of an orthotropic one.
+std::string directions_text(const law::FrictionDefinition& definition, const DefinitionRow& row) {
+  const law::Orthotropy& two = *definition.formulation->orthotropy;
+  const double normal_force = row.update.normal_force;
+  const auto one = [&](const law::FrictionLaw& law, std::size_t i) {
+    return fmt::format("\n     mu{} {}   {}", i + 1, digits(row.penalty.mu[i]),
+                       floored_text(law, row.penalty.speeds[i], normal_force, row.raw_mu[i]));
+  };
+  return fmt::format("mu {} along the force, direction 1 is ({}, {})", digits(row.update.mu),
+                     digits(two.first[0]), digits(two.first[1])) +
+         one(definition.law, 0) + one(two.second, 1);
+}
+
 /// How the coefficient comes about.
-std::string coefficient_text(const law::FrictionDefinition& definition,
-                             const law::FrictionUpdate& update, const law::Ambient& end) {
+std::string coefficient_text(const law::FrictionDefinition& definition, const DefinitionRow& row,
+                             const law::Ambient& end) {
+  const law::FrictionUpdate& update = row.update;
+  if (definition.formulation && definition.formulation->orthotropy) {
+    return directions_text(definition, row);
+  }
   const law::SlipArguments slip{.slip_rate = update.slip_rate,
                                 .contact_force = update.normal_force};
   const double of_law = law::evaluate(definition.law, end, slip).mu;
@@ -229,10 +267,72 @@ std::string coefficient_text(const law::FrictionDefinition& definition,
                         definition.blend.weight != 1.0 ? " = " : " = ", digits(decay->kinetic),
                         digits(decay->mu_static), digits(decay->kinetic), digits(decay->decay),
                         digits(update.slip_rate));
+  } else if (law::has_floor(definition.law)) {
+    text +=
+        "   " + floored_text(definition.law, update.slip_rate, update.normal_force, row.raw_mu[0]);
   } else {
     text += "   a constant";
   }
   return text;
+}
+
+/// A vector of the slip space: "(3.1, -2.4)", of one entry without brackets.
+std::string vector_text(const law::SlipSpace& slip,
+                        const std::array<double, law::kComponents>& vector) {
+  std::string text;
+  for (int k = 0; k < slip.dimension; ++k) {
+    text += (text.empty() ? "" : ", ") + digits(vector[static_cast<std::size_t>(k)]);
+  }
+  return slip.dimension == 1 ? text : "(" + text + ")";
+}
+
+/// The way of the force through penalty, limit and filter.
+std::string formulation_text(const law::FrictionDefinition& definition, const DefinitionRow& row) {
+  const law::Formulation& formulation = *definition.formulation;
+  const law::PenaltyDetail& detail = row.penalty;
+  const bool as_coded = formulation.convention == law::Convention::kAsCoded;
+  const bool smooths =
+      formulation.filter.kind != law::Filter::Kind::kNone &&
+      !(as_coded && std::holds_alternative<law::StiffnessPenalty>(formulation.penalty));
+  std::string text = "  formulation ";
+  if (const auto* viscous = std::get_if<law::ViscousPenalty>(&formulation.penalty)) {
+    const double c = detail.viscous_coefficient;
+    text +=
+        fmt::format("viscous: trial {} = C {} x v, V = {}",
+                    vector_text(definition.slip, detail.trial), digits(c), digits(detail.speed));
+    if (!viscous->coefficient) {
+      const double visf = as_coded ? std::sqrt(viscous->visf) : viscous->visf;
+      const double normal = c > 0.0 ? c * c / (2.0 * visf * visf * viscous->mass)
+                                    : (std::holds_alternative<double>(viscous->stiffness)
+                                           ? std::get<double>(viscous->stiffness)
+                                           : 0.0);
+      text += fmt::format("\n     C = {} x sqrt(2 x K {} x m {})",
+                          as_coded ? fmt::format("sqrt(VISF {})", digits(viscous->visf))
+                                   : fmt::format("VISF {}", digits(viscous->visf)),
+                          digits(normal), digits(viscous->mass));
+    }
+  } else {
+    const double k = std::get<law::StiffnessPenalty>(formulation.penalty).stiffness;
+    const bool scaled = as_coded && formulation.filter.kind != law::Filter::Kind::kNone;
+    text += fmt::format("stiffness: trial {} = {}force before + {}K_t {} x ds",
+                        vector_text(definition.slip, detail.trial), smooths ? "unfiltered " : "",
+                        scaled ? "alpha " + digits(detail.alpha) + " x " : "", digits(k));
+  }
+  text += fmt::format("\n     within the limit {}", vector_text(definition.slip, detail.raw));
+  if (std::holds_alternative<law::ViscousPenalty>(formulation.penalty) &&
+      row.update.state.regime == law::Regime::kStick) {
+    text += ": it creeps, a viscous penalty has no stick";
+  }
+  text += "\n";
+  if (!smooths) return text;
+  text +=
+      fmt::format("  filter alpha {}: {} = {} x {} + {} x the force before", digits(detail.alpha),
+                  vector_text(definition.slip, row.update.state.force), digits(detail.alpha),
+                  vector_text(definition.slip, detail.raw), digits(1.0 - detail.alpha));
+  if (formulation.filter.clip) text += ", taken back to the limit";
+  const double use = limit_use(definition, row);
+  if (use > 1.0 + 1e-9) text += fmt::format("   {} of the limit: overshoot", digits(use));
+  return text + "\n";
 }
 
 std::string limit_text(const law::FrictionDefinition& definition,
@@ -292,13 +392,19 @@ std::string definition_text(const Case& problem, const Instant& instant, std::si
   text += fmt::format("  P {} = {}\n", with_unit(digits(p), unit), how);
   // Rounding of a force that was put on its limit is no distance.
   const double phi = std::abs(update.phi) <= 1e-12 * update.limit ? 0.0 : update.phi;
-  text += fmt::format("  Phi {} = P - limit", with_unit(digits(phi), unit));
+  const bool filtered =
+      definition.formulation && definition.formulation->filter.kind != law::Filter::Kind::kNone;
+  text += fmt::format("  Phi {} = P{} - limit", with_unit(digits(phi), unit),
+                      filtered ? " before the filter" : "");
   if (regime == law::Regime::kStick && update.limit > 0.0) {
     text += fmt::format("   at {:.4g} % of the limit", 100.0 * p / update.limit);
   }
   text += "\n  " + limit_text(definition, update);
   if (regime == law::Regime::kOpen) text += "   nothing to hold on to";
-  text += "\n  " + coefficient_text(definition, update, increment.end) + "\n";
+  text += "\n  " + coefficient_text(definition, instant.row.definitions[d], increment.end) + "\n";
+  if (definition.formulation && instant.row.index > 0) {
+    text += formulation_text(definition, instant.row.definitions[d]);
+  }
 
   const double contact = law::evaluate(definition.contact_force, increment.force, increment.end);
   if (belt) {
@@ -424,6 +530,10 @@ tl::expected<std::string, ExplainFailure> explain(const Case& problem, double ti
   if (std::abs(row.time - time) > 1e-9 * row.duration) {
     text += fmt::format("  the first increment that ends at or after t = {}\n",
                         with_unit(format_number(time), unit));
+  }
+  if (problem.pair) {
+    text += fmt::format("  parts {} and {} take the friction of {}\n", problem.pair->parts[0],
+                        problem.pair->parts[1], problem.pair->record);
   }
   law::ConnectorIncrement increment = connector_increment(problem, row);
   for (std::size_t d = 0; d < problem.definitions.size(); ++d) {

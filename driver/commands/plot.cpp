@@ -1,78 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/commands/plot.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
 #include <filesystem>
 #include <optional>
 #include <system_error>
 #include <utility>
 
+#include "driver/commands/gnuplot.hpp"
+#include "driver/commands/plot_law.hpp"
 #include "driver/commands/shared.hpp"
 #include "driver/results/csv_writer.hpp"
-#include "driver/results/interruption.hpp"
 #include "driver/results/plot_data.hpp"
 #include "driver/results/provenance.hpp"
 #include "driver/text/format_number.hpp"
-
-extern char** environ;
+#include "driver/text/tics.hpp"
 
 namespace slipbench::driver {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Why no picture came about.
-struct PlotFailure {
-  int code = kExitEnvironment;
-  std::string message;  ///< whole, with its line feed
-};
-
-tl::unexpected<PlotFailure> failed(int code, const std::string& message) {
-  return tl::unexpected(PlotFailure{code, "slipbench: error: " + message + "\n"});
-}
-
-/// gnuplot's terminal for a picture's file name; empty if there is none.
-std::string terminal_for(const fs::path& picture) {
-  const std::string extension = picture.extension().string();
-  if (extension == ".svg") return "svg size 1200,SIZE background 'white' font 'Helvetica,15'";
-  if (extension == ".png") return "pngcairo size 1200,SIZE background 'white' font 'Sans,11'";
-  if (extension == ".pdf") return "pdfcairo size 1200/100.,SIZE/100. font 'Sans,11'";
-  return {};
-}
-
-/// The template as it is installed beside the program, or in the source folder.
-std::optional<fs::path> find_template() {
-  const fs::path name = fs::path("plots") / "friction.gp";
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  const fs::path source = fs::path(__FILE__).parent_path().parent_path().parent_path();
-  for (const fs::path& folder :
-       {program.parent_path().parent_path() / "share" / "slipbench", source}) {
-    if (fs::is_regular_file(folder / name, error)) return folder / name;
-  }
-  return std::nullopt;
-}
-
-/// A text as a gnuplot string that shows it as it is: single quotes know no escapes, and the
-/// characters of the enhanced mode are text here.
-std::string gnuplot_string(std::string_view text) {
-  std::string result = "'";
-  for (const char c : text) {
-    if (c == '\'') result += '\'';
-    result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-  }
-  return result + "'";
-}
 
 std::string label(const char* what, const PlotColumn& column) {
   std::string text = what;
@@ -83,16 +34,6 @@ std::string label(const char* what, const PlotColumn& column) {
 
 const char* force_word(std::string_view name) {
   return name.starts_with("CSM") ? "friction moment" : "friction force";
-}
-
-/// A distance of tics that divides a range into about `parts` parts: 1, 2 or 5 times a power of
-/// ten.
-double tic_step(double range, double parts) {
-  if (!(range > 0.0)) return 1.0;
-  const double part = range / parts;
-  const double power = std::pow(10.0, std::floor(std::log10(part)));
-  const double digit = part / power;
-  return power * (digit < 1.5 ? 1.0 : digit < 3.5 ? 2.0 : digit < 7.5 ? 5.0 : 10.0);
 }
 
 std::string number_list(const std::vector<int>& numbers) {
@@ -150,9 +91,21 @@ std::string definition_variables(const PlotData& data, const PlotDefinition& def
   set("LIMIT_BELOW", std::to_string(definition.limit_below + 1));
   const double limit = definition.limit >= 0 ? magnitude(data, definition.limit) : 0.0;
   double top = std::max(limit, magnitude(data, main));
+  // The ellipse of two coefficients, or the circle of one.
+  std::array<double, 2> axes{limit, limit};
+  const bool two = definition.normal_force >= 0 && definition.coefficients[0] >= 0 &&
+                   definition.coefficients[1] >= 0;
+  for (std::size_t k = 0; k < 2 && two; ++k) {
+    axes[k] =
+        magnitude(data, definition.coefficients[k]) * magnitude(data, definition.normal_force);
+    top = std::max(top, axes[k]);
+  }
   if (!(top > 0.0)) top = 1.0;
   set("TOP", format_number(top));
-  set("LARGEST_LIMIT", format_number(limit));
+  set("LIMIT_AXIS_1", format_number(axes[0]));
+  set("LIMIT_AXIS_2", format_number(axes[1]));
+  set("DIRECTION_X", format_number(definition.direction[0]));
+  set("DIRECTION_Y", format_number(definition.direction[1]));
 
   const bool planar = translations.size() >= 2;
   set("PLANAR", planar ? "1" : "0");
@@ -201,28 +154,25 @@ std::string definition_variables(const PlotData& data, const PlotDefinition& def
 
 /// The whole script: what is drawn as variables and data, then the template.
 std::string script(const PlotData& data, const std::string& title, const fs::path& picture,
-                   const std::string& terminal, const fs::path& pattern) {
+                   const fs::path& output, const fs::path& pattern) {
   constexpr std::size_t kMostDefinitions = 4;
   const std::size_t count = std::min(kMostDefinitions, data.definitions.size());
-  std::string size = std::to_string(60 + 440 * count);
-  std::string sized = terminal;
-  if (const auto at = sized.find("SIZE"); at != std::string::npos) sized.replace(at, 4, size);
-  if (const auto at = sized.find("SIZE"); at != std::string::npos) sized.replace(at, 4, size);
   std::string text = fmt::format("TERMINAL = {}\nPICTURE = {}\nTITLE = {}\nDEFINITIONS = {}\n",
-                                 "\"" + sized + "\"", gnuplot_string(picture.string()),
-                                 gnuplot_string(title), count);
+                                 "\"" + terminal_for(picture, 60 + 440 * count) + "\"",
+                                 gnuplot_string(output.string()), gnuplot_string(title), count);
   text += "TIME_LABEL = " + gnuplot_string(label("time", {"t", data.columns[0].unit})) + "\n";
   text += "BEGIN = " + format_number(data.lowest[0]) + "\n";
   text += "END_TIME = " +
           format_number(data.highest[0] > data.lowest[0] ? data.highest[0] : data.lowest[0] + 1.0) +
           "\n";
-  for (const char* name :
-       {"NAME",           "FORCE",          "FORCE_NAME",    "FORCE_LABEL",   "SIGNED",
-        "BESIDE",         "BESIDE_NAMES",   "LIMIT",         "TOP",           "LARGEST_LIMIT",
-        "LIMIT_BELOW",    "LIMIT_IN_LOOP",  "PLANAR",        "FORCE_X",       "FORCE_X_LABEL",
-        "MOTION_X",       "MOTION_X_LABEL", "FORCE_Y",       "FORCE_Y_LABEL", "MOTION_Y",
-        "MOTION_Y_LABEL", "MOTION_X_STEP",  "MOTION_Y_STEP", "FORCE_STEP",    "SLIPS",
-        "OPENS"}) {
+  for (const char* name : {"NAME",          "FORCE",         "FORCE_NAME",    "FORCE_LABEL",
+                           "SIGNED",        "BESIDE",        "BESIDE_NAMES",  "LIMIT",
+                           "TOP",           "LIMIT_AXIS_1",  "LIMIT_AXIS_2",  "DIRECTION_X",
+                           "DIRECTION_Y",   "LIMIT_BELOW",   "LIMIT_IN_LOOP", "PLANAR",
+                           "FORCE_X",       "FORCE_X_LABEL", "MOTION_X",      "MOTION_X_LABEL",
+                           "FORCE_Y",       "FORCE_Y_LABEL", "MOTION_Y",      "MOTION_Y_LABEL",
+                           "MOTION_X_STEP", "MOTION_Y_STEP", "FORCE_STEP",    "SLIPS",
+                           "OPENS"}) {
     text += fmt::format("array {}[{}]\n", name, count);
   }
   for (std::size_t i = 0; i < count; ++i) {
@@ -248,61 +198,13 @@ std::string script(const PlotData& data, const std::string& title, const fs::pat
   return text;
 }
 
-/// Runs gnuplot on a script and waits for it.
-tl::expected<void, PlotFailure> run_gnuplot(const fs::path& script_file) {
-  std::string program = "gnuplot";
-  std::string argument = script_file.string();
-  std::array<char*, 3> arguments{program.data(), argument.data(), nullptr};
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
-  pid_t child = 0;
-  int error = 0;
-  {
-    const InterruptionPause pause;
-    posix_spawnattr_t attributes;
-    posix_spawnattr_init(&attributes);
-    sigset_t nothing;
-    sigemptyset(&nothing);
-    posix_spawnattr_setsigmask(&attributes, &nothing);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
-    error = posix_spawnp(&child, "gnuplot", &actions, &attributes, arguments.data(), environ);
-    posix_spawnattr_destroy(&attributes);
-    if (error == 0) register_child(child);
-  }
-  posix_spawn_file_actions_destroy(&actions);
-  if (error == ENOENT) {
-    return failed(kExitEnvironment,
-                  "gnuplot is not installed; pictures need it (Debian: apt install gnuplot-nox)");
-  }
-  if (error != 0) {
-    return failed(kExitEnvironment,
-                  "gnuplot cannot be started: " + std::generic_category().message(error));
-  }
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  register_child(0);
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    return failed(kExitEnvironment, "gnuplot failed, see above");
-  }
-  return {};
-}
-
 /// Runs a case and writes its rows to `rows`; the title of the picture.
 tl::expected<std::string, PlotFailure> run_for_plot(const PlotOptions& options,
                                                     const fs::path& picture,
                                                     std::optional<OutputFile>& rows) {
-  const auto settings = parse_settings(options.settings);
-  if (!settings) return failed(kExitBadInput, settings.error());
-  const ReadCase read = read_case(options.input, {*settings, options.allow_outside});
-  if (!read.value || read.diagnostics.has_errors()) {
-    return tl::unexpected(PlotFailure{read.environment_failure ? kExitEnvironment : kExitBadInput,
-                                      render(read.diagnostics, read.sources) +
-                                          summary(read.diagnostics) + ", nothing was drawn\n"});
-  }
-  const Case& problem = *read.value;
+  const auto read = read_for_plot(options);
+  if (!read) return tl::unexpected(read.error());
+  const Case& problem = *read;
   auto created = OutputFile::create(fs::path(picture).concat(".rows"), input_files(problem));
   if (!created) return failed(kExitEnvironment, created.error());
   rows.emplace(std::move(*created));
@@ -323,12 +225,11 @@ tl::expected<std::string, PlotFailure> run_for_plot(const PlotOptions& options,
 }
 
 tl::expected<void, PlotFailure> draw(const PlotOptions& options, const fs::path& picture) {
-  const std::string terminal = terminal_for(picture);
-  if (terminal.empty()) {
+  if (terminal_for(picture, 0).empty()) {
     return failed(kExitBadInput, fmt::format("{}: wanted a picture that ends in .svg, .png or .pdf",
                                              picture.string()));
   }
-  const auto pattern = find_template();
+  const auto pattern = find_template("friction.gp");
   if (!pattern) {
     return failed(kExitEnvironment, "the plot template plots/friction.gp is not installed");
   }
@@ -355,29 +256,31 @@ tl::expected<void, PlotFailure> draw(const PlotOptions& options, const fs::path&
   }
   if (title.empty()) title = data->title.empty() ? result.stem().string() : data->title;
 
-  auto commands = OutputFile::create(fs::path(picture).concat(".gp"));
-  if (!commands) return failed(kExitEnvironment, commands.error());
-  commands->append(script(*data, title, output->temporary(), terminal, *pattern));
-  if (auto closed = commands->close(); !closed) return failed(kExitEnvironment, closed.error());
-  if (auto drawn = run_gnuplot(commands->temporary()); !drawn) return drawn;
-  std::error_code error;
-  if (fs::file_size(output->temporary(), error) == 0 || error) {
-    return failed(kExitEnvironment, picture.string() + ": gnuplot wrote no picture");
-  }
-  OutputFile* const together[] = {&*output};
-  if (auto committed = commit(together); !committed) {
-    return failed(kExitEnvironment, committed.error());
-  }
-  return {};
+  return draw_script(script(*data, title, picture, output->temporary(), *pattern), picture,
+                     *output);
 }
 
 }  // namespace
 
+tl::expected<Case, PlotFailure> read_for_plot(const PlotOptions& options) {
+  const auto settings = parse_settings(options.settings);
+  if (!settings) return failed(kExitBadInput, settings.error());
+  ReadCase read = read_case(options.input, {*settings, options.allow_outside});
+  if (!read.value || read.diagnostics.has_errors()) {
+    return tl::unexpected(PlotFailure{read.environment_failure ? kExitEnvironment : kExitBadInput,
+                                      render(read.diagnostics, read.sources) +
+                                          summary(read.diagnostics) + ", nothing was drawn\n"});
+  }
+  return std::move(*read.value);
+}
+
 int plot_command(const PlotOptions& options) {
-  const fs::path picture = options.output.empty()
-                               ? fs::path(options.input).filename().replace_extension(".svg")
-                               : fs::path(options.output);
-  if (auto drawn = draw(options, picture); !drawn) {
+  const fs::path picture =
+      options.output.empty()
+          ? fs::path(options.input).filename().replace_extension(options.law ? ".law.svg" : ".svg")
+          : fs::path(options.output);
+  auto drawn = options.law ? draw_laws(options, picture) : draw(options, picture);
+  if (!drawn) {
     print_error(drawn.error().message);
     return drawn.error().code;
   }

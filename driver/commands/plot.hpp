@@ -2,16 +2,24 @@
 #pragma once
 
 #include <string>
+#include <tl/expected.hpp>
 #include <vector>
+
+#include "driver/case/case.hpp"
+#include "driver/commands/gnuplot.hpp"
 
 namespace slipbench::driver {
 
 struct PlotOptions {
-  std::string input;                  ///< a case, or a result if it ends in .csv
-  std::string output;                 ///< .svg, .png or .pdf; empty: <stem of the input>.svg
+  std::string input;   ///< a case, or a result if it ends in .csv
+  std::string output;  ///< .svg, .png or .pdf; empty: <stem of the input>.svg, or .law.svg
   std::vector<std::string> settings;  ///< --set, as typed; for a case only
   bool allow_outside = false;
+  bool law = false;  ///< draw the coefficients of a case, not its forces
 };
+
+/// The case of `options`, or its faults as they are told to the user.
+tl::expected<Case, PlotFailure> read_for_plot(const PlotOptions& options);
 
 /// `slipbench plot`: friction force against time and against motion, drawn by gnuplot with the
 /// template plots/friction.gp. A case is run for it. Long runs are thinned so that the picture

@@ -103,6 +103,7 @@ std::string dimension_in_words(const Dimension& dimension) {
   }
   if (dimension == kAngle) return "an angle";
   if (dimension == kMoment) return "a moment (force times length)";
+  if (dimension == Dimension{.length = 1, .time = -1}) return "a speed (length per time)";
   if (dimension == Dimension{}) return "a number without unit";
   std::string words;
   const auto add = [&words](const char* what, int exponent) {

@@ -78,7 +78,8 @@ void add_motion(const Case& problem, int c, std::vector<Column>& columns) {
   add("CCU", dimension, "Constitutive displacement from the reference position " + where + ".",
       ColumnSource::kPosition, problem.reference[c]);
   if (problem.dynamics && problem.dynamics->component == c) {
-    add("CV", per_time(dimension), "Velocity of the mass " + where + " at the end of the increment.",
+    add("CV", per_time(dimension),
+        "Velocity of the mass " + where + " at the end of the increment.",
         ColumnSource::kMassVelocity, 0.0);
     return;
   }
@@ -212,6 +213,106 @@ void add_belt(const Case& problem, std::vector<Column>& columns) {
   }
 }
 
+/// Calls visit(law) for the laws a definition has in the course of the case.
+template <class Visit>
+void for_each_law(const Case& problem, std::size_t definition, Visit&& visit) {
+  const law::FrictionDefinition& own = problem.definitions[definition].law;
+  visit(own.law);
+  if (own.formulation && own.formulation->orthotropy) visit(own.formulation->orthotropy->second);
+  for (const Step& step : problem.steps) {
+    for (const FrictionChange& change : step.friction_changes) {
+      if (change.definition == definition) visit(change.law);
+    }
+  }
+}
+
+/// The area that turns the normal force into the pressure a law sees.
+std::optional<double> area_of(const law::FrictionLaw& law) {
+  return std::visit(
+      [](const auto& l) -> std::optional<double> {
+        if constexpr (requires { l.area; }) return l.area;
+        return std::nullopt;
+      },
+      law);
+}
+std::optional<double> area_of(const Case& problem, std::size_t definition) {
+  std::optional<double> area;
+  for_each_law(problem, definition, [&](const law::FrictionLaw& law) {
+    if (!area) area = area_of(law);
+  });
+  return area;
+}
+
+/// What a law that sees pressure and speed saw, and what it gave before its floor.
+void add_coefficient(const Case& problem, int d, const std::string& suffix,
+                     std::vector<Column>& columns) {
+  const auto index = static_cast<std::size_t>(d);
+  const law::FrictionDefinition& definition = problem.definitions[index].law;
+  const bool angular = is_rotational(definition);
+  const Dimension speed = per_time(angular ? kAngle : kLength);
+  const auto add = [&](const char* name, Dimension dimension, const char* text, ColumnSource source,
+                       int entry = 0) {
+    columns.push_back({name + suffix, dimension, text, source, entry, d});
+  };
+  bool floored = false;
+  for_each_law(problem, index,
+               [&](const law::FrictionLaw& law) { floored = floored || law::has_floor(law); });
+  const bool two = definition.formulation && definition.formulation->orthotropy;
+  if (two) {
+    add("MU1", kNumber, "Coefficient along direction 1.", ColumnSource::kMuAlong, 0);
+    add("MU2", kNumber, "Coefficient along direction 2.", ColumnSource::kMuAlong, 1);
+    add("V1", speed, "Speed that the coefficient of direction 1 saw.", ColumnSource::kSpeedAlong,
+        0);
+    add("V2", speed, "Speed that the coefficient of direction 2 saw.", ColumnSource::kSpeedAlong,
+        1);
+  }
+  if (floored && !two) {
+    add("MU_RAW", kNumber, "Coefficient before it is kept at or above 1e-30.",
+        ColumnSource::kRawMu);
+  }
+  if (floored) {
+    add("CLAMPED", kNumber, "1 where the coefficient is kept at its floor, else 0.",
+        ColumnSource::kClamped);
+  }
+  if (floored || definition.formulation) {
+    add("SPEED", speed, "Speed that the coefficient saw.", ColumnSource::kSpeed);
+  }
+  if (area_of(problem, index)) {
+    add("PRESSURE", {.force = 1, .length = -2}, "Pressure F_N/A that the coefficient saw.",
+        ColumnSource::kPressure);
+  }
+}
+
+/// The forces on the way through a formulation and its filter.
+void add_formulation(const Case& problem, int d, const std::string& suffix,
+                     std::vector<Column>& columns) {
+  const law::FrictionDefinition& definition = problem.definitions[static_cast<std::size_t>(d)].law;
+  const bool filtered = definition.formulation->filter.kind != law::Filter::Kind::kNone;
+  for (int k = 0; k < definition.slip.dimension; ++k) {
+    const int c = definition.slip.component[static_cast<std::size_t>(k)];
+    columns.push_back({force_column("CSF", c) + "_TRIAL", force_dimension(c),
+                       "Force of the penalty before the limit.", ColumnSource::kTrialForce, k, d});
+    columns.push_back({force_column("CSF", c) + "_RAW", force_dimension(c),
+                       "Force within the limit, before the filter.", ColumnSource::kRawForce, k,
+                       d});
+  }
+  if (std::holds_alternative<law::ViscousPenalty>(definition.formulation->penalty)) {
+    const bool rotational = is_rotational(definition);
+    Dimension viscous = rotational ? kMoment : kForce;
+    if (!rotational) --viscous.length;
+    ++viscous.time;
+    columns.push_back({"VISC_C" + suffix, viscous, "Coefficient C of the viscous penalty.",
+                       ColumnSource::kViscousCoefficient, 0, d});
+  }
+  if (filtered) {
+    columns.push_back({"ALPHA" + suffix, kNumber, "Coefficient of the filter.",
+                       ColumnSource::kFilterAlpha, 0, d});
+  }
+  columns.push_back({"UTILISATION" + suffix, kNumber,
+                     "Force over its limit, abs(F)/(mu N): above 1 only behind a filter.",
+                     ColumnSource::kLimitUse, 0, d});
+}
+
 void add_definition(const Case& problem, int d, std::vector<Column>& columns) {
   const CaseDefinition& definition = problem.definitions[static_cast<std::size_t>(d)];
   const bool rotational = is_rotational(definition.law);
@@ -252,16 +353,23 @@ void add_definition(const Case& problem, int d, std::vector<Column>& columns) {
     add("CASU" + component_suffix(c) + ring, slip, "Accumulated slip of the definition.",
         ColumnSource::kAccumulatedSlip);
   }
+  const bool filtered = definition.law.formulation &&
+                        definition.law.formulation->filter.kind != law::Filter::Kind::kNone;
   add("STATUS" + suffix, kNumber, "0 open, 1 stick, 2 slip.", ColumnSource::kStatus);
   add("MU" + suffix, kNumber, "Coefficient of friction used.", ColumnSource::kMu);
+  add_coefficient(problem, d, suffix, columns);
   add("FN" + suffix, force, "Effective normal force.", ColumnSource::kNormalForce);
   add("FLIM" + suffix, force, "Limit of the friction force.", ColumnSource::kLimit);
-  add("PHI" + suffix, force, "Friction force minus limit, P - FLIM.", ColumnSource::kPhi);
+  add("PHI" + suffix, force,
+      filtered ? "Friction force before the filter minus limit."
+               : "Friction force minus limit, P - FLIM.",
+      ColumnSource::kPhi);
   add("SEL" + suffix, slip, "Elastic slip.", ColumnSource::kElasticSlip);
   add("DISS" + suffix, kEnergy, "Dissipated energy since the start.", ColumnSource::kDissipation);
   add("STRAIN_E" + suffix, kEnergy, "Energy stored in the stick stiffness.",
       ColumnSource::kStoredEnergy);
   add("WORK" + suffix, kEnergy, "Work of the friction force since the start.", ColumnSource::kWork);
+  if (definition.law.formulation) add_formulation(problem, d, suffix, columns);
 }
 
 std::optional<Column> by_name(std::span<const Column> columns, std::string_view name) {
@@ -304,13 +412,30 @@ double total_force(const Case& problem, const Row& row, int component) {
   if (const Owner owner = owner_of(problem, component); owner.definition >= 0) {
     const auto d = static_cast<std::size_t>(owner.definition);
     const auto entry = static_cast<std::size_t>(owner.entry);
-    friction = problem.definitions[d].law.slip.scale[entry] *
-               row.definitions[d].update.state.force[entry];
+    friction =
+        problem.definitions[d].law.slip.scale[entry] * row.definitions[d].update.state.force[entry];
   }
   return forces.elastic + forces.viscous + friction + forces.reaction - forces.applied;
 }
 
 }  // namespace
+
+double limit_use(const law::FrictionDefinition& definition, const DefinitionRow& row) {
+  if (!definition.formulation || !(row.update.limit > 0.0)) return 0.0;
+  if (!definition.formulation->orthotropy) {
+    return law::equivalent_force(definition, row.update.state) / row.update.limit;
+  }
+  const std::array<double, 2>& d1 = definition.formulation->orthotropy->first;
+  const auto& y = row.update.state.force;
+  const std::array<double, 2> along{d1[0] * y[0] + d1[1] * y[1], d1[0] * y[1] - d1[1] * y[0]};
+  double square = 0.0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double bound =
+        std::min(row.penalty.mu[i] * row.update.normal_force, definition.force_limit);
+    if (along[i] != 0.0 && bound > 0.0) square += along[i] * along[i] / (bound * bound);
+  }
+  return std::sqrt(square);
+}
 
 bool is_rotational(const law::FrictionDefinition& definition) {
   for (int k = 0; k < definition.slip.dimension; ++k) {
@@ -482,6 +607,28 @@ double column_value(const Column& column, const Case& problem, const Row& row) {
       return here.dissipation;
     case ColumnSource::kStoredEnergy:
       return here.update.stored_energy;
+    case ColumnSource::kPressure:
+      return here.update.normal_force / area_of(problem, d).value_or(1.0);
+    case ColumnSource::kSpeed:
+      return here.update.slip_rate;
+    case ColumnSource::kSpeedAlong:
+      return here.penalty.speeds[index];
+    case ColumnSource::kMuAlong:
+      return here.penalty.mu[index];
+    case ColumnSource::kRawMu:
+      return here.raw_mu[0];
+    case ColumnSource::kClamped:
+      return here.clamped ? 1.0 : 0.0;
+    case ColumnSource::kFilterAlpha:
+      return here.penalty.alpha;
+    case ColumnSource::kViscousCoefficient:
+      return here.penalty.viscous_coefficient;
+    case ColumnSource::kTrialForce:
+      return slip.scale[index] * here.penalty.trial[index];
+    case ColumnSource::kRawForce:
+      return slip.scale[index] * here.penalty.raw[index];
+    case ColumnSource::kLimitUse:
+      return limit_use(problem.definitions[d].law, here);
     default:
       return here.work;
   }

@@ -33,8 +33,8 @@ enum class ColumnSource : std::uint8_t {
   kViscousDissipation,
   kKineticEnergy,
   kExternalWork,
-  kFrictionTotal,    ///< P of a definition
-  kSlipVelocity,     ///< n . ds/dt
+  kFrictionTotal,  ///< P of a definition
+  kSlipVelocity,   ///< n . ds/dt
   kAccumulatedSlip,
   kNormalForce,
   kStatus,
@@ -53,7 +53,18 @@ enum class ColumnSource : std::uint8_t {
   kRingTension,      ///< f_bc behind the ring of a definition
   kLargestForce,     ///< the upper end of a belt's stick band
   kSmallestForce,    ///< its lower end, negative
-  kUtilisation       ///< |ln(f_bc/f_ab)|/(mu alpha) of a belt whose tensions are both prescribed
+  kUtilisation,      ///< |ln(f_bc/f_ab)|/(mu alpha) of a belt whose tensions are both prescribed
+  kPressure,         ///< F_N/A of a law with an area
+  kSpeed,            ///< the rate the coefficient saw
+  kSpeedAlong,       ///< along one direction of an orthotropic coefficient
+  kMuAlong,
+  kRawMu,    ///< before the floor
+  kClamped,  ///< 1 where a coefficient is kept at its floor
+  kFilterAlpha,
+  kViscousCoefficient,
+  kTrialForce,  ///< R_i F*_i of a formulation
+  kRawForce,    ///< before the filter
+  kLimitUse     ///< |F| over the limit of a formulation
 };
 
 /// One column of the result: its name, the dimension its unit follows from, one sentence, and how
@@ -88,6 +99,10 @@ std::vector<std::string> column_names(const Case& problem);
 
 /// The number of a column in a row of a run of `problem`.
 double column_value(const Column& column, const Case& problem, const Row& row);
+
+/// |F|/F_lim of a definition with a formulation, with two directions sqrt((F_1/a_1)^2 +
+/// (F_2/a_2)^2), a_i = mu_i F_N: above 1 only behind a filter. 0 where there is no limit.
+double limit_use(const law::FrictionDefinition& definition, const DefinitionRow& row);
 
 /// Whether y of the definition is a moment: its slip space has rotations only, none of them scaled
 /// to a force.

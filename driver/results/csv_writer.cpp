@@ -33,6 +33,19 @@ std::string friction_line(const Case& problem) {
   return text.empty() ? text : text + "\n";
 }
 
+/// Where direction 1 of an orthotropic definition points in its two components: "# direction1:
+/// friction1 = 0.6 0.8".
+std::string direction_line(const Case& problem) {
+  std::string text;
+  for (const CaseDefinition& definition : problem.definitions) {
+    if (!definition.law.formulation || !definition.law.formulation->orthotropy) continue;
+    const auto& first = definition.law.formulation->orthotropy->first;
+    text += (text.empty() ? "# direction1: " : ", ") + definition.name + " = " +
+            format_number(first[0]) + " " + format_number(first[1]);
+  }
+  return text.empty() ? text : text + "\n";
+}
+
 }  // namespace
 
 double representative_force(const CaseDefinition& definition, const DefinitionRow& row) {
@@ -46,6 +59,7 @@ CsvWriter::CsvWriter(const Case& problem, std::vector<Column> columns, OutputFil
     : case_(&problem), columns_(std::move(columns)), file_(&file) {
   file.append(provenance_lines(problem));
   file.append(friction_line(problem));
+  file.append(direction_line(problem));
   std::string units;
   for (const Column& column : columns_) {
     units += (units.empty() ? "# columns: " : ", ") + column.name + " [" +

@@ -11,6 +11,7 @@
 
 #include "driver/case/quantity.hpp"
 #include "driver/history/csv_reader.hpp"
+#include "driver/text/number.hpp"
 #include "law/notation.hpp"
 
 namespace slipbench::driver {
@@ -22,6 +23,8 @@ struct Preamble {
   std::map<std::string, std::string, std::less<>> units;
   /// Name of a definition and its force columns, the coupled total first if there is one.
   std::vector<std::pair<std::string, std::vector<std::string>>> friction;
+  /// Direction 1 of orthotropic definitions.
+  std::map<std::string, std::array<double, 2>, std::less<>> directions;
 };
 
 /// Cuts the text before `separator` off the front of `text`.
@@ -55,6 +58,16 @@ void read_friction(std::string_view text, Preamble& preamble) {
   }
 }
 
+void read_directions(std::string_view text, Preamble& preamble) {
+  while (!text.empty()) {
+    std::string_view entry = take(text, ", ");
+    const std::string name(take(entry, " = "));
+    const auto x = parse_number(take(entry, " "));
+    const auto y = parse_number(entry);
+    if (x && y) preamble.directions[name] = {*x, *y};
+  }
+}
+
 Preamble read_preamble(const std::filesystem::path& file) {
   Preamble preamble;
   std::ifstream in(file);
@@ -65,6 +78,7 @@ Preamble read_preamble(const std::filesystem::path& file) {
     if (key == "# title") preamble.title = std::string(text);
     if (key == "# columns") read_units(text, preamble);
     if (key == "# friction") read_friction(text, preamble);
+    if (key == "# direction1") read_directions(text, preamble);
   }
   return preamble;
 }
@@ -110,6 +124,12 @@ class Selection {
                              ? add(of_belt + "_MAX" + first.substr(of_belt.size()))
                              : add("FLIM" + suffix);
       definition.status = add("STATUS" + suffix);
+      if (const auto direction = preamble_.directions.find(name);
+          direction != preamble_.directions.end()) {
+        definition.direction = direction->second;
+        definition.normal_force = add("FN" + suffix);
+        definition.coefficients = {add("MU1" + suffix), add("MU2" + suffix)};
+      }
       if (definition.total >= 0 || !definition.components.empty()) {
         data_.definitions.push_back(std::move(definition));
       }

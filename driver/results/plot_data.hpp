@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <tl/expected.hpp>
@@ -34,7 +35,10 @@ struct PlotDefinition {
   int limit = -1;
   int limit_below = -1;  ///< where it is not the limit's negative: of a belt
   int status = -1;
-  std::vector<RegimeSpan> spans;  ///< of slip and of no contact; the rest is stick
+  int normal_force = -1;                      ///< of an orthotropic definition, like the next two
+  std::array<int, 2> coefficients{-1, -1};    ///< along its directions
+  std::array<double, 2> direction{1.0, 0.0};  ///< direction 1 in its two components
+  std::vector<RegimeSpan> spans;              ///< of slip and of no contact; the rest is stick
 };
 
 /// A result, thinned for drawing.

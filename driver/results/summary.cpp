@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "driver/results/csv_writer.hpp"
@@ -19,6 +20,14 @@ std::string percent(double part, double whole) {
   const double value = whole > 0.0 ? 100.0 * part / whole : 0.0;
   return value >= 1.0 || value == 0.0 ? fmt::format("{:.0f} %", value)
                                       : fmt::format("{:.1g} %", value);
+}
+
+bool is_viscous(const law::FrictionDefinition& definition) {
+  return definition.formulation &&
+         std::holds_alternative<law::ViscousPenalty>(definition.formulation->penalty);
+}
+bool is_filtered(const law::FrictionDefinition& definition) {
+  return definition.formulation && definition.formulation->filter.kind != law::Filter::Kind::kNone;
 }
 
 const char* plural(std::int64_t count) { return count == 1 ? "" : "s"; }
@@ -93,6 +102,7 @@ void Summary::add(const Row& row) {
     sum.lowest_force = std::min(sum.lowest_force, force);
     sum.highest_force = std::max(sum.highest_force, force);
     if (update.multiple_roots) ++sum.multiple_roots;
+    add_formulation(row, d);
     const law::IncrementThresholds& thresholds = here.thresholds;
     sum.unique = std::max(sum.unique, thresholds.unique);
     if (thresholds.smooth > row.duration) {
@@ -110,6 +120,33 @@ void Summary::add(const Row& row) {
     sum.dissipation = here.dissipation;
     sum.stored_energy = update.stored_energy;
     sum.work = here.work;
+  }
+}
+
+void Summary::add_formulation(const Row& row, std::size_t index) {
+  const DefinitionRow& here = row.definitions[index];
+  DefinitionSummary& sum = definitions_[index];
+  if (here.clamped && row.index > 0) {
+    ++sum.clamped;
+    sum.lowest_raw_mu = std::min({sum.lowest_raw_mu, here.raw_mu[0], here.raw_mu[1]});
+  }
+  const law::FrictionDefinition& definition = case_->definitions[index].law;
+  if (!definition.formulation || row.index == 0) return;
+  const law::Filter& filter = definition.formulation->filter;
+  if (filter.kind == law::Filter::Kind::kFrequency) {
+    const double alpha = 2.0 * std::numbers::pi * filter.value * row.duration;
+    if (alpha > 1.0) {
+      const bool documented = definition.formulation->convention == law::Convention::kDocumented;
+      ++(documented ? sum.alpha_limited : sum.alpha_overshoots);
+      sum.largest_alpha = std::max(sum.largest_alpha, alpha);
+    }
+  }
+  // The rounding of a force that was put on its limit is no overshoot.
+  constexpr double kMore = 1.0 + 1e-9;
+  const double use = limit_use(definition, here);
+  if (use > kMore * sum.largest_use) {
+    sum.largest_use = use;
+    sum.largest_use_time = row.time;
   }
 }
 
@@ -180,6 +217,10 @@ void Summary::add_creep(const DefinitionRow& here, std::size_t index) {
   const bool stuck_before = now.regime == law::Regime::kSlip && here.update.onset > 0.0 &&
                             (start.regime == law::Regime::kStick || across < 0.0);
   if (sticks || stuck_before) sum.largest_creep = std::max(sum.largest_creep, std::sqrt(creep));
+  // Below its limit a viscous penalty creeps with all of the motion, and stores nothing.
+  if (is_viscous(case_->definitions[index].law) && sticks) {
+    sum.largest_creep = std::max(sum.largest_creep, now.accumulated_slip - start.accumulated_slip);
+  }
   if (!sticks) start = now;
   start.regime = now.regime;
 }
@@ -216,12 +257,13 @@ std::string Summary::definition_text(const DefinitionSummary& sum, std::size_t i
   if (sum.first_slip && sum.open_time > 0.0) {
     text += fmt::format(", open {} of the time", percent(sum.open_time, duration));
   }
-  text += fmt::format("\n  {}friction {} {} .. {}, dissipated {}, stored {}, energy balance {}\n",
-                      name, rotational ? "moment" : "force", rounded(sum.lowest_force),
-                      with_unit(rounded(sum.highest_force), force),
-                      with_unit(rounded(sum.dissipation, 3), energy),
-                      with_unit(rounded(sum.stored_energy, 3), energy),
-                      fmt::format("{:.1g}", std::abs(sum.energy_gap())));
+  text += fmt::format(
+      "\n  {}friction {} {} .. {}, dissipated {}, stored {}, energy balance {}\n", name,
+      rotational ? "moment" : "force", rounded(sum.lowest_force),
+      with_unit(rounded(sum.highest_force), force), with_unit(rounded(sum.dissipation, 3), energy),
+      with_unit(rounded(sum.stored_energy, 3), energy),
+      fmt::format("{:.1g}", std::abs(sum.energy_gap())) +
+          (is_filtered(definition.law) ? " with the work of the filtered force" : ""));
   return text + why_text(sum, index);
 }
 
@@ -232,13 +274,19 @@ std::string Summary::why_text(const DefinitionSummary& sum, std::size_t index) c
       unit_text(is_rotational(definition.law) ? kAngle : kLength, case_->units);
   std::string text;
   if (sum.largest_creep > 0.0) {
-    text = "creeps up to " + with_unit(rounded(sum.largest_creep, 3), slip) + " while it sticks";
+    text = "creeps up to " + with_unit(rounded(sum.largest_creep, 3), slip) +
+           (is_viscous(definition.law) ? " below its limit" : " while it sticks");
   }
   const CycleEnergy& cycle = cycles_.energies()[index];
   if (cycle.count > 0 && cycle.highest > 0.0) {
     text += fmt::format("{}dissipates {} in the last of {} cycle{}", text.empty() ? "" : ", ",
                         with_unit(rounded(cycle.last, 3), energy_unit(case_->units)), cycle.count,
                         plural(cycle.count));
+  }
+  if (sum.largest_use > 1.0 + 1e-9) {
+    text += fmt::format("{}force up to {} of its limit at t = {} (overshoot by the filter)",
+                        text.empty() ? "" : ", ", rounded(sum.largest_use),
+                        with_unit(rounded(sum.largest_use_time), case_->units.time));
   }
   return text.empty() ? text : "  " + name + text + "\n";
 }
@@ -290,12 +338,39 @@ std::string Summary::falling_warning(const DefinitionSummary& sum, std::size_t i
          "stiffness, or an 'elastic_slip' in its place";
 }
 
+std::vector<std::string> Summary::formulation_warnings(const DefinitionSummary& sum) const {
+  std::vector<std::string> all;
+  const std::string whose = fmt::format("friction '{}': ", sum.name);
+  if (sum.clamped > 0) {
+    all.push_back(fmt::format(
+        "{}the coefficient is negative in {} of {} increments, down to {}, and kept at 1e-30 "
+        "there: no friction; its constants do not fit the pressures and speeds of this history "
+        "(columns MU_RAW and CLAMPED)",
+        whose, sum.clamped, increments_, rounded(sum.lowest_raw_mu)));
+  }
+  if (sum.alpha_limited > 0) {
+    all.push_back(fmt::format(
+        "{}alpha of its filter is limited to 1 in {} of {} increments (2 pi f dt up to {}): these "
+        "are not smoothed; take shorter increments or a lower frequency",
+        whose, sum.alpha_limited, increments_, rounded(sum.largest_alpha)));
+  }
+  if (sum.alpha_overshoots > 0) {
+    all.push_back(fmt::format(
+        "{}as coded, alpha of its filter is above 1 in {} of {} increments, up to {}: the force "
+        "overshoots{}",
+        whose, sum.alpha_overshoots, increments_, rounded(sum.largest_alpha),
+        sum.largest_alpha >= 2.0 ? ", and diverges where alpha is 2 or more" : ""));
+  }
+  return all;
+}
+
 std::vector<std::string> Summary::warnings(std::span<const MotionJump> jumps) const {
   std::vector<std::string> all;
   const UnitSystem& units = case_->units;
   for (std::size_t d = 0; d < definitions_.size(); ++d) {
     std::string warning = falling_warning(definitions_[d], d);
     if (!warning.empty()) all.push_back(std::move(warning));
+    for (std::string& one : formulation_warnings(definitions_[d])) all.push_back(std::move(one));
   }
   for (const MotionJump& jump : jumps) {
     const std::string unit = unit_text(jump.component >= 3 ? kAngle : kLength, units);
@@ -358,6 +433,12 @@ json::Value Summary::to_json() const {
     }
     one["increments_with_several_solutions"] = sum.multiple_roots;
     one["increments_too_short"] = sum.short_increments;
+    one["increments_clamped"] = sum.clamped;
+    if (case_->definitions[d].law.formulation) {
+      one["largest_limit_use"] = sum.largest_use;
+      one["largest_limit_use_time"] = sum.largest_use_time;
+      one["increments_alpha_limited"] = sum.alpha_limited;
+    }
     if (sum.short_increments > 0) {
       one["smooth_increment"] = sum.worst.smooth;
       one["unique_increment"] = sum.worst.unique;

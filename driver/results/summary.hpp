@@ -42,9 +42,16 @@ struct DefinitionSummary {
   std::int64_t short_increments = 0;  ///< increments in which backward Euler may not settle
   /// Of the increment that is shortest against the smooth threshold.
   law::IncrementThresholds worst;
-  double worst_time = 0.0;      ///< total time at its end [T]
-  double worst_duration = 0.0;  ///< [T]; 0 before the first
-  double unique = 0.0;          ///< longer increments have one solution all along [T]
+  double worst_time = 0.0;            ///< total time at its end [T]
+  double worst_duration = 0.0;        ///< [T]; 0 before the first
+  double unique = 0.0;                ///< longer increments have one solution all along [T]
+  std::int64_t clamped = 0;           ///< increments whose coefficient is kept at its floor
+  double lowest_raw_mu = 0.0;         ///< of these, before the floor
+  std::int64_t alpha_limited = 0;     ///< increments at which 2 pi f dt > 1 is cut to alpha 1
+  std::int64_t alpha_overshoots = 0;  ///< increments with alpha > 1, which only as coded has
+  double largest_alpha = 0.0;         ///< 2 pi f dt of those two, before the cut
+  double largest_use = 0.0;           ///< of limit_use
+  double largest_use_time = 0.0;      ///< total time of that [T]
 
   /// (work - dissipation - stored energy) over the largest of them: what the time stepping lost.
   /// 0 where nothing moved.
@@ -76,8 +83,10 @@ class Summary {
   void note_first_slip(const Event& event, const Row& row);
   void add_events(const Row& row);
   void add_creep(const DefinitionRow& here, std::size_t index);
+  void add_formulation(const Row& row, std::size_t index);
   /// Of a coefficient that falls too fast for the increments; empty if none does.
   std::string falling_warning(const DefinitionSummary& definition, std::size_t index) const;
+  std::vector<std::string> formulation_warnings(const DefinitionSummary& definition) const;
 
   const Case* case_;
   std::vector<Column> positions_;

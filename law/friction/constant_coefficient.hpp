@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <string_view>
 #include <tuple>
 
+#include "law/capstan.hpp"
 #include "law/field.hpp"
 #include "law/friction/coefficient_point.hpp"
+#include "law/friction/slip_line.hpp"
 #include "law/table_function.hpp"
 
 namespace slipbench::law {
@@ -17,6 +20,8 @@ struct ConstantCoefficient {
   static constexpr std::string_view kTitle = "Constant (Coulomb)";
   static constexpr std::string_view kFormula = "mu";
   static constexpr std::string_view kSource = "C1785";
+  static constexpr std::array<std::string_view, 0> kRules{};
+  static constexpr bool kHasFloor = false;
 
   double mu = 0.0;
 
@@ -24,6 +29,8 @@ struct ConstantCoefficient {
     return std::tuple{Field{"mu", &ConstantCoefficient::mu, dimension::kNone, kNotNegative, true,
                             "Coefficient of friction."}};
   }
+
+  static ConstantCoefficient example() { return {0.2}; }
 
   template <class Number>
   Number coefficient(const Number& /*slip_rate*/) const {
@@ -38,6 +45,11 @@ struct ConstantCoefficient {
   double largest() const { return mu; }
   double largest_growth() const { return mu; }
   double steepest_weakening() const { return 0.0; }
+  double next_bend(const SlipLine& /*line*/) const noexcept { return kNoBend; }
+  double next_belt_bend(const SlipLine& /*line*/, double /*wrap_angle*/,
+                        FlowSense /*sense*/) const noexcept {
+    return kNoBend;
+  }
   bool outside(const Ambient& /*ambient*/, const SlipArguments& /*slip*/) const { return false; }
 };
 

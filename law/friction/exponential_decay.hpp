@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string_view>
 #include <tuple>
 
+#include "law/capstan.hpp"
 #include "law/field.hpp"
 #include "law/friction/coefficient_point.hpp"
+#include "law/friction/slip_line.hpp"
 #include "law/table_function.hpp"
 
 namespace slipbench::law {
@@ -23,6 +26,8 @@ struct ExponentialDecay {
   static constexpr std::string_view kFormula =
       "mu = kinetic + (static - kinetic) exp(-decay slip_rate)";
   static constexpr std::string_view kSource = "OM1985";
+  static constexpr std::array<std::string_view, 1> kRules{"'static' must not be below 'kinetic'"};
+  static constexpr bool kHasFloor = false;
 
   double mu_static = 0.0;  ///< key `static`, which C++ keeps for itself
   double kinetic = 0.0;
@@ -39,9 +44,11 @@ struct ExponentialDecay {
 
   /// A rule between the fields that is broken, in words, or nothing.
   std::optional<std::string_view> violation() const {
-    if (mu_static < kinetic) return "'static' must not be below 'kinetic'";
+    if (mu_static < kinetic) return kRules[0];
     return std::nullopt;
   }
+
+  static ExponentialDecay example() { return {0.3, 0.2, 0.05}; }
 
   template <class Number>
   Number coefficient(const Number& slip_rate) const {
@@ -57,6 +64,22 @@ struct ExponentialDecay {
   double largest() const { return mu_static; }
   double largest_growth() const { return mu_static; }
   double steepest_weakening() const { return decay * (mu_static - kinetic); }
+  /// The inflection of mu F_N where F_N changes: at d rate = 2 + that of F_N's zero.
+  double next_bend(const SlipLine& line) const noexcept {
+    const double per_slip = decay * line.rate_per_slip;
+    if (!(per_slip > 0.0) || line.force_per_slip == 0.0) return kNoBend;
+    const double bend = line.slip + 2.0 / per_slip - line.force / line.force_per_slip;
+    return is_ahead(line, bend) ? bend : kNoBend;
+  }
+  /// Forward, exp(mu alpha) of a convex coefficient is convex. Backward, -exp(-mu alpha) turns from
+  /// concave to convex where alpha (static - kinetic) exp(-d rate) = 1, if ever.
+  double next_belt_bend(const SlipLine& line, double wrap_angle, FlowSense sense) const noexcept {
+    const double falling = wrap_angle * (mu_static - kinetic);
+    const double per_slip = decay * line.rate_per_slip;
+    if (sense == FlowSense::kForward || !(falling > 1.0) || !(per_slip > 0.0)) return kNoBend;
+    const double bend = std::log(falling) / per_slip;
+    return bend > line.slip ? bend : kNoBend;
+  }
   bool outside(const Ambient& /*ambient*/, const SlipArguments& /*slip*/) const { return false; }
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -29,6 +30,9 @@ struct ExponentialTestData {
       "exponential_decay with static = mu1, kinetic = mu_inf, decay = ln((mu1 - mu_inf)/(mu2 - "
       "mu_inf))/rate2";
   static constexpr std::string_view kSource = "OM1985";
+  static constexpr std::array<std::string_view, 1> kRules{
+      "mu1 > mu2 > mu_inf >= 0, also where mu_inf = (mu2 - 0.05 mu1)/0.95 is not given"};
+  static constexpr bool kHasFloor = false;
 
   /// The part of mu1 - mu_inf that mu2 - mu_inf is taken as where mu_inf is not given.
   static constexpr double kRest = 0.05;
@@ -49,6 +53,8 @@ struct ExponentialTestData {
         Field{"mu_inf", &ExponentialTestData::mu_inf, dimension::kNone, kNotNegative, false,
               "Coefficient at high slip rate; if not given (mu2 - 0.05 mu1)/0.95."}};
   }
+
+  static ExponentialTestData example() { return {0.3, 0.23, 20.0, 0.2}; }
 
   /// The coefficient at high slip rate, given or by the convention [1].
   double kinetic() const { return mu_inf ? *mu_inf : (mu2 - kRest * mu1) / (1.0 - kRest); }
@@ -84,6 +90,10 @@ struct ExponentialTestData {
   double largest() const { return mu1; }
   double largest_growth() const { return mu1; }
   double steepest_weakening() const { return fit().steepest_weakening(); }
+  double next_bend(const SlipLine& line) const noexcept { return fit().next_bend(line); }
+  double next_belt_bend(const SlipLine& line, double wrap_angle, FlowSense sense) const noexcept {
+    return fit().next_belt_bend(line, wrap_angle, sense);
+  }
   bool outside(const Ambient& /*ambient*/, const SlipArguments& /*slip*/) const { return false; }
 };
 

@@ -2,9 +2,15 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <span>
 #include <string_view>
+#include <utility>
+#include <vector>
 
+#include "law/capstan.hpp"
 #include "law/friction/coefficient_point.hpp"
+#include "law/friction/slip_line.hpp"
 #include "law/table_function.hpp"
 
 namespace slipbench::law {
@@ -20,8 +26,23 @@ struct TabularCoefficient {
   static constexpr std::string_view kFormula =
       "mu(slip_rate, contact_force, temperature, field1, ...)";
   static constexpr std::string_view kSource = "C1785";
+  static constexpr std::array<std::string_view, 0> kRules{};
+  static constexpr bool kHasFloor = false;
 
   TableFunction table;
+
+  /// Ragged blocks over slip rate and contact force at two temperatures.
+  static TabularCoefficient example() {
+    const std::vector<std::vector<double>> rows = {{0.30, 0, 0, 20},   {0.20, 10, 0, 20},
+                                                   {0.26, 0, 100, 20}, {0.18, 10, 100, 20},
+                                                   {0.24, 0, 50, 120}, {0.22, 20, 50, 120}};
+    Table table;
+    TableError error;
+    Table::build(rows, 1, 3, Extrapolation::kConstant, &table, &error);
+    return {TableFunction(std::move(table), {{IndependentKind::kSlipRate, 0},
+                                             {IndependentKind::kContactForce, 0},
+                                             {IndependentKind::kTemperature, 0}})};
+  }
 
   CoefficientPoint evaluate(const Ambient& ambient, const SlipArguments& slip) const noexcept {
     SlipArguments slopes;
@@ -43,8 +64,36 @@ struct TabularCoefficient {
     const int k = table.column_of(IndependentKind::kSlipRate);
     return k < 0 ? 0.0 : -table.table().steepest_fall(k);
   }
+  /// The next knot over the slip rate or the contact force.
+  double next_bend(const SlipLine& line) const noexcept {
+    double next = next_knot_of_rate(line);
+    const int k = table.column_of(IndependentKind::kContactForce);
+    if (k < 0 || line.force_per_slip == 0.0) return next;
+    for (const double knot : table.table().knots(k)) {
+      const double x = line.slip + (knot - line.force) / line.force_per_slip;
+      if (is_ahead(line, x)) next = std::min(next, x);
+    }
+    return next;
+  }
+  /// exp(mu alpha) of a linear coefficient is convex, -exp(-mu alpha) concave.
+  double next_belt_bend(const SlipLine& line, double /*wrap_angle*/,
+                        FlowSense /*sense*/) const noexcept {
+    return next_knot_of_rate(line);
+  }
   bool outside(const Ambient& ambient, const SlipArguments& slip) const {
     return table.outside(ambient, slip);
+  }
+
+ private:
+  double next_knot_of_rate(const SlipLine& line) const noexcept {
+    const int k = table.column_of(IndependentKind::kSlipRate);
+    if (k < 0 || !(line.rate_per_slip > 0.0)) return kNoBend;
+    const auto knots = table.table().knots(k);
+    auto knot = std::upper_bound(knots.begin(), knots.end(), line.rate_at(line.slip));
+    const auto slip_at = [&] { return (*knot - line.rate_at_zero) / line.rate_per_slip; };
+    // A slip that stands on a knot may be rounded back before it: that knot is past.
+    while (knot != knots.end() && slip_at() <= line.slip) ++knot;
+    return knot == knots.end() ? kNoBend : slip_at();
   }
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <catch2/catch.hpp>
 #include <memory>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "law/connection_type.hpp"
@@ -38,10 +40,19 @@ TEST_CASE("the counter catches deliberate allocations of every form") {
 }
 
 std::vector<FrictionLaw> laws() {
-  return {ConstantCoefficient{0.2}, ExponentialDecay{0.3, 0.2, 0.5},
-          ExponentialTestData{0.3, 0.25, 2.0, 0.2},
-          TabularCoefficient{make_function({{0.3, 0, 0, 0}, {0.2, 3, 0, 0}, {0.25, 0, 90, 1}},
-                                           {kOverSlipRate, kOverContactForce, over_field(1)})}};
+  std::vector<FrictionLaw> all = {
+      TabularCoefficient{make_function({{0.3, 0, 0, 0}, {0.2, 3, 0, 0}, {0.25, 0, 90, 1}},
+                                       {kOverSlipRate, kOverContactForce, over_field(1)})}};
+  [&]<class... Law>(std::type_identity<std::variant<Law...>>) {
+    (all.push_back(Law::example()), ...);
+  }(std::type_identity<FrictionLaw>{});
+  // Joints and floors within reach of the slip rates of the runs.
+  Renard renard = Renard::example();
+  renard.c5 = 1.0, renard.c6 = 3.0;
+  all.push_back(renard);
+  all.push_back(GeneralizedViscous{0.3, -1e-3, 0.2, -1e-3, 1e-5, -0.08, 0.0, 1.0});
+  all.push_back(ModifiedDarmstad{0.1, 1e-5, -0.5, -2e-3, -1.0, 0.2, -2.0, 1.0});
+  return all;
 }
 
 std::vector<InternalContactForce> internal_contact_forces() {
@@ -171,6 +182,49 @@ TEST_CASE("no belt, potential or exactly integrated increment allocates") {
     }
   }
   CHECK(moved > 160);
+}
+
+TEST_CASE("no increment of a contact penalty allocates") {
+  ViscousPenalty viscous;
+  viscous.mass = 2.0;
+  viscous.stiffness =
+      make_function({{50, 0, 0}, {60, 90, 0}, {70, 0, 1}}, {kOverContactForce, over_position(2)});
+  const Orthotropy orthotropy{.second = ConstantCoefficient{0.1}};
+  int moved = 0;
+  for (const bool stiff : {false, true}) {
+    for (const bool with_axes : {false, true}) {
+      for (const Convention convention : {Convention::kDocumented, Convention::kAsCoded}) {
+        FrictionDefinition definition;
+        definition.slip = slip_space({2, 3});
+        definition.contact_force = ComponentContactForce{0};
+        definition.law = laws().back();
+        Formulation& formulation = definition.formulation.emplace();
+        if (stiff) {
+          formulation.penalty = StiffnessPenalty{1e3};
+        } else {
+          formulation.penalty = viscous;
+        }
+        formulation.filter = {Filter::Kind::kSimple, 0.3, true};
+        formulation.convention = convention;
+        if (with_axes) formulation.orthotropy = orthotropy;
+        FrictionRun run(definition);
+        run.fields = {0.0, 0.5};
+        run.duration = 0.1;
+        CHECK(count_allocations([&] {
+                for (int i = 1; i <= 20; ++i) {
+                  run.position[1] = 0.1 * (i % 7);
+                  run.position[2] = 0.05 * (i % 5);
+                  run.force[0] = 20.0 + 3.0 * (i % 4);
+                  const ConnectorIncrement increment = run.increment();
+                  const FrictionUpdate& u = run.step();
+                  moved +=
+                      connector_tangent(definition, increment, u).to_motion.sum() != 0.0 ? 1 : 0;
+                }
+              }) == 0);
+      }
+    }
+  }
+  CHECK(moved == 160);
 }
 
 TEST_CASE("no table evaluation allocates") {

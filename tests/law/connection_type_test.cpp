@@ -40,6 +40,7 @@ const std::vector<Row> kTypes = {
     {"PLANAR", ComponentSet::of(1, 5, 6), ComponentSet::of(2, 3, 4), true},
     {"UJOINT", ComponentSet::of(1, 2, 3, 5), ComponentSet::of(4, 6), true},
     {"SLIPRING", ComponentSet(), ComponentSet::of(1, 2, 3), true},
+    {"CONTACT", ComponentSet::of(1), ComponentSet::of(2, 3), true},
 };
 
 /// The limiting force of check number `index` of a type's predefined friction.
@@ -110,7 +111,7 @@ TEST_CASE("a connection is found by its name, and not by another") {
   }
 }
 
-TEST_CASE("SLOT alone exists in the plane, without component 3") {
+TEST_CASE("SLOT and CONTACT exist in the plane, without component 3") {
   const auto plane = find_connection("SLOT", 2);
   REQUIRE(plane);
   CHECK(plane->info.held == ComponentSet::of(2));
@@ -120,8 +121,17 @@ TEST_CASE("SLOT alone exists in the plane, without component 3") {
   CHECK(limit(*slot, force, 0.5) == 2.0);
   CHECK(limit(Slot{}, ConnectorForce{{0, -4, 3, 0, 0, 0}}, 0.5) == 2.5);
   for (const Row& row : kTypes) {
-    if (row.name != "SLOT") CHECK_FALSE(find_connection(row.name, 2));
+    if (row.name != "SLOT" && row.name != "CONTACT") CHECK_FALSE(find_connection(row.name, 2));
   }
+  const auto line = find_connection("CONTACT", 2);
+  REQUIRE(line);
+  CHECK(line->info.available == ComponentSet::of(2));
+}
+
+TEST_CASE("CONTACT presses on one side only") {
+  CHECK(limit(Contact{}, ConnectorForce{{4, 0, 0, 0, 0, 0}}, 0.5) == 2.0);
+  CHECK(limit(Contact{}, ConnectorForce{{-4, 0, 0, 0, 0, 0}}, 0.5) == 0.0);
+  CHECK(limit(Contact{}, ConnectorForce{}, 0.5) == 0.0);
 }
 
 TEST_CASE("two basic types make the assembled type, in either order") {

@@ -5,7 +5,11 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
 
+#include "law/uniqueness.hpp"
 #include "tests/support/finite_difference.hpp"
 #include "tests/support/law_tables.hpp"
 
@@ -14,34 +18,8 @@ namespace {
 using namespace slipbench::law;
 using namespace slipbench::test;
 
-/// A representative of each law, so that the typed tests reach all of the list.
-template <class Law>
-Law example() = delete;
-template <>
-ConstantCoefficient example<ConstantCoefficient>() {
-  return {0.2};
-}
-template <>
-ExponentialDecay example<ExponentialDecay>() {
-  return {0.3, 0.2, 0.05};
-}
-template <>
-ExponentialTestData example<ExponentialTestData>() {
-  return {0.3, 0.23, 20.0, 0.2};
-}
-template <>
-TabularCoefficient example<TabularCoefficient>() {
-  return {make_function({{0.30, 0, 0, 20},
-                         {0.20, 10, 0, 20},
-                         {0.26, 0, 100, 20},
-                         {0.18, 10, 100, 20},
-                         {0.24, 0, 50, 120},
-                         {0.22, 20, 50, 120}},
-                        {kOverSlipRate, kOverContactForce, kOverTemperature})};
-}
-
 TEMPLATE_LIST_TEST_CASE("a law's slopes are the derivatives of its coefficient", "", FrictionLaw) {
-  const FrictionLaw law = example<TestType>();
+  const FrictionLaw law = TestType::example();
   Ambient ambient;
   ambient.temperature = 60.0;
   for (const double rate : {0.0, 0.7, 3.0, 10.0, 40.0}) {
@@ -68,29 +46,35 @@ TEMPLATE_LIST_TEST_CASE("a law's slopes are the derivatives of its coefficient",
 TEMPLATE_LIST_TEST_CASE(
     "a law stays between 0 and its largest value and weakens no faster than said", "",
     FrictionLaw) {
-  const FrictionLaw law = example<TestType>();
+  const FrictionLaw law = TestType::example();
   double steepest = 0.0;
   for (double temperature = 0.0; temperature <= 140.0; temperature += 10.0) {
     Ambient ambient;
     ambient.temperature = temperature;
-    for (double rate = 0.0; rate < 30.0; rate += 0.5) {
+    for (double rate = 0.0; rate < 70.0; rate += 0.5) {
       for (double force = 0.0; force <= 120.0; force += 20.0) {
         const CoefficientPoint point =
             evaluate(law, ambient, {.slip_rate = rate, .contact_force = force});
         CHECK(point.mu >= 0.0);
         CHECK(point.mu <= largest(law) * (1.0 + 1e-15));
         steepest = std::max(steepest, -point.to_slip_rate);
+        const CoefficientBounds here = coefficient_bounds(law, ambient, force, rate);
+        CHECK(std::isfinite(here.steepest_weakening));
+        CHECK(point.mu <= here.largest * (1.0 + 1e-15));
+        CHECK(-point.to_slip_rate <= here.steepest_weakening * (1.0 + 1e-12));
       }
     }
   }
   CHECK(steepest <= steepest_weakening(law) * (1.0 + 1e-12));
   // The steepest place is on the grid above, so the bound is reached, not only kept.
-  CHECK(steepest == Approx(steepest_weakening(law)).margin(1e-15));
+  if (std::isfinite(steepest_weakening(law))) {
+    CHECK(steepest == Approx(steepest_weakening(law)).margin(1e-15));
+  }
 }
 
 TEMPLATE_LIST_TEST_CASE("a law that says it does not depend on something does not look at it", "",
                         FrictionLaw) {
-  const FrictionLaw law = example<TestType>();
+  const FrictionLaw law = TestType::example();
   Ambient ambient;
   ambient.temperature = 60.0;
   const double mu = evaluate(law, ambient, {.slip_rate = 1.0, .contact_force = 50.0}).mu;
@@ -112,6 +96,22 @@ TEMPLATE_LIST_TEST_CASE("a law names itself, its formula and its source", "", Fr
   CHECK_FALSE(std::string(TestType::kTitle).empty());
   CHECK_FALSE(std::string(TestType::kFormula).empty());
   CHECK_FALSE(std::string(TestType::kSource).empty());
+  for (const std::string_view rule : TestType::kRules) CHECK_FALSE(rule.empty());
+}
+
+TEMPLATE_LIST_TEST_CASE("a law's example keeps its own rules and bounds", "", FrictionLaw) {
+  const TestType law = TestType::example();
+  if constexpr (requires { law.violation(); }) CHECK_FALSE(law.violation().has_value());
+  if constexpr (requires { TestType::fields(); }) {
+    const auto within = [&](const auto& field) {
+      if constexpr (std::is_convertible_v<decltype(law.*(field.member)), std::optional<double>>) {
+        const std::optional<double> value = law.*(field.member);
+        INFO(field.key);
+        if (value) CHECK(field.bounds.contains(*value));
+      }
+    };
+    std::apply([&](const auto&... field) { (within(field), ...); }, TestType::fields());
+  }
 }
 
 TEST_CASE("exponential decay gives the reference values (K1)") {
@@ -192,14 +192,14 @@ TEST_CASE("a coefficient table that is prolonged below zero stops at zero") {
 }
 
 TEST_CASE("a law says when it is asked outside its data") {
-  const FrictionLaw table = example<TabularCoefficient>();
+  const FrictionLaw table = TabularCoefficient::example();
   Ambient ambient;
   ambient.temperature = 60.0;
   CHECK_FALSE(outside(table, ambient, {.slip_rate = 5.0, .contact_force = 50.0}));
   CHECK(outside(table, ambient, {.slip_rate = 21.0, .contact_force = 50.0}));
   ambient.temperature = 121.0;
   CHECK(outside(table, ambient, {.slip_rate = 5.0, .contact_force = 50.0}));
-  CHECK_FALSE(outside(example<ExponentialDecay>(), ambient, {.slip_rate = 1e9}));
+  CHECK_FALSE(outside(ExponentialDecay::example(), ambient, {.slip_rate = 1e9}));
 }
 
 }  // namespace

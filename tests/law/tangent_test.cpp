@@ -325,7 +325,7 @@ TEST_CASE("the consistent tangent meets differences for all predefined friction 
       }
     }
   });
-  CHECK(compared == 9 * 2 * 2 * 5);
+  CHECK(compared == 10 * 2 * 2 * 5);
 }
 
 TEST_CASE("the consistent tangent meets differences in the middle of a change of friction") {

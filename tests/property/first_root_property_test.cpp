@@ -7,11 +7,15 @@
 
 #include "law/return_mapping.hpp"
 #include "tests/support/dice.hpp"
+#include "tests/support/random_definition.hpp"
 
 namespace slipbench::law {
 namespace {
 
 using test::Dice;
+using test::random_darmstad;
+using test::random_renard;
+using test::random_viscous;
 
 TableFunction over(const std::vector<std::vector<double>>& rows,
                    const std::vector<Independent>& independents) {
@@ -32,7 +36,15 @@ std::vector<double> knots(Dice& dice, int count, double first, double low, doubl
   return x;
 }
 
-enum class Kind { kContactForce, kExponential, kRate, kRateAndContactForce };
+enum class Kind {
+  kContactForce,
+  kExponential,
+  kRate,
+  kRateAndContactForce,
+  kViscous,
+  kDarmstad,
+  kRenard
+};
 
 FrictionLaw random_law(Dice& dice, Kind kind) {
   const Independent rate{IndependentKind::kSlipRate, 0};
@@ -51,6 +63,23 @@ FrictionLaw random_law(Dice& dice, Kind kind) {
       for (const double r : knots(dice, 2 + dice.pick(4), 0.0, 0.05, 0.4))
         rows.push_back({mu(), r});
       return TabularCoefficient{over(rows, {rate})};
+    // Steep enough, and with rates and forces small enough, for several roots.
+    case Kind::kViscous: {
+      GeneralizedViscous law = random_viscous(&dice);
+      law.c2 *= 10.0, law.c5 *= 50.0, law.c1 *= 5.0, law.c3 *= 10.0, law.c4 *= 5.0;
+      return law;
+    }
+    case Kind::kDarmstad: {
+      ModifiedDarmstad law = random_darmstad(&dice);
+      for (double* exponent : {&law.c2, &law.c4, &law.c6}) *exponent = dice.between(-40.0, 2.0);
+      law.c1 *= 5.0, law.c3 *= 5.0;
+      return law;
+    }
+    case Kind::kRenard: {
+      Renard law = random_renard(&dice);
+      law.speed_factor = dice.between(2.0, 20.0);
+      return law;
+    }
     case Kind::kRateAndContactForce:
       for (const double n : knots(dice, 2 + dice.pick(3), dice.between(0, 20), 5, 40)) {
         for (const double r : knots(dice, 2 + dice.pick(3), 0.0, 0.05, 0.4)) {
@@ -129,7 +158,8 @@ Tally try_many(Kind kind, int draws) {
 
 TEST_CASE("The first root is taken whatever makes the limit fall") {
   const Kind kind =
-      GENERATE(Kind::kContactForce, Kind::kExponential, Kind::kRate, Kind::kRateAndContactForce);
+      GENERATE(Kind::kContactForce, Kind::kExponential, Kind::kRate, Kind::kRateAndContactForce,
+               Kind::kViscous, Kind::kDarmstad, Kind::kRenard);
   const Tally tally = try_many(kind, 4000);
   CHECK(tally.slips > 3000);
   CHECK(tally.with_several_roots > 5);  // else the test would show nothing

@@ -24,7 +24,8 @@ std::vector<std::vector<double>> admissible_values(const ClosedForm& form) {
       {"static_kinetic_sawtooth", {{0.3}, {0.2}, {0.05}, {100.0}, {1000.0}}},
       {"planar_slider_circle", {{0.2}, {100.0}, {1000.0}, {0.05}}},
       {"planar_slider_circle_increments", {{0.2}, {100.0}, {1000.0}, {0.05}, {36.0}}},
-      {"contact_force_varying_overlap", {{3.0}, {0.0, 2.0}, {0.7, 2.0}, {0.0}, {0.0}}}};
+      {"contact_force_varying_overlap", {{3.0}, {0.0, 2.0}, {0.7, 2.0}, {0.0}, {0.0}}},
+      {"renard_coefficient", {{0.15}, {0.1}, {0.25}, {0.05}, {0.5}, {1.2}, {1.0}}}};
   if (const auto rule = kRules.find(form.name); rule != kRules.end()) return rule->second;
   std::vector<std::vector<double>> values;
   for (const Parameter& parameter : form.parameters) {
@@ -50,8 +51,9 @@ TEST_CASE("every closed form is found by its name, once") {
 
 TEST_CASE("every closed form says what it is, where it comes from and when it holds") {
   const std::set<std::string_view> dimensions{
-      "1",       "F",     "L",           "F/L", "F L",   "1/L",   "T",         "L/T",        "T/L",
-      "F T^2/L", "F T/L", "F/L^(2+chi)", "1/T", "F/L^2", "F L/T", "F T^2/L^2", "(F/L)^(1-n)"};
+      "1",           "F",       "L",     "F/L",         "F L",     "1/L",    "T",     "L/T",
+      "T/L",         "F T^2/L", "F T/L", "F/L^(2+chi)", "1/T",     "F/L^2",  "F L/T", "F T^2/L^2",
+      "(F/L)^(1-n)", "L^2",     "L^2/F", "L T/F",       "L^4/F^2", "T^2/L^2"};
   for (const ClosedForm& form : catalogue()) {
     CAPTURE(std::string(form.name));
     CHECK_FALSE(form.title.empty());

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -48,7 +50,9 @@ struct DefinitionDescription {
   law::ContactForce contact_force;                ///< weights of tables left at 0
   std::vector<std::optional<TableRows>> weights;  ///< of the terms of a derived component
   std::variant<double, TableRows> internal_contact_force = 0.0;
-  std::variant<law::ConstantCoefficient, law::ExponentialDecay, TableRows> law;
+  std::variant<law::ConstantCoefficient, law::ExponentialDecay, law::GeneralizedViscous,
+               law::ModifiedDarmstad, law::Renard, TableRows>
+      law;
   double force_limit = law::kNoForceLimit;
   law::StickStiffness stick;
   law::AccumulatedSlipTiming accumulated_slip = law::AccumulatedSlipTiming::kEnd;
@@ -70,13 +74,15 @@ struct DefinitionDescription {
     } else {
       definition.internal_contact_force = std::get<double>(internal_contact_force);
     }
-    if (const auto* rows = std::get_if<TableRows>(&law)) {
-      definition.law = law::TabularCoefficient{rows->build()};
-    } else if (const auto* decay = std::get_if<law::ExponentialDecay>(&law)) {
-      definition.law = *decay;
-    } else {
-      definition.law = std::get<law::ConstantCoefficient>(law);
-    }
+    definition.law = std::visit(
+        [](const auto& one) -> law::FrictionLaw {
+          if constexpr (std::is_same_v<decltype(one), const TableRows&>) {
+            return law::TabularCoefficient{one.build()};
+          } else {
+            return one;
+          }
+        },
+        law);
     definition.force_limit = force_limit;
     definition.stick = stick;
     definition.accumulated_slip = accumulated_slip;
@@ -200,6 +206,26 @@ inline DefinitionDescription in_units(DefinitionDescription d, const Units& unit
     *rows = in_units(*rows, {1.0}, own, units);
   } else if (auto* decay = std::get_if<law::ExponentialDecay>(&d.law)) {
     decay->decay *= own.slip / own.time;
+  } else {
+    // An area makes a pressure of forces and of moments alike.
+    const double area = units.length * units.length;
+    const double pressure = own.force / area;
+    const double speed = own.slip / own.time;
+    if (auto* viscous = std::get_if<law::GeneralizedViscous>(&d.law)) {
+      viscous->c1 *= pressure;
+      viscous->c2 *= speed;
+      viscous->c3 *= pressure * speed;
+      viscous->c4 *= pressure * pressure;
+      viscous->c5 *= speed * speed;
+      viscous->area = viscous->area.value_or(1.0) / area;
+    } else if (auto* darmstad = std::get_if<law::ModifiedDarmstad>(&d.law)) {
+      darmstad->c1 *= pressure * pressure;
+      darmstad->c3 *= pressure;
+      for (double* exponent : {&darmstad->c2, &darmstad->c4, &darmstad->c6}) *exponent *= speed;
+      darmstad->area = darmstad->area.value_or(1.0) / area;
+    } else if (auto* renard = std::get_if<law::Renard>(&d.law)) {
+      renard->speed_factor *= speed;  // the constants stay in their own unit
+    }
   }
   d.force_limit /= own.force;
   d.stick.value /=
@@ -252,6 +278,72 @@ inline TableRows random_table(Dice* dice, std::vector<law::Independent> independ
   return table;
 }
 
+/// Radioss laws with floors, joints and inflections among slip rates of about 1 and contact forces
+/// of about 100.
+inline law::GeneralizedViscous random_viscous(Dice* dice) {
+  const auto some = [&](double size) {
+    return dice->chance(0.7) ? dice->between(-size, size) : 0.0;
+  };
+  law::GeneralizedViscous law;
+  law.fric = dice->between(0.05, 0.5);
+  law.c1 = some(1e-3);
+  law.c2 = some(0.2);
+  law.c3 = some(1e-3);
+  law.c4 = some(5e-6);
+  law.c5 = some(0.05);
+  law.area = dice->between(0.5, 2.0);
+  return law;
+}
+inline law::ModifiedDarmstad random_darmstad(Dice* dice) {
+  const auto some = [&](double size) {
+    return dice->chance(0.7) ? dice->between(-size, size) : 0.0;
+  };
+  law::ModifiedDarmstad law;
+  law.fric = dice->between(0.05, 0.4);
+  law.c1 = some(2e-5);
+  law.c2 = dice->between(-4.0, 0.003);
+  law.c3 = some(2e-3);
+  law.c4 = dice->between(-4.0, 0.003);
+  law.c5 = some(0.4);
+  law.c6 = dice->between(-4.0, 0.003);
+  law.area = dice->between(0.5, 2.0);
+  return law;
+}
+inline law::Renard random_renard(Dice* dice) {
+  law::Renard law;
+  law.c4 = dice->chance(0.1) ? 0.0 : dice->between(0.02, 0.2);
+  law.c1 = law.c4 + dice->between(0.0, 0.2);
+  law.c2 = law.c4 + (law.c4 > 0.0 && dice->chance(0.1) ? 0.0 : dice->between(0.01, 0.2));
+  law.c3 = std::max(law.c1, law.c2) + dice->between(0.0, 0.2);
+  law.c5 = dice->between(0.05, 1.0);
+  law.c6 = law.c5 + dice->between(0.05, 2.0);
+  law.speed_factor = dice->chance(0.5) ? 1.0 : dice->between(0.2, 5.0);
+  return law;
+}
+
+/// The same for histories of any speed: neither so high that exp(mu alpha) of a belt overflows, nor
+/// on the floor, where a limit of 1e-30 F_N lies below the rounding of every force, nor with
+/// exponentials that fall below the normal range of doubles.
+inline law::GeneralizedViscous sturdy_viscous(Dice* dice) {
+  law::GeneralizedViscous law;
+  law.fric = dice->between(0.05, 0.5);
+  law.c4 = dice->between(0.0, 5e-6);
+  law.c5 = dice->between(0.0, 2e-6);
+  // Each parabola keeps a third of Fric at its vertex at most.
+  law.c1 = dice->between(-1.0, 1.0) * std::sqrt(4.0 / 3.0 * law.fric * law.c4);
+  law.c2 = dice->between(-1.0, 1.0) * std::sqrt(4.0 / 3.0 * law.fric * law.c5);
+  law.c3 = dice->between(0.0, 1e-6);
+  law.area = dice->between(0.5, 2.0);
+  return law;
+}
+inline law::ModifiedDarmstad sturdy_darmstad(Dice* dice) {
+  law::ModifiedDarmstad law = random_darmstad(dice);
+  for (double* factor : {&law.c1, &law.c3}) *factor = std::abs(*factor);
+  for (double* exponent : {&law.c2, &law.c4, &law.c6}) *exponent = dice->between(-0.1, 0.0);
+  law.c5 = std::max(law.c5, -0.5 * law.fric);
+  return law;
+}
+
 /// Up to three different independents out of a list.
 inline std::vector<law::Independent> some_of(Dice* dice, std::vector<law::Independent> list) {
   std::vector<law::Independent> chosen;
@@ -299,11 +391,11 @@ inline std::vector<DefinitionKind> predefined_kinds(Dice* dice) {
   });
   return kinds;
 }
-/// Nine predefined checks (PLANAR and UJOINT have two), user-defined friction, the same with a
+/// The predefined checks (PLANAR and UJOINT have two), user-defined friction, the same with a
 /// potential that is not the Euclidean norm.
-inline constexpr int kUserKind = 9;
-inline constexpr int kPotentialKind = 10;
-inline constexpr int kDefinitionKinds = 11;
+inline constexpr int kUserKind = 10;
+inline constexpr int kPotentialKind = 11;
+inline constexpr int kDefinitionKinds = 12;
 
 inline DefinitionKind user_kind(Dice* dice) {
   DefinitionKind kind{"user-defined", {}, law::NoContactForce{}};
@@ -453,7 +545,7 @@ inline DefinitionDescription random_definition(Dice* dice, int kind,
       d.internal_contact_force =
           random_table(dice, some_of(dice, internal), 1, dice->chance(0.2) ? 0.0 : 20.0, 120.0);
   }
-  switch (dice->pick(3)) {
+  switch (dice->pick(6)) {
     case 0:
       d.law = law::ConstantCoefficient{dice->chance(0.05) ? 0.0 : dice->between(0.05, 0.9)};
       break;
@@ -463,6 +555,15 @@ inline DefinitionDescription random_definition(Dice* dice, int kind,
                                     dice->between(0.0, 2.0)};
       break;
     }
+    case 2:
+      d.law = sturdy_viscous(dice);
+      break;
+    case 3:
+      d.law = sturdy_darmstad(dice);
+      break;
+    case 4:
+      d.law = random_renard(dice);
+      break;
     default:
       d.law = random_table(dice,
                            some_of(dice, {kOverSlipRate, kOverContactForce, kOverTemperature,

@@ -100,12 +100,14 @@ TEST_CASE("run --solver-report judges the tangents and writes them") {
   const Ended ended = slipbench(folder, "run slider.yaml --solver-report");
   INFO(ended.output);
   CHECK(ended.code == 0);
-  CHECK(contains(ended.output, "an implicit solver will want its unsymmetric scheme: the contact "
-                               "force follows the constraint forces 0.2\n"));
+  CHECK(contains(ended.output,
+                 "an implicit solver will want its unsymmetric scheme: the contact "
+                 "force follows the constraint forces 0.2\n"));
   const std::string rows = read(folder.path() / "slider.solver.csv");
-  CHECK(contains(rows, "\nt,duration,asymmetry,by_position,by_rate,force_coupling,snap_back,"
-                       "unique_increment,smooth_increment,several_solutions\n0.1,0.1,0,0,0,0,0,0,"
-                       "0,0\n"));
+  CHECK(contains(rows,
+                 "\nt,duration,asymmetry,by_position,by_rate,force_coupling,snap_back,"
+                 "unique_increment,smooth_increment,several_solutions\n0.1,0.1,0,0,0,0,0,0,"
+                 "0,0\n"));
   CHECK(contains(rows, "\n1,0.09999999999999998,0,0,0,0.2,0,0,0,0\n"));
   const Ended silent = slipbench(folder, "run slider.yaml --solver-report --no-output -o .");
   CHECK(contains(silent.output, "  solver: tangent to the motion symmetric"));
@@ -280,6 +282,52 @@ TEST_CASE("plot draws a case and a result") {
   CHECK(contains(read(folder.path() / "result.svg"), "Slider"));
   CHECK(slipbench(folder, "plot slider.csv -o result.jpg").code == 2);
   CHECK(slipbench(folder, "plot slider.csv -o slider.csv").code == 2);
+}
+
+TEST_CASE("plot --law draws the coefficients of a case that depend on something") {
+  const TemporaryFolder folder;
+  if (shell(folder, "command -v gnuplot").code != 0) {
+    WARN("gnuplot is not installed; nothing was drawn");
+    return;
+  }
+  std::string text = kSlider;
+  text.erase(text.find("checks:"));
+  folder.write("slider.yaml", text);
+  const Ended constant = slipbench(folder, "plot --law slider.yaml");
+  CHECK(constant.code == 2);
+  CHECK(contains(constant.output, "nothing to draw"));
+  CHECK(file_count(folder.path()) == 1);
+  const std::string law =
+      "coefficient: {generalized_viscous: {Fric: 0.1, C1: 0.001, C2: 1, area: 2}}";
+  text.replace(text.find("coefficient: = mu"), 17, law);
+  folder.write("slider.yaml", text);
+  const Ended ended = slipbench(folder, "plot --law slider.yaml");
+  INFO(ended.output);
+  CHECK(ended.code == 0);
+  const std::string picture = read(folder.path() / "slider.law.svg");
+  CHECK(contains(picture, "Generalised viscous"));
+  CHECK(contains(picture, "slip rate V [mm/s]"));
+  CHECK(contains(picture, "pressure p [N/mm^2]"));
+  CHECK(contains(picture, "visited in slip"));
+  CHECK(file_count(folder.path()) == 2);
+  CHECK(slipbench(folder, "plot --law slider.csv -o a.svg").code == 2);
+  CHECK(slipbench(folder, "plot --law slider.yaml -o a.jpg").code == 2);
+}
+
+TEST_CASE("describe tells a law's formula, symbols, rules and shape") {
+  const TemporaryFolder folder;
+  const Ended renard = slipbench(folder, "describe renard");
+  CHECK(renard.code == 0);
+  CHECK(contains(renard.output, "V <= C5       mu = C1 + (C3 - C1) x (2 - x), x = V/C5\n"));
+  CHECK(contains(renard.output, "C5         a speed [L T^-1]"));
+  CHECK(contains(renard.output, "C1 <= C3 must hold"));
+  CHECK(contains(renard.output, "unit of speed"));
+  CHECK(contains(renard.output, "mu |"));
+  const Ended darmstad = slipbench(folder, "describe modified_darmstad");
+  CHECK(contains(darmstad.output, "1/pressure^2 [F^-2 L^4]"));
+  CHECK(contains(darmstad.output, "* p = 0    o p = "));
+  CHECK_FALSE(contains(slipbench(folder, "describe constant").output, "mu |"));
+  CHECK(slipbench(folder, "describe reynard").code == 2);
 }
 
 /// Starts a run of many seconds, sends it a signal once its files are there, and says how it ended.

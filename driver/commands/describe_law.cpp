@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/commands/describe_law.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <type_traits>
+#include <vector>
+
+#include "driver/case/case_codecs.hpp"
+#include "driver/case/case_reference.hpp"
+#include "driver/case/law_numbers.hpp"
+#include "driver/results/law_range.hpp"
+#include "driver/text/curve_drawing.hpp"
+#include "law/friction_law.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+constexpr std::size_t kLineLength = 100;
+
+/// Cuts the text before `separator` off the front of `text`.
+std::string_view take(std::string_view& text, std::string_view separator) {
+  const std::size_t end = text.find(separator);
+  const std::string_view front = text.substr(0, end);
+  text.remove_prefix(end == std::string_view::npos ? text.size() : end + separator.size());
+  return front;
+}
+
+/// A formula in pieces, "V <= C5: mu = ..; V >= C6: ..", with a piece a line and the conditions in
+/// a column of their own.
+std::string laid_out(std::string_view formula) {
+  std::vector<std::pair<std::string_view, std::string_view>> pieces;
+  std::size_t width = 0;
+  while (!formula.empty()) {
+    std::string_view piece = take(formula, "; ");
+    const std::string_view condition =
+        piece.find(": ") == std::string_view::npos ? std::string_view() : take(piece, ": ");
+    width = std::max(width, condition.size());
+    pieces.emplace_back(condition, piece);
+  }
+  std::string text;
+  for (const auto& [condition, equation] : pieces) {
+    text += fmt::format("    {:<{}}{}\n", condition, width == 0 ? 0 : width + 3, equation);
+  }
+  return text;
+}
+
+/// Lines of at most kLineLength characters, each after `indent` blanks.
+std::string wrapped(std::string_view text, std::size_t indent) {
+  std::string out;
+  std::string line;
+  while (!text.empty()) {
+    const std::string_view word = take(text, " ");
+    if (!line.empty() && indent + line.size() + 1 + word.size() > kLineLength) {
+      out += std::string(indent, ' ') + line + "\n";
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + std::string(word);
+  }
+  return out + std::string(indent, ' ') + line + "\n";
+}
+
+/// A dimension as a user names it: "1/pressure".
+std::string_view dimension_words(const law::Dimension& dimension) {
+  struct Word {
+    law::Dimension dimension;
+    std::string_view text;
+  };
+  static constexpr std::array<Word, 11> kWords{{{{}, "a pure number"},
+                                                {{0, 1, -1}, "a speed"},
+                                                {{0, -1, 1}, "1/speed"},
+                                                {{0, -2, 2}, "1/speed^2"},
+                                                {{-1, 2, 0}, "1/pressure"},
+                                                {{-2, 4, 0}, "1/pressure^2"},
+                                                {{-1, 1, 1}, "1/(pressure speed)"},
+                                                {{1, -2, 0}, "a pressure"},
+                                                {{0, 2, 0}, "an area"},
+                                                {{1, 0, 0}, "a force"},
+                                                {{0, 0, 1}, "a time"}}};
+  for (const Word& word : kWords) {
+    if (word.dimension == dimension) return word.text;
+  }
+  return "";
+}
+
+std::string dimension_in_words(const law::Dimension& dimension) {
+  const std::string symbols = dimension_text(dimension);
+  return std::string(dimension_words(dimension)) + (symbols.empty() ? "" : " [" + symbols + "]");
+}
+
+std::string symbol(std::string_view name, std::string_view dimension, std::string_view text,
+                   std::string_view wanted) {
+  return fmt::format("    {:<10} {:<30} {}{}\n", name, dimension, text,
+                     wanted.empty() ? "" : fmt::format(" ({})", wanted));
+}
+
+/// What the reader wants of a parameter: its bounds, and its default.
+template <class Member>
+std::string wanted(const KeyInfo& info) {
+  std::string text = in_words(info.bounds);
+  if constexpr (!std::is_arithmetic_v<Member> && !std::is_same_v<Member, std::optional<double>>) {
+    text = Codec<Member>::wanted(info);
+  }
+  const std::string fallback =
+      info.required ? "required"
+                    : "default " + (info.default_text.empty() ? std::string("0")
+                                                              : std::string(info.default_text));
+  return text + (text.empty() ? "" : ", ") + fallback;
+}
+
+template <class Law>
+std::string symbols(const law::FrictionLaw& example) {
+  constexpr law::Dimension kSpeed{0, 1, -1};
+  constexpr law::Dimension kPressure{1, -2, 0};
+  std::string text;
+  if (law::depends_on_slip_rate(example)) {
+    text += symbol("V", dimension_in_words(kSpeed),
+                   "Slip rate: the rate of the slip, or of the relative motion.", "");
+  }
+  if constexpr (requires(Law law) { law.area; }) {
+    text += symbol("p", dimension_in_words(kPressure), "Pressure F_N/area.", "");
+  } else if (law::depends_on_contact_force(example)) {
+    text += symbol("F_N", dimension_in_words(law::dimension::kForce), "Normal force.", "");
+  }
+  if constexpr (HasFields<Law>) {
+    for_each_key<Law>([&](std::string_view key, auto member, const KeyInfo& info) {
+      using Member = std::remove_cvref_t<decltype(std::declval<Law&>().*member)>;
+      constexpr bool kNumber =
+          std::is_arithmetic_v<Member> || std::is_same_v<Member, std::optional<double>>;
+      text += symbol(key, kNumber ? dimension_in_words(info.dimension) : "a word", info.text,
+                     wanted<Member>(info));
+    });
+  }
+  return text;
+}
+
+/// mu over the slip rate, or over the pressure where the rate does not enter, of a typical set of
+/// parameters; empty for a constant.
+std::string drawing(const law::FrictionLaw& law) {
+  const LawRange range = law_range(law);
+  const double area = area_of(law);
+  const bool by_rate = law::depends_on_slip_rate(law);
+  const bool by_force = law::depends_on_contact_force(law);
+  if (!by_rate && !by_force) return {};
+  const law::Ambient ambient;
+  const auto mu = [&](double rate, double force) {
+    return law::evaluate(law, ambient, {.slip_rate = rate, .contact_force = force}).mu;
+  };
+  CurveDrawing picture;
+  picture.y_name = "mu";
+  if (by_rate) {
+    picture.x_end = range.slip_rate > 0.0 ? range.slip_rate : 1.0;
+    picture.x_name = "V";
+    constexpr std::array<char, 3> kPens{'*', 'o', '+'};
+    for (std::size_t i = 0; i < (by_force ? kPens.size() : 1); ++i) {
+      const double force = by_force ? 0.5 * static_cast<double>(i) * range.contact_force : 0.0;
+      std::string name;
+      if (by_force) {
+        name = area > 0.0 ? fmt::format("p = {:.3g}", force / area)
+                          : fmt::format("F_N = {:.3g}", force);
+      }
+      picture.curves.push_back({kPens[i], name, [=](double v) { return mu(v, force); }});
+    }
+    for (const Landmark& landmark : range.landmarks) {
+      picture.points.push_back({landmark.name, landmark.slip_rate, mu(landmark.slip_rate, 0.0)});
+    }
+  } else {
+    const double per_force = area > 0.0 ? area : 1.0;
+    picture.x_end = (range.contact_force > 0.0 ? range.contact_force : 1.0) / per_force;
+    picture.x_name = area > 0.0 ? "p" : "F_N";
+    picture.curves.push_back({'*', "", [=](double x) { return mu(0.0, x * per_force); }});
+  }
+  return draw(picture);
+}
+
+template <class Law>
+std::string describe() {
+  const Law example = Law::example();
+  const law::FrictionLaw law = example;
+  std::string text =
+      fmt::format("{} (law of the coefficient of friction)\n  {}\n\n", Law::kName, Law::kTitle);
+  text += laid_out(Law::kFormula);
+  if (const std::string table = symbols<Law>(law); !table.empty()) {
+    text += "\n  symbols\n" + table;
+  }
+  if constexpr (Law::kRules.size() > 0) {
+    text += "\n  rules\n";
+    for (const std::string_view rule : Law::kRules) text += fmt::format("    {}\n", rule);
+  }
+  if constexpr (requires { example.speed_unit; }) {
+    text += "\n" + wrapped(
+                       "The unit of speed is part of the constants: the last piece adds (V - C6)^2 "
+                       "to a number without unit, so half of the way from C4 to C2 is done "
+                       "1/sqrt(C2 - C4) units of speed beyond C6, whichever unit that is. The case "
+                       "must state its units; 'speed_unit' is that of the constants if it is "
+                       "another.",
+                       2);
+  }
+  if constexpr (Law::kHasFloor) {
+    text += "\n  A coefficient below 1e-30 is kept at 1e-30, and the run says how often.\n";
+  }
+  if (const std::string picture = drawing(law); !picture.empty()) {
+    std::string of = "an example";
+    if constexpr (HasFields<Law>) of = numbers(example);
+    text += fmt::format("\n  mu for {}\n{}", of, picture);
+  }
+  return text + fmt::format("\n  source: {}\n", Law::kSource);
+}
+
+/// What a map of the case format is about, where a table of its keys does not say it.
+std::string_view topic(std::string_view key) {
+  struct Topic {
+    std::string_view key;
+    std::string_view text;
+  };
+  static constexpr std::array<Topic, 4> kTopics{{
+      {"formulation",
+       "The penalty formulations of a Radioss contact in place of the connector's stick and return "
+       "mapping. viscous: F = min(C V, mu N) v/V, no stick, a load below the limit creeps at P/C. "
+       "stiffness: F* = F + K_t v dt, returned to the limit."},
+      {"filter",
+       "A first-order filter of the friction force of a formulation, F_k = alpha F + (1 - alpha) "
+       "F_{k-1}, behind the limit and reset where the contact opens. The filtered force lags: it "
+       "may be above mu N where N falls."},
+      {"orthotropic",
+       "Two coefficients at right angles: the limit is the ellipse (F1/(mu1 N))^2 + (F2/(mu2 N))^2 "
+       "= 1, and a force beyond it returns to the closest point."},
+      {"friction_pairs",
+       "A table of contact pairs: the last entry whose two sides hold the two parts of the "
+       "connector, in either order, gives the coefficient; else the default does."},
+  }};
+  for (const Topic& topic : kTopics) {
+    if (topic.key == key) return topic.text;
+  }
+  return {};
+}
+
+std::string_view last_of(std::string_view path) {
+  const std::size_t dot = path.rfind('.');
+  return dot == std::string_view::npos ? path : path.substr(dot + 1);
+}
+
+}  // namespace
+
+std::string describe_law(std::string_view name) {
+  std::string text;
+  [&]<class... Law>(std::type_identity<std::variant<Law...>>) {
+    ((Law::kName == name ? void(text = describe<Law>()) : void()), ...);
+  }(std::type_identity<law::FrictionLaw>{});
+  return text;
+}
+
+std::string describe_key(std::string_view name) {
+  static const std::vector<KeyRow> rows = case_rows();
+  std::string text;
+  for (const KeyRow& row : rows) {
+    const std::string_view path = row.path;
+    if (last_of(path) != name || topic(name).empty()) continue;
+    if (text.empty()) {
+      text = fmt::format("{} (key of a case)\n", name) + wrapped(topic(name), 2);
+    }
+    text += fmt::format("\n  {}\n", path);
+    for (const KeyRow& below : rows) {
+      const std::string_view inside = below.path;
+      if (!inside.starts_with(path) || inside.size() == path.size()) continue;
+      const std::string_view rest = inside.substr(path.size());
+      if (rest.front() != '.' && rest.front() != '[') continue;
+      const std::string dimension = dimension_text(below.info.dimension);
+      const std::string fallback =
+          below.info.required ? "required" : "default: " + std::string(below.info.default_text);
+      text += fmt::format("    {:<24} {}{}, {}\n", rest.front() == '.' ? rest.substr(1) : rest,
+                          below.wanted, dimension.empty() ? "" : " [" + dimension + "]", fallback);
+      text += wrapped(below.info.text, 29);
+    }
+  }
+  return text;
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the commands that draw have in common: gnuplot's terminals, texts and tics, and running it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+
+#include "driver/exit_code.hpp"
+#include "driver/results/output_file.hpp"
+
+namespace slipbench::driver {
+
+/// Why no picture came about.
+struct PlotFailure {
+  int code = kExitEnvironment;
+  std::string message;  ///< whole, with its line feed
+};
+
+/// "slipbench: error: message" with an exit code.
+tl::unexpected<PlotFailure> failed(int code, const std::string& message);
+
+/// gnuplot's terminal for a picture's file name, of the given height [px]; empty if its ending is
+/// not .svg, .png or .pdf.
+std::string terminal_for(const std::filesystem::path& picture, std::size_t height);
+
+/// A template of plots/, as it is installed beside the program or in the source folder.
+std::optional<std::filesystem::path> find_template(std::string_view name);
+
+/// A text as a gnuplot string that shows it as it is: single quotes know no escapes, and the
+/// characters of the enhanced mode are text here.
+std::string gnuplot_string(std::string_view text);
+
+/// Runs gnuplot on a script that writes `output`, and puts the picture in its place.
+/// \param picture its final name, beside which the script is kept meanwhile
+tl::expected<void, PlotFailure> draw_script(const std::string& script,
+                                            const std::filesystem::path& picture,
+                                            OutputFile& output);
+
+}  // namespace slipbench::driver

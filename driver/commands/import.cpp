@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/commands/import.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+#include <tl/expected.hpp>
+#include <utility>
+#include <vector>
+
+#include "driver/commands/shared.hpp"
+#include "driver/exit_code.hpp"
+#include "driver/history/units.hpp"
+#include "driver/radioss/case_writer.hpp"
+#include "driver/radioss/deck_friction.hpp"
+#include "driver/radioss/starter_deck.hpp"
+#include "driver/results/output_file.hpp"
+#include "driver/text/number.hpp"
+#include "driver/text/source_text.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+// Decks carry the whole mesh.
+constexpr std::size_t kDeckSizeLimit = std::size_t{1} << 30U;
+
+int refuse(const std::string& message) {
+  print_error("slipbench: error: " + message + "\n");
+  return kExitBadInput;
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::string spaced = text;
+  std::replace(spaced.begin(), spaced.end(), ',', ' ');
+  std::istringstream stream(spaced);
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+tl::expected<UnitSystem, std::string> parse_units(const std::string& text) {
+  const std::vector<std::string> words = words_of(text);
+  if (words.size() != 3) {
+    return tl::make_unexpected("--units wants units of length, force and time, like \"mm N s\"");
+  }
+  const std::array<Dimension, 3> dimensions{kLength, kForce, kTime};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (const auto good = check_base_unit(words[i], dimensions[i]); !good) {
+      return tl::make_unexpected("--units: " + good.error().message);
+    }
+  }
+  return UnitSystem{words[0], words[1], words[2], {}};
+}
+
+tl::expected<std::array<double, 3>, std::string> parse_normal(const std::string& text) {
+  const std::vector<std::string> words = words_of(text);
+  std::array<double, 3> normal{};
+  bool zero = true;
+  for (std::size_t i = 0; i < 3 && words.size() == 3; ++i) {
+    const auto number = parse_number(words[i]);
+    if (!number) return tl::make_unexpected("--normal: " + number.error());
+    normal[i] = *number;
+    zero = zero && *number == 0.0;
+  }
+  if (words.size() != 3 || zero) {
+    return tl::make_unexpected("--normal wants the normal of the contact, like \"0 0 1\"");
+  }
+  return normal;
+}
+
+/// The friction that is meant; null if it cannot be told, which is said.
+const DeckFriction* choose(const DeckContents& contents, const ImportOptions& options,
+                           Diagnostics& out) {
+  std::string ids;
+  for (const DeckFriction& friction : contents.frictions) {
+    if (options.id && friction.id == *options.id) return &friction;
+    ids += (ids.empty() ? "" : ", ") + std::to_string(friction.id);
+  }
+  if (!options.id && contents.frictions.size() == 1) return &contents.frictions.front();
+  if (out.has_errors()) return nullptr;
+  if (contents.frictions.empty()) {
+    out.error(options.deck, {}, {}, "has no /FRICTION",
+              contents.has_includes ? "it may stand in a file that the deck includes" : "");
+  } else if (options.id) {
+    out.error(options.deck, {}, {}, fmt::format("has no /FRICTION/{}", *options.id),
+              "there are " + ids);
+  } else {
+    out.error(options.deck, {}, {}, "has several /FRICTION: " + ids, "choose one with --id");
+  }
+  return nullptr;
+}
+
+/// The units the friction's numbers are in, as far as they are known.
+std::optional<UnitSystem> units_of(const DeckContents& contents, const DeckFriction& friction,
+                                   const SourceText& source, Diagnostics& out) {
+  if (friction.unit_id == 0) return contents.units;
+  out.warning(source.name(), position_of(source, friction.where), std::string(friction.where),
+              fmt::format("is in the local system of units {}", friction.unit_id),
+              "state it with --units");
+  return std::nullopt;
+}
+
+void judge_directions(const DeckContents& contents, const DeckFriction& friction,
+                      const std::optional<std::array<double, 3>>& normal, const SourceText& source,
+                      Diagnostics& out) {
+  if (!normal || !is_orthotropic(friction)) return;
+  for (const DeckOrientation& entry : contents.orientations) {
+    if (entry.skew > 0 || direction_in_plane(entry, *normal)) continue;
+    out.error(source.name(), position_of(source, source.line(entry.line)), "/FRIC_ORIENT",
+              "FRIC009: the direction is normal to the contact plane: it has no projection on it");
+  }
+}
+
+}  // namespace
+
+int import_command(const ImportOptions& options) {
+  SkeletonOptions skeleton_options;
+  skeleton_options.deck = std::filesystem::path(options.deck).filename().string();
+  if (!options.normal.empty()) {
+    const auto normal = parse_normal(options.normal);
+    if (!normal) return refuse(normal.error());
+    skeleton_options.normal = *normal;
+  }
+  if (!options.units.empty()) {
+    auto units = parse_units(options.units);
+    if (!units) return refuse(units.error());
+    skeleton_options.units = std::move(*units);
+  }
+  const auto source = read_source(options.deck, kDeckSizeLimit);
+  if (!source) {
+    print_error(render(source.error().diagnostic));
+    return source.error().failure == ReadFailure::kEnvironment ? kExitEnvironment : kExitBadInput;
+  }
+  Diagnostics diagnostics;
+  const StarterDeck deck = split_deck(*source, diagnostics);
+  const DeckContents contents = read_contents(deck, diagnostics);
+  const DeckFriction* friction = choose(contents, options, diagnostics);
+  if (friction != nullptr) {
+    judge(contents, *friction, *source, diagnostics);
+    judge_directions(contents, *friction, skeleton_options.normal, *source, diagnostics);
+    if (!skeleton_options.units) {
+      skeleton_options.units = units_of(contents, *friction, *source, diagnostics);
+    }
+  }
+  const SourceText sources[] = {*source};
+  print_error(render(diagnostics, sources));
+  if (diagnostics.has_errors() || friction == nullptr) {
+    print_error(summary(diagnostics) + ", nothing was written\n");
+    return kExitBadInput;
+  }
+  const std::string text = skeleton(contents, *friction, skeleton_options);
+  if (options.output.empty()) {
+    print(text);
+    return kExitOk;
+  }
+  const std::string inputs[] = {options.deck};
+  auto file = OutputFile::create(options.output, inputs);
+  if (!file) {
+    print_error("slipbench: error: " + file.error() + "\n");
+    return kExitEnvironment;
+  }
+  file->append(text);
+  OutputFile* const alone[] = {&*file};
+  if (const auto committed = commit(alone); !committed) {
+    print_error("slipbench: error: " + committed.error() + "\n");
+    return kExitEnvironment;
+  }
+  const std::size_t records = friction->pairs.size();
+  print(fmt::format("{}: /FRICTION/{}, {} record{} and the default\n", options.output, friction->id,
+                    records, records == 1 ? "" : "s"));
+  return kExitOk;
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace slipbench::driver {
+
+struct ImportOptions {
+  std::string deck;
+  std::string output;     ///< empty: standard output
+  std::string units;      ///< "mm N s"; empty: those of the deck
+  std::string normal;     ///< "0 0 1"; empty: not known
+  std::optional<int> id;  ///< of the /FRICTION; else there must be only one
+};
+
+/// `slipbench import`: a case from the friction of a Radioss starter deck. Messages go to standard
+/// error with file, line and column; if one is an error, nothing is written. Returns the exit code.
+int import_command(const ImportOptions& options);
+
+}  // namespace slipbench::driver

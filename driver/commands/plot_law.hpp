@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <tl/expected.hpp>
+
+#include "driver/commands/gnuplot.hpp"
+#include "driver/commands/plot.hpp"
+
+namespace slipbench::driver {
+
+/// The picture of `slipbench plot --law`: for each coefficient of a case that depends on the slip
+/// rate or the normal force, mu over the slip rate at several normal forces (pressures, for a law
+/// of the pressure), mu over these at several slip rates, and mu as a map over both; on all of them
+/// the states that the run visited. Drawn by gnuplot with the template plots/coefficient.gp.
+///
+/// Tables of temperature and fields are drawn at their values at the end of the run. Errors: a
+/// result in place of a case, a faulty case, a run that fails, no coefficient that depends on the
+/// slip rate or the normal force.
+tl::expected<void, PlotFailure> draw_laws(const PlotOptions& options,
+                                          const std::filesystem::path& picture);
+
+}  // namespace slipbench::driver

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+
+#include "law/friction_definition.hpp"
+#include "law/return_mapping.hpp"
+
+namespace slipbench::law {
+
+/// One increment of a definition with a formulation. Pure, nothing is allocated, nothing is thrown.
+///   viscous penalty    F* = C v,                 F = F* returned to the limit;
+///   stiffness penalty  F* = F_prev + K_t v dt,   F = F* returned to the limit, F_prev = F;
+/// then the filter of the output. The limit min(mu F_N, force limit) is that of V = |v|, or of V_1
+/// and V_2 along the axes of an orthotropic law, with the normal force of the end of the increment
+/// and an internal contact force of the slip at its start. The state's `elastic_slip` is the stick
+/// memory F_prev/K_t, before the filter; its `force` is what the contact gives behind it.
+///
+/// Where the limit vanishes the contact is open: force, memory and filter start again from 0.
+/// An increment without duration has no speed, so its limit is that of V = 0. A viscous penalty
+/// then holds the force it has, down to the limit; motion in no time puts it on the limit.
+///
+/// Slip is the plastic part of the motion, (F* - F)/K_t; under a viscous penalty all motion is
+/// slip, and the regime says whether the force is on the limit. `dissipation` is the power of the
+/// force before the filter, `work` that of the force behind it: of a viscous force the product of
+/// its end, of a filtered one the trapezoid, else as `update` takes it.
+///
+/// An orthotropic law reports the effective coefficient and limit in the direction of the force
+/// before the filter (of the motion where there is none). A force limit bounds both axes; a
+/// CoefficientBlend blends both coefficients from one start.
+/// \param[out] detail may be null
+FrictionUpdate update_penalty(const FrictionDefinition& definition,
+                              const ConnectorIncrement& increment, const FrictionState& old,
+                              PenaltyDetail* detail = nullptr) noexcept;
+
+/// C of a viscous penalty [F T/L] under a normal force [F]:
+///   VISF sqrt(2 K m), as coded sqrt(VISF) sqrt(2 K m), or the number given.
+struct ViscousCoefficient {
+  double value = 0.0;
+  double to_normal_force = 0.0;  ///< dC/dF_N [T/L], of a table K(F_N)
+  double to_stiffness = 0.0;     ///< dC/dK [T], where K is a table
+};
+ViscousCoefficient viscous_coefficient(const ViscousPenalty& penalty, Convention convention,
+                                       const Ambient& end, double normal_force) noexcept;
+
+/// Consistent tangent of `update_penalty` in the scaled slip space, filter and clipping included;
+/// rows and columns beyond its dimension are 0.
+struct PenaltyTangent {
+  Eigen::Matrix<double, kComponents, kComponents> to_slip;      ///< dy/ds [F/L]
+  Eigen::Matrix<double, kComponents, 1> to_contact;             ///< dy/d(F_C + F_int) [1]
+  Eigen::Matrix<double, kComponents, kComponents> to_position;  ///< dy_i/du_c through a table K(u)
+};
+/// \param update what `update_penalty` returned for this increment
+PenaltyTangent penalty_tangent(const FrictionDefinition& definition,
+                               const ConnectorIncrement& increment,
+                               const FrictionUpdate& update) noexcept;
+
+}  // namespace slipbench::law

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+// Formulations in a run: columns, failures at a row, warnings, a run that was cut.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "driver/case/read_case.hpp"
+#include "driver/commands/explain.hpp"
+#include "driver/results/columns.hpp"
+#include "driver/results/summary.hpp"
+#include "driver/simulation.hpp"
+#include "tests/driver/simulation/example_cases.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+Case read(const std::string& text) {
+  ReadCase result = read_case_text(SourceText("case.yaml", text), ".", {});
+  INFO(render(result.diagnostics, result.sources));
+  REQUIRE(result.value.has_value());
+  return std::move(*result.value);
+}
+
+std::string contact(const std::string& friction, const std::string& steps) {
+  return "slipbench: 1\n"
+         "units: {length: mm, force: N, time: s}\n"
+         "connector: {type: CONTACT}\n"
+         "friction:\n"
+         "  - {predefined: {}, " +
+         friction + "}\nhistory:\n" + steps;
+}
+
+const std::string kGo =
+    "  - {step: go, increments: 100, force: {f1: 100}, motion: {CP2: {to: 10}, CP3: {to: 5}}}\n";
+
+double value(const Case& problem, const Row& row, const std::string& name) {
+  INFO(name);
+  const auto column = find_column(problem, result_columns(problem), name);
+  REQUIRE(column);
+  return column_value(*column, problem, row);
+}
+bool has(const Case& problem, const std::string& name) {
+  return find_column(problem, result_columns(problem), name).has_value();
+}
+
+Summary summary_of(const Case& problem) {
+  Summary summary(problem);
+  for (const Row& row : rows_of(problem)) summary.add(row);
+  return summary;
+}
+
+/// Why a run ends early.
+SimulationFailure failure_of(const Case& problem) {
+  auto simulation = Simulation::start(problem);
+  REQUIRE(simulation);
+  while (true) {
+    auto more = simulation->advance();
+    if (!more) return more.error();
+    REQUIRE(*more);
+  }
+}
+
+TEST_CASE("a formulation has columns for each of its stages") {
+  const Case problem = read(contact(
+      "coefficient: 0.3, formulation: {penalty: viscous, C: 2}, filter: {simple: 0.5}", kGo));
+  const Row row = rows_of(problem).back();
+  const double speed = std::sqrt(125.0);
+  // Speeds are differences of positions: a few roundings of 10 over 0.01.
+  CHECK(value(problem, row, "SPEED") == Approx(speed).epsilon(1e-12));
+  CHECK(value(problem, row, "VISC_C") == 2.0);
+  CHECK(value(problem, row, "CSF2_TRIAL") == Approx(20.0).epsilon(1e-12));
+  CHECK(value(problem, row, "CSF3_TRIAL") == Approx(10.0).epsilon(1e-12));
+  CHECK(value(problem, row, "CSF2_RAW") == Approx(20.0).epsilon(1e-12));
+  CHECK(value(problem, row, "ALPHA") == 0.5);
+  CHECK(value(problem, row, "UTILISATION") == Approx(2.0 * speed / 30.0).epsilon(1e-12));
+  CHECK_FALSE(has(problem, "MU1"));
+  CHECK_FALSE(has(problem, "MU_RAW"));
+  CHECK_FALSE(has(problem, "PRESSURE"));
+}
+
+TEST_CASE("without a formulation there are none of its columns") {
+  const Case problem = read(contact("coefficient: 0.3, stick: {stiffness: 1000}", kGo));
+  for (const char* name : {"SPEED", "VISC_C", "CSF2_TRIAL", "CSF2_RAW", "ALPHA", "UTILISATION"}) {
+    INFO(name);
+    CHECK_FALSE(has(problem, name));
+  }
+}
+
+TEST_CASE("two directions have their coefficients and speeds") {
+  const Case problem = read(contact(
+      "coefficient: {orthotropic: {direction1: 0.3, direction2: 0.1, axis: [0, 1]}}, formulation: "
+      "{penalty: stiffness, K_t: 1.0e4}",
+      kGo));
+  const Row row = rows_of(problem).back();
+  CHECK(value(problem, row, "MU1") == 0.3);
+  CHECK(value(problem, row, "MU2") == 0.1);
+  // Direction 1 is that of CP3.
+  CHECK(value(problem, row, "V1") == Approx(5.0).epsilon(1e-12));
+  CHECK(value(problem, row, "V2") == Approx(10.0).epsilon(1e-12));
+  // F_i = N mu_i^2 v_i / sqrt(sum mu_j^2 v_j^2) in steady sliding.
+  const double root = std::hypot(0.3 * 5.0, 0.1 * 10.0);
+  CHECK(value(problem, row, "CSF3") == Approx(100.0 * 0.09 * 5.0 / root).epsilon(1e-9));
+  CHECK(value(problem, row, "CSF2") == Approx(100.0 * 0.01 * 10.0 / root).epsilon(1e-9));
+  CHECK(value(problem, row, "UTILISATION") == Approx(1.0).epsilon(1e-12));
+}
+
+TEST_CASE("increments with a coefficient at its floor are counted and told") {
+  const Case problem = read(contact(
+      "coefficient: {generalized_viscous: {Fric: 0.1, C2: -0.01, area: 2}}, stick: {stiffness: "
+      "1.0e4}",
+      "  - {step: slow, increments: 10, force: {f1: 100}, motion: {CP2: {to: 5}}}\n"
+      "  - {step: fast, increments: 10, motion: {CP2: {to: 25}}}\n"));
+  const std::vector<Row> rows = rows_of(problem);
+  CHECK(value(problem, rows[5], "CLAMPED") == 0.0);
+  CHECK(value(problem, rows[5], "MU_RAW") == Approx(0.05).epsilon(1e-9));
+  CHECK(value(problem, rows.back(), "CLAMPED") == 1.0);
+  CHECK(value(problem, rows.back(), "MU_RAW") == Approx(-0.1).epsilon(1e-9));
+  CHECK(value(problem, rows.back(), "MU") == 1e-30);
+  CHECK(value(problem, rows.back(), "PRESSURE") == 50.0);
+  const Summary summary = summary_of(problem);
+  CHECK(summary.definitions()[0].clamped == 10);
+  bool told = false;
+  for (const std::string& warning : summary.warnings({})) {
+    told =
+        told || warning.find("negative in 10 of 20 increments, down to -0.1") != std::string::npos;
+  }
+  CHECK(told);
+}
+
+TEST_CASE("a row farther from the last than a filter's period allows ends the run as bad input") {
+  Case problem = read(contact(
+      "coefficient: 0.3, formulation: {penalty: stiffness, K_t: 10}, filter: {period: 0.1}", kGo));
+  problem.steps[0].increments = 10;  // the rows of a measured history are not known before the run
+  const SimulationFailure failure = failure_of(problem);
+  CHECK(failure.kind == SimulationFailure::Kind::kInput);
+  CHECK(failure.message.find("alpha = 2 pi dt/T = 6.28319") != std::string::npos);
+  CHECK(failure.message.find("dt = 0.1, T = 0.1") != std::string::npos);
+}
+
+TEST_CASE("an exponent beyond 700 names its coefficient and the speed") {
+  const Case problem = read(contact(
+      "coefficient: {modified_darmstad: {Fric: 0.1, C5: 0.1, C6: 100}}, formulation: {penalty: "
+      "stiffness, K_t: 10}",
+      kGo));
+  const SimulationFailure failure = failure_of(problem);
+  CHECK(failure.kind == SimulationFailure::Kind::kNumerical);
+  CHECK(failure.message.find("the exponent C6 V of the coefficient passes 700 at V = 11.18") !=
+        std::string::npos);
+}
+
+TEST_CASE("a frequency above what the increments resolve is limited, counted and told") {
+  const Case problem = read(contact(
+      "coefficient: 0.3, formulation: {penalty: stiffness, K_t: 10}, filter: {frequency: 100}",
+      kGo));
+  const Summary summary = summary_of(problem);
+  CHECK(summary.definitions()[0].alpha_limited == 100);
+  CHECK(summary.definitions()[0].largest_alpha == Approx(2.0 * std::acos(-1.0)).epsilon(1e-9));
+  CHECK(summary.warnings({}).size() == 1);
+}
+
+TEST_CASE("the largest overshoot of a filter is told with its time") {
+  const Case problem = read(contact(
+      "coefficient: 0.3, formulation: {penalty: stiffness, K_t: 1.0e5}, filter: {simple: 0.5}",
+      kGo + "  - {step: drop, increments: 10, force: {f1: 10}, motion: {CP2: {to: 20}}}\n"));
+  const Summary summary = summary_of(problem);
+  // alpha + (1 - alpha) 100/10; the force before has settled to 2^-100, its direction to less
+  // than the turn of one increment.
+  CHECK(summary.definitions()[0].largest_use == Approx(5.5).epsilon(0.02));
+  CHECK(summary.definitions()[0].largest_use_time == Approx(1.1).epsilon(1e-12));
+  CHECK(summary.text().find("of its limit at t = 1.1 s (overshoot by the filter)") !=
+        std::string::npos);
+}
+
+TEST_CASE("a run with a filter that was cut goes on with the same bytes") {
+  const Case problem = read(
+      contact("coefficient: {renard: {C1: 0.15, C2: 0.10, C3: 0.25, C4: 0.05, C5: 10, C6: 100}}, "
+              "formulation: {penalty: stiffness, K_t: 1000}, filter: {simple: 0.1}",
+              kGo));
+  auto whole = Simulation::start(problem);
+  REQUIRE(whole);
+  for (int i = 0; i < 40; ++i) REQUIRE(whole->advance());
+  auto resumed = Simulation::resume(problem, whole->state());
+  REQUIRE(resumed);
+  REQUIRE(whole->advance());
+  REQUIRE(resumed->advance());
+  for (const Column& column : result_columns(problem)) {
+    INFO(column.name);
+    CHECK(column_value(column, problem, whole->row()) ==
+          column_value(column, problem, resumed->row()));
+  }
+}
+
+TEST_CASE("the arithmetic of a formulation is told") {
+  const Case problem = read(contact(
+      "coefficient: 0.3, formulation: {penalty: viscous, VISF: 4, K: 5100, m: 1.0e-3, convention: "
+      "as_coded}, filter: {simple: 0.5}",
+      kGo));
+  const auto text = explain(problem, 0.5);
+  REQUIRE(text);
+  INFO(*text);
+  CHECK(text->find("C = sqrt(VISF 4.0) x sqrt(2 x K 5100.0 x m 0.001)") != std::string::npos);
+  CHECK(text->find("filter alpha 0.5: ") != std::string::npos);
+  const auto plain =
+      explain(read(contact("coefficient: {orthotropic: {direction1: 0.3, direction2: "
+                           "0.1}}, stick: {stiffness: 1000}",
+                           kGo)),
+              0.5);
+  REQUIRE(plain);
+  INFO(*plain);
+  CHECK(plain->find("formulation stiffness: trial (") != std::string::npos);
+  CHECK(plain->find("mu1 0.3") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace slipbench::driver
