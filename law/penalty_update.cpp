@@ -253,14 +253,21 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
   }
 
   // 3. Predictor and return.
+  const double predictor = predictor_stiffness(formulation, coefficient.value, increment.duration,
+                                               alpha, motion, bound.widest());
+  // As coded, what the filter leaves of an increment acts as a spring of alpha K_t: all motion is
+  // then elastic slip or slip, and the energies balance. Its memory is the force, which nothing
+  // smooths.
+  const double spring = predictor > 0.0 || viscous != nullptr
+                            ? predictor
+                            : std::get_if<StiffnessPenalty>(&formulation.penalty)->stiffness;
   Slip<D> base = Slip<D>::Zero();
-  if (const auto* stiff = std::get_if<StiffnessPenalty>(&formulation.penalty)) {
-    base = stiff->stiffness * load<D>(old.elastic_slip);
+  if (viscous == nullptr) {
+    const bool coded = formulation.convention == Convention::kAsCoded;
+    base = coded ? given_before : Slip<D>(spring * load<D>(old.elastic_slip));
   } else if (!(increment.duration > 0.0) && motion == 0.0) {
     base = given_before;
   }
-  const double predictor = predictor_stiffness(formulation, coefficient.value, increment.duration,
-                                               alpha, motion, bound.widest());
   const Slip<D> trial = base + predictor * ds;
   const bool outside = !bound.contains(trial);
   const Slip<D> y = outside ? bound.returned(trial) : trial;
@@ -286,8 +293,7 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
     result.slip_increment = motion;
     result.dissipation = std::max(0.0, y.dot(ds));  // a rounding next to a right angle
   } else {
-    const double stiffness = std::get_if<StiffnessPenalty>(&formulation.penalty)->stiffness;
-    const Slip<D> elastic = y / stiffness;
+    const Slip<D> elastic = y / spring;
     store<D>(elastic, &result.state.elastic_slip);
     result.stored_energy = 0.5 * y.dot(elastic);
     result.state.regime = outside ? Regime::kSlip : Regime::kStick;
@@ -295,11 +301,11 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
       result.onset = bound.fraction(base, trial);
       if (bound.axes() == nullptr) {
         const double size = norm<D>(trial);
-        result.slip_increment = (size - l.force) / stiffness;
+        result.slip_increment = (size - l.force) / spring;
         result.dissipation = l.force * result.slip_increment;
-        result.phi = size - stiffness * result.slip_increment - l.force;
+        result.phi = size - spring * result.slip_increment - l.force;
       } else {
-        const Slip<D> plastic = (trial - y) / stiffness;
+        const Slip<D> plastic = (trial - y) / spring;
         result.slip_increment = norm<D>(plastic);
         result.dissipation = std::max(0.0, y.dot(plastic));
       }

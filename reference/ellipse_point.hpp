@@ -19,7 +19,7 @@
 ///           direction: |G_i| /sqrt((G1/a1)^2 + (G2/a2)^2), with the signs of F.
 /// Symbols   F = (x, y) trial force [F], a_i semi-axes, mu_i N [F], t parameter angle [1].
 /// Sign      each component keeps the sign of its trial.
-/// Source    first-order condition of the distance, derived in docs/theory.md; by ratio: as
+/// Source    first-order condition of the distance, theory 14.19; by ratio: as
 ///           OpenRadioss (2026) computes.
 /// Range     a_i >= 0; an axis of length 0 has no force and leaves the other to itself. A force
 ///           inside stays. Where both axes are equal both points are the radial one.
@@ -96,7 +96,7 @@ inline constexpr ClosedForm kClosestForm{
     .name = "ellipse_closest_point",
     .title = "The point of the friction ellipse closest to a trial force",
     .formula = "a1 x sin t - a2 y cos t = (a1^2 - a2^2) sin t cos t",
-    .source = "first-order condition of the distance, derived in docs/theory.md",
+    .source = "first-order condition of the distance, theory 14.19",
     .range = "a_i >= 0; a trial inside stays, an axis of length 0 has no force",
     .parameters = {},
     .inputs = kInputs,

@@ -140,6 +140,28 @@ TEST_CASE("a stiffness penalty meets the reference history, without a filter and
   check_digits(scaled[500], 29.339690656855090);
 }
 
+TEST_CASE("as coded a filter makes a softer spring, and the energies balance") {
+  Run run{contact_point(
+      ConstantCoefficient{0.3},
+      with(stiffness(1e4), {Filter::Kind::kSimple, 0.1, false}, Convention::kAsCoded))};
+  Dice dice(11);
+  double motion = 0.0;
+  double elastic = 0.0;
+  for (int k = 0; k < 400; ++k) {
+    const double ds = dice.between(-0.04, 0.05);
+    run.move(1e-4, ds, 0.0, 100.0);
+    motion += ds;
+    // All motion is elastic slip or slip: the rest of it is along the force.
+    const double sign = run.last.state.force[0] < 0.0 ? -1.0 : 1.0;
+    const double slip = sign * run.last.slip_increment;
+    CHECK(run.last.state.elastic_slip[0] == Approx(elastic + ds - slip).margin(1e-14));
+    elastic = run.last.state.elastic_slip[0];
+    CHECK(run.last.state.force[0] == Approx(1e3 * elastic).margin(1e-11));
+  }
+  REQUIRE(run.dissipation > 1.0);
+  CHECK(run.work == Approx(run.dissipation + run.last.stored_energy).epsilon(1e-12));  // rounding
+}
+
 TEST_CASE("Renard friction in two directions meets the reference history") {
   const auto at = [](const Formulation& formulation, int steps) {
     constexpr double kDt = 1e-4;
