@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# From a fresh clone to checked cases and pictures: sets up, builds the program, checks cases/, draws three cases.
+# From a fresh clone to checked cases and pictures: sets up, builds the program, checks cases/, draws some of them.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -14,7 +14,7 @@ build release --target slipbench
 say 'checking the cases'
 "$slipbench" check cases/ || fail "slipbench check cases/ ended with exit code $?"
 
-say 'drawing three cases'
+say 'drawing some cases'
 mkdir -p out
 pictures=()
 # draw CASE PICTURE
@@ -25,5 +25,8 @@ draw() {
 draw examples/shock_absorber shock_absorber
 draw examples/slide_plane_circle circle
 draw examples/puck puck
+draw verification/documented_and_as_coded documented_and_as_coded
+"$slipbench" plot --law cases/examples/modified_darmstad.yaml -o out/coefficient.svg || fail 'drawing the coefficient failed'
+pictures+=(out/coefficient.svg)
 say 'done'
 printf 'Pictures: %s\n' "${pictures[*]}"

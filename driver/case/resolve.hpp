@@ -29,7 +29,8 @@ void drive_nodes(Binder& binder, const StepText& text, const Case& problem,
 /// \param table_known false: the table may be missing because its key is misspelt
 void resolve_friction_pairs(Binder& binder, CaseText& text, bool table_known, Case& out);
 /// \param derived_known false: derived components may be missing
-/// \return whether it is known which components slip, and so which result columns there are
+/// \return whether it is known which components slip and what their laws bring with them, and so
+///         which result columns there are
 bool resolve_friction(Binder& binder, const CaseText& text, bool derived_known, Case& out);
 /// Springs, dampers, stops and the mass of a dynamic case; goes after the friction.
 void resolve_forces(Binder& binder, const CaseText& text, Case& out);

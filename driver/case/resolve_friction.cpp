@@ -260,6 +260,8 @@ class Resolver {
     if (auto law =
             coefficient(binder_, text, node, path, {text_.connector.value.area, out_.units})) {
       shared.law = std::move(*law);
+    } else if (is_named_law(text.coefficient)) {
+      columns_known_ = false;
     }
     const bool silent = has_unknown_key<FrictionText>(node) || rigid(text) || has_formulation(text);
     shared.stick = stick_stiffness(binder_, text.stick, node, path, silent, out_.units);
@@ -267,6 +269,7 @@ class Resolver {
     shared.slip_rate = text_.integration.slip_rate;
     const auto penalty = formulation(binder_, friction, {text_.connector.value.area, out_.units});
     if (penalty) set_formulation(shared, *penalty);
+    if (!penalty && has_formulation(text)) columns_known_ = false;
     const std::size_t first = out_.definitions.size();
     if (text.force_limit.sound && text.force_limit.value > 0.0) {
       shared.force_limit = text.force_limit.value;
@@ -300,8 +303,15 @@ class Resolver {
 
   /// Whether it is known which components slip.
   [[nodiscard]] bool outlines_known() const { return outlines_known_; }
+  /// Whether it is known which columns the laws and formulations bring with them.
+  [[nodiscard]] bool columns_known() const { return columns_known_; }
 
  private:
+  /// A number and a table have the columns of every law.
+  static bool is_named_law(const At<CoefficientText>& coefficient) {
+    return coefficient.given() && coefficient.node->is_map() && !coefficient.node->find("columns");
+  }
+
   /// A mass sticks rigidly: that a stick stiffness is not given need not be said.
   bool rigid(const FrictionText& text) const {
     return text_.dynamics.given() && !text.stick.given();
@@ -540,6 +550,7 @@ class Resolver {
   Case& out_;
   DerivedComponents derived_;
   bool outlines_known_ = true;
+  bool columns_known_ = true;
 };
 
 /// Definitions need different names, and names that can stand in a column.
@@ -666,7 +677,7 @@ bool resolve_friction(Binder& binder, const CaseText& text, bool derived_known, 
                   std::any_of(violations.begin(), violations.end(), says_it_all);
     if (!consequence) report(binder, text, out, violation);
   }
-  return name_definitions(binder, text, out) && good;
+  return name_definitions(binder, text, out) && good && resolver.columns_known();
 }
 
 }  // namespace slipbench::driver
