@@ -3,141 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
 
+#include "law/axis_limits.hpp"
 #include "law/ellipse_return.hpp"
 #include "law/limit_function.hpp"
+#include "law/penalty_predictor.hpp"
 #include "law/slip_vector.hpp"
 #include "law/split_work.hpp"
 
 namespace slipbench::law {
-
-ViscousCoefficient viscous_coefficient(const ViscousPenalty& penalty, Convention convention,
-                                       const Ambient& end, double normal_force) noexcept {
-  ViscousCoefficient c;
-  if (penalty.coefficient) {
-    c.value = *penalty.coefficient;
-    return c;
-  }
-  const double factor =
-      convention == Convention::kDocumented ? penalty.visf : std::sqrt(penalty.visf);
-  const auto* table = std::get_if<TableFunction>(&penalty.stiffness);
-  if (table == nullptr) {
-    const double stiffness = *std::get_if<double>(&penalty.stiffness);
-    c.value = factor * std::sqrt(2.0 * stiffness * penalty.mass);
-    return c;
-  }
-  SlipArguments slopes;
-  const double stiffness = table->value_and_slopes(end, {.contact_force = normal_force}, &slopes);
-  // Linear extrapolation may leave the physical range: K is never negative.
-  if (!(stiffness > 0.0)) return c;
-  c.value = factor * std::sqrt(2.0 * stiffness * penalty.mass);
-  c.to_stiffness = 0.5 * c.value / stiffness;
-  c.to_normal_force = c.to_stiffness * slopes.contact_force;
-  return c;
-}
-
 namespace {
-
-double inverse(double duration) { return duration > 0.0 ? 1.0 / duration : 0.0; }
-
-/// Whether the filter smooths the output: as coded a stiffness penalty scales its increment
-/// instead.
-bool smooths(const Formulation& formulation) {
-  return formulation.filter.kind != Filter::Kind::kNone &&
-         (formulation.convention == Convention::kDocumented ||
-          std::holds_alternative<ViscousPenalty>(formulation.penalty));
-}
-
-/// As coded an orthotropic stiffness penalty does not return to the closest point.
-bool uses_ratio_return(const Formulation& formulation) {
-  return formulation.convention == Convention::kAsCoded &&
-         std::holds_alternative<StiffnessPenalty>(formulation.penalty);
-}
-
-/// dF*/ds [F/L]: C/dt or K_t, as coded alpha K_t.
-/// \param widest the largest limit, > 0 [F]
-double predictor_stiffness(const Formulation& formulation, double viscous, double duration,
-                           double alpha, double motion, double widest) {
-  if (const auto* penalty = std::get_if<StiffnessPenalty>(&formulation.penalty)) {
-    return formulation.convention == Convention::kAsCoded ? alpha * penalty->stiffness
-                                                          : penalty->stiffness;
-  }
-  if (duration > 0.0 || !(viscous > 0.0)) return viscous * inverse(duration);
-  // Motion in no time is so fast that the limit alone decides.
-  constexpr double kFarOutside = 1e16;
-  return motion > 0.0 ? kFarOutside * widest / motion : 0.0;
-}
-
-/// The two limits of an orthotropic law along its axes.
-struct AxisLimits {
-  PlaneVector motion{};                          ///< ds along the axes [L]
-  PlaneVector speed{};                           ///< V_1, V_2 [L/T]
-  PlaneVector mu{};                              ///< [1]
-  PlaneVector bound{};                           ///< a_i [F]
-  PlaneVector to_contact{};                      ///< da_i/d(F_C + F_int)
-  PlaneVector to_speed{};                        ///< da_i/dV_i [F T/L]
-  std::array<PlaneVector, 2> speed_to_motion{};  ///< dV_i/d(ds_j) [1/T]
-};
-
-/// Entries of the slip space along the axes d1, d2, and back. An entry of the size of the rounding
-/// counts as none: along an axis that hardly holds anything it would be far outside.
-PlaneVector along_axes(const PlaneVector& d, double x, double y) {
-  constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
-  const double rounding = kRounding * std::max(std::abs(x), std::abs(y));
-  PlaneVector v{d[0] * x + d[1] * y, -d[1] * x + d[0] * y};
-  for (double& entry : v) {
-    if (std::abs(entry) <= rounding) entry = 0.0;
-  }
-  return v;
-}
-PlaneVector from_axes(const PlaneVector& d, const PlaneVector& v) {
-  return {d[0] * v[0] - d[1] * v[1], d[1] * v[0] + d[0] * v[1]};
-}
-
-AxisLimits axis_limits(const FrictionDefinition& definition, const ConnectorIncrement& increment,
-                       double ds0, double ds1, double contact_force) {
-  const Formulation& formulation = *definition.formulation;
-  const Orthotropy& orthotropy = *formulation.orthotropy;
-  const double per_time = inverse(increment.duration);
-  const double normal_force = std::abs(contact_force);
-  const double sign = contact_force < 0.0 ? -1.0 : 1.0;
-
-  AxisLimits axes;
-  axes.motion = along_axes(orthotropy.first, ds0, ds1);
-  const double motion = std::sqrt(ds0 * ds0 + ds1 * ds1);
-  for (std::size_t i = 0; i < 2; ++i) {
-    const double velocity = axes.motion[i] * per_time;
-    if (orthotropy.speed == Orthotropy::Speed::kTotal) {
-      axes.speed[i] = motion * per_time;
-      for (std::size_t j = 0; j < 2; ++j) {
-        if (motion > 0.0) axes.speed_to_motion[i][j] = axes.motion[j] / motion * per_time;
-      }
-    } else if (formulation.convention == Convention::kDocumented) {
-      axes.speed[i] = std::abs(velocity);
-      axes.speed_to_motion[i][i] = velocity < 0.0 ? -per_time : per_time;
-    } else {
-      constexpr double kLeastSpeed = 1e-30;  // in whatever unit the case has
-      axes.speed[i] = std::max(kLeastSpeed, velocity);
-      axes.speed_to_motion[i][i] = velocity > kLeastSpeed ? per_time : 0.0;
-    }
-    const CoefficientPoint c = blended(
-        definition.blend, evaluate(i == 0 ? definition.law : orthotropy.second, increment.end,
-                                   {.slip_rate = axes.speed[i], .contact_force = normal_force}));
-    axes.mu[i] = c.mu;
-    axes.bound[i] = c.mu * normal_force;
-    if (axes.bound[i] >= definition.force_limit) {
-      axes.bound[i] = definition.force_limit;
-      continue;
-    }
-    axes.to_contact[i] = sign * (c.mu + normal_force * c.to_contact_force);
-    axes.to_speed[i] = normal_force * c.to_slip_rate;
-  }
-  return axes;
-}
 
 /// The admissible forces of an increment: the ball |y| <= F_lim, or the ellipse of an orthotropic
 /// law.
@@ -339,7 +217,7 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
   SlipTangent& t = result.tangent;
   if (bound.axes() == nullptr && outside) {
     t.transverse = weight * l.force * predictor / norm<D>(trial);
-    t.rate = weight * l.to_rate * inverse(increment.duration);
+    t.rate = weight * l.to_rate * inverse_duration(increment.duration);
     t.contact = weight * l.to_contact;
   } else {
     t.transverse = t.radial = weight * predictor;
@@ -372,161 +250,6 @@ FrictionUpdate update_penalty(const FrictionDefinition& definition,
     default:
       return update_in<6>(definition, increment, old, detail);
   }
-}
-
-namespace {
-
-using SixVector = Eigen::Matrix<double, kComponents, 1>;
-
-/// What the tangents of both kinds of limit are made of.
-struct Slopes {
-  Eigen::Matrix<double, kComponents, kComponents> to_slip;  ///< dy/ds
-  SixVector to_contact;                                     ///< dy/d(F_C + F_int)
-  SixVector to_stiffness;                                   ///< dy/dK
-};
-
-/// The isotropic law: the SlipTangent written out, and clipping to F_lim behind the filter.
-void add_isotropic(const FrictionDefinition& definition, const ConnectorIncrement& increment,
-                   const FrictionUpdate& update, double by_stiffness, Slopes* slopes) {
-  const SlipTangent& t = update.tangent;
-  const int d = definition.slip.dimension;
-  const SixVector n = load<kComponents>(update.direction);
-  const SixVector m = load<kComponents>(update.motion_direction);
-  auto to_slip = slopes->to_slip.topLeftCorner(d, d);
-  to_slip.diagonal().setConstant(t.transverse);
-  to_slip += (t.radial - t.transverse) * n.head(d) * n.head(d).transpose() +
-             t.rate * n.head(d) * m.head(d).transpose();
-  slopes->to_contact = t.contact * n;
-  slopes->to_stiffness = by_stiffness * n;
-  if (!(t.clip < 1.0)) return;
-
-  FrictionState begin;
-  begin.accumulated_slip = update.state.accumulated_slip - update.slip_increment;
-  const Limit l = LimitFunction(definition, increment, begin, 0.0).at(0.0, update.slip_rate);
-  const SixVector y = load<kComponents>(update.state.force);
-  const SixVector p = y / y.norm();
-  const auto turned = [&](const SixVector& change) -> SixVector {
-    return t.clip * (change - p.dot(change) * p);
-  };
-  for (int j = 0; j < d; ++j) {
-    slopes->to_slip.col(j) =
-        turned(slopes->to_slip.col(j)) + l.to_rate * inverse(increment.duration) * m[j] * p;
-  }
-  slopes->to_contact = turned(slopes->to_contact) + l.to_contact * p;
-  slopes->to_stiffness = turned(slopes->to_stiffness);
-}
-
-/// The orthotropic law: the return differentiated along the axes.
-/// \param weight of the returned force behind the filter
-void add_orthotropic(const FrictionDefinition& definition, const ConnectorIncrement& increment,
-                     const FrictionUpdate& update, const ViscousCoefficient& coefficient,
-                     double alpha, double weight, Slopes* slopes) {
-  const Formulation& formulation = *definition.formulation;
-  const SlipSpace& space = definition.slip;
-  const PlaneVector& d = formulation.orthotropy->first;
-  Slip<2> ds;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const int c = space.component[i];
-    ds[static_cast<int>(i)] =
-        space.scale[i] * (increment.end.position[c] - increment.begin_position[c]);
-  }
-  const AxisLimits axes = axis_limits(definition, increment, ds[0], ds[1], update.contact_force);
-  const double widest = std::max(axes.bound[0], axes.bound[1]);
-  const double predictor = predictor_stiffness(formulation, coefficient.value, increment.duration,
-                                               alpha, ds.norm(), widest);
-  const auto return_change =
-      uses_ratio_return(formulation) ? ratio_on_ellipse_change : closest_on_ellipse_change;
-  const PlaneVector given = along_axes(d, update.state.force[0], update.state.force[1]);
-  const double clip = update.tangent.clip;
-  // The force given out, for changes of the trial and of the bounds.
-  const auto change = [&](const PlaneVector& trial_change, const PlaneVector& bounds_change) {
-    PlaneVector dy = return_change(update.trial, axes.bound, trial_change, bounds_change);
-    for (double& x : dy) x *= weight;
-    if (!(clip < 1.0)) return dy;
-    // Clipped, y = z/rho with rho^2 = sum (z_i/a_i)^2 = 1/clip^2.
-    double growth = 0.0;  // d(ln rho)
-    for (std::size_t i = 0; i < 2; ++i) {
-      if (!(axes.bound[i] > 0.0)) continue;
-      const double part = given[i] / axes.bound[i];
-      growth += part * (clip * dy[i] - part * bounds_change[i]) / axes.bound[i];
-    }
-    return PlaneVector{clip * dy[0] - growth * given[0], clip * dy[1] - growth * given[1]};
-  };
-  const auto in_slip_space = [&](const PlaneVector& v) {
-    const PlaneVector y = from_axes(d, v);
-    SixVector result = SixVector::Zero();
-    result[0] = y[0];
-    result[1] = y[1];
-    return result;
-  };
-
-  for (std::size_t j = 0; j < 2; ++j) {
-    PlaneVector trial_change{};
-    trial_change[j] = predictor;
-    PlaneVector bounds_change{};
-    for (std::size_t i = 0; i < 2; ++i) {
-      bounds_change[i] = axes.to_speed[i] * axes.speed_to_motion[i][j];
-    }
-    const SixVector column = in_slip_space(change(trial_change, bounds_change));
-    const PlaneVector axis = j == 0 ? PlaneVector{d[0], d[1]} : PlaneVector{-d[1], d[0]};
-    slopes->to_slip.col(0) += column * axis[0];
-    slopes->to_slip.col(1) += column * axis[1];
-  }
-  const double per_time = inverse(increment.duration);
-  const double sign = update.contact_force < 0.0 ? -1.0 : 1.0;
-  const auto with_coefficient = [&](double slope) {
-    return PlaneVector{slope * axes.motion[0] * per_time, slope * axes.motion[1] * per_time};
-  };
-  slopes->to_contact =
-      in_slip_space(change(with_coefficient(sign * coefficient.to_normal_force), axes.to_contact));
-  slopes->to_stiffness =
-      in_slip_space(change(with_coefficient(coefficient.to_stiffness), PlaneVector{}));
-}
-
-}  // namespace
-
-PenaltyTangent penalty_tangent(const FrictionDefinition& definition,
-                               const ConnectorIncrement& increment,
-                               const FrictionUpdate& update) noexcept {
-  PenaltyTangent tangent;
-  tangent.to_slip.setZero();
-  tangent.to_contact.setZero();
-  tangent.to_position.setZero();
-  if (update.state.regime == Regime::kOpen || update.tangent.clip == 0.0) return tangent;
-
-  const Formulation& formulation = *definition.formulation;
-  const double alpha =
-      filter_coefficient(formulation.filter, increment.duration, formulation.convention);
-  const double weight = smooths(formulation) ? alpha : 1.0;
-  const auto* viscous = std::get_if<ViscousPenalty>(&formulation.penalty);
-  ViscousCoefficient coefficient;
-  if (viscous != nullptr) {
-    coefficient =
-        viscous_coefficient(*viscous, formulation.convention, increment.end, update.normal_force);
-  }
-  Slopes slopes;
-  slopes.to_slip.setZero();
-  if (formulation.orthotropy) {
-    add_orthotropic(definition, increment, update, coefficient, alpha, weight, &slopes);
-  } else {
-    const bool below = update.state.regime == Regime::kStick;
-    const double by_stiffness = below ? weight * coefficient.to_stiffness * update.slip_rate : 0.0;
-    add_isotropic(definition, increment, update, by_stiffness, &slopes);
-  }
-  tangent.to_slip = slopes.to_slip;
-  tangent.to_contact = slopes.to_contact;
-
-  const auto* table =
-      viscous != nullptr ? std::get_if<TableFunction>(&viscous->stiffness) : nullptr;
-  if (table != nullptr && !viscous->coefficient) {
-    RelativePosition by_position;
-    table->add_motion_slopes(increment.end, {.contact_force = update.normal_force}, 1.0,
-                             &by_position);
-    for (int c = 0; c < kComponents; ++c) {
-      tangent.to_position.col(c) = slopes.to_stiffness * by_position[c];
-    }
-  }
-  return tangent;
 }
 
 }  // namespace slipbench::law

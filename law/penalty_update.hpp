@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <Eigen/Core>
-
 #include "law/friction_definition.hpp"
 #include "law/return_mapping.hpp"
 
@@ -34,27 +32,5 @@ namespace slipbench::law {
 FrictionUpdate update_penalty(const FrictionDefinition& definition,
                               const ConnectorIncrement& increment, const FrictionState& old,
                               PenaltyDetail* detail = nullptr) noexcept;
-
-/// C of a viscous penalty [F T/L] under a normal force [F]:
-///   VISF sqrt(2 K m), as coded sqrt(VISF) sqrt(2 K m), or the number given.
-struct ViscousCoefficient {
-  double value = 0.0;
-  double to_normal_force = 0.0;  ///< dC/dF_N [T/L], of a table K(F_N)
-  double to_stiffness = 0.0;     ///< dC/dK [T], where K is a table
-};
-ViscousCoefficient viscous_coefficient(const ViscousPenalty& penalty, Convention convention,
-                                       const Ambient& end, double normal_force) noexcept;
-
-/// Consistent tangent of `update_penalty` in the scaled slip space, filter and clipping included;
-/// rows and columns beyond its dimension are 0.
-struct PenaltyTangent {
-  Eigen::Matrix<double, kComponents, kComponents> to_slip;      ///< dy/ds [F/L]
-  Eigen::Matrix<double, kComponents, 1> to_contact;             ///< dy/d(F_C + F_int) [1]
-  Eigen::Matrix<double, kComponents, kComponents> to_position;  ///< dy_i/du_c through a table K(u)
-};
-/// \param update what `update_penalty` returned for this increment
-PenaltyTangent penalty_tangent(const FrictionDefinition& definition,
-                               const ConnectorIncrement& increment,
-                               const FrictionUpdate& update) noexcept;
 
 }  // namespace slipbench::law

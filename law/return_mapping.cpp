@@ -8,6 +8,7 @@
 #include "law/capstan_update.hpp"
 #include "law/first_root.hpp"
 #include "law/limit_function.hpp"
+#include "law/penalty_tangent.hpp"
 #include "law/penalty_update.hpp"
 #include "law/potential_return.hpp"
 #include "law/slip_vector.hpp"

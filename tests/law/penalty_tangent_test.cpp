@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "law/penalty_update.hpp"
+#include "law/penalty_tangent.hpp"
 #include "tests/support/dice.hpp"
-#include "tests/support/finite_difference.hpp"
+#include "tests/support/force_difference.hpp"
 #include "tests/support/friction_run.hpp"
 #include "tests/support/law_tables.hpp"
 
@@ -53,21 +53,8 @@ void compare(const FrictionDefinition& definition, const ConnectorIncrement& inc
   for (int i = 0; i < kComponents; ++i) {
     for (int j = 0; j < kComponents; ++j) {
       for (const double side : {1.0, -1.0}) {
-        const auto by_motion = one_sided_derivative(
-            [&](double h) {
-              ConnectorIncrement moved = increment;
-              moved.end.position[j] += h;
-              moved.end.motion[j] += h;
-              return force_at(moved, i);
-            },
-            side * 1e-5);
-        const auto by_force = one_sided_derivative(
-            [&](double h) {
-              ConnectorIncrement moved = increment;
-              moved.force[j] += h;
-              return force_at(moved, i);
-            },
-            side * 1e-3);
+        const auto by_motion = force_by_motion(force_at, increment, i, j, side * 1e-5);
+        const auto by_force = force_by_force(force_at, increment, i, j, side * 1e-3);
         if (!by_motion || !by_force) return;
         pairs.push_back({tangent.to_motion(i, j), *by_motion});
         pairs.push_back({tangent.to_force(i, j), *by_force});

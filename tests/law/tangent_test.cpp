@@ -9,7 +9,7 @@
 #include "law/connection_type.hpp"
 #include "law/return_mapping.hpp"
 #include "tests/support/dice.hpp"
-#include "tests/support/finite_difference.hpp"
+#include "tests/support/force_difference.hpp"
 #include "tests/support/friction_run.hpp"
 #include "tests/support/law_tables.hpp"
 
@@ -108,21 +108,8 @@ bool tangent_meets_differences(const FrictionDefinition& definition,
   for (int i = 0; i < kComponents; ++i) {
     for (int j = 0; j < kComponents; ++j) {
       for (const double side : {1.0, -1.0}) {
-        const auto by_motion = one_sided_derivative(
-            [&](double h) {
-              ConnectorIncrement moved = increment;
-              moved.end.position[j] += h;
-              moved.end.motion[j] += h;
-              return force_at(moved, i);
-            },
-            side * 2e-6);
-        const auto by_force = one_sided_derivative(
-            [&](double h) {
-              ConnectorIncrement moved = increment;
-              moved.force[j] += h;
-              return force_at(moved, i);
-            },
-            side * 2e-3);
+        const auto by_motion = force_by_motion(force_at, increment, i, j, side * 2e-6);
+        const auto by_force = force_by_force(force_at, increment, i, j, side * 2e-3);
         if (!by_motion || !by_force) return false;
         comparisons.push_back({tangent.to_motion(i, j), by_motion->value,
                                tangent.to_motion.cwiseAbs().maxCoeff() + here.limit});
