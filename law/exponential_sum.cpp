@@ -71,9 +71,21 @@ ExponentialSum reduced(const ExponentialSum& sum) noexcept {
   return derivative(shifted);
 }
 
+/// Numbers beyond those of a double make terms that no derivative ends.
+bool is_finite(const ExponentialSum& sum) noexcept {
+  for (int i = 0; i < sum.count; ++i) {
+    const ExponentialTerm& term = sum.term[index(i)];
+    double check = term.rate;
+    for (int k = 0; k <= term.degree; ++k) check += 0.0 * term.c[index(k)];
+    if (!std::isfinite(check)) return false;
+  }
+  return true;
+}
+
 SignChanges collect(const ExponentialSum& sum, double from, double to, double width) noexcept {
   SignChanges found;
-  if (sum.count == 0 || (sum.count == 1 && sum.term[0].degree == 0)) return found;
+  if (sum.count == 0 || !is_finite(sum) || (sum.count == 1 && sum.term[0].degree == 0))
+    return found;
   // Between places where the derivative changes its sign; those need only be near.
   const SignChanges turns = collect(reduced(sum), from, to, 1e-11);
   double low = from;

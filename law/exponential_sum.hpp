@@ -46,7 +46,8 @@ struct SignChanges {
 /// term, which changes no sign, the derivative has that term with one degree less, so that after
 /// as many steps as the sum has coefficients nothing is left; between two sign changes of the
 /// derivative there is one of the function at most, found by bisection and secants.
-/// A value below its own rounding has no sign.
+/// A value below its own rounding has no sign, and a sum with numbers that are not finite no
+/// change.
 SignChanges sign_changes(const ExponentialSum& sum, double from, double to) noexcept;
 
 /// The first of them; infinity if there is none.

@@ -25,6 +25,9 @@ inline CoefficientPoint evaluate(const FrictionLaw& law, const Ambient& ambient,
   if (const auto* constant = std::get_if<ConstantCoefficient>(&law)) {
     return constant->evaluate(ambient, slip);
   }
+  if (const auto* table = std::get_if<TabularCoefficient>(&law)) {
+    return table->evaluate(ambient, slip);
+  }
   if (const auto* decay = std::get_if<ExponentialDecay>(&law)) {
     return decay->evaluate(ambient, slip);
   }

@@ -122,8 +122,10 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
   }
   const Slip<D> given_before = load<D>(old.force);
 
-  // 2. Nothing to hold on to: filter and memory start again.
-  if (!(bound.widest() > 0.0)) {
+  // 2. Nothing to hold on to: filter and memory start again. A coefficient that vanishes is no loss
+  //    of contact, and the filter only forgets.
+  const bool filtered = smooths(formulation);
+  if (!(bound.widest() > 0.0) && !(filtered && l.normal_force > 0.0)) {
     result.state.regime = Regime::kOpen;
     // The force of a spring falls from its old value to 0; a viscous one goes with the speed.
     if (viscous == nullptr) result.work = 0.5 * given_before.dot(ds);
@@ -133,16 +135,9 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
   // 3. Predictor and return.
   const double predictor = predictor_stiffness(formulation, coefficient.value, increment.duration,
                                                alpha, motion, bound.widest());
-  // As coded, what the filter leaves of an increment acts as a spring of alpha K_t: all motion is
-  // then elastic slip or slip, and the energies balance. Its memory is the force, which nothing
-  // smooths.
-  const double spring = predictor > 0.0 || viscous != nullptr
-                            ? predictor
-                            : std::get_if<StiffnessPenalty>(&formulation.penalty)->stiffness;
   Slip<D> base = Slip<D>::Zero();
-  if (viscous == nullptr) {
-    const bool coded = formulation.convention == Convention::kAsCoded;
-    base = coded ? given_before : Slip<D>(spring * load<D>(old.elastic_slip));
+  if (const auto* stiff = std::get_if<StiffnessPenalty>(&formulation.penalty)) {
+    base = stiff->stiffness * load<D>(old.elastic_slip);
   } else if (!(increment.duration > 0.0) && motion == 0.0) {
     base = given_before;
   }
@@ -171,7 +166,8 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
     result.slip_increment = motion;
     result.dissipation = std::max(0.0, y.dot(ds));  // a rounding next to a right angle
   } else {
-    const Slip<D> elastic = y / spring;
+    const double stiffness = std::get_if<StiffnessPenalty>(&formulation.penalty)->stiffness;
+    const Slip<D> elastic = y / stiffness;
     store<D>(elastic, &result.state.elastic_slip);
     result.stored_energy = 0.5 * y.dot(elastic);
     result.state.regime = outside ? Regime::kSlip : Regime::kStick;
@@ -179,11 +175,11 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
       result.onset = bound.fraction(base, trial);
       if (bound.axes() == nullptr) {
         const double size = norm<D>(trial);
-        result.slip_increment = (size - l.force) / spring;
+        result.slip_increment = (size - l.force) / stiffness;
         result.dissipation = l.force * result.slip_increment;
-        result.phi = size - spring * result.slip_increment - l.force;
+        result.phi = size - stiffness * result.slip_increment - l.force;
       } else {
-        const Slip<D> plastic = (trial - y) / spring;
+        const Slip<D> plastic = (trial - y) / stiffness;
         result.slip_increment = norm<D>(plastic);
         result.dissipation = std::max(0.0, y.dot(plastic));
       }
@@ -194,7 +190,6 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
   if (motion > 0.0) store<D>(ds / motion, &result.motion_direction);
 
   // 5. The filter, and what is given out.
-  const bool filtered = smooths(formulation);
   Slip<D> given = y;
   if (filtered) {
     given = alpha * y + (1.0 - alpha) * given_before;

@@ -14,16 +14,17 @@ namespace slipbench::law {
 /// and an internal contact force of the slip at its start. The state's `elastic_slip` is
 /// F/K_t before the filter, the stick memory; its `force` is what the contact gives behind it.
 ///
-/// Where the limit vanishes the contact is open: force, memory and filter start again from 0.
+/// Where the limit vanishes the contact is open: force, memory and filter start again from 0; where
+/// only the coefficient does, a filter just forgets.
 /// An increment without duration has no speed, so its limit is that of V = 0. A viscous penalty
 /// then holds the force it has, down to the limit; motion in no time puts it on the limit.
 ///
-/// Slip is the plastic part of the motion, (F* - F)/K_t. As coded a filter makes of K_t the alpha
-/// K_t of the increment, here and in the elastic slip, so that all motion is one or the other.
-/// Under a viscous penalty all motion is slip, and the regime says whether the force is on the
-/// limit. `dissipation` is the power of the force before the filter, `work` that of the force
-/// behind it: of a viscous force the product of its end, of a filtered one the trapezoid, else as
-/// `update` takes it.
+/// Slip is the plastic part of the motion, (F* - F)/K_t; as coded a filter leaves the rest, (1 -
+/// alpha) of the motion, to nobody, and the work is not what is stored and dissipated. Under a
+/// viscous penalty all motion is slip, and the regime says whether the force is on the limit.
+/// `dissipation` is the power of the force before the filter, `work` that of the force behind it:
+/// of a viscous force the product of its end, of a filtered one the trapezoid, else as `update`
+/// takes it.
 ///
 /// An orthotropic law reports the effective coefficient and limit in the direction of the force
 /// before the filter (of the motion where there is none). A force limit bounds both axes; a

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// When the return mapping with a constant stick stiffness has one solution (theory 11.4): judged
-// once for a definition, not on the update path.
+// When the return mapping with a constant stick stiffness has one solution (theory 11.4): judged for
+// a definition or behind an increment, not on the update path.
 #pragma once
 
 #include "law/friction_definition.hpp"

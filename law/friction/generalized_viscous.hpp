@@ -94,6 +94,14 @@ struct GeneralizedViscous {
             .denominator = {}};
   }
   double next_bend(const SlipLine& line) const noexcept {
+    // Under a constant normal force a parabola, which bends at the floor alone; away from it where
+    // it rises.
+    const double p = line.force * per_force();
+    const bool rises = c5 >= 0.0 && c2 + c3 * p + 2.0 * c5 * line.rate_at(line.slip) >= 0.0;
+    if (line.force_per_slip == 0.0 && rises &&
+        raw_coefficient(p, line.rate_at(line.slip)) >= kCoefficientFloor) {
+      return kNoBend;
+    }
     return law::next_bend(along(line), line);
   }
   double next_belt_bend(const SlipLine& line, double wrap_angle, FlowSense sense) const noexcept {

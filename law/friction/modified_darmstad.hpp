@@ -118,14 +118,22 @@ struct ModifiedDarmstad {
     return curve;
   }
   double next_bend(const SlipLine& line) const noexcept {
+    // Positive exponentials are convex.
+    const bool convex = c1 >= 0.0 && c3 >= 0.0 && c5 >= 0.0 && fric >= kCoefficientFloor;
+    if ((convex && line.force_per_slip == 0.0) || overflows_at(line)) return kNoBend;
     return law::next_bend(along(line), line);
   }
   double next_belt_bend(const SlipLine& line, double wrap_angle, FlowSense sense) const noexcept {
+    if (overflows_at(line)) return kNoBend;
     return law::next_belt_bend(along(line), line, wrap_angle, sense);
   }
   bool outside(const Ambient& /*ambient*/, const SlipArguments& /*slip*/) const { return false; }
 
  private:
+  /// Where the search stands the coefficient is infinite, and so it is from there on.
+  bool overflows_at(const SlipLine& line) const noexcept {
+    return !overflow(line.rate_at(line.slip)).empty();
+  }
   /// Before the floor.
   CoefficientPoint point(const SlipArguments& slip) const noexcept {
     const double v = slip.slip_rate;

@@ -149,7 +149,18 @@ struct Renard {
             .recovery = d};
   }
   double next_bend(const SlipLine& line) const noexcept {
-    return law::next_bend(along(line), line);
+    if (line.force_per_slip != 0.0 || std::min({c1, c2, c3, c4}) < kCoefficientFloor) {
+      return law::next_bend(along(line), line);
+    }
+    if (!(line.rate_per_slip > 0.0)) return kNoBend;
+    // Under a constant normal force: the joints, and the inflections of the last two pieces.
+    const double d = c2 - c4;
+    const double last = d > 0.0 ? c6 + 1.0 / std::sqrt(3.0 * d) : c6;
+    for (const double v : {c5, 0.5 * (c5 + c6), c6, last}) {
+      const double x = (v / speed_factor - line.rate_at_zero) / line.rate_per_slip;
+      if (is_ahead(line, x)) return x;
+    }
+    return kNoBend;
   }
   double next_belt_bend(const SlipLine& line, double wrap_angle, FlowSense sense) const noexcept {
     return law::next_belt_bend(along(line), line, wrap_angle, sense);

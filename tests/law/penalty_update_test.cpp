@@ -141,26 +141,45 @@ TEST_CASE("a stiffness penalty meets the reference history, without a filter and
   check_digits(scaled[500], 29.339690656855090);
 }
 
-TEST_CASE("as coded a filter makes a softer spring, and the energies balance") {
+TEST_CASE("as coded a filter takes its part of each increment, and what is stored stays at rest") {
   Run run{contact_point(
       ConstantCoefficient{0.3},
-      with(stiffness(1e4), {Filter::Kind::kSimple, 0.1, false}, Convention::kAsCoded))};
-  Dice dice(11);
-  double motion = 0.0;
-  double elastic = 0.0;
-  for (int k = 0; k < 400; ++k) {
-    const double ds = dice.between(-0.04, 0.05);
-    run.move(1e-4, ds, 0.0, 100.0);
-    motion += ds;
-    // All motion is elastic slip or slip: the rest of it is along the force.
-    const double sign = run.last.state.force[0] < 0.0 ? -1.0 : 1.0;
-    const double slip = sign * run.last.slip_increment;
-    CHECK(run.last.state.elastic_slip[0] == Approx(elastic + ds - slip).margin(1e-14));
-    elastic = run.last.state.elastic_slip[0];
-    CHECK(run.last.state.force[0] == Approx(1e3 * elastic).margin(1e-11));
+      with(stiffness(1e4), {Filter::Kind::kPeriod, 2e-2 * pi, false}, Convention::kAsCoded))};
+  // alpha = 0.1: 0.1 K_t ds = 10 to the limit of 30, then slip; the dissipation is alpha of the
+  // work on the limit.
+  for (int k = 1; k <= 3; ++k) {
+    run.move(1e-3, 0.01, 0.0, 100.0);
+    CHECK(run.last.state.force[0] == Approx(10.0 * k).epsilon(1e-14));
+    CHECK(run.last.dissipation == Approx(0.0).margin(1e-14));
   }
-  REQUIRE(run.dissipation > 1.0);
-  CHECK(run.work == Approx(run.dissipation + run.last.stored_energy).epsilon(1e-12));  // rounding
+  run.move(1e-3, 0.02, 0.0, 100.0);
+  CHECK(run.last.state.force[0] == 30.0);
+  CHECK(run.last.slip_increment == Approx(0.1 * 0.02).epsilon(1e-13));
+  CHECK(run.last.dissipation == Approx(0.1 * 30.0 * 0.02).epsilon(1e-13));
+  CHECK(run.last.work == Approx(30.0 * 0.02).epsilon(1e-13));
+  // Another increment is another alpha; nothing moves, so nothing changes.
+  for (const double dt : {1e-4, 1e-2}) {
+    run.move(dt, 0.0, 0.0, 100.0);
+    CHECK(run.last.state.force[0] == 30.0);
+    CHECK(run.last.stored_energy == Approx(30.0 * 30.0 / 2e4).epsilon(1e-14));
+  }
+}
+
+TEST_CASE("a coefficient that vanishes is no loss of contact: the filter forgets, not restarts") {
+  FrictionDefinition definition = contact_point(
+      TabularCoefficient{make_function({{0.3, 0}, {0.3, 10}, {0.0, 20}}, {kOverSlipRate})},
+      with(stiffness(1e4), {Filter::Kind::kSimple, 0.1, false}));
+  Run run{definition};
+  for (int k = 0; k < 400; ++k) run.move(1e-3, 0.01, 0.0, 100.0);
+  CHECK(run.last.state.force[0] == Approx(30.0).epsilon(1e-14));
+  run.move(1e-3, 0.03, 0.0, 100.0);  // a speed beyond 20: mu = 0
+  CHECK(run.last.mu == 0.0);
+  CHECK(run.last.state.force[0] == Approx(27.0).epsilon(1e-14));
+  CHECK(run.last.state.elastic_slip[0] == 0.0);
+  run.move(1e-3, 0.01, 0.0, 0.0);  // lift-off
+  CHECK(run.last.state.force[0] == 0.0);
+  run.move(1e-3, 0.01, 0.0, 100.0);
+  CHECK(run.last.state.force[0] == Approx(3.0).epsilon(1e-14));
 }
 
 TEST_CASE("Renard friction in two directions meets the reference history") {

@@ -13,7 +13,9 @@
 
 #include "law/exponential_sum.hpp"
 #include "law/friction_law.hpp"
+#include "law/return_mapping.hpp"
 #include "law/uniqueness.hpp"
+#include "tests/support/law_tables.hpp"
 #include "tests/support/random_definition.hpp"
 
 namespace {
@@ -206,6 +208,42 @@ TEST_CASE("between two bends the limit is convex or concave") {
       low = high;
     }
   });
+}
+
+TEST_CASE("an update ends whatever the exponents are, under a cap, with wear, on a belt") {
+  int overflown = 0;
+  check("exponents up to 4000", [&](Dice& dice) {
+    ModifiedDarmstad law = random_darmstad(&dice);
+    for (double* exponent : {&law.c2, &law.c4, &law.c6}) *exponent = dice.between(-2e3, 2e3);
+    FrictionDefinition definition;
+    definition.law = law;
+    const bool belt = dice.chance(0.3);
+    definition.slip = slip_space({belt ? 2 : 1});
+    if (belt) {
+      definition.criterion = Capstan{dice.between(0.1, 6.0)};
+    } else if (dice.chance(0.5)) {
+      definition.internal_contact_force =
+          make_function({{100, 0}, {90, 0.3}, {80, 0.9}}, {{IndependentKind::kAccumulatedSlip}});
+    } else {
+      definition.internal_contact_force = 100.0;
+    }
+    if (dice.chance(0.5)) definition.force_limit = dice.between(1.0, 1e3);
+    definition.stick = {StickStiffness::Mode::kStiffness, std::pow(10.0, dice.between(1.0, 5.0))};
+    if (dice.chance(0.3)) definition.slip_rate = SlipRateMeasure::kRelativeMotion;
+    ConnectorIncrement increment;
+    increment.duration = 1.0;
+    increment.end.position[belt ? 1 : 0] = dice.between(-2.0, 2.0);
+    increment.force[0] = 100.0;
+    const FrictionUpdate u = update(definition, increment, {});
+    RC_ASSERT(!std::isnan(u.slip_increment));
+    if (!std::isfinite(u.mu)) ++overflown;
+    // exp(mu alpha) of a belt has an end of its own.
+    if (belt || !std::isfinite(u.mu)) return;
+    RC_ASSERT(std::isfinite(u.limit));
+    RC_ASSERT(std::abs(u.state.force[0]) <= u.limit * (1.0 + 1e-14));
+    RC_ASSERT(u.dissipation >= 0.0);
+  });
+  CHECK(overflown > 0);
 }
 
 TEST_CASE("every sign change of a sum of exponentials is found") {

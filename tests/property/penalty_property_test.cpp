@@ -235,6 +235,16 @@ TEST_CASE("a contact penalty is finite, admissible before its filter and dissipa
       RC_ASSERT(u.limit <= c.definition.force_limit * (1.0 + 1e-14));
       RC_ASSERT(u.limit <= u.mu * u.normal_force * (1.0 + 1e-14));
       if (u.state.regime == Regime::kSlip) RC_ASSERT(raw >= u.limit * (1.0 - 1e-14));
+      // Of the force before the filter over its slip, which the update does not report below 0.
+      double power = 0.0;
+      double size = 0.0;
+      for (std::size_t k = 0; k < steps[i].detail.raw.size(); ++k) {
+        const double trial = steps[i].detail.trial[k];
+        const double raw_part = steps[i].detail.raw[k];
+        power += (trial - raw_part) * raw_part;
+        size += (std::abs(trial) + std::abs(raw_part)) * std::abs(raw_part);
+      }
+      RC_ASSERT(power >= -1e-14 * size);
       RC_ASSERT(u.dissipation >= 0.0);
       RC_ASSERT(u.stored_energy >= 0.0);
       RC_ASSERT(u.slip_increment >= 0.0);
