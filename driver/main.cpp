@@ -179,8 +179,8 @@ int run(int argc, char** argv) {
   std::string what;
   CLI::App* list_app = app.add_subcommand("list", "List what a case may use");
   list_app->add_option("WHAT", what, "One kind only")
-      ->type_name("connections|laws|closed-forms|quantities")
-      ->check(CLI::IsMember({"connections", "laws", "closed-forms", "quantities"}));
+      ->type_name("connections|laws|keys|closed-forms|quantities")
+      ->check(CLI::IsMember({"connections", "laws", "keys", "closed-forms", "quantities"}));
   list_app->callback([&] { command = [&] { return list_command(what); }; });
 
   std::string name;

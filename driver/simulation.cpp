@@ -574,7 +574,12 @@ tl::expected<void, SimulationFailure> Simulation::judge(std::size_t definition) 
                     place(), case_->definitions[definition].name, row.penalty.alpha,
                     format_number(row_.duration), format_number(period))});
   }
-  if (const char* what = not_finite(row.update)) {
+  const char* what = not_finite(row.update);
+  // The limit along an ellipse is finite beside one infinite coefficient.
+  if (what == nullptr && !std::isfinite(row.penalty.mu[0] + row.penalty.mu[1])) {
+    what = "coefficient";
+  }
+  if (what != nullptr) {
     if (auto exponent = overflow(in_force, row)) {
       return tl::unexpected(numerical_failure(definition, *exponent));
     }

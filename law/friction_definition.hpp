@@ -27,6 +27,15 @@ struct SlipSpace {
   std::array<double, kComponents> scale{1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
 };
 
+/// Whether y is a moment: rotations only, none of them scaled to a force.
+inline bool is_rotational(const SlipSpace& space) {
+  for (int k = 0; k < space.dimension; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    if (!is_rotation(space.component[i]) || space.scale[i] != 1.0) return false;
+  }
+  return true;
+}
+
 /// A slip space with one common scale; `number` are the users' component numbers 1..6.
 inline SlipSpace slip_space(std::initializer_list<int> number, double scale = 1.0) {
   SlipSpace space;

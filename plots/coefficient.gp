@@ -103,7 +103,7 @@ do for [i=1:COEFFICIENTS] {
     $STATES index (i-1) using 2:(state(2, $3)) with points pointtype 7 pointsize 0.5 \
       linecolor rgb slip_fill notitle, \
     keyentry with points pointtype 4 pointsize 0.8 linewidth 1.2 linecolor rgb "black" \
-      title (STICKS[i] ? "visited in stick" : ""), \
+      title (STICKS[i] ? STICK_NAME[i] : ""), \
     keyentry with points pointtype 6 pointsize 0.8 linewidth 1.2 linecolor rgb "black" \
       title (SLIPS[i] ? "visited in slip" : "")
   unset colorbox

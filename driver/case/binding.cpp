@@ -65,8 +65,13 @@ std::optional<std::string_view> Binder::unknown_key(const Node& key, const Path&
   }
   std::string hint;
   const std::string quantity = place_of_quantity(key.text());
-  const auto nearest = quantity.empty() ? nearest_name(key.text(), allowed) : std::nullopt;
-  if (!quantity.empty()) {
+  const bool other_name = !quantity.empty() || !key_for_option(key.text()).empty();
+  const auto nearest = other_name ? std::nullopt : nearest_name(key.text(), allowed);
+  if (const std::string_view here = key_for_option(key.text()); !here.empty()) {
+    hint = here;
+  } else if (key.text() == "Fric" && path.text().ends_with("renard.Fric")) {
+    hint = "Renard's law has no Fric: its coefficient at rest is C1";
+  } else if (!quantity.empty()) {
     hint = in_quotes(key.text()) + " belongs to " + quantity;
   } else if (nearest) {
     hint = "did you mean " + in_quotes(*nearest) + "?";
@@ -95,7 +100,11 @@ void Binder::expression_error(const Node& node, const Path& path, const Expressi
     for (const auto& [name, value] : parameters_) names.push_back(name);
     names.insert(names.end(), unresolved_.begin(), unresolved_.end());
     for (const std::string& name : function_names()) names.push_back(name);
-    hint = nearest_or(problem.unknown_name, names, "define it under 'parameters:'");
+    // Only where result columns can be named.
+    if (variables.size() > 1) hint = origin_of_column(problem.unknown_name);
+    if (hint.empty()) {
+      hint = nearest_or(problem.unknown_name, names, "define it under 'parameters:'");
+    }
   }
   out_.error(node.source().name(), inside(node, problem), path.text(), problem.message,
              std::move(hint));

@@ -606,8 +606,8 @@ struct IntegrationText {
   static constexpr bool kIsDeclared = true;
   At<IntegrationMethod> method = default_of(IntegrationMethod::kBackwardEuler);
   At<double> tolerance = default_of(Integration{}.tolerance);
-  law::AccumulatedSlipTiming accumulated_slip = law::AccumulatedSlipTiming::kEnd;
-  law::SlipRateMeasure slip_rate = law::SlipRateMeasure::kSlip;
+  At<law::AccumulatedSlipTiming> accumulated_slip = default_of(law::AccumulatedSlipTiming::kEnd);
+  At<law::SlipRateMeasure> slip_rate = default_of(law::SlipRateMeasure::kSlip);
 
   template <class V>
   static void declare(V& key) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <vector>
 
 #include "driver/case/case_reference.hpp"
@@ -55,6 +56,60 @@ std::optional<LaterKey> later_key(std::string_view key) {
     if (later.name == key) return later;
   }
   return std::nullopt;
+}
+
+std::string_view key_for_option(std::string_view option) {
+  struct Option {
+    std::string_view name;
+    std::string_view text;
+  };
+  static constexpr std::array<Option, 4> kOptions{{
+      {"Ifric",
+       "the law stands by its name in 'coefficient': Ifric 0 is a number, 1 generalized_viscous, 2 "
+       "modified_darmstad, 3 renard, 4 exponential_decay"},
+      {"Ifiltr",
+       "a definition has 'filter': Ifiltr 1 is {simple: alpha}, 2 {period: T} or {Xfreq: .., "
+       "xfreq_convention: ..}, 3 {frequency: f}"},
+      {"Iform",
+       "a definition has 'formulation': Iform 1 is {penalty: viscous, K: .., m: ..}, 2 {penalty: "
+       "stiffness, K_t: ..}"},
+      {"Idir",
+       "two directions stand in 'coefficient': Idir 1 is {orthotropic: {direction1: .., "
+       "direction2: ..}}"},
+  }};
+  for (const Option& known : kOptions) {
+    if (known.name == option) return known.text;
+  }
+  return {};
+}
+
+std::string origin_of_column(std::string_view name) {
+  // Columns of one definition of several carry its name.
+  const std::string_view column = name.substr(0, name.find('.'));
+  const auto is = [&](std::initializer_list<std::string_view> names) {
+    return std::find(names.begin(), names.end(), column) != names.end();
+  };
+  std::string_view origin;
+  if (column.starts_with("CS") && (column.ends_with("_RAW") || column.ends_with("_TRIAL"))) {
+    origin = "a 'formulation'";
+  } else if (is({"VISC_C"})) {
+    origin = "'formulation: {penalty: viscous}'";
+  } else if (is({"ALPHA"})) {
+    origin = "a 'filter' behind its 'formulation'";
+  } else if (is({"MU1", "MU2", "V1", "V2"})) {
+    origin = "an 'orthotropic' coefficient";
+  } else if (is({"MU_RAW", "CLAMPED"})) {
+    origin = "a Radioss law (generalized_viscous, modified_darmstad, renard)";
+  } else if (is({"SPEED"})) {
+    origin = "a 'formulation' or a Radioss law";
+  } else if (is({"PRESSURE"})) {
+    origin = "a law of the pressure and an 'area'";
+  } else if (is({"UTILISATION"})) {
+    origin = "a 'formulation', and of a belt with both tensions prescribed";
+  } else {
+    return {};
+  }
+  return "'" + std::string(column) + "' is a column of a definition with " + std::string(origin);
 }
 
 std::optional<std::string_view> later_word(std::string_view word) {

@@ -23,7 +23,16 @@ struct LaterKey {
 /// What there is to say of such a key, or nothing.
 std::optional<LaterKey> later_key(std::string_view key);
 
-/// The same for a word that stands as a value: a sentence, or nothing.
+/// How this format says what an option of a Radioss /FRICTION block says (Ifric, Ifiltr, Iform,
+/// Idir); empty for other keys.
+std::string_view key_for_option(std::string_view option);
+
+/// What brings a result column that not every case has, such as CSF2_RAW: a sentence; empty for
+/// other names.
+std::string origin_of_column(std::string_view name);
+
+/// What there is to say of a word that stands as a value and means such a key: a sentence, or
+/// nothing.
 std::optional<std::string_view> later_word(std::string_view word);
 
 }  // namespace slipbench::driver

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "driver/case/case_codecs.hpp"
+#include "driver/case/key_index.hpp"
 #include "driver/case/quantity.hpp"
 #include "driver/case/resolve.hpp"
 #include "driver/results/columns.hpp"
@@ -20,6 +21,13 @@ std::vector<std::string> check_variables(const Case& problem) {
     if (name != "t") names.push_back(std::move(name));
   }
   return names;
+}
+
+/// The hint for a name that is no result column of this case.
+std::string column_hint(std::string_view name, std::span<const std::string_view> columns,
+                        std::string otherwise) {
+  std::string origin = origin_of_column(name);
+  return origin.empty() ? nearest_or(name, columns, std::move(otherwise)) : origin;
 }
 
 /// An expression over those of `variables` that it uses.
@@ -137,8 +145,8 @@ std::optional<ExpressionReference> input_of(Binder& binder, const AgainstText& t
   if (!binder.unknown_names_excused()) {
     const std::vector<std::string_view> names(variables.begin(), variables.end());
     binder.error(*given->node, given->path, "no result column '" + printable(given->value) + "'",
-                 nearest_or(given->value, names,
-                            "an expression begins with '='; known: " + in_words(names, "and")));
+                 column_hint(given->value, names,
+                             "an expression begins with '='; known: " + in_words(names, "and")));
   }
   return std::nullopt;
 }
@@ -384,7 +392,7 @@ void resolve_output_and_checks(Binder& binder, const CaseText& text, Case& out, 
       out.output_columns.push_back(column.value);
     } else if (!binder.unknown_names_excused()) {
       binder.error(*column.node, column.path, "no result column '" + printable(column.value) + "'",
-                   nearest_or(column.value, columns, "known: " + in_words(columns, "and")));
+                   column_hint(column.value, columns, "known: " + in_words(columns, "and")));
     }
   }
   const StepNames steps = step_names(text);

@@ -16,6 +16,12 @@ std::pair<Node, Path> place_of(const Node& law, const Path& path, std::string_vi
   return value ? std::pair{*value, path / key} : std::pair{law, path};
 }
 
+/// A law by name stands below its name.
+std::pair<Node, Path> below_name(const Node& node, const Path& path) {
+  if (!node.is_map() || node.size() != 1) return {node, path};
+  return {node.entry(0).value, path / node.entry(0).key.text()};
+}
+
 /// Gives a law of the pressure its area, its own or the connector's.
 template <class Law>
 bool complete_area(Binder& binder, Law& law, const Node& node, const Path& path,
@@ -32,8 +38,8 @@ bool complete_area(Binder& binder, Law& law, const Node& node, const Path& path,
 /// of a speed to a pure number, which has no meaning without a unit.
 template <class Law>
 bool complete_speed_unit(Binder& binder, Law& law, const Node& node, const Path& path,
-                         const UnitSystem& units) {
-  if (units.length.empty() || units.time.empty()) {
+                         bool rotational, const UnitSystem& units) {
+  if ((units.length.empty() && !rotational) || units.time.empty()) {
     binder.error(node, path,
                  "its piece beyond C6 hides a unit of speed: the case must state its units of "
                  "length and time",
@@ -42,11 +48,15 @@ bool complete_speed_unit(Binder& binder, Law& law, const Node& node, const Path&
     return false;
   }
   if (law.speed_unit.empty()) return true;
-  const auto conversion =
-      conversion_to_case(law.speed_unit.name(), Dimension{.length = 1, .time = -1}, units);
+  const Dimension speed{.length = rotational ? 0 : 1, .time = -1, .angle = rotational ? 1 : 0};
+  const auto conversion = conversion_to_case(law.speed_unit.name(), speed, units);
   if (!conversion) {
     const auto [at, where] = place_of(node, path, "speed_unit");
     binder.history_error(at, where, conversion.error());
+    if (rotational) {
+      binder.note(at, where,
+                  "this definition slips in a rotation: its V is in " + unit_text(speed, units));
+    }
     return false;
   }
   law.speed_factor = 1.0 / conversion->scale;
@@ -83,9 +93,6 @@ bool complete(Binder& binder, Law& law, const Node& node, const Path& path,
   if constexpr (requires { law.area; }) {
     good = complete_area(binder, law, node, path, surroundings.area);
   }
-  if constexpr (requires { law.speed_unit; }) {
-    good = complete_speed_unit(binder, law, node, path, surroundings.units) && good;
-  }
   warn_of(binder, law, node, path);
   warn_of_negative_start(binder, law, node, path);
   return good;
@@ -102,12 +109,11 @@ std::optional<law::FrictionLaw> coefficient_law(Binder& binder, const Coefficien
     return law::FrictionLaw(law::TabularCoefficient{std::move(*function)});
   }
   law::FrictionLaw law = std::get<law::FrictionLaw>(coefficient.value);
-  // A law by name stands below its name.
-  const bool named = node.is_map() && node.size() == 1;
-  const Node below = named ? node.entry(0).value : node;
-  const Path place = named ? path / node.entry(0).key.text() : path;
+  const auto [below, place] = below_name(node, path);
   const bool good =
-      std::visit([&](auto& one) { return complete(binder, one, below, place, surroundings); }, law);
+      std::visit([&, &at = below, &where = place](
+                     auto& one) { return complete(binder, one, at, where, surroundings); },
+                 law);
   if (!good) return std::nullopt;
   return law;
 }
@@ -118,6 +124,31 @@ std::optional<law::FrictionLaw> coefficient_law(Binder& binder,
   if (!coefficient.sound || coefficient.value.orthotropic) return std::nullopt;
   return coefficient_law(binder, coefficient.value, *coefficient.node, coefficient.path,
                          surroundings);
+}
+
+bool suit_to_slip(Binder& binder, const At<CoefficientText>& coefficient,
+                  const law::SlipSpace& slip, const UnitSystem& units, law::FrictionLaw& law) {
+  if (!coefficient.sound) return true;
+  const bool rotational = law::is_rotational(slip);
+  const auto [node, path] = below_name(*coefficient.node, coefficient.path);
+  return std::visit(
+      [&, &at = node, &where = path](auto& one) {
+        if constexpr (requires { one.speed_unit; }) {
+          return complete_speed_unit(binder, one, at, where, rotational, units);
+        } else if constexpr (requires { one.area; }) {
+          if (rotational && one.depends_on_contact_force()) {
+            const std::string unit = unit_text({.force = 1, .length = -1}, units);
+            binder.warning(at, where,
+                           "F_N of this definition is a moment: its p = F_N/A is no pressure but " +
+                               (unit.empty() ? "a moment over an area" : "in " + unit) +
+                               ", and V an angle per time");
+          }
+          return true;
+        } else {
+          return true;
+        }
+      },
+      law);
 }
 
 }  // namespace slipbench::driver

@@ -18,8 +18,7 @@ struct LawSurroundings {
 };
 
 /// The law of a coefficient as written; nothing if it is not given or faulty, which is reported. A
-/// law of the pressure without an area takes the connector's; a law whose constants hide a unit of
-/// speed gets its factor to the case's.
+/// law of the pressure without an area takes the connector's. `suit_to_slip` has to follow.
 std::optional<law::FrictionLaw> coefficient_law(Binder& binder,
                                                 const At<CoefficientText>& coefficient,
                                                 const LawSurroundings& surroundings);
@@ -27,6 +26,13 @@ std::optional<law::FrictionLaw> coefficient_law(Binder& binder,
 std::optional<law::FrictionLaw> coefficient_law(Binder& binder, const CoefficientText& coefficient,
                                                 const Node& node, const Path& path,
                                                 const LawSurroundings& surroundings);
+
+/// Suits a law to the slip space it acts in: gives one whose constants hide a unit of speed its
+/// factor to the case's, and warns where what a law calls a pressure is a moment over an area.
+/// \param coefficient where the law is written
+/// \return false if there is no such factor, which is reported
+bool suit_to_slip(Binder& binder, const At<CoefficientText>& coefficient,
+                  const law::SlipSpace& slip, const UnitSystem& units, law::FrictionLaw& law);
 
 /// The stick stiffness of a `stick:` map or of its absence, with a note where the length it refers
 /// to is a default.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -13,6 +14,7 @@
 #include "driver/case/resolve.hpp"
 #include "driver/text/format_number.hpp"
 #include "law/component.hpp"
+#include "law/penalty_predictor.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -74,6 +76,13 @@ std::optional<law::ViscousPenalty> viscous(Binder& binder, const At<FormulationT
     penalty.visf = text.visf.value;
   }
   const double* number = std::get_if<double>(&penalty.stiffness);
+  if (number != nullptr && !std::isfinite(penalty.visf * std::sqrt(2.0 * *number * penalty.mass))) {
+    binder.error(*text.normal_stiffness.node, text.normal_stiffness.path,
+                 fmt::format("C = VISF sqrt(2 K m) is not finite for VISF {}, K {} and m {}",
+                             format_number(penalty.visf), format_number(*number),
+                             format_number(penalty.mass)));
+    return std::nullopt;
+  }
   if (penalty.mass == 0.0 || (number != nullptr && *number == 0.0)) {
     const At<double>& mass = text.mass;
     binder.warning(mass.value == 0.0 ? *mass.node : *text.normal_stiffness.node,
@@ -124,9 +133,20 @@ std::optional<double> xfreq_coefficient(Binder& binder, const FilterText& text) 
   return std::nullopt;
 }
 
+/// Whether a filter of this formulation smooths the force, as law::smooths has it of a sound one.
+bool would_smooth(const FormulationText& text) {
+  law::Formulation formulation;
+  formulation.filter.kind = law::Filter::Kind::kSimple;
+  formulation.convention = text.convention;
+  if (!text.penalty.sound || text.penalty.value == PenaltyKind::kStiffness) {
+    formulation.penalty = law::StiffnessPenalty{};
+  }
+  return law::smooths(formulation);
+}
+
 /// The filter of a definition; nothing after an error.
 std::optional<law::Filter> filter(Binder& binder, const At<FilterText>& at,
-                                  law::Convention convention) {
+                                  const FormulationText& formulation) {
   const FilterText& text = at.value;
   using Kind = law::Filter::Kind;
   law::Filter result;
@@ -163,10 +183,13 @@ std::optional<law::Filter> filter(Binder& binder, const At<FilterText>& at,
   } else if (text.frequency.given()) {
     result.kind = Kind::kFrequency;
     result.value = text.frequency.value;
-    if (convention == law::Convention::kAsCoded) {
+    if (formulation.convention == law::Convention::kAsCoded) {
       binder.warning(*text.frequency.node, text.frequency.path,
-                     "as coded alpha is max(1, 2 pi f dt): this filter never smooths, above 1 it "
-                     "overshoots and from 2 on it diverges");
+                     would_smooth(formulation)
+                         ? "as coded alpha is max(1, 2 pi f dt): this filter never smooths, above "
+                           "1 it overshoots and from 2 on it diverges"
+                         : "as coded alpha is max(1, 2 pi f dt), a factor of K_t: this filter "
+                           "never smooths, above 1 it makes the spring stiffer");
     }
   } else {
     const auto alpha = xfreq_coefficient(binder, text);
@@ -241,21 +264,47 @@ std::optional<law::Formulation> penalty(Binder& binder, const At<FrictionText>& 
 }
 
 /// The increments of a step against the period of a filter.
-void check_period(Binder& binder, const At<FilterText>& at, const Case& problem) {
+void check_period(Binder& binder, const At<FilterText>& at, bool smooths, const Case& problem) {
   const At<double>& period = at.value.period;
   if (!period.sound) return;
   for (const Step& step : problem.steps) {
     const double dt = step.duration / step.increments;
     const double alpha = kTwoPi * dt / period.value;
     if (!(alpha > 1.0)) continue;
-    binder.error(*period.node, period.path,
-                 fmt::format("alpha = 2 pi dt/T = {:.6g} is above 1 in step '{}' with dt = {}: the "
-                             "filter would overshoot",
-                             alpha, step.name, format_number(dt)),
-                 fmt::format("give the step at least {:.0f} increments, or a period of at least "
-                             "{:.6g}",
-                             std::ceil(kTwoPi * step.duration / period.value), kTwoPi * dt));
+    constexpr double kMostIncrements = 1e9;
+    const double wanted = std::ceil(kTwoPi * step.duration / period.value);
+    binder.error(
+        *period.node, period.path,
+        fmt::format(
+            "alpha = 2 pi dt/T = {:.6g} is above 1 in step '{}' with dt = {}: {}", alpha, step.name,
+            format_number(dt),
+            smooths ? "the filter would overshoot" : "the spring would be stiffer than K_t"),
+        "give the step " +
+            (wanted <= kMostIncrements ? fmt::format("at least {:.0f} increments, or ", wanted)
+                                       : std::string()) +
+            fmt::format("a period of at least {:.6g}", kTwoPi * dt));
     return;
+  }
+}
+
+/// A formulation sees the motion's speed and the wear at the start, whatever `integration:` says.
+void warn_of_timing(Binder& binder, const CaseText& text) {
+  const std::vector<At<FrictionText>>& all = text.friction.value;
+  if (std::none_of(all.begin(), all.end(), [](const At<FrictionText>& friction) {
+        return has_formulation(friction.value);
+      })) {
+    return;
+  }
+  const IntegrationText& integration = text.integration;
+  if (integration.slip_rate.given() && integration.slip_rate.value == law::SlipRateMeasure::kSlip) {
+    binder.warning(*integration.slip_rate.node, integration.slip_rate.path,
+                   "a formulation sees the speed of the relative motion, not that of the slip");
+  }
+  if (integration.accumulated_slip.given() &&
+      integration.accumulated_slip.value == law::AccumulatedSlipTiming::kEnd) {
+    binder.warning(*integration.accumulated_slip.node, integration.accumulated_slip.path,
+                   "a formulation takes the internal contact force at the slip of the start of an "
+                   "increment");
   }
 }
 
@@ -288,7 +337,7 @@ std::optional<law::Formulation> formulation(Binder& binder, const At<FrictionTex
   auto result = penalty(binder, friction);
   bool good = result.has_value();
   if (text.filter.given() && text.filter.node->is_map()) {
-    auto made = filter(binder, text.filter, text.formulation.value.convention);
+    auto made = filter(binder, text.filter, text.formulation.value);
     good = good && made;
     if (good) result->filter = *made;
   } else {
@@ -356,6 +405,7 @@ bool slip_suits_formulation(Binder& binder, const At<FrictionText>& friction,
 void check_formulations(Binder& binder, const CaseText& text, const Case& problem) {
   const std::vector<At<FrictionText>>& all = text.friction.value;
   if (all.empty()) return;
+  warn_of_timing(binder, text);
   const bool predefined = all.front().value.predefined.given();
   if (!predefined && all.size() != problem.definitions.size()) return;
   const std::size_t count = predefined ? 1 : all.size();
@@ -370,7 +420,8 @@ void check_formulations(Binder& binder, const CaseText& text, const Case& proble
                    "leave out 'dynamics:', or give the definition no formulation");
     }
     if (friction.filter.given()) {
-      check_period(binder, friction.filter, problem);
+      const bool smooths = would_smooth(friction.formulation.value);
+      check_period(binder, friction.filter, smooths, problem);
       law::ComponentSet slips;
       for (const CaseDefinition& definition : problem.definitions) {
         if (!predefined && &definition != &problem.definitions[i]) continue;
@@ -379,7 +430,7 @@ void check_formulations(Binder& binder, const CaseText& text, const Case& proble
           slips.insert(slip.component[static_cast<std::size_t>(k)]);
         }
       }
-      if (!(slips & problem.force_driven).empty()) {
+      if (smooths && !(slips & problem.force_driven).empty()) {
         binder.error(*friction.filter.node, friction.filter.path,
                      "a filtered force lags behind the motion: " +
                          motion_names(slips & problem.force_driven) +

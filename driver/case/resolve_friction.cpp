@@ -265,8 +265,8 @@ class Resolver {
     }
     const bool silent = has_unknown_key<FrictionText>(node) || rigid(text) || has_formulation(text);
     shared.stick = stick_stiffness(binder_, text.stick, node, path, silent, out_.units);
-    shared.accumulated_slip = text_.integration.accumulated_slip;
-    shared.slip_rate = text_.integration.slip_rate;
+    shared.accumulated_slip = text_.integration.accumulated_slip.value;
+    shared.slip_rate = text_.integration.slip_rate.value;
     const auto penalty = formulation(binder_, friction, {text_.connector.value.area, out_.units});
     if (penalty) set_formulation(shared, *penalty);
     if (!penalty && has_formulation(text)) columns_known_ = false;
@@ -295,6 +295,7 @@ class Resolver {
       }
       user_defined(friction, shared, false);
     }
+    suit_laws(text.coefficient, first);
     for (std::size_t i = first; i < out_.definitions.size() && has_formulation(text); ++i) {
       if (!slip_suits_formulation(binder_, friction, out_.definitions[i].law)) break;
     }
@@ -307,6 +308,22 @@ class Resolver {
   [[nodiscard]] bool columns_known() const { return columns_known_; }
 
  private:
+  /// Suits the laws of the definitions from `first` on to what they slip in.
+  void suit_laws(const At<CoefficientText>& coefficient, std::size_t first) {
+    const auto& directions = coefficient.value.orthotropic;
+    for (std::size_t i = first; i < out_.definitions.size(); ++i) {
+      law::FrictionDefinition& d = out_.definitions[i].law;
+      const auto suit = [&](const At<CoefficientText>& at, law::FrictionLaw& law) {
+        return suit_to_slip(binder_, at, d.slip, out_.units, law);
+      };
+      bool good = suit(directions ? coefficient_of(directions->direction1) : coefficient, d.law);
+      if (directions && d.formulation && d.formulation->orthotropy) {
+        good =
+            suit(coefficient_of(directions->direction2), d.formulation->orthotropy->second) && good;
+      }
+      if (!good) return;  // the same fault in each of them
+    }
+  }
   /// A number and a table have the columns of every law.
   static bool is_named_law(const At<CoefficientText>& coefficient) {
     return coefficient.given() && coefficient.node->is_map() && !coefficient.node->find("columns");
@@ -505,6 +522,11 @@ class Resolver {
   void contact_force(const At<ContactForceText>& contact, law::FrictionDefinition& d) {
     if (const int* number = std::get_if<int>(&contact.value.value)) {
       d.contact_force = law::ComponentContactForce{*number - 1};
+      // Behind what opens nothing presses: its normal force is one-sided for every definition.
+      const auto& type = out_.connection.type;
+      if (type && std::holds_alternative<law::Contact>(*type) && *number == 1) {
+        d.contact_force = law::Contact::pressing();
+      }
       usable_force(binder_, out_.connection, *number - 1, *contact.node, contact.path);
       return;
     }

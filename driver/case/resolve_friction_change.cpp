@@ -53,6 +53,9 @@ class Changes {
       const law::FrictionDefinition& before = in_force_[definition];
       const law::FrictionDefinition& own = out_.definitions[definition].law;
       result.law = reset ? own.law : *law;
+      if (!reset && !suit_to_slip(binder_, text.coefficient, own.slip, out_.units, result.law)) {
+        continue;
+      }
       result.force_limit = reset ? own.force_limit : before.force_limit;
       result.stick = reset ? own.stick : before.stick;
       if (text.force_limit.sound) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,13 +36,22 @@ std::string_view kind_of(const CoefficientText& text) {
 /// Reads the table of part pairs against its own rules and looks up the connector's parts.
 class PairTable {
  public:
-  PairTable(Binder& binder, const At<FrictionPairsText>& text) : binder_(binder), text_(text) {}
+  PairTable(Binder& binder, const At<FrictionPairsText>& text) : binder_(binder), text_(text) {
+    for (const At<int>& part : text.value.parts.value) known_.push_back(part.value);
+    std::sort(known_.begin(), known_.end());
+  }
 
   /// The sides of every record as lists of parts. \return whether the table is sound
   bool resolve() {
     const FrictionPairsText& table = text_.value;
     bool good = text_.sound;
-    for (const auto& group : table.groups) good = check_group(group) && good;
+    for (const auto& group : table.groups) {
+      good = check_group(group) && good;
+      std::vector<int> parts;
+      for (const At<int>& part : group.value) parts.push_back(part.value);
+      std::sort(parts.begin(), parts.end());
+      groups_.try_emplace(group.name, std::move(parts));
+    }
     for (const At<PartPairText>& record : table.pairs.value) {
       good = resolve_record(record) && good;
     }
@@ -52,9 +63,7 @@ class PairTable {
   bool known(int part, const Node& node, const Path& path) {
     const At<std::vector<At<int>>>& list = text_.value.parts;
     if (!list.given() || list.faulty()) return true;
-    for (const At<int>& one : list.value) {
-      if (one.value == part) return true;
-    }
+    if (std::binary_search(known_.begin(), known_.end(), part)) return true;
     binder_.error(node, path,
                   "part " + std::to_string(part) + " is not among those of friction_pairs.parts");
     return false;
@@ -62,10 +71,31 @@ class PairTable {
 
   /// The index of the record in force; only of a sound table.
   [[nodiscard]] std::optional<std::size_t> find(int a, int b) const {
-    return law::last_joining(pairs_, a, b);
+    // Of all parts only these two count: long sides need not be copied for each record.
+    const auto of_two = [&](const Side& side) {
+      std::vector<int> parts;
+      for (const int part : {a, b}) {
+        if (side.group == nullptr
+                ? side.part == part
+                : std::binary_search(side.group->begin(), side.group->end(), part)) {
+          parts.push_back(part);
+        }
+      }
+      return parts;
+    };
+    std::vector<law::PartPair> pairs;
+    pairs.reserve(records_.size());
+    for (const auto& [side1, side2] : records_) pairs.push_back({of_two(side1), of_two(side2)});
+    return law::last_joining(pairs, a, b);
   }
 
  private:
+  /// A side of a record.
+  struct Side {
+    int part = 0;
+    const std::vector<int>* group = nullptr;  ///< its parts, ascending; null: a part alone
+  };
+
   bool check_group(const Named<std::vector<At<int>>>& group) {
     bool good = group.sound;
     if (!begins_with_letter(group.name)) {
@@ -86,7 +116,7 @@ class PairTable {
   }
 
   bool resolve_record(const At<PartPairText>& record) {
-    law::PartPair& pair = pairs_.emplace_back();
+    auto& [side1, side2] = records_.emplace_back();
     const At<std::vector<At<PartOrGroup>>>& sides = record.value.parts;
     bool good = record.sound;
     if (sides.sound && sides.value.size() != 2) {
@@ -96,24 +126,28 @@ class PairTable {
       return false;
     }
     if (!sides.given() || sides.value.size() != 2) return false;
-    good = side(sides.value[0], pair.side1) && good;
-    return side(sides.value[1], pair.side2) && good;
+    good = read_side(sides.value[0], side1) && good;
+    return read_side(sides.value[1], side2) && good;
   }
 
-  bool side(const At<PartOrGroup>& at, std::vector<int>& parts) {
+  bool read_side(const At<PartOrGroup>& at, Side& side) {
     if (!at.sound) return false;
     if (const int* part = std::get_if<int>(&at.value.value)) {
-      parts = {*part};
+      side.part = *part;
       return known(*part, *at.node, at.path);
     }
     const std::string& name = std::get<std::string>(at.value.value);
-    std::vector<std::string_view> names;
-    for (const auto& group : text_.value.groups) {
-      names.push_back(group.name);
-      if (group.name != name) continue;
-      for (const At<int>& part : group.value) parts.push_back(part.value);
+    if (const auto group = groups_.find(name); group != groups_.end()) {
+      side.group = &group->second;
       return true;
     }
+    // A search for the name that was meant; nobody reads so many messages.
+    if (++unknown_groups_ > Diagnostics::kMaxKept) {
+      binder_.error(*at.node, at.path, "unknown group '" + printable(name) + "'");
+      return false;
+    }
+    std::vector<std::string_view> names;
+    for (const auto& group : text_.value.groups) names.push_back(group.name);
     binder_.error(*at.node, at.path, "unknown group '" + printable(name) + "'",
                   nearest_or(name, names,
                              names.empty() ? "name its parts under friction_pairs.groups"
@@ -149,7 +183,10 @@ class PairTable {
 
   Binder& binder_;
   const At<FrictionPairsText>& text_;
-  std::vector<law::PartPair> pairs_;
+  std::vector<int> known_;  ///< of friction_pairs.parts, ascending
+  std::map<std::string_view, std::vector<int>> groups_;
+  std::vector<std::array<Side, 2>> records_;
+  std::size_t unknown_groups_ = 0;
 };
 
 /// The two parts that meet, or nothing, which is reported.

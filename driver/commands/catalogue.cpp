@@ -24,7 +24,7 @@ void tell(fmt::format_string<Argument...> text, Argument&&... arguments) {
   print(fmt::format(text, std::forward<Argument>(arguments)...));
 }
 
-constexpr std::array<std::string_view, 4> kLists{"connections", "laws", "closed-forms",
+constexpr std::array<std::string_view, 5> kLists{"connections", "laws", "keys", "closed-forms",
                                                  "quantities"};
 
 template <class Visit>
@@ -50,6 +50,11 @@ void list_laws() {
       [&]<class Law>(std::type_identity<Law>) { tell("  {:<20} {}\n", Law::kName, Law::kTitle); });
 }
 
+void list_keys() {
+  tell("keys of a contact penalty, told by 'slipbench describe'\n");
+  for (const DescribedKey& key : described_keys()) tell("  {:<20} {}\n", key.name, key.title);
+}
+
 void list_closed_forms() {
   tell("closed forms to check against\n");
   for (const reference::ClosedForm& form : reference::catalogue()) {
@@ -68,7 +73,7 @@ void add_formulations(law::FrictionDefinition definition,
   all.push_back(definition);
 }
 
-/// All result columns that some connection with predefined friction has, each once.
+/// All result columns that some connection with predefined friction has, each meaning once.
 std::vector<Column> all_columns() {
   std::vector<Column> columns;
   law::for_each_connection_type([&]<class Type>(std::type_identity<Type>) {
@@ -86,8 +91,9 @@ std::vector<Column> all_columns() {
         for (const law::FrictionDefinition& form : forms) {
           problem.definitions = {{"", check.slip.dimension > 1, form}};
           for (Column& column : result_columns(problem)) {
-            const bool known = std::any_of(columns.begin(), columns.end(),
-                                           [&](const Column& c) { return c.name == column.name; });
+            const bool known = std::any_of(columns.begin(), columns.end(), [&](const Column& c) {
+              return c.name == column.name && c.text == column.text;
+            });
             if (!known) columns.push_back(std::move(column));
           }
         }
@@ -180,12 +186,15 @@ bool describe_quantity(std::string_view name) {
         force_column("CRF", *c));
     return true;
   }
+  bool found = false;
   for (const Column& column : all_columns()) {
     if (column.name != name) continue;
-    tell("{} (result column)\n  {}\n", column.name, column.text);
-    return true;
+    // A name may have another meaning with another connection.
+    if (!found) tell("{} (result column)\n", column.name);
+    tell("  {}\n", column.text);
+    found = true;
   }
-  return false;
+  return found;
 }
 
 int unknown(std::string_view what, std::string_view name, std::span<const std::string_view> known) {
@@ -205,6 +214,7 @@ int list_command(const std::string& what) {
   }
   if (what.empty() || what == "connections") list_connections();
   if (what.empty() || what == "laws") list_laws();
+  if (what.empty() || what == "keys") list_keys();
   if (what.empty() || what == "closed-forms") list_closed_forms();
   if (what.empty() || what == "quantities") list_quantities();
   return kExitOk;
@@ -222,7 +232,8 @@ int describe_command(const std::string& name) {
   for (const reference::ClosedForm& form : reference::catalogue()) known.push_back(form.name);
   const std::vector<Column> columns = all_columns();
   for (const Column& column : columns) known.push_back(column.name);
-  return unknown("connection, law, closed form or quantity", name, known);
+  for (const DescribedKey& key : described_keys()) known.push_back(key.name);
+  return unknown("connection, law, closed form, quantity or key", name, known);
 }
 
 int schema_command(bool markdown) {

@@ -7,7 +7,7 @@
 namespace slipbench::driver {
 
 /// `slipbench list`: the names of one kind of thing with one sentence each; `what` is connections,
-/// laws, closed-forms or quantities, and empty for all of them. Returns the exit code.
+/// laws, keys, closed-forms or quantities, and empty for all of them. Returns the exit code.
 int list_command(const std::string& what);
 
 /// `slipbench describe`: everything about the connection type, coefficient law, closed form or

@@ -11,6 +11,7 @@
 
 #include "driver/commands/shared.hpp"
 #include "driver/results/provenance.hpp"
+#include "law/penalty_predictor.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -175,6 +176,13 @@ tl::expected<std::string, CommandFailure> converge(const Case& problem) {
     text += fmt::format("    dissipated  {:.7g}, {:.7g}, {:.7g}; {}\n", energy_of[0], energy_of[1],
                         energy_of[2], order_text(energy));
     text += "    " + verdict_text(of, force, energy) + "\n";
+    const auto& formulation = problem.definitions[d].law.formulation;
+    if (formulation && formulation->filter.kind == law::Filter::Kind::kSimple &&
+        law::smooths(*formulation)) {
+      text +=
+          "    its filter counts increments (simple, Xfreq): with others it is another filter, "
+          "with another answer; 'period' keeps it\n";
+    }
   }
   return text;
 }

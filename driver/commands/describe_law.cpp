@@ -211,36 +211,107 @@ std::string describe() {
 }
 
 /// What a map of the case format is about, where a table of its keys does not say it.
+struct Topic {
+  std::string_view key;
+  std::string_view title;
+  std::string_view text;
+};
+constexpr std::array<Topic, 4> kTopics{{
+    {"formulation", "contact penalty in place of stick and return mapping (Radioss Iform)",
+     "The penalty formulations of a Radioss contact in place of the connector's stick and return "
+     "mapping. viscous: F = min(C V, mu N) v/V, no stick, a load below the limit creeps at P/C. "
+     "stiffness: F* = F + K_t v dt, returned to the limit."},
+    {"filter", "first-order filter of its friction force (Radioss Ifiltr, Xfreq)",
+     "A first-order filter of the friction force of a formulation, F_k = alpha F + (1 - alpha) "
+     "F_{k-1}, behind the limit and reset where the contact opens. The filtered force lags: it "
+     "may be above mu N where N falls."},
+    {"orthotropic", "two coefficients at right angles (Radioss Idir)",
+     "Two coefficients at right angles: the limit is the ellipse (F1/(mu1 N))^2 + (F2/(mu2 N))^2 "
+     "= 1, and a force beyond it returns to the closest point."},
+    {"friction_pairs", "table of part pairs and their coefficients (Radioss /FRICTION)",
+     "A table of contact pairs: the last entry whose two sides hold the two parts of the "
+     "connector, in either order, gives the coefficient; else the default does."},
+}};
 std::string_view topic(std::string_view key) {
-  struct Topic {
-    std::string_view key;
-    std::string_view text;
-  };
-  static constexpr std::array<Topic, 4> kTopics{{
-      {"formulation",
-       "The penalty formulations of a Radioss contact in place of the connector's stick and return "
-       "mapping. viscous: F = min(C V, mu N) v/V, no stick, a load below the limit creeps at P/C. "
-       "stiffness: F* = F + K_t v dt, returned to the limit."},
-      {"filter",
-       "A first-order filter of the friction force of a formulation, F_k = alpha F + (1 - alpha) "
-       "F_{k-1}, behind the limit and reset where the contact opens. The filtered force lags: it "
-       "may be above mu N where N falls."},
-      {"orthotropic",
-       "Two coefficients at right angles: the limit is the ellipse (F1/(mu1 N))^2 + (F2/(mu2 N))^2 "
-       "= 1, and a force beyond it returns to the closest point."},
-      {"friction_pairs",
-       "A table of contact pairs: the last entry whose two sides hold the two parts of the "
-       "connector, in either order, gives the coefficient; else the default does."},
-  }};
   for (const Topic& topic : kTopics) {
     if (topic.key == key) return topic.text;
   }
   return {};
 }
 
+/// An option of a Radioss block that leads to a key of the case, or to the laws.
+std::string_view key_of_option(std::string_view name) {
+  struct Option {
+    std::string_view name;
+    std::string_view key;
+  };
+  static constexpr std::array<Option, 5> kOptions{{{"Ifiltr", "filter"},
+                                                   {"Xfreq", "filter"},
+                                                   {"Iform", "formulation"},
+                                                   {"VISF", "formulation"},
+                                                   {"Idir", "orthotropic"}}};
+  for (const Option& option : kOptions) {
+    if (option.name == name) return option.key;
+  }
+  return name;
+}
+
 std::string_view last_of(std::string_view path) {
   const std::size_t dot = path.rfind('.');
   return dot == std::string_view::npos ? path : path.substr(dot + 1);
+}
+
+/// A key below another one, with what it takes.
+std::string key_below(std::string_view rest, const KeyRow& row) {
+  const std::string dimension = dimension_text(row.info.dimension);
+  std::string fallback = "required";
+  if (!row.info.required) {
+    const std::string_view text = row.info.default_text;
+    fallback = "default: " + std::string(text.empty() ? "0" : text);
+  }
+  return fmt::format("    {:<24} {}{}, {}\n", rest, row.wanted,
+                     dimension.empty() ? "" : " [" + dimension + "]", fallback) +
+         wrapped(row.info.text, 29);
+}
+
+/// The keys below a path of the case format. The laws of a coefficient are described elsewhere.
+std::string keys_below(std::string_view path, const std::vector<KeyRow>& rows) {
+  std::string text;
+  for (const KeyRow& row : rows) {
+    const std::string_view inside = row.path;
+    if (!inside.starts_with(path) || inside.size() == path.size()) continue;
+    const std::string_view rest = inside.substr(path.size());
+    if (rest.front() != '.' && rest.front() != '[') continue;
+    if (rest.find(".coefficient.") != std::string_view::npos) continue;
+    text += key_below(rest.front() == '.' ? rest.substr(1) : rest, row);
+    if (rest.ends_with(".coefficient")) {
+      text += wrapped("The laws by name: 'slipbench list laws', 'slipbench describe renard'.", 29);
+    }
+  }
+  return text;
+}
+
+/// The laws with the numbers that a Radioss block gives them.
+std::string laws_by_number() {
+  std::string text =
+      "Ifric (option of a Radioss /FRICTION block)\n" +
+      wrapped(
+          "The law of the coefficient. Here it stands by its name: coefficient: {renard: "
+          "{...}}; 'slipbench describe' tells of each.",
+          2) +
+      fmt::format("\n    {:<3} {:<22} {}\n", 0, "a number", law::ConstantCoefficient::kTitle);
+  [&]<class... Law>(std::type_identity<std::variant<Law...>>) {
+    const auto add = [&](std::string_view name, std::string_view title) {
+      constexpr std::string_view kNumber = "Ifric ";
+      const std::size_t at = title.find(kNumber);
+      if (at == std::string_view::npos) return;
+      text +=
+          fmt::format("    {:<3} {:<22} {}\n", title.substr(at + kNumber.size(), 1), name, title);
+    };
+    (add(Law::kName, Law::kTitle), ...);
+  }(std::type_identity<law::FrictionLaw>{});
+  return text + fmt::format("    {:<3} {:<22} {}\n", 4, law::ExponentialDecay::kName,
+                            law::ExponentialDecay::kTitle);
 }
 
 }  // namespace
@@ -254,29 +325,29 @@ std::string describe_law(std::string_view name) {
 }
 
 std::string describe_key(std::string_view name) {
+  if (name == "Ifric") return laws_by_number();
   static const std::vector<KeyRow> rows = case_rows();
-  std::string text;
+  const std::string_view key = key_of_option(name);
+  // The same map may stand in several places: its keys are told once.
+  std::string places;
+  std::string keys;
   for (const KeyRow& row : rows) {
     const std::string_view path = row.path;
-    if (last_of(path) != name || topic(name).empty()) continue;
-    if (text.empty()) {
-      text = fmt::format("{} (key of a case)\n", name) + wrapped(topic(name), 2);
-    }
-    text += fmt::format("\n  {}\n", path);
-    for (const KeyRow& below : rows) {
-      const std::string_view inside = below.path;
-      if (!inside.starts_with(path) || inside.size() == path.size()) continue;
-      const std::string_view rest = inside.substr(path.size());
-      if (rest.front() != '.' && rest.front() != '[') continue;
-      const std::string dimension = dimension_text(below.info.dimension);
-      const std::string fallback =
-          below.info.required ? "required" : "default: " + std::string(below.info.default_text);
-      text += fmt::format("    {:<24} {}{}, {}\n", rest.front() == '.' ? rest.substr(1) : rest,
-                          below.wanted, dimension.empty() ? "" : " [" + dimension + "]", fallback);
-      text += wrapped(below.info.text, 29);
-    }
+    if (last_of(path) != key || topic(key).empty()) continue;
+    places += fmt::format("  {}\n", path);
+    if (keys.empty()) keys = keys_below(path, rows);
   }
-  return text;
+  if (keys.empty()) return {};
+  const std::string asked =
+      key == name ? std::string() : fmt::format("{} (Radioss): here a part of '{}'\n\n", name, key);
+  return asked + fmt::format("{} (key of a case)\n", key) + wrapped(topic(key), 2) + "\n" + places +
+         keys;
+}
+
+std::vector<DescribedKey> described_keys() {
+  std::vector<DescribedKey> keys;
+  for (const Topic& topic : kTopics) keys.push_back({topic.key, topic.title});
+  return keys;
 }
 
 }  // namespace slipbench::driver

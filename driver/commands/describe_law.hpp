@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace slipbench::driver {
 
@@ -12,7 +13,15 @@ namespace slipbench::driver {
 std::string describe_law(std::string_view name);
 
 /// What it tells of a key of the case format that is a map ("filter", "formulation"): where it
-/// stands, and the keys below it. Empty for a name that is no such key.
+/// stands, and the keys below it. An option of a Radioss block leads to the key that says it, Ifric
+/// to the laws with their numbers. Empty for a name that is neither.
 std::string describe_key(std::string_view name);
+
+/// A key that describe_key tells of, in one line.
+struct DescribedKey {
+  std::string_view name;
+  std::string_view title;
+};
+std::vector<DescribedKey> described_keys();
 
 }  // namespace slipbench::driver

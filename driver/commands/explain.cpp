@@ -21,6 +21,7 @@
 #include "driver/results/summary.hpp"
 #include "driver/text/format_number.hpp"
 #include "law/capstan_update.hpp"
+#include "law/penalty_predictor.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -291,9 +292,14 @@ std::string formulation_text(const law::FrictionDefinition& definition, const De
   const law::Formulation& formulation = *definition.formulation;
   const law::PenaltyDetail& detail = row.penalty;
   const bool as_coded = formulation.convention == law::Convention::kAsCoded;
-  const bool smooths =
-      formulation.filter.kind != law::Filter::Kind::kNone &&
-      !(as_coded && std::holds_alternative<law::StiffnessPenalty>(formulation.penalty));
+  const bool smooths = law::smooths(formulation);
+  if (row.update.state.regime == law::Regime::kOpen) {
+    const bool remembers = std::holds_alternative<law::StiffnessPenalty>(formulation.penalty);
+    if (!smooths && !remembers) return {};
+    return fmt::format("  open: {} again from 0\n", !remembers ? "the filter starts"
+                                                    : smooths  ? "filter and memory start"
+                                                               : "the memory starts");
+  }
   std::string text = "  formulation ";
   if (const auto* viscous = std::get_if<law::ViscousPenalty>(&formulation.penalty)) {
     const double c = detail.viscous_coefficient;
@@ -330,9 +336,16 @@ std::string formulation_text(const law::FrictionDefinition& definition, const De
                   vector_text(definition.slip, row.update.state.force), digits(detail.alpha),
                   vector_text(definition.slip, detail.raw), digits(1.0 - detail.alpha));
   if (formulation.filter.clip) text += ", taken back to the limit";
+  text += "\n";
   const double use = limit_use(definition, row);
-  if (use > 1.0 + 1e-9) text += fmt::format("   {} of the limit: overshoot", digits(use));
-  return text + "\n";
+  if (use < kUseWithoutLimit) {
+    text += fmt::format("     given out at {:.4g} % of the limit{}\n", 100.0 * use,
+                        use > 1.0 + 1e-9 ? ": overshoot" : "");
+  } else {
+    text += fmt::format("     given out although {} limit is 0: overshoot\n",
+                        formulation.orthotropy ? "a direction's" : "the");
+  }
+  return text;
 }
 
 std::string limit_text(const law::FrictionDefinition& definition,
@@ -387,15 +400,16 @@ std::string definition_text(const Case& problem, const Instant& instant, std::si
   std::string text = fmt::format(
       "{}{}   {}\n", problem.definitions.size() > 1 ? "'" + problem.definitions[d].name + "' " : "",
       regime_name(regime), forces_text(problem, definition, update.state, update.limit));
-  auto [p, how] = magnitude(definition, update.state);
+  // The limit bounds the force before a filter.
+  const bool filtered = definition.formulation && law::smooths(*definition.formulation);
+  auto [p, how] = magnitude(definition, limited_state(definition, instant.row.definitions[d]));
   if (p <= 1e-12 * update.limit) p = 0.0;
-  text += fmt::format("  P {} = {}\n", with_unit(digits(p), unit), how);
+  text += fmt::format("  P {}{} = {}{}\n", with_unit(digits(p), unit),
+                      filtered ? " before the filter" : "", how,
+                      filtered ? " of the force within the limit" : "");
   // Rounding of a force that was put on its limit is no distance.
   const double phi = std::abs(update.phi) <= 1e-12 * update.limit ? 0.0 : update.phi;
-  const bool filtered =
-      definition.formulation && definition.formulation->filter.kind != law::Filter::Kind::kNone;
-  text += fmt::format("  Phi {} = P{} - limit", with_unit(digits(phi), unit),
-                      filtered ? " before the filter" : "");
+  text += fmt::format("  Phi {} = P - limit", with_unit(digits(phi), unit));
   if (regime == law::Regime::kStick && update.limit > 0.0) {
     text += fmt::format("   at {:.4g} % of the limit", 100.0 * p / update.limit);
   }

@@ -17,6 +17,7 @@
 #include "driver/history/units.hpp"
 #include "driver/radioss/case_writer.hpp"
 #include "driver/radioss/deck_friction.hpp"
+#include "driver/radioss/deck_line.hpp"
 #include "driver/radioss/starter_deck.hpp"
 #include "driver/results/output_file.hpp"
 #include "driver/text/number.hpp"
@@ -75,11 +76,15 @@ tl::expected<std::array<double, 3>, std::string> parse_normal(const std::string&
 /// The friction that is meant; null if it cannot be told, which is said.
 const DeckFriction* choose(const DeckContents& contents, const ImportOptions& options,
                            Diagnostics& out) {
+  constexpr std::size_t kMostNamed = 20;
   std::string ids;
+  std::size_t count = 0;
   for (const DeckFriction& friction : contents.frictions) {
     if (options.id && friction.id == *options.id) return &friction;
+    if (++count > kMostNamed) continue;
     ids += (ids.empty() ? "" : ", ") + std::to_string(friction.id);
   }
+  if (count > kMostNamed) ids += fmt::format(" and {} more", count - kMostNamed);
   if (!options.id && contents.frictions.size() == 1) return &contents.frictions.front();
   if (out.has_errors()) return nullptr;
   if (contents.frictions.empty()) {
@@ -97,8 +102,14 @@ const DeckFriction* choose(const DeckContents& contents, const ImportOptions& op
 /// The units the friction's numbers are in, as far as they are known.
 std::optional<UnitSystem> units_of(const DeckContents& contents, const DeckFriction& friction,
                                    const SourceText& source, Diagnostics& out) {
-  if (friction.unit_id == 0) return contents.units;
-  out.warning(source.name(), position_of(source, friction.where), std::string(friction.where),
+  if (friction.unit_id == 0) {
+    for (const DeckFault& fault : contents.unit_faults) {
+      out.warning(source.name(), position_of(source, fault.text), "/BEGIN", fault.message,
+                  "state the units with --units");
+    }
+    return contents.units;
+  }
+  out.warning(source.name(), position_of(source, friction.where), shortened(friction.where, 40),
               fmt::format("is in the local system of units {}", friction.unit_id),
               "state it with --units");
   return std::nullopt;
@@ -108,7 +119,7 @@ void judge_directions(const DeckContents& contents, const DeckFriction& friction
                       const std::optional<std::array<double, 3>>& normal, const SourceText& source,
                       Diagnostics& out) {
   if (!normal || !is_orthotropic(friction)) return;
-  for (const DeckOrientation& entry : contents.orientations) {
+  for (const DeckOrientation& entry : used_orientations(contents, friction)) {
     if (entry.skew > 0 || direction_in_plane(entry, *normal)) continue;
     out.error(source.name(), position_of(source, source.line(entry.line)), "/FRIC_ORIENT",
               "FRIC009: the direction is normal to the contact plane: it has no projection on it");
@@ -137,13 +148,19 @@ int import_command(const ImportOptions& options) {
   }
   Diagnostics diagnostics;
   const StarterDeck deck = split_deck(*source, diagnostics);
-  const DeckContents contents = read_contents(deck, diagnostics);
+  const DeckContents contents = read_contents(deck, options.id, diagnostics);
   const DeckFriction* friction = choose(contents, options, diagnostics);
   if (friction != nullptr) {
     judge(contents, *friction, *source, diagnostics);
     judge_directions(contents, *friction, skeleton_options.normal, *source, diagnostics);
     if (!skeleton_options.units) {
       skeleton_options.units = units_of(contents, *friction, *source, diagnostics);
+    }
+    if (!skeleton_options.units && friction->law == 3) {
+      diagnostics.warning(
+          source->name(), position_of(*source, friction->where), shortened(friction->where, 40),
+          "Ifric 3 hides a unit of speed: the case does not run before it states its units",
+          "state them with --units, or in the case");
     }
   }
   const SourceText sources[] = {*source};

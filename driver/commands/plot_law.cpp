@@ -71,6 +71,7 @@ struct Coefficient {
   std::string title;
   law::FrictionLaw law;
   bool rotational = false;
+  bool creeps = false;  ///< below the limit, in place of stick
   VisitedStates visited;
 };
 
@@ -100,10 +101,15 @@ Coefficients coefficients_of(const Case& problem) {
     std::array<int, 2> entries{-1, -1};
     const auto& formulation = definition.law.formulation;
     const bool orthotropic = formulation && formulation->orthotropy;
+    const bool creeps =
+        formulation && std::holds_alternative<law::ViscousPenalty>(formulation->penalty);
     const auto add = [&](const law::FrictionLaw& law, std::string_view direction) {
       if (!depends_on_anything(law)) return -1;
-      all.list.push_back(
-          {title_of(definition, several, law, direction), law, is_rotational(definition.law), {}});
+      all.list.push_back({title_of(definition, several, law, direction),
+                          law,
+                          is_rotational(definition.law),
+                          creeps,
+                          {}});
       return static_cast<int>(all.list.size()) - 1;
     };
     entries[0] = add(definition.law.law, orthotropic ? "direction 1" : "");
@@ -117,7 +123,8 @@ void visit(const Simulation& simulation, Coefficients& all) {
   for (std::size_t d = 0; d < all.of_definition.size(); ++d) {
     const DefinitionRow& row = simulation.row().definitions[d];
     const law::FrictionUpdate& update = row.update;
-    if (update.state.regime == law::Regime::kOpen) continue;
+    // The start is no state of an increment.
+    if (update.state.regime == law::Regime::kOpen || simulation.row().index == 0) continue;
     const int status = static_cast<int>(update.state.regime);
     const auto& formulation = simulation.definition(d).formulation;
     const bool orthotropic = formulation && formulation->orthotropy;
@@ -209,6 +216,8 @@ class Script {
                          coefficient.visited.largest_contact_force() / per_force);
     }
     set("CUT", gnuplot_string(cut));
+    set("STICK_NAME",
+        gnuplot_string(coefficient.creeps ? "visited below the limit" : "visited in stick"));
 
     const std::vector<double> loads = by_force ? levels(pressure_end) : std::vector<double>{0.0};
     const std::vector<double> rates = by_rate ? levels(rate.end) : std::vector<double>{0.0};
@@ -260,9 +269,10 @@ class Script {
         fmt::format("TERMINAL = \"{}\"\nPICTURE = {}\nTITLE = {}\nCOEFFICIENTS = {}\n",
                     terminal_for(picture, 60 + 440 * count_), gnuplot_string(output.string()),
                     gnuplot_string(title), count_);
-    for (const char* name : {"NAME", "RATE_LABEL", "LOAD_LABEL", "RATE_END", "LOAD_END",
-                             "RATE_STEP", "LOAD_STEP", "MAP_STEP", "BY_RATE", "BY_LOAD", "CUT",
-                             "OVER_RATE_NAMES", "OVER_LOAD_NAMES", "TOP", "STICKS", "SLIPS"}) {
+    for (const char* name :
+         {"NAME", "RATE_LABEL", "LOAD_LABEL", "RATE_END", "LOAD_END", "RATE_STEP", "LOAD_STEP",
+          "MAP_STEP", "BY_RATE", "BY_LOAD", "CUT", "OVER_RATE_NAMES", "OVER_LOAD_NAMES", "TOP",
+          "STICKS", "SLIPS", "STICK_NAME"}) {
       text += fmt::format("array {}[{}]\n", name, count_);
     }
     text += variables_;

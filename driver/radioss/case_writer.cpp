@@ -3,10 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <set>
 #include <string_view>
 #include <vector>
 
+#include "driver/radioss/check_writer.hpp"
 #include "driver/text/diagnostic.hpp"
 #include "driver/text/format_number.hpp"
 #include "driver/text/json.hpp"
@@ -47,7 +48,7 @@ std::string list_text(const std::vector<int>& numbers, std::size_t indent) {
 
 /// The coefficient of a parameter set, as one value in YAML.
 std::string coefficient(const DeckFriction& friction, const DeckCoefficients& set) {
-  if (is_empty(set)) return "0";
+  if (is_empty(friction.law, set)) return "0";
   const auto& c = set.c;
   const auto constants = [&](std::size_t count) {
     std::string text;
@@ -67,7 +68,7 @@ std::string coefficient(const DeckFriction& friction, const DeckCoefficients& se
       return flow_map("renard", std::move(all));
     }
     case 4:
-      if (set.fric >= c[0] && c[0] >= 0.0 && c[1] >= 0.0) {
+      if (falls(set)) {
         return fmt::format("{{exponential_decay: {{static: {}, kinetic: {}, decay: {}}}}}",
                            format_number(set.fric), format_number(c[0]), format_number(c[1]));
       }
@@ -94,10 +95,6 @@ std::string friction_lines(const DeckFriction& friction, const DeckCoefficients&
     text += blanks + "VISF: " + format_number(first.visf) + "\n";
   }
   return text;
-}
-
-std::string side_text(const DeckSide& side) {
-  return (side.group > 0 ? "G" : "") + std::to_string(side.group > 0 ? side.group : side.part);
 }
 
 /// Text that a person wrote, in a comment.
@@ -189,15 +186,14 @@ class Skeleton {
   void table() {
     line("friction_pairs:");
     // Without all of the deck's parts a list would refuse good ids.
-    if (!deck_.parts.empty() && !deck_.has_includes) {
+    if (has_all_parts(deck_)) {
       line("  parts: {}", list_text(deck_.parts, 10));
     }
     std::vector<int> groups;
+    std::set<int> met;
     for (const DeckPair& pair : friction_.pairs) {
       for (const DeckSide& side : pair.sides) {
-        if (side.group > 0 && std::find(groups.begin(), groups.end(), side.group) == groups.end()) {
-          groups.push_back(side.group);
-        }
+        if (side.group > 0 && met.insert(side.group).second) groups.push_back(side.group);
       }
     }
     if (!groups.empty()) line("  groups:");
@@ -261,10 +257,11 @@ class Skeleton {
 
   void orientation() {
     line("    # Direction 1 of the orthotropic records is component 2 of this contact (CP2, f2).");
-    if (deck_.orientations.empty()) {
+    const std::vector<DeckOrientation> used = used_orientations(deck_, friction_);
+    if (used.empty()) {
       line("    # In the deck it is the global x axis, projected on the contact plane.");
     }
-    for (const DeckOrientation& entry : deck_.orientations) {
+    for (const DeckOrientation& entry : used) {
       const auto& v = entry.vector;
       line("    # In the deck{}: ({}, {}, {}){}, projected on the contact plane{} (line {})",
            entry.of.group > 0  ? fmt::format(", group {}", entry.of.group)
@@ -299,11 +296,7 @@ class Skeleton {
       line("    motion: {{CP2: {{to: = 1000*time_step*speed}}}}");
     }
     line("");
-    line("checks:");
-    line("  - name: the contact is pressed as given");
-    line("    quantity: FN");
-    line("    against: {{expression: \"= normal_force\"}}");
-    line("    tolerance: {{relative: 1.0e-12, why: prescribed; rounding only}}");
+    out_ += checks_text(friction_);
   }
 
   const DeckContents& deck_;
@@ -317,6 +310,10 @@ class Skeleton {
 };
 
 }  // namespace
+
+std::string side_text(const DeckSide& side) {
+  return (side.group > 0 ? "G" : "") + std::to_string(side.group > 0 ? side.group : side.part);
+}
 
 std::string skeleton(const DeckContents& deck, const DeckFriction& friction,
                      const SkeletonOptions& options) {

@@ -17,6 +17,9 @@ struct SkeletonOptions {
   std::optional<std::array<double, 3>> normal;  ///< of the contact plane, in the deck's frame
 };
 
+/// What a side is called in the case: the id of its part, or its group.
+std::string side_text(const DeckSide& side);
+
 /// A case in YAML with the friction of a deck: a contact point that is pressed and slid. What a
 /// deck has no numbers for (stiffness and mass of the contact, area, load, speed, time step, which
 /// parts meet) are parameters without a value, so that a run before they are given is refused.

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <iterator>
 #include <numbers>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -47,14 +50,14 @@ std::string title_of(const DeckBlock& block) {
   if (block.lines.empty()) return {};
   std::string_view line = block.lines.front();
   line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
-  return printable(line);
+  return shortened(line, 100);
 }
 
 /// Walks through the lines of a block; the first fault ends it.
 class BlockReader {
  public:
   BlockReader(const DeckBlock& block, const SourceText& source, Diagnostics& out)
-      : block_(block), source_(source), out_(out), path_(block.keyword) {
+      : block_(block), source_(source), out_(out), path_(shortened(block.keyword, 40)) {
     if (block.gap) {
       warning(*block.gap, "a blank line is passed over: a line without values is written as zeros");
     }
@@ -129,6 +132,7 @@ DeckCoefficients read_set(BlockReader& reader, std::string_view which) {
   DeckCoefficients set;
   set.where = reader.upcoming();
   const auto first = reader.numbers(kFirstFive, "C1 .. C5" + std::string(which));
+  set.rest = reader.upcoming();
   const auto last = reader.numbers(kLastThree, "C6, Fric, VISF" + std::string(which));
   std::copy(first.begin(), first.end(), set.c.begin());
   set.c[5] = last[0];
@@ -256,82 +260,92 @@ std::vector<DeckOrientation> read_orientation(const DeckBlock& block, const Sour
 /// The parts of /GRPART/PART, ten a line; other kinds of group say them in other ways.
 std::optional<DeckGroup> read_group(const DeckBlock& block, const SourceText& source,
                                     Diagnostics& out) {
-  DeckGroup group{id_of(block, 2), title_of(block), {}};
+  DeckGroup group{id_of(block, 2), title_of(block), {}, {}};
   if (group.id == 0) return std::nullopt;
   if (block.words[1] != "PART") return group;
+  std::set<int> parts;
   for (std::size_t i = 1; i < block.lines.size(); ++i) {
     auto read = read_numbers(block.lines[i], kTenParts, 0);
     if (!read) {
-      out.warning(source.name(), position_of(source, block.lines[i]), std::string(block.keyword),
+      out.warning(source.name(), position_of(source, block.lines[i]), shortened(block.keyword, 40),
                   "its parts cannot be read: " + read.error().message);
-      group.parts.clear();
       return group;
     }
     for (const double part : read->values) {
       const int id = static_cast<int>(part);
       // A negative id takes a part out of a set that other lines have put in.
-      if (id < 0) std::erase(group.parts, -id);
-      if (id > 0) group.parts.push_back(id);
+      if (id < 0) parts.erase(-id);
+      if (id > 0) parts.insert(id);
     }
   }
-  std::sort(group.parts.begin(), group.parts.end());
-  group.parts.erase(std::unique(group.parts.begin(), group.parts.end()), group.parts.end());
+  group.parts.assign(parts.begin(), parts.end());
   return group;
 }
 
-std::string common_unit(std::string_view unit) {
-  // The program's own spelling of two units.
-  if (unit == "mus") return "us";
-  if (unit == "ton" || unit == "t") return "Mg";
-  return std::string(unit);
-}
+/// A unit of one dimension, by the names decks have for it.
+struct DeckUnit {
+  std::string_view in_deck;
+  std::string_view common;
+  double in_si;
+};
+constexpr std::array kMasses{DeckUnit{"kg", "kg", 1.0},  DeckUnit{"g", "g", 1e-3},
+                             DeckUnit{"mg", "mg", 1e-6}, DeckUnit{"Mg", "Mg", 1e3},
+                             DeckUnit{"ton", "Mg", 1e3}, DeckUnit{"t", "Mg", 1e3}};
+constexpr std::array kLengths{DeckUnit{"m", "m", 1.0},    DeckUnit{"dm", "dm", 1e-1},
+                              DeckUnit{"cm", "cm", 1e-2}, DeckUnit{"mm", "mm", 1e-3},
+                              DeckUnit{"um", "um", 1e-6}, DeckUnit{"km", "km", 1e3}};
+constexpr std::array kTimes{DeckUnit{"s", "s", 1.0}, DeckUnit{"ms", "ms", 1e-3},
+                            DeckUnit{"us", "us", 1e-6}, DeckUnit{"mus", "us", 1e-6},
+                            DeckUnit{"ns", "ns", 1e-9}};
+struct UnitSlot {
+  std::string_view name;
+  std::span<const DeckUnit> known;
+};
+constexpr std::array kUnitSlots{UnitSlot{"mass", kMasses}, UnitSlot{"length", kLengths},
+                                UnitSlot{"time", kTimes}};
 
-/// What a unit is in SI, as far as decks of practice go; 0: not known.
-double in_si(std::string_view unit) {
-  constexpr std::array<std::pair<std::string_view, double>, 13> kKnown{{{"kg", 1.0},
-                                                                        {"g", 1e-3},
-                                                                        {"mg", 1e-6},
-                                                                        {"Mg", 1e3},
-                                                                        {"m", 1.0},
-                                                                        {"cm", 1e-2},
-                                                                        {"mm", 1e-3},
-                                                                        {"um", 1e-6},
-                                                                        {"km", 1e3},
-                                                                        {"s", 1.0},
-                                                                        {"ms", 1e-3},
-                                                                        {"us", 1e-6},
-                                                                        {"ns", 1e-9}}};
-  for (const auto& [name, factor] : kKnown) {
-    if (name == unit) return factor;
+/// Takes the system of units from /BEGIN: run name, version, units of the input (mass, length,
+/// time), units of the work. The force is the one consistent with them. What is no unit of its
+/// dimension is a fault; a block that ends before it states none.
+void take_units(const DeckBlock& block, DeckContents& contents) {
+  contents.units.reset();
+  contents.unit_faults.clear();
+  if (block.lines.size() < 3) return;
+  const std::string_view line = block.lines[2];
+  std::string_view rest = line;
+  std::array<const DeckUnit*, 3> units{};
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
+    const std::string_view word = rest.substr(0, rest.find_first_of(" \t"));
+    rest.remove_prefix(word.size());
+    const UnitSlot& slot = kUnitSlots[i];
+    const auto found = std::find_if(slot.known.begin(), slot.known.end(),
+                                    [&](const DeckUnit& unit) { return unit.in_deck == word; });
+    if (found != slot.known.end()) {
+      units[i] = &*found;
+    } else if (word.empty()) {
+      contents.unit_faults.push_back({fmt::format("the unit of {} is missing", slot.name), line});
+    } else {
+      contents.unit_faults.push_back(
+          {fmt::format("wanted a unit of {}, found '{}'", slot.name, shortened(word, 40)), word});
+    }
   }
-  return 0.0;
-}
-
-/// The system of units of /BEGIN: run name, version, units of the input (mass, length, time), units
-/// of the work. The force is the one consistent with them.
-std::optional<UnitSystem> units_of(const DeckBlock& block) {
-  if (block.lines.size() < 3) return std::nullopt;
-  std::array<std::string, 3> words;
-  std::string_view line = block.lines[2];
-  for (std::string& word : words) {
-    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
-    const std::size_t end = std::min(line.find(' '), line.size());
-    word = common_unit(line.substr(0, end));
-    line.remove_prefix(end);
-  }
-  const double mass = in_si(words[0]);
-  const double length = in_si(words[1]);
-  const double time = in_si(words[2]);
-  if (mass == 0.0 || length == 0.0 || time == 0.0) return std::nullopt;
-  const double newtons = mass * length / (time * time);
+  if (!contents.unit_faults.empty()) return;
+  const auto [mass, length, time] = units;
+  const double newtons = mass->in_si * length->in_si / (time->in_si * time->in_si);
   constexpr std::array<std::pair<std::string_view, double>, 6> kForces{
       {{"N", 1.0}, {"kN", 1e3}, {"MN", 1e6}, {"GN", 1e9}, {"mN", 1e-3}, {"uN", 1e-6}}};
   for (const auto& [name, factor] : kForces) {
     if (std::abs(newtons / factor - 1.0) < 1e-9) {
-      return UnitSystem{words[1], std::string(name), words[2], {}};
+      contents.units =
+          UnitSystem{std::string(length->common), std::string(name), std::string(time->common), {}};
+      return;
     }
   }
-  return std::nullopt;
+  contents.unit_faults.push_back(
+      {fmt::format("no unit of force has a name that goes with {}, {} and {}: it is {:g} N",
+                   mass->common, length->common, time->common, newtons),
+       line});
 }
 
 void sort_unique(std::vector<int>& list) {
@@ -339,27 +353,72 @@ void sort_unique(std::vector<int>& list) {
   list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
+/// Passes messages on, errors as warnings.
+void warn(const Diagnostics& messages, Diagnostics& out) {
+  for (Diagnostic one : messages.sorted()) {
+    if (one.severity == Severity::kError) {
+      one.severity = Severity::kWarning;
+      one.hint += (one.hint.empty() ? "" : "; ") + std::string("the block is passed over");
+    }
+    out.add(std::move(one));
+  }
+}
+
+/// Reads a /FRICTION block into the contents.
+void add_friction(const DeckBlock& block, const SourceText& source, DeckContents& contents,
+                  Diagnostics& out) {
+  auto friction = read_friction(block, source, out);
+  if (!friction) return;
+  const auto same = std::find_if(contents.frictions.begin(), contents.frictions.end(),
+                                 [&](const DeckFriction& f) { return f.id == friction->id; });
+  if (same != contents.frictions.end()) {
+    out.error(source.name(), position_of(source, block.keyword), shortened(block.keyword, 40),
+              fmt::format("stands twice, first in line {}", position_of(source, same->where).line));
+    return;
+  }
+  contents.frictions.push_back(std::move(*friction));
+}
+
+/// Sorts what is looked up, and takes the parts that are not there out of the groups.
+void complete(DeckContents& contents) {
+  sort_unique(contents.parts);
+  sort_unique(contents.interface_types);
+  std::stable_sort(contents.groups.begin(), contents.groups.end(),
+                   [](const DeckGroup& a, const DeckGroup& b) { return a.id < b.id; });
+  if (!has_all_parts(contents)) return;
+  for (DeckGroup& group : contents.groups) {
+    std::vector<int> there;
+    std::set_intersection(group.parts.begin(), group.parts.end(), contents.parts.begin(),
+                          contents.parts.end(), std::back_inserter(there));
+    std::set_difference(group.parts.begin(), group.parts.end(), there.begin(), there.end(),
+                        std::back_inserter(group.not_there));
+    group.parts = std::move(there);
+  }
+}
+
 }  // namespace
 
-DeckContents read_contents(const StarterDeck& deck, Diagnostics& out) {
+bool has_all_parts(const DeckContents& deck) {
+  return !deck.parts.empty() && !deck.has_includes && !deck.has_submodels;
+}
+
+DeckContents read_contents(const StarterDeck& deck, std::optional<int> chosen, Diagnostics& out) {
   DeckContents contents;
   contents.has_includes = deck.has_includes;
+  contents.has_submodels = deck.has_submodels;
+  Diagnostics of_directions;
   for (const DeckBlock& block : deck.blocks) {
     const std::string& word = block.words.front();
     if (word == "FRICTION") {
-      auto friction = read_friction(block, deck.source, out);
-      if (!friction) continue;
-      const auto same = std::find_if(contents.frictions.begin(), contents.frictions.end(),
-                                     [&](const DeckFriction& f) { return f.id == friction->id; });
-      if (same != contents.frictions.end()) {
-        out.error(deck.source.name(), position_of(deck.source, block.keyword),
-                  std::string(block.keyword),
-                  fmt::format("stands twice, first in line {}",
-                              position_of(deck.source, same->where).line));
+      Diagnostics messages;
+      add_friction(block, deck.source, contents, messages);
+      if (chosen && id_of(block, 1) != *chosen) {
+        warn(messages, out);
+      } else {
+        out.append(messages);
       }
-      contents.frictions.push_back(std::move(*friction));
     } else if (word == "FRIC_ORIENT") {
-      for (DeckOrientation& entry : read_orientation(block, deck.source, out)) {
+      for (DeckOrientation& entry : read_orientation(block, deck.source, of_directions)) {
         contents.orientations.push_back(entry);
       }
     } else if (word == "GRPART" && block.words.size() > 2) {
@@ -374,28 +433,91 @@ DeckContents read_contents(const StarterDeck& deck, Diagnostics& out) {
         contents.interface_types.push_back(number);
       }
     } else if (word == "BEGIN") {
-      contents.units = units_of(block);
+      take_units(block, contents);
     }
   }
-  sort_unique(contents.parts);
-  sort_unique(contents.interface_types);
+  const bool directions_count = std::any_of(
+      contents.frictions.begin(), contents.frictions.end(),
+      [&](const DeckFriction& f) { return (!chosen || f.id == *chosen) && is_orthotropic(f); });
+  if (directions_count) {
+    out.append(of_directions);
+  } else {
+    warn(of_directions, out);
+  }
+  complete(contents);
   return contents;
 }
 
 const DeckGroup* find_group(const DeckContents& deck, int id) {
-  const auto found = std::find_if(deck.groups.begin(), deck.groups.end(),
-                                  [id](const DeckGroup& group) { return group.id == id; });
-  return found == deck.groups.end() ? nullptr : &*found;
+  const auto found =
+      std::lower_bound(deck.groups.begin(), deck.groups.end(), id,
+                       [](const DeckGroup& group, int wanted) { return group.id < wanted; });
+  return found == deck.groups.end() || found->id != id ? nullptr : &*found;
 }
 
-bool is_empty(const DeckCoefficients& set) {
-  return set.fric == 0.0 &&
-         std::all_of(set.c.begin(), set.c.end(), [](double c) { return c == 0.0; });
+bool is_empty(int law, const DeckCoefficients& set) {
+  const auto& c = set.c;
+  const auto none = [&](std::initializer_list<std::size_t> constants) {
+    return std::all_of(constants.begin(), constants.end(),
+                       [&](std::size_t i) { return c[i] == 0.0; });
+  };
+  switch (law) {
+    case 1:
+      return set.fric == 0.0 && none({0, 1, 2, 3, 4});
+    case 2:
+      return set.fric == 0.0 && none({0, 2, 4});
+    case 3:
+      return none({0, 1, 2, 3, 4, 5});
+    case 4:
+      return set.fric == 0.0 && none({0});
+    default:
+      return set.fric == 0.0;
+  }
+}
+
+bool falls(const DeckCoefficients& set) {
+  return set.fric >= set.c[0] && set.c[0] >= 0.0 && set.c[1] >= 0.0;
 }
 
 bool is_orthotropic(const DeckFriction& friction) {
   return std::any_of(friction.pairs.begin(), friction.pairs.end(),
                      [](const DeckPair& pair) { return pair.second.has_value(); });
+}
+
+std::vector<DeckOrientation> used_orientations(const DeckContents& deck,
+                                               const DeckFriction& friction) {
+  // What the orthotropic records join; `open` if that is more than the deck says.
+  std::set<int> parts;
+  std::set<int> groups;
+  bool open = false;
+  const auto listed = [&](int group) -> const std::vector<int>* {
+    const DeckGroup* found = find_group(deck, group);
+    return found == nullptr || found->parts.empty() ? nullptr : &found->parts;
+  };
+  for (const DeckPair& pair : friction.pairs) {
+    if (!pair.second) continue;
+    for (const DeckSide& side : pair.sides) {
+      if (side.group == 0) {
+        parts.insert(side.part);
+      } else if (groups.insert(side.group).second) {
+        const std::vector<int>* of_group = listed(side.group);
+        open = open || of_group == nullptr;
+        if (of_group != nullptr) parts.insert(of_group->begin(), of_group->end());
+      }
+    }
+  }
+  const auto joined = [&](int part) { return parts.count(part) > 0; };
+  std::vector<DeckOrientation> used;
+  std::copy_if(deck.orientations.begin(), deck.orientations.end(), std::back_inserter(used),
+               [&](const DeckOrientation& entry) {
+                 if (parts.empty() && groups.empty()) return false;
+                 if (open) return true;
+                 if (entry.of.group == 0) return joined(entry.of.part);
+                 const std::vector<int>* of_group = listed(entry.of.group);
+                 return of_group == nullptr ||
+                        std::any_of(of_group->begin(), of_group->end(), joined);
+               });
+  return used;
 }
 
 std::optional<std::array<double, 3>> direction_in_plane(const DeckOrientation& entry,
@@ -456,29 +578,24 @@ class Judge {
 
  private:
   void tell(Severity severity, std::string_view piece, std::string message, std::string hint = {}) {
-    out_.add({severity, source_.name(), position_of(source_, piece), std::string(friction_.where),
+    out_.add({severity, source_.name(), position_of(source_, piece), shortened(friction_.where, 40),
               std::move(message), std::move(hint)});
   }
 
   void set(const DeckCoefficients& s) {
-    if (is_empty(s)) return;
+    unused(s);
+    if (is_empty(friction_.law, s)) return;
     switch (friction_.law) {
       case 0:
         if (s.fric < 0.0) {
-          tell(Severity::kError, s.where,
+          tell(Severity::kError, s.rest,
                "FRIC007: Fric must not be negative, found " + format_number(s.fric));
-        }
-        break;
-      case 1:
-        if (s.c[5] != 0.0) {
-          tell(Severity::kWarning, s.where,
-               "C6 is not used by Ifric 1, found " + format_number(s.c[5]));
         }
         break;
       case 2:
         for (const std::size_t i : {1U, 3U, 5U}) {
           if (s.c[i] > 0.0 && s.c[i - 1] != 0.0) {
-            tell(Severity::kWarning, s.where,
+            tell(Severity::kWarning, i == 5 ? s.rest : s.where,
                  fmt::format("FRIC008: C{} is positive: exp(C{} V) grows with the speed and "
                              "overflows beyond V = {}",
                              i + 1, i + 1, format_number(700.0 / s.c[i])));
@@ -508,6 +625,17 @@ class Judge {
     }
   }
 
+  /// Constants of the second line that the law has no use for.
+  void unused(const DeckCoefficients& s) {
+    if (friction_.law == 1 && s.c[5] != 0.0) {
+      tell(Severity::kWarning, s.rest, "C6 is not used by Ifric 1, found " + format_number(s.c[5]));
+    }
+    if (friction_.law == 3 && s.fric != 0.0) {
+      tell(Severity::kWarning, s.rest,
+           "Fric is not used by Ifric 3, found " + format_number(s.fric));
+    }
+  }
+
   static std::string renard(const DeckCoefficients& s) {
     std::string text;
     for (std::size_t i = 0; i < s.c.size(); ++i) {
@@ -519,21 +647,35 @@ class Judge {
   void known(const DeckSide& side, const DeckPair& pair) {
     const std::string_view line = source_.line(pair.line);
     if (side.group > 0) {
+      if (!told_groups_.insert(side.group).second) return;
       const DeckGroup* group = find_group(deck_, side.group);
-      if (group != nullptr && !group->parts.empty()) return;
-      if (std::find(told_groups_.begin(), told_groups_.end(), side.group) != told_groups_.end()) {
-        return;
+      if (group != nullptr && !group->not_there.empty()) {
+        tell(Severity::kWarning, line,
+             fmt::format("FRIC003: the deck has no part {}, which group {} lists",
+                         some(group->not_there), side.group),
+             "it is left out of the group");
       }
-      told_groups_.push_back(side.group);
+      if (group != nullptr && !group->parts.empty()) return;
       tell(Severity::kWarning, line,
            fmt::format("the deck does not list the parts of group {}", side.group),
            fmt::format("list them under 'G{}' of the case", side.group));
       return;
     }
-    const bool judged = !deck_.parts.empty() && !deck_.has_includes;
-    if (judged && !std::binary_search(deck_.parts.begin(), deck_.parts.end(), side.part)) {
+    if (has_all_parts(deck_) &&
+        !std::binary_search(deck_.parts.begin(), deck_.parts.end(), side.part)) {
       tell(Severity::kError, line, fmt::format("FRIC003: the deck has no part {}", side.part));
     }
+  }
+
+  /// The first few of some ids.
+  static std::string some(const std::vector<int>& ids) {
+    constexpr std::size_t kMost = 10;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(ids.size(), kMost); ++i) {
+      text += (i == 0 ? "" : ", ") + std::to_string(ids[i]);
+    }
+    if (ids.size() > kMost) text += fmt::format(" and {} more", ids.size() - kMost);
+    return text;
   }
 
   void mixed(const DeckPair& pair) {
@@ -551,6 +693,10 @@ class Judge {
 
   /// What interfaces make of a friction that they refer to.
   void remarks() {
+    if (deck_.has_submodels) {
+      tell(Severity::kNote, friction_.where,
+           "the deck has a //SUBMODEL: ids are taken as they are written, without its offsets");
+    }
     const bool orthotropic = is_orthotropic(friction_);
     for (const int type : deck_.interface_types) {
       const bool incremental = type == 21 || type == 24 || type == 25;
@@ -573,7 +719,7 @@ class Judge {
   const DeckFriction& friction_;
   const SourceText& source_;
   Diagnostics& out_;
-  std::vector<int> told_groups_;
+  std::set<int> told_groups_;
   bool area_told_ = false;
 };
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "driver/history/units.hpp"
+#include "driver/radioss/deck_line.hpp"
 #include "driver/radioss/starter_deck.hpp"
 #include "driver/text/diagnostic.hpp"
 
@@ -19,7 +20,8 @@ struct DeckCoefficients {
   std::array<double, 6> c{};    ///< C1 .. C6; the page labels the sixth C0
   double fric = 0.0;            ///< Fric [1]
   double visf = 0.0;            ///< VISF [1] of a viscous penalty, 0 means 1
-  std::string_view where = {};  ///< its first line in the deck
+  std::string_view where = {};  ///< its first line in the deck, of C1 .. C5
+  std::string_view rest = {};   ///< its second line, of C6, Fric and VISF
 };
 
 /// One side of a record; a group wins over a part.
@@ -54,7 +56,8 @@ struct DeckFriction {
 struct DeckGroup {
   int id = 0;
   std::string title;
-  std::vector<int> parts;
+  std::vector<int> parts;      ///< ascending, each once
+  std::vector<int> not_there;  ///< that it lists and a deck with all its parts does not have
 };
 
 /// An entry of /FRIC_ORIENT: direction 1 of an orthotropic part or group.
@@ -66,8 +69,12 @@ struct DeckOrientation {
   int line = 0;
 };
 
-/// Whether a set is all zeros: no friction, whatever the law.
-bool is_empty(const DeckCoefficients& set);
+/// Whether a set gives no friction at any speed and pressure, because the constants that its law
+/// (Ifric) uses are 0. Constants of other laws do not count.
+bool is_empty(int law, const DeckCoefficients& set);
+
+/// Whether a set of Ifric 4 falls from Fric to C1 (or stays) without becoming negative.
+bool falls(const DeckCoefficients& set);
 
 /// Whether some record of a friction is orthotropic.
 bool is_orthotropic(const DeckFriction& friction);
@@ -76,19 +83,31 @@ bool is_orthotropic(const DeckFriction& friction);
 struct DeckContents {
   std::vector<DeckFriction> frictions;
   std::vector<DeckOrientation> orientations;
-  std::vector<DeckGroup> groups;
+  std::vector<DeckGroup> groups;     ///< by id; of one id in the order of the deck
   std::vector<int> parts;            ///< ids of /PART, ascending
   std::vector<int> interface_types;  ///< of /INTER/TYPE.., ascending
   bool has_includes = false;
+  bool has_submodels = false;
   std::optional<UnitSystem> units;  ///< of /BEGIN, if they make a system of force, length and time
+  std::vector<DeckFault> unit_faults;  ///< why they make none
 };
 
 /// Reads the blocks of a deck. Faults of their lines are reported with their place; a block that
-/// has some is left out.
-DeckContents read_contents(const StarterDeck& deck, Diagnostics& out);
+/// has some is left out. They are errors where they concern the friction `chosen` (all of them, if
+/// none is), and warnings in other /FRICTION blocks, or in directions if it is not orthotropic.
+DeckContents read_contents(const StarterDeck& deck, std::optional<int> chosen, Diagnostics& out);
+
+/// Whether the parts of a deck are all there are: none can stand in another file or have an id that
+/// an offset of a submodel changes.
+bool has_all_parts(const DeckContents& deck);
 
 /// The group with an id; null if the deck has none.
 const DeckGroup* find_group(const DeckContents& deck, int id);
+
+/// The directions that matter for a friction: of what its orthotropic records join, or may join, by
+/// a group whose parts the deck does not list.
+std::vector<DeckOrientation> used_orientations(const DeckContents& deck,
+                                               const DeckFriction& friction);
 
 /// Judges one friction of a deck by the rules of its law, filter and parts: errors FRIC001 to
 /// FRIC008, warnings, and remarks on what the interfaces of the deck do with it.

@@ -21,7 +21,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
 }
 
-std::string in_quotes(std::string_view text) { return "'" + printable(text) + "'"; }
+std::string in_quotes(std::string_view text) { return "'" + shortened(text, 40) + "'"; }
 
 /// Takes the digits at the front of a text away. \return how many they were
 std::size_t take_digits(std::string_view& text) {
@@ -107,6 +107,16 @@ std::vector<std::string_view> words(std::string_view line) {
 }
 
 }  // namespace
+
+std::string shortened(std::string_view text, std::size_t most) {
+  if (text.size() <= most) return printable(text);
+  // Not inside a character of several bytes.
+  const auto continues = [&](std::size_t at) {
+    return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
+  };
+  while (most > 0 && continues(most)) --most;
+  return printable(text.substr(0, most)) + "...";
+}
 
 tl::expected<double, std::string> parse_fortran_number(std::string_view text) {
   const auto plain = normalised(text);

@@ -33,6 +33,10 @@ struct DeckFault {
   std::string_view text;
 };
 
+/// A text of the deck as messages show it: what would harm a terminal replaced, and cut behind at
+/// most `most` bytes, which "..." then says.
+std::string shortened(std::string_view text, std::size_t most);
+
 /// Reads a number as Fortran does: "1.5", "1.", ".5", "1.0D-3", and "1-3" for 1e-3. Errors: any
 /// other character; a number no double can hold.
 tl::expected<double, std::string> parse_fortran_number(std::string_view text);

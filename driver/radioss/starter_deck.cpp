@@ -69,7 +69,7 @@ int id_of(const DeckBlock& block, std::size_t index) {
 }
 
 StarterDeck split_deck(const SourceText& source, Diagnostics& out) {
-  StarterDeck deck{source, {}, false};
+  StarterDeck deck{source, {}, false, false};
   const std::string_view text = source.text();
   if (const std::size_t at = first_control(text); at != std::string_view::npos) {
     out.error(source.name(), source.position(at), {},
@@ -92,6 +92,9 @@ StarterDeck split_deck(const SourceText& source, Diagnostics& out) {
       blank.reset();
       std::vector<std::string> words = words_of(line);
       if (words.front() == "END") break;
+      // A keyword with two slashes has an empty first word.
+      const bool submodel = words.size() > 1 && words[0].empty() && words[1] == "SUBMODEL";
+      deck.has_submodels = deck.has_submodels || submodel;
       const Use use = use_of(words.front());
       if (use == Use::kNone) continue;
       deck.blocks.push_back({std::move(words), line, {}, {}});

@@ -25,7 +25,8 @@ struct DeckBlock {
 struct StarterDeck {
   SourceText source;
   std::vector<DeckBlock> blocks;
-  bool has_includes = false;  ///< other files belong to it, which are not read
+  bool has_includes = false;   ///< other files belong to it, which are not read
+  bool has_submodels = false;  ///< some ids count from an offset, which is not added
 };
 
 /// Splits a deck into blocks; a block ends at the next line that begins with '/', the deck at /END

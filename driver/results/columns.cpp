@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "driver/case/quantity.hpp"
+#include "law/axis_limits.hpp"
 #include "law/capstan_update.hpp"
 #include "law/component.hpp"
+#include "law/penalty_predictor.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -208,7 +211,7 @@ void add_belt(const Case& problem, std::vector<Column>& columns) {
   add("f_bc", kForce, chain ? "Tension behind the last ring." : "Tension behind the ring.",
       ColumnSource::kRingTension, 0, last);
   if (all || problem.belt->both_tensions) {
-    add("UTILISATION", kNumber, "abs(ln(f_bc/f_ab))/(mu alpha): the belt sticks below 1.",
+    add("UTILISATION", kNumber, "Of a belt abs(ln(f_bc/f_ab))/(mu alpha): it sticks below 1.",
         ColumnSource::kUtilisation, 0, last);
   }
 }
@@ -278,8 +281,9 @@ void add_coefficient(const Case& problem, int d, const std::string& suffix,
     add("SPEED", speed, "Speed that the coefficient saw.", ColumnSource::kSpeed);
   }
   if (area_of(problem, index)) {
-    add("PRESSURE", {.force = 1, .length = -2}, "Pressure F_N/A that the coefficient saw.",
-        ColumnSource::kPressure);
+    // A normal moment over an area is none, and its unit says so.
+    add("PRESSURE", {.force = 1, .length = angular ? -1 : -2},
+        "Pressure F_N/A that the coefficient saw.", ColumnSource::kPressure);
   }
 }
 
@@ -309,7 +313,8 @@ void add_formulation(const Case& problem, int d, const std::string& suffix,
                        ColumnSource::kFilterAlpha, 0, d});
   }
   columns.push_back({"UTILISATION" + suffix, kNumber,
-                     "Force over its limit, abs(F)/(mu N): above 1 only behind a filter.",
+                     "Of a formulation abs(F)/(mu N): above 1 only behind a filter, inf without a "
+                     "limit.",
                      ColumnSource::kLimitUse, 0, d});
 }
 
@@ -421,30 +426,27 @@ double total_force(const Case& problem, const Row& row, int component) {
 }  // namespace
 
 double limit_use(const law::FrictionDefinition& definition, const DefinitionRow& row) {
-  if (!definition.formulation || !(row.update.limit > 0.0)) return 0.0;
-  if (!definition.formulation->orthotropy) {
-    return law::equivalent_force(definition, row.update.state) / row.update.limit;
+  if (!definition.formulation) return 0.0;
+  const law::Formulation& formulation = *definition.formulation;
+  const auto over = [](double force, double bound) {
+    if (force == 0.0) return 0.0;
+    return bound > 0.0 ? force / bound : std::numeric_limits<double>::infinity();
+  };
+  // The reported limit is that in the direction of the force before the filter.
+  if (!formulation.orthotropy || !law::smooths(formulation)) {
+    return over(law::equivalent_force(definition, row.update.state), row.update.limit);
   }
-  const std::array<double, 2>& d1 = definition.formulation->orthotropy->first;
   const auto& y = row.update.state.force;
-  const std::array<double, 2> along{d1[0] * y[0] + d1[1] * y[1], d1[0] * y[1] - d1[1] * y[0]};
-  double square = 0.0;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const double bound =
-        std::min(row.penalty.mu[i] * row.update.normal_force, definition.force_limit);
-    if (along[i] != 0.0 && bound > 0.0) square += along[i] * along[i] / (bound * bound);
-  }
-  return std::sqrt(square);
+  const law::PlaneVector along = law::along_axes(formulation.orthotropy->first, y[0], y[1]);
+  const auto of_axis = [&](std::size_t i) {
+    return over(along[i],
+                std::min(row.penalty.mu[i] * row.update.normal_force, definition.force_limit));
+  };
+  return std::hypot(of_axis(0), of_axis(1));
 }
 
 bool is_rotational(const law::FrictionDefinition& definition) {
-  for (int k = 0; k < definition.slip.dimension; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    if (!law::is_rotation(definition.slip.component[i]) || definition.slip.scale[i] != 1.0) {
-      return false;
-    }
-  }
-  return true;
+  return law::is_rotational(definition.slip);
 }
 
 std::vector<Column> result_columns(const Case& problem) {

@@ -8,6 +8,7 @@
 #include "driver/case/quantity.hpp"
 #include "driver/results/provenance.hpp"
 #include "driver/text/format_number.hpp"
+#include "law/penalty_predictor.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -46,13 +47,30 @@ std::string direction_line(const Case& problem) {
   return text.empty() ? text : text + "\n";
 }
 
+double representative_force(const CaseDefinition& definition, const law::FrictionState& state) {
+  const law::SlipSpace& slip = definition.law.slip;
+  if (!definition.coupled && slip.dimension == 1) return slip.scale[0] * state.force[0];
+  return law::equivalent_force(definition.law, state);
+}
+
 }  // namespace
 
 double representative_force(const CaseDefinition& definition, const DefinitionRow& row) {
-  const law::SlipSpace& slip = definition.law.slip;
-  const auto& y = row.update.state.force;
-  if (!definition.coupled && slip.dimension == 1) return slip.scale[0] * y[0];
-  return law::equivalent_force(definition.law, row.update.state);
+  return representative_force(definition, row.update.state);
+}
+
+double limited_force(const CaseDefinition& definition, const DefinitionRow& row) {
+  if (!definition.law.formulation) return representative_force(definition, row);
+  return representative_force(definition, limited_state(definition.law, row));
+}
+
+law::FrictionState limited_state(const law::FrictionDefinition& definition,
+                                 const DefinitionRow& row) {
+  law::FrictionState state = row.update.state;
+  if (definition.formulation && law::smooths(*definition.formulation)) {
+    state.force = row.penalty.raw;
+  }
+  return state;
 }
 
 CsvWriter::CsvWriter(const Case& problem, std::vector<Column> columns, OutputFile& file)

@@ -28,4 +28,11 @@ class CsvWriter {
 /// definition.
 double representative_force(const CaseDefinition& definition, const DefinitionRow& row);
 
+/// The same of the force that the limit bounds: with a filter, that before it.
+double limited_force(const CaseDefinition& definition, const DefinitionRow& row);
+
+/// The state of a row with the force that the limit bounds.
+law::FrictionState limited_state(const law::FrictionDefinition& definition,
+                                 const DefinitionRow& row);
+
 }  // namespace slipbench::driver

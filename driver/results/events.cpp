@@ -35,7 +35,7 @@ std::span<const Event> EventDetector::take(const Row& row) {
     Memory& memory = memory_[d];
     if (row.index > 0) judge(row, d);
     memory.regime = here.update.state.regime;
-    memory.force = representative_force(case_->definitions[d], here);
+    memory.force = limited_force(case_->definitions[d], here);
     memory.limit = here.update.limit;
     if (memory.regime == law::Regime::kSlip) memory.slip_direction = here.update.direction;
   }
@@ -79,7 +79,7 @@ void EventDetector::judge(const Row& row, std::size_t definition) {
               0.0,           0.0, update.state.accumulated_slip - update.slip_increment};
   if (slips || to == law::Regime::kOpen) {
     event.fraction = slips ? update.onset : 1.0;
-    event.force = representative_force(case_->definitions[definition], here);
+    event.force = limited_force(case_->definitions[definition], here);
     event.limit = update.limit;
     if (!slips) event.accumulated_slip = update.state.accumulated_slip;
   } else {
@@ -117,8 +117,8 @@ void EventDetector::add_located(const Row& row, std::size_t definition) {
   // More changes than were kept: the last of them led to the regime of the end.
   if (from != here.update.state.regime) {
     events_.push_back({0.0, 1.0, definition, from, here.update.state.regime, false,
-                       representative_force(case_->definitions[definition], here),
-                       here.update.limit, here.update.state.accumulated_slip});
+                       limited_force(case_->definitions[definition], here), here.update.limit,
+                       here.update.state.accumulated_slip});
   }
 }
 

@@ -19,7 +19,7 @@ struct Event {
   law::Regime from = law::Regime::kStick;
   law::Regime to = law::Regime::kStick;
   bool reversal = false;          ///< it slips against the sense of its last slip
-  double force = 0.0;             ///< as of representative_force [F]
+  double force = 0.0;             ///< as of limited_force [F]
   double limit = 0.0;             ///< F_lim [F]
   double accumulated_slip = 0.0;  ///< [L]
 };

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "driver/results/csv_writer.hpp"
+#include "law/penalty_predictor.hpp"
 #include "law/uniqueness.hpp"
 
 namespace slipbench::driver {
@@ -26,8 +27,17 @@ bool is_viscous(const law::FrictionDefinition& definition) {
   return definition.formulation &&
          std::holds_alternative<law::ViscousPenalty>(definition.formulation->penalty);
 }
-bool is_filtered(const law::FrictionDefinition& definition) {
-  return definition.formulation && definition.formulation->filter.kind != law::Filter::Kind::kNone;
+bool has_directions(const law::FrictionDefinition& definition) {
+  return definition.formulation && definition.formulation->orthotropy;
+}
+/// What to think of the energy balance of a definition with a filter.
+std::string_view energy_note(const law::FrictionDefinition& definition) {
+  if (!definition.formulation || definition.formulation->filter.kind == law::Filter::Kind::kNone) {
+    return "";
+  }
+  return law::smooths(*definition.formulation)
+             ? " with the work of the filtered force"
+             : ": as coded the filter drops a part of each increment";
 }
 
 const char* plural(std::int64_t count) { return count == 1 ? "" : "s"; }
@@ -128,7 +138,17 @@ void Summary::add_formulation(const Row& row, std::size_t index) {
   DefinitionSummary& sum = definitions_[index];
   if (here.clamped && row.index > 0) {
     ++sum.clamped;
-    sum.lowest_raw_mu = std::min({sum.lowest_raw_mu, here.raw_mu[0], here.raw_mu[1]});
+    const law::FrictionDefinition& of = case_->definitions[index].law;
+    const bool two = has_directions(of);
+    for (std::size_t i = 0; i < (two ? 2 : 1); ++i) {
+      // The 0 of a law without a floor is what its user wants.
+      const bool zero_is_meant = i == 1 && !law::has_floor(of.formulation->orthotropy->second);
+      if (here.raw_mu[i] >= (zero_is_meant ? 0.0 : law::kCoefficientFloor)) continue;
+      FloorCount& floor = sum.floor[i];
+      ++floor.increments;
+      if ((two ? here.penalty.mu[i] : here.update.mu) > law::kCoefficientFloor) ++floor.blended;
+      floor.lowest = std::min(floor.lowest, here.raw_mu[i]);
+    }
   }
   const law::FrictionDefinition& definition = case_->definitions[index].law;
   if (!definition.formulation || row.index == 0) return;
@@ -162,7 +182,7 @@ void Summary::add_start(const Row& row) {
                       law::Regime::kSlip,
                       law::Regime::kSlip,
                       false,
-                      representative_force(case_->definitions[d], here),
+                      limited_force(case_->definitions[d], here),
                       update.limit,
                       update.state.accumulated_slip};
     note_first_slip(start, row);
@@ -262,8 +282,7 @@ std::string Summary::definition_text(const DefinitionSummary& sum, std::size_t i
       rotational ? "moment" : "force", rounded(sum.lowest_force),
       with_unit(rounded(sum.highest_force), force), with_unit(rounded(sum.dissipation, 3), energy),
       with_unit(rounded(sum.stored_energy, 3), energy),
-      fmt::format("{:.1g}", std::abs(sum.energy_gap())) +
-          (is_filtered(definition.law) ? " with the work of the filtered force" : ""));
+      fmt::format("{:.1g}{}", std::abs(sum.energy_gap()), energy_note(definition.law)));
   return text + why_text(sum, index);
 }
 
@@ -283,10 +302,15 @@ std::string Summary::why_text(const DefinitionSummary& sum, std::size_t index) c
                         with_unit(rounded(cycle.last, 3), energy_unit(case_->units)), cycle.count,
                         plural(cycle.count));
   }
-  if (sum.largest_use > 1.0 + 1e-9) {
-    text += fmt::format("{}force up to {} of its limit at t = {} (overshoot by the filter)",
-                        text.empty() ? "" : ", ", rounded(sum.largest_use),
-                        with_unit(rounded(sum.largest_use_time), case_->units.time));
+  const auto& formulation = definition.law.formulation;
+  if (formulation && law::smooths(*formulation) && sum.largest_use > 1.0 + 1e-9) {
+    const std::string time = with_unit(rounded(sum.largest_use_time), case_->units.time);
+    text += text.empty() ? "" : ", ";
+    text += sum.largest_use < kUseWithoutLimit
+                ? fmt::format("force up to {} of its limit at t = {} (overshoot by the filter)",
+                              rounded(sum.largest_use), time)
+                : fmt::format("force behind the filter where {} limit is 0, at t = {}",
+                              formulation->orthotropy ? "a direction's" : "the", time);
   }
   return text.empty() ? text : "  " + name + text + "\n";
 }
@@ -338,15 +362,27 @@ std::string Summary::falling_warning(const DefinitionSummary& sum, std::size_t i
          "stiffness, or an 'elastic_slip' in its place";
 }
 
-std::vector<std::string> Summary::formulation_warnings(const DefinitionSummary& sum) const {
+std::vector<std::string> Summary::formulation_warnings(const DefinitionSummary& sum,
+                                                       std::size_t index) const {
+  const CaseDefinition& definition = case_->definitions[index];
   std::vector<std::string> all;
   const std::string whose = fmt::format("friction '{}': ", sum.name);
-  if (sum.clamped > 0) {
-    all.push_back(fmt::format(
-        "{}the coefficient is negative in {} of {} increments, down to {}, and kept at 1e-30 "
-        "there: no friction; its constants do not fit the pressures and speeds of this history "
-        "(columns MU_RAW and CLAMPED)",
-        whose, sum.clamped, increments_, rounded(sum.lowest_raw_mu)));
+  const bool two = has_directions(definition.law);
+  for (std::size_t i = 0; i < sum.floor.size(); ++i) {
+    const FloorCount& floor = sum.floor[i];
+    if (floor.increments == 0) continue;
+    std::string text = fmt::format(
+        "{}the coefficient{} is not above 0 in {} of {} increments{}, and kept at 1e-30 there",
+        whose, two ? fmt::format(" of direction {}", i + 1) : "", floor.increments, increments_,
+        floor.lowest < 0.0 ? ", down to " + rounded(floor.lowest) : "");
+    if (floor.blended < floor.increments) text += two ? ": no friction along it" : ": no friction";
+    if (floor.blended > 0) {
+      text += fmt::format("{}{} of them blend it with another coefficient",
+                          floor.blended < floor.increments ? ", but " : ": ", floor.blended);
+    }
+    all.push_back(text +
+                  "; its constants do not fit the pressures and speeds of this history (column" +
+                  (two ? " CLAMPED)" : "s MU_RAW and CLAMPED)"));
   }
   if (sum.alpha_limited > 0) {
     all.push_back(fmt::format(
@@ -355,11 +391,14 @@ std::vector<std::string> Summary::formulation_warnings(const DefinitionSummary& 
         whose, sum.alpha_limited, increments_, rounded(sum.largest_alpha)));
   }
   if (sum.alpha_overshoots > 0) {
+    const std::string effect =
+        law::smooths(*definition.law.formulation)
+            ? std::string("the force overshoots") +
+                  (sum.largest_alpha >= 2.0 ? ", and diverges where alpha is 2 or more" : "")
+            : std::string("the spring is stiffer than K_t by that factor; nothing is smoothed");
     all.push_back(fmt::format(
-        "{}as coded, alpha of its filter is above 1 in {} of {} increments, up to {}: the force "
-        "overshoots{}",
-        whose, sum.alpha_overshoots, increments_, rounded(sum.largest_alpha),
-        sum.largest_alpha >= 2.0 ? ", and diverges where alpha is 2 or more" : ""));
+        "{}as coded, alpha of its filter is above 1 in {} of {} increments, up to {}: {}", whose,
+        sum.alpha_overshoots, increments_, rounded(sum.largest_alpha), effect));
   }
   return all;
 }
@@ -370,7 +409,7 @@ std::vector<std::string> Summary::warnings(std::span<const MotionJump> jumps) co
   for (std::size_t d = 0; d < definitions_.size(); ++d) {
     std::string warning = falling_warning(definitions_[d], d);
     if (!warning.empty()) all.push_back(std::move(warning));
-    for (std::string& one : formulation_warnings(definitions_[d])) all.push_back(std::move(one));
+    for (std::string& one : formulation_warnings(definitions_[d], d)) all.push_back(std::move(one));
   }
   for (const MotionJump& jump : jumps) {
     const std::string unit = unit_text(jump.component >= 3 ? kAngle : kLength, units);
@@ -438,6 +477,7 @@ json::Value Summary::to_json() const {
       one["largest_limit_use"] = sum.largest_use;
       one["largest_limit_use_time"] = sum.largest_use_time;
       one["increments_alpha_limited"] = sum.alpha_limited;
+      one["increments_alpha_above_1"] = sum.alpha_overshoots;
     }
     if (sum.short_increments > 0) {
       one["smooth_increment"] = sum.worst.smooth;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -17,6 +18,13 @@
 #include "law/uniqueness.hpp"
 
 namespace slipbench::driver {
+
+/// Increments in which a coefficient is kept at its floor.
+struct FloorCount {
+  std::int64_t increments = 0;
+  std::int64_t blended = 0;  ///< of these, in a blend with another coefficient that is above it
+  double lowest = 0.0;       ///< before the floor
+};
 
 /// What one friction definition did over a run.
 struct DefinitionSummary {
@@ -46,7 +54,7 @@ struct DefinitionSummary {
   double worst_duration = 0.0;        ///< [T]; 0 before the first
   double unique = 0.0;                ///< longer increments have one solution all along [T]
   std::int64_t clamped = 0;           ///< increments whose coefficient is kept at its floor
-  double lowest_raw_mu = 0.0;         ///< of these, before the floor
+  std::array<FloorCount, 2> floor;    ///< of the coefficient, or of those of both directions
   std::int64_t alpha_limited = 0;     ///< increments at which 2 pi f dt > 1 is cut to alpha 1
   std::int64_t alpha_overshoots = 0;  ///< increments with alpha > 1, which only as coded has
   double largest_alpha = 0.0;         ///< 2 pi f dt of those two, before the cut
@@ -86,7 +94,8 @@ class Summary {
   void add_formulation(const Row& row, std::size_t index);
   /// Of a coefficient that falls too fast for the increments; empty if none does.
   std::string falling_warning(const DefinitionSummary& definition, std::size_t index) const;
-  std::vector<std::string> formulation_warnings(const DefinitionSummary& definition) const;
+  std::vector<std::string> formulation_warnings(const DefinitionSummary& definition,
+                                                std::size_t index) const;
 
   const Case* case_;
   std::vector<Column> positions_;

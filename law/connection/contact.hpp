@@ -25,14 +25,18 @@ struct Contact {
 
   static constexpr auto fields() { return std::tuple{}; }
 
+  /// g = max(f1, 0): what presses.
+  static DerivedComponent pressing() {
+    DerivedTerm term;
+    term.combine = TermOperator::kMacauleySum;
+    term.count = 1;
+    term.component[0] = 0;
+    term.weight[0] = 1.0;
+    return {term};
+  }
+
   std::vector<PredefinedFriction> predefined() const {
-    DerivedTerm pressing;
-    pressing.combine = TermOperator::kMacauleySum;
-    pressing.count = 1;
-    pressing.component[0] = 0;
-    pressing.weight[0] = 1.0;
-    return {{"", dimension == 2 ? slip_space({2}) : slip_space({2, 3}), DerivedComponent{pressing},
-             0.0}};
+    return {{"", dimension == 2 ? slip_space({2}) : slip_space({2, 3}), pressing(), 0.0}};
   }
 };
 

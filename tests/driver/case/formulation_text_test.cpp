@@ -50,6 +50,33 @@ void check_error(const std::string& text, const std::string& words) {
   CHECK(message.find(words) != std::string::npos);
 }
 
+TEST_CASE("what presses on a contact point is one-sided for every definition") {
+  const Case problem = sound(
+      "slipbench: 1\nunits: {length: mm, force: N, time: s}\nconnector: {type: CONTACT}\n"
+      "friction:\n  - {component: 2, contact_force: 1, coefficient: 0.3, stick: {stiffness: 1}}\n"
+      "history:\n  - {step: go, increments: 1, force: {f1: 1}, motion: {CP2: {to: 1}}}\n");
+  law::ConnectorForce force;
+  const auto normal = [&](double f1) {
+    force[0] = f1;
+    return law::evaluate(problem.definitions.at(0).law.contact_force, force, law::Ambient{});
+  };
+  CHECK(normal(20.0) == 20.0);
+  CHECK(normal(-20.0) == 0.0);
+}
+
+TEST_CASE("timings that a formulation does not follow are told") {
+  const std::string asked =
+      contact(kStiff, "integration: {slip_rate: slip, accumulated_slip: end}\n");
+  const auto all = messages(asked);
+  REQUIRE(all.size() == 2);
+  CHECK(all[0].find("warning: integration.slip_rate: a formulation sees") != std::string::npos);
+  CHECK(all[1].find("warning: integration.accumulated_slip: a formulation takes") !=
+        std::string::npos);
+  const std::string fitting =
+      contact(kStiff, "integration: {slip_rate: relative_motion, accumulated_slip: start}\n");
+  CHECK(messages(fitting).empty());
+}
+
 TEST_CASE("a contact point presses on one side and slips in two tangents, or in one") {
   const Case space = sound(contact("coefficient: 0.3, stick: {stiffness: 1000}"));
   const law::FrictionDefinition& d = space.definitions.at(0).law;
@@ -193,7 +220,14 @@ TEST_CASE("a filter needs one way of saying it, and a formulation") {
 TEST_CASE("a frequency as coded is told to be no filter") {
   const std::string text = changed({{"1000}", "1000, convention: as_coded}"}},
                                    contact(kStiff + ", filter: {frequency: 5}"));
-  CHECK(only_message(text).find("this filter never smooths") != std::string::npos);
+  const std::string message = only_message(text);
+  CHECK(message.find("this filter never smooths, above 1 it makes the spring stiffer") !=
+        std::string::npos);
+  CHECK(message.find("diverges") == std::string::npos);
+  const std::string viscous = only_message(
+      contact("coefficient: 0.3, formulation: {penalty: viscous, C: 1, convention: as_coded}, "
+              "filter: {frequency: 5}"));
+  CHECK(viscous.find("above 1 it overshoots and from 2 on it diverges") != std::string::npos);
 }
 
 const std::string kTwo = "coefficient: {orthotropic: {direction1: 0.3, direction2: 0.1}}";
@@ -252,6 +286,10 @@ TEST_CASE("a formulation is refused where it cannot hold") {
               "a formulation is a rule for increments");
   check_error(contact(kStiff + ", filter: {simple: 0.1}", "", "force: {f1: 100, f2: {to: 5}}"),
               "a filtered force lags behind the motion");
+  CHECK(messages(changed({{"1000}", "1000, convention: as_coded}"}},
+                         contact(kStiff + ", filter: {simple: 0.1}", "",
+                                 "force: {f1: 100, f2: {to: 5}}")))
+            .empty());
   CHECK(messages(contact(kStiff, "", "force: {f1: 100, f2: {to: 5}}")).empty());
   check_error(
       "slipbench: 1\n"
@@ -288,6 +326,46 @@ TEST_CASE("a change of friction leaves a formulation alone") {
   check_error(second(kStiff, kTwo), "not to two directions");
   check_error(second(kTwo + ", stick: {stiffness: 5}", "coefficient: 0.1"),
               "the coefficients of an orthotropic definition cannot change");
+}
+
+TEST_CASE("a period too short for any number of increments asks for a longer one") {
+  check_error(contact(kStiff + ", filter: {period: 1.0e-300}"),
+              "give the step a period of at least 0.0628319");
+  check_error(contact(kStiff + ", filter: {period: 0.05}"),
+              "give the step at least 126 increments, or a period of at least 0.0628319");
+  check_error(changed({{"1000}", "1000, convention: as_coded}"}},
+                      contact(kStiff + ", filter: {period: 0.05}")),
+              "the spring would be stiffer than K_t");
+}
+
+TEST_CASE("a viscous coefficient beyond all numbers is refused where it is written") {
+  check_error(contact("coefficient: 0.3, formulation: {penalty: viscous, K: 1.0e308, m: 1.0e308}"),
+              "C = VISF sqrt(2 K m) is not finite");
+}
+
+TEST_CASE("options of a Radioss block lead to the keys that say them") {
+  check_error(contact(kStiff + ", Ifiltr: 1"), "Ifiltr 1 is {simple: alpha}");
+  check_error(contact(kStiff + ", Iform: 2"), "2 {penalty: stiffness, K_t: ..}");
+  check_error(contact(kStiff + ", Ifric: 3"), "3 renard");
+  check_error(contact("coefficient: {orthotropic: {direction1: 0.3, direction2: 0.1, Idir: 1}}, "
+                      "stick: {stiffness: 10}"),
+              "Idir 1 is {orthotropic: {direction1: ..");
+  check_error(contact("coefficient: {renard: {Fric: 0.1, C1: 0.15, C2: 0.10, C3: 0.25, C4: 0.05, "
+                      "C5: 10, C6: 100}}, stick: {stiffness: 10}"),
+              "Renard's law has no Fric");
+}
+
+TEST_CASE("a column that a formulation brings is told to be one") {
+  const auto check = [](const std::string& quantity) {
+    return contact("coefficient: 0.3, stick: {stiffness: 10}",
+                   "checks:\n  - {name: a, quantity: " + quantity +
+                       ", against: {expression: \"= 1\"}, tolerance: {absolute: 1, why: test}}\n");
+  };
+  check_error(check("CSF2_RAW"), "'CSF2_RAW' is a column of a definition with a 'formulation'");
+  check_error(check("\"= 2*CSF3_TRIAL\""), "'CSF3_TRIAL' is a column of a definition with a 'form");
+  check_error(check("ALPHA"), "with a 'filter' behind its 'formulation'");
+  check_error(contact("coefficient: 0.3, stick: {stiffness: 10}", "output: {columns: [MU1]}\n"),
+              "'MU1' is a column of a definition with an 'orthotropic' coefficient");
 }
 
 }  // namespace

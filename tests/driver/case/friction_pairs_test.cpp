@@ -152,5 +152,28 @@ TEST_CASE("A VISF that nothing uses gets a note") {
   CHECK(said[1].find("note: friction_pairs.pairs[1].VISF: has no effect") != std::string::npos);
 }
 
+TEST_CASE("Parts may be listed in any order, and by the thousand") {
+  // Groups of many parts in many records: sides are looked up, not gone through or copied.
+  constexpr int kParts = 20000;
+  std::string ids;
+  for (int i = kParts; i > 0; --i) ids += (ids.empty() ? "" : ", ") + std::to_string(i);
+  std::string records;
+  for (int i = 0; i < 1000; ++i) records += "    - {parts: [many, many], coefficient: 0.2}\n";
+  const std::string table = changed(
+      {{"[1, 2, 3, 4, 5, 6]", "[" + ids + "]"},
+       {"{G100: [1, 2, 3],", "{many: [" + ids + "], G100: [3, 2, 1],"},
+       {"    - {parts: [G100", records + "    - {parts: [G100"},
+       {"coefficient: 0.2}\n    - {parts: [2, 4]", "coefficient: 0.4}\n    - {parts: [2, 4]"}},
+      kTable);
+  const auto mu = [&](double a, double b) {
+    return coefficient(sound(table, {{{"a", a}, {"b", b}}, false}));
+  };
+  CHECK(mu(1, 4) == 0.4);
+  CHECK(mu(5, 3) == 0.4);
+  CHECK(mu(kParts, 1) == 0.2);
+  const ReadCase none = read_text(table, {{{"a", 1.0}, {"b", kParts + 1.0}}, false});
+  CHECK_FALSE(none.value);
+}
+
 }  // namespace
 }  // namespace slipbench::driver

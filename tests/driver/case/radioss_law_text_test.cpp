@@ -81,6 +81,39 @@ TEST_CASE("Renard asks for units, and for a speed as the unit of its constants")
              "unknown unit"));
 }
 
+TEST_CASE("In a rotation the unit of Renard's constants is that of an angle per time") {
+  const auto hinge = [](const std::string& law) {
+    return "slipbench: 1\nunits: {length: mm, force: N, time: s}\nconnector: {type: HINGE, area: "
+           "5}\nfriction:\n  - predefined: {R_p: 2}\n    coefficient: {" +
+           law +
+           "}\n    stick: {stiffness: 1}\nhistory:\n  - {step: a, increments: 2, force: {f2: 1}, "
+           "motion: {CPR1: {to: 1}}}\n";
+  };
+  CHECK(law_of<law::Renard>(hinge("renard: {" + kRenard + ", speed_unit: rad/ms}")).speed_factor ==
+        Approx(1.0e-3).epsilon(1e-15));
+  const std::string wrong = complaint(hinge("renard: {" + kRenard + ", speed_unit: m/s}"));
+  CHECK(says(wrong, "unit 'm/s' does not measure"));
+  CHECK(says(wrong, "its V is in rad/s"));
+  // What this law calls a pressure is none.
+  const std::string warned = complaint(hinge("generalized_viscous: {C1: 1}"));
+  CHECK(says(warned,
+             "warning: friction[0].coefficient.generalized_viscous: F_N of this definition "
+             "is a moment"));
+  CHECK_FALSE(says(complaint(hinge("generalized_viscous: {C2: 1}")), "moment"));
+}
+
+TEST_CASE("A faulty law does not make its columns unknown in checks") {
+  const std::string checks =
+      "checks:\n  - {name: c, quantity: SPEED, against: {expression: \"= 1\"}, tolerance: "
+      "{absolute: 1}}\n";
+  const std::string text = complaint(case_with("renard: {C1: 0.3}") + checks);
+  CHECK(says(text, "renard"));
+  CHECK_FALSE(says(text, "SPEED"));
+  CHECK(says(
+      complaint(case_with("exponential_decay: {static: 0.3, kinetic: 0.2, decay: 1}") + checks),
+      "SPEED"));
+}
+
 TEST_CASE("Every broken rule of Renard is quoted, with the numbers once") {
   const std::string text =
       complaint(case_with("renard: {C1: 0.3, C2: 0.28, C3: 0.25, C4: 0.05, C5: 10, C6: 100}"));

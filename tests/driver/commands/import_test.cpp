@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/commands/import.hpp"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "driver/case/read_case.hpp"
 #include "driver/exit_code.hpp"
 #include "tests/driver/history/temporary_folder.hpp"
+#include "tests/driver/radioss/checks_for_test.hpp"
 #include "tests/driver/radioss/deck_for_test.hpp"
 
 namespace slipbench::driver {
@@ -27,6 +34,21 @@ struct Import {
   TemporaryFolder folder;
   ImportOptions options;
 };
+
+/// Takes the '# ' away before the checks of the records between the parts 1 and 2.
+void switch_on(const fs::path& path) {
+  std::ifstream in(path);
+  std::string text;
+  bool on = false;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("  # - name:")) {
+      on = line.find("1 and 2") != std::string::npos || line.find("100 and") != std::string::npos;
+    }
+    text += (on && line.starts_with("  # ") ? "  " + line.substr(4) : line) + "\n";
+  }
+  in.close();
+  std::ofstream(path) << text;
+}
 
 TEST_CASE("An import writes a case that wants the values a deck does not have") {
   Import one(kBrake);
@@ -50,6 +72,15 @@ TEST_CASE("Of several frictions one is chosen by its id") {
   two.options.id = 8;
   CHECK(import_command(two.options) == kExitOk);
   CHECK(fs::exists(two.options.output));
+}
+
+TEST_CASE("A fault in another friction does not hold up the chosen one") {
+  Import two("/FRICTION/8\nother\n" + options(9, 0, "", 1) + coulomb(".1") + kBrake);
+  CHECK(import_command(two.options) == kExitBadInput);
+  two.options.id = 8;
+  CHECK(import_command(two.options) == kExitBadInput);
+  two.options.id = 7;
+  CHECK(import_command(two.options) == kExitOk);
 }
 
 TEST_CASE("A faulty deck leaves nothing behind") {
@@ -91,6 +122,82 @@ TEST_CASE("A direction along the contact's normal is FRIC009") {
   CHECK(import_command(woven.options) == kExitBadInput);
   woven.options.normal = "0 1 1";
   CHECK(import_command(woven.options) == kExitOk);
+  // Of a part that no orthotropic record joins it does not matter.
+  Import other(kBrake + sides(0, 0, 1, 2, 1) + coulomb(".3") + coulomb(".2") +
+               "/FRIC_ORIENT/1\nweave\n" + integers({0, 3}) + reals({"0", "0", "2"}));
+  other.options.normal = "0 0 1";
+  CHECK(import_command(other.options) == kExitOk);
+}
+
+/// The values that a case from a deck wants; those it does not want are left out.
+ReadOptions values_for(const fs::path& path) {
+  std::ifstream stream(path);
+  const std::string text((std::istreambuf_iterator<char>(stream)), {});
+  ReadOptions options;
+  for (const auto& [name, value] : std::vector<ParameterText>{{"part1", 1.0},
+                                                              {"part2", 2.0},
+                                                              {"area", 4.0},
+                                                              {"K", 5000.0},
+                                                              {"m", 1e-3},
+                                                              {"K_t", 1e4},
+                                                              {"normal_force", 100.0},
+                                                              {"speed", 30.0},
+                                                              {"time_step", 1e-5}}) {
+    if (text.find("\n  " + name + ":") != std::string::npos)
+      options.overrides.push_back({name, value});
+  }
+  return options;
+}
+
+TEST_CASE("A case that was imported runs once its parameters have values") {
+  // Sets that use all that is in them, of each Ifric, and what is empty.
+  const std::vector<std::pair<int, std::string>> sets{
+      {0, coulomb(".3", "4")},
+      {0, coulomb("0")},
+      {1, set({"-2e-4", "-1E-4", "1-6", "4e-7", "5e-8", "", ".12", "2"})},
+      {1, set({"", "1e-3", "", "", "", "9", "", ""})},
+      {1, set({"0", "", "", "", "", "9", "", ""})},
+      {1, set({"0", "", "", "", "", "", "-.1", ""})},
+      {2, set({"1e-6", "-2e-3", "-2e-4", "-1e-3", ".1", "-5e-3", ".08", ""})},
+      {2, set({"", "3", "", "", "", "0", "", ""})},
+      {3, set({".15", ".10", ".25", ".05", "10", "100", "", ""})},
+      {3, set({".3", ".1", ".25", ".05", "10", "100", "", "3"})},
+      {3, set({"-.1", ".1", ".25", ".05", "10", "100", "", ""})},
+      {3, coulomb(".2")},
+      {4, set({".2", ".02", "", "", "", "", ".4", ""})},
+      {4, set({".4", ".02", "", "", "", "", ".2", ""})},
+      {4, set({"", "7", "", "", "", "0", "", ""})}};
+  const std::string head = "/BEGIN\nbrake\n      2026         0\n" +
+                           fmt::format("{:>20}{:>20}{:>20}\n", "Mg", "mm", "s") +
+                           "/PART/1\na\n/PART/2\nb\n/PART/3\nc\n/GRPART/PART/100\npads\n" +
+                           integers({1, 3, 9}) + "/GRPART/PART/200\ndisc\n" + integers({2}) +
+                           "/FRIC_ORIENT/1\nweave\n" + integers({0, 1}) + reals({"1", "1", "0"});
+  const std::array<std::string_view, 4> xfreq{"", "0.1", "60.", "1000"};
+  int filter = 0;
+  int form = 0;
+  for (const auto& [law, coefficients] : sets) {
+    const std::string start = head + "/FRICTION/7\nbrake\n" +
+                              options(law, filter, xfreq[static_cast<std::size_t>(filter)], form) +
+                              coefficients;
+    filter = (filter + 1) % 4;
+    form = (form + 1) % 3;
+    for (const std::string& records :
+         {std::string(), sides(0, 0, 1, 2) + coefficients,
+          sides(100, 200, 0, 0) + coefficients + sides(0, 0, 2, 3) + coefficients,
+          sides(100, 200, 0, 0, 1) + coefficients + coefficients}) {
+      Import one(start + records);
+      REQUIRE(import_command(one.options) == kExitOk);
+      // With the checks of all records that hold switched on.
+      for (const bool own_checks : {false, true}) {
+        if (own_checks) switch_on(one.options.output);
+        const ReadCase read = read_case(one.options.output, values_for(one.options.output));
+        INFO(start + records + render(read.diagnostics, read.sources));
+        REQUIRE(read.value);
+        CHECK(read.value->checks.size() >= (own_checks && law < 3 ? 2 : 1));
+        CHECK(failed_checks(*read.value).empty());
+      }
+    }
+  }
 }
 
 }  // namespace

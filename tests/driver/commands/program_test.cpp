@@ -309,6 +309,7 @@ TEST_CASE("plot --law draws the coefficients of a case that depend on something"
   CHECK(contains(picture, "slip rate V [mm/s]"));
   CHECK(contains(picture, "pressure p [N/mm^2]"));
   CHECK(contains(picture, "visited in slip"));
+  CHECK_FALSE(contains(picture, "visited below the limit"));
   CHECK(file_count(folder.path()) == 2);
   CHECK(slipbench(folder, "plot --law slider.csv -o a.svg").code == 2);
   CHECK(slipbench(folder, "plot --law slider.yaml -o a.jpg").code == 2);
@@ -328,6 +329,64 @@ TEST_CASE("describe tells a law's formula, symbols, rules and shape") {
   CHECK(contains(darmstad.output, "* p = 0    o p = "));
   CHECK_FALSE(contains(slipbench(folder, "describe constant").output, "mu |"));
   CHECK(slipbench(folder, "describe reynard").code == 2);
+}
+
+TEST_CASE("the picture of a coefficient calls stick only what stuck") {
+  const TemporaryFolder folder;
+  const auto picture_of = [&](const std::string& formulation, const std::string& motion) {
+    folder.write("c.yaml",
+                 "slipbench: 1\nunits: {length: mm, force: N, time: s}\n"
+                 "connector: {type: CONTACT, dimension: 2}\nfriction:\n  - {predefined: {}, "
+                 "coefficient: {exponential_decay: {static: 0.3, kinetic: 0.2, decay: 0.1}}, "
+                 "formulation: " +
+                     formulation +
+                     "}\nhistory:\n  - {step: go, increments: 10, force: {f1: 100}, motion: {CP2: "
+                     "{to: " +
+                     motion + "}}}\n");
+    const Ended ended = slipbench(folder, "plot --law c.yaml");
+    INFO(ended.output);
+    CHECK(ended.code == 0);
+    return read(folder.path() / "c.law.svg");
+  };
+  const std::string slips = picture_of("{penalty: stiffness, K_t: 1000}", "10");
+  CHECK(contains(slips, "visited in slip"));
+  CHECK_FALSE(contains(slips, "visited in stick"));
+  CHECK(contains(picture_of("{penalty: stiffness, K_t: 1000}", "0.02"), "visited in stick"));
+  const std::string creeps = picture_of("{penalty: viscous, C: 1}", "10");
+  CHECK(contains(creeps, "visited below the limit"));
+  CHECK_FALSE(contains(creeps, "visited in stick"));
+}
+
+TEST_CASE("describe leads from the options of a Radioss block to what says them here") {
+  const TemporaryFolder folder;
+  const auto described = [&](const std::string& name) {
+    const Ended ended = slipbench(folder, "describe " + name);
+    INFO(name << ": " << ended.output);
+    CHECK(ended.code == 0);
+    return ended.output;
+  };
+  CHECK(contains(described("Ifric"), "    3   renard "));
+  CHECK(contains(described("Ifric"), "    4   exponential_decay "));
+  CHECK(contains(described("Ifiltr"), "filter (key of a case)"));
+  CHECK(contains(described("Xfreq"), "filter (key of a case)"));
+  CHECK(contains(described("Iform"), "formulation (key of a case)"));
+  CHECK(contains(described("VISF"), "formulation (key of a case)"));
+  const std::string two = described("Idir");
+  CHECK(contains(two, "history[].change_friction.NAME.coefficient.orthotropic\n"));
+  CHECK(two.find("direction1 ") == two.rfind("direction1 "));
+  const std::string pairs = described("friction_pairs");
+  CHECK_FALSE(contains(pairs, "C1"));
+  CHECK_FALSE(contains(pairs, "default: \n"));
+  CHECK(contains(pairs, "slipbench list laws"));
+  const std::string use = described("UTILISATION");
+  CHECK(contains(use, "Of a belt abs(ln(f_bc/f_ab))"));
+  CHECK(contains(use, "Of a formulation abs(F)/(mu N)"));
+  const Ended keys = slipbench(folder, "list keys");
+  CHECK(keys.code == 0);
+  for (const char* key : {"filter", "formulation", "orthotropic", "friction_pairs"}) {
+    CHECK(contains(keys.output, std::string("  ") + key + " "));
+  }
+  CHECK(contains(slipbench(folder, "describe formulations").output, "did you mean 'formulation'?"));
 }
 
 /// Starts a run of many seconds, sends it a signal once its files are there, and says how it ended.

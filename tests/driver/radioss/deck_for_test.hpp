@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -51,20 +53,23 @@ inline std::string coulomb(std::string_view fric, std::string_view visf = "") {
   return set({"0", "", "", "", "", "", fric, visf});
 }
 
-/// What reading and judging the first friction of a deck gave.
+/// What reading a deck and judging its first friction, or the chosen one, gave.
 struct ReadDeck {
   DeckContents contents;
   std::string said;                   ///< all messages, as the user sees them
   std::vector<std::string> messages;  ///< without the lines they quote and without the file's name
 };
 
-inline ReadDeck read_deck(const std::string& text) {
+inline ReadDeck read_deck(const std::string& text, std::optional<int> chosen = {}) {
   const SourceText source("d.rad", text);
   Diagnostics diagnostics;
   const StarterDeck deck = split_deck(source, diagnostics);
-  ReadDeck read{read_contents(deck, diagnostics), {}, {}};
-  if (!read.contents.frictions.empty() && !diagnostics.has_errors()) {
-    judge(read.contents, read.contents.frictions.front(), source, diagnostics);
+  ReadDeck read{read_contents(deck, chosen, diagnostics), {}, {}};
+  const auto friction =
+      std::find_if(read.contents.frictions.begin(), read.contents.frictions.end(),
+                   [&](const DeckFriction& one) { return !chosen || one.id == *chosen; });
+  if (friction != read.contents.frictions.end() && !diagnostics.has_errors()) {
+    judge(read.contents, *friction, source, diagnostics);
   }
   const SourceText sources[] = {source};
   read.said = render(diagnostics, sources);

@@ -163,6 +163,31 @@ TEST_CASE("Parts are looked up where the deck has all of them") {
   CHECK(read_deck(friction).messages.empty());
   CHECK(says(read_deck(parts + friction), "FRIC003: the deck has no part 9"));
   CHECK(read_deck("#include more.rad\n" + parts + friction).messages.empty());
+  // Behind //SUBMODEL ids count from an offset.
+  CHECK(read_deck("//SUBMODEL/1\nleft\n" + parts + "//ENDSUB\n" + friction).messages ==
+        Messages{"10:1: note: /FRICTION/7: the deck has a //SUBMODEL: ids are taken as they are "
+                 "written, without its offsets"});
+}
+
+TEST_CASE("Parts that a group lists and the deck does not have are left out of it") {
+  const std::string parts = "/PART/1\none\n1 1\n/PART/2\ntwo\n1 1\n";
+  const std::string groups = "/GRPART/PART/100\nbody\n" + integers({9, 1, 2}) +
+                             "/GRPART/PART/200\nlid\n" + integers({8, 7});
+  const std::string friction = kHead + options(0, 0, "", 1) + coulomb(".1") +
+                               sides(100, 200, 0, 0) + coulomb(".2") + sides(100, 100, 0, 0) +
+                               coulomb(".3");
+  const ReadDeck read = read_deck(groups + parts + friction);
+  CHECK(read.messages ==
+        Messages{"18:1: warning: /FRICTION/7: FRIC003: the deck has no part 9, which group 100 "
+                 "lists; it is left out of the group",
+                 "18:1: warning: /FRICTION/7: FRIC003: the deck has no part 7, 8, which group 200 "
+                 "lists; it is left out of the group",
+                 "18:1: warning: /FRICTION/7: the deck does not list the parts of group 200; list "
+                 "them under 'G200' of the case"});
+  CHECK(find_group(read.contents, 100)->parts == std::vector<int>{1, 2});
+  const ReadDeck more = read_deck("#include more.rad\n" + groups + parts + friction);
+  CHECK(more.messages.empty());
+  CHECK(find_group(more.contents, 100)->parts == std::vector<int>{1, 2, 9});
 }
 
 TEST_CASE("A group is its parts where the deck lists them, and else waits for them") {
@@ -201,6 +226,85 @@ TEST_CASE("Renard sets are held against their rules, which are quoted") {
   CHECK(says(read({".04", ".10", ".25", ".05", "10", "100"}), "FRIC004: Renard wants C4 <= C1"));
   // A set of zeros is no friction, not a broken rule.
   CHECK(read({"0", "", "", "", "", "0"}).messages.empty());
+  CHECK(read_deck(kHead + options(3, 0, "", 1) + coulomb(".2")).messages ==
+        Messages{"5:1: warning: /FRICTION/7: Fric is not used by Ifric 3, found 0.2"});
+}
+
+TEST_CASE("What is said of C6 and Fric points at their line, the second of the set") {
+  CHECK(read_deck(kHead + options(0, 0, "", 1) + coulomb("-.1")).messages ==
+        Messages{"5:1: error: /FRICTION/7: FRIC007: Fric must not be negative, found -0.1"});
+  const ReadDeck growing =
+      read_deck(kHead + options(2, 0, "", 1) + set({"", "", "1", "3", "1", "7", ".1", ""}));
+  CHECK(says(growing, "4:1: warning: /FRICTION/7: FRIC008: C4 is positive"));
+  CHECK(says(growing, "5:1: warning: /FRICTION/7: FRIC008: C6 is positive"));
+}
+
+TEST_CASE("Faults of a friction that is not chosen are warnings") {
+  const std::string good = kHead + options(0, 0, "", 1) + coulomb(".1");
+  const std::string bad = "/FRICTION/8\nother\n" + options(9, 0, "", 1) + coulomb(".1");
+  const ReadDeck read = read_deck(bad + good, 7);
+  REQUIRE(read.messages.size() == 1);
+  CHECK(says(read, "3:10: warning: /FRICTION/8: FRIC001: unknown Ifric 9"));
+  CHECK(says(read, "the block is passed over"));
+  REQUIRE(read.contents.frictions.size() == 1);
+  CHECK(says(read_deck(bad + good, 8), "error: /FRICTION/8: FRIC001"));
+  CHECK(says(read_deck(bad + good), "error: /FRICTION/8: FRIC001"));
+  // So are those of directions that no record needs.
+  const std::string direction = "/FRIC_ORIENT/1\nweave\n" + integers({0, 1}) + "abc\n";
+  CHECK(says(read_deck(good + direction), "warning: /FRIC_ORIENT/1: Vx, Vy"));
+  CHECK(says(read_deck(good + sides(0, 0, 1, 2, 1) + coulomb(".3") + coulomb(".2") + direction),
+             "error: /FRIC_ORIENT/1: Vx, Vy"));
+}
+
+TEST_CASE("Directions count for the orthotropic records that join their part") {
+  const std::string friction = kHead + options(0, 0, "", 1) + coulomb(".1") + sides(0, 0, 1, 2, 1) +
+                               coulomb(".3") + coulomb(".2") + sides(100, 0, 0, 2, 1) +
+                               coulomb(".3") + coulomb(".2") + sides(0, 0, 5, 6) + coulomb(".3");
+  const ReadDeck read =
+      read_deck("/GRPART/PART/100\nbody\n" + integers({3, 4}) + "/GRPART/PART/200\nlid\n" +
+                integers({4, 5}) + "/GRPART/PART/300\nrim\n" + integers({5, 6}) + friction);
+  REQUIRE(read.contents.frictions.size() == 1);
+  const auto used = [&](int group, int part) {
+    DeckContents contents = read.contents;
+    contents.orientations = {{{group, part}, {}, 0, 0.0, 0}};
+    return !used_orientations(contents, contents.frictions[0]).empty();
+  };
+  for (const int part : {1, 2, 3, 4}) CHECK(used(0, part));
+  for (const int part : {5, 6, 7}) CHECK_FALSE(used(0, part));
+  CHECK(used(100, 0));
+  CHECK(used(200, 0));
+  CHECK_FALSE(used(300, 0));
+  CHECK(used(400, 0));  // whose parts the deck does not list
+}
+
+TEST_CASE("Units of /BEGIN are units of mass, length and time, in this order") {
+  const auto begin = [](const std::string& units) {
+    return read_deck("/BEGIN\nrun\n      2026         0\n" + units + "\n").contents;
+  };
+  const auto faults = [&](const std::string& units) {
+    const DeckContents contents = begin(units);
+    CHECK_FALSE(contents.units);
+    std::vector<std::string> said;
+    for (const DeckFault& fault : contents.unit_faults) said.push_back(fault.message);
+    return said;
+  };
+  const DeckContents crash = begin("                 ton                  mm                   s");
+  REQUIRE(crash.units);
+  CHECK(crash.unit_faults.empty());
+  CHECK(crash.units->force == "N");
+  CHECK(begin("kg\tmm\tms").units->force == "kN");
+  CHECK(begin("g cm mus").units.has_value() == false);
+  CHECK(faults("g cm mus") == Messages{"no unit of force has a name that goes with g, cm and us: "
+                                       "it is 1e+07 N"});
+  CHECK(faults("Mg mm Mg") == Messages{"wanted a unit of time, found 'Mg'"});
+  CHECK(faults("mm Mg s") ==
+        Messages{"wanted a unit of mass, found 'mm'", "wanted a unit of length, found 'Mg'"});
+  CHECK(faults("kg mm") == Messages{"the unit of time is missing"});
+  CHECK(begin("").unit_faults.empty());
+}
+
+TEST_CASE("Messages about a keyword of any length are short") {
+  CHECK(read_deck("/FRICTION/7/" + std::string(200000, 'x') + "\nbrake\n").said.size() < 1000);
 }
 
 TEST_CASE("What a case needs beyond the deck, or what the deck has in vain, is said once") {
@@ -209,7 +313,7 @@ TEST_CASE("What a case needs beyond the deck, or what the deck has in vain, is s
                 sides(0, 0, 1, 2) + set({"1e-3", "", "", "", "", "5", ".1", ""}));
   CHECK(area.messages.size() == 2);
   CHECK(says(area, "4:1: warning: /FRICTION/7: FRIC005: the coefficients see the pressure"));
-  CHECK(says(area, "7:1: warning: /FRICTION/7: C6 is not used by Ifric 1, found 5"));
+  CHECK(says(area, "8:1: warning: /FRICTION/7: C6 is not used by Ifric 1, found 5"));
   const ReadDeck growing =
       read_deck(kHead + options(2, 0, "", 1) + set({"", "", "", "", ".1", "7", ".1", ""}));
   CHECK(says(growing,

@@ -105,6 +105,11 @@ TEST_CASE("A fault quotes the word it is about") {
         "n: wanted an integer, found '3.5'");
   CHECK(fault("                 1.5                 2.5      9e99") ==
         "n: wanted an integer, found '9e99'");
+  // A long one is cut, and not inside a character.
+  CHECK(fault(std::string(200000, 'x')) ==
+        "wanted a number, found '" + std::string(40, 'x') + "...'");
+  CHECK(fault(std::string(39, 'x') + "\xC3\xA4" + std::string(99, 'y')) ==
+        "wanted a number, found '" + std::string(39, 'x') + "...'");
   CHECK(fault("               1e999") == "a: the number '1e999' is beyond what a double holds");
 }
 

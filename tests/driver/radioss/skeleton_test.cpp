@@ -5,9 +5,9 @@
 #include <variant>
 #include <vector>
 
-#include "driver/commands/shared.hpp"
 #include "driver/radioss/case_writer.hpp"
 #include "tests/driver/case/read_for_test.hpp"
+#include "tests/driver/radioss/checks_for_test.hpp"
 #include "tests/driver/radioss/deck_for_test.hpp"
 
 namespace slipbench::driver {
@@ -40,14 +40,8 @@ ReadOptions stiffness() {
 
 /// Runs a case to its end; all its checks hold.
 void run(const Case& problem) {
-  std::vector<CheckProgress> checks;
-  for (const Check& check : problem.checks) checks.emplace_back(problem, check);
-  const auto ended = run_case(problem, [&](const Row& row) {
-    for (CheckProgress& check : checks) check.add(row);
-  });
-  REQUIRE(ended);
-  REQUIRE_FALSE(checks.empty());
-  for (const CheckProgress& check : checks) CHECK(check.verdict().passed);
+  REQUIRE_FALSE(problem.checks.empty());
+  CHECK(failed_checks(problem).empty());
 }
 
 TEST_CASE("A case from a deck is refused until its parameters have values") {
@@ -174,6 +168,45 @@ TEST_CASE("An orthotropic record has two coefficients in the case") {
   CHECK(std::get<law::ConstantCoefficient>(d.law).mu == 0.3);
   CHECK(std::get<law::ConstantCoefficient>(d.formulation->orthotropy->second).mu == 0.2);
   run(problem);
+}
+
+TEST_CASE("The checks of a case notice a constant that is not the deck's") {
+  struct Wrong {
+    int law;
+    std::string set, from, to;
+  };
+  for (const auto& [law, coefficients, from, to] :
+       {Wrong{0, coulomb(".3"), "coefficient: 0.3", "coefficient: 0.31"},
+        Wrong{1, set({"1e-4", "1e-3", "", "", "", "0", ".1", ""}), "C2: 0.001", "C2: 0.0011"},
+        Wrong{2, set({"", "", "", "", ".1", "-.05", ".1", ""}), "C6: -0.05", "C6: -0.051"},
+        Wrong{3, set({".15", ".10", ".25", ".05", "10", "100", "", ""}), "C2: 0.1", "C2: 0.11"},
+        Wrong{4, set({".2", ".02", "", "", "", "0", ".4", ""}), "decay: 0.02", "decay: 0.03"},
+        Wrong{4, set({".4", ".02", "", "", "", "0", ".2", ""}), "C6: -0.02", "C6: -0.03"}}) {
+    INFO("Ifric " << law);
+    const std::string text = case_of(kHead + options(law, 0, "", 1) + coefficients);
+    ReadOptions given = kViscous;
+    for (ParameterText& one : given.overrides) {
+      if (one.name == "speed") one.value = 120.0;
+    }
+    if (text.find("  area:") != std::string::npos) given = with(given, {{"area", 2.0}});
+    run(sound(text, given));
+    CHECK(failed_checks(sound(changed({{from, to}}, text), given)) ==
+          std::vector<std::string>{"coefficient of the deck's constants"});
+  }
+}
+
+TEST_CASE("Each record has its checks, as comments, up to a number of them") {
+  std::string deck = kHead + options(0, 0, "", 2) + coulomb(".1") + sides(0, 0, 1, 2, 1) +
+                     coulomb(".3") + coulomb(".2");
+  const std::string two = case_of(deck);
+  CHECK(two.find("  # - name: coefficient between 1 and 2 (line 6 of the deck) along direction 2\n"
+                 "  #   quantity: MU2\n") != std::string::npos);
+  CHECK(two.find("more records") == std::string::npos);
+  for (int i = 0; i < 30; ++i) deck += sides(0, 0, 1, 3 + i) + coulomb(".3");
+  const std::string many = case_of(deck);
+  CHECK(many.find("between 1 and 21 (") != std::string::npos);
+  CHECK(many.find("between 1 and 22 (") == std::string::npos);
+  CHECK(many.find("(and so on for 11 more records)") != std::string::npos);
 }
 
 TEST_CASE("A title of any characters stays a title") {

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "driver/case/read_case.hpp"
+#include "driver/commands/converge.hpp"
 #include "driver/commands/explain.hpp"
 #include "driver/results/columns.hpp"
+#include "driver/results/events.hpp"
 #include "driver/results/summary.hpp"
 #include "driver/simulation.hpp"
 #include "tests/driver/simulation/example_cases.hpp"
@@ -122,8 +124,8 @@ TEST_CASE("increments with a coefficient at its floor are counted and told") {
   CHECK(summary.definitions()[0].clamped == 10);
   bool told = false;
   for (const std::string& warning : summary.warnings({})) {
-    told =
-        told || warning.find("negative in 10 of 20 increments, down to -0.1") != std::string::npos;
+    told = told ||
+           warning.find("not above 0 in 10 of 20 increments, down to -0.1") != std::string::npos;
   }
   CHECK(told);
 }
@@ -210,6 +212,174 @@ TEST_CASE("the arithmetic of a formulation is told") {
   INFO(*plain);
   CHECK(plain->find("formulation stiffness: trial (") != std::string::npos);
   CHECK(plain->find("mu1 0.3") != std::string::npos);
+}
+
+/// Two directions of which the second holds nothing: its coefficient is below 0 from 10 mm/s on.
+const std::string kDeadAxis =
+    "coefficient: {orthotropic: {direction1: 0.3, direction2: {generalized_viscous: {Fric: 0.1, "
+    "C2: -0.01, area: 2}}, axis: [1.63, 2.52], speed: total}}, formulation: {penalty: stiffness, "
+    "K_t: 4525";
+const std::string kZigzag =
+    "  - {step: a, increments: 17, force: {f1: 100}, motion: {CP2: {to: 50}, CP3: {to: 118}}}\n"
+    "  - {step: b, increments: 17, force: {f1: 40}, motion: {CP2: {to: -110}, CP3: {to: 131}}}\n"
+    "  - {step: c, increments: 17, force: {f1: 80}, motion: {CP2: {to: -45}, CP3: {to: 107}}}\n";
+
+bool contains(const std::string& text, const std::string& words) {
+  return text.find(words) != std::string::npos;
+}
+std::string warnings_of(const Case& problem) {
+  std::string all;
+  for (const std::string& warning : summary_of(problem).warnings({})) all += warning + "\n";
+  return all;
+}
+
+TEST_CASE("the rounding along a direction that holds nothing is no overshoot") {
+  for (const char* rest :
+       {", convention: as_coded}", "}", "}, filter: {simple: 0.5, clip: true}"}) {
+    INFO(rest);
+    const Case problem = read(contact(kDeadAxis + rest, kZigzag));
+    const Summary summary = summary_of(problem);
+    CHECK(summary.definitions()[0].clamped > 0);
+    CHECK(summary.definitions()[0].largest_use > 0.99);
+    CHECK(summary.definitions()[0].largest_use < 1.0 + 1e-9);
+    CHECK_FALSE(contains(summary.text(), "overshoot"));
+  }
+}
+
+TEST_CASE("a filtered force beside a limit of 0 is beyond any share of it") {
+  const std::string falls =
+      "{columns: [mu, slip_rate], rows: [[0.3, 0], [0.3, 10], [0, 20], [0, 30]]}";
+  const std::string steps =
+      "  - {step: slow, increments: 10, force: {f1: 100}, motion: {CP2: {to: 5}}}\n"
+      "  - {step: fast, increments: 10, motion: {CP2: {to: 30}}}\n";
+  const std::string rest = ", formulation: {penalty: stiffness, K_t: 1000}, filter: {simple: 0.5}";
+  for (const std::string& coefficient :
+       {falls, "{orthotropic: {direction1: " + falls + ", direction2: 0.2}}"}) {
+    INFO(coefficient);
+    const Case problem = read(contact("coefficient: " + coefficient + rest, steps));
+    const Summary summary = summary_of(problem);
+    CHECK(std::isinf(summary.definitions()[0].largest_use));
+    CHECK(summary.definitions()[0].largest_use_time == Approx(1.1).epsilon(1e-12));
+    CHECK(contains(summary.text(), " limit is 0, at t = 1.1 s"));
+    const auto told = explain(problem, 1.1);
+    REQUIRE(told);
+    CHECK(contains(*told, " limit is 0: overshoot\n"));
+  }
+}
+
+TEST_CASE("a stiffness penalty as coded is not said to smooth or to overshoot") {
+  const Case problem = read(contact(
+      "coefficient: 0.3, formulation: {penalty: stiffness, K_t: 10, convention: as_coded}, filter: "
+      "{frequency: 100}",
+      kGo));
+  const Summary summary = summary_of(problem);
+  CHECK(summary.definitions()[0].alpha_overshoots == 100);
+  const std::string warnings = warnings_of(problem);
+  CHECK(contains(warnings, "above 1 in 100 of 100 increments, up to 6.283: the spring is stiffer"));
+  CHECK_FALSE(contains(warnings, "overshoots"));
+  CHECK_FALSE(contains(warnings, "diverges"));
+  CHECK(contains(summary.to_json().dump(), "\"increments_alpha_above_1\": 100"));
+  const auto told = explain(problem, 0.5);
+  REQUIRE(told);
+  CHECK(contains(*told, " = force before + alpha 6.28319 x K_t 10.0 x ds"));
+  CHECK_FALSE(contains(*told, "before the filter"));
+}
+
+TEST_CASE("a load on a stiffness penalty as coded stretches the softer spring of its filter") {
+  const Case problem = read(contact(
+      "coefficient: 0.3, formulation: {penalty: stiffness, K_t: 1000, convention: as_coded}, "
+      "filter: {simple: 0.1}",
+      "  - {step: go, increments: 20, force: {f1: 100, f2: {to: 20}}}\n"
+      "  - {step: turn, increments: 20, force: {f2: {to: 0}, f3: {to: 29}}}\n"));
+  const std::vector<Row> rows = rows_of(problem);
+  // The equilibrium is found to 1e-9 of the forces.
+  CHECK(value(problem, rows[20], "CSF2") == Approx(20.0).epsilon(1e-8));
+  CHECK(value(problem, rows[20], "CP2") == Approx(20.0 / (0.1 * 1000.0)).epsilon(1e-8));
+  CHECK(value(problem, rows.back(), "CP3") == Approx(29.0 / (0.1 * 1000.0)).epsilon(1e-8));
+  CHECK(value(problem, rows.back(), "CP2") == Approx(0.0).margin(1e-8));
+}
+
+const std::string kUnload =
+    "  - {step: slide, increments: 100, force: {f1: 100}, motion: {CP2: {to: 10}}}\n"
+    "  - {step: unload, increments: 10, duration: 0.1, force: {f1: 40}, motion: {CP2: {to: 11}}}\n"
+    "  - {step: back, increments: 10, duration: 0.1, motion: {CP2: {to: 10.98}}}\n"
+    "  - {step: lift, increments: 10, duration: 0.1, force: {f1: 0}, motion: {CP2: {to: 11}}}\n";
+const std::string kFiltered =
+    "coefficient: 0.3, formulation: {penalty: stiffness, K_t: 1000}, filter: {simple: 0.1}";
+
+TEST_CASE("the events of a filtered force are those of the force before the filter") {
+  const Case problem = read(contact(kFiltered, kUnload));
+  EventDetector detector(problem);
+  std::vector<Event> events;
+  for (const Row& row : rows_of(problem)) {
+    for (const Event& event : detector.take(row)) events.push_back(event);
+  }
+  REQUIRE(events.size() == 3);
+  CHECK(events[0].to == law::Regime::kSlip);
+  CHECK(events[0].force == Approx(30.0).epsilon(1e-12));
+  CHECK(events[1].to == law::Regime::kStick);
+  CHECK(events[1].force == Approx(12.0).epsilon(1e-12));
+  CHECK(events[2].to == law::Regime::kOpen);
+  CHECK(events[2].force == 0.0);
+  CHECK(contains(summary_of(problem).text(), ") at 30.0 N"));
+}
+
+TEST_CASE("what is told of a filtered force keeps both sides of the filter apart") {
+  const Case problem = read(contact(kFiltered, kUnload));
+  const auto slides = explain(problem, 0.02);
+  REQUIRE(slides);
+  INFO(*slides);
+  CHECK(contains(*slides, "slip   CSF2 +5.7 N"));
+  CHECK(contains(*slides, "  P 30.0 N before the filter = "));
+  CHECK(contains(*slides, "given out at 19 % of the limit\n"));
+  const auto sticks = explain(problem, 1.15);
+  REQUIRE(sticks);
+  INFO(*sticks);
+  CHECK(contains(*sticks, "  P 2.0 N before the filter = "));
+  CHECK(contains(*sticks, "  Phi -10.0 N = P - limit   at 16.67 % of the limit\n"));
+  CHECK(contains(*sticks, "given out at 109 % of the limit: overshoot\n"));
+  const auto open = explain(problem, 1.3);
+  REQUIRE(open);
+  INFO(*open);
+  CHECK(contains(*open, "  open: filter and memory start again from 0\n"));
+  CHECK_FALSE(contains(*open, "trial"));
+  CHECK_FALSE(contains(*open, "filter alpha"));
+}
+
+TEST_CASE("a coefficient of 0 is not called negative, and directions are told apart") {
+  const Case zero = read(contact(
+      "coefficient: {generalized_viscous: {Fric: 0, area: 2}}, stick: {stiffness: 1000}", kGo));
+  CHECK(contains(warnings_of(zero),
+                 "the coefficient is not above 0 in 100 of 100 increments, and "
+                 "kept at 1e-30 there: no friction;"));
+  const std::string two = warnings_of(read(contact(kDeadAxis + "}", kZigzag)));
+  INFO(two);
+  CHECK(contains(two, "the coefficient of direction 2 is not above 0 in 51 of 51 increments"));
+  CHECK(contains(two, "no friction along it"));
+  CHECK(contains(two, "(column CLAMPED)"));
+  CHECK_FALSE(contains(two, "direction 1"));
+}
+
+TEST_CASE("a coefficient below its floor in a blend is not said to leave no friction") {
+  const Case problem = read(
+      contact("name: pad, coefficient: 0.3, stick: {stiffness: 1000}",
+              "  - {step: go, increments: 10, force: {f1: 100}, motion: {CP2: {to: 10}}}\n"
+              "  - {step: change, increments: 10, motion: {CP2: {to: 20}}, change_friction: {pad: "
+              "{coefficient: {generalized_viscous: {Fric: -0.1, area: 2}}}}}\n"));
+  const std::string told = warnings_of(problem);
+  INFO(told);
+  CHECK(contains(told, "no friction, but 9 of them blend it with another coefficient"));
+}
+
+TEST_CASE("a filter that counts increments is another one with other increments") {
+  const std::string words = "its filter counts increments";
+  const auto counts = converge(read(contact(kFiltered, kGo)));
+  REQUIRE(counts);
+  CHECK(contains(*counts, words));
+  const auto by_time = converge(read(contact(
+      "coefficient: 0.3, formulation: {penalty: stiffness, K_t: 1000}, filter: {period: 1}", kGo)));
+  REQUIRE(by_time);
+  CHECK_FALSE(contains(*by_time, words));
 }
 
 }  // namespace

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <catch2/catch.hpp>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "driver/commands/shared.hpp"
+
+namespace slipbench::driver {
+
+/// Runs a case to its end. \return the names of the checks that fail
+inline std::vector<std::string> failed_checks(const Case& problem) {
+  std::vector<CheckProgress> checks;
+  for (const Check& check : problem.checks) checks.emplace_back(problem, check);
+  const auto ended = run_case(problem, [&](const Row& row) {
+    for (CheckProgress& check : checks) check.add(row);
+  });
+  REQUIRE(ended);
+  std::vector<std::string> failed;
+  for (std::size_t i = 0; i < checks.size(); ++i) {
+    if (!checks[i].verdict().passed) failed.push_back(problem.checks[i].name);
+  }
+  return failed;
+}
+
+}  // namespace slipbench::driver
