@@ -197,7 +197,8 @@ void swing(benchmark::State& state, const FrictionDefinition& definition) {
   count_increments(state);
 }
 
-/// One row a law and stick mode, one a check of every type with predefined friction.
+/// One row a law and stick mode, some of the contact penalties, one a check of every type with
+/// predefined friction.
 bool register_rows() {
   const auto add = [](const std::string& name, const FrictionDefinition& definition) {
     benchmark::RegisterBenchmark(name.c_str(), [definition](benchmark::State& state) {
@@ -217,6 +218,25 @@ bool register_rows() {
   [&]<class... Law>(std::type_identity<std::variant<Law...>>) {
     (add_law(std::type_identity<Law>{}), ...);
   }(std::type_identity<FrictionLaw>{});
+
+  const auto add_penalty = [&](const std::string& name, const Formulation& formulation) {
+    FrictionDefinition definition = base;
+    definition.law = ConstantCoefficient{0.2};
+    if (formulation.orthotropy) definition.slip = slip_space({1, 2});
+    definition.formulation = formulation;
+    add("penalty " + name, definition);
+  };
+  Formulation viscous{.penalty = ViscousPenalty{.coefficient = 1e3}};
+  Formulation stiffness{.penalty = StiffnessPenalty{1e4}};
+  add_penalty("viscous", viscous);
+  add_penalty("stiffness", stiffness);
+  stiffness.filter = {Filter::Kind::kSimple, 0.5, false};
+  add_penalty("stiffness, filter", stiffness);
+  stiffness.filter = {};
+  stiffness.orthotropy = Orthotropy{.second = ConstantCoefficient{0.1}};
+  add_penalty("stiffness, two directions", stiffness);
+  stiffness.convention = Convention::kAsCoded;
+  add_penalty("stiffness, two directions as coded", stiffness);
 
   for_each_connection_type([&]<class Type>(std::type_identity<Type>) {
     if constexpr (HasPredefinedFriction<Type>) {
