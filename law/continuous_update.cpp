@@ -7,6 +7,7 @@
 
 #include "law/exact_segment.hpp"
 #include "law/extrapolated_update.hpp"
+#include "law/first_negative.hpp"
 #include "law/quadrature.hpp"
 #include "law/runge_kutta.hpp"
 
@@ -47,30 +48,6 @@ bool is_constant(const FrictionDefinition& definition, const PathSegment& segmen
          segment.begin_stick == definition.stick.value &&
          (belt == nullptr || segment.begin_wrap_angle == belt->wrap_angle) &&
          !depends_on_motion(definition);
-}
-
-/// Zero of f in [low, high], f(low) >= 0 > f(high), to the last digits: regula falsi (Illinois),
-/// and bisection where that is slow. Returns the side where f < 0, so that what follows is past it.
-template <class Function>
-double first_negative(Function&& f, double low, double high) {
-  double at_low = f(low);
-  double at_high = f(high);
-  for (int i = 0; i < 100 && high - low > 2.0 * kEpsilon * high; ++i) {
-    double next = (low * at_high - high * at_low) / (at_high - at_low);
-    if (i % 4 == 3 || !(next > low && next < high)) next = low + 0.5 * (high - low);
-    if (!(next > low && next < high)) break;
-    const double value = f(next);
-    if (value < 0.0) {
-      high = next;
-      at_high = value;
-      at_low *= 0.5;
-    } else {
-      low = next;
-      at_low = value;
-      at_high *= 0.5;
-    }
-  }
-  return high;
 }
 
 /// Place of the minimum of f in [low, high], which has one: golden section, as far as f is not

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "law/first_negative.hpp"
+
 namespace slipbench::law {
 namespace {
 
@@ -33,31 +35,6 @@ double scaled(const ExponentialSum& sum, double t) noexcept {
     size += magnitude * factor;
   }
   return std::abs(value) > 8.0 * kEpsilon * size ? value : 0.0;
-}
-
-/// Root in (low, high) of the sum, whose values there are of opposite sign.
-double root(const ExponentialSum& sum, double low, double at_low, double high, double at_high,
-            double width) noexcept {
-  for (int i = 0; i < 200 && high - low > width * std::max(std::abs(high), 1e-3); ++i) {
-    double next = low + 0.5 * (high - low);
-    if (i % 3 != 2) {
-      const double secant = (low * at_high - high * at_low) / (at_high - at_low);
-      if (secant > low && secant < high) next = secant;
-    }
-    if (!(next > low && next < high)) break;
-    const double value = scaled(sum, next);
-    if (value == 0.0) return next;
-    if ((value < 0.0) == (at_low < 0.0)) {
-      low = next;
-      at_low = value;
-      at_high *= 0.5;
-    } else {
-      high = next;
-      at_high = value;
-      at_low *= 0.5;
-    }
-  }
-  return high;
 }
 
 /// exp(-rate t) (sum exp(-shift t))' of the last term: that term has one coefficient less.
@@ -96,7 +73,9 @@ SignChanges collect(const ExponentialSum& sum, double from, double to, double wi
     if (at_high == 0.0) continue;
     if ((at_low < 0.0 && at_high > 0.0) || (at_low > 0.0 && at_high < 0.0)) {
       if (found.count == static_cast<int>(found.at.size())) return found;
-      found.at[index(found.count++)] = root(sum, low, at_low, high, at_high, width);
+      const double sign = at_low > 0.0 ? 1.0 : -1.0;
+      found.at[index(found.count++)] =
+          first_negative([&](double t) { return sign * scaled(sum, t); }, low, high, width, 1e-3);
     }
     low = high;
     at_low = at_high;
