@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string_view>
@@ -94,15 +95,7 @@ struct GeneralizedViscous {
             .denominator = {}};
   }
   double next_bend(const SlipLine& line) const noexcept {
-    // Under a constant normal force a parabola, which bends at the floor alone; away from it where
-    // it rises.
-    const double p = line.force * per_force();
-    const bool rises = c5 >= 0.0 && c2 + c3 * p + 2.0 * c5 * line.rate_at(line.slip) >= 0.0;
-    if (line.force_per_slip == 0.0 && rises &&
-        raw_coefficient(p, line.rate_at(line.slip)) >= kCoefficientFloor) {
-      return kNoBend;
-    }
-    return law::next_bend(along(line), line);
+    return line.force_per_slip == 0.0 ? next_at_floor(line) : law::next_bend(along(line), line);
   }
   double next_belt_bend(const SlipLine& line, double wrap_angle, FlowSense sense) const noexcept {
     return law::next_belt_bend(along(line), line, wrap_angle, sense);
@@ -110,6 +103,25 @@ struct GeneralizedViscous {
   bool outside(const Ambient& /*ambient*/, const SlipArguments& /*slip*/) const { return false; }
 
  private:
+  /// Under a constant normal force mu F_N is a parabola, which bends at the floor alone: the next
+  /// root of a v^2 + b v + c.
+  double next_at_floor(const SlipLine& line) const noexcept {
+    if (!(line.rate_per_slip > 0.0)) return kNoBend;
+    const double p = line.force * per_force();
+    const double a = c5;
+    const double b = c2 + c3 * p;
+    const double c = raw_coefficient(p, 0.0) - kCoefficientFloor;
+    const double square = b * b - 4.0 * a * c;
+    if (!(square >= 0.0)) return kNoBend;
+    // The form of the roots that does not cancel; a division by 0 gives none ahead.
+    const double q = -0.5 * (b + std::copysign(std::sqrt(square), b));
+    double next = kNoBend;
+    for (const double v : {q / a, c / q}) {
+      const double x = (v - line.rate_at_zero) / line.rate_per_slip;
+      if (is_ahead(line, x)) next = std::min(next, x);
+    }
+    return next;
+  }
   double per_force() const { return 1.0 / area.value_or(1.0); }
 };
 
