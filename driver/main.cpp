@@ -184,8 +184,8 @@ int run(int argc, char** argv) {
   list_app->callback([&] { command = [&] { return list_command(what); }; });
 
   std::string name;
-  CLI::App* describe_app =
-      app.add_subcommand("describe", "Describe a connection type, law, closed form or quantity");
+  CLI::App* describe_app = app.add_subcommand(
+      "describe", "Describe a connection type, law, key, closed form or quantity");
   describe_app->add_option("NAME", name, "A name that 'slipbench list' shows")->required();
   describe_app->callback([&] { command = [&] { return describe_command(name); }; });
 
