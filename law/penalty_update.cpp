@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -245,6 +246,26 @@ FrictionUpdate update_penalty(const FrictionDefinition& definition,
     default:
       return update_in<6>(definition, increment, old, detail);
   }
+}
+
+double limit_use(const FrictionDefinition& definition, const FrictionUpdate& update,
+                 const PenaltyDetail& detail) noexcept {
+  if (!definition.formulation) return 0.0;
+  const Formulation& formulation = *definition.formulation;
+  const auto over = [](double force, double bound) {
+    if (force == 0.0) return 0.0;
+    return bound > 0.0 ? force / bound : std::numeric_limits<double>::infinity();
+  };
+  // The reported limit is that in the direction of the force before the filter.
+  if (!formulation.orthotropy || !smooths(formulation)) {
+    return over(equivalent_force(definition, update.state), update.limit);
+  }
+  const auto& y = update.state.force;
+  const PlaneVector along = along_axes(formulation.orthotropy->first, y[0], y[1]);
+  const auto of_axis = [&](std::size_t i) {
+    return over(along[i], std::min(detail.mu[i] * update.normal_force, definition.force_limit));
+  };
+  return std::hypot(of_axis(0), of_axis(1));
 }
 
 }  // namespace slipbench::law

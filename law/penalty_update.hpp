@@ -34,4 +34,11 @@ FrictionUpdate update_penalty(const FrictionDefinition& definition,
                               const ConnectorIncrement& increment, const FrictionState& old,
                               PenaltyDetail* detail = nullptr) noexcept;
 
+/// |F|/F_lim of a definition with a formulation, with two directions sqrt((F_1/a_1)^2 +
+/// (F_2/a_2)^2), a_i = mu_i F_N, of the force given out: above 1 only behind a filter that smooths.
+/// 0 where there is no force, infinity where there is one and its limit is 0.
+/// \param detail of the same update
+double limit_use(const FrictionDefinition& definition, const FrictionUpdate& update,
+                 const PenaltyDetail& detail) noexcept;
+
 }  // namespace slipbench::law

@@ -22,6 +22,7 @@
 #include "driver/text/format_number.hpp"
 #include "law/capstan_update.hpp"
 #include "law/penalty_predictor.hpp"
+#include "law/penalty_update.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -337,7 +338,7 @@ std::string formulation_text(const law::FrictionDefinition& definition, const De
                   vector_text(definition.slip, detail.raw), digits(1.0 - detail.alpha));
   if (formulation.filter.clip) text += ", taken back to the limit";
   text += "\n";
-  const double use = limit_use(definition, row);
+  const double use = law::limit_use(definition, row.update, row.penalty);
   if (use < kUseWithoutLimit) {
     text += fmt::format("     given out at {:.4g} % of the limit{}\n", 100.0 * use,
                         use > 1.0 + 1e-9 ? ": overshoot" : "");

@@ -10,10 +10,9 @@
 #include <set>
 
 #include "driver/case/quantity.hpp"
-#include "law/axis_limits.hpp"
 #include "law/capstan_update.hpp"
 #include "law/component.hpp"
-#include "law/penalty_predictor.hpp"
+#include "law/penalty_update.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -425,26 +424,6 @@ double total_force(const Case& problem, const Row& row, int component) {
 
 }  // namespace
 
-double limit_use(const law::FrictionDefinition& definition, const DefinitionRow& row) {
-  if (!definition.formulation) return 0.0;
-  const law::Formulation& formulation = *definition.formulation;
-  const auto over = [](double force, double bound) {
-    if (force == 0.0) return 0.0;
-    return bound > 0.0 ? force / bound : std::numeric_limits<double>::infinity();
-  };
-  // The reported limit is that in the direction of the force before the filter.
-  if (!formulation.orthotropy || !law::smooths(formulation)) {
-    return over(law::equivalent_force(definition, row.update.state), row.update.limit);
-  }
-  const auto& y = row.update.state.force;
-  const law::PlaneVector along = law::along_axes(formulation.orthotropy->first, y[0], y[1]);
-  const auto of_axis = [&](std::size_t i) {
-    return over(along[i],
-                std::min(row.penalty.mu[i] * row.update.normal_force, definition.force_limit));
-  };
-  return std::hypot(of_axis(0), of_axis(1));
-}
-
 bool is_rotational(const law::FrictionDefinition& definition) {
   return law::is_rotational(definition.slip);
 }
@@ -630,7 +609,7 @@ double column_value(const Column& column, const Case& problem, const Row& row) {
     case ColumnSource::kRawForce:
       return slip.scale[index] * here.penalty.raw[index];
     case ColumnSource::kLimitUse:
-      return limit_use(problem.definitions[d].law, here);
+      return law::limit_use(problem.definitions[d].law, here.update, here.penalty);
     default:
       return here.work;
   }

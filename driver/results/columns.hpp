@@ -100,12 +100,7 @@ std::vector<std::string> column_names(const Case& problem);
 /// The number of a column in a row of a run of `problem`.
 double column_value(const Column& column, const Case& problem, const Row& row);
 
-/// |F|/F_lim of a definition with a formulation, with two directions sqrt((F_1/a_1)^2 +
-/// (F_2/a_2)^2), a_i = mu_i F_N, of the force given out: above 1 only behind a filter that smooths.
-/// 0 where there is no force, infinity where there is one and its limit is 0.
-double limit_use(const law::FrictionDefinition& definition, const DefinitionRow& row);
-
-/// From here on a limit_use says only that the limit is 0, or kept at a floor next to it.
+/// From here on law::limit_use says only that the limit is 0, or kept at a floor next to it.
 inline constexpr double kUseWithoutLimit = 1e9;
 
 /// Whether y of the definition is a moment: its slip space has rotations only, none of them scaled

@@ -11,6 +11,7 @@
 
 #include "driver/results/csv_writer.hpp"
 #include "law/penalty_predictor.hpp"
+#include "law/penalty_update.hpp"
 #include "law/uniqueness.hpp"
 
 namespace slipbench::driver {
@@ -163,7 +164,7 @@ void Summary::add_formulation(const Row& row, std::size_t index) {
   }
   // The rounding of a force that was put on its limit is no overshoot.
   constexpr double kMore = 1.0 + 1e-9;
-  const double use = limit_use(definition, here);
+  const double use = law::limit_use(definition, here.update, here.penalty);
   if (use > kMore * sum.largest_use) {
     sum.largest_use = use;
     sum.largest_use_time = row.time;

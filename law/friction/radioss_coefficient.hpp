@@ -7,7 +7,7 @@
 
 namespace slipbench::law {
 
-/// What the coefficients of the Radioss laws are kept above (Radioss friction, section 2.6):
+/// What the coefficients of the Radioss laws are kept above (theory 9.3):
 /// mu = max(raw, 1e-30). There is no upper bound.
 inline constexpr double kCoefficientFloor = 1.0e-30;
 

@@ -160,11 +160,14 @@ TEST_CASE("the limit belongs to the slip, and no earlier slip meets it") {
 
 TEST_CASE("a quadratic potential on the general path is the Euclidean path") {
   double largest = 0.0;
+  double largest_of_steep = 0.0;
   int slips = 0;
   for (int run = 0; run < 1500; ++run) {
     Dice dice(400 + static_cast<std::uint64_t>(run));
     DefinitionDescription description = random_definition(&dice, kUserKind);
     const FrictionDefinition euclidean = description.build();
+    // The laws with a floor are steep in the slip rate, which enlarges the rounding of two roots.
+    double& worst = has_floor(euclidean.law) ? largest_of_steep : largest;
     FrictionDefinition general = euclidean;
     Potential potential;
     potential.parts = potential.leaves = euclidean.slip.dimension;
@@ -184,15 +187,14 @@ TEST_CASE("a quadratic potential on the general path is the Euclidean path") {
       slips += u.state.regime == Regime::kSlip ? 1 : 0;
       const double path = 1.0 + u.state.accumulated_slip;
       for (std::size_t k = 0; k < kComponents; ++k) {
-        largest =
-            std::max({largest, std::abs(u.state.force[k] - v.state.force[k]) / (u.limit + 1e-300),
-                      std::abs(u.state.elastic_slip[k] - v.state.elastic_slip[k]) / path,
-                      std::abs(u.direction[k] - v.direction[k])});
+        worst = std::max({worst, std::abs(u.state.force[k] - v.state.force[k]) / (u.limit + 1e-300),
+                          std::abs(u.state.elastic_slip[k] - v.state.elastic_slip[k]) / path,
+                          std::abs(u.direction[k] - v.direction[k])});
       }
       const double energy = u.limit * path + std::abs(u.work) + 1e-300;
-      largest = std::max({largest, std::abs(u.slip_increment - v.slip_increment) / path,
-                          std::abs(u.dissipation - v.dissipation) / energy,
-                          std::abs(u.stored_energy - v.stored_energy) / energy});
+      worst = std::max({worst, std::abs(u.slip_increment - v.slip_increment) / path,
+                        std::abs(u.dissipation - v.dissipation) / energy,
+                        std::abs(u.stored_energy - v.stored_energy) / energy});
       // Where the way meets the limit is a quadratic equation here and Newton's method there.
       CHECK(std::abs(u.work - v.work) <= 1e-12 * energy);
       const auto s = connector_tangent(euclidean, increment, u);
@@ -203,8 +205,8 @@ TEST_CASE("a quadratic potential on the general path is the Euclidean path") {
     }
   }
   CHECK(slips > 3000);
-  // Two roots of one equation: a steep coefficient enlarges their rounding in the force.
-  CHECK(largest <= 2e-12);
+  CHECK(largest <= 1e-14);
+  CHECK(largest_of_steep <= 2e-12);
 }
 
 TEST_CASE("the tangent of a potential meets differences") {
