@@ -13,10 +13,12 @@
 #include <string_view>
 #include <vector>
 
+#include "driver/commands/bless.hpp"
 #include "driver/commands/catalogue.hpp"
 #include "driver/commands/check.hpp"
 #include "driver/commands/import.hpp"
 #include "driver/commands/plot.hpp"
+#include "driver/commands/report.hpp"
 #include "driver/commands/run.hpp"
 #include "driver/commands/shared.hpp"
 #include "driver/results/interruption.hpp"
@@ -124,13 +126,49 @@ int run(int argc, char** argv) {
       ->type_name("N")
       ->check(CLI::Range(1, 1024));
   add_settings(*check_app, check_options.settings, check_options.allow_outside);
+  check_app
+      ->add_option("--filter", check_options.filters,
+                   "Only cases whose name matches: a part of it, or a pattern with * and ?")
+      ->type_name("PATTERN")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  check_app->add_flag("--failed-first", check_options.failed_first,
+                      "Begin with the cases that did not pass last time");
+  check_app->add_flag("--fail-fast", check_options.fail_fast,
+                      "Stop at the first case that does not pass");
+  check_app->add_flag("-q,--quiet", check_options.quiet,
+                      "Of the table, only the cases that do not pass");
+  check_app->add_option("--junit", check_options.junit, "Also write the verdicts as JUnit XML")
+      ->type_name("FILE");
+  check_app->add_option("--json", check_options.json, "Also write the verdicts as JSON")
+      ->type_name("FILE");
+  check_app->add_option("--report", check_options.report, "Also write an HTML page of the cases")
+      ->type_name("FILE");
   check_app->footer(
-      "Writes no files. Folders named 'bad' and hidden ones are not searched. Exit code 1 if a\n"
-      "check failed. Example: slipbench check cases/ -j 4");
+      "Writes no files but those asked for. Folders named 'bad' and hidden ones are not searched.\n"
+      "Exit code 1 if a check failed. In GitHub Actions, failures are also annotations.\n"
+      "Example: slipbench check cases/ -j 4 --junit slip.xml --report slip.html");
   check_app->callback([&] {
     if (check_options.paths.empty()) check_options.paths = {"."};
     command = [&] { return check_command(check_options); };
   });
+
+  BlessOptions bless_options;
+  CLI::App* bless_app =
+      app.add_subcommand("bless", "Accept today's curves of a case as its golden curves");
+  bless_app->add_option("CASE", bless_options.file, "A case file (YAML)")->required();
+  bless_app
+      ->add_option("--reason", bless_options.reason,
+                   "Why today's curve is right; it is kept in the golden file")
+      ->type_name("TEXT")
+      ->required();
+  add_settings(*bless_app, bless_options.settings, bless_options.allow_outside);
+  bless_app->footer(
+      "Writes the files that the case's checks name as 'against: {curve: ..}', if they are "
+      "missing\n"
+      "or golden curves already; never anybody else's reference.\n"
+      "Example: slipbench bless belt.yaml --reason \"new liner, mu 0.16\"");
+  bless_app->callback([&] { command = [&] { return bless_command(bless_options); }; });
 
   PlotOptions plot_options;
   CLI::App* plot_app = app.add_subcommand("plot", "Draw a case or a result");
@@ -141,6 +179,11 @@ int run(int argc, char** argv) {
           "-o,--output", plot_options.output,
           "The picture; its ending (.svg, .png, .pdf) says what it is. Default: <case>.svg")
       ->type_name("FILE");
+  plot_app
+      ->add_option("--as", plot_options.kind,
+                   "One picture only: hysteresis, history, bands, shares, mu_map, residuals")
+      ->type_name("KIND")
+      ->check(CLI::IsMember(plot_kinds()));
   plot_app->add_flag("--law", plot_options.law,
                      "Draw the coefficients of a case over slip rate and pressure");
   add_settings(*plot_app, plot_options.settings, plot_options.allow_outside);
@@ -150,6 +193,23 @@ int run(int argc, char** argv) {
       "name is <case>.law.svg.\n"
       "Needs gnuplot. Example: slipbench plot shock.yaml -o shock.png --set mu=0.2");
   plot_app->callback([&] { command = [&] { return plot_command(plot_options); }; });
+
+  ReportOptions report_options;
+  CLI::App* report_app =
+      app.add_subcommand("report", "Write an HTML page about cases and results, to look at");
+  report_app
+      ->add_option("CASE|RESULT.csv", report_options.inputs,
+                   "Case files, folders that are searched for them, or results of 'run'")
+      ->required();
+  report_app->add_option("-o,--output", report_options.output, "The page")
+      ->type_name("FILE.html")
+      ->required();
+  report_app->add_option("--title", report_options.title, "Title of the page")->type_name("TEXT");
+  add_settings(*report_app, report_options.settings, report_options.allow_outside);
+  report_app->footer(
+      "One file that opens offline in any browser: verdicts, loops and histories, events, energy.\n"
+      "Example: slipbench report cases/ -o report.html");
+  report_app->callback([&] { command = [&] { return report_command(report_options); }; });
 
   ImportOptions import_options;
   CLI::App* import_app =

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "driver/case/criterion.hpp"
 #include "driver/case/integration.hpp"
 #include "driver/case/quantity.hpp"
 #include "driver/history/expression.hpp"
@@ -107,11 +109,26 @@ struct ClosedFormReference {
   int output = 0;                               ///< which of its outputs is compared
 };
 
-/// |quantity - reference| <= max(absolute, relative * range of the reference), at every row.
+/// A column of a CSV file, and how its numbers become those of the case.
+struct CurveColumn {
+  std::string name;
+  UnitConversion conversion;
+};
+/// A curve from a file: another program's, a measurement, or the case's own past.
+struct CurveReference {
+  std::filesystem::path file;
+  std::string shown_name;  ///< as the case names it
+  CurveColumn abscissa;
+  CurveColumn column;
+};
+
+/// deviation <= max(absolute, relative * scale); what both are, the criterion says (docs/theory.md,
+/// section 16): pointwise, |quantity - reference| and the range of the reference.
 struct Tolerance {
   std::optional<double> absolute;
   std::optional<double> relative;
   std::string why;
+  std::optional<double> abscissa = {};  ///< of positions, in the abscissa's unit
 };
 
 struct Check {
@@ -119,9 +136,13 @@ struct Check {
   Expression quantity;  ///< over t, T and result columns
   std::string quantity_text;
   std::vector<std::string> variables;  ///< of `quantity`, in this order
-  std::variant<ExpressionReference, ClosedFormReference> against;
-  std::optional<std::string> step;  ///< only the rows of this step
-  std::optional<double> from;       ///< only rows with T in [from, to]
+  std::variant<ExpressionReference, ClosedFormReference, CurveReference> against;
+  Criterion criterion = Criterion::kPointwise;
+  /// What quantity and reference are compared over; total time if there is none.
+  std::optional<ExpressionReference> abscissa = {};
+  std::string abscissa_text = "time";  ///< as the case names it
+  std::optional<std::string> step;     ///< only the rows of this step
+  std::optional<double> from;          ///< only rows with T in [from, to]
   std::optional<double> to;
   Tolerance tolerance;
   SourcePosition where;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "driver/case/binding.hpp"
+#include "driver/case/criterion.hpp"
 #include "driver/case/integration.hpp"
 #include "driver/history/profile.hpp"
 #include "law/formulation.hpp"
@@ -743,7 +744,7 @@ struct StepText {
   }
 };
 
-/// A column of a measured history: its name, or its name and unit.
+/// A column of a CSV file: its name, or its name and unit.
 struct MeasuredColumnText {
   At<std::string> column;
   At<std::string> unit;
@@ -805,15 +806,18 @@ struct AgainstText {
   At<NamedMap<NumberOrList>> with;
   NamedMap<std::string> inputs;
   At<std::string> output;
+  At<std::string> curve;
+  At<MeasuredColumnText> abscissa;
+  At<MeasuredColumnText> column;
 
   template <class V>
   static void declare(V& key) {
     key("expression", &AgainstText::expression,
         KeyInfo{.text = "Expression over t, T, parameters and result columns.",
-                .default_text = "closed_form"});
+                .default_text = "closed_form or curve"});
     key("closed_form", &AgainstText::closed_form,
         KeyInfo{.text = "Name of a closed form (slipbench list closed-forms).",
-                .default_text = "expression"});
+                .default_text = "expression or curve"});
     key("with", &AgainstText::with,
         KeyInfo{.text = "Parameters of the closed form.", .default_text = "its defaults"});
     key("inputs", &AgainstText::inputs,
@@ -823,6 +827,18 @@ struct AgainstText {
     key("output", &AgainstText::output,
         KeyInfo{.text = "Which result of the closed form is compared.",
                 .default_text = "what the quantity is"});
+    key("curve", &AgainstText::curve,
+        KeyInfo{.text = "CSV file of a reference curve, or the name of a shipped one (slipbench "
+                        "list curves).",
+                .default_text = "expression or closed_form"});
+    key("abscissa", &AgainstText::abscissa,
+        KeyInfo{.text = "Column of the curve that holds the abscissa, with its unit if it is "
+                        "another: {column: stroke, unit: in}.",
+                .default_text = "that of the abscissa's name"});
+    key("column", &AgainstText::column,
+        KeyInfo{.text = "Column of the curve that is compared, with its unit if it is another: "
+                        "{column: load, unit: lbf}.",
+                .default_text = "that of the quantity's name"});
   }
 };
 
@@ -839,7 +855,7 @@ struct OverText {
 
 struct ToleranceText {
   static constexpr bool kIsDeclared = true;
-  At<double> absolute, relative;
+  At<double> absolute, relative, abscissa;
   std::string why;
 
   template <class V>
@@ -852,20 +868,19 @@ struct ToleranceText {
         KeyInfo{.text = "Admissible deviation as a part of the reference's range.",
                 .default_text = "absolute",
                 .bounds = law::kNotNegative});
+    key("abscissa", &ToleranceText::abscissa,
+        KeyInfo{.text = "Admissible shift along the abscissa, in its unit, of the points that "
+                        "breakaway and reversals compare.",
+                .default_text = "relative, of the abscissa's range",
+                .bounds = law::kNotNegative});
     key("why", &ToleranceText::why,
         KeyInfo{.text = "Which error this tolerance allows for.", .default_text = "none"});
   }
 };
 
-enum class CheckCriterion { kPointwise };
 template <>
-struct EnumWords<CheckCriterion> {
-  static constexpr std::array<std::string_view, 1> kWords{"pointwise"};
-};
-enum class CheckAbscissa { kTotalTime };
-template <>
-struct EnumWords<CheckAbscissa> {
-  static constexpr std::array<std::string_view, 1> kWords{"time"};
+struct EnumWords<Criterion> {
+  static constexpr auto kWords = criterion_words();
 };
 
 struct CheckText {
@@ -875,8 +890,8 @@ struct CheckText {
   At<AgainstText> against;
   At<std::string> step;
   At<OverText> over;
-  CheckCriterion criterion = CheckCriterion::kPointwise;
-  CheckAbscissa abscissa = CheckAbscissa::kTotalTime;
+  At<Criterion> criterion;
+  At<std::string> abscissa;
   At<ToleranceText> tolerance;
 
   template <class V>
@@ -895,7 +910,9 @@ struct CheckText {
     key("criterion", &CheckText::criterion,
         KeyInfo{.text = "How the two are compared.", .default_text = "pointwise"});
     key("abscissa", &CheckText::abscissa,
-        KeyInfo{.text = "What the two are compared over.", .default_text = "time"});
+        KeyInfo{.text = "What the two are compared over: time, accumulated_slip, a result column, "
+                        "or an expression over t, T, parameters and columns.",
+                .default_text = "time, or what 'against: {abscissa: ..}' names"});
     key("tolerance", &CheckText::tolerance,
         KeyInfo{.required = true,
                 .text = "How far they may be apart; the larger of the two counts."});

@@ -296,7 +296,7 @@ void read_check(Binder& binder, const At<CheckText>& at, const std::vector<std::
     good = false;
   }
   const AgainstText& against = text.against.value;
-  std::optional<std::variant<ExpressionReference, ClosedFormReference>> reference;
+  std::optional<decltype(Check::against)> reference;
   if (!text.against.given() || !text.against.node->is_map()) {
     good = false;
   } else if (against.expression.given() == against.closed_form.given()) {
@@ -349,10 +349,12 @@ void read_check(Binder& binder, const At<CheckText>& at, const std::vector<std::
               .quantity_text = text.quantity.value,
               .variables = std::move(quantity->variables),
               .against = std::move(*reference),
+              .criterion = text.criterion.value,
               .step = text.step.given() ? std::optional(text.step.value) : std::nullopt,
               .from = number(over.from),
               .to = number(over.to),
-              .tolerance = {number(tolerance.absolute), number(tolerance.relative), tolerance.why},
+              .tolerance = {number(tolerance.absolute), number(tolerance.relative), tolerance.why,
+                            number(tolerance.abscissa)},
               .where = at.node->where()};
   out.checks.push_back(std::move(check));
 }

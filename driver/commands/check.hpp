@@ -11,6 +11,13 @@ struct CheckOptions {
   std::vector<std::string> settings;  ///< --set, as typed
   int jobs = 0;                       ///< threads; 0 for as many as there are cores
   bool allow_outside = false;
+  std::vector<std::string> filters;  ///< a case is taken if its name matches one of them
+  bool failed_first = false;         ///< begin with those that did not pass last time
+  bool fail_fast = false;            ///< stop at the first that does not pass
+  bool quiet = false;                ///< of the table, only what does not pass
+  std::string junit;                 ///< files to write; empty for none
+  std::string json;
+  std::string report;
 };
 
 /// `slipbench check`: runs all cases, writes no files, and prints a verdict on each. The output

@@ -274,6 +274,10 @@ tl::expected<Case, PlotFailure> read_for_plot(const PlotOptions& options) {
   return std::move(*read.value);
 }
 
+std::vector<std::string> plot_kinds() {
+  return {"hysteresis", "history", "bands", "shares", "mu_map", "residuals"};
+}
+
 int plot_command(const PlotOptions& options) {
   const fs::path picture =
       options.output.empty()

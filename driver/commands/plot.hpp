@@ -16,7 +16,12 @@ struct PlotOptions {
   std::vector<std::string> settings;  ///< --set, as typed; for a case only
   bool allow_outside = false;
   bool law = false;  ///< draw the coefficients of a case, not its forces
+  std::string kind;  ///< one of plot_kinds(); empty: force over time and over motion
 };
+
+/// The pictures there are besides the one of friction.gp; each has a template of its name in
+/// plots/.
+std::vector<std::string> plot_kinds();
 
 /// The case of `options`, or its faults as they are told to the user.
 tl::expected<Case, PlotFailure> read_for_plot(const PlotOptions& options);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "driver/case/case.hpp"
+#include "driver/compare/series.hpp"
 #include "driver/results/columns.hpp"
 #include "driver/simulation.hpp"
 #include "driver/text/json.hpp"
@@ -25,8 +26,14 @@ struct Deviation {
 /// The outcome of one check.
 struct Verdict {
   std::string name;
+  Criterion criterion = Criterion::kPointwise;
   bool passed = false;
-  std::string message;                  ///< in a sentence what is wrong; empty if passed
+  std::string message;       ///< in a sentence what is wrong; empty if passed
+  std::string likely_cause;  ///< "looks like the coefficient: ratio 1.07 everywhere in slip"
+  std::vector<std::string> warnings;    ///< in sentences what is doubtful about the check itself
+  std::vector<Measure> measures;        ///< of criteria other than pointwise
+  std::string unit;                     ///< of the quantity; empty if unknown
+  std::string abscissa;                 ///< what was compared over, with its unit: "CU1 [mm]"
   std::int64_t compared = 0;            ///< rows
   std::int64_t failing = 0;             ///< rows beyond the tolerance
   double tolerance = 0.0;               ///< in the quantity's unit

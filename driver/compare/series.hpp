@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace slipbench::driver {
+
+/// A quantity over an abscissa, in the order of its history: the abscissa may go back and forth.
+struct Series {
+  std::vector<double> abscissa;
+  std::vector<double> value;  ///< as many
+  std::vector<double> time;   ///< total time; empty where only the abscissa is known
+
+  std::size_t size() const { return value.size(); }
+};
+
+/// Where on a curve something is, for a person who looks it up.
+struct CurvePoint {
+  double abscissa = 0.0;
+  double value = 0.0;
+  double reference = 0.0;
+  double time = std::numeric_limits<double>::quiet_NaN();  ///< NaN where it is not known
+};
+
+/// What the number of a measure is in.
+enum class MeasureUnit : std::uint8_t {
+  kQuantity,  ///< of the compared quantity
+  kAbscissa,
+  kProduct,  ///< quantity x abscissa: an area, the work of a loop
+  kNone      ///< dimensionless
+};
+
+/// One number that a criterion judges: a peak, the energy of a loop, a phase error.
+struct Measure {
+  std::string name;  ///< "largest value", "energy of loop 2"
+  MeasureUnit unit = MeasureUnit::kQuantity;
+  double value = 0.0;
+  double reference = 0.0;
+  double deviation = 0.0;  ///< what the tolerance bounds, >= 0
+  double scale = 0.0;      ///< what a relative tolerance is relative to, in the same unit
+  double tolerance = 0.0;  ///< in the same unit; infinite for a measure that is only reported
+  std::optional<CurvePoint> where;
+
+  bool passed() const { return deviation <= tolerance; }
+};
+
+/// What a criterion found.
+struct CurveComparison {
+  std::string fault;          ///< why the two cannot be compared; empty if they can
+  std::int64_t compared = 0;  ///< points of the reference in the common range
+  std::vector<Measure> measures;
+};
+
+}  // namespace slipbench::driver
