@@ -5,7 +5,7 @@
 #   lib/, lib/cmake/slipbench/       libraries; one targets file for each room, so that a room's consumer
 #                                    needs the dependencies of that room only
 #   bin/slipbench                    the program
-#   share/slipbench/                 cases and plot templates
+#   share/slipbench/                 cases, plot templates, reference curves
 #   share/doc/slipbench/             documentation, licence, notice
 include(CMakePackageConfigHelpers)
 
@@ -25,6 +25,16 @@ function(slipbench_install_room target room)
           FILES_MATCHING PATTERN *.hpp)
 endfunction()
 
+# slipbench_install_program(TARGET): the program, for projects that find the package the target slipbench::slipbench.
+function(slipbench_install_program target)
+  if(NOT SLIPBENCH_INSTALL)
+    return()
+  endif()
+  install(TARGETS ${target} EXPORT slipbench-program-targets)
+  install(EXPORT slipbench-program-targets NAMESPACE slipbench::
+          DESTINATION ${SLIPBENCH_INSTALL_CMAKEDIR})
+endfunction()
+
 # slipbench_install_package(): what belongs to no single room.
 function(slipbench_install_package)
   if(NOT SLIPBENCH_INSTALL)
@@ -37,8 +47,10 @@ function(slipbench_install_package)
   install(FILES ${PROJECT_BINARY_DIR}/slipbench-config.cmake
                 ${PROJECT_BINARY_DIR}/slipbench-config-version.cmake
                 ${PROJECT_SOURCE_DIR}/cmake/FindUDUNITS2.cmake
+                ${PROJECT_SOURCE_DIR}/cmake/SlipbenchAddCases.cmake
           DESTINATION ${SLIPBENCH_INSTALL_CMAKEDIR})
   install(DIRECTORY cases plots DESTINATION ${CMAKE_INSTALL_DATADIR}/slipbench)
+  install(DIRECTORY reference/curves DESTINATION ${CMAKE_INSTALL_DATADIR}/slipbench/reference)
   install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR})
   install(FILES README.md CHANGELOG.md LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 endfunction()

@@ -239,13 +239,15 @@ int run(int argc, char** argv) {
   std::string what;
   CLI::App* list_app = app.add_subcommand("list", "List what a case may use");
   list_app->add_option("WHAT", what, "One kind only")
-      ->type_name("connections|laws|keys|closed-forms|quantities")
-      ->check(CLI::IsMember({"connections", "laws", "keys", "closed-forms", "quantities"}));
+      ->type_name("connections|laws|keys|closed-forms|curves|criteria|quantities")
+      ->check(CLI::IsMember(
+          {"connections", "laws", "keys", "closed-forms", "curves", "criteria", "quantities"}));
   list_app->callback([&] { command = [&] { return list_command(what); }; });
 
   std::string name;
   CLI::App* describe_app = app.add_subcommand(
-      "describe", "Describe a connection type, law, key, closed form or quantity");
+      "describe",
+      "Describe a connection type, law, key, closed form, curve, criterion or quantity");
   describe_app->add_option("NAME", name, "A name that 'slipbench list' shows")->required();
   describe_app->callback([&] { command = [&] { return describe_command(name); }; });
 

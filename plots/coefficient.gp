@@ -4,15 +4,8 @@
 # states that a run visited are marked in all of them. A panel that would show straight level lines
 # is left out.
 # `slipbench plot --law` sets the variables and data blocks used here and loads this file.
-eval "set terminal ".TERMINAL
-set output PICTURE
-set encoding utf8
-set termoption noenhanced
-set border 3 linewidth 1 linecolor rgb "#444444"
-set tics nomirror out scale 0.5 textcolor rgb "#222222" font ",12"
+load STYLE
 
-array colour[4] = ["#000000", "#1f6fb4", "#e08a00", "#2a8f5b"]
-array dashes[4] = [1, 4, 5, 2]
 # From light to dark without a turn, so that it says the same in grey.
 set palette defined (0 "#fdf7d8", 0.25 "#f6cf80", 0.5 "#dd8c5f", 0.75 "#9c4868", 1 "#3b1d52")
 
@@ -20,8 +13,6 @@ set palette defined (0 "#fdf7d8", 0.25 "#f6cf80", 0.5 "#dd8c5f", 0.75 "#9c4868",
 state(status, value) = column(1) == status ? value : NaN
 slip_fill = "#ffffff"
 
-set multiplot title TITLE font ",17" offset 0,-0.2
-head = 60.0 / (60.0 + 440.0 * COEFFICIENTS)
 height = (1.0 - head) / COEFFICIENTS
 
 do for [i=1:COEFFICIENTS] {
@@ -31,7 +22,7 @@ do for [i=1:COEFFICIENTS] {
   set tmargin at screen bottom + 0.82 * height
   set key at graph 0.0, graph 1.02 bottom left horizontal Left reverse maxrows 2 samplen 1.5 width 0 font ",12"
   set label 1 NAME[i] at screen 0.075, screen bottom + 0.96 * height left font ",15"
-  set label 2 CUT[i] at screen 0.98, screen bottom + 0.96 * height right font ",12" textcolor rgb "#555555"
+  set label 2 CUT[i] at screen 0.98, screen bottom + 0.96 * height right font ",12" textcolor rgb quiet_text
   set yrange [0:1.12 * TOP[i]]
   set ylabel "coefficient mu" offset 1,0
 
@@ -64,7 +55,7 @@ do for [i=1:COEFFICIENTS] {
     set xtics LOAD_STEP[i]
     if (!both) {
       set label 1 NAME[i] at screen 0.075, screen bottom + 0.96 * height left font ",15"
-      set label 2 CUT[i] at screen 0.98, screen bottom + 0.96 * height right font ",12" textcolor rgb "#555555"
+      set label 2 CUT[i] at screen 0.98, screen bottom + 0.96 * height right font ",12" textcolor rgb quiet_text
     } else { unset ylabel }
     plot \
       for [k=1:words(OVER_LOAD_NAMES[i])] $OVER_LOAD index (i-1) using 1:(column(k+1)) with lines \

@@ -3,27 +3,8 @@
 # its limit and with stick (white), slip (light) and no contact (dark) shaded; then force against
 # motion, or, for motion in a plane, the paths of the motion and of the force.
 # `slipbench plot` sets the variables and data blocks used here and loads this file.
-eval "set terminal ".TERMINAL
-set output PICTURE
-set encoding utf8
-set termoption noenhanced
-set border 3 linewidth 1 linecolor rgb "#444444"
-set tics nomirror out scale 0.5 textcolor rgb "#222222" font ",12"
+load STYLE
 set xzeroaxis linewidth 0.6 linecolor rgb "#777777"
-
-slip_shade = "#dcdcdc"
-open_shade = "#a8a8a8"
-limit_colour = "#c03020"
-array colour[3] = ["#1f6fb4", "#e08a00", "#2a8f5b"]
-array dashes[3] = [4, 5, 2]
-
-# The span (column 3 to 4) if it is of definition d and of this status.
-edge(d, status, value) = column(1) == d && column(2) == status ? value : NaN
-# The limit of negative forces: its own where there is one (belts), else the limit's negative.
-below(i) = LIMIT_BELOW[i] > 0 ? column(LIMIT_BELOW[i]) : -column(LIMIT[i])
-
-set multiplot title TITLE font ",17" offset 0,-0.2
-head = 60.0 / (60.0 + 440.0 * DEFINITIONS)
 height = (1.0 - head) / DEFINITIONS
 
 do for [i=1:DEFINITIONS] {
@@ -43,15 +24,11 @@ do for [i=1:DEFINITIONS] {
   set xlabel TIME_LABEL
   set ylabel FORCE_LABEL[i]
   set label 1 NAME[i] at graph 0.0, graph 1.13 left font ",15"
-  set key at graph 1.0, graph 1.02 bottom right horizontal Left reverse maxrows 2 samplen 1.5 width 0 font ",12"
+  @legend
   plot \
-    $SPANS using (0.5 * (edge(i, 2, $3) + $4)):(0.5 * (low + high)):3:4:(low):(high) \
-      with boxxyerror fillstyle solid noborder fillcolor rgb slip_shade title (SLIPS[i] ? "slip" : ""), \
-    $SPANS using (0.5 * (edge(i, 0, $3) + $4)):(0.5 * (low + high)):3:4:(low):(high) \
-      with boxxyerror fillstyle solid noborder fillcolor rgb open_shade title (OPENS[i] ? "no contact" : ""), \
-    keyentry with boxes fillstyle empty linecolor rgb "#888888" title "stick", \
+    @SHADES, \
     for [k=1:words(BESIDE[i])] $DATA using 1:(column(int(word(BESIDE[i], k)))) with lines \
-      linewidth 1.5 dashtype dashes[k] linecolor rgb colour[k] title word(BESIDE_NAMES[i], k), \
+      linewidth 1.5 dashtype dashes[k+1] linecolor rgb colour[k+1] title word(BESIDE_NAMES[i], k), \
     $DATA using 1:(column(FORCE[i])) with lines linewidth 2 linecolor rgb "black" title FORCE_NAME[i], \
     $DATA using 1:(LIMIT[i] > 0 ? column(LIMIT[i]) : NaN) with lines linewidth 2 dashtype 2 \
       linecolor rgb limit_colour title (LIMIT[i] > 0 ? "limit" : ""), \

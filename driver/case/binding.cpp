@@ -167,7 +167,8 @@ std::optional<std::filesystem::path> Binder::data_file(const Node& node, const P
   return std::move(*file);
 }
 
-void Binder::history_error(const Node& node, const Path& path, const HistoryError& problem) {
+void Binder::history_error(const Node& node, const Path& path, const HistoryError& problem,
+                           std::string hint) {
   if (problem.kind == HistoryError::Kind::kEnvironment) environment_failed_ = true;
   std::string message = problem.message;
   if (problem.line > 0) {
@@ -177,7 +178,7 @@ void Binder::history_error(const Node& node, const Path& path, const HistoryErro
   } else if (!problem.file.empty()) {
     message = problem.file + ": " + message;
   }
-  error(node, path, std::move(message));
+  error(node, path, std::move(message), std::move(hint));
 }
 
 std::string in_words(const law::Bounds& bounds) {
@@ -352,10 +353,6 @@ bool read_word(Binder& binder, const Node& node, const Path& path,
   }
   const auto word = std::find(words.begin(), words.end(), node.text());
   if (word == words.end()) {
-    if (const auto later = later_word(node.text())) {
-      binder.error(node, path, std::string(*later));
-      return false;
-    }
     binder.error(node, path,
                  "wanted " + in_words(words) + ", found " + in_quotes(printable(node.text())),
                  nearest_or(node.text(), words, ""));

@@ -87,7 +87,8 @@ class Binder {
   std::optional<std::filesystem::path> data_file(const Node& node, const Path& path,
                                                  std::string_view text);
   /// Reports a fault of a data file, in the file's own words and place.
-  void history_error(const Node& node, const Path& path, const HistoryError& error);
+  void history_error(const Node& node, const Path& path, const HistoryError& error,
+                     std::string hint = {});
   /// True if some fault was the machine's (a file that cannot be read), not the text's.
   [[nodiscard]] bool environment_failed() const { return environment_failed_; }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -24,6 +25,8 @@
 #include "law/stop.hpp"
 
 namespace slipbench::driver {
+
+class CurveFile;
 
 /// One friction definition of the case, ready for the law; predefined PLANAR and UJOINT give two.
 struct CaseDefinition {
@@ -111,7 +114,7 @@ struct ClosedFormReference {
 
 /// A column of a CSV file, and how its numbers become those of the case.
 struct CurveColumn {
-  std::string name;
+  std::vector<std::string> names;  ///< the first of these that the file has
   UnitConversion conversion;
 };
 /// A curve from a file: another program's, a measurement, or the case's own past.
@@ -120,6 +123,8 @@ struct CurveReference {
   std::string shown_name;  ///< as the case names it
   CurveColumn abscissa;
   CurveColumn column;
+  std::shared_ptr<CurveFile> data;  ///< its columns, for all checks of the case that name it
+  bool shipped = false;             ///< comes with the program
 };
 
 /// deviation <= max(absolute, relative * scale); what both are, the criterion says (docs/theory.md,

@@ -47,9 +47,6 @@ std::optional<LaterKey> later_key(std::string_view key) {
   static constexpr std::array kLater{
       LaterKey{"adaptive", "adaptive increments are not in this version; give their number",
                "increments"},
-      LaterKey{"curve",
-               "comparison with a curve is not in this version; use an expression or a closed form",
-               "expression"},
       LaterKey{"calibrate", "calibration is not in this version"},
       LaterKey{"sweep", "sweeps are not in this version"}};
   for (const LaterKey& later : kLater) {
@@ -110,13 +107,6 @@ std::string origin_of_column(std::string_view name) {
     return {};
   }
   return "'" + std::string(column) + "' is a column of a definition with " + std::string(origin);
-}
-
-std::optional<std::string_view> later_word(std::string_view word) {
-  static constexpr std::array<std::string_view, 6> kCriteria{
-      "peak", "area", "loop_energy", "breakaway", "sprague_geers", "iso18571"};
-  if (std::find(kCriteria.begin(), kCriteria.end(), word) == kCriteria.end()) return std::nullopt;
-  return "this criterion is not in this version; use pointwise";
 }
 
 }  // namespace slipbench::driver

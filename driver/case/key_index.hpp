@@ -31,8 +31,4 @@ std::string_view key_for_option(std::string_view option);
 /// other names.
 std::string origin_of_column(std::string_view name);
 
-/// What there is to say of a word that stands as a value and means such a key: a sentence, or
-/// nothing.
-std::optional<std::string_view> later_word(std::string_view word);
-
 }  // namespace slipbench::driver

@@ -198,7 +198,8 @@ ReadCase read_case_text(const SourceText& source, const std::string& folder,
   const bool history_known = text.history.sound && binder.errors() == errors;
   resolve_friction_changes(binder, text, columns_known, problem);
   resolve_integration(binder, text, problem);
-  resolve_output_and_checks(binder, text, problem, columns_known, history_known);
+  resolve_output_and_checks(binder, text, problem, columns_known, history_known,
+                            options.curves_may_be_missing);
   result.environment_failure = binder.environment_failed();
   if (bound && !out.has_errors()) explain_table_arguments(binder, text, problem);
   if (bound && !out.has_errors()) result.value = std::move(problem);

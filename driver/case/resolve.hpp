@@ -45,8 +45,9 @@ void resolve_friction_changes(Binder& binder, const CaseText& text, bool definit
 void resolve_integration(Binder& binder, const CaseText& text, Case& out);
 /// \param columns_known false: names of result columns are not judged
 /// \param history_known false: any temperature and field may be driven
+/// \param curves_may_be_missing reference curves need not be there: they are about to be made
 void resolve_output_and_checks(Binder& binder, const CaseText& text, Case& out, bool columns_known,
-                               bool history_known);
+                               bool history_known, bool curves_may_be_missing);
 
 /// Says what a table sees that its reader may not expect: a temperature or field that the history
 /// never gives (0), a constitutive motion that is not the displacement from the initial position.

@@ -2,11 +2,16 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <utility>
+#include <variant>
 
 #include "driver/case/case_codecs.hpp"
 #include "driver/case/key_index.hpp"
 #include "driver/case/quantity.hpp"
 #include "driver/case/resolve.hpp"
+#include "driver/case/resolve_curve.hpp"
+#include "driver/case/resolve_expression.hpp"
+#include "driver/compare/curve_series.hpp"
 #include "driver/results/columns.hpp"
 #include "driver/text/format_number.hpp"
 #include "reference/catalogue.hpp"
@@ -28,27 +33,6 @@ std::string column_hint(std::string_view name, std::span<const std::string_view>
                         std::string otherwise) {
   std::string origin = origin_of_column(name);
   return origin.empty() ? nearest_or(name, columns, std::move(otherwise)) : origin;
-}
-
-/// An expression over those of `variables` that it uses.
-template <class Text>
-std::optional<ExpressionReference> compile(Binder& binder, const Text& text,
-                                           const std::vector<std::string>& variables) {
-  if (!text.sound) return std::nullopt;
-  auto first = binder.expression(*text.node, text.path, variables);
-  if (!first) return std::nullopt;
-  std::vector<std::string> used(first->used_variables().begin(), first->used_variables().end());
-  auto again = binder.expression(*text.node, text.path, used);
-  if (!again) return std::nullopt;
-  return ExpressionReference{std::move(*again), std::move(used)};
-}
-
-/// The expression that is a result column, or a number, and nothing else.
-std::optional<ExpressionReference> plain(const std::string& text,
-                                         std::vector<std::string> variables) {
-  auto expression = Expression::compile(text, variables);
-  if (!expression) return std::nullopt;
-  return ExpressionReference{std::move(*expression), std::move(variables)};
 }
 
 /// The result columns that carry what a closed form's signals are called.
@@ -130,18 +114,18 @@ std::optional<ExpressionReference> input_of(Binder& binder, const AgainstText& t
                                   [&](const auto& entry) { return entry.name == signal.name; });
   if (given == text.inputs.end()) {
     const std::optional<std::string> column = default_input(signal.name, problem);
-    if (column && is_column(*column)) return plain(*column, {*column});
+    if (column && is_column(*column)) return plain_expression(*column, {*column});
     if (binder.unknown_names_excused()) return std::nullopt;
     // A plane SLOT has no f3, a straight joint no angle: the closed form then sees 0.
-    if (component_of_force(signal.name) || signal.name == "beta") return plain("0", {});
+    if (component_of_force(signal.name) || signal.name == "beta") return plain_expression("0", {});
     binder.error(*text.closed_form.node, text.closed_form.path,
                  "the closed form needs '" + std::string(signal.name) +
                      "': say which result column or expression it is under 'inputs:'");
     return std::nullopt;
   }
   if (!given->sound) return std::nullopt;
-  if (Binder::is_expression(*given->node)) return compile(binder, *given, variables);
-  if (is_column(given->value)) return plain(given->value, {given->value});
+  if (Binder::is_expression(*given->node)) return compile_expression(binder, *given, variables);
+  if (is_column(given->value)) return plain_expression(given->value, {given->value});
   if (!binder.unknown_names_excused()) {
     const std::vector<std::string_view> names(variables.begin(), variables.end());
     binder.error(*given->node, given->path, "no result column '" + printable(given->value) + "'",
@@ -285,49 +269,105 @@ StepNames step_names(const CaseText& text) {
   return result;
 }
 
+/// Which of the three a check holds its quantity against; reports what does not go together.
+/// \return whether it is one, and what stands beside it belongs to it
+bool one_reference(Binder& binder, const At<AgainstText>& at) {
+  if (!at.given() || !at.node->is_map()) return false;
+  const AgainstText& against = at.value;
+  std::vector<std::string_view> given;
+  if (against.expression.given()) given.push_back("'expression'");
+  if (against.closed_form.given()) given.push_back("'closed_form'");
+  if (against.curve.given()) given.push_back("'curve'");
+  if (given.size() > 1) {
+    binder.error(*at.node, at.path,
+                 "has " + in_words(given, "and") + ", a check takes one of them");
+    return false;
+  }
+  if (given.empty()) {
+    if (!has_unknown_key<AgainstText>(*at.node)) {
+      binder.error(*at.node, at.path, "needs 'expression', 'closed_form' or 'curve'");
+    }
+    return false;
+  }
+  bool good = true;
+  if (!against.closed_form.given() &&
+      (against.with.given() || !against.inputs.empty() || against.output.given())) {
+    binder.error(*at.node, at.path, "'with', 'inputs' and 'output' belong to a closed form");
+    good = false;
+  }
+  if (!against.curve.given() && (against.abscissa.given() || against.column.given())) {
+    binder.error(*at.node, at.path, "'abscissa' and 'column' belong to a curve",
+                 against.abscissa.given()
+                     ? "what a check is compared over is its own 'abscissa', beside 'against'"
+                     : "");
+    good = false;
+  }
+  return good;
+}
+
+bool judge_tolerance(Binder& binder, const CheckText& text) {
+  const ToleranceText& tolerance = text.tolerance.value;
+  if (!text.tolerance.given() || !text.tolerance.node->is_map()) return false;
+  bool good = true;
+  const bool has_positions = text.criterion.value == Criterion::kBreakaway ||
+                             text.criterion.value == Criterion::kReversals;
+  if (tolerance.abscissa.given() && !has_positions && !text.criterion.faulty()) {
+    binder.error(*tolerance.abscissa.node, tolerance.abscissa.path,
+                 std::string(info_of(text.criterion.value).word) +
+                     " compares no positions; breakaway and reversals do");
+    good = false;
+  } else if (!tolerance.absolute.given() && !tolerance.relative.given() &&
+             !tolerance.abscissa.given() && !has_unknown_key<ToleranceText>(*text.tolerance.node)) {
+    binder.error(*text.tolerance.node, text.tolerance.path,
+                 "needs 'absolute' or 'relative', or both (the larger counts)");
+    good = false;
+  }
+  return good;
+}
+
+/// A loop has no meaning over time.
+bool judge_criterion(Binder& binder, const CheckText& text, const AbscissaChoice& abscissa,
+                     const Case& problem) {
+  const Criterion criterion = text.criterion.value;
+  if (!text.criterion.sound || abscissa.value || !needs_position(criterion)) return true;
+  const auto motion = default_input("motion", problem);
+  binder.error(
+      *text.criterion.node, text.criterion.path,
+      std::string(info_of(criterion).word) + " needs a position to go over, not time",
+      "say which under 'abscissa' of the check, as in 'abscissa: " + motion.value_or("CU1") + "'");
+  return false;
+}
+
 void read_check(Binder& binder, const At<CheckText>& at, const std::vector<std::string>& variables,
-                const StepNames& steps, Case& out) {
+                const StepNames& steps, bool curves_may_be_missing, Case& out) {
   const CheckText& text = at.value;
   bool good = at.sound;
-  auto quantity = compile(binder, text.quantity, variables);
+  auto quantity = compile_expression(binder, text.quantity, variables);
   if (quantity && quantity->variables.empty()) {
     binder.error(*text.quantity.node, text.quantity.path,
                  "names nothing of the result: this check would compare two constants");
     good = false;
   }
+  auto abscissa = read_abscissa(binder, text, variables, out);
+  if (abscissa) good = judge_criterion(binder, text, *abscissa, out) && good;
   const AgainstText& against = text.against.value;
   std::optional<decltype(Check::against)> reference;
-  if (!text.against.given() || !text.against.node->is_map()) {
+  if (!one_reference(binder, text.against)) {
     good = false;
-  } else if (against.expression.given() == against.closed_form.given()) {
-    good = false;
-    if (against.expression.given()) {
-      binder.error(*text.against.node, text.against.path,
-                   "has 'expression' and 'closed_form', a check takes one of them");
-    } else if (!has_unknown_key<AgainstText>(*text.against.node)) {
-      binder.error(*text.against.node, text.against.path, "needs 'expression' or 'closed_form'");
-    }
   } else if (against.expression.given()) {
-    if (auto compiled = compile(binder, against.expression, variables)) {
+    if (auto compiled = compile_expression(binder, against.expression, variables)) {
       reference = std::move(*compiled);
     }
+  } else if (against.curve.given()) {
+    auto curve =
+        abscissa ? read_curve(binder, text, *abscissa, out, curves_may_be_missing) : std::nullopt;
+    if (curve) reference = std::move(*curve);
   } else if (!against.closed_form.sound) {
     good = false;
   } else if (auto form = closed_form(binder, against, text.quantity.value, out, variables)) {
     reference = std::move(*form);
   }
-  if (against.expression.given() &&
-      (against.with.given() || !against.inputs.empty() || against.output.given())) {
-    binder.error(*text.against.node, text.against.path,
-                 "'with', 'inputs' and 'output' belong to a closed form");
-  }
-  const ToleranceText& tolerance = text.tolerance.value;
-  if (text.tolerance.given() && text.tolerance.node->is_map() && !tolerance.absolute.given() &&
-      !tolerance.relative.given() && !has_unknown_key<ToleranceText>(*text.tolerance.node)) {
-    binder.error(*text.tolerance.node, text.tolerance.path,
-                 "needs 'absolute' or 'relative', or both (the larger counts)");
-    good = false;
-  }
+  good = judge_tolerance(binder, text) && good;
   if (text.step.sound && steps.known &&
       std::find(steps.names.begin(), steps.names.end(), text.step.value) == steps.names.end()) {
     binder.error(*text.step.node, text.step.path, "no step '" + printable(text.step.value) + "'",
@@ -343,26 +383,32 @@ void read_check(Binder& binder, const At<CheckText>& at, const std::vector<std::
                      " and " + format_number(over.to.value));
     good = false;
   }
-  if (!good || !quantity || !reference) return;
+  if (!good || !quantity || !reference || !abscissa) return;
+  const ToleranceText& tolerance = text.tolerance.value;
   Check check{.name = text.name.value,
               .quantity = std::move(quantity->expression),
               .quantity_text = text.quantity.value,
               .variables = std::move(quantity->variables),
               .against = std::move(*reference),
               .criterion = text.criterion.value,
+              .abscissa = std::move(abscissa->value),
+              .abscissa_text = std::move(abscissa->text),
               .step = text.step.given() ? std::optional(text.step.value) : std::nullopt,
               .from = number(over.from),
               .to = number(over.to),
               .tolerance = {number(tolerance.absolute), number(tolerance.relative), tolerance.why,
                             number(tolerance.abscissa)},
               .where = at.node->where()};
+  if (const auto* curve = std::get_if<CurveReference>(&check.against)) {
+    want_columns(*curve->data, check);
+  }
   out.checks.push_back(std::move(check));
 }
 
 }  // namespace
 
 void resolve_output_and_checks(Binder& binder, const CaseText& text, Case& out, bool columns_known,
-                               bool history_known) {
+                               bool history_known, bool curves_may_be_missing) {
   out.output_every = text.output.every;
   const bool excused = binder.unknown_names_excused();
   binder.excuse_unknown_names(excused || !columns_known);
@@ -410,7 +456,7 @@ void resolve_output_and_checks(Binder& binder, const CaseText& text, Case& out, 
                          std::to_string(first->second) + "]");
       }
     }
-    read_check(binder, checks[i], variables, steps, out);
+    read_check(binder, checks[i], variables, steps, curves_may_be_missing, out);
   }
   binder.excuse_unknown_names(excused);
 }

@@ -1,13 +1,238 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/commands/bless.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <system_error>
+#include <utility>
+#include <variant>
+
 #include "driver/commands/shared.hpp"
+#include "driver/compare/golden.hpp"
+#include "driver/results/output_file.hpp"
+#include "driver/results/provenance.hpp"
+#include "driver/text/diagnostic.hpp"
 
 namespace slipbench::driver {
+namespace {
 
-int bless_command(const BlessOptions&) {
-  print_error("slipbench: error: bless is not built yet\n");
-  return kExitInternal;
+namespace fs = std::filesystem;
+
+int refuse(int code, const std::string& message) {
+  print_error("slipbench: error: " + message + "\n");
+  return code;
+}
+
+/// A golden curve on its way into its file.
+struct Writing {
+  GoldenCurve curve;
+  GoldenHeader before;
+  GoldenHeader header;
+  bool was_there = false;
+  bool unchanged = false;  ///< all but the blessings stay as they were
+  std::string text;        ///< the row of names, and the rows of numbers
+  std::optional<OutputFile> file;
+};
+
+/// A check against a golden curve, held against the old and against the new one.
+struct Held {
+  Check fresh;
+  std::optional<CheckProgress> old;
+  std::optional<CheckProgress> now;
+};
+
+/// What stands in a golden curve behind its comments.
+std::string rows_of_file(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  std::size_t begin = 0;
+  while (begin < text.size() && text[begin] == '#') begin = text.find('\n', begin) + 1;
+  return text.substr(begin);
+}
+
+std::vector<Writing> prepare(const Case& problem, std::vector<GoldenCurve> curves,
+                             const std::string& reason) {
+  std::vector<Writing> all;
+  for (GoldenCurve& curve : curves) {
+    Writing& one = all.emplace_back();
+    std::error_code ignored;
+    one.was_there = fs::exists(curve.file, ignored);
+    if (one.was_there) one.before = read_golden_header(curve.file);
+    one.header = golden_header(problem, curve, reason, one.before);
+    one.text = names_row(curve);
+    one.curve = std::move(curve);
+  }
+  return all;
+}
+
+/// Runs the case. Error: what to tell, with the exit code.
+struct Failure {
+  int code;
+  std::string message;  ///< whole, with its line feed
+};
+tl::expected<std::int64_t, Failure> follow(const Case& problem, std::vector<Writing>& writings,
+                                           std::vector<Held>& checks) {
+  std::string fault;
+  std::int64_t increments = 0;
+  const auto ended = run_case(problem, [&](const Row& row) {
+    increments = row.index;
+    for (Held& check : checks) {
+      if (check.old) check.old->add(row);
+      check.now->add(row);
+    }
+    for (Writing& one : writings) {
+      const auto appended = append_golden_row(one.curve, row, one.text);
+      if (!appended && fault.empty()) fault = appended.error();
+    }
+  });
+  if (!ended) {
+    return tl::unexpected(Failure{exit_code(ended.error()), failure_text(problem, ended.error())});
+  }
+  if (!fault.empty()) {
+    return tl::unexpected(Failure{kExitBadInput, "slipbench: error: " + fault + "\n"});
+  }
+  return increments;
+}
+
+/// Writes the curves under their temporary names and points the checks there.
+tl::expected<void, Failure> write(const Case& problem, std::vector<Writing>& writings,
+                                  std::vector<Held>& checks) {
+  std::vector<std::string> inputs = {problem.file};
+  if (problem.measured) inputs.push_back(problem.measured->file.string());
+  for (Writing& one : writings) {
+    one.unchanged = one.was_there && one.before.origin == one.header.origin &&
+                    rows_of_file(one.curve.file) == one.text;
+    if (one.unchanged) continue;
+    std::error_code error;
+    const fs::path folder = one.curve.file.parent_path();
+    if (!folder.empty()) fs::create_directories(folder, error);
+    auto file = OutputFile::create(one.curve.file, inputs);
+    if (!file) {
+      return tl::unexpected(Failure{kExitEnvironment, "slipbench: error: " + file.error() + "\n"});
+    }
+    file->append(to_text(one.header));
+    file->append(one.text);
+    if (auto closed = file->close(); !closed) {
+      return tl::unexpected(
+          Failure{kExitEnvironment, "slipbench: error: " + closed.error() + "\n"});
+    }
+    for (Held& check : checks) {
+      auto& reference = std::get<CurveReference>(check.fresh.against);
+      if (reference.file == one.curve.file) reference.file = file->temporary();
+    }
+    one.file.emplace(std::move(*file));
+  }
+  return {};
+}
+
+/// "check 'pull': was 6.2 of its tolerance (CSF2 off by 3.1 N ...), now 0".
+std::string told(const Check& check, const std::optional<CheckProgress>& old, const Verdict& now) {
+  std::string before = "no curve before";
+  if (old) {
+    const Verdict verdict = old->verdict();
+    if (verdict.compared == 0 || (!verdict.passed && verdict.failing == 0)) {
+      before = "was not to be compared (" + verdict.message + ")";
+    } else {
+      before = fmt::format("was {:.2g} of its tolerance{}", verdict.worst_fraction(),
+                           verdict.passed ? "" : " (" + verdict.message + ")");
+    }
+  }
+  return fmt::format("  check '{}': {}, now {:.2g}\n", printable(check.name), before,
+                     now.worst_fraction());
+}
+
+std::string parameters_of(const GoldenHeader& header) {
+  constexpr std::string_view kParameters = "# parameters: ";
+  for (const std::string& line : header.origin) {
+    if (line.starts_with(kParameters)) return line.substr(kParameters.size());
+  }
+  return "none";
+}
+
+std::string told(const Writing& one) {
+  const std::string name = printable(one.curve.shown_name);
+  if (one.unchanged) return fmt::format("  {}: as it was, left alone\n", name);
+  const auto rows = std::count(one.text.begin(), one.text.end(), '\n') - 1;
+  std::string text =
+      fmt::format("  {}: {}, {} rows, {} columns\n", name, one.was_there ? "replaced" : "new", rows,
+                  one.curve.columns.size());
+  if (one.was_there && parameters_of(one.before) != parameters_of(one.header)) {
+    text += fmt::format("    parameters were {}\n    parameters are  {}\n",
+                        parameters_of(one.before), parameters_of(one.header));
+  }
+  return text;
+}
+
+}  // namespace
+
+int bless_command(const BlessOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  if (options.reason.find_first_not_of(" \t\r\n") == std::string::npos) {
+    return refuse(kExitBadInput, "--reason: wanted a sentence why today's curve is right");
+  }
+  const auto settings = parse_settings(options.settings);
+  if (!settings) return refuse(kExitBadInput, settings.error());
+  ReadCase read = read_case(options.file, {.overrides = *settings,
+                                           .allow_outside = options.allow_outside,
+                                           .curves_may_be_missing = true});
+  if (!read.value || read.diagnostics.has_errors()) {
+    print_error(render(read.diagnostics, read.sources));
+    return read.environment_failure ? kExitEnvironment : kExitBadInput;
+  }
+  const Case& problem = *read.value;
+  auto curves = golden_curves(problem);
+  if (!curves) return refuse(kExitBadInput, options.file + ": " + curves.error());
+  std::vector<Writing> writings = prepare(problem, std::move(*curves), options.reason);
+
+  std::vector<Held> checks;
+  for (const Writing& one : writings) {
+    for (const std::size_t index : one.curve.checks) {
+      Held& held = checks.emplace_back(Held{problem.checks[index], {}, {}});
+      if (one.was_there) held.old.emplace(problem, problem.checks[index]);
+      std::get<CurveReference>(held.fresh.against).data.reset();
+    }
+  }
+  // From here on the checks stay where they are.
+  for (Held& held : checks) held.now.emplace(problem, held.fresh);
+
+  const auto increments = follow(problem, writings, checks);
+  if (!increments) {
+    print_error(increments.error().message);
+    return increments.error().code;
+  }
+  if (const auto written = write(problem, writings, checks); !written) {
+    print_error(written.error().message);
+    return written.error().code;
+  }
+  std::string text = fmt::format("{}: {} increments, {}\n", case_stem(problem), *increments,
+                                 elapsed_text(std::chrono::steady_clock::now() - start));
+  std::string verdicts;
+  for (const Held& held : checks) {
+    const Verdict now = held.now->verdict();
+    if (!now.passed) {
+      return refuse(kExitCheckFailed,
+                    fmt::format("{}: check '{}' would not pass against today's own curve, so "
+                                "nothing was changed: {}",
+                                options.file, printable(held.fresh.name), now.message));
+    }
+    verdicts += told(held.fresh, held.old, now);
+  }
+  std::vector<OutputFile*> together;
+  for (Writing& one : writings) {
+    text += told(one);
+    if (one.file) together.push_back(&*one.file);
+  }
+  if (auto committed = commit(together); !committed) {
+    return refuse(kExitEnvironment, committed.error());
+  }
+  print(text + verdicts);
+  return kExitOk;
 }
 
 }  // namespace slipbench::driver

@@ -8,10 +8,12 @@
 
 #include "driver/case/case_codecs.hpp"
 #include "driver/case/case_reference.hpp"
+#include "driver/case/criterion.hpp"
 #include "driver/case/quantity.hpp"
 #include "driver/case/resolve.hpp"
 #include "driver/commands/describe_law.hpp"
 #include "driver/commands/shared.hpp"
+#include "driver/compare/curve_library.hpp"
 #include "driver/exit_code.hpp"
 #include "driver/results/columns.hpp"
 #include "reference/catalogue.hpp"
@@ -24,8 +26,8 @@ void tell(fmt::format_string<Argument...> text, Argument&&... arguments) {
   print(fmt::format(text, std::forward<Argument>(arguments)...));
 }
 
-constexpr std::array<std::string_view, 5> kLists{"connections", "laws", "keys", "closed-forms",
-                                                 "quantities"};
+constexpr std::array<std::string_view, 7> kLists{
+    "connections", "laws", "keys", "closed-forms", "curves", "criteria", "quantities"};
 
 template <class Visit>
 void for_each_law(Visit&& visit) {
@@ -60,6 +62,16 @@ void list_closed_forms() {
   for (const reference::ClosedForm& form : reference::catalogue()) {
     tell("  {:<30} {}\n", form.name, form.title);
   }
+}
+
+void list_curves() {
+  tell("reference curves to check against\n");
+  for (const ShippedCurve& curve : shipped_curves()) tell("  {:<30} {}\n", curve.name, curve.text);
+}
+
+void list_criteria() {
+  tell("criteria that checks compare by\n");
+  for (const CriterionInfo& info : kCriteria) tell("  {:<20} {}\n", info.word, info.text);
 }
 
 /// Definitions that have all columns of a formulation between them.
@@ -178,6 +190,15 @@ bool describe_closed_form(std::string_view name) {
   return true;
 }
 
+bool describe_criterion(std::string_view name) {
+  for (const CriterionInfo& info : kCriteria) {
+    if (info.word != name) continue;
+    tell("{} (criterion of a check)\n  {}\n", info.word, info.text);
+    return true;
+  }
+  return false;
+}
+
 bool describe_quantity(std::string_view name) {
   if (const auto c = component_of_force(name)) {
     tell(
@@ -216,13 +237,16 @@ int list_command(const std::string& what) {
   if (what.empty() || what == "laws") list_laws();
   if (what.empty() || what == "keys") list_keys();
   if (what.empty() || what == "closed-forms") list_closed_forms();
+  if (what.empty() || what == "curves") list_curves();
+  if (what.empty() || what == "criteria") list_criteria();
   if (what.empty() || what == "quantities") list_quantities();
   return kExitOk;
 }
 
 int describe_command(const std::string& name) {
   if (describe_connection(name) || told(describe_law(name)) || describe_closed_form(name) ||
-      describe_quantity(name) || told(describe_key(name))) {
+      describe_quantity(name) || told(describe_key(name)) || describe_criterion(name) ||
+      told(curve_description(name))) {
     return kExitOk;
   }
   std::vector<std::string_view> known;
@@ -233,7 +257,10 @@ int describe_command(const std::string& name) {
   const std::vector<Column> columns = all_columns();
   for (const Column& column : columns) known.push_back(column.name);
   for (const DescribedKey& key : described_keys()) known.push_back(key.name);
-  return unknown("connection, law, closed form, quantity or key", name, known);
+  for (const CriterionInfo& info : kCriteria) known.push_back(info.word);
+  const std::vector<ShippedCurve> curves = shipped_curves();
+  for (const ShippedCurve& curve : curves) known.push_back(curve.name);
+  return unknown("connection, law, closed form, quantity, key, criterion or curve", name, known);
 }
 
 int schema_command(bool markdown) {

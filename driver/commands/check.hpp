@@ -20,9 +20,11 @@ struct CheckOptions {
   std::string report;
 };
 
-/// `slipbench check`: runs all cases, writes no files, and prints a verdict on each. The output
+/// `slipbench check`: runs all cases and prints a verdict on each as soon as all before it are
+/// done; writes the files asked for, and nothing else but the memory of `failed_first`. The output
 /// does not depend on the number of threads. Folders are searched recursively for *.yaml files,
-/// except in folders named `bad` and hidden ones. Returns the exit code: that of the worst case.
+/// except in folders named `bad` and hidden ones. Returns the exit code: that of the worst case, or
+/// of a file that could not be written.
 int check_command(const CheckOptions& options);
 
 }  // namespace slipbench::driver

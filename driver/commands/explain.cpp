@@ -17,6 +17,7 @@
 #include "driver/results/coverage.hpp"
 #include "driver/results/csv_writer.hpp"
 #include "driver/results/events.hpp"
+#include "driver/results/normal_shares.hpp"
 #include "driver/results/provenance.hpp"
 #include "driver/results/summary.hpp"
 #include "driver/text/format_number.hpp"
@@ -71,27 +72,6 @@ std::string cell_text(const law::TableFunction& function, const law::Ambient& am
   return text.empty() ? "its only value" : text;
 }
 
-/// What the components of a term carry.
-std::string words(const law::DerivedTerm& term) {
-  law::ComponentSet set;
-  for (int j = 0; j < term.count; ++j) set.insert(term.component[static_cast<std::size_t>(j)]);
-  if (set.size() == 1) {
-    const int c = term.component[0];
-    return law::is_rotation(c) ? fmt::format("moment about axis {}", c - 2)
-                               : fmt::format("force along axis {}", c + 1);
-  }
-  if (set == law::ComponentSet::of(2, 3)) return "forces across axis 1";
-  if (set == law::ComponentSet::of(5, 6)) return "bending moments across axis 1";
-  if ((set & law::ComponentSet::of(4, 5, 6)).empty()) return "constraint forces";
-  if ((set & law::ComponentSet::of(1, 2, 3)).empty()) return "constraint moments";
-  return "constraint forces and moments";
-}
-
-double single_value(const law::DerivedTerm& term, const law::ConnectorForce& force,
-                    const law::Ambient& ambient) {
-  return law::evaluate(law::DerivedComponent{term}, force, ambient);
-}
-
 std::string term_text(const law::DerivedTerm& term, const law::ConnectorForce& force,
                       const law::Ambient& ambient) {
   std::string inside;
@@ -114,10 +94,10 @@ std::string term_text(const law::DerivedTerm& term, const law::ConnectorForce& f
         break;
     }
   }
-  std::string text = fmt::format("{} = {}{}{}{}", digits(single_value(term, force, ambient)),
+  std::string text = fmt::format("{} = {}{}{}{}", digits(term_value(term, force, ambient)),
                                  term.sign < 0.0 ? "-" : "",
                                  term.combine == law::TermOperator::kNorm ? "sqrt" : "",
-                                 "(" + inside + ")", std::string("   ") + words(term));
+                                 "(" + inside + ")", std::string("   ") + term_words(term));
   if (term.weight_table) {
     text += "; weights from their table, " + cell_text(*term.weight_table, ambient, {});
   }
@@ -429,8 +409,7 @@ std::string definition_text(const Case& problem, const Instant& instant, std::si
     text += fmt::format("     behind the ring f_bc {}\n",
                         with_unit(digits(law::tension_behind(update)), unit));
   } else {
-    const bool at_end = definition.accumulated_slip == law::AccumulatedSlipTiming::kEnd;
-    const double slip = update.state.accumulated_slip - (at_end ? 0.0 : update.slip_increment);
+    const double slip = slip_of_internal_force(definition, update);
     const double internal =
         law::evaluate(definition.internal_contact_force, increment.end, slip).value;
     text += fmt::format("  F_N {} = abs(contact {} + internal {})\n",

@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "driver/commands/shared.hpp"
-#include "driver/results/columns.hpp"
+#include "driver/commands/drawn_coefficients.hpp"
+#include "driver/commands/plot_definition.hpp"
+#include "driver/commands/plot_input.hpp"
+#include "driver/commands/plot_script.hpp"
 #include "driver/results/law_range.hpp"
-#include "driver/results/provenance.hpp"
-#include "driver/text/format_number.hpp"
 #include "driver/text/tics.hpp"
 
 namespace slipbench::driver {
@@ -29,116 +29,6 @@ constexpr int kMapRows = 80;
 /// A run that goes further than so many times what the law has to show is cut off, and that is
 /// said.
 constexpr double kFarthest = 6.0;
-
-/// A state that a run visited.
-struct Visited {
-  double slip_rate = 0.0;      ///< [L/T]
-  double contact_force = 0.0;  ///< F_N [F]
-  double mu = 0.0;
-  int status = 1;  ///< 1 stick, 2 slip
-};
-
-/// The states of a run of any length: of a long one every second, every fourth and so on.
-class VisitedStates {
- public:
-  void add(const Visited& state) {
-    slip_rate_ = std::max(slip_rate_, state.slip_rate);
-    contact_force_ = std::max(contact_force_, state.contact_force);
-    if (count_++ % stride_ != 0) return;
-    states_.push_back(state);
-    if (states_.size() < kMost) return;
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < states_.size(); i += 2) states_[kept++] = states_[i];
-    states_.resize(kept);
-    stride_ *= 2;
-  }
-
-  const std::vector<Visited>& states() const { return states_; }
-  double largest_slip_rate() const { return slip_rate_; }
-  double largest_contact_force() const { return contact_force_; }
-
- private:
-  static constexpr std::size_t kMost = 20000;
-  std::vector<Visited> states_;
-  long count_ = 0;
-  long stride_ = 1;
-  double slip_rate_ = 0.0;
-  double contact_force_ = 0.0;
-};
-
-/// One coefficient that is drawn: of a definition, or of one direction of it.
-struct Coefficient {
-  std::string title;
-  law::FrictionLaw law;
-  bool rotational = false;
-  bool creeps = false;  ///< below the limit, in place of stick
-  VisitedStates visited;
-};
-
-bool depends_on_anything(const law::FrictionLaw& law) {
-  return law::depends_on_slip_rate(law) || law::depends_on_contact_force(law);
-}
-
-std::string title_of(const CaseDefinition& definition, bool several, const law::FrictionLaw& law,
-                     std::string_view direction) {
-  std::string text = several ? definition.name + ": " : "";
-  if (!direction.empty()) text += std::string(direction) + ": ";
-  return text + std::string(std::visit([](const auto& one) { return one.kTitle; }, law));
-}
-
-/// The coefficients of a case, directions of an orthotropic one apart; entries of definitions whose
-/// coefficient is constant stay away.
-struct Coefficients {
-  std::vector<Coefficient> list;
-  /// Of each definition, the entries of direction 1 and 2 in `list`; -1 for none.
-  std::vector<std::array<int, 2>> of_definition;
-};
-
-Coefficients coefficients_of(const Case& problem) {
-  Coefficients all;
-  const bool several = problem.definitions.size() > 1;
-  for (const CaseDefinition& definition : problem.definitions) {
-    std::array<int, 2> entries{-1, -1};
-    const auto& formulation = definition.law.formulation;
-    const bool orthotropic = formulation && formulation->orthotropy;
-    const bool creeps =
-        formulation && std::holds_alternative<law::ViscousPenalty>(formulation->penalty);
-    const auto add = [&](const law::FrictionLaw& law, std::string_view direction) {
-      if (!depends_on_anything(law)) return -1;
-      all.list.push_back({title_of(definition, several, law, direction),
-                          law,
-                          is_rotational(definition.law),
-                          creeps,
-                          {}});
-      return static_cast<int>(all.list.size()) - 1;
-    };
-    entries[0] = add(definition.law.law, orthotropic ? "direction 1" : "");
-    if (orthotropic) entries[1] = add(formulation->orthotropy->second, "direction 2");
-    all.of_definition.push_back(entries);
-  }
-  return all;
-}
-
-void visit(const Simulation& simulation, Coefficients& all) {
-  for (std::size_t d = 0; d < all.of_definition.size(); ++d) {
-    const DefinitionRow& row = simulation.row().definitions[d];
-    const law::FrictionUpdate& update = row.update;
-    // The start is no state of an increment.
-    if (update.state.regime == law::Regime::kOpen || simulation.row().index == 0) continue;
-    const int status = static_cast<int>(update.state.regime);
-    const auto& formulation = simulation.definition(d).formulation;
-    const bool orthotropic = formulation && formulation->orthotropy;
-    for (std::size_t i = 0; i < 2; ++i) {
-      const int entry = all.of_definition[d][i];
-      if (entry < 0) continue;
-      // A direction of an orthotropic coefficient sees a speed of its own.
-      const double rate = orthotropic ? row.penalty.speeds[i] : update.slip_rate;
-      const double mu = orthotropic ? row.penalty.mu[i] : update.mu;
-      all.list[static_cast<std::size_t>(entry)].visited.add(
-          {rate, update.normal_force, mu, status});
-    }
-  }
-}
 
 /// How far an axis goes: what the law has to show, and what the run visited.
 struct Extent {
@@ -159,16 +49,12 @@ std::vector<double> levels(double end) {
   return list;
 }
 
-std::string axis_label(std::string_view name, const std::string& unit) {
-  return std::string(name) + (unit.empty() ? "" : " [" + unit + "]");
-}
-
 /// Writes what the template is told about one coefficient, and its data.
 class Script {
  public:
   Script(const Case& problem, const law::Ambient& ambient) : problem_(problem), ambient_(ambient) {}
 
-  void add(const Coefficient& coefficient) {
+  void add(const DrawnCoefficient& coefficient) {
     ++count_;
     const law::FrictionLaw& law = coefficient.law;
     const bool by_rate = law::depends_on_slip_rate(law);
@@ -194,19 +80,16 @@ class Script {
     const std::string force_name = area > 0.0               ? "pressure p"
                                    : coefficient.rotational ? "normal moment F_N"
                                                             : "normal force F_N";
-    const auto set = [&](const char* name, const std::string& value) {
-      variables_ += fmt::format("{}[{}] = {}\n", name, count_, value);
-    };
-    set("NAME", gnuplot_string(coefficient.title + ambient_of(law)));
-    set("RATE_LABEL", gnuplot_string(axis_label("slip rate V", rate_unit)));
-    set("LOAD_LABEL", gnuplot_string(axis_label(force_name, force_unit)));
-    set("RATE_END", format_number(rate.end));
-    set("LOAD_END", format_number(pressure_end));
-    set("RATE_STEP", format_number(tic_step(rate.end, by_rate && by_force ? 4.0 : 6.0)));
-    set("MAP_STEP", format_number(tic_step(rate.end, 4.0)));
-    set("LOAD_STEP", format_number(tic_step(pressure_end, 4.0)));
-    set("BY_RATE", by_rate ? "1" : "0");
-    set("BY_LOAD", by_force ? "1" : "0");
+    script_.add("NAME", coefficient.title + ambient_text(law));
+    script_.add("RATE_LABEL", axis_label("slip rate V", {"", rate_unit}));
+    script_.add("LOAD_LABEL", axis_label(force_name, {"", force_unit}));
+    script_.add("RATE_END", rate.end);
+    script_.add("LOAD_END", pressure_end);
+    script_.add("RATE_STEP", tic_step(rate.end, by_rate && by_force ? 4.0 : 6.0));
+    script_.add("MAP_STEP", tic_step(rate.end, 4.0));
+    script_.add("LOAD_STEP", tic_step(pressure_end, 4.0));
+    script_.add("BY_RATE", by_rate ? 1 : 0);
+    script_.add("BY_LOAD", by_force ? 1 : 0);
     std::string cut;
     if (rate.cut)
       cut = fmt::format("the run reaches V = {:.4g}", coefficient.visited.largest_slip_rate());
@@ -215,15 +98,14 @@ class Script {
                          area > 0.0 ? "p" : "F_N",
                          coefficient.visited.largest_contact_force() / per_force);
     }
-    set("CUT", gnuplot_string(cut));
-    set("STICK_NAME",
-        gnuplot_string(coefficient.creeps ? "visited below the limit" : "visited in stick"));
+    script_.add("CUT", cut);
+    script_.add("STICK_NAME", coefficient.creeps ? "visited below the limit" : "visited in stick");
 
     const std::vector<double> loads = by_force ? levels(pressure_end) : std::vector<double>{0.0};
     const std::vector<double> rates = by_rate ? levels(rate.end) : std::vector<double>{0.0};
     const char* const load_symbol = area > 0.0 ? "p" : "F_N";
-    set("OVER_RATE_NAMES", by_force ? names(load_symbol, loads) : "'mu'");
-    set("OVER_LOAD_NAMES", by_rate ? names("V", rates) : "'mu'");
+    script_.add("OVER_RATE_NAMES", by_force ? names(load_symbol, loads) : "mu");
+    script_.add("OVER_LOAD_NAMES", by_rate ? names("V", rates) : "mu");
     double top = 0.0;
     const auto curve = [&](std::string& out, double end, std::size_t number, const auto& value) {
       for (int k = 0; k <= kCurvePoints; ++k) {
@@ -259,31 +141,18 @@ class Script {
     }
     marks_ += "NaN NaN \"\"\n\n\n";  // an empty block cannot be plotted
     add_states(coefficient.visited, rate.end, force.end, per_force, top);
-    set("TOP", format_number(top > 0.0 ? top : 1.0));
+    script_.add("TOP", top > 0.0 ? top : 1.0);
   }
 
-  /// \param picture its final name \param output where it is written first
-  std::string text(const std::string& title, const fs::path& picture, const fs::path& output,
-                   const fs::path& pattern) const {
-    std::string text =
-        fmt::format("TERMINAL = \"{}\"\nPICTURE = {}\nTITLE = {}\nCOEFFICIENTS = {}\n",
-                    terminal_for(picture, 60 + 440 * count_), gnuplot_string(output.string()),
-                    gnuplot_string(title), count_);
-    for (const char* name :
-         {"NAME", "RATE_LABEL", "LOAD_LABEL", "RATE_END", "LOAD_END", "RATE_STEP", "LOAD_STEP",
-          "MAP_STEP", "BY_RATE", "BY_LOAD", "CUT", "OVER_RATE_NAMES", "OVER_LOAD_NAMES", "TOP",
-          "STICKS", "SLIPS", "STICK_NAME"}) {
-      text += fmt::format("array {}[{}]\n", name, count_);
-    }
-    text += variables_;
-    for (const auto& [name, data] : {std::pair{"OVER_RATE", &over_rate_},
-                                     {"OVER_LOAD", &over_load_},
-                                     {"MAP", &map_},
-                                     {"MARKS", &marks_},
-                                     {"STATES", &states_}}) {
-      text += fmt::format("${} << END\n{}END\n", name, *data);
-    }
-    return text + "load " + gnuplot_string(pattern.string()) + "\n";
+  /// The script of a picture of all that was added.
+  PlotScript finish() {
+    script_.set("COEFFICIENTS", count_);
+    script_.block("OVER_RATE", std::move(over_rate_));
+    script_.block("OVER_LOAD", std::move(over_load_));
+    script_.block("MAP", std::move(map_));
+    script_.block("MARKS", std::move(marks_));
+    script_.block("STATES", std::move(states_));
+    return std::move(script_);
   }
 
  private:
@@ -293,11 +162,11 @@ class Script {
       // gnuplot's word() takes the double-quoted parts of a text as words.
       text += fmt::format("{}\"{} = {:.5g}\"", text.empty() ? "" : " ", symbol, value);
     }
-    return gnuplot_string(text);
+    return text;
   }
 
   /// " at temperature 80, field1 2, as the run ends": what else a table depends on.
-  std::string ambient_of(const law::FrictionLaw& law) const {
+  std::string ambient_text(const law::FrictionLaw& law) const {
     const auto* table = std::get_if<law::TabularCoefficient>(&law);
     if (table == nullptr) return {};
     std::string text;
@@ -335,14 +204,14 @@ class Script {
                              state.contact_force / per_force, state.mu);
     }
     states_ += "0 NaN NaN NaN\n\n\n";
-    variables_ +=
-        fmt::format("STICKS[{0}] = {1}\nSLIPS[{0}] = {2}\n", count_, sticks ? 1 : 0, slips ? 1 : 0);
+    script_.add("STICKS", sticks ? 1 : 0);
+    script_.add("SLIPS", slips ? 1 : 0);
   }
 
   const Case& problem_;
   const law::Ambient& ambient_;
-  std::size_t count_ = 0;
-  std::string variables_;
+  int count_ = 0;
+  PlotScript script_;
   std::string over_rate_;
   std::string over_load_;
   std::string map_;
@@ -350,68 +219,31 @@ class Script {
   std::string states_;
 };
 
-/// What a table may depend on besides the slip, as the run left it.
-struct FinalAmbient {
-  std::array<double, law::kMaxFields> fields{};
-  law::Ambient ambient;
-};
-
-void take_ambient(const Row& row, FinalAmbient& out) {
-  out.ambient.temperature = row.quantities[kTemperatureQuantity];
-  for (std::size_t f = 0; f < out.fields.size(); ++f) {
-    out.fields[f] = row.quantities[kFirstField + f];
-  }
-  out.ambient.fields = out.fields;
-}
-
 }  // namespace
 
 tl::expected<void, PlotFailure> draw_laws(const PlotOptions& options, const fs::path& picture) {
-  if (terminal_for(picture, 0).empty()) {
-    return failed(kExitBadInput, fmt::format("{}: wanted a picture that ends in .svg, .png or .pdf",
-                                             picture.string()));
-  }
-  if (fs::path(options.input).extension() == ".csv") {
+  if (is_result(options)) {
     return failed(kExitBadInput,
                   options.input + ": a result does not say its coefficients; give the case");
   }
-  const auto pattern = find_template("coefficient.gp");
-  if (!pattern) {
-    return failed(kExitEnvironment, "the plot template plots/coefficient.gp is not installed");
-  }
-  const std::array<std::string, 1> inputs{options.input};
-  auto output = OutputFile::create(picture, inputs);
-  if (!output) return failed(kExitEnvironment, output.error());
-  const auto read = read_for_plot(options);
-  if (!read) return tl::unexpected(read.error());
-  const Case& problem = *read;
-
-  Coefficients all = coefficients_of(problem);
-  if (all.list.empty()) {
+  auto begun = begin_picture(picture, options.input, "coefficient.gp");
+  if (!begun) return tl::unexpected(std::move(begun.error()));
+  const auto problem = read_for_plot(options);
+  if (!problem) return tl::unexpected(problem.error());
+  DrawnCoefficients all(*problem, false);
+  if (all.list().empty()) {
     return failed(kExitBadInput,
                   options.input +
                       ": no coefficient of this case depends on the slip rate or the "
                       "normal force: there is nothing to draw");
   }
-  FinalAmbient end;
-  const auto ended = [&] {
-    Progress progress(case_stem(problem));
-    return follow_case(problem, [&](const Simulation& simulation) {
-      visit(simulation, all);
-      take_ambient(simulation.row(), end);
-      progress.step(simulation.row());
-    });
-  }();
-  if (!ended) {
-    return tl::unexpected(
-        PlotFailure{exit_code(ended.error()), failure_text(problem, ended.error())});
-  }
-  Script script(problem, end.ambient);
-  for (std::size_t i = 0; i < std::min(kMostPictures, all.list.size()); ++i) {
-    script.add(all.list[i]);
-  }
-  const std::string title = problem.title.empty() ? case_stem(problem) : problem.title;
-  return draw_script(script.text(title, picture, output->temporary(), *pattern), picture, *output);
+  const auto followed =
+      follow_for_plot(*problem, [&](const Simulation& simulation) { all.visit(simulation); });
+  if (!followed) return followed;
+  Script script(*problem, all.ambient());
+  const std::size_t count = std::min(kMostPictures, all.list().size());
+  for (std::size_t i = 0; i < count; ++i) script.add(all.list()[i]);
+  return draw(script.finish(), picture_title(*problem), 60 + 440 * count, *begun);
 }
 
 }  // namespace slipbench::driver

@@ -1,13 +1,143 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/commands/report.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <span>
+#include <system_error>
+#include <thread>
+
 #include "driver/commands/shared.hpp"
+#include "driver/report/collect.hpp"
+#include "driver/report/read_result.hpp"
+#include "driver/report/report.hpp"
+#include "driver/results/output_file.hpp"
+#include "driver/suite/candidates.hpp"
+#include "driver/suite/check_case.hpp"
+#include "driver/suite/work_crew.hpp"
 
 namespace slipbench::driver {
+namespace {
 
-int report_command(const ReportOptions&) {
-  print_error("slipbench: error: report is not built yet\n");
-  return kExitInternal;
+namespace fs = std::filesystem;
+
+/// What one place of the page is made of.
+struct Source {
+  Candidate candidate;
+  bool is_result = false;
+};
+
+bool names_result(const std::string& path) {
+  std::error_code ignored;
+  return fs::path(path).extension() == ".csv" && !fs::is_directory(path, ignored);
+}
+
+/// Results as they are given, cases as `check` finds them, in the order of the command line.
+std::vector<Source> find_sources(std::span<const std::string> inputs,
+                                 std::vector<std::string>& faults) {
+  std::vector<Source> sources;
+  const auto add_cases = [&](std::span<const std::string> paths) {
+    Candidates found = find_candidates(paths);
+    for (Candidate& candidate : found.cases) sources.push_back({std::move(candidate), false});
+    faults.insert(faults.end(), found.faults.begin(), found.faults.end());
+  };
+  std::vector<std::string> cases;  // neighbours are searched together: a case counts once
+  for (const std::string& input : inputs) {
+    if (!names_result(input)) {
+      cases.push_back(input);
+      continue;
+    }
+    add_cases(cases);
+    cases.clear();
+    const fs::path path = fs::path(input).lexically_normal();
+    sources.push_back({{input, (path.parent_path() / path.stem()).generic_string()}, true});
+  }
+  add_cases(cases);
+  return sources;
+}
+
+/// The page's title where none is given: what the user typed.
+std::string title_of(std::span<const std::string> inputs) {
+  if (inputs.size() == 1) {
+    const fs::path path = fs::path(inputs.front()).lexically_normal();
+    const std::string last =
+        path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
+    if (!last.empty() && last != "." && last != "..") return last;
+  }
+  return "slipbench report";
+}
+
+}  // namespace
+
+int report_command(const ReportOptions& options) {
+  const auto settings = parse_settings(options.settings);
+  if (!settings) {
+    print_error("slipbench: error: " + settings.error() + "\n");
+    return kExitBadInput;
+  }
+  std::vector<std::string> faults;
+  const std::vector<Source> sources = find_sources(options.inputs, faults);
+  for (const std::string& fault : faults) print_error("slipbench: error: " + fault + "\n");
+  if (sources.empty()) {
+    print_error("slipbench: error: no case (*.yaml) found; there is nothing to report\n");
+    return faults.empty() ? kExitBadInput : kExitEnvironment;
+  }
+  // Before the work: a page that cannot be written is known at once.
+  std::vector<std::string> inputs;
+  for (const Source& source : sources) inputs.push_back(source.candidate.path);
+  if (const auto page = OutputFile::create(options.output, inputs); !page) {
+    print_error("slipbench: error: " + page.error() + "\n");
+    return kExitEnvironment;
+  }
+
+  ReportCollection collection(sources.size());
+  std::vector<int> codes(sources.size(), kExitOk);
+  std::vector<std::string> messages(sources.size());
+  const ReadOptions read_options{*settings, options.allow_outside};
+  const auto collect = [&](std::size_t place) {
+    const auto& [candidate, is_result] = sources[place];
+    if (is_result) {
+      ReadResult result = read_result(candidate.path, candidate.label);
+      codes[place] = result.code;
+      messages[place] = result.report.message;
+      collection.put(place, std::move(result.report));
+      return;
+    }
+    const Reading reading = read_candidate(candidate.path, read_options);
+    CheckCaseOptions check_options;
+    check_options.report = [&](CaseReport&& report) {
+      if (reading.read && report.status != ReportStatus::kNotRun) {
+        add_remarks(report, reading.read->diagnostics);
+      }
+      collection.put(place, std::move(report));
+    };
+    if (const auto outcome = check_case(candidate, reading, check_options)) {
+      // A failed check is the page's matter, not this command's.
+      codes[place] = outcome->code == kExitCheckFailed ? kExitOk : outcome->code;
+      messages[place] = outcome->messages;
+    }
+  };
+  for_each_index(sources.size(), std::max(1U, std::thread::hardware_concurrency()), collect);
+
+  const std::string title = options.title.empty() ? title_of(options.inputs) : options.title;
+  const auto size = write_report(options.output, collection, title, inputs);
+  if (!size) {
+    print_error("slipbench: error: " + size.error() + "\n");
+    return kExitEnvironment;
+  }
+  for (const std::string& message : messages) print_error(message);
+  const ReportTotals totals = collection.totals();
+  std::string line = fmt::format("{}: {} case{}, {} failed", options.output, totals.cases,
+                                 totals.cases == 1 ? "" : "s", totals.failed);
+  if (totals.not_run > 0) line += fmt::format(", {} not run", totals.not_run);
+  print(line + ", " + size_text(*size) + "\n");
+  // With nothing to look at, the reason counts; otherwise the page is what was asked for.
+  if (totals.not_run < totals.cases) return faults.empty() ? kExitOk : kExitEnvironment;
+  int code = kExitOk;
+  for (const int one : codes) code = worse(code, one);
+  return code;
 }
 
 }  // namespace slipbench::driver

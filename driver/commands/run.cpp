@@ -197,6 +197,11 @@ int run_one(const ReadCase& read, const RunOptions& options) {
   if (solver) text += solver->text();
   text += notes_text(read.diagnostics);
   for (const std::string& warning : warnings) text += "  warning: " + warning + "\n";
+  for (const Verdict& verdict : verdicts) {
+    for (const std::string& warning : verdict.warnings) {
+      text += fmt::format("  warning: check '{}': {}\n", verdict.name, warning);
+    }
+  }
   bool failed = false;
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     failed = failed || !verdicts[i].passed;

@@ -76,22 +76,6 @@ std::string elapsed_text(std::chrono::steady_clock::duration elapsed) {
   return fmt::format("{:.2f} s", seconds);
 }
 
-Progress::Progress(std::string what)
-    : what_(std::move(what)),
-      start_(std::chrono::steady_clock::now()),
-      terminal_(isatty(STDERR_FILENO) == 1) {}
-
-Progress::~Progress() {
-  if (shown_) print_error("\r\033[K");
-}
-
-void Progress::show(const Row& row) {
-  constexpr std::chrono::milliseconds kPatience{500};
-  if (std::chrono::steady_clock::now() - start_ < kPatience) return;
-  shown_ = true;
-  print_error(fmt::format("\r{}: {} increments, t = {:.4g}\033[K", what_, row.index, row.time));
-}
-
 tl::expected<std::vector<MotionJump>, SimulationFailure> run_case(
     const Case& problem, const std::function<void(const Row&)>& take) {
   return follow_case(problem, [&](const Simulation& simulation) { take(simulation.row()); });
@@ -139,13 +123,18 @@ std::vector<std::string> input_files(const Case& problem) {
       }
     }
   }
+  for (const Check& check : problem.checks) {
+    if (const auto* curve = std::get_if<CurveReference>(&check.against)) {
+      files.push_back(curve->file.string());
+    }
+  }
   return files;
 }
 
 std::string worst_text(const Check& check, const Verdict& verdict) {
   const Tolerance& tolerance = check.tolerance;
   if (tolerance.relative && !tolerance.absolute && verdict.scale > 0.0) {
-    return fmt::format("worst {:.2g} of {:.2g}", verdict.worst.size() / verdict.scale,
+    return fmt::format("worst {:.2g} of {:.2g}", verdict.worst_deviation() / verdict.scale,
                        *tolerance.relative);
   }
   return fmt::format("worst {:.2g} of its tolerance", verdict.worst_fraction());

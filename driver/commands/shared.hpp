@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "driver/case/read_case.hpp"
+#include "driver/commands/progress.hpp"
 #include "driver/compare/check.hpp"
 #include "driver/exit_code.hpp"
 #include "driver/history/parameters.hpp"
@@ -38,30 +39,6 @@ bool colour_wanted(int descriptor);
 
 /// "12 ms", "0.21 s", "3.4 s".
 std::string elapsed_text(std::chrono::steady_clock::duration elapsed);
-
-/// A line on standard error that shows how far a long work is; shown only on a terminal, and only
-/// once it has taken half a second.
-class Progress {
- public:
-  explicit Progress(std::string what);
-  ~Progress();
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-  /// Cheap enough to be called for every increment.
-  void step(const Row& row) {
-    if ((++calls_ & kMask) == 0 && terminal_) show(row);
-  }
-
- private:
-  static constexpr unsigned kMask = (1U << 16U) - 1U;
-  void show(const Row& row);
-
-  std::string what_;
-  std::chrono::steady_clock::time_point start_;
-  unsigned calls_ = 0;
-  bool terminal_ = false;
-  bool shown_ = false;
-};
 
 /// Runs a case to its end: `take` gets every row, row 0 first. Returns the motions that jumped, or
 /// why it ended early.

@@ -3,87 +3,40 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
+#include <utility>
 #include <variant>
 
+#include "driver/compare/curve_series.hpp"
+#include "driver/results/columns.hpp"
 #include "driver/results/summary.hpp"
-#include "reference/catalogue.hpp"
 
 namespace slipbench::driver {
-namespace {
 
-/// Below this part of its magnitude, the range of a reference is its rounding.
-constexpr double kNearlyConstant = 1e-9;
-
-/// Three digits are enough to judge a deviation.
-std::string brief(double value) { return fmt::format("{:.3g}", value); }
-
-}  // namespace
-
-double Deviation::size() const { return std::abs(value - reference); }
-
-double Verdict::worst_fraction() const {
-  const double size = worst.size();
-  if (size == 0.0) return 0.0;
-  return tolerance > 0.0 ? size / tolerance : std::numeric_limits<double>::infinity();
-}
-
-CheckProgress::CheckProgress(const Case& problem, const Check& check)
-    : case_(&problem), check_(&check), columns_(result_columns(problem)) {
-  if (auto inputs = inputs_of(check.variables)) quantity_inputs_ = std::move(*inputs);
-  if (const auto* expression = std::get_if<ExpressionReference>(&check.against)) {
-    if (auto inputs = inputs_of(expression->variables)) reference_inputs_ = std::move(*inputs);
-    return;
-  }
-  const auto& form = std::get<ClosedFormReference>(check.against);
-  const reference::ClosedForm* found = reference::find(form.name);
-  if (found == nullptr) {
-    fault_ = "there is no closed form '" + form.name + "'";
-    return;
-  }
-  for (const ExpressionReference& input : form.inputs) {
-    if (auto inputs = inputs_of(input.variables))
-      form_inputs_.push_back({std::move(*inputs), &input});
-  }
-  form_arguments_.resize(form_inputs_.size());
-  closed_form_ = found->make(form.parameters);
-  outputs_.resize(found->outputs.size());
-}
-
-std::optional<std::vector<CheckProgress::Input>> CheckProgress::inputs_of(
-    const std::vector<std::string>& names) {
-  std::vector<Input> inputs;
-  for (const std::string& name : names) {
-    Input input;
-    if (name == "t" || name == "T") {
-      input.kind = name == "t" ? Input::Kind::kStepTime : Input::Kind::kTotalTime;
-    } else if (auto column = find_column(*case_, columns_, name)) {
-      input.column = std::move(*column);
+CheckProgress::CheckProgress(const Case& problem, const Check& check, Trace trace)
+    : case_(&problem), check_(&check), judge_(check.tolerance) {
+  const bool against_curve = std::holds_alternative<CurveReference>(check.against);
+  streamed_ = check.criterion == Criterion::kPointwise && !against_curve;
+  kept_ = !streamed_ || trace == Trace::kKeep;
+  const std::vector<Column> columns = result_columns(problem);
+  definition_ = definition_of(problem, columns, check);
+  const auto make = [&](const Expression& expression, const std::vector<std::string>& variables,
+                        std::optional<RowExpression>& target) {
+    auto made = RowExpression::make(problem, columns, expression, variables);
+    if (made) {
+      target = std::move(*made);
     } else {
-      if (fault_.empty()) fault_ = "there is no result column '" + name + "'";
-      return std::nullopt;
+      stop(std::move(made.error()));
     }
-    inputs.push_back(std::move(input));
-  }
-  return inputs;
-}
-
-void CheckProgress::gather(const std::vector<Input>& inputs, const Row& row) {
-  arguments_.clear();
-  for (const Input& input : inputs) {
-    switch (input.kind) {
-      case Input::Kind::kStepTime:
-        arguments_.push_back(row.step_time);
-        break;
-      case Input::Kind::kTotalTime:
-        arguments_.push_back(row.time);
-        break;
-      case Input::Kind::kColumn:
-        arguments_.push_back(column_value(input.column, *case_, row));
-        break;
-    }
+  };
+  make(check.quantity, check.variables, quantity_);
+  if (check.abscissa) make(check.abscissa->expression, check.abscissa->variables, abscissa_);
+  if (against_curve) return;
+  auto reference = RowReference::make(problem, columns, check);
+  if (reference) {
+    reference_ = std::move(*reference);
+  } else {
+    stop(std::move(reference.error()));
   }
 }
 
@@ -98,145 +51,108 @@ bool CheckProgress::selected(const Row& row) const {
   return !check_->to || row.time <= *check_->to + slack;
 }
 
-/// Evaluates the inputs of the closed form. Without one of them the path is broken, and with it all
-/// that follows.
-bool CheckProgress::gather_form_inputs(const Row& row) {
-  for (std::size_t i = 0; i < form_inputs_.size(); ++i) {
-    gather(form_inputs_[i].inputs, row);
-    const auto value = form_inputs_[i].value->expression(arguments_);
-    if (!value) {
-      fault_ = fmt::format("an input of the closed form, '{}', has no value: {} at t = {}",
-                           form_inputs_[i].value->expression.text(), value.error().message,
-                           rounded(row.time));
-      return false;
-    }
-    form_arguments_[i] = *value;
-  }
-  return true;
-}
-
-std::optional<double> CheckProgress::reference(const Row& row, bool compared) {
-  if (closed_form_) {
-    if (!gather_form_inputs(row)) return std::nullopt;
-    closed_form_(form_arguments_, outputs_);
-    const auto& form = std::get<ClosedFormReference>(check_->against);
-    return outputs_[static_cast<std::size_t>(form.output)];
-  }
-  if (!compared) return std::nullopt;
-  gather(reference_inputs_, row);
-  auto value = std::get<ExpressionReference>(check_->against).expression(arguments_);
-  if (value) return *value;
-  fault(row, "the reference has no value: " + value.error().message);
-  return std::nullopt;
+/// Nothing that follows can make the check pass.
+void CheckProgress::stop(std::string message) {
+  if (fault_.empty()) fault_ = std::move(message);
 }
 
 void CheckProgress::fault(const Row& row, std::string message) {
   if (faults_++ == 0) fault_ = fmt::format("{} at t = {}", message, rounded(row.time));
 }
 
+/// The reference at a row, if there is one to be had.
+std::optional<double> CheckProgress::reference(const Row& row, bool compared) {
+  if (!compared && !reference_->follows_path()) return std::nullopt;
+  auto value = (*reference_)(row);
+  if (value) return *value;
+  if (value.error().breaks_path) {
+    fault_ = std::move(value.error().message);
+    faults_ = 0;
+  } else {
+    fault(row, std::move(value.error().message));
+  }
+  return std::nullopt;
+}
+
 void CheckProgress::add(const Row& row) {
   if (!fault_.empty() && faults_ == 0) return;
   const bool compared = selected(row);
-  if (!compared && !closed_form_) return;
-  const std::optional<double> wanted = reference(row, compared);
+  std::optional<double> wanted;
+  if (reference_) wanted = reference(row, compared);
   if (!compared) return;
   ++compared_;
-  if (!wanted) return;
-  gather(quantity_inputs_, row);
-  const auto value = check_->quantity(arguments_);
-  if (!value) {
-    fault(row, "the quantity has no value: " + value.error().message);
-  } else if (!std::isfinite(*wanted) || !std::isfinite(*value)) {
-    fault(row, std::isfinite(*value) ? "the reference is not a finite number"
-                                     : "the quantity is not a finite number");
-  } else {
-    compare(row.time, *value, *wanted);
+  if (reference_ && !wanted) return;
+  const auto value = (*quantity_)(row);
+  if (!value) return fault(row, "the quantity has no value: " + value.error().message);
+  if (!std::isfinite(*value)) return fault(row, "the quantity is not a finite number");
+  if (wanted && !std::isfinite(*wanted)) return fault(row, "the reference is not a finite number");
+  double abscissa = row.time;
+  if (abscissa_) {
+    const auto there = (*abscissa_)(row);
+    if (!there) return fault(row, "the abscissa has no value: " + there.error().message);
+    if (!std::isfinite(*there)) return fault(row, "the abscissa is not a finite number");
+    abscissa = *there;
   }
+  compare(row, abscissa, *value, wanted.value_or(0.0));
 }
 
-/// What a relative tolerance is relative to.
-double CheckProgress::scale() const {
-  const double range = highest_ - lowest_;
-  const double magnitude = std::max(std::abs(highest_), std::abs(lowest_));
-  return range < kNearlyConstant * magnitude ? magnitude : range;
-}
-
-/// The tolerance cannot turn out smaller than this: the range only grows, and the magnitude, too.
-double CheckProgress::certain_tolerance() const {
-  const double range = highest_ - lowest_;
-  const double magnitude = std::max(std::abs(highest_), std::abs(lowest_));
-  return std::max(
-      check_->tolerance.absolute.value_or(0.0),
-      check_->tolerance.relative.value_or(0.0) * std::max(range, kNearlyConstant * magnitude));
-}
-
-void CheckProgress::compare(double time, double value, double reference_value) {
-  const bool first = compared_ - faults_ == 1;
-  lowest_ = first ? reference_value : std::min(lowest_, reference_value);
-  highest_ = first ? reference_value : std::max(highest_, reference_value);
-  const Deviation here{time, value, reference_value};
-  const double size = here.size();
-  if (first || size > worst_.size()) worst_ = here;
-  if (size <= certain_tolerance()) return;
-  // Only rows that may yet fail are kept, so a check that passes needs next to no memory.
-  suspects_.push_back({time, size});
-  if (suspects_.size() < prune_at_) return;
-  const double certain = certain_tolerance();
-  std::erase_if(suspects_, [&](const Suspect& s) { return s.deviation <= certain; });
-  prune_at_ = std::max(prune_at_, 2 * suspects_.size());
+void CheckProgress::compare(const Row& row, double abscissa, double value, double reference) {
+  const int status =
+      definition_ ? static_cast<int>(row.definitions[*definition_].update.state.regime) : -1;
+  if (streamed_) judge_.add({abscissa, value, reference, row.time}, status);
+  if (!kept_) return;
+  rows_.value.abscissa.push_back(abscissa);
+  rows_.value.value.push_back(value);
+  rows_.value.time.push_back(row.time);
+  rows_.status.push_back(static_cast<std::int8_t>(status));
+  if (reference_) rows_.reference.push_back(reference);
 }
 
 Verdict CheckProgress::verdict() const {
+  const CheckLabels labels = labels_of(*case_, *check_);
   Verdict result;
   result.name = check_->name;
+  result.criterion = check_->criterion;
+  result.unit = labels.unit;
+  result.abscissa = labels.abscissa;
+  if (!labels.abscissa_unit.empty()) result.abscissa += " [" + labels.abscissa_unit + "]";
+  result.abscissa_unit = labels.abscissa_unit;
+  result.product_unit = labels.product_unit;
+  if (streamed_) conclude(*check_, labels, judge_, std::nullopt, result);
   result.compared = compared_;
-  result.worst = worst_;
-  result.scale = scale();
-  result.tolerance = std::max(check_->tolerance.absolute.value_or(0.0),
-                              check_->tolerance.relative.value_or(0.0) * result.scale);
-  for (const Suspect& suspect : suspects_) {
-    if (suspect.deviation <= result.tolerance) continue;
-    ++result.failing;
-    if (!result.first_failing) result.first_failing = suspect.time;
-    result.last_failing = suspect.time;
-  }
-  const std::string unit = check_unit(*case_, *check_);
   if (!fault_.empty()) {
     result.failing += faults_;
+    result.likely_cause.clear();
+    result.warnings.clear();
     result.message = fault_;
     if (faults_ > 1) {
       result.message += fmt::format(", and at {} more of {} points", faults_ - 1, compared_);
     }
   } else if (compared_ == 0) {
     result.message = "no row was compared";
-  } else if (result.failing > 0) {
-    result.message =
-        fmt::format("{} off by {} (limit {}) at t = {}, first at {}, last at {}, {} of {} points",
-                    check_->quantity_text, with_unit(brief(worst_.size()), unit),
-                    brief(result.tolerance), brief(worst_.time), brief(*result.first_failing),
-                    brief(*result.last_failing), result.failing, compared_);
+  } else if (!streamed_) {
+    judge_rows(*check_, labels, rows_, result);
   }
   result.passed = result.message.empty();
   return result;
 }
 
-std::string check_unit(const Case& problem, const Check& check) {
-  const std::vector<Column> columns = result_columns(problem);
-  const auto column = find_column(problem, columns, check.quantity_text);
-  return column ? unit_text(column->dimension, problem.units) : std::string();
-}
-
-json::Value to_json(const Verdict& verdict) {
-  json::Value one;
-  one["name"] = verdict.name;
-  one["passed"] = verdict.passed;
-  one["message"] = verdict.message;
-  one["compared"] = verdict.compared;
-  one["failing"] = verdict.failing;
-  one["tolerance"] = verdict.tolerance;
-  one["worst_deviation"] = verdict.worst.size();
-  one["worst_time"] = verdict.worst.time;
-  return one;
+CheckTrace CheckProgress::trace() const {
+  CheckTrace trace;
+  if (!kept_) return trace;
+  const CheckLabels labels = labels_of(*case_, *check_);
+  trace.abscissa_label = labels.abscissa;
+  trace.abscissa_unit = labels.abscissa_unit;
+  trace.value = rows_.value;
+  if (std::holds_alternative<CurveReference>(check_->against)) {
+    if (auto curve = reference_curve(*check_, rows_.value)) {
+      trace.reference = std::move(curve->series);
+    }
+  } else {
+    trace.reference = reference_of(rows_);
+  }
+  if (check_->criterion == Criterion::kPointwise) trace.tube = verdict().tolerance;
+  return trace;
 }
 
 }  // namespace slipbench::driver

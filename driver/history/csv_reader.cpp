@@ -254,7 +254,8 @@ struct CsvReader::File {
 
   tl::expected<void, HistoryError> read_header();
   tl::expected<void, HistoryError> choose(std::span<const std::string> columns);
-  const char* parse_row(const char* p, const char* stop, std::span<double> values) const;
+  const char* parse_row(const char* p, const char* stop, std::span<double> values,
+                        std::span<std::string_view> texts) const;
   tl::unexpected<HistoryError> diagnose(std::string_view line, long number) const;
 };
 
@@ -332,9 +333,9 @@ tl::expected<void, HistoryError> CsvReader::File::choose(std::span<const std::st
 }
 
 /// Reads the row at `p`, whose line ends before `stop`; returns where its line end is. Null for
-/// whatever is not plain: `diagnose` then says what it is.
-const char* CsvReader::File::parse_row(const char* p, const char* stop,
-                                       std::span<double> values) const {
+/// whatever is not plain: `diagnose` then says what it is. `texts` may be empty.
+const char* CsvReader::File::parse_row(const char* p, const char* stop, std::span<double> values,
+                                       std::span<std::string_view> texts) const {
   const std::size_t columns = slots.size();
   for (std::size_t column = 0;; ++column, ++p) {
     while (*p == ' ' || (*p == '\t' && separator != '\t')) ++p;
@@ -342,8 +343,13 @@ const char* CsvReader::File::parse_row(const char* p, const char* stop,
     if (quoted) ++p;
     const int slot = slots[column];
     if (slot != kSkip) {
+      const char* const number = p;
       p = read_number(p, stop, values[static_cast<std::size_t>(slot)]);
-      if (p == nullptr || (quoted && *p++ != '"')) return nullptr;
+      if (p == nullptr) return nullptr;
+      if (!texts.empty()) {
+        texts[static_cast<std::size_t>(slot)] = {number, static_cast<std::size_t>(p - number)};
+      }
+      if (quoted && *p++ != '"') return nullptr;
     } else {
       for (bool inside = quoted; *p != '\n' && (inside || *p != separator); ++p) {
         inside ^= quoted && *p == '"';
@@ -416,8 +422,13 @@ tl::expected<CsvReader, HistoryError> CsvReader::open(const std::filesystem::pat
 }
 
 tl::expected<bool, HistoryError> CsvReader::next(std::span<double> values) {
+  return next(values, {});
+}
+
+tl::expected<bool, HistoryError> CsvReader::next(std::span<double> values,
+                                                 std::span<std::string_view> texts) {
   File& file = *file_;
-  assert(values.size() == file.selected);
+  assert(values.size() == file.selected && (texts.empty() || texts.size() == file.selected));
   for (;;) {
     if (file.begin == file.lines_end) {
       if (auto filled = file.fill(); !filled) return tl::unexpected(std::move(filled.error()));
@@ -442,7 +453,7 @@ tl::expected<bool, HistoryError> CsvReader::next(std::span<double> values) {
     if (file.blank_line != 0) {
       return file.error(file.blank_line, 0, "a blank line before the last row");
     }
-    const char* const line_end = file.parse_row(start, stop, values);
+    const char* const line_end = file.parse_row(start, stop, values, texts);
     if (line_end == nullptr) {
       const auto* const newline = static_cast<const char*>(
           std::memchr(start, '\n', static_cast<std::size_t>(stop - start)));
@@ -453,7 +464,10 @@ tl::expected<bool, HistoryError> CsvReader::next(std::span<double> values) {
     file.begin += static_cast<std::size_t>(line_end - start) + 1;
     file.row_line = file.next_line++;
     ++file.rows;
-    for (const auto& [from, to] : file.copies) values[to] = values[from];
+    for (const auto& [from, to] : file.copies) {
+      values[to] = values[from];
+      if (!texts.empty()) texts[to] = texts[from];
+    }
     return true;
   }
 }

@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <tl/expected.hpp>
 #include <vector>
 
@@ -44,6 +45,11 @@ class CsvReader {
   /// trailing separator, a field that is not a finite number in the range of a double (text, nan,
   /// 1,5, 1e400), no row at all. After an error, and at the end, the reader stays where it is.
   tl::expected<bool, HistoryError> next(std::span<double> values);
+
+  /// The same, and the fields as they are written (without quotes and blanks), valid until the next
+  /// call.
+  tl::expected<bool, HistoryError> next(std::span<double> values,
+                                        std::span<std::string_view> texts);
 
   /// Goes back to before the first row. Error: the file cannot be read again.
   tl::expected<void, HistoryError> rewind();

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/results/csv_writer.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <fmt/format.h>
+
 #include <utility>
 
-#include "driver/case/quantity.hpp"
 #include "driver/results/provenance.hpp"
+#include "driver/results/result_layout.hpp"
 #include "driver/text/format_number.hpp"
 #include "law/penalty_predictor.hpp"
 
@@ -15,34 +15,25 @@ namespace {
 
 /// Which force columns belong to which definition: "# friction: sliding = CSFC(CSF2 CSF3),
 /// spinning = CSM1".
-std::string friction_line(const Case& problem) {
+std::string friction_line(const ResultLayout& layout) {
   std::string text;
-  for (const CaseDefinition& definition : problem.definitions) {
-    const law::SlipSpace& slip = definition.law.slip;
-    std::string components;
-    for (int k = 0; k < slip.dimension; ++k) {
-      components += (components.empty() ? "" : " ") +
-                    force_column("CSF", slip.component[static_cast<std::size_t>(k)]);
-    }
-    // The rings of a chain share their component: their columns carry their names.
-    if (is_belt(problem.connection) && problem.definitions.size() > 1) {
-      components += "." + definition.name;
-    }
-    if (definition.coupled) components = "CSFC(" + components + ")";
-    text += (text.empty() ? "# friction: " : ", ") + definition.name + " = " + components;
+  for (const FrictionColumns& friction : layout.friction) {
+    const std::string forces = fmt::format("{}", fmt::join(friction.forces, " "));
+    text += (text.empty() ? "# friction: " : ", ") + friction.name + " = " +
+            (friction.coupled ? "CSFC(" + forces + ")" : forces);
   }
   return text.empty() ? text : text + "\n";
 }
 
 /// Where direction 1 of an orthotropic definition points in its two components: "# direction1:
 /// friction1 = 0.6 0.8".
-std::string direction_line(const Case& problem) {
+std::string direction_line(const ResultLayout& layout) {
   std::string text;
-  for (const CaseDefinition& definition : problem.definitions) {
-    if (!definition.law.formulation || !definition.law.formulation->orthotropy) continue;
-    const auto& first = definition.law.formulation->orthotropy->first;
-    text += (text.empty() ? "# direction1: " : ", ") + definition.name + " = " +
-            format_number(first[0]) + " " + format_number(first[1]);
+  for (const FrictionColumns& friction : layout.friction) {
+    const auto first = layout.directions.find(friction.name);
+    if (first == layout.directions.end()) continue;
+    text += (text.empty() ? "# direction1: " : ", ") + friction.name + " = " +
+            format_number(first->second[0]) + " " + format_number(first->second[1]);
   }
   return text.empty() ? text : text + "\n";
 }
@@ -76,8 +67,9 @@ law::FrictionState limited_state(const law::FrictionDefinition& definition,
 CsvWriter::CsvWriter(const Case& problem, std::vector<Column> columns, OutputFile& file)
     : case_(&problem), columns_(std::move(columns)), file_(&file) {
   file.append(provenance_lines(problem));
-  file.append(friction_line(problem));
-  file.append(direction_line(problem));
+  const ResultLayout layout = layout_of(problem, columns_);
+  file.append(friction_line(layout));
+  file.append(direction_line(layout));
   std::string units;
   for (const Column& column : columns_) {
     units += (units.empty() ? "# columns: " : ", ") + column.name + " [" +

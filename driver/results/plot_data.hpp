@@ -2,12 +2,15 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
 
 #include "driver/history/history_error.hpp"
+#include "driver/results/regime_spans.hpp"
+#include "driver/results/result_layout.hpp"
 
 namespace slipbench::driver {
 
@@ -15,13 +18,6 @@ namespace slipbench::driver {
 struct PlotColumn {
   std::string name;
   std::string unit;  ///< empty if there is none, or the result does not state it
-};
-
-/// Time spent in one regime without a break, as far as the picture can tell.
-struct RegimeSpan {
-  double from = 0.0;
-  double to = 0.0;
-  int status = 1;  ///< 0 open, 1 stick, 2 slip
 };
 
 /// One friction definition as it is drawn. Numbers count `PlotData::columns`; -1: not in the
@@ -38,7 +34,18 @@ struct PlotDefinition {
   int normal_force = -1;                      ///< of an orthotropic definition, like the next two
   std::array<int, 2> coefficients{-1, -1};    ///< along its directions
   std::array<double, 2> direction{1.0, 0.0};  ///< direction 1 in its two components
-  std::vector<RegimeSpan> spans;              ///< of slip and of no contact; the rest is stick
+  int mu = -1;                                ///< of PlotDetail::kState, like the next three
+  int dissipation = -1;
+  int stored_energy = -1;
+  int work = -1;
+  std::int64_t changes = 0;       ///< rows that end in another regime than the row before
+  std::vector<RegimeSpan> spans;  ///< of slip and of no contact; the rest is stick
+};
+
+/// What is drawn of each definition.
+enum class PlotDetail : std::uint8_t {
+  kForces,  ///< forces, their motions and limits
+  kState    ///< normal force, coefficient and energies, too
 };
 
 /// A result, thinned for drawing.
@@ -53,14 +60,20 @@ struct PlotData {
   std::size_t row_count() const { return columns.empty() ? 0 : rows.size() / columns.size(); }
 };
 
-/// Reads a result of `slipbench run` for drawing. A long one is divided into `buckets` pieces of
-/// equal time, of which the first and the last row stay, and those in which a column is lowest or
-/// highest: what is drawn looks the same, and the picture stays small. Spans of a regime that are
-/// less than a bucket apart become one. The memory does not grow with the result.
+/// As many rows of a long result show all that a picture can.
+inline constexpr std::size_t kDrawnRows = 3000;
+
+/// The columns of a result that are drawn, and what they are of each definition; no rows.
+PlotData select_plot_columns(const ResultLayout& layout, PlotDetail detail = PlotDetail::kForces);
+
+/// Reads a result of `slipbench run` for drawing. A long one is thinned to `most_rows`
+/// (RowThinner): what is drawn looks the same, and the picture stays small. Spans of a regime that
+/// a picture cannot tell apart become one. The memory does not grow with the result.
 ///
 /// Errors: those of CsvReader; a file without friction columns.
 tl::expected<PlotData, HistoryError> read_plot_data(const std::filesystem::path& file,
                                                     const std::string& shown_name,
-                                                    int buckets = 400);
+                                                    std::size_t most_rows = kDrawnRows,
+                                                    PlotDetail detail = PlotDetail::kForces);
 
 }  // namespace slipbench::driver

@@ -9,9 +9,12 @@ TEST is one of
   semantic   every file of semantic/ is refused with exit code 2, at the place and with the words its first line wants
   sensitive  checks notice a wrong coefficient: with mu raised by 1 % the verification cases fail
   twins      predefined and user-defined examples give the same result, column by column
+  suite      a suite with hostile names and broken cases: JUnit XML keeps the schema junit.xsd, JSON, annotations, what
+             files are written and which are refused, --filter, --failed-first, --fail-fast, --quiet, interruption, the
+             progress bar on a terminal and nowhere else
   guide      the complete cases in docs/user-guide.md and README.md pass, and what they show of the program's
              output is what it says
-The needs beyond python3 itself are python3-yaml and python3-jsonschema.
+The needs beyond python3 itself are python3-yaml, python3-jsonschema and xmllint.
 """
 
 import argparse
@@ -19,10 +22,13 @@ import csv
 import json
 import os
 import pathlib
+import pty
 import re
+import signal
 import subprocess
 import sys
 import tempfile
+import xml.etree.ElementTree
 
 import jsonschema
 import yaml
@@ -37,9 +43,10 @@ def expect(condition, message):
         failures.append(message)
 
 
-def run(*arguments, cwd=None):
+def run(*arguments, cwd=None, env=None):
     """Runs the program; returns exit code and both outputs as one text."""
-    done = subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, cwd=cwd, timeout=120)
+    done = subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, cwd=cwd, timeout=120,
+                          env={**os.environ, **(env or {})})
     return done.returncode, done.stdout + done.stderr
 
 
@@ -178,7 +185,242 @@ def guide():
         expect(cases, f"{document}: no complete case found")
 
 
-tests = {f.__name__: f for f in (schema, check, bad, semantic, sensitive, twins, guide)}
+SLIDER = """slipbench: 1
+units: {{length: mm, force: N, time: s}}
+parameters: {{mu: {mu}}}
+connector: {{type: SLOT}}
+friction:
+  - {{predefined: {{}}, coefficient: = mu, stick: {{stiffness: 1000}}}}
+history:
+  - {{step: slide, increments: {increments}, motion: {{CP1: {{to: 0.1}}}}, force: {{f2: 100}}}}
+checks:
+  - name: {name}
+    quantity: FLIM
+    against: {{expression: = 20}}
+    tolerance: {{relative: 1.0e-12, why: rounding}}
+"""
+
+
+def slider(mu=0.2, increments=10, name="limit"):
+    """A case that passes with mu = 0.2 and fails with another."""
+    return SLIDER.format(mu=mu, increments=increments, name=name)
+
+
+def suite():
+    for part in (suite_junit, suite_json, suite_annotations, suite_report, suite_files, suite_choice, suite_memory,
+                 suite_interruption, suite_progress):
+        with tempfile.TemporaryDirectory() as folder:
+            part(pathlib.Path(folder))
+
+
+def suite_junit(folder):
+    schema_file = source / "tests/cases/junit.xsd"
+
+    def validate(name):
+        done = subprocess.run(["xmllint", "--noout", "--schema", schema_file, folder / name], capture_output=True, text=True)
+        expect(done.returncode == 0, f"{name}: is no valid JUnit XML:\n{done.stderr}")
+        return xml.etree.ElementTree.parse(folder / name).getroot()
+
+    (folder / "cases/a & b").mkdir(parents=True)
+    hostile = r'"<check> & \"quotes\" \x07 \x1b[31m \ufffe ]]> \n::error::injected \U0001f527 größe"'
+    (folder / "cases/a & b/'<hostile>\"\x01\n.yaml").write_text(slider(mu=0.3, name=hostile))
+    (folder / "cases/holds.yaml").write_text(slider())
+    (folder / "cases/unchecked.yaml").write_text(slider().split("checks:")[0])
+    (folder / "cases/broken.yaml").write_bytes(b"slipbench: 1\n\xff\xfe\x00<broken>\n")
+    (folder / "cases/fails.yaml").write_text(slider().replace("f2: 100", "f2: 1.0e300, f3: 1.0e300"))
+    with open(os.fsencode(folder / "cases") + b"/no_utf8_\xff.yaml", "w") as file:
+        file.write(slider(mu=0.3))
+    code, text = run("check", "cases", "--junit", "slip.xml", cwd=folder)
+    expect(code == 3, f"a suite whose worst is a numerical failure ended with {code}:\n{text}")
+    root = validate("slip.xml")
+    tests = root.findall("./testsuite/testcase")
+    counts = {"tests": len(tests), "failures": len(root.findall(".//failure")), "errors": len(root.findall(".//error")),
+              "skipped": len(root.findall(".//skipped"))}
+    expect(counts == {"tests": 6, "failures": 2, "errors": 2, "skipped": 1}, f"JUnit: found {counts}")
+    for element in (root, *root):
+        for name in counts:
+            inside = element.findall(".//testcase" if name == "tests" else f".//{name.removesuffix('s') if name != 'skipped' else name}")
+            expect(int(element.get(name)) == len(inside), f"JUnit: {element.get('name')}: {name} is {element.get(name)}")
+        sums = sum(float(test.get("time")) for test in element.findall(".//testcase"))
+        # Each of the times is rounded to a microsecond.
+        expect(abs(float(element.get("time")) - sums) < 1e-5, f"JUnit: {element.get('name')}: times do not add up")
+    expect([suite.get("name") for suite in root] == ["a & b", "."], "JUnit: not one suite a folder")
+    expect(all(float(test.get("time")) > 0 for test in tests), "JUnit: a case took no time")
+    expect("timestamp" not in root[0].attrib and "hostname" not in root[0].attrib, "JUnit: has a date or machine")
+    expect("\n::error" not in text and "\x07" not in text and "\x1b" not in text, f"a name broke the table:\n{text!r}")
+
+    # But for the times, the same suite gives the same text, whatever the threads.
+    def timeless(name):
+        return re.sub(r'time="[0-9.]+"', "", (folder / name).read_text())
+    run("check", "cases", "-j", 5, "--junit", "again.xml", cwd=folder)
+    expect(timeless("again.xml") == timeless("slip.xml"), "JUnit: differs with the threads")
+    code, _ = run("check", source / "cases", "--junit", folder / "repository.xml")
+    expect(code == 0 and int(validate("repository.xml").get("tests")) > 300, "JUnit of the repository's own cases")
+
+
+def suite_json(folder):
+    for name, mu in (("a", 0.2), ("b", 0.3)):
+        (folder / f"{name}.yaml").write_text(slider(mu))
+    (folder / "c.yaml").write_text("slipbench: 2\n")
+    texts = []
+    for jobs in (1, 4):
+        code, _ = run("check", ".", "-j", jobs, "--json", "slip.json", cwd=folder)
+        expect(code == 2, f"--json: ended with {code}")
+        texts.append((folder / "slip.json").read_text())
+    expect(texts[0] == texts[1], "--json: differs with the threads")
+    document = json.loads(texts[0])
+    expect([case["status"] for case in document["cases"]] == ["passed", "failed", "not_run"], f"--json: {document}")
+    expect(document["totals"]["failed_checks"] == 1 and document["totals"]["exit_code"] == 2, f"--json: {document}")
+    expect(document["cases"][1]["checks"][0]["passed"] is False, f"--json: {document}")
+    expect(document["cases"][2]["line"] == 1, f"--json: {document}")
+
+
+def suite_annotations(folder):
+    (folder / "friction").mkdir()
+    (folder / "friction/belt.yaml").write_text(slider(0.3, name='"pull\\n::error::injected"'))
+    environment = {"GITHUB_ACTIONS": "true", "GITHUB_WORKSPACE": str(folder.resolve())}
+    code, text = run("check", "belt.yaml", cwd=folder / "friction", env=environment)
+    expect(code == 1, f"annotations: ended with {code}")
+    told = [line for line in text.splitlines() if line.startswith("::")]
+    expect(len(told) == 1 and told[0].startswith("::error file=friction/belt.yaml,line=10,col=5,title=belt%3A pull%0A"),
+           f"annotations: found {told}")
+    for environment in ({}, {"GITHUB_ACTIONS": "false"}):
+        _, text = run("check", "belt.yaml", cwd=folder / "friction", env=environment)
+        expect("\n::" not in text, f"annotations outside GitHub Actions:\n{text}")
+
+
+def suite_report(folder):
+    for name, mu in (("a", 0.2), ("b", 0.3), ("c", 0.2)):
+        (folder / f"{name}.yaml").write_text(slider(mu))
+    pages = []
+    for jobs in (1, 4):
+        code, text = run("check", ".", "-j", jobs, "--report", "slip.html", cwd=folder)
+        expect(code == 1 and "1 failed" in text, f"--report: ended with {code}:\n{text}")
+        pages.append((folder / "slip.html").read_bytes())
+    expect(pages[0] == pages[1], "--report: differs with the threads")
+    expect(b"FLIM off by 10 N" in pages[0], "--report: does not tell what failed")
+    run("check", ".", "--fail-fast", "--report", "slip.html", cwd=folder)
+    expect(b"an earlier case did not pass" in (folder / "slip.html").read_bytes(), "--report: hides what was not run")
+
+
+def suite_files(folder):
+    case = folder / "a.yaml"
+    case.write_text(slider(0.3))
+    for option in ("--junit", "--json", "--report"):
+        for target, wanted, words in (("missing/x", 4, "the folder missing does not exist"), (".", 4, "is a folder"),
+                                      ("a.yaml", 2, "is one of the cases"), ("./a.yaml", 2, "is one of the cases")):
+            code, text = run("check", "a.yaml", option, target, cwd=folder)
+            expect(code == wanted and words in text, f"{option} {target}: ended with {code}:\n{text}")
+    expect(case.read_text() == slider(0.3), "a case was overwritten")
+    code, text = run("check", "a.yaml", "--junit", "x", "--json", "./x", cwd=folder)
+    expect(code == 2 and "--junit and --json would both write ./x" in text, f"two files in one: {code}:\n{text}")
+    expect([file.name for file in folder.iterdir()] == ["a.yaml"], "files were left behind")
+    # A verdict that cannot be kept is shown all the same: no file may grow beyond a block here.
+    code, text = run("check", "a.yaml", "--junit", "x", cwd=folder)
+    done = subprocess.run(["bash", "-c", 'ulimit -f 0; trap "" XFSZ; exec "$0" check a.yaml --junit y', program], cwd=folder,
+                          capture_output=True, text=True, timeout=120)
+    expect(done.returncode == 4 and "y: cannot be written" in done.stderr, f"a full disk: {done.returncode}: {done.stderr}")
+    expect("FAIL  a " in done.stdout and "1 failed" in done.stdout, f"a full disk hides the verdict:\n{done.stdout}")
+    expect(sorted(file.name for file in folder.iterdir()) == ["a.yaml", "x"], "half a file was left behind")
+
+
+def suite_choice(folder):
+    names = ("belt_1", "belt_2", "hinge_1", "hinge_2", "slot")
+    for name in names:
+        (folder / f"{name}.yaml").write_text(slider(0.3 if name == "hinge_1" else 0.2))
+    environment = {"XDG_CACHE_HOME": str(folder / "cache")}
+
+    def told(*arguments, wanted):
+        code, text = run("check", ".", *arguments, cwd=folder, env=environment)
+        expect(code == wanted, f"check {arguments}: ended with {code}, wanted {wanted}:\n{text}")
+        return re.findall(r"^  (?:PASS|FAIL)  (\w+)", text, re.MULTILINE), text
+
+    expect(told(wanted=1)[0] == list(names), "all cases")
+    expect(told("--filter", "belt", wanted=0)[0] == ["belt_1", "belt_2"], "--filter belt")
+    expect(told("--filter", "*_1", "--filter", "slot", wanted=1)[0] == ["belt_1", "hinge_1", "slot"], "two filters")
+    none, text = told("--filter", "bolt", wanted=2)
+    expect(none == [] and "no case matches --filter 'bolt'; there are 5 cases" in text, f"--filter bolt:\n{text}")
+    expect(told("--quiet", wanted=1)[0] == ["hinge_1"], "--quiet")
+    for jobs in (1, 4):
+        some, text = told("--fail-fast", "-j", jobs, wanted=1)
+        expect(some == list(names[:3]) and "2 cases passed, 1 failed, 2 not run" in text, f"--fail-fast:\n{text}")
+    expect(not (folder / "cache").exists(), "something is remembered without --failed-first")
+    first, _ = told("--failed-first", wanted=1)
+    again, _ = told("--failed-first", wanted=1)
+    expect(first == list(names), f"--failed-first without memory: {first}")
+    expect(again == ["hinge_1", "belt_1", "belt_2", "hinge_2", "slot"], f"--failed-first: {again}")
+
+
+def suite_memory(folder):
+    """A case that keeps all its rows, of which there are far too many, fails alone."""
+    limited = ["bash", "-c", 'ulimit -v 500000; exec "$0" "$@"', program]
+    if subprocess.run([*limited, "--version"], capture_output=True).returncode != 0:
+        return  # a sanitizer needs more than that for itself
+    (folder / "greedy.yaml").write_text(slider(increments=2000000000).replace("    tolerance", "    criterion: peak\n    tolerance"))
+    (folder / "small.yaml").write_text(slider())
+    done = subprocess.run([*limited, "check", ".", "-j", "2"], cwd=folder, capture_output=True, text=True, timeout=120)
+    expect(done.returncode == 4, f"a greedy case: ended with {done.returncode}:\n{done.stdout}{done.stderr}")
+    expect("FAIL  greedy   cannot be run" in done.stdout and "PASS  small " in done.stdout, f"a greedy case:\n{done.stdout}")
+    expect("greedy.yaml: error: needs more memory than there is\n" in done.stderr, f"a greedy case:\n{done.stderr}")
+
+
+def suite_interruption(folder):
+    (folder / "a.yaml").write_text(slider())
+    (folder / "endless.yaml").write_text(slider(increments=2000000000))
+    for sent in (signal.SIGINT, signal.SIGTERM):
+        running = subprocess.Popen([program, "check", ".", "-j", "2", "--junit", "slip.xml", "--json", "slip.json"], cwd=folder,
+                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        head = running.stdout.readline()
+        line = running.stdout.readline()
+        expect("PASS  a " in line, f"a case that is done is not told while others run: {head}{line}")
+        running.send_signal(sent)
+        expect(running.wait(timeout=60) == 128 + sent, f"interrupted by {sent}: ended with {running.returncode}")
+        running.stdout.close()
+        expect(sorted(file.name for file in folder.iterdir()) == ["a.yaml", "endless.yaml"], "interrupted: files were left behind")
+
+
+def suite_progress(folder):
+    """A bar for those who watch; what the terminal shows at the end, and what a log holds, is without it."""
+    for name in "abcdefgh":
+        (folder / f"{name}.yaml").write_text(slider(0.3 if name == "a" else 0.2, increments=2000000))
+    for name in "ab":
+        (folder / f"{name}.yaml").write_text(slider(0.3 if name == "a" else 0.2))
+    arguments = [program, "check", ".", "-j", "1", "--quiet"]
+
+    def on_terminal(environment, stdout=None):
+        master, slave = pty.openpty()
+        running = subprocess.Popen(arguments, cwd=folder, stdin=slave, stdout=stdout or slave, stderr=slave,
+                                   env={**os.environ, **environment})
+        os.close(slave)
+        shown = b""
+        while True:
+            try:
+                piece = os.read(master, 4096)
+            except OSError:  # the other side was closed
+                break
+            if not piece:
+                break
+            shown += piece
+        os.close(master)
+        if stdout:
+            running.stdout.read()
+            running.stdout.close()
+        expect(running.wait(timeout=60) == 1, "progress: ended otherwise on a terminal")
+        return shown.decode()
+
+    bar = re.compile(r"\r\[=*> *\] \d of 8 cases, 1 failed, \d+ s left\x1b\[K")
+    shown = on_terminal({"TERM": "xterm", "NO_COLOR": "1"})
+    expect(bar.search(shown), f"no progress bar on a terminal:\n{shown!r}")
+    # A line of the bar is gone once the cursor went back to its start and the line was cleared.
+    left = re.sub(r"\r\[[^\r]*\x1b\[K|\r\x1b\[K", "", shown)
+    done = subprocess.run(arguments, cwd=folder, capture_output=True, text=True, timeout=120)
+    expect(unhurried(left.replace("\r\n", "\n")) == unhurried(done.stdout), f"the bar is not erased:\n{shown!r}\n{done.stdout!r}")
+    expect(done.stderr == "" and "\r" not in done.stdout and "\x1b" not in done.stdout, f"a bar in a log:\n{done!r}")
+    expect("\x1b" not in on_terminal({"TERM": "dumb"}), "a bar on a terminal that cannot erase it")
+    expect(bar.search(on_terminal({"TERM": "xterm"}, stdout=subprocess.PIPE)), "no bar while the table goes to a file")
+
+
+tests = {f.__name__: f for f in (schema, check, bad, semantic, sensitive, twins, suite, guide)}
 parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 parser.add_argument("test", choices=tests)
 parser.add_argument("--slipbench", required=True, help="the program")
@@ -186,6 +428,9 @@ parser.add_argument("--source", required=True, type=pathlib.Path, help="the root
 options = parser.parse_args()
 program = str(pathlib.Path(options.slipbench).resolve())
 source = options.source.resolve()
+# What the program says must not depend on where the tests run.
+for variable in ("GITHUB_ACTIONS", "GITHUB_WORKSPACE"):
+    os.environ.pop(variable, None)
 
 tests[options.test]()
 for message in failures:

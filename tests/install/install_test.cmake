@@ -34,6 +34,7 @@ expect_file(share/doc/slipbench/LICENSE)
 expect_file(share/doc/slipbench/NOTICE)
 expect_file(share/slipbench/cases)
 expect_file(share/slipbench/plots)
+expect_file(share/slipbench/reference/curves)
 
 run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${work}/consumer
     -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_BUILD_TYPE=${CONFIG} -D CMAKE_CXX_COMPILER=${CXX_COMPILER}
@@ -45,6 +46,32 @@ if(WITH_DRIVER)
   run(${prefix}/bin/slipbench --version)
   if(NOT text MATCHES "${VERSION}")
     message(FATAL_ERROR "the installed program does not say version ${VERSION}: ${text}")
+  endif()
+endif()
+
+# An outside project without a compiler checks its cases: its own program finds what passes, what fails, and what is new.
+if(WITH_DRIVER)
+  file(COPY ${CMAKE_CURRENT_LIST_DIR}/cases_consumer DESTINATION ${work})
+  set(project ${work}/cases_consumer)
+  run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${project} -B ${work}/cases -D CMAKE_PREFIX_PATH=${prefix})
+  execute_process(COMMAND ${CMAKE_CTEST_COMMAND} -C ${CONFIG} --output-on-failure
+                  WORKING_DIRECTORY ${work}/cases RESULT_VARIABLE code OUTPUT_VARIABLE text ERROR_VARIABLE text)
+  foreach(wanted IN ITEMS "5 tests failed out of 6" "joint/holds [.]+ +Passed"
+          "joint/deep/misses [.]+\\*\\*\\*Failed" "FAIL  deep/misses   check 'limit'"
+          "joint/broken [.]+\\*\\*\\*Failed" "broken.yaml:3:1: error"
+          "set/holds [.]+\\*\\*\\*Failed" "set/deep/misses" "friction +=")
+    if(code EQUAL 0 OR NOT text MATCHES "${wanted}")
+      message(FATAL_ERROR "wanted '${wanted}' in what ctest says of the cases: ${text}")
+    endif()
+  endforeach()
+  if(text MATCHES "never|hidden")
+    message(FATAL_ERROR "cases in bad and hidden folders must not become tests: ${text}")
+  endif()
+  file(COPY_FILE ${project}/joint/holds.yaml ${project}/joint/new.yaml)
+  run(${CMAKE_COMMAND} --build ${work}/cases --config ${CONFIG})
+  run(${CMAKE_CTEST_COMMAND} --test-dir ${work}/cases -C ${CONFIG} -R joint/new)
+  if(NOT text MATCHES "100% tests passed, 0 tests failed out of 1")
+    message(FATAL_ERROR "a case that was added is not found: ${text}")
   endif()
 endif()
 

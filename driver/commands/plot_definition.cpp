@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/commands/plot_definition.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "driver/text/format_number.hpp"
+#include "driver/text/tics.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+/// Half the axes of the largest limit: of two coefficients an ellipse, of one a circle.
+std::array<double, 2> limit_axes(const PlotData& data, const PlotDefinition& definition) {
+  const double limit = magnitude_of(data, definition.limit);
+  const bool two = definition.normal_force >= 0 && definition.coefficients[0] >= 0 &&
+                   definition.coefficients[1] >= 0;
+  if (!two) return {limit, limit};
+  const double normal = magnitude_of(data, definition.normal_force);
+  return {magnitude_of(data, definition.coefficients[0]) * normal,
+          magnitude_of(data, definition.coefficients[1]) * normal};
+}
+
+}  // namespace
+
+std::size_t drawn_definitions(const PlotData& data) {
+  return std::min(kMostDefinitions, data.definitions.size());
+}
+
+std::string drawn_title(const PlotData& data) {
+  const std::size_t count = drawn_definitions(data);
+  if (count == data.definitions.size()) return data.title;
+  return fmt::format("{} (the first {} of {} definitions)", data.title, count,
+                     data.definitions.size());
+}
+
+const PlotColumn& column_of(const PlotData& data, int number) {
+  return data.columns[static_cast<std::size_t>(number)];
+}
+
+double magnitude_of(const PlotData& data, int number) {
+  if (number < 0) return 0.0;
+  const auto k = static_cast<std::size_t>(number);
+  return std::max(std::abs(data.lowest[k]), std::abs(data.highest[k]));
+}
+
+bool moves(const PlotData& data, int number) {
+  if (number < 0) return false;
+  const auto k = static_cast<std::size_t>(number);
+  return data.highest[k] > data.lowest[k];
+}
+
+std::string axis_label(std::string_view what, const PlotColumn& column) {
+  std::string text(what);
+  if (!column.name.empty()) text += " " + column.name;
+  if (!column.unit.empty()) text += " [" + column.unit + "]";
+  return text;
+}
+
+std::string force_label(const PlotData& data, int force) {
+  const PlotColumn& column = column_of(data, force);
+  return axis_label(column.name.starts_with("CSM") ? "friction moment" : "friction force", column);
+}
+
+std::string motion_label(const PlotData& data, int position) {
+  if (position < 0) return {};
+  const PlotColumn& column = column_of(data, position);
+  return axis_label(column.name.starts_with("CPR") ? "angle" : "position", column);
+}
+
+int main_force(const PlotDefinition& definition) {
+  return definition.total >= 0 ? definition.total : definition.components.front();
+}
+
+std::vector<std::size_t> translations_of(const PlotData& data, const PlotDefinition& definition) {
+  std::vector<std::size_t> entries;
+  for (std::size_t k = 0; k < definition.components.size(); ++k) {
+    const bool force = column_of(data, definition.components[k]).name.starts_with("CSF");
+    if (force && definition.positions[k] >= 0) entries.push_back(k);
+  }
+  return entries;
+}
+
+std::size_t shown_component(const PlotData& data, const PlotDefinition& definition) {
+  for (std::size_t k = 0; k < definition.components.size(); ++k) {
+    if (moves(data, definition.positions[k])) return k;
+  }
+  return 0;
+}
+
+double top_of(const PlotData& data, const PlotDefinition& definition) {
+  const auto axes = limit_axes(data, definition);
+  const double top = std::max({magnitude_of(data, definition.limit),
+                               magnitude_of(data, main_force(definition)), axes[0], axes[1]});
+  return top > 0.0 && std::isfinite(top) ? top : 1.0;
+}
+
+void tell_rows(PlotScript& script, const PlotData& data) {
+  script.set("TIME_LABEL", axis_label("time", {"t", data.columns[0].unit}));
+  const double begin = data.lowest[0];
+  const double end = data.highest[0];
+  script.set("BEGIN", begin);
+  script.set("END_TIME", end > begin ? end : begin + 1.0);
+  // The first span is of no length and no definition: an empty block cannot be plotted.
+  std::string spans = "0 0 0 0\n";
+  for (std::size_t i = 0; i < drawn_definitions(data); ++i) {
+    for (const RegimeSpan& span : data.definitions[i].spans) {
+      spans += fmt::format("{} {} {} {}\n", i + 1, span.status, format_number(span.from),
+                           format_number(span.to));
+    }
+  }
+  script.block("SPANS", std::move(spans));
+  std::string rows;
+  const std::size_t columns = data.columns.size();
+  for (std::size_t r = 0; r < data.row_count(); ++r) {
+    for (std::size_t k = 0; k < columns; ++k) {
+      // Six digits are finer than any screen or page.
+      rows += fmt::format("{:.6g}{}", data.rows[r * columns + k], k + 1 < columns ? ' ' : '\n');
+    }
+  }
+  script.block("DATA", std::move(rows));
+}
+
+void tell_force(PlotScript& script, const PlotData& data, const PlotDefinition& definition) {
+  const int main = main_force(definition);
+  const bool total = definition.total >= 0;
+  const std::string& unit = column_of(data, main).unit;
+  std::string beside;
+  std::string beside_names;
+  for (const int force : definition.components) {
+    if (!total || column_of(data, force).unit != unit) continue;
+    beside += fmt::format("{}{}", beside.empty() ? "" : " ", force + 1);
+    beside_names += (beside_names.empty() ? "" : " ") + column_of(data, force).name;
+  }
+  script.add("NAME", definition.several ? definition.name : "");
+  script.add("FORCE", main + 1);
+  script.add("FORCE_NAME", (total ? "total " : "") + column_of(data, main).name);
+  script.add("FORCE_LABEL",
+             total ? axis_label("friction force", {"", unit}) : force_label(data, main));
+  const bool negative = data.lowest[static_cast<std::size_t>(main)] < 0.0;
+  script.add("SIGNED", negative || !beside.empty() ? 1 : 0);
+  // A loop over no columns is an error in gnuplot; the force itself, twice, is not.
+  script.add("BESIDE", beside.empty() ? std::to_string(main + 1) : beside);
+  script.add("BESIDE_NAMES", beside_names);
+  script.add("LIMIT", definition.limit + 1);
+  script.add("LIMIT_BELOW", definition.limit_below + 1);
+  script.add("TOP", top_of(data, definition));
+  bool slips = false;
+  bool opens = false;
+  for (const RegimeSpan& span : definition.spans) (span.status == 2 ? slips : opens) = true;
+  script.add("SLIPS", slips ? 1 : 0);
+  script.add("OPENS", opens ? 1 : 0);
+}
+
+void tell_limit_ellipse(PlotScript& script, const PlotData& data, const PlotDefinition& definition,
+                        double parts) {
+  const auto axes = limit_axes(data, definition);
+  script.add("LIMIT_AXIS_1", axes[0]);
+  script.add("LIMIT_AXIS_2", axes[1]);
+  script.add("DIRECTION_X", definition.direction[0]);
+  script.add("DIRECTION_Y", definition.direction[1]);
+  script.add("FORCE_STEP", tic_step(2.0 * top_of(data, definition), parts));
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the templates that draw a result are told about it: its rows, its spans of slip, and the
+// columns of each friction definition. Columns count from 1 in gnuplot; 0 is none.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "driver/commands/plot_script.hpp"
+#include "driver/results/plot_data.hpp"
+
+namespace slipbench::driver {
+
+/// Of more definitions the first are drawn.
+inline constexpr std::size_t kMostDefinitions = 4;
+
+std::size_t drawn_definitions(const PlotData& data);
+/// "Title (the first 4 of 6 definitions)" where not all are drawn.
+std::string drawn_title(const PlotData& data);
+
+const PlotColumn& column_of(const PlotData& data, int number);
+/// The largest magnitude a column has; 0 for none.
+double magnitude_of(const PlotData& data, int number);
+/// Whether the numbers of a column differ.
+bool moves(const PlotData& data, int number);
+
+/// "friction force CSF1 [N]".
+std::string axis_label(std::string_view what, const PlotColumn& column);
+std::string force_label(const PlotData& data, int force);
+/// Of a position: "position CP1 [mm]" or "angle CPR1 [rad]".
+std::string motion_label(const PlotData& data, int position);
+
+/// CSFC of a coupled definition, else its only force.
+int main_force(const PlotDefinition& definition);
+/// The entries of `components` that are forces along axes with a position: two of a plane.
+std::vector<std::size_t> translations_of(const PlotData& data, const PlotDefinition& definition);
+/// The entry of `components` whose loop is drawn: the first that moves, or the first.
+std::size_t shown_component(const PlotData& data, const PlotDefinition& definition);
+
+/// $DATA, $SPANS, and with them TIME_LABEL, BEGIN and END_TIME.
+void tell_rows(PlotScript& script, const PlotData& data);
+/// Force and limit of a definition, and what stands around its panels: NAME, FORCE, FORCE_NAME,
+/// FORCE_LABEL, SIGNED, BESIDE, BESIDE_NAMES, LIMIT, LIMIT_BELOW, TOP, SLIPS, OPENS.
+void tell_force(PlotScript& script, const PlotData& data, const PlotDefinition& definition);
+/// The path of a planar force and the ellipse of its largest limit: LIMIT_AXIS_1, LIMIT_AXIS_2,
+/// DIRECTION_X, DIRECTION_Y and FORCE_STEP.
+void tell_limit_ellipse(PlotScript& script, const PlotData& data, const PlotDefinition& definition,
+                        double parts);
+/// The largest force a definition has or could have; 1 if it has none.
+double top_of(const PlotData& data, const PlotDefinition& definition);
+
+}  // namespace slipbench::driver

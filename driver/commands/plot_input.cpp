@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/commands/plot_input.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <utility>
+
+#include "driver/commands/shared.hpp"
+#include "driver/results/csv_writer.hpp"
+#include "driver/results/output_file.hpp"
+#include "driver/results/provenance.hpp"
+
+namespace slipbench::driver {
+namespace fs = std::filesystem;
+namespace {
+
+/// Runs a case and writes its rows to `rows`; the title of the picture.
+tl::expected<std::string, PlotFailure> write_rows(const PlotOptions& options,
+                                                  const fs::path& picture,
+                                                  std::optional<OutputFile>& rows) {
+  const auto read = read_for_plot(options);
+  if (!read) return tl::unexpected(read.error());
+  const Case& problem = *read;
+  auto created = OutputFile::create(fs::path(picture).concat(".rows"), input_files(problem));
+  if (!created) return failed(kExitEnvironment, created.error());
+  rows.emplace(std::move(*created));
+  CsvWriter writer(problem, result_columns(problem), *rows);
+  auto ended = follow_for_plot(
+      problem, [&](const Simulation& simulation) { writer.write(simulation.row()); });
+  if (!ended) return tl::unexpected(std::move(ended.error()));
+  if (auto closed = rows->close(); !closed) return failed(kExitEnvironment, closed.error());
+  return picture_title(problem);
+}
+
+}  // namespace
+
+bool is_result(const PlotOptions& options) { return fs::path(options.input).extension() == ".csv"; }
+
+tl::expected<Case, PlotFailure> read_for_plot(const PlotOptions& options) {
+  const auto settings = parse_settings(options.settings);
+  if (!settings) return failed(kExitBadInput, settings.error());
+  ReadCase read = read_case(options.input, {*settings, options.allow_outside});
+  if (!read.value || read.diagnostics.has_errors()) {
+    return tl::unexpected(PlotFailure{read.environment_failure ? kExitEnvironment : kExitBadInput,
+                                      render(read.diagnostics, read.sources) +
+                                          summary(read.diagnostics) + ", nothing was drawn\n"});
+  }
+  return std::move(*read.value);
+}
+
+tl::expected<void, PlotFailure> follow_for_plot(
+    const Case& problem, const std::function<void(const Simulation&)>& take) {
+  const auto ended = [&] {
+    Progress progress(case_stem(problem));
+    return follow_case(problem, [&](const Simulation& simulation) {
+      take(simulation);
+      progress.step(simulation.row());
+    });
+  }();
+  if (!ended) {
+    return tl::unexpected(
+        PlotFailure{exit_code(ended.error()), failure_text(problem, ended.error())});
+  }
+  return {};
+}
+
+std::string picture_title(const Case& problem) {
+  return problem.title.empty() ? case_stem(problem) : problem.title;
+}
+
+tl::expected<PlotData, PlotFailure> result_for_plot(const PlotOptions& options,
+                                                    const fs::path& picture, PlotDetail detail) {
+  fs::path result = options.input;
+  std::optional<OutputFile> rows;
+  std::string title;
+  if (!is_result(options)) {
+    auto ran = write_rows(options, picture, rows);
+    if (!ran) return tl::unexpected(std::move(ran.error()));
+    title = *ran;
+    result = rows->temporary();
+  }
+  auto data = read_plot_data(result, options.input, kDrawnRows, detail);
+  if (!data) {
+    const HistoryError& error = data.error();
+    const bool input = error.kind == HistoryError::Kind::kInput;
+    const std::string line = error.line > 0 ? fmt::format(":{}", error.line) : "";
+    return failed(input ? kExitBadInput : kExitEnvironment,
+                  fmt::format("{}{}: {}", options.input, line, error.message));
+  }
+  if (!title.empty()) data->title = title;
+  if (data->title.empty()) data->title = result.stem().string();
+  return std::move(*data);
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "driver/case/case.hpp"
+#include "driver/commands/gnuplot.hpp"
+#include "driver/commands/plot.hpp"
+#include "driver/results/plot_data.hpp"
+#include "driver/simulation.hpp"
+
+namespace slipbench::driver {
+
+/// Whether the input is a result of 'run', not a case.
+bool is_result(const PlotOptions& options);
+
+/// The case of `options`, or its faults as they are told to the user.
+tl::expected<Case, PlotFailure> read_for_plot(const PlotOptions& options);
+
+/// Runs a case to its end: `take` sees every row, row 0 first.
+tl::expected<void, PlotFailure> follow_for_plot(const Case& problem,
+                                                const std::function<void(const Simulation&)>& take);
+
+/// What a picture of a case is called: its title, or the file's stem.
+std::string picture_title(const Case& problem);
+
+/// The result that is drawn: the one given, or that of the case, which is run for it. Its title is
+/// never empty. Files that are needed meanwhile stand beside `picture`.
+tl::expected<PlotData, PlotFailure> result_for_plot(const PlotOptions& options,
+                                                    const std::filesystem::path& picture,
+                                                    PlotDetail detail);
+
+}  // namespace slipbench::driver

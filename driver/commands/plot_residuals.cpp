@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "driver/commands/plot_definition.hpp"
+#include "driver/commands/plot_input.hpp"
+#include "driver/commands/plot_kinds.hpp"
+#include "driver/commands/shared.hpp"
+#include "driver/compare/check.hpp"
+#include "driver/compare/criteria/pointwise.hpp"
+#include "driver/results/thinning.hpp"
+#include "driver/text/tics.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+constexpr std::size_t kMostPanels = 12;
+constexpr std::size_t kRows = 2000;
+/// Residuals below this part of the tolerance are drawn at their own size.
+constexpr double kTooSmall = 0.02;
+constexpr std::size_t kLineLength = 84;
+
+/// A sentence in at most two lines of a panel's width.
+std::string in_two_lines(const std::string& text) {
+  if (text.size() <= kLineLength) return text;
+  const std::size_t space = text.rfind(' ', kLineLength);
+  const std::size_t end = space == std::string::npos ? kLineLength : space;
+  std::string rest = text.substr(end + (space == std::string::npos ? 0 : 1));
+  if (rest.size() > kLineLength) rest = rest.substr(0, kLineLength - 3) + "...";
+  return text.substr(0, end) + "\n" + rest;
+}
+
+/// gnuplot_string keeps texts in one line; a line feed is written as two characters for the
+/// template, which knows what they mean.
+std::string with_breaks(std::string text) {
+  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos;) text[at] = '|';
+  return text;
+}
+
+struct Judged {
+  const Check* check = nullptr;
+  Verdict verdict;
+  CheckTrace trace;
+};
+
+class Panels {
+ public:
+  void add(const Judged& judged) {
+    const Verdict& verdict = judged.verdict;
+    const bool pointwise = verdict.criterion == Criterion::kPointwise;
+    PointwiseComparison compared = compare_points(judged.trace.value, judged.trace.reference);
+    const double tube = pointwise ? judged.trace.tube : 0.0;
+    double worst = 0.0;
+    RowThinner thinner(2, kRows);
+    const CurvePoint* at = nullptr;
+    for (const CurvePoint& point : compared.points) {
+      const double residual = point.value - point.reference;
+      thinner.add(std::array{point.abscissa, residual});
+      if (at == nullptr || std::abs(residual) > worst) {
+        worst = std::abs(residual);
+        at = &point;
+      }
+    }
+    const std::vector<double> rows = thinner.rows();
+    for (std::size_t r = 0; r + 1 < rows.size(); r += 2) {
+      points_ += fmt::format("{:.8g} {:.6g} {}\n", rows[r], rows[r + 1],
+                             tube > 0.0 && std::abs(rows[r + 1]) > tube ? 1 : 0);
+    }
+    points_ += rows.empty() ? "NaN NaN 0\n\n\n" : "\n\n";
+    script_.add("POINTS", static_cast<int>(rows.size() / 2));
+    script_.add("NAME", (verdict.passed ? "PASS  " : "FAIL  ") + verdict.name);
+    script_.add("SAYS", with_breaks(in_two_lines(says(judged, compared.fault))));
+    script_.add("LABEL", axis_label("residual", {"", verdict.unit}));
+    script_.add(
+        "ABSCISSA",
+        axis_label(judged.trace.abscissa_label == "t" ? "time t" : judged.trace.abscissa_label,
+                   {"", judged.trace.abscissa_unit}));
+    script_.add("TUBE", tube);
+    // A flat line in a wide band says nothing: then the band fills the panel.
+    const bool small = worst < kTooSmall * tube && worst > 0.0;
+    const double high = small ? 1.6 * worst : 1.25 * std::max(tube, worst);
+    const double drawn = high > 0.0 && std::isfinite(high) ? high : 1.0;
+    script_.add("HIGH", drawn);
+    script_.add("Y_STEP", tic_step(2.0 * drawn, 4.0));
+    script_.add("WIDE", small ? 1 : 0);
+    script_.add("WORST_AT", at == nullptr ? std::nan("") : at->abscissa);
+    script_.add("WORST", at == nullptr ? std::nan("") : at->value - at->reference);
+    double from = 0.0;
+    double to = 1.0;
+    if (!compared.points.empty()) {
+      const auto [first, last] = std::minmax_element(
+          compared.points.begin(), compared.points.end(),
+          [](const CurvePoint& a, const CurvePoint& b) { return a.abscissa < b.abscissa; });
+      from = first->abscissa;
+      to = last->abscissa;
+    }
+    if (!(to > from)) {
+      const double half = from == 0.0 ? 0.5 : 0.5 * std::abs(from);
+      from -= half;
+      to = from + 2.0 * half;
+    }
+    script_.add("FROM", from - 0.02 * (to - from));
+    script_.add("TO", to + 0.02 * (to - from));
+    script_.add("STEP", tic_step(to - from, 5.0));
+    ++count_;
+  }
+
+  PlotScript finish() {
+    script_.set("PANELS", count_);
+    script_.block("RESIDUALS", std::move(points_));
+    return std::move(script_);
+  }
+
+ private:
+  static std::string says(const Judged& judged, const std::string& fault) {
+    const Verdict& verdict = judged.verdict;
+    const std::string criterion = verdict.criterion == Criterion::kPointwise
+                                      ? ""
+                                      : std::string(info_of(verdict.criterion).word) + ": ";
+    if (!verdict.passed) return criterion + verdict.message;
+    std::string text = criterion + worst_text(*judged.check, verdict);
+    if (!fault.empty()) text += "; point by point it cannot be drawn, for " + fault;
+    return text;
+  }
+
+  PlotScript script_;
+  int count_ = 0;
+  std::string points_;
+};
+
+}  // namespace
+
+tl::expected<void, PlotFailure> draw_residuals(const PlotOptions& options,
+                                               const std::filesystem::path& picture) {
+  if (is_result(options)) {
+    return failed(kExitBadInput, options.input + ": a result has no checks; give the case");
+  }
+  auto begun = begin_picture(picture, options.input, "residuals.gp");
+  if (!begun) return tl::unexpected(std::move(begun.error()));
+  const auto problem = read_for_plot(options);
+  if (!problem) return tl::unexpected(problem.error());
+  if (problem->checks.empty()) {
+    return failed(kExitBadInput, options.input + ": has no checks, so there are no residuals");
+  }
+  std::vector<CheckProgress> checks;
+  for (const Check& check : problem->checks) checks.emplace_back(*problem, check, Trace::kKeep);
+  const auto followed = follow_for_plot(*problem, [&](const Simulation& simulation) {
+    for (CheckProgress& check : checks) check.add(simulation.row());
+  });
+  if (!followed) return followed;
+
+  std::vector<Judged> all;
+  for (std::size_t i = 0; i < checks.size(); ++i) {
+    all.push_back({&problem->checks[i], checks[i].verdict(), checks[i].trace()});
+  }
+  std::stable_partition(all.begin(), all.end(),
+                        [](const Judged& one) { return !one.verdict.passed; });
+  Panels panels;
+  const std::size_t count = std::min(kMostPanels, all.size());
+  for (std::size_t i = 0; i < count; ++i) panels.add(all[i]);
+  std::string title = picture_title(*problem);
+  if (count < all.size()) title += fmt::format(" ({} of {} checks)", count, all.size());
+  const std::size_t in_columns = count > 1 ? (count + 1) / 2 : 1;
+  return draw(panels.finish(), title, 60 + (count > 1 ? 320 : 440) * in_columns, *begun);
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/commands/plot_script.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "driver/text/format_number.hpp"
+
+namespace slipbench::driver {
+namespace fs = std::filesystem;
+namespace {
+
+std::string gnuplot_number(double number) {
+  return std::isfinite(number) ? format_number(number) : "NaN";
+}
+
+}  // namespace
+
+tl::expected<Picture, PlotFailure> begin_picture(const fs::path& name, const std::string& input,
+                                                 std::string_view pattern) {
+  if (terminal_for(name, 0).empty()) {
+    return failed(kExitBadInput, fmt::format("{}: wanted a picture that ends in .svg, .png or .pdf",
+                                             name.string()));
+  }
+  auto found = find_template(pattern);
+  if (!found || !find_template("style.gp")) {
+    return failed(
+        kExitEnvironment,
+        fmt::format("the plot templates plots/{} and plots/style.gp are not installed", pattern));
+  }
+  const std::array<std::string, 1> inputs{input};
+  auto output = OutputFile::create(name, inputs);
+  if (!output) return failed(kExitEnvironment, output.error());
+  return Picture{name, std::move(*found), std::move(*output)};
+}
+
+void PlotScript::set(std::string_view name, std::string_view text) {
+  variables_ += fmt::format("{} = {}\n", name, gnuplot_string(text));
+}
+void PlotScript::set(std::string_view name, double number) {
+  variables_ += fmt::format("{} = {}\n", name, gnuplot_number(number));
+}
+void PlotScript::set(std::string_view name, int number) {
+  variables_ += fmt::format("{} = {}\n", name, number);
+}
+
+std::vector<std::string>& PlotScript::entries(std::string_view array) {
+  return arrays_.try_emplace(std::string(array)).first->second;
+}
+void PlotScript::add(std::string_view array, std::string_view text) {
+  entries(array).push_back(gnuplot_string(text));
+}
+void PlotScript::add(std::string_view array, double number) {
+  entries(array).push_back(gnuplot_number(number));
+}
+void PlotScript::add(std::string_view array, int number) {
+  entries(array).push_back(std::to_string(number));
+}
+
+void PlotScript::block(std::string_view name, std::string rows) {
+  blocks_.emplace_back(name, std::move(rows));
+}
+
+std::string PlotScript::text(const Picture& picture, const std::string& title,
+                             std::size_t height) const {
+  std::string text = fmt::format(
+      "TERMINAL = \"{}\"\nPICTURE = {}\nSTYLE = {}\nTITLE = {}\nHEIGHT = {}.0\n",
+      terminal_for(picture.name, height), gnuplot_string(picture.output.temporary().string()),
+      gnuplot_string((picture.pattern.parent_path() / "style.gp").string()), gnuplot_string(title),
+      height);
+  text += variables_;
+  for (const auto& [name, values] : arrays_) {
+    text += fmt::format("array {}[{}]\n", name, values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      text += fmt::format("{}[{}] = {}\n", name, i + 1, values[i]);
+    }
+  }
+  for (const auto& [name, rows] : blocks_) text += fmt::format("${} << END\n{}END\n", name, rows);
+  return text + "load " + gnuplot_string(picture.pattern.string()) + "\n";
+}
+
+tl::expected<void, PlotFailure> draw(const PlotScript& script, const std::string& title,
+                                     std::size_t height, Picture& picture) {
+  return draw_script(script.text(picture, title, height), picture.name, picture.output);
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "driver/compare/series.hpp"
+
+namespace slipbench::driver {
+
+/// A monotone piece of an abscissa. A row where it turns belongs to both of its branches.
+struct Branch {
+  std::size_t first = 0;
+  std::size_t last = 0;  ///< included
+  int direction = 1;     ///< 1 if the abscissa increases, -1 if it decreases
+};
+
+/// A turn smaller than this part of the abscissa's range is rounding.
+inline constexpr double kSmallestTurn = 1e-9;
+
+/// Divides an abscissa of finite numbers into its branches. Rows that stay in a place (but for
+/// kSameTime of the range) belong to the branch before them, at the start to the first. An abscissa
+/// without any motion is one branch, an empty one none. The reversals are the last rows of all
+/// branches but the last.
+std::vector<Branch> branches(std::span<const double> abscissa);
+
+/// Two curves of the same branches, cut to what they have in common: where the first branches
+/// begin and where the last ones end.
+struct MatchedBranches {
+  std::string fault;  ///< why they do not match; empty if they do
+  Series result;
+  Series reference;
+  std::vector<Branch> result_branches;
+  std::vector<Branch> reference_branches;  ///< as many
+  bool first_is_interpolated = false;      ///< the reference's first row is no row of its own
+  bool last_is_interpolated = false;
+};
+
+/// Faults: unusable curves or nothing in common (common_range.hpp), different numbers of branches,
+/// opposite directions, a first or last branch without a common part.
+MatchedBranches match_branches(const Series& result, const Series& reference);
+
+}  // namespace slipbench::driver

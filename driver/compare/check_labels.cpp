@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/compare/check_labels.hpp"
+
+#include <optional>
+#include <vector>
+
+#include "driver/results/columns.hpp"
+#include "driver/results/summary.hpp"
+#include "driver/text/diagnostic.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+std::string product_text(const Dimension& quantity, const Dimension& abscissa,
+                         const UnitSystem& units) {
+  Dimension product{quantity.force + abscissa.force, quantity.length + abscissa.length,
+                    quantity.time + abscissa.time, quantity.temperature + abscissa.temperature,
+                    quantity.angle + abscissa.angle};
+  // A moment's work over an angle is an energy, too.
+  Dimension without_angle = product;
+  without_angle.angle = 0;
+  if (without_angle == kMoment) return energy_unit(units);
+  return unit_text(product, units);
+}
+
+}  // namespace
+
+CheckLabels labels_of(const Case& problem, const Check& check) {
+  const std::vector<Column> columns = result_columns(problem);
+  const auto dimension_of = [&](const std::string& name) -> std::optional<Dimension> {
+    const auto column = find_column(problem, columns, name);
+    if (!column) return std::nullopt;
+    return column->dimension;
+  };
+  CheckLabels labels;
+  labels.time_unit = problem.units.time;
+  const auto quantity = dimension_of(check.quantity_text);
+  if (quantity) labels.unit = unit_text(*quantity, problem.units);
+  std::optional<Dimension> abscissa = kTime;
+  labels.abscissa = "t";
+  if (check.abscissa) {
+    labels.abscissa = printable(check.abscissa_text);
+    abscissa = dimension_of(check.abscissa->expression.text());
+  }
+  if (abscissa) labels.abscissa_unit = unit_text(*abscissa, problem.units);
+  if (quantity && abscissa) {
+    labels.product_unit = product_text(*quantity, *abscissa, problem.units);
+  }
+  return labels;
+}
+
+std::string check_unit(const Case& problem, const Check& check) {
+  return labels_of(problem, check).unit;
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "driver/case/case.hpp"
+
+namespace slipbench::driver {
+
+/// How a check's numbers are called; a unit is empty where it is not known or there is none.
+struct CheckLabels {
+  std::string unit;      ///< of the quantity
+  std::string abscissa;  ///< "t", "CU1", "= CU1 + CU2"
+  std::string abscissa_unit;
+  std::string product_unit;  ///< quantity x abscissa, "mJ" rather than "N mm"
+  std::string time_unit;
+};
+CheckLabels labels_of(const Case& problem, const Check& check);
+
+/// The unit of the check's quantity, empty if it is no column.
+std::string check_unit(const Case& problem, const Check& check);
+
+}  // namespace slipbench::driver

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "driver/case/case.hpp"
+#include "driver/compare/series.hpp"
+
+namespace slipbench::driver {
+
+/// A reference curve in the case's units.
+struct ReferenceCurve {
+  Series series;                     ///< with times where they are known
+  std::optional<double> resolution;  ///< half a unit of its value's last printed digit
+  bool golden = false;               ///< made by this program
+};
+
+/// The curve that `check` names. Of a curve over time, the rows within the check's `over:`; of a
+/// golden one, whose times are those of its case, also those of the check's step: the rows between
+/// the first and the last time of `result`, the selected rows of the run.
+///
+/// Errors, in a sentence: a file that cannot be read or is faulty, a column it does not have, a
+/// number that the change of unit makes infinite, no row left.
+tl::expected<ReferenceCurve, std::string> reference_curve(const Check& check, const Series& result);
+
+/// Tells a file which of its columns a check against it will ask for.
+void want_columns(CurveFile& file, const Check& check);
+
+}  // namespace slipbench::driver

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "driver/compare/series.hpp"
+
+namespace slipbench::driver {
+
+/// One compared point of a pointwise check.
+struct CausePoint {
+  CurvePoint point;
+  /// Of the definition whose friction the quantity is: 0 open, 1 stick, 2 slip; -1 if it is none of
+  /// friction, or if that is not known.
+  int status = -1;
+  bool failing = false;
+};
+
+/// What the deviations are measured with, and how they are told.
+struct CauseScales {
+  double tolerance = 0.0;  ///< of the check, in the quantity's unit
+  std::string unit;        ///< of the quantity; may be empty
+  bool over_time = true;   ///< whether the points' abscissa is a time
+  std::string time_unit;   ///< may be empty
+};
+
+/// Guesses in one sentence, without a period at the end, why a pointwise check fails; empty if
+/// nothing explains it. Tried in this order, f the result and r the reference:
+/// - sign: f = -r;
+/// - coefficient: f = q r in slip, and no stick point is off by more than the slip points are
+///   (loops: a stick branch begins where the slip before it ended);
+/// - stick stiffness: f - f0 = q (r - r0) in stick, with f0, r0 the last slip point before it, or
+/// 0;
+/// - factor: f = q r everywhere (a unit, where q is a power of ten; no load, where q is 0);
+/// - offset: f = r + c everywhere;
+/// - delay: f(t) = r(t - d), over time only.
+/// A cause is told only if it explains 95 % of the failing points to within 10 % of the tolerance
+/// or 1 % of their deviation, if 95 % of the others agree with it to within the tolerance, and if
+/// it can be told from the rest: a reference of one level has a ratio and an offset. Fewer than 3
+/// failing points (of a delay 5) explain nothing.
+///
+/// \param points in the order of their history; all of a check's or an even selection of them
+std::string likely_cause(std::span<const CausePoint> points, const CauseScales& scales);
+
+}  // namespace slipbench::driver

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "driver/case/case.hpp"
+#include "driver/results/columns.hpp"
+#include "driver/simulation.hpp"
+
+namespace slipbench::driver {
+
+/// An expression over t (time in the step), T (total time) and result columns, evaluated on the
+/// rows of a run. It keeps references to the case and the expression.
+class RowExpression {
+ public:
+  /// \param columns all of the case
+  /// \param variables of `expression`, in its order
+  /// Error: a variable that is no result column, in a sentence.
+  static tl::expected<RowExpression, std::string> make(const Case& problem,
+                                                       std::span<const Column> columns,
+                                                       const Expression& expression,
+                                                       std::span<const std::string> variables);
+
+  /// Its value on a row; allocates nothing when it succeeds. Errors: those of the expression.
+  tl::expected<double, ExpressionError> operator()(const Row& row);
+
+  const std::string& text() const { return expression_->text(); }
+
+ private:
+  struct Input {
+    enum class Kind : std::uint8_t { kStepTime, kTotalTime, kColumn } kind = Kind::kColumn;
+    Column column;
+  };
+
+  RowExpression(const Case& problem, const Expression& expression)
+      : case_(&problem), expression_(&expression) {}
+
+  double read(const Input& input, const Row& row) const;
+
+  const Case* case_;
+  const Expression* expression_;
+  std::vector<Input> inputs_;
+  std::vector<double> arguments_;
+  bool plain_ = false;  ///< nothing but its only input: most quantities are columns
+};
+
+/// The definition that a check's quantity belongs to: that of its column, or the only one there is.
+std::optional<std::size_t> definition_of(const Case& problem, std::span<const Column> columns,
+                                         const Check& check);
+
+}  // namespace slipbench::driver

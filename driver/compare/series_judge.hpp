@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "driver/case/case.hpp"
+#include "driver/compare/check_labels.hpp"
+#include "driver/compare/point_judge.hpp"
+#include "driver/compare/series.hpp"
+#include "driver/compare/verdict.hpp"
+
+namespace slipbench::driver {
+
+/// The rows of a run that a check compares.
+struct ComparedRows {
+  Series value;                   ///< with times
+  std::vector<double> reference;  ///< at the same rows; empty against a curve
+  /// Of the quantity's definition at each row, see CausePoint.
+  std::vector<std::int8_t> status;
+};
+
+/// The reference at these rows as a curve.
+Series reference_of(const ComparedRows& rows);
+
+/// The verdict of a judge that has seen all points: message, likely cause and warnings.
+/// \param resolution half a unit of the reference's last printed digit, if it was printed
+void conclude(const Check& check, const CheckLabels& labels, const PointJudge& judge,
+              std::optional<double> resolution, Verdict& verdict);
+
+/// Judges a check whose rows were kept, by any criterion. Against a curve, its file is read here; a
+/// fault of it is the check's failure.
+void judge_rows(const Check& check, const CheckLabels& labels, const ComparedRows& rows,
+                Verdict& verdict);
+
+}  // namespace slipbench::driver

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "driver/compare/check.hpp"
+#include "driver/results/plot_data.hpp"
+
+namespace slipbench::driver {
+
+/// One column of a case as the page shows it.
+struct ReportColumn {
+  std::string name;
+  std::string unit;  ///< empty if there is none
+  std::string text;  ///< one sentence; empty of a result, which does not carry it
+};
+
+/// One change of regime.
+struct ReportEvent {
+  double time = 0.0;
+  std::string definition;
+  std::string from;  ///< "open", "stick" or "slip"
+  std::string to;
+  bool reversal = false;
+  double force = 0.0;
+  double limit = 0.0;
+  double accumulated_slip = 0.0;
+  std::vector<std::pair<std::string, double>> positions;
+};
+
+/// One friction definition as the page draws it; columns by their names, empty for none.
+struct ReportDefinition {
+  std::string name;
+  std::string force;                ///< the one it is known by: the total of a coupled definition
+  std::vector<std::string> forces;  ///< of its components, and the positions they go with
+  std::vector<std::string> positions;
+  std::string limit;
+  std::string limit_below;  ///< of a belt
+  std::string status;
+  std::string normal_force;
+  std::string mu;
+  double slip_share = -1.0;       ///< part of the time that it slips; negative if unknown
+  std::vector<RegimeSpan> spans;  ///< of slip and of no contact, in the order of their begin
+};
+
+/// How often which part of a table was used, small enough to be drawn.
+struct ReportTable {
+  struct Axis {
+    std::string name;
+    std::vector<double> knots;
+    std::int64_t below = 0;
+    std::int64_t above = 0;
+    std::vector<std::int64_t> visits;  ///< of its intervals, over all others; empty if unknown
+  };
+  std::string name;
+  std::vector<Axis> axes;
+  std::vector<std::int64_t> visits;  ///< of one or two axes, the first one fastest
+  std::int64_t increments = 0;
+  std::int64_t outside = 0;
+  bool coarser = false;  ///< neighbouring cells were taken together
+};
+
+/// A curve of at most a few hundred points.
+struct ReportCurve {
+  std::vector<double> x;
+  std::vector<double> y;
+};
+
+/// A check, with its quantity and reference as curves.
+struct ReportCheck {
+  Verdict verdict;
+  std::string quantity;
+  std::string against;
+  std::string why;
+  std::string abscissa;
+  std::string abscissa_unit;
+  ReportCurve value;
+  ReportCurve reference;
+  double tube = -1.0;    ///< half width about the reference; negative for none
+  bool thinned = false;  ///< whether points of the curves were left out
+};
+
+enum class ReportStatus : std::uint8_t { kPassed, kFailed, kNoChecks, kNotRun };
+
+/// What the page tells about one case or result: numbers thinned, so that its size has a bound.
+struct CaseReport {
+  std::string name;
+  std::string title;
+  bool is_result = false;
+  ReportStatus status = ReportStatus::kNoChecks;
+  std::string message;  ///< of a case that was not run
+  std::vector<std::pair<std::string, std::string>> units;
+  std::vector<std::pair<std::string, double>> parameters;
+  std::vector<std::string> summary;
+  std::vector<std::string> warnings;
+  std::int64_t increments = 0;
+  bool thinned = false;
+  std::vector<ReportColumn> columns;
+  std::vector<double> rows;  ///< row after row
+  std::vector<ReportDefinition> definitions;
+  std::vector<ReportEvent> events;  ///< the first kMostEvents
+  std::int64_t events_total = 0;
+  std::vector<std::pair<std::string, std::vector<std::string>>> energies;  ///< kind, columns
+  std::vector<ReportTable> coverage;
+  std::vector<ReportCheck> checks;
+  bool has_details = true;  ///< false once drop_details was called
+
+  static constexpr std::size_t kMostEvents = 200;
+
+  std::size_t row_count() const { return columns.empty() ? 0 : rows.size() / columns.size(); }
+  /// Keeps what the table of verdicts needs: rows, curves, events and coverage go.
+  void drop_details();
+};
+
+}  // namespace slipbench::driver

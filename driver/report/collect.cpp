@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/report/collect.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "driver/report/drawn_columns.hpp"
+#include "driver/report/drawn_coverage.hpp"
+#include "driver/report/thin_trace.hpp"
+#include "driver/results/columns.hpp"
+#include "driver/results/coverage.hpp"
+#include "driver/results/events.hpp"
+#include "driver/results/result_layout.hpp"
+#include "driver/results/summary.hpp"
+#include "driver/results/thinning.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+/// "expression 2*CP1", "closed form coulomb_slider", "curve golden/belt.csv".
+std::string reference_text(const Check& check) {
+  if (const auto* form = std::get_if<ClosedFormReference>(&check.against)) {
+    return "closed form " + form->name;
+  }
+  if (const auto* curve = std::get_if<CurveReference>(&check.against)) {
+    return "curve " + curve->shown_name;
+  }
+  return "expression " + std::get<ExpressionReference>(check.against).expression.text();
+}
+
+/// The lines of a text without the blanks they are indented by.
+std::vector<std::string> lines_of(std::string_view text) {
+  std::vector<std::string> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+    if (!line.empty()) lines.emplace_back(line);
+  }
+  return lines;
+}
+
+}  // namespace
+
+struct CaseCollector::State {
+  explicit State(const Case& the_case)
+      : problem(the_case),
+        columns(result_columns(the_case)),
+        layout(layout_of(the_case, columns)),
+        drawn(drawn_columns(layout)),
+        thinner(drawn.names.size(), most_rows(drawn.names.size()), drawn.watched),
+        detector(the_case),
+        summary(the_case),
+        coverage(the_case),
+        spans(the_case.definitions.size()),
+        regimes(the_case.definitions.size()),
+        numbers(drawn.names.size()) {
+    for (const std::string& name : drawn.names) {
+      shown.push_back(*find_column(problem, columns, name));
+    }
+    for (const Column& column : columns) {
+      if (column.source == ColumnSource::kPosition && column.name.starts_with("CP")) {
+        positions.push_back(column);
+      }
+    }
+  }
+
+  void add(const Row& row);
+  void note(const Event& event, const Row& row);
+
+  const Case& problem;
+  std::vector<Column> columns;
+  ResultLayout layout;
+  DrawnColumns drawn;
+  std::vector<Column> shown;  ///< in the order of drawn.names
+  std::vector<Column> positions;
+  RowThinner thinner;
+  EventDetector detector;
+  Summary summary;
+  Coverage coverage;
+  std::vector<ReportEvent> events;
+  std::int64_t events_total = 0;
+  std::vector<RegimeSpans> spans;
+  struct Since {
+    int status = 1;
+    double time = 0.0;
+  };
+  std::vector<Since> regimes;    ///< of each definition, now
+  std::vector<double> numbers;   ///< of the row before
+  bool numbers_changed = false;  ///< there was an event on the way to it
+  bool started = false;
+  double start = 0.0;
+  double end = 0.0;
+};
+
+void CaseCollector::State::note(const Event& event, const Row& row) {
+  Since& since = regimes[event.definition];
+  spans[event.definition].add(since.status, since.time, event.time);
+  since = {static_cast<int>(event.to), event.time};
+  ++events_total;
+  if (events.size() >= CaseReport::kMostEvents) return;
+  ReportEvent one{event.time,
+                  problem.definitions[event.definition].name,
+                  regime_name(event.from),
+                  regime_name(event.to),
+                  event.reversal,
+                  event.force,
+                  event.limit,
+                  event.accumulated_slip,
+                  {}};
+  for (const Column& position : positions) {
+    one.positions.emplace_back(position.name,
+                               position_at(event, row, position.index) - position.offset);
+  }
+  events.push_back(std::move(one));
+}
+
+void CaseCollector::State::add(const Row& row) {
+  summary.add(row);
+  coverage.add(row);
+  const std::span<const Event> changes = detector.take(row);
+  end = row.time;
+  // The corner that an event makes lies between two rows: both stay.
+  if (started) {
+    thinner.add(numbers, numbers_changed || !changes.empty());
+  } else {
+    start = row.time;
+    for (std::size_t d = 0; d < regimes.size(); ++d) {
+      regimes[d] = {static_cast<int>(row.definitions[d].update.state.regime), row.time};
+    }
+  }
+  started = true;
+  for (const Event& event : changes) note(event, row);
+  numbers_changed = !changes.empty();
+  for (std::size_t k = 0; k < shown.size(); ++k) numbers[k] = column_value(shown[k], problem, row);
+}
+
+CaseCollector::CaseCollector(const Case& problem) : state_(std::make_unique<State>(problem)) {}
+CaseCollector::CaseCollector(CaseCollector&&) noexcept = default;
+CaseCollector::~CaseCollector() = default;
+
+void CaseCollector::add(const Row& row) { state_->add(row); }
+
+CaseReport CaseCollector::finish(const std::string& name, std::span<const CheckProgress> checks,
+                                 std::span<const MotionJump> jumps) {
+  State& state = *state_;
+  const Case& problem = state.problem;
+  if (state.started) state.thinner.add(state.numbers);
+
+  CaseReport report;
+  report.name = name;
+  report.title = problem.title;
+  report.units = state.layout.units;
+  report.units.emplace_back("energy", energy_unit(problem.units));
+  report.parameters.assign(problem.parameters.begin(), problem.parameters.end());
+  report.summary = lines_of(state.summary.text());
+  report.warnings = state.summary.warnings(jumps);
+  report.increments = state.summary.increments();
+  report.thinned = state.thinner.thinned();
+  for (const Column& column : state.shown) {
+    report.columns.push_back(
+        {column.name, unit_text(column.dimension, problem.units), column.text});
+  }
+  report.rows = state.thinner.rows();
+
+  report.definitions = std::move(state.drawn.definitions);
+  const double duration = state.end - state.start;
+  for (ReportDefinition& definition : report.definitions) {
+    const auto sums = state.summary.definitions();
+    const auto own = std::find_if(sums.begin(), sums.end(), [&](const DefinitionSummary& sum) {
+      return sum.name == definition.name;
+    });
+    if (own == sums.end()) continue;
+    const auto d = static_cast<std::size_t>(own - sums.begin());
+    if (duration > 0.0) definition.slip_share = own->slip_time / duration;
+    state.spans[d].add(state.regimes[d].status, state.regimes[d].time, state.end);
+    definition.spans = state.spans[d].spans();
+  }
+  report.events = std::move(state.events);
+  report.events_total = state.events_total;
+  report.energies = std::move(state.drawn.energies);
+  for (const TableCoverage& table : state.coverage.tables()) {
+    report.coverage.push_back(drawn_coverage(table, problem.definitions[table.definition].name));
+  }
+
+  report.status = ReportStatus::kNoChecks;
+  for (std::size_t i = 0; i < checks.size(); ++i) {
+    const Check& check = problem.checks[i];
+    ReportCheck one;
+    one.verdict = checks[i].verdict();
+    one.verdict.name = check.name;
+    one.quantity = check.quantity_text;
+    one.against = reference_text(check);
+    one.why = check.tolerance.why;
+    put_trace(one, checks[i].trace(), checks.size());
+    if (!one.verdict.passed) {
+      report.status = ReportStatus::kFailed;
+    } else if (report.status == ReportStatus::kNoChecks) {
+      report.status = ReportStatus::kPassed;
+    }
+    report.checks.push_back(std::move(one));
+  }
+  return report;
+}
+
+void add_remarks(CaseReport& report, const Diagnostics& diagnostics) {
+  for (const Diagnostic& diagnostic : diagnostics.sorted()) {
+    if (diagnostic.severity == Severity::kError) continue;
+    const std::string text = (diagnostic.path.empty() ? "" : diagnostic.path + ": ") +
+                             diagnostic.message +
+                             (diagnostic.hint.empty() ? "" : "; " + diagnostic.hint);
+    if (diagnostic.severity == Severity::kNote) {
+      report.summary.push_back("note: " + text);
+    } else {
+      report.warnings.push_back(text);
+    }
+  }
+}
+
+CaseReport not_run_report(const std::string& name, const std::string& title, std::string message) {
+  CaseReport report;
+  report.name = name;
+  report.title = title;
+  report.status = ReportStatus::kNotRun;
+  report.message = std::move(message);
+  return report;
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "driver/case/case.hpp"
+#include "driver/compare/check.hpp"
+#include "driver/report/case_report.hpp"
+#include "driver/simulation.hpp"
+#include "driver/text/diagnostic.hpp"
+
+namespace slipbench::driver {
+
+/// Gathers what the page tells about a case while somebody runs it. The memory has a bound that
+/// does not depend on the number of rows. A command that judges checks anyway uses it so:
+///
+///     CaseCollector collector(problem);
+///     // CheckProgress(problem, check, Trace::kKeep) for the checks' curves
+///     run_case(problem, [&](const Row& row) { collector.add(row); /* checks */ });
+///     collection.put(place, collector.finish(name, checks, jumps));
+class CaseCollector {
+ public:
+  /// `problem` must outlive it.
+  explicit CaseCollector(const Case& problem);
+  CaseCollector(CaseCollector&&) noexcept;
+  ~CaseCollector();
+
+  /// Takes the next row, row 0 first.
+  void add(const Row& row);
+
+  /// What there is to tell; to be called once, at the end.
+  /// \param name what the case is called in the table
+  /// \param checks those of the case, in its order, at the end of the run
+  /// \param jumps what the run returned
+  CaseReport finish(const std::string& name, std::span<const CheckProgress> checks,
+                    std::span<const MotionJump> jumps);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// A case that could not be read or run, with the reader's or the run's message.
+CaseReport not_run_report(const std::string& name, const std::string& title, std::string message);
+
+/// Adds what the reader of a case noted and warned of.
+void add_remarks(CaseReport& report, const Diagnostics& diagnostics);
+
+}  // namespace slipbench::driver

@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "driver/report/json_text.hpp"
+#include "driver/report/report.hpp"
+#include "driver/results/provenance.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+std::string_view word_of(ReportStatus status) {
+  switch (status) {
+    case ReportStatus::kPassed:
+      return "passed";
+    case ReportStatus::kFailed:
+      return "failed";
+    case ReportStatus::kNoChecks:
+      return "no_checks";
+    case ReportStatus::kNotRun:
+      break;
+  }
+  return "not_run";
+}
+
+template <class Texts>
+void write_texts(JsonText& json, std::string_view name, const Texts& texts) {
+  json.key(name);
+  json.begin_array();
+  for (const auto& text : texts) json.value(text);
+  json.end_array();
+}
+
+/// A member that is null where there is no such column.
+void write_column(JsonText& json, std::string_view name, const std::string& column) {
+  json.key(name);
+  if (column.empty()) {
+    json.null();
+  } else {
+    json.value(column);
+  }
+}
+
+void write_time(JsonText& json, std::string_view name, const std::optional<double>& time) {
+  if (time) json.member(name, *time);
+}
+
+void write_rows(JsonText& json, const CaseReport& one) {
+  json.key("columns");
+  json.begin_array();
+  for (const ReportColumn& column : one.columns) {
+    json.begin_object();
+    json.member("name", column.name);
+    json.member("unit", column.unit);
+    json.member_if("text", column.text);
+    json.end_object();
+  }
+  json.end_array();
+  json.key("rows");
+  json.begin_array();
+  for (std::size_t c = 0; c < one.columns.size(); ++c) {
+    json.begin_array();
+    for (std::size_t i = c; i < one.rows.size(); i += one.columns.size()) json.value(one.rows[i]);
+    json.end_array();
+  }
+  json.end_array();
+}
+
+void write_definition(JsonText& json, const ReportDefinition& definition) {
+  json.begin_object();
+  json.member("name", definition.name);
+  write_column(json, "force", definition.force);
+  write_texts(json, "forces", definition.forces);
+  json.key("positions");
+  json.begin_array();
+  for (const std::string& position : definition.positions) {
+    if (position.empty()) {
+      json.null();
+    } else {
+      json.value(position);
+    }
+  }
+  json.end_array();
+  write_column(json, "limit", definition.limit);
+  write_column(json, "limit_below", definition.limit_below);
+  write_column(json, "status", definition.status);
+  write_column(json, "normal_force", definition.normal_force);
+  write_column(json, "mu", definition.mu);
+  if (definition.slip_share >= 0.0) json.member("slip_share", definition.slip_share);
+  json.key("spans");
+  json.begin_array();
+  for (const RegimeSpan& span : definition.spans) {
+    json.begin_array();
+    json.value(span.from);
+    json.value(span.to);
+    json.value(std::int64_t{span.status});
+    json.end_array();
+  }
+  json.end_array();
+  json.end_object();
+}
+
+void write_event(JsonText& json, const ReportEvent& event) {
+  json.begin_object();
+  json.member("t", event.time);
+  json.member("definition", event.definition);
+  json.member("from", event.from);
+  json.member("to", event.to);
+  json.member("reversal", event.reversal);
+  json.member("force", event.force);
+  json.member("limit", event.limit);
+  json.member("accumulated_slip", event.accumulated_slip);
+  json.key("positions");
+  json.begin_object();
+  for (const auto& [name, value] : event.positions) json.member(name, value);
+  json.end_object();
+  json.end_object();
+}
+
+void write_visits(JsonText& json, std::span<const std::int64_t> visits) {
+  json.begin_array();
+  for (const std::int64_t count : visits) json.value(count);
+  json.end_array();
+}
+
+void write_table(JsonText& json, const ReportTable& table) {
+  json.begin_object();
+  json.member("table", table.name);
+  json.key("axes");
+  json.begin_array();
+  for (const ReportTable::Axis& axis : table.axes) {
+    json.begin_object();
+    json.member("name", axis.name);
+    json.key("knots");
+    json.series(axis.knots);
+    json.member("below", axis.below);
+    json.member("above", axis.above);
+    json.end_object();
+  }
+  json.end_array();
+  json.key("visits");
+  if (table.visits.empty()) {
+    json.null();
+    json.key("marginals");
+    json.begin_array();
+    for (const ReportTable::Axis& axis : table.axes) write_visits(json, axis.visits);
+    json.end_array();
+  } else if (table.axes.size() == 1) {
+    write_visits(json, table.visits);
+  } else {
+    const std::size_t across = table.axes[0].visits.size();
+    json.begin_array();
+    for (std::size_t i = 0; i < table.visits.size(); i += across) {
+      write_visits(json, std::span(table.visits).subspan(i, across));
+    }
+    json.end_array();
+  }
+  json.member("increments", table.increments);
+  json.member("outside", table.outside);
+  json.member("coarser", table.coarser);
+  json.end_object();
+}
+
+void write_curve(JsonText& json, std::string_view name, const ReportCurve& curve) {
+  json.key(name);
+  json.begin_object();
+  json.key("x");
+  json.series(curve.x);
+  json.key("y");
+  json.series(curve.y);
+  json.end_object();
+}
+
+void write_measure(JsonText& json, const Measure& measure, const Verdict& verdict) {
+  json.begin_object();
+  json.member("name", measure.name);
+  json.member("unit", unit_of(measure, verdict));
+  json.member("value", measure.value);
+  json.member("reference", measure.reference);
+  json.member("deviation", measure.deviation);
+  json.member("tolerance", measure.tolerance);
+  json.member("scale", measure.scale);
+  json.member("passed", measure.passed());
+  if (measure.where) {
+    json.key("where");
+    json.begin_object();
+    json.member("time", measure.where->time);
+    json.member("abscissa", measure.where->abscissa);
+    json.member("value", measure.where->value);
+    json.member("reference", measure.where->reference);
+    json.end_object();
+  }
+  json.end_object();
+}
+
+void write_check(JsonText& json, const ReportCheck& check) {
+  const Verdict& verdict = check.verdict;
+  json.begin_object();
+  json.member("name", verdict.name);
+  json.member("criterion", info_of(verdict.criterion).word);
+  json.member_if("quantity", check.quantity);
+  json.member("unit", verdict.unit);
+  json.member("passed", verdict.passed);
+  json.member_if("message", verdict.message);
+  json.member_if("likely_cause", verdict.likely_cause);
+  write_texts(json, "warnings", verdict.warnings);
+  json.member("compared", verdict.compared);
+  json.member("failing", verdict.failing);
+  json.member("tolerance", verdict.tolerance);
+  json.member("worst_fraction", verdict.worst_fraction());
+  json.member_if("why", check.why);
+  json.member_if("against", check.against);
+  if (verdict.compared > 0) {
+    json.key("worst");
+    json.begin_object();
+    json.member("time", verdict.worst.time);
+    json.member("abscissa", verdict.worst.abscissa);
+    json.member("value", verdict.worst.value);
+    json.member("reference", verdict.worst.reference);
+    json.end_object();
+  }
+  write_time(json, "first_failing", verdict.first_failing);
+  write_time(json, "last_failing", verdict.last_failing);
+  if (!verdict.measures.empty()) {
+    json.key("measures");
+    json.begin_array();
+    for (const Measure& measure : verdict.measures) write_measure(json, measure, verdict);
+    json.end_array();
+  }
+  if (!check.value.x.empty()) {
+    json.key("trace");
+    json.begin_object();
+    json.member("abscissa", check.abscissa);
+    json.member("abscissa_unit", check.abscissa_unit);
+    write_curve(json, "value", check.value);
+    write_curve(json, "reference", check.reference);
+    if (check.tube > 0.0) json.member("tube", check.tube);
+    json.member("thinned", check.thinned);
+    json.end_object();
+  }
+  json.end_object();
+}
+
+void write_case(JsonText& json, const CaseReport& one, const std::string& id) {
+  json.begin_object();
+  json.member("id", id);
+  json.member("name", one.name);
+  json.member_if("title", one.title);
+  json.member("kind", one.is_result ? "result" : "case");
+  json.member("status", word_of(one.status));
+  json.member_if("message", one.message);
+  json.key("units");
+  json.begin_object();
+  for (const auto& [name, unit] : one.units) json.member(name, unit);
+  json.end_object();
+  json.key("parameters");
+  json.begin_object();
+  for (const auto& [name, number] : one.parameters) json.member(name, number);
+  json.end_object();
+  write_texts(json, "summary", one.summary);
+  write_texts(json, "warnings", one.warnings);
+  json.member("increments", one.increments);
+  json.member("details", one.has_details && !one.columns.empty());
+  if (one.has_details && !one.columns.empty()) {
+    json.member("rows_shown", static_cast<std::int64_t>(one.row_count()));
+    json.member("thinned", one.thinned);
+    write_rows(json, one);
+    json.key("definitions");
+    json.begin_array();
+    for (const ReportDefinition& definition : one.definitions) write_definition(json, definition);
+    json.end_array();
+    json.key("events");
+    json.begin_array();
+    for (const ReportEvent& event : one.events) write_event(json, event);
+    json.end_array();
+    json.member("events_total", one.events_total);
+    json.key("energy");
+    json.begin_object();
+    json.key("columns");
+    json.begin_object();
+    for (const auto& [kind, columns] : one.energies) write_texts(json, kind, columns);
+    json.end_object();
+    json.end_object();
+    json.key("coverage");
+    json.begin_array();
+    for (const ReportTable& table : one.coverage) write_table(json, table);
+    json.end_array();
+  }
+  json.key("checks");
+  json.begin_array();
+  for (const ReportCheck& check : one.checks) write_check(json, check);
+  json.end_array();
+  json.end_object();
+}
+
+/// The names of the cases, each followed by a number where several have it.
+std::vector<std::string> unique_ids(std::span<const CaseReport> cases) {
+  std::vector<std::string> ids;
+  std::set<std::string> taken;
+  for (const CaseReport& one : cases) taken.insert(one.name);
+  std::set<std::string> given;
+  for (const CaseReport& one : cases) {
+    std::string id = one.name;
+    for (int n = 2; given.contains(id) || (n > 2 && taken.contains(id)); ++n) {
+      id = fmt::format("{} ({})", one.name, n);
+    }
+    given.insert(id);
+    ids.push_back(std::move(id));
+  }
+  return ids;
+}
+
+/// What two results have to share to be drawn in one picture: the force and motion of their first
+/// definition.
+std::string drawn_columns(const CaseReport& one) {
+  if (!one.is_result || !one.has_details || one.definitions.empty()) return {};
+  const ReportDefinition& first = one.definitions.front();
+  return first.force + " " + (first.positions.empty() ? "" : first.positions.front());
+}
+
+/// Groups of two results and more that share what is drawn, in the order of their first ones.
+std::vector<std::vector<std::string>> compared_groups(std::span<const CaseReport> cases,
+                                                      std::span<const std::string> ids) {
+  std::vector<std::string> keys;
+  std::map<std::string, std::vector<std::string>> groups;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const std::string key = drawn_columns(cases[i]);
+    if (key.empty()) continue;
+    if (!groups.contains(key)) keys.push_back(key);
+    groups[key].push_back(ids[i]);
+  }
+  std::vector<std::vector<std::string>> result;
+  for (const std::string& key : keys) {
+    if (groups[key].size() > 1) result.push_back(groups[key]);
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string report_document(const ReportCollection& collection, const std::string& title) {
+  const std::span<const CaseReport> cases = collection.cases();
+  const std::vector<std::string> ids = unique_ids(cases);
+  const ReportTotals totals = collection.totals();
+  JsonText json;
+  json.begin_object();
+  json.member("schema", std::int64_t{1});
+  json.member("title", title);
+  json.member("generator", "slipbench " + std::string(program_version()));
+  json.key("totals");
+  json.begin_object();
+  for (const auto& [name, count] :
+       {std::pair{"cases", totals.cases}, std::pair{"passed", totals.passed},
+        std::pair{"failed", totals.failed}, std::pair{"not_run", totals.not_run},
+        std::pair{"no_checks", totals.no_checks}, std::pair{"checks", totals.checks}}) {
+    json.member(name, static_cast<std::int64_t>(count));
+  }
+  json.end_object();
+  json.key("cases");
+  json.begin_array();
+  for (std::size_t i = 0; i < cases.size(); ++i) write_case(json, cases[i], ids[i]);
+  json.end_array();
+  json.key("compare");
+  json.begin_array();
+  for (const std::vector<std::string>& group : compared_groups(cases, ids)) {
+    json.begin_array();
+    for (const std::string& id : group) json.value(id);
+    json.end_array();
+  }
+  json.end_array();
+  json.end_object();
+  return json.take();
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/report/drawn_columns.hpp"
+
+#include <algorithm>
+
+#include "driver/results/plot_data.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+/// More columns than these are not drawn.
+constexpr std::size_t kMostColumns = 24;
+/// What a case may take of the page, for fifty of them to stay below 5 MB: 50 kB of usual numbers.
+constexpr std::size_t kMostNumbers = 7000;
+
+class Choice {
+ public:
+  explicit Choice(const ResultLayout& layout) : layout_(layout) {}
+
+  DrawnColumns take() && { return std::move(drawn_); }
+
+  /// What a picture of friction needs; never left out.
+  void take_friction() {
+    const PlotData plot = select_plot_columns(layout_);
+    for (const PlotColumn& column : plot.columns) drawn_.names.push_back(column.name);
+    const auto name = [&](int column) {
+      return column < 0 ? std::string() : plot.columns[static_cast<std::size_t>(column)].name;
+    };
+    const auto watch = [&](int column) {
+      if (column >= 0) drawn_.watched.push_back(static_cast<std::size_t>(column));
+    };
+    for (const PlotDefinition& definition : plot.definitions) {
+      ReportDefinition one;
+      one.name = definition.name;
+      one.force = name(definition.total >= 0 ? definition.total : definition.components.front());
+      for (const int force : definition.components) one.forces.push_back(name(force));
+      for (const int position : definition.positions) one.positions.push_back(name(position));
+      one.limit = name(definition.limit);
+      one.limit_below = name(definition.limit_below);
+      one.status = name(definition.status);
+      drawn_.definitions.push_back(std::move(one));
+      watch(definition.total);
+      for (const int force : definition.components) watch(force);
+      for (const int position : definition.positions) watch(position);
+      watch(definition.limit);
+      watch(definition.limit_below);
+      several_ = definition.several;
+    }
+    std::sort(drawn_.watched.begin(), drawn_.watched.end());
+    drawn_.watched.erase(std::unique(drawn_.watched.begin(), drawn_.watched.end()),
+                         drawn_.watched.end());
+  }
+
+  void take_energies() {
+    for (const ReportDefinition& definition : drawn_.definitions) {
+      const std::string suffix = suffix_of(definition);
+      take_energy("work", "WORK" + suffix);
+      take_energy("dissipated", "DISS" + suffix);
+      take_energy("stored", "STRAIN_E" + suffix);
+    }
+    take_energy("dissipated", "VISCOUS_DISS");
+    take_energy("stored", "ELASTIC_E");
+    take_energy("kinetic", "KINETIC_E");
+    take_energy("external", "EXTERNAL_WORK");
+  }
+
+  void take_coefficients() {
+    for (ReportDefinition& definition : drawn_.definitions) {
+      const std::string suffix = suffix_of(definition);
+      definition.normal_force = take("FN" + suffix);
+      definition.mu = take("MU" + suffix);
+    }
+  }
+
+ private:
+  std::string suffix_of(const ReportDefinition& definition) const {
+    return several_ ? "." + definition.name : "";
+  }
+
+  /// The name if the result has such a column and there is room for it, else nothing.
+  std::string take(const std::string& name) {
+    std::vector<std::string>& names = drawn_.names;
+    if (std::find(names.begin(), names.end(), name) != names.end()) return name;
+    const auto& all = layout_.columns;
+    if (names.size() >= kMostColumns || std::find(all.begin(), all.end(), name) == all.end()) {
+      return {};
+    }
+    names.push_back(name);
+    return name;
+  }
+
+  void take_energy(const std::string& kind, const std::string& column) {
+    if (take(column).empty()) return;
+    const auto known = std::find_if(drawn_.energies.begin(), drawn_.energies.end(),
+                                    [&](const auto& energy) { return energy.first == kind; });
+    if (known != drawn_.energies.end()) {
+      known->second.push_back(column);
+    } else {
+      drawn_.energies.push_back({kind, {column}});
+    }
+  }
+
+  const ResultLayout& layout_;
+  DrawnColumns drawn_;
+  bool several_ = false;
+};
+
+}  // namespace
+
+DrawnColumns drawn_columns(const ResultLayout& layout) {
+  Choice choice(layout);
+  choice.take_friction();
+  choice.take_energies();
+  choice.take_coefficients();
+  return std::move(choice).take();
+}
+
+std::size_t most_rows(std::size_t columns) {
+  constexpr std::size_t kFewest = 200;
+  constexpr std::size_t kMost = 500;
+  return std::clamp(kMostNumbers / std::max<std::size_t>(columns, 1), kFewest, kMost);
+}
+
+}  // namespace slipbench::driver

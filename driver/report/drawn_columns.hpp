@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "driver/report/case_report.hpp"
+#include "driver/results/result_layout.hpp"
+
+namespace slipbench::driver {
+
+/// The columns of a result that a page draws, and what they mean.
+struct DrawnColumns {
+  std::vector<std::string> names;    ///< the first is t
+  std::vector<std::size_t> watched;  ///< of them, those whose extremes are drawn piece by piece
+  std::vector<ReportDefinition> definitions;
+  std::vector<std::pair<std::string, std::vector<std::string>>> energies;  ///< kind, columns
+};
+
+/// Chooses them. Forces, motions, limits and regimes come first, then energies, then coefficients
+/// and normal forces: of a case with many definitions, what comes last is left out.
+DrawnColumns drawn_columns(const ResultLayout& layout);
+
+/// How many rows of so many columns a page holds.
+std::size_t most_rows(std::size_t columns);
+
+}  // namespace slipbench::driver

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace slipbench::driver {
+
+/// Writes JSON (RFC 8259) piece by piece and without blanks, to be embedded in a page: '<' and the
+/// line separators of Unicode are escaped, so that no text ends a script element. Numbers have six
+/// significant digits, more than a screen can show; what is not finite is null.
+class JsonText {
+ public:
+  void begin_object() { open('{'); }
+  void end_object() { close('}'); }
+  void begin_array() { open('['); }
+  void end_array() { close(']'); }
+  /// The name of the next value, in an object.
+  void key(std::string_view name);
+
+  void value(std::string_view text);
+  void value(const char* text) { value(std::string_view(text)); }
+  void value(double number);
+  void value(std::int64_t number);
+  void value(bool flag);
+  void null();
+  /// An array of numbers.
+  void series(std::span<const double> numbers);
+
+  template <class Value>
+  void member(std::string_view name, const Value& what) {
+    key(name);
+    value(what);
+  }
+  /// A member whose text is left out when it is empty.
+  void member_if(std::string_view name, std::string_view text) {
+    if (!text.empty()) member(name, text);
+  }
+
+  std::string take() { return std::move(text_); }
+
+ private:
+  void open(char bracket);
+  void close(char bracket);
+  void separate();
+  void number(double value);
+
+  std::string text_;
+  bool first_ = true;  ///< nothing stands yet behind the last bracket or key
+};
+
+}  // namespace slipbench::driver

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/report/page.hpp"
+
+#include <array>
+#include <utility>
+
+#include "driver/report/page_parts.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+std::string escape_html(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      default:
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
+/// In JSON a '<' stands in strings only. Escaped, no string can end the element it is embedded in.
+std::string escape_json(std::string_view json) {
+  std::string escaped;
+  escaped.reserve(json.size());
+  for (const char c : json) {
+    if (c == '<') {
+      escaped += "\\u003c";
+    } else {
+      escaped += c;
+    }
+  }
+  return escaped;
+}
+
+}  // namespace
+
+std::string report_page(std::string_view json_document, std::string_view title) {
+  const std::string document = escape_json(json_document);
+  const std::string heading = escape_html(title);
+  const std::array<std::pair<std::string_view, std::string_view>, 5> parts{{
+      {"title", heading},
+      {"style", page_part::style_css()},
+      {"document", document},
+      {"chart", page_part::chart_js()},
+      {"script", page_part::page_js()},
+  }};
+
+  std::string_view rest = page_part::page_html();
+  std::string page;
+  std::size_t size = rest.size();
+  for (const auto& part : parts) size += part.second.size();
+  page.reserve(size);
+  // In one pass over the layout, so that places within the parts are left as they are.
+  while (!rest.empty()) {
+    const std::size_t open = rest.find("{{");
+    const std::size_t close = open == std::string_view::npos ? open : rest.find("}}", open);
+    if (close == std::string_view::npos) break;
+    page += rest.substr(0, open);
+    const std::string_view place = rest.substr(open + 2, close - open - 2);
+    for (const auto& [name, text] : parts) {
+      if (name == place) page += text;
+    }
+    rest.remove_prefix(close + 2);
+  }
+  page += rest;
+  return page;
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/report/read_result.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "driver/history/csv_reader.hpp"
+#include "driver/report/collect.hpp"
+#include "driver/report/drawn_columns.hpp"
+#include "driver/results/regime_spans.hpp"
+#include "driver/results/result_layout.hpp"
+#include "driver/results/summary.hpp"
+#include "driver/results/thinning.hpp"
+#include "driver/text/number.hpp"
+#include "driver/yaml/parse.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path beside(const fs::path& result, const char* extension) {
+  return fs::path(result).replace_extension(extension);
+}
+
+std::optional<double> number_in(const Node& node, std::string_view name) {
+  const auto member = node.find(name);
+  if (!member || !member->is_scalar()) return std::nullopt;
+  const auto number = parse_number(member->text());
+  return number ? std::optional(*number) : std::nullopt;
+}
+
+double number_or_nan(const Node& node, std::string_view name) {
+  return number_in(node, name).value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+std::int64_t count_in(const Node& node, std::string_view name) {
+  return static_cast<std::int64_t>(std::llround(number_in(node, name).value_or(0.0)));
+}
+
+std::string text_in(const Node& node, std::string_view name) {
+  const auto member = node.find(name);
+  return member && member->is_scalar() ? std::string(member->text()) : std::string();
+}
+
+std::vector<std::string> texts_in(const Node& node, std::string_view name) {
+  std::vector<std::string> texts;
+  if (const auto list = node.find(name)) {
+    for (const Node item : list->items()) texts.emplace_back(item.text());
+  }
+  return texts;
+}
+
+/// What the unit of a measure's number is, told by its text; keeps the text in the verdict.
+MeasureUnit measure_unit(const std::string& unit, Verdict& verdict) {
+  if (unit.empty()) return MeasureUnit::kNone;
+  if (unit == verdict.unit) return MeasureUnit::kQuantity;
+  if (verdict.abscissa.ends_with("[" + unit + "]")) {
+    verdict.abscissa_unit = unit;
+    return MeasureUnit::kAbscissa;
+  }
+  verdict.product_unit = unit;
+  return MeasureUnit::kProduct;
+}
+
+Measure read_measure(const Node& node, Verdict& verdict) {
+  Measure measure;
+  measure.name = text_in(node, "name");
+  measure.unit = measure_unit(text_in(node, "unit"), verdict);
+  measure.value = number_or_nan(node, "value");
+  measure.reference = number_or_nan(node, "reference");
+  measure.deviation = number_or_nan(node, "deviation");
+  measure.scale = number_or_nan(node, "scale");
+  // A measure that is only reported has an infinite tolerance, which JSON has no number for.
+  measure.tolerance =
+      number_in(node, "tolerance").value_or(std::numeric_limits<double>::infinity());
+  if (const auto where = node.find("where"); where && where->is_map()) {
+    measure.where = {number_or_nan(*where, "abscissa"), number_or_nan(*where, "value"),
+                     number_or_nan(*where, "reference"), number_or_nan(*where, "time")};
+  }
+  return measure;
+}
+
+ReportCheck read_check(const Node& node) {
+  ReportCheck check;
+  Verdict& verdict = check.verdict;
+  verdict.name = text_in(node, "name");
+  const std::string criterion = text_in(node, "criterion");
+  for (std::size_t i = 0; i < kCriteria.size(); ++i) {
+    if (kCriteria[i].word == criterion) verdict.criterion = static_cast<Criterion>(i);
+  }
+  verdict.passed = text_in(node, "passed") == "true";
+  verdict.message = text_in(node, "message");
+  verdict.likely_cause = text_in(node, "likely_cause");
+  verdict.warnings = texts_in(node, "warnings");
+  verdict.unit = text_in(node, "unit");
+  verdict.abscissa = text_in(node, "abscissa");
+  verdict.compared = count_in(node, "compared");
+  verdict.failing = count_in(node, "failing");
+  verdict.tolerance = number_or_nan(node, "tolerance");
+  verdict.scale = number_or_nan(node, "scale");
+  verdict.worst = {number_or_nan(node, "worst_time"), number_or_nan(node, "worst_value"),
+                   number_or_nan(node, "worst_reference"), number_or_nan(node, "worst_abscissa")};
+  verdict.first_failing = number_in(node, "first_failing");
+  verdict.last_failing = number_in(node, "last_failing");
+  if (const auto measures = node.find("measures")) {
+    for (const Node measure : measures->items()) {
+      verdict.measures.push_back(read_measure(measure, verdict));
+    }
+  }
+  return check;
+}
+
+/// "slips 62 % of the time, 8 stick-slip events" and the range of the force, as `run` tells it.
+std::string summary_line(const Node& node, bool several, double duration, const std::string& force,
+                         const std::string& energy) {
+  const double slip = number_in(node, "slip_time").value_or(0.0);
+  const std::int64_t events = count_in(node, "stick_slip_events");
+  return fmt::format(
+      "{}slips {:.0f} % of the time, {} stick-slip event{}; friction {} .. {}, dissipated {}",
+      several ? text_in(node, "name") + ": " : "", duration > 0.0 ? 100.0 * slip / duration : 0.0,
+      events, events == 1 ? "" : "s", rounded(number_in(node, "lowest_force").value_or(0.0)),
+      with_unit(rounded(number_in(node, "highest_force").value_or(0.0)), force),
+      with_unit(rounded(number_in(node, "dissipation").value_or(0.0), 3), energy));
+}
+
+const ReportColumn* find(const CaseReport& report, const std::string& name) {
+  const auto found = std::find_if(report.columns.begin(), report.columns.end(),
+                                  [&](const ReportColumn& column) { return column.name == name; });
+  return found == report.columns.end() ? nullptr : &*found;
+}
+
+/// Takes what the JSON beside a result tells; one that is missing, or of anybody else, tells
+/// nothing.
+void add_summary(const fs::path& file, const std::string& energy, CaseReport& report) {
+  // JSON is YAML; the reader of cases is strict and has its limits.
+  const auto source = read_source(file.string());
+  if (!source) return;
+  const auto tree = parse_yaml(*source);
+  if (!tree) return;
+  const Node root = tree->root();
+  if (const auto summary = root.find("summary")) {
+    const double duration = number_in(*summary, "end_time").value_or(0.0) -
+                            number_in(*summary, "start_time").value_or(0.0);
+    if (const auto count = number_in(*summary, "increments")) {
+      report.increments = static_cast<std::int64_t>(std::llround(*count));
+    }
+    const auto list = summary->find("definitions");
+    for (std::size_t i = 0; list && i < list->size(); ++i) {
+      const Node node = (*list)[i];
+      for (ReportDefinition& definition : report.definitions) {
+        if (definition.name != text_in(node, "name")) continue;
+        const auto slip = number_in(node, "slip_time");
+        if (slip && duration > 0.0) definition.slip_share = *slip / duration;
+        const ReportColumn* force = find(report, definition.force);
+        report.summary.push_back(summary_line(node, list->size() > 1, duration,
+                                              force == nullptr ? "" : force->unit, energy));
+      }
+    }
+  }
+  report.warnings = texts_in(root, "warnings");
+  if (const auto checks = root.find("checks")) {
+    for (const Node check : checks->items()) report.checks.push_back(read_check(check));
+  }
+  if (report.checks.empty()) return;
+  const bool passed = std::all_of(report.checks.begin(), report.checks.end(),
+                                  [](const ReportCheck& check) { return check.verdict.passed; });
+  report.status = passed ? ReportStatus::kPassed : ReportStatus::kFailed;
+}
+
+std::vector<std::string_view> fields_of(std::string_view line) {
+  std::vector<std::string_view> fields;
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  while (true) {
+    const std::size_t end = line.find(',');
+    fields.push_back(line.substr(0, end));
+    if (end == std::string_view::npos) return fields;
+    line.remove_prefix(end + 1);
+  }
+}
+
+/// Takes the events beside a result; lines that are none are passed over.
+void add_events(const fs::path& file, CaseReport& report) {
+  constexpr std::size_t kFirstPosition = 7;
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) return;
+  std::ifstream in(file);
+  std::string line;
+  std::vector<std::string> header;
+  while (std::getline(in, line)) {
+    if (line.starts_with('#')) continue;
+    const std::vector<std::string_view> fields = fields_of(line);
+    if (header.empty()) {
+      if (!line.starts_with("t,definition,from,to,force,limit,accumulated_slip")) return;
+      header.assign(fields.begin(), fields.end());
+      continue;
+    }
+    if (fields.size() != header.size()) continue;
+    ++report.events_total;
+    if (report.events.size() >= CaseReport::kMostEvents) continue;
+    const auto number = [&](std::size_t i) {
+      return parse_number(fields[i]).value_or(std::numeric_limits<double>::quiet_NaN());
+    };
+    ReportEvent event{number(0),
+                      std::string(fields[1]),
+                      std::string(fields[2]),
+                      std::string(fields[3]),
+                      fields[2] == fields[3],
+                      number(4),
+                      number(5),
+                      number(6),
+                      {}};
+    for (std::size_t i = kFirstPosition; i < header.size(); ++i) {
+      event.positions.emplace_back(header[i], number(i));
+    }
+    report.events.push_back(std::move(event));
+  }
+}
+
+ReadResult unreadable(const std::string& name, const HistoryError& error) {
+  std::string place = error.file;
+  if (error.line > 0) place += fmt::format(":{}", error.line);
+  ReadResult result;
+  result.report = not_run_report(name, "", place + ": error: " + error.message + "\n");
+  result.report.is_result = true;
+  result.code = error.kind == HistoryError::Kind::kEnvironment ? kExitEnvironment : kExitBadInput;
+  return result;
+}
+
+}  // namespace
+
+ReadResult read_result(const std::string& path, const std::string& name) {
+  auto opened = CsvReader::open(path, std::vector<std::string>{"t"});
+  if (!opened) return unreadable(name, opened.error());
+  const ResultLayout layout = read_layout(path, opened->header());
+  DrawnColumns drawn = drawn_columns(layout);
+  if (drawn.definitions.empty()) {
+    return unreadable(name, {HistoryError::Kind::kInput, path, 0, 0,
+                             "has no friction force to draw (a result of 'slipbench run' has a "
+                             "line '# friction:')"});
+  }
+  auto reader = CsvReader::open(path, drawn.names);
+  if (!reader) return unreadable(name, reader.error());
+
+  ReadResult result;
+  CaseReport& report = result.report;
+  report.name = name;
+  report.title = layout.title;
+  report.is_result = true;
+  report.units = layout.units;
+  for (const std::string& column : drawn.names) {
+    const auto unit = layout.column_units.find(column);
+    report.columns.push_back({column, unit == layout.column_units.end() ? "" : unit->second, ""});
+  }
+  for (const auto& [parameter, text] : layout.parameters) {
+    if (const auto number = parse_number(text)) report.parameters.emplace_back(parameter, *number);
+  }
+  report.definitions = std::move(drawn.definitions);
+  report.energies = std::move(drawn.energies);
+
+  std::vector<std::size_t> status;  // of each definition, its column; the number of columns if none
+  for (const ReportDefinition& definition : report.definitions) {
+    status.push_back(static_cast<std::size_t>(
+        std::find(drawn.names.begin(), drawn.names.end(), definition.status) -
+        drawn.names.begin()));
+  }
+  RowThinner thinner(drawn.names.size(), most_rows(drawn.names.size()), drawn.watched);
+  std::vector<RegimeSpans> spans(report.definitions.size());
+  std::vector<double> row(drawn.names.size());
+  std::vector<double> before(drawn.names.size());
+  bool changed = false;
+  const auto regime_changes = [&] {
+    return std::any_of(status.begin(), status.end(), [&](std::size_t column) {
+      return column < row.size() && row[column] != before[column];
+    });
+  };
+  for (std::int64_t count = 0;; ++count) {
+    auto more = reader->next(row);
+    if (!more) return unreadable(name, more.error());
+    const bool changes = *more && count > 0 && regime_changes();
+    if (count > 0) thinner.add(before, changed || changes);
+    if (!*more) break;
+    changed = changes;
+    for (std::size_t d = 0; d < spans.size() && count > 0; ++d) {
+      if (status[d] >= row.size()) continue;
+      spans[d].add(static_cast<int>(std::lround(row[status[d]])), before[0], row[0]);
+    }
+    before = row;
+  }
+  report.rows = thinner.rows();
+  report.thinned = thinner.thinned();
+  report.increments = std::max<std::int64_t>(thinner.count() - 1, 0);
+  for (std::size_t d = 0; d < spans.size(); ++d) report.definitions[d].spans = spans[d].spans();
+
+  UnitSystem units;
+  for (const auto& [what, unit] : layout.units) {
+    if (what == "length") units.length = unit;
+    if (what == "force") units.force = unit;
+  }
+  report.units.emplace_back("energy", energy_unit(units));
+  add_summary(beside(path, ".json"), energy_unit(units), report);
+  add_events(beside(path, ".events.csv"), report);
+  return result;
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/report/report.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+#include <utility>
+
+#include "driver/report/page.hpp"
+#include "driver/results/output_file.hpp"
+
+namespace slipbench::driver {
+
+void ReportCollection::put(std::size_t place, CaseReport report) {
+  const std::scoped_lock lock(mutex_);
+  cases_[place] = std::move(report);
+  if (cases_[place].status == ReportStatus::kNotRun) return;
+  detailed_.emplace(cases_[place].status == ReportStatus::kFailed ? 0 : 1, place);
+  if (detailed_.size() <= kMostDetailed) return;
+  const auto last = std::prev(detailed_.end());
+  cases_[last->second].drop_details();
+  detailed_.erase(last);
+}
+
+ReportTotals ReportCollection::totals() const {
+  ReportTotals totals;
+  for (const CaseReport& one : cases_) {
+    ++totals.cases;
+    totals.checks += one.checks.size();
+    switch (one.status) {
+      case ReportStatus::kPassed:
+        ++totals.passed;
+        break;
+      case ReportStatus::kFailed:
+        ++totals.failed;
+        break;
+      case ReportStatus::kNoChecks:
+        ++totals.no_checks;
+        break;
+      case ReportStatus::kNotRun:
+        ++totals.not_run;
+        break;
+    }
+  }
+  return totals;
+}
+
+tl::expected<std::size_t, std::string> write_report(const std::filesystem::path& file,
+                                                    const ReportCollection& collection,
+                                                    const std::string& title,
+                                                    std::span<const std::string> inputs) {
+  auto out = OutputFile::create(file, inputs);
+  if (!out) return tl::unexpected(out.error());
+  const std::string page = report_page(report_document(collection, title), title);
+  out->append(page);
+  OutputFile* const alone[] = {&*out};
+  if (auto committed = commit(alone); !committed) return tl::unexpected(committed.error());
+  return page.size();
+}
+
+std::string size_text(std::size_t bytes) {
+  const auto size = static_cast<double>(bytes);
+  if (size < 99.5e3) return fmt::format("{:.0f} kB", 1e-3 * size);
+  return fmt::format("{:.1f} MB", 1e-6 * size);
+}
+
+}  // namespace slipbench::driver

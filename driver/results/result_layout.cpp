@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/results/result_layout.hpp"
+
+#include <fstream>
+#include <string_view>
+
+#include "driver/case/quantity.hpp"
+#include "driver/text/format_number.hpp"
+#include "driver/text/number.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+/// Cuts the text before `separator` off the front of `text`.
+std::string_view take(std::string_view& text, std::string_view separator) {
+  const std::size_t end = text.find(separator);
+  const std::string_view front = text.substr(0, end);
+  text.remove_prefix(end == std::string_view::npos ? text.size() : end + separator.size());
+  return front;
+}
+
+/// "name<between>value, name<between>value".
+std::vector<std::pair<std::string, std::string>> read_pairs(std::string_view text,
+                                                            std::string_view between) {
+  std::vector<std::pair<std::string, std::string>> pairs;
+  while (!text.empty()) {
+    std::string_view entry = take(text, ", ");
+    const std::string name(take(entry, between));
+    pairs.emplace_back(name, std::string(entry));
+  }
+  return pairs;
+}
+
+/// "sliding = CSFC(CSF2 CSF3), spinning = CSM1".
+std::vector<FrictionColumns> read_friction(std::string_view text) {
+  std::vector<FrictionColumns> friction;
+  for (const auto& [name, columns] : read_pairs(text, " = ")) {
+    FrictionColumns one{name, false, {}};
+    std::string_view list = columns;
+    if (list.find('(') != std::string_view::npos) {
+      one.coupled = true;
+      take(list, "(");
+      if (list.ends_with(')')) list.remove_suffix(1);
+    }
+    while (!list.empty()) one.forces.emplace_back(take(list, " "));
+    friction.push_back(std::move(one));
+  }
+  return friction;
+}
+
+}  // namespace
+
+std::vector<FrictionColumns> friction_columns(const Case& problem) {
+  std::vector<FrictionColumns> all;
+  // The rings of a chain share their component: their columns carry their names.
+  const bool chain = is_belt(problem.connection) && problem.definitions.size() > 1;
+  for (const CaseDefinition& definition : problem.definitions) {
+    FrictionColumns one{definition.name, definition.coupled, {}};
+    const law::SlipSpace& slip = definition.law.slip;
+    for (int k = 0; k < slip.dimension; ++k) {
+      one.forces.push_back(force_column("CSF", slip.component[static_cast<std::size_t>(k)]) +
+                           (chain ? "." + definition.name : ""));
+    }
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+ResultLayout layout_of(const Case& problem, std::span<const Column> columns) {
+  ResultLayout layout;
+  layout.title = problem.title;
+  for (const auto& [name, unit] :
+       {std::pair{"length", &problem.units.length}, std::pair{"force", &problem.units.force},
+        std::pair{"time", &problem.units.time},
+        std::pair{"temperature", &problem.units.temperature}}) {
+    if (!unit->empty()) layout.units.emplace_back(name, *unit);
+  }
+  for (const auto& [name, value] : problem.parameters) {
+    layout.parameters.emplace_back(name, format_number(value));
+  }
+  for (const Column& column : columns) {
+    layout.columns.push_back(column.name);
+    layout.column_units[column.name] = unit_text(column.dimension, problem.units);
+  }
+  layout.friction = friction_columns(problem);
+  for (const CaseDefinition& definition : problem.definitions) {
+    if (!definition.law.formulation || !definition.law.formulation->orthotropy) continue;
+    layout.directions[definition.name] = definition.law.formulation->orthotropy->first;
+  }
+  return layout;
+}
+
+ResultLayout read_layout(const std::filesystem::path& file, std::span<const std::string> header) {
+  ResultLayout layout;
+  layout.columns.assign(header.begin(), header.end());
+  std::ifstream in(file);
+  std::string line;
+  while (in.peek() == '#' && std::getline(in, line)) {
+    if (line.ends_with('\r')) line.pop_back();
+    std::string_view text = line;
+    const std::string_view key = take(text, ": ");
+    if (key == "# title") layout.title = std::string(text);
+    if (key == "# units") layout.units = read_pairs(text, " ");
+    if (key == "# parameters") layout.parameters = read_pairs(text, " = ");
+    if (key == "# friction") layout.friction = read_friction(text);
+    if (key == "# columns") {
+      for (auto& [name, unit] : read_pairs(text, " [")) {
+        if (unit.ends_with(']')) unit.pop_back();
+        layout.column_units[name] = unit;
+      }
+    }
+    if (key == "# direction1") {
+      for (const auto& [name, numbers] : read_pairs(text, " = ")) {
+        std::string_view rest = numbers;
+        const auto x = parse_number(take(rest, " "));
+        const auto y = parse_number(rest);
+        if (x && y) layout.directions[name] = {*x, *y};
+      }
+    }
+  }
+  return layout;
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "driver/case/case.hpp"
+#include "driver/results/columns.hpp"
+
+namespace slipbench::driver {
+
+/// Which force columns belong to a friction definition.
+struct FrictionColumns {
+  std::string name;
+  bool coupled = false;             ///< CSFC is its total force
+  std::vector<std::string> forces;  ///< of its components
+};
+
+/// What a result says about itself, in the lines that begin with '#' and its header.
+struct ResultLayout {
+  std::string title;
+  std::vector<std::pair<std::string, std::string>> units;       ///< length, force, ..., as stated
+  std::vector<std::pair<std::string, std::string>> parameters;  ///< name and number
+  std::vector<std::string> columns;
+  std::map<std::string, std::string, std::less<>> column_units;
+  std::vector<FrictionColumns> friction;
+  /// Where direction 1 of an orthotropic definition points in its two components.
+  std::map<std::string, std::array<double, 2>, std::less<>> directions;
+};
+
+std::vector<FrictionColumns> friction_columns(const Case& problem);
+
+/// The layout of a result of `problem` with these columns.
+ResultLayout layout_of(const Case& problem, std::span<const Column> columns);
+
+/// The layout of a result file; `header` are its columns. A line that is missing leaves its part
+/// empty: any CSV has a layout.
+ResultLayout read_layout(const std::filesystem::path& file, std::span<const std::string> header);
+
+}  // namespace slipbench::driver

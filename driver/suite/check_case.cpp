@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/suite/check_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <new>
+#include <utility>
+#include <vector>
+
+#include "driver/commands/shared.hpp"
+#include "driver/compare/check.hpp"
+#include "driver/report/collect.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Ends a run from within a row.
+struct GivenUp {};
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+CaseOutcome failure(const std::string& path, int code, const char* kind,
+                    const std::string& message) {
+  CaseOutcome outcome;
+  outcome.code = code;
+  outcome.fault = {path, {}, message};
+  outcome.messages = fmt::format("{}: {}: {}\n", printable(path), kind, printable(message));
+  return outcome;
+}
+
+/// What `work` gives; what it throws becomes an outcome.
+template <class Work>
+auto guarded(const std::string& path, const Work& work)
+    -> tl::expected<decltype(work()), CaseOutcome> {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    return tl::unexpected(
+        failure(path, kExitEnvironment, "error", "needs more memory than there is"));
+  } catch (const std::exception& error) {
+    return tl::unexpected(failure(path, kExitInternal, "internal error", error.what()));
+  }
+}
+
+bool can_run(const ReadCase& read) { return read.value && !read.diagnostics.has_errors(); }
+
+CaseOutcome refused(const std::string& path, const ReadCase& read) {
+  CaseOutcome outcome;
+  outcome.code = read.environment_failure ? kExitEnvironment : kExitBadInput;
+  outcome.messages = render(read.diagnostics, read.sources);
+  const std::vector<Diagnostic> all = read.diagnostics.sorted();
+  const auto first = std::find_if(all.begin(), all.end(), [](const Diagnostic& diagnostic) {
+    return diagnostic.severity == Severity::kError;
+  });
+  if (first == all.end()) {
+    outcome.fault = {path, {}, "cannot be read"};
+    return outcome;
+  }
+  std::string message = first->path.empty() ? "" : first->path + ": ";
+  message += first->message;
+  if (!first->hint.empty()) message += "; " + first->hint;
+  outcome.fault = {first->file.empty() ? path : first->file, first->where, std::move(message)};
+  return outcome;
+}
+
+CaseOutcome run_and_judge(const Case& problem, const std::string& label, const Diagnostics& remarks,
+                          const CheckCaseOptions& options) {
+  CaseOutcome outcome;
+  outcome.checks = problem.checks.size();
+  std::vector<CheckProgress> checks;
+  checks.reserve(problem.checks.size());
+  for (const Check& check : problem.checks) {
+    checks.emplace_back(problem, check, options.report ? Trace::kKeep : Trace::kNone);
+  }
+  std::optional<CaseCollector> collector;
+  if (options.report) collector.emplace(problem);
+  const auto ended = run_case(problem, [&](const Row& row) {
+    if (options.stopped && options.stopped()) throw GivenUp{};
+    for (CheckProgress& check : checks) check.add(row);
+    if (collector) collector->add(row);
+  });
+  if (!ended) {
+    outcome.code = exit_code(ended.error());
+    outcome.messages = failure_text(problem, ended.error());
+    outcome.fault = {problem.file, {}, ended.error().message};
+    return outcome;
+  }
+  outcome.kind = checks.empty() ? CaseOutcome::Kind::kNoChecks : CaseOutcome::Kind::kPassed;
+  double worst = -1.0;
+  for (std::size_t i = 0; i < checks.size(); ++i) {
+    const Check& check = problem.checks[i];
+    Verdict verdict = checks[i].verdict();
+    if (!verdict.passed) {
+      outcome.kind = CaseOutcome::Kind::kFailed;
+      outcome.code = kExitCheckFailed;
+      ++outcome.failed;
+    } else if (verdict.worst_fraction() > worst) {
+      worst = verdict.worst_fraction();
+      outcome.remark = worst_text(check, verdict);
+    }
+    if (!verdict.passed || !verdict.warnings.empty() || options.keep_passing) {
+      std::string text = verdict_text(check, verdict);
+      outcome.verdicts.push_back({std::move(verdict), std::move(text), check.where});
+    }
+  }
+  if (collector) {
+    CaseReport report = collector->finish(label, checks, *ended);
+    add_remarks(report, remarks);
+    options.report(std::move(report));
+  }
+  return outcome;
+}
+
+/// A case that was not run has its line on the page, too.
+void report_fault(const Candidate& candidate, const Reading& reading, const CaseOutcome& outcome,
+                  const CheckCaseOptions& options) {
+  if (!options.report || outcome.kind != CaseOutcome::Kind::kNotRun) return;
+  const bool read = reading.read && reading.read->value;
+  options.report(
+      not_run_report(candidate.label, read ? reading.read->value->title : "", outcome.messages));
+}
+
+}  // namespace
+
+std::size_t Reading::checks() const {
+  return read && can_run(*read) ? read->value->checks.size() : 0;
+}
+
+Reading read_candidate(const std::string& path, const ReadOptions& options) {
+  const auto start = Clock::now();
+  Reading reading;
+  if (auto read = guarded(path, [&] { return read_case(path, options); })) {
+    reading.read = std::move(*read);
+  } else {
+    reading.failure = std::move(read.error());
+  }
+  reading.seconds = seconds_since(start);
+  return reading;
+}
+
+std::optional<CaseOutcome> check_case(const Candidate& candidate, const Reading& reading,
+                                      const CheckCaseOptions& options) {
+  const auto start = Clock::now();
+  try {
+    auto outcome = guarded(candidate.path, [&] {
+      if (!reading.read) return reading.failure;
+      if (!can_run(*reading.read)) return refused(candidate.path, *reading.read);
+      return run_and_judge(*reading.read->value, candidate.label, reading.read->diagnostics,
+                           options);
+    });
+    CaseOutcome result = outcome ? std::move(*outcome) : std::move(outcome.error());
+    report_fault(candidate, reading, result, options);
+    result.seconds = reading.seconds + seconds_since(start);
+    return result;
+  } catch (const GivenUp&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace slipbench::driver

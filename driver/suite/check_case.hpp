@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "driver/case/read_case.hpp"
+#include "driver/report/case_report.hpp"
+#include "driver/suite/candidates.hpp"
+#include "driver/suite/outcome.hpp"
+
+namespace slipbench::driver {
+
+/// A case file that was read, before it is run.
+struct Reading {
+  std::optional<ReadCase> read;  ///< none if reading was given up, see `failure`
+  CaseOutcome failure;
+  double seconds = 0.0;  ///< reading took
+
+  /// How many checks the case has; 0 if it cannot be run.
+  std::size_t checks() const;
+};
+
+struct CheckCaseOptions {
+  bool keep_passing = false;  ///< the verdicts of checks that passed, too
+  /// Asked at every row, if there is one; the case is given up when it says so.
+  std::function<bool()> stopped = {};
+  /// Takes what a page of the case needs, if there is one.
+  std::function<void(CaseReport&&)> report = {};
+};
+
+/// Reads a case. Nothing is thrown: a case that needs more memory than there is, or that trips
+/// over a bug, is a failure like any other.
+Reading read_candidate(const std::string& path, const ReadOptions& options);
+
+/// Runs a case that was read and judges its checks. Nothing is thrown, as above. Nothing is
+/// returned for a case that was given up.
+std::optional<CaseOutcome> check_case(const Candidate& candidate, const Reading& reading,
+                                      const CheckCaseOptions& options);
+
+}  // namespace slipbench::driver

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/suite/junit.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+#include <vector>
+
+#include "driver/suite/xml_text.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+std::string folder_of(const std::string& label) {
+  const std::size_t slash = label.rfind('/');
+  return slash == std::string::npos ? "." : label.substr(0, slash);
+}
+
+const char* word_for_code(int code) {
+  switch (code) {
+    case kExitBadInput:
+      return "bad input";
+    case kExitNumerical:
+      return "numerical failure";
+    case kExitEnvironment:
+      return "file or environment";
+    default:
+      return "internal error";
+  }
+}
+
+/// <testcase> with what it contains, if anything.
+std::string test_case(const std::string& class_name, const std::string& name, double seconds,
+                      const std::string& content) {
+  std::string text = fmt::format(R"(    <testcase classname="{}" name="{}" time="{:.6f}")",
+                                 xml_attribute(class_name), xml_attribute(name), seconds);
+  text += content.empty() ? "/>\n" : ">\n" + content + "    </testcase>\n";
+  return text;
+}
+
+std::string content_of(const CheckOutcome& check) {
+  const Verdict& verdict = check.verdict;
+  std::string text;
+  if (!verdict.passed) {
+    text += fmt::format("      <failure type=\"check failed\" message=\"{}\">{}</failure>\n",
+                        xml_attribute(verdict.message), xml_text(check.text));
+  }
+  if (!verdict.warnings.empty()) {
+    text += "      <system-out>";
+    for (const std::string& warning : verdict.warnings) {
+      text += "warning: " + xml_text(warning) + "\n";
+    }
+    text += "</system-out>\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+void JunitReport::add(const Candidate& candidate, const CaseOutcome& outcome) {
+  Suite& suite =
+      suites_.try_emplace(folder_of(candidate.label), Suite{suites_.size(), {}, {}}).first->second;
+  Counts& counts = suite.counts;
+  counts.seconds += outcome.seconds;
+  const auto add_one = [&](const std::string& name, double seconds, const std::string& content) {
+    ++counts.tests;
+    suite.cases += test_case(candidate.label, name, seconds, content);
+  };
+  if (outcome.kind == CaseOutcome::Kind::kNotRun) {
+    ++counts.errors;
+    add_one("case", outcome.seconds,
+            fmt::format("      <error type=\"{}\" message=\"{}\">{}</error>\n",
+                        word_for_code(outcome.code), xml_attribute(outcome.fault.message),
+                        xml_text(outcome.messages)));
+  } else if (outcome.kind == CaseOutcome::Kind::kNoChecks) {
+    ++counts.skipped;
+    add_one("case", outcome.seconds, "      <skipped message=\"the case has no checks\"/>\n");
+  } else {
+    counts.failures += outcome.failed;
+    for (const CheckOutcome& check : outcome.verdicts) {
+      add_one(check.verdict.name, outcome.seconds / static_cast<double>(outcome.verdicts.size()),
+              content_of(check));
+    }
+  }
+}
+
+std::string JunitReport::attributes(const Counts& counts) {
+  return fmt::format(R"(tests="{}" failures="{}" errors="{}" skipped="{}" time="{:.6f}")",
+                     counts.tests, counts.failures, counts.errors, counts.skipped, counts.seconds);
+}
+
+std::string JunitReport::text() const {
+  Counts all;
+  std::vector<const std::pair<const std::string, Suite>*> in_order(suites_.size());
+  for (const auto& entry : suites_) {
+    in_order[entry.second.place] = &entry;
+    const Counts& counts = entry.second.counts;
+    all.tests += counts.tests;
+    all.failures += counts.failures;
+    all.errors += counts.errors;
+    all.skipped += counts.skipped;
+    all.seconds += counts.seconds;
+  }
+  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+  text += fmt::format("<testsuites name=\"slipbench\" {}>\n", attributes(all));
+  for (const auto* entry : in_order) {
+    text += fmt::format("  <testsuite name=\"{}\" {}>\n", xml_attribute(entry->first),
+                        attributes(entry->second.counts));
+    text += entry->second.cases;
+    text += "  </testsuite>\n";
+  }
+  return text + "</testsuites>\n";
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+
+#include "driver/suite/candidates.hpp"
+#include "driver/suite/outcome.hpp"
+
+namespace slipbench::driver {
+
+/// The verdicts of a suite as JUnit XML, the form that Jenkins and GitLab read: one <testsuite> for
+/// each folder, in the order of their first case; one <testcase> for each check, with the case's
+/// label as class name. A check that failed is a <failure>, a case that was not run an <error>, a
+/// case without checks is <skipped>; doubts about a check stand in its <system-out>. A case's time
+/// is divided equally among its checks. But for the times, the same verdicts give the same text:
+/// no date and no machine.
+class JunitReport {
+ public:
+  /// The outcome must hold the verdicts of all its checks.
+  void add(const Candidate& candidate, const CaseOutcome& outcome);
+
+  std::string text() const;
+
+ private:
+  struct Counts {
+    std::size_t tests = 0;
+    std::size_t failures = 0;
+    std::size_t errors = 0;
+    std::size_t skipped = 0;
+    double seconds = 0.0;
+  };
+  struct Suite {
+    std::size_t place = 0;  ///< in the order in which they came
+    Counts counts;
+    std::string cases;  ///< their elements
+  };
+
+  static std::string attributes(const Counts& counts);
+
+  std::map<std::string, Suite> suites_;  ///< by folder
+};
+
+}  // namespace slipbench::driver

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+// What became of the cases of a suite.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "driver/compare/check.hpp"
+#include "driver/exit_code.hpp"
+#include "driver/text/diagnostic.hpp"
+
+namespace slipbench::driver {
+
+/// One check of a case that was run.
+struct CheckOutcome {
+  Verdict verdict;
+  std::string text;      ///< as the table tells it
+  SourcePosition where;  ///< of the check in the case's file
+};
+
+/// Why a case was not run to its end, for those who want it in one line.
+struct CaseFault {
+  std::string file;
+  SourcePosition where;  ///< line 0 where there is none
+  std::string message;
+};
+
+/// One case of a suite.
+struct CaseOutcome {
+  enum class Kind : std::uint8_t { kPassed, kFailed, kNoChecks, kNotRun };
+
+  Kind kind = Kind::kNotRun;
+  int code = kExitOk;      ///< the exit code it would have alone
+  std::size_t checks = 0;  ///< how many it has
+  std::size_t failed = 0;  ///< of them
+  double seconds = 0.0;    ///< it took to read, run and judge
+  std::string remark;      ///< beside a passed case: its worst check
+  /// Those that failed or are doubtful; those that passed too if they are wanted.
+  std::vector<CheckOutcome> verdicts;
+  std::string messages;  ///< of a case that was not run, as printed: one or more lines
+  CaseFault fault;       ///< of a case that was not run
+
+  bool well() const { return kind == Kind::kPassed || kind == Kind::kNoChecks; }
+};
+
+/// "passed", "failed", "no_checks", "not_run".
+constexpr const char* word_for(CaseOutcome::Kind kind) {
+  switch (kind) {
+    case CaseOutcome::Kind::kPassed:
+      return "passed";
+    case CaseOutcome::Kind::kFailed:
+      return "failed";
+    case CaseOutcome::Kind::kNoChecks:
+      return "no_checks";
+    case CaseOutcome::Kind::kNotRun:
+      break;
+  }
+  return "not_run";
+}
+
+/// How many cases of a suite went how.
+struct SuiteTotals {
+  std::size_t passed = 0;
+  std::size_t failed = 0;
+  std::size_t no_checks = 0;
+  std::size_t not_run = 0;  ///< faulty ones and those that were not reached
+  std::size_t checks = 0;
+  std::size_t failed_checks = 0;
+  int code = kExitOk;  ///< the worst
+
+  void add(const CaseOutcome& outcome);
+};
+
+}  // namespace slipbench::driver

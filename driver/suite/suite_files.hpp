@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "driver/results/output_file.hpp"
+#include "driver/suite/candidates.hpp"
+
+namespace slipbench::driver {
+
+/// Where the verdicts of a suite go beside the terminal; empty for nowhere.
+struct SuiteTargets {
+  std::string junit;
+  std::string json;
+  std::string report;
+};
+
+struct SuiteFilesFault {
+  int code = 0;
+  std::string message;
+};
+
+/// The files of verdicts. They are created before a suite begins, so that a place that cannot be
+/// written to is known before the work and not after it, and appear under their names at its end.
+struct SuiteFiles {
+  std::optional<OutputFile> junit;
+  std::optional<OutputFile> json;
+
+  /// The page is written by others (`write_report`); here it is only tried whether it can be.
+  /// Errors: a target that is one of the cases, or two that are the same file (exit code 2);
+  /// those of OutputFile (exit code 4).
+  static tl::expected<SuiteFiles, SuiteFilesFault> create(const SuiteTargets& targets,
+                                                          std::span<const Candidate> cases);
+
+  /// Completes each file for itself; what went wrong, in sentences.
+  std::vector<std::string> complete();
+};
+
+}  // namespace slipbench::driver

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/suite/suite_json.hpp"
+
+#include <utility>
+
+#include "driver/results/provenance.hpp"
+#include "driver/text/json.hpp"
+
+namespace slipbench::driver {
+
+void SuiteJson::add(const Candidate& candidate, const CaseOutcome& outcome) {
+  json::Value one;
+  one["case"] = candidate.label;
+  one["file"] = candidate.path;
+  one["status"] = word_for(outcome.kind);
+  one["exit_code"] = outcome.code;
+  if (outcome.kind == CaseOutcome::Kind::kNotRun) {
+    one["message"] = outcome.fault.message;
+    if (outcome.fault.where.line > 0) {
+      one["line"] = outcome.fault.where.line;
+      one["column"] = outcome.fault.where.column;
+    }
+  }
+  json::Array checks;
+  for (const CheckOutcome& check : outcome.verdicts) checks.push_back(to_json(check.verdict));
+  one["checks"] = std::move(checks);
+  cases_ += (cases_.empty() ? "\n  " : ",\n  ") + one.dump();
+}
+
+std::string SuiteJson::text(const SuiteTotals& totals) const {
+  json::Value sums;
+  sums["cases"] = totals.passed + totals.failed + totals.no_checks + totals.not_run;
+  sums["passed"] = totals.passed;
+  sums["failed"] = totals.failed;
+  sums["no_checks"] = totals.no_checks;
+  sums["not_run"] = totals.not_run;
+  sums["checks"] = totals.checks;
+  sums["failed_checks"] = totals.failed_checks;
+  sums["exit_code"] = totals.code;
+  return "{\"slipbench\": " + json::Value(program_version()).dump() + ", \"cases\": [" + cases_ +
+         "\n], \"totals\": " + sums.dump() + "}\n";
+}
+
+}  // namespace slipbench::driver

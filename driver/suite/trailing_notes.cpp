@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/suite/trailing_notes.hpp"
+
+#include <fmt/format.h>
+
+#include "driver/text/diagnostic.hpp"
+
+namespace slipbench::driver {
+
+void TrailingNotes::add(const Candidate& candidate, const CaseOutcome& outcome) {
+  for (const CheckOutcome& check : outcome.verdicts) {
+    for (const std::string& warning : check.verdict.warnings) {
+      if (++warning_count_ > kMostWarnings) continue;
+      warnings_ += fmt::format("  warning: {}  check '{}': {}\n", printable(candidate.label),
+                               printable(check.verdict.name), printable(warning));
+    }
+  }
+  if (!outcome.messages.empty() && ++message_count_ <= kMostCases) messages_ += outcome.messages;
+}
+
+std::string TrailingNotes::text() const {
+  std::string text = warnings_;
+  if (warning_count_ > kMostWarnings) {
+    text += fmt::format("  ... and {} more warnings\n", warning_count_ - kMostWarnings);
+  }
+  text += messages_;
+  if (message_count_ > kMostCases) {
+    text += fmt::format("... and {} more cases that were not run\n", message_count_ - kMostCases);
+  }
+  return text;
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace slipbench::driver {
+
+/// Calls `work` for the indices 0 .. count-1, in this order begun, by at most `threads` threads
+/// (the caller's is one of them; fewer if the system gives no more), and returns when all are done.
+/// `work` must not throw.
+void for_each_index(std::size_t count, unsigned threads,
+                    const std::function<void(std::size_t)>& work);
+
+}  // namespace slipbench::driver

@@ -1,0 +1,1470 @@
+// SPDX-License-Identifier: Apache-2.0
+// The report page: a list of cases, and of one case its pictures, events, energies, tables and checks.
+//
+// All pictures of a case share one instant: a place on the drawn rows, given as row + fraction. A
+// picture is made of a plain description (a "panel": title, axes, series); runs laid over each other
+// are panels of the same key. Text of the document only ever becomes text nodes.
+"use strict";
+(() => {
+const page = JSON.parse(document.getElementById("document").textContent);
+const cases = page.cases;
+const byId = new Map(cases.map((one) => [one.id, one]));
+
+// ------------------------------------------------------------------------------------- small tools
+
+/** A new element: attributes, listeners (on...), properties of the dataset; children are text or nodes. */
+function make(tag, attributes = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) {
+    if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
+    else if (value === true) element.setAttribute(name, "");
+    else if (value !== false && value !== null && value !== undefined) element.setAttribute(name, value);
+  }
+  element.append(...children.flat().filter((child) => child !== null && child !== undefined));
+  return element;
+}
+
+function makeSvg(tag, attributes = {}) {
+  const element = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  return element;
+}
+
+const find = (id) => document.getElementById(id);
+const isNumber = (value) => typeof value === "number" && Number.isFinite(value);
+/** Somebody else's words: their direction must not turn that of the words around them. */
+const quoted = (text) => make("bdi", {}, text);
+
+const kSuperscripts = {"-": "\u207b", 0: "\u2070", 1: "\u00b9", 2: "\u00b2", 3: "\u00b3", 4: "\u2074", 5: "\u2075", 6: "\u2076", 7: "\u2077", 8: "\u2078", 9: "\u2079"};
+const withPower = (mantissa, power) =>
+    mantissa + "\u00b710" + [...String(power)].map((digit) => kSuperscripts[digit]).join("");
+
+/** A number for people: so many significant digits, powers of ten only where zeros would be counted. */
+function number(value, digits = 4) {
+  if (!isNumber(value)) return "\u2013";
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  let text;
+  if (size >= 1e6 || size < 1e-3) {
+    const [mantissa, power] = value.toExponential(digits - 1).split("e");
+    text = withPower(Number(mantissa).toString(), Number(power));
+  } else {
+    text = size >= 10 ** digits ? value.toFixed(0) : Number(value.toPrecision(digits)).toString();
+  }
+  return text.replace("-", "\u2212");
+}
+const withUnit = (value, unit, digits) => number(value, digits) + (unit && isNumber(value) ? "\u00a0" + unit : "");
+const plural = (count, one, many = one + "s") => `${count} ${count === 1 ? one : many}`;
+const labelled = (name, unit) => (unit ? `${name} (${unit})` : name);
+
+/** The deviation as a part of its tolerance, in a few characters. */
+function fraction(value) {
+  if (value === null || value === undefined) return "\u2013";
+  return value > 1 ? number(value, 2) + "\u00d7" : number(value, 2);
+}
+
+/** The text of a tick: as many decimals as the ticks are apart. */
+function tickText(value, index, ticks) {
+  const step = ticks.length > 1 ? Math.abs(ticks[1].value - ticks[0].value) : Math.abs(value) || 1;
+  const largest = Math.max(...ticks.map((tick) => Math.abs(tick.value)));
+  if (Math.abs(value) < step * 1e-6) return "0";
+  const decimals = (size) => {
+    let count = 0;
+    while (count < 8 && Math.abs(size * 10 ** count - Math.round(size * 10 ** count)) > 1e-6 * size * 10 ** count) count++;
+    return count;
+  };
+  let text;
+  if (largest >= 1e5 || largest < 1e-2) {
+    const power = Math.floor(Math.log10(largest));
+    text = withPower((value / 10 ** power).toFixed(decimals(step / 10 ** power)), power);
+  } else {
+    text = value.toFixed(decimals(step));
+  }
+  return text.replace("-", "\u2212");
+}
+
+// ------------------------------------------------------------------------------------ the document
+
+const kStatusWords = {passed: "passed", failed: "failed", not_run: "not run", no_checks: "no checks"};
+const kStatusMarks = {passed: "\u2713", failed: "\u2717", not_run: "!", no_checks: "\u00b7"};
+const isFailure = (one) => one.status === "failed" || one.status === "not_run";
+
+function columnOf(one, name) {
+  const at = (one.columns || []).findIndex((column) => column.name === name);
+  return at < 0 ? null : {...one.columns[at], values: one.rows[at]};
+}
+const timeOf = (one) => columnOf(one, "t") || {name: "t", unit: (one.units || {}).time || "", values: (one.rows || [[]])[0]};
+
+function largestFraction(one) {
+  const known = (one.checks || []).map((check) => check.worst_fraction);
+  if (known.length === 0) return null;
+  // JSON has no infinity: a failed check without a fraction has a tolerance of 0, or nothing to compare.
+  return known.some((value) => !isNumber(value)) ? null : Math.max(...known);
+}
+
+/** Smallest and largest number of a list, null if there is none. */
+function range(values) {
+  let low = Infinity;
+  let high = -Infinity;
+  for (const value of values || []) {
+    if (!isNumber(value)) continue;
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  return low <= high ? {low, high} : null;
+}
+const varies = (values) => {
+  const found = range(values);
+  return found !== null && found.high - found.low > 1e-9 * Math.max(Math.abs(found.high), Math.abs(found.low));
+};
+
+/** The last index whose time is not after t; times never fall. */
+function indexBefore(times, t) {
+  let low = 0;
+  let high = times.length - 1;
+  while (low < high) {
+    const middle = (low + high + 1) >> 1;
+    if (times[middle] <= t) low = middle;
+    else high = middle - 1;
+  }
+  return low;
+}
+
+/** The place (row + fraction) of a time. */
+function placeOf(times, t) {
+  if (times.length === 0) return 0;
+  const row = indexBefore(times, t);
+  if (row + 1 >= times.length || t <= times[row]) return row;
+  return row + (t - times[row]) / (times[row + 1] - times[row]);
+}
+
+/** What the drawn curve shows at a place. */
+function valueAt(values, place) {
+  const row = Math.min(Math.floor(place), values.length - 1);
+  const part = place - row;
+  const from = values[row];
+  if (part <= 0 || row + 1 >= values.length) return from;
+  const to = values[row + 1];
+  return isNumber(from) && isNumber(to) ? from + part * (to - from) : null;
+}
+
+// -------------------------------------------------------------------------------- panels of a case
+
+const series = (label, column, x, more = {}) => ({label, unit: column.unit || "", x, y: column.values, ...more});
+const negative = (values) => values.map((value) => (isNumber(value) ? -value : null));
+
+/** Definition of `one` that belongs to `definition` of another run: of that name, else the first. */
+function sameDefinition(one, definition) {
+  const own = one.definitions || [];
+  return own.find((other) => definition && other.name === definition.name) || own[0] || null;
+}
+
+/** True where every slipping row lies on a circle of the limit: only then is the limit drawn as one. */
+function limitIsCircle(first, second, limit, status) {
+  let seen = 0;
+  for (let i = 0; i < limit.length; ++i) {
+    if (status[i] !== 2 || !isNumber(limit[i]) || limit[i] <= 0) continue;
+    seen++;
+    if (Math.abs(Math.hypot(first[i], second[i]) - limit[i]) > 2e-3 * limit[i]) return false;
+  }
+  return seen > 0;
+}
+
+function forcePanels(one, definition, time) {
+  const panels = [];
+  const force = definition.force ? columnOf(one, definition.force) : null;
+  const limit = definition.limit ? columnOf(one, definition.limit) : null;
+  const below = definition.limit_below ? columnOf(one, definition.limit_below) : null;
+  const parts = (definition.forces || []).map((name) => columnOf(one, name)).filter(Boolean);
+  const main = force || parts[0];
+  if (!main) return panels;
+  const lines = [];
+  parts.filter((part) => part.name !== main.name && part.unit === main.unit)
+      .forEach((part, i) => lines.push(series(part.name, part, time.values, {colour: i + 1, dash: [[7, 2, 2, 2], [2, 2], [9, 3]][i % 3], thin: true})));
+  lines.push(series(main.name, main, time.values, {main: true}));
+  if (limit) {
+    lines.push(series(limit.name, limit, time.values, {colour: "limit", dash: [6, 4]}));
+    const signed = [main, ...parts].some((part) => part.unit === limit.unit && part.values.some((value) => value < 0));
+    if (below) lines.push(series(below.name, below, time.values, {colour: "limit", dash: [6, 4]}));
+    else if (signed) lines.push(series("\u2212" + limit.name, {...limit, values: negative(limit.values)}, time.values, {colour: "limit", dash: [6, 4], silent: true}));
+  }
+  panels.push({key: "force", title: main.name.startsWith("CSM") ? "Friction moment and limit" : "Friction force and limit", unit: main.unit, lines});
+  const others = parts.filter((part) => part.unit !== main.unit);
+  if (others.length > 0) {
+    panels.push({key: "force:" + others[0].unit, title: "Other components", unit: others[0].unit,
+                 lines: others.filter((part) => part.unit === others[0].unit)
+                     .map((part, i) => series(part.name, part, time.values, {main: i === 0, colour: i || null, dash: i ? [7, 2, 2, 2] : []}))});
+  }
+  return panels;
+}
+
+function motionPanels(one, definition, time) {
+  const positions = (definition.positions || []).map((name) => columnOf(one, name)).filter(Boolean);
+  const units = [...new Set(positions.map((position) => position.unit))];
+  return units.map((unit) => ({
+    key: "motion:" + unit, title: unit === "rad" || unit === "deg" ? "Rotation" : "Motion", unit,
+    lines: positions.filter((position) => position.unit === unit)
+        .map((position, i) => series(position.name, position, time.values, {main: i === 0, colour: i || null, dash: i ? [[7, 2, 2, 2], [2, 2]][i % 2] : []}))
+  }));
+}
+
+function energyLines(one, time) {
+  const words = {work: "work", dissipated: "dissipated", stored: "stored"};
+  const styles = {work: {colour: 1, dash: [7, 2, 2, 2]}, dissipated: {main: true}, stored: {colour: 3, dash: [2, 2]}};
+  const lines = [];
+  for (const [key, names] of Object.entries((one.energy || {}).columns || {})) {
+    const columns = (names || []).map((name) => columnOf(one, name)).filter(Boolean);
+    if (columns.length === 0) continue;
+    const sum = columns[0].values.map((value, i) => columns.reduce((total, column) => total + (isNumber(column.values[i]) ? column.values[i] : NaN), 0));
+    const style = styles[key] || {colour: 4 + (lines.length % 3), dash: [9, 3]};
+    lines.push(series(words[key] || key.replace(/_/g, " "), {...columns[0], values: sum}, time.values, style));
+  }
+  return lines;
+}
+
+/** The histories of a case: panels over time. */
+function histories(one, definition) {
+  const time = timeOf(one);
+  const panels = [];
+  if (definition) {
+    panels.push(...forcePanels(one, definition, time), ...motionPanels(one, definition, time));
+    const normal = definition.normal_force ? columnOf(one, definition.normal_force) : null;
+    const mu = definition.mu ? columnOf(one, definition.mu) : null;
+    if (normal) panels.push({key: "normal", title: "Normal force", unit: normal.unit, lines: [series(normal.name, normal, time.values, {main: true})]});
+    if (mu) panels.push({key: "mu", title: "Coefficient of friction", unit: "", lines: [series(mu.name, mu, time.values, {main: true})], optional: !varies(mu.values)});
+  } else {
+    // A table without friction: its first columns, one panel each.
+    for (const column of (one.columns || []).filter((other) => other.name !== time.name && varies(columnOf(one, other.name).values)).slice(0, 4)) {
+      panels.push(columnPanel(one, column.name));
+    }
+  }
+  const energies = energyLines(one, time);
+  if (energies.length > 0) panels.push({key: "energy", title: "Energy", unit: energies[0].unit, lines: energies});
+  for (const panel of panels) Object.assign(panel, {kind: "history", xName: time.name, xUnit: time.unit});
+  return panels;
+}
+
+/** A history of any one column. */
+function columnPanel(one, name) {
+  const column = columnOf(one, name);
+  const time = timeOf(one);
+  return column && {key: "column:" + name, kind: "history", title: column.text || name, unit: column.unit, xName: time.name, xUnit: time.unit,
+                    lines: [series(name, column, time.values, {main: true})]};
+}
+
+/** Force over motion, or, where two components move, the paths of force and motion. */
+function loops(one, definition) {
+  if (!definition) return [];
+  const forces = (definition.forces || []).map((name) => columnOf(one, name));
+  const positions = (definition.positions || []).map((name) => columnOf(one, name));
+  const limit = definition.limit ? columnOf(one, definition.limit) : null;
+  const status = definition.status ? columnOf(one, definition.status) : null;
+  const below = definition.limit_below ? columnOf(one, definition.limit_below) : null;
+  const path = (key, title, first, second, more = {}) => ({
+    key, kind: "loop", title, unit: second.unit, yName: second.name, xName: first.name, xUnit: first.unit,
+    lines: [{label: second.name, unit: second.unit, x: first.values, y: second.values, main: true, status: status && status.values}], ...more
+  });
+  const planar = forces[0] && forces[1] && positions[0] && positions[1] && forces[0].unit === forces[1].unit && varies(positions[0].values) && varies(positions[1].values);
+  const panels = [];
+  if (planar) {
+    const circle = limit && limit.unit === forces[0].unit && status && limitIsCircle(forces[0].values, forces[1].values, limit.values, status.values) ? limit : null;
+    panels.push(path("path:force", "Path of the force" + (circle ? " within its limit" : ""), forces[0], forces[1], {equal: true, circle}));
+    if (positions[0].unit === positions[1].unit) panels.push(path("path:motion", "Path of the motion", positions[0], positions[1], {equal: true}));
+  }
+  const pairs = forces.map((force, i) => ({force, position: positions[i]})).filter(({force, position}) => force && position && varies(position.values));
+  // What moves most comes first; a component that only stretches its contact comes last.
+  const span = ({position}) => range(position.values).high - range(position.values).low;
+  if (!planar) pairs.sort((a, b) => (a.position.unit === b.position.unit ? span(b) - span(a) : 0));
+  for (const {force, position} of pairs.slice(0, planar ? 0 : 3)) {
+    const panel = path(`loop:${force.name}:${position.name}`, `${force.name.startsWith("CSM") ? "Moment over rotation" : "Force over motion"}`, position, force);
+    if (limit && forces.length === 1 && limit.unit === force.unit) {
+      const style = {colour: "limit", dash: [6, 4]};
+      panel.lines.push({label: limit.name, unit: limit.unit, x: position.values, y: limit.values, ...style},
+                       {label: below ? below.name : "\u2212" + limit.name, unit: limit.unit, x: position.values, y: below ? below.values : negative(limit.values), ...style, silent: !below});
+    }
+    panels.push(panel);
+  }
+  return panels;
+}
+
+const allPanels = (one, definition, added) =>
+    [...loops(one, definition), ...histories(one, definition), ...added.map((name) => columnPanel(one, name)).filter(Boolean)];
+
+/** Dashes of the runs laid over the first; colours go along with them. */
+const kRunDashes = [[8, 3], [2, 2], [8, 3, 2, 3], [12, 4], [4, 2], [1, 3]];
+
+/** Adds the main curves of other runs to a panel of the same meaning. */
+function layOver(panel, others) {
+  const lines = panel.lines.map((line) => ({...line, run: 0}));
+  others.forEach((other, i) => {
+    const same = other.panels.find((candidate) => candidate.key === panel.key && candidate.unit === panel.unit && candidate.xUnit === panel.xUnit);
+    const main = same && same.lines.find((line) => line.main);
+    if (main) lines.push({...main, run: i + 1, label: other.name, colour: (i % 6) + 1, dash: kRunDashes[i % kRunDashes.length], main: false, status: null});
+  });
+  return {...panel, lines};
+}
+
+// ------------------------------------------------------------------------------------------ colours
+
+const kThemes = ["auto", "light", "dark"];
+const darkSystem = window.matchMedia("(prefers-color-scheme: dark)");
+let theme = "auto";
+let colours = {};
+
+function readColours() {
+  const style = getComputedStyle(document.documentElement);
+  colours = {};
+  for (const name of ["text", "soft", "rule", "grid", "back", "slip", "open", "open-line", "limit", "tube", "bad", "accent"]) {
+    colours[name] = style.getPropertyValue("--" + name).trim();
+  }
+  for (let i = 1; i <= 6; ++i) colours[i] = style.getPropertyValue("--curve-" + i).trim();
+  colours.hatch = hatch(colours.open, colours["open-line"]);
+}
+
+/** The pattern of "no contact". */
+function hatch(back, line) {
+  const tile = document.createElement("canvas");
+  tile.width = tile.height = 8;
+  const pen = tile.getContext("2d");
+  pen.fillStyle = back;
+  pen.fillRect(0, 0, 8, 8);
+  pen.strokeStyle = line;
+  pen.lineWidth = 1.2;
+  for (const shift of [-8, 0, 8]) {
+    pen.beginPath();
+    pen.moveTo(shift - 1, 9);
+    pen.lineTo(shift + 9, -1);
+    pen.stroke();
+  }
+  return tile;
+}
+
+function applyTheme(forced) {
+  const dark = forced ? forced === "dark" : theme === "dark" || (theme === "auto" && darkSystem.matches);
+  document.documentElement.dataset.theme = dark ? "dark" : "light";
+  readColours();
+  for (const picture of pictures) picture.recolour();
+}
+
+function nextTheme() {
+  theme = kThemes[(kThemes.indexOf(theme) + 1) % kThemes.length];
+  const words = {auto: "as the system has them", light: "light", dark: "dark"};
+  find("theme").textContent = {auto: "\u25d0", light: "\u25cb", dark: "\u25cf"}[theme];
+  find("theme").setAttribute("aria-label", "Colours: " + words[theme]);
+  try { localStorage.setItem("slipbench-theme", theme); } catch { /* a browser may forbid it for files */ }
+  applyTheme();
+}
+
+const colourOf = (line) => colours[line.colour || "text"];
+
+// ----------------------------------------------------------------------------------------- pictures
+
+/** Room left of and under a plot: fixed, so that instants stand under each other. */
+const kLeft = 58;
+const kRight = 14;
+const kTop = 8;
+const kBottom = 24;
+const kBottomTitled = 42;
+
+let pictures = [];
+
+/** A panel as a Chart.js chart with a layer of marks and a legend that tells values. */
+class Picture {
+  constructor(panel, height) {
+    this.panel = panel;
+    this.canvas = make("canvas", {role: "img", "aria-label": `${panel.title}: ${panel.yName || panel.lines.map((line) => line.label).join(", ")} over ${panel.xName}`});
+    this.layer = makeSvg("svg", {"aria-hidden": "true"});
+    this.plot = make("div", {class: "plot " + height}, this.canvas, this.layer);
+    this.legend = make("ul", {class: "legend"});
+    this.values = [];
+    const title = panel.kind === "loop" ? labelled(panel.yName, panel.unit) : labelled(panel.title, panel.unit);
+    this.element = make("figure", {class: "panel", "data-panel": panel.key},
+                        make("div", {class: "panel-head"}, make("h4", {}, panel.kind === "loop" ? `${panel.title}: ` : "", quoted(title)), this.legend));
+    this.element.append(this.plot);
+    this.buildLegend();
+  }
+
+  /** Draws; the element must be in the page by now, since its size counts. */
+  draw() {
+    const {panel} = this;
+    const history = panel.kind !== "loop";
+    this.chart = new Chart(this.canvas, {
+      type: "line",
+      data: {datasets: panel.lines.map((line) => this.dataset(line))},
+      options: {
+        animation: false, responsive: true, maintainAspectRatio: false, events: [], normalized: false,
+        layout: {padding: {top: kTop, right: kRight, left: 0, bottom: 0}},
+        elements: {point: {radius: 0, hoverRadius: 0}, line: {tension: 0, borderJoinStyle: "round"}},
+        plugins: {legend: {display: false}, tooltip: {enabled: false}, filler: false},
+        scales: {
+          x: this.axis({title: panel.kind === "history" && !panel.last ? null : labelled(panel.xName, panel.xUnit), bounds: history ? "data" : "ticks", limits: panel.xLimits, tight: history}),
+          y: this.axis({limits: panel.yLimits, upright: true})
+        }
+      },
+      plugins: [{
+        id: "house",
+        resize: (chart, {size}) => this.equalise(chart.options.scales, size),
+        beforeDatasetsDraw: (chart) => this.shade(chart),
+        afterDraw: (chart) => { this.chart = chart; this.placeMarks(); }
+      }]
+    });
+    if (panel.equal) {
+      this.equalise(this.chart.options.scales, {width: this.plot.clientWidth, height: this.plot.clientHeight});
+      this.chart.update("none");
+    }
+    for (const event of ["pointermove", "pointerdown"]) this.plot.addEventListener(event, (what) => this.pointed(what));
+  }
+
+  dataset(line) {
+    const slips = line.status;
+    const width = line.thin ? 1.3 : 1.7;
+    return {
+      data: line.x.map((x, i) => ({x, y: line.y[i]})),
+      borderColor: colourOf(line), borderDash: line.dash || [], borderWidth: width, hidden: line.off || false,
+      // In a loop, where nothing can be shaded, slip is drawn bolder than stick.
+      segment: slips ? {borderWidth: (context) => (slips[context.p1DataIndex] === 2 ? 2.6 : 1.1)} : undefined
+    };
+  }
+
+  axis({title, bounds = "ticks", limits, tight, upright}) {
+    return {
+      type: "linear", bounds, min: limits && limits[0], max: limits && limits[1], grace: tight || limits ? 0 : "4%",
+      grid: {color: colours.grid, borderColor: colours.soft, drawTicks: false},
+      ticks: {color: colours.soft, font: {size: 11}, maxTicksLimit: upright ? 6 : 8, autoSkip: true, includeBounds: false, maxRotation: 0, padding: 5, callback: tickText},
+      title: {display: Boolean(title), text: title || "", color: colours.soft, font: {size: 12}, padding: 2},
+      afterFit: (scale) => {
+        if (upright) scale.width = kLeft;
+        else scale.height = title ? kBottomTitled : kBottom;
+      }
+    };
+  }
+
+  /** One scale in both directions, for paths. */
+  equalise(scales, size) {
+    const {panel} = this;
+    if (!panel.equal) return;
+    const joined = (key) => panel.lines.map((line) => range(line[key])).filter(Boolean).reduce((a, b) => ({low: Math.min(a.low, b.low), high: Math.max(a.high, b.high)}));
+    let x = joined("x");
+    let y = joined("y");
+    if (panel.circle) {
+      const radius = range(panel.circle.values).high;
+      const grown = ({low, high}) => ({low: Math.min(low, -radius), high: Math.max(high, radius)});
+      x = grown(x);
+      y = grown(y);
+    }
+    const width = Math.max(size.width - kLeft - kRight, 50);
+    const height = Math.max(size.height - kTop - kBottomTitled, 50);
+    const perPixel = 1.08 * Math.max((x.high - x.low) / width, (y.high - y.low) / height) || 1;
+    const set = (scale, {low, high}, pixels) => {
+      scale.min = (low + high - perPixel * pixels) / 2;
+      scale.max = (low + high + perPixel * pixels) / 2;
+    };
+    set(scales.x, x, width);
+    set(scales.y, y, height);
+  }
+
+  /** Behind the curves: slip light, no contact dark and hatched; the tube of a check. */
+  shade(chart) {
+    const {ctx: pen, chartArea: area} = chart;
+    pen.save();
+    pen.beginPath();
+    pen.rect(area.left, area.top, area.right - area.left, area.bottom - area.top);
+    pen.clip();
+    const pattern = this.panel.spans ? pen.createPattern(colours.hatch, "repeat") : null;
+    for (const [from, to, status] of this.panel.spans || []) {
+      const left = chart.scales.x.getPixelForValue(from);
+      pen.fillStyle = status === 2 ? colours.slip : pattern;
+      pen.fillRect(left, area.top, Math.max(chart.scales.x.getPixelForValue(to) - left, 0.5), area.bottom - area.top);
+    }
+    if (this.panel.spans) {
+      // The grid again, faintly, where the shade hides it.
+      pen.strokeStyle = colours.back;
+      pen.globalAlpha = 0.6;
+      pen.lineWidth = 1;
+      for (const tick of chart.scales.y.getTicks()) {
+        const y = Math.round(chart.scales.y.getPixelForValue(tick.value)) + 0.5;
+        pen.beginPath();
+        pen.moveTo(area.left, y);
+        pen.lineTo(area.right, y);
+        pen.stroke();
+      }
+      pen.globalAlpha = 1;
+    }
+    if (this.panel.tube) this.drawTube(chart, pen);
+    // Zero, where it is inside: the sign of a force is what one looks for first.
+    const zero = chart.scales.y.getPixelForValue(0);
+    if (zero > area.top && zero < area.bottom) {
+      pen.strokeStyle = colours.soft;
+      pen.globalAlpha = 0.5;
+      pen.beginPath();
+      pen.moveTo(area.left, zero);
+      pen.lineTo(area.right, zero);
+      pen.stroke();
+    }
+    pen.restore();
+  }
+
+  drawTube(chart, pen) {
+    const {x, y, half, sorted} = this.panel.tube;
+    const along = (sign, backwards) => {
+      for (let i = 0; i < x.length; ++i) {
+        const k = backwards ? x.length - 1 - i : i;
+        if (!isNumber(x[k]) || !isNumber(y[k])) continue;
+        pen.lineTo(chart.scales.x.getPixelForValue(x[k]), chart.scales.y.getPixelForValue(y[k] + sign * half));
+      }
+    };
+    pen.fillStyle = colours.tube;
+    pen.strokeStyle = colours[1];
+    pen.lineWidth = 0.8;
+    if (sorted) {
+      pen.beginPath();
+      along(1, false);
+      along(-1, true);
+      pen.fill();
+    }
+    for (const sign of [1, -1]) {
+      pen.beginPath();
+      along(sign, false);
+      pen.stroke();
+    }
+  }
+
+  buildLegend() {
+    this.legend.replaceChildren();
+    this.values = this.panel.lines.map((line, i) => {
+      if (line.silent) return null;
+      const value = make("span", {class: "value"});
+      const swatch = makeSvg("svg", {viewBox: "0 0 30 10", "aria-hidden": "true"});
+      line.swatch = makeSvg("line", {x1: 0, x2: 30, y1: 5, y2: 5, stroke: colourOf(line), "stroke-width": 2.4, "stroke-dasharray": (line.dash || []).join(" ")});
+      swatch.append(line.swatch);
+      const button = make("button", {type: "button", "aria-pressed": "true", title: "Show or hide", onclick: () => this.toggle(i, button)}, swatch, quoted(line.label), value);
+      this.legend.append(make("li", {}, button));
+      return value;
+    });
+  }
+
+  toggle(at, button) {
+    const {lines} = this.panel;
+    const off = !lines[at].off;
+    lines[at].off = off;
+    button.setAttribute("aria-pressed", String(!off));
+    this.chart.setDatasetVisibility(at, !off);
+    // The mirrored limit goes with the limit.
+    if (lines[at + 1] && lines[at + 1].silent) {
+      lines[at + 1].off = off;
+      this.chart.setDatasetVisibility(at + 1, !off);
+    }
+    this.chart.update("none");
+  }
+
+  recolour() {
+    if (!this.chart) return;
+    this.panel.lines.forEach((line, i) => {
+      this.chart.data.datasets[i].borderColor = colourOf(line);
+      if (line.swatch) line.swatch.setAttribute("stroke", colourOf(line));
+    });
+    for (const scale of Object.values(this.chart.options.scales)) {
+      scale.grid.color = colours.grid;
+      scale.grid.borderColor = colours.soft;
+      scale.ticks.color = scale.title.color = colours.soft;
+    }
+    this.chart.update("none");
+  }
+
+  /** Marks of the instant, and of a check's worst point. Kept apart from the curves: moving is cheap. */
+  placeMarks() {
+    if (!this.chart || !view) return;
+    const {chartArea: area, scales} = this.chart;
+    const parts = [];
+    const pixel = (x, y) => [scales.x.getPixelForValue(x), scales.y.getPixelForValue(y)];
+    const inside = ([x, y]) => x >= area.left - 1 && x <= area.right + 1 && y >= area.top - 1 && y <= area.bottom + 1;
+    const line = (from, to, name) => parts.push(makeSvg("line", {x1: from[0], y1: from[1], x2: to[0], y2: to[1], class: name}));
+    if (this.panel.circle) {
+      const radii = [["limit-circle", valueAt(this.panel.circle.values, view.places[0])], ["limit-circle largest", range(this.panel.circle.values).high]];
+      for (const [name, radius] of radii) {
+        if (!isNumber(radius)) continue;
+        const [cx, cy] = pixel(0, 0);
+        parts.push(makeSvg("circle", {cx, cy, r: Math.abs(scales.x.getPixelForValue(radius) - cx), class: name}));
+      }
+    }
+    if (this.panel.linked) {
+      const now = this.panel.kind === "history" ? view.time() : null;
+      if (now !== null) {
+        const x = scales.x.getPixelForValue(now);
+        if (x >= area.left - 1 && x <= area.right + 1) line([x, area.top], [x, area.bottom], "cursor-line");
+      }
+      this.panel.lines.forEach((one, i) => {
+        const place = one.run === undefined ? placeOf(one.x, now) : view.places[one.run];
+        const y = valueAt(one.y, place);
+        const x = this.panel.kind === "history" && now !== null ? now : valueAt(one.x, place);
+        if (this.values[i]) this.values[i].textContent = withUnit(y, one.unit, 4);
+        if (one.off || one.silent || !isNumber(x) || !isNumber(y)) return;
+        const at = pixel(x, y);
+        if (inside(at)) parts.push(makeSvg("circle", {cx: at[0], cy: at[1], r: one.main ? 5 : 3.5, fill: colourOf(one), class: "cursor-dot"}));
+      });
+    }
+    if (this.panel.worst) {
+      const {x, y, reference, text} = this.panel.worst;
+      const at = pixel(x, y);
+      if (inside(at)) {
+        if (isNumber(reference)) line(at, pixel(x, reference), "worst-line");
+        parts.push(makeSvg("circle", {cx: at[0], cy: at[1], r: 7, class: "worst-ring"}));
+        const right = at[0] < (area.left + area.right) / 2;
+        const high = at[1] < area.top + 26;
+        const label = makeSvg("text", {x: at[0] + (right ? 12 : -12), y: at[1] + (high ? 18 : -9), class: "worst-label", "text-anchor": right ? "start" : "end"});
+        label.textContent = text;
+        parts.push(label);
+      }
+    }
+    this.layer.replaceChildren(...parts);
+  }
+
+  /** The instant that is nearest to the pointer. */
+  pointed(event) {
+    if (!this.panel.linked || !this.chart) return;
+    const box = this.canvas.getBoundingClientRect();
+    const x = event.clientX - box.left;
+    const y = event.clientY - box.top;
+    const {scales, chartArea: area} = this.chart;
+    if (x < area.left - 8 || x > area.right + 8 || y < area.top - 8 || y > area.bottom + 8) return;
+    if (this.panel.kind === "history") {
+      const times = view.times[0];
+      const place = placeOf(times, scales.x.getValueForPixel(x));
+      view.moveTo(Math.round(place));
+      return;
+    }
+    const main = this.panel.lines.find((line) => line.main);
+    const xOf = (value) => scales.x.getPixelForValue(value);
+    const yOf = (value) => scales.y.getPixelForValue(value);
+    let best = null;
+    let least = Infinity;
+    for (let i = 0; i < main.x.length; ++i) {
+      if (!isNumber(main.x[i]) || !isNumber(main.y[i])) continue;
+      // A loop passes the same place often: of equally near rows that nearest in history is meant.
+      const far = (xOf(main.x[i]) - x) ** 2 + (yOf(main.y[i]) - y) ** 2 + 40 * Math.abs(i - view.places[0]) / main.x.length;
+      if (far < least) {
+        least = far;
+        best = i;
+      }
+    }
+    if (best !== null) view.moveTo(best);
+  }
+
+  destroy() {
+    if (this.chart) this.chart.destroy();
+    pictures = pictures.filter((other) => other !== this);
+  }
+}
+
+// ----------------------------------------------------------------------------------------- one case
+
+/** What is shown: a case, a definition of it, runs laid over it, and the instant. */
+let view = null;
+
+class View {
+  constructor(one) {
+    this.one = one;
+    this.definition = (one.definitions || [])[0] || null;
+    this.others = (page.compare || []).filter((group) => group.includes(one.id)).flat().filter((id) => id !== one.id && byId.has(id)).map((id) => byId.get(id));
+    this.others = [...new Set(this.others)];
+    this.added = [];
+    this.places = [0];
+    this.setTimes();
+    this.places = this.times.map((times) => placeOf(times, this.firstInstant()));
+  }
+
+  setTimes() { this.times = [this.one, ...this.others].map((other) => timeOf(other).values || []); }
+  time() { return valueAt(this.times[0], this.places[0]); }
+
+  /** Worth looking at first: a failing check's worst point, else where slip begins. */
+  firstInstant() {
+    const failing = failingChecks(this.one).find((check) => isNumber((worstOf(check) || {}).time));
+    if (failing) return worstOf(failing).time;
+    const slip = (this.one.events || []).find((event) => event.to === "slip");
+    return slip ? slip.t : this.times[0][0];
+  }
+
+  moveTo(place, quietly) {
+    const times = this.times[0];
+    if (!times || times.length === 0) return;
+    const kept = Math.min(Math.max(place, 0), times.length - 1);
+    this.places[0] = kept;
+    const now = this.time();
+    for (let run = 1; run < this.times.length; ++run) this.places[run] = placeOf(this.times[run], now);
+    showInstant();
+    if (!quietly) keepAddress();
+  }
+  moveToTime(t, quietly) { this.moveTo(placeOf(this.times[0], t), quietly); }
+
+  statusNow() {
+    const now = this.time();
+    if (!this.definition) return "";
+    // Of two spans that meet, the later one is on.
+    const on = (this.definition.spans || []).filter(([from, to]) => from <= now && now <= to).pop();
+    return on ? (on[2] === 2 ? "slip" : "no contact") : "stick";
+  }
+}
+
+const failingChecks = (one) => (one.checks || []).filter((check) => !check.passed);
+
+/** Where a check is worst: its own point, or that of its worst measure. */
+function worstOf(check) {
+  if (check.worst && isNumber(check.worst.value)) return check.worst;
+  const judged = (check.measures || []).filter((measure) => measure.where && isNumber(measure.tolerance));
+  judged.sort((a, b) => b.deviation / b.tolerance - a.deviation / a.tolerance);
+  return judged.length > 0 ? judged[0].where : check.worst || null;
+}
+
+let instantParts = null;
+
+function showInstant() {
+  for (const picture of pictures) picture.placeMarks();
+  if (!instantParts) return;
+  const {output, state, word, slider} = instantParts;
+  const now = view.time();
+  const time = timeOf(view.one);
+  output.textContent = `t = ${withUnit(now, time.unit, 5)}`;
+  const status = view.statusNow();
+  state.className = "state-box " + {slip: "slip", "no contact": "open", stick: "stick"}[status];
+  word.textContent = status;
+  slider.value = String(Math.round(view.places[0]));
+  slider.setAttribute("aria-valuetext", `${output.textContent}, ${status}`);
+  const energy = instantParts.energy;
+  if (energy) energy.forEach(({cell, line}) => { cell.textContent = withUnit(valueAt(line.y, view.places[0]), line.unit, 5); });
+  if (instantParts.events) markEvent(now);
+}
+
+/** The last event not after the instant is marked in the list. */
+function markEvent(now) {
+  const {events, rows} = instantParts;
+  let last = -1;
+  for (let i = 0; i < events.length; ++i) if (events[i].t <= now * (1 + 1e-12)) last = i;
+  if (instantParts.near === last) return;
+  if (rows[instantParts.near]) rows[instantParts.near].classList.remove("near");
+  instantParts.near = last;
+  if (!rows[last]) return;
+  rows[last].classList.add("near");
+  // Only the list is scrolled, never the page.
+  const box = rows[last].closest(".scroll");
+  const top = rows[last].offsetTop;
+  if (top < box.scrollTop + 30 || top + 30 > box.scrollTop + box.clientHeight) box.scrollTop = top - box.clientHeight / 2;
+}
+
+function show(one) {
+  for (const picture of [...pictures]) picture.destroy();
+  view = new View(one);
+  instantParts = null;
+  const main = find("case");
+  main.replaceChildren(header(one));
+  if ((one.rows || []).length > 0) {
+    main.append(instantBar(one), pictureSection());
+    drawPictures();
+  }
+  if ((one.checks || []).length > 0) {
+    // A reviewer of a failing case comes for the check: it stands above the pictures.
+    const section = checkSection(one);
+    if (failingChecks(one).length > 0 && main.querySelector(".instant")) main.querySelector(".instant").after(section);
+    else main.append(section);
+    openChecks();
+  }
+  if ((one.rows || []).length > 0) {
+    main.append(...[runSection(one), eventSection(one), coverageSection(one)].filter(Boolean));
+    showInstant();
+  }
+  document.title = `${one.title || one.name} \u2013 ${page.title || "report"}`;
+  markChosen();
+}
+
+function header(one) {
+  const block = make("header", {},
+      make("p", {class: "case-name"}, quoted(one.name)),
+      make("h2", {}, quoted(one.title || one.name)));
+  const facts = [make("span", {class: "badge " + one.status}, `${kStatusMarks[one.status]} ${kStatusWords[one.status]}`)];
+  const said = [];
+  if (isNumber(one.increments)) said.push(plural(one.increments, "increment"));
+  if (one.thinned) said.push(`curves thinned to ${plural(one.rows_shown, "point")}; extremes, reversals and ends are kept`);
+  const parameters = Object.entries(one.parameters || {});
+  if (parameters.length > 0) said.push(parameters.map(([name, value]) => `${name} = ${isNumber(value) ? number(value, 6) : value}`).join(", "));
+  block.append(make("p", {class: "facts"}, facts, make("span", {class: "soft"}, quoted(said.join(" \u00b7 ")))));
+  if ((one.summary || []).length > 0) block.append(make("ul", {class: "summary"}, one.summary.map((line) => make("li", {}, quoted(line)))));
+  if ((one.warnings || []).length > 0) {
+    block.append(make("ul", {class: "notes"}, one.warnings.map((line) => make("li", {class: "note"}, make("b", {}, "Note: "), quoted(line)))));
+  }
+  if (one.message) block.append(make("pre", {tabindex: 0, "aria-label": "Why it was not run"}, one.message));
+  if ((one.definitions || []).length > 1) block.append(definitionTabs(one));
+  return block;
+}
+
+function definitionTabs(one) {
+  const tabs = make("div", {class: "tabs", role: "tablist", "aria-label": "Friction definitions"});
+  const choose = (definition, focus) => {
+    view.definition = definition;
+    for (const tab of tabs.children) {
+      const on = tab.dataset.name === definition.name;
+      tab.setAttribute("aria-selected", String(on));
+      tab.tabIndex = on ? 0 : -1;
+      if (on && focus) tab.focus();
+    }
+    drawPictures();
+    const run = find("run");
+    if (run) run.replaceWith(runSection(one));
+    showInstant();
+  };
+  one.definitions.forEach((definition, i) => {
+    tabs.append(make("button", {
+      type: "button", role: "tab", "aria-controls": "pictures", "aria-selected": String(i === 0), tabindex: i === 0 ? 0 : -1, "data-name": definition.name,
+      onclick: () => choose(definition, false),
+      onkeydown: (event) => {
+        const step = {ArrowLeft: -1, ArrowRight: 1}[event.key];
+        if (!step) return;
+        event.preventDefault();
+        choose(one.definitions[(i + step + one.definitions.length) % one.definitions.length], true);
+      }
+    }, quoted(definition.name)));
+  });
+  return tabs;
+}
+
+function instantBar(one) {
+  const output = make("output", {"aria-live": "off"});
+  const state = make("span", {class: "state-box", "aria-hidden": "true"});
+  const word = make("span");
+  const slider = make("input", {type: "range", id: "instant", min: 0, max: Math.max(view.times[0].length - 1, 0), step: 1, "aria-label": "Instant",
+                                oninput: () => view.moveTo(Number(slider.value))});
+  instantParts = {output, state, word, slider};
+  const steps = (one.events || []).length > 0 ? make("span", {class: "steps"},
+      make("button", {type: "button", title: "Previous event (p)", onclick: () => toEvent(-1)}, "\u2039 event"),
+      make("button", {type: "button", title: "Next event (n)", onclick: () => toEvent(1)}, "event \u203a")) : null;
+  return make("div", {class: "instant", role: "group", "aria-label": "Instant shown in all pictures"}, output, make("span", {class: "state"}, state, word), slider, steps);
+}
+
+function toEvent(step) {
+  const now = view.time();
+  const slack = 1e-9 * Math.max(Math.abs(now), 1e-9);
+  const times = (view.one.events || []).map((event) => event.t);
+  const next = step > 0 ? times.find((t) => t > now + slack) : times.filter((t) => t < now - slack).pop();
+  if (next !== undefined) view.moveToTime(next);
+}
+
+// --------------------------------------------------------------------- the pictures and their tools
+
+function pictureSection() {
+  return make("section", {"aria-labelledby": "pictures-title"},
+      make("h3", {id: "pictures-title", class: "hidden"}, "Pictures"),
+      make("div", {class: "row-of-tools"}, make("div", {class: "shades", id: "shades"}), compareBox()),
+      make("div", {class: "pictures", id: "pictures"}),
+      addHistory());
+}
+
+function drawPictures() {
+  const box = find("pictures");
+  for (const picture of pictures.filter((other) => box.contains(other.element))) picture.destroy();
+  const {one, definition} = view;
+  const mine = allPanels(one, definition, view.added);
+  const others = view.others.map((other) => ({name: other.name, panels: allPanels(other, sameDefinition(other, definition), view.added)}));
+  let panels = mine.map((panel) => layOver(panel, others));
+  // A coefficient that never changes needs no picture, unless another run's does.
+  panels = panels.filter((panel) => !panel.optional || panel.lines.length > 1);
+  const shown = panels.filter((panel) => panel.kind === "history");
+  const times = view.times.map((values) => range(values)).filter(Boolean);
+  const limits = times.length > 0 ? [Math.min(...times.map((time) => time.low)), Math.max(...times.map((time) => time.high))] : undefined;
+  shown.forEach((panel, i) => Object.assign(panel, {xLimits: limits && limits[0] < limits[1] ? limits : undefined, spans: definition ? definition.spans : null, last: i === shown.length - 1}));
+  if (shown.length > 0 && !shown[0].last) shown[0].last = shown.length < 2;
+  const made = panels.map((panel) => new Picture({...panel, linked: true}, panel.kind === "loop" ? "loop" : panel.last ? "history last" : "history"));
+  const left = make("div", {class: "column"}, made.filter((picture) => picture.panel.kind === "loop").map((picture) => picture.element));
+  const right = make("div", {class: "column"}, made.filter((picture) => picture.panel.kind === "history").map((picture) => picture.element));
+  box.replaceChildren(...[left, right].filter((column) => column.children.length > 0));
+  box.classList.toggle("histories-only", left.children.length === 0);
+  pictures.push(...made);
+  for (const picture of made) picture.draw();
+  showShades();
+}
+
+function showShades() {
+  const {definition} = view;
+  const share = definition && isNumber(definition.slip_share) ? ` ${number(100 * definition.slip_share, 2)} % of the time` : "";
+  const open = definition && (definition.spans || []).some((span) => span[2] === 0);
+  find("shades").replaceChildren(...(definition ? [
+    make("span", {}, make("i", {class: "state-box"}), "stick"),
+    make("span", {}, make("i", {class: "state-box slip"}), "slip" + share),
+    open ? make("span", {}, make("i", {class: "state-box open"}), "no contact") : null,
+    make("span", {}, "in loops, slip is the bolder line")
+  ].filter(Boolean) : []));
+}
+
+/** True if some curve of `other` can be drawn over one of the case shown. */
+function comparable(other) {
+  if (other === view.one || (other.rows || []).length === 0) return false;
+  const mine = new Map((view.one.columns || []).map((column) => [column.name, column.unit]));
+  const shared = (other.columns || []).filter((column) => column.name !== "t" && mine.get(column.name) === column.unit);
+  const forces = view.definition ? view.definition.forces || [] : [];
+  return forces.length > 0 ? shared.some((column) => forces.includes(column.name)) : shared.length > 0;
+}
+
+const kMostRuns = 6;
+
+function compareBox() {
+  const list = make("div", {class: "choices"});
+  const summary = make("summary");
+  const tell = () => { summary.textContent = view.others.length > 0 ? `Compared with ${plural(view.others.length, "run")}` : "Compare with\u2026"; };
+  const fill = () => {
+    const candidates = cases.filter((other) => comparable(other) || view.others.includes(other));
+    list.replaceChildren(...candidates.map((other) => make("label", {},
+        make("input", {type: "checkbox", value: other.id, checked: view.others.includes(other), disabled: !view.others.includes(other) && view.others.length >= kMostRuns,
+                       onchange: (event) => { choose(other, event.target.checked); }}), quoted(other.name))));
+    if (candidates.length === 0) list.append(make("p", {class: "soft"}, "No other run has these quantities in these units."));
+  };
+  const choose = (other, on) => {
+    const focused = document.activeElement && document.activeElement.value;
+    view.others = on ? [...view.others, other] : view.others.filter((one) => one !== other);
+    view.setTimes();
+    view.places = [view.places[0]];
+    drawPictures();
+    view.moveTo(view.places[0]);
+    tell();
+    fill();
+    for (const box of list.querySelectorAll("input")) if (box.value === focused) box.focus();
+  };
+  tell();
+  const box = make("details", {class: "compare", id: "compare", ontoggle: () => { if (box.open) fill(); }}, summary, list);
+  return cases.length > 1 ? box : null;
+}
+
+function addHistory() {
+  const select = make("select", {"aria-label": "Draw the history of another column", onchange: () => {
+    if (!select.value) return;
+    view.added.push(select.value);
+    select.querySelector(`option[value="${CSS.escape(select.value)}"]`).remove();
+    select.value = "";
+    drawPictures();
+    showInstant();
+  }}, make("option", {value: ""}, "Draw another column\u2026"));
+  for (const column of view.one.columns || []) {
+    if (column.name !== "t") select.append(make("option", {value: column.name}, labelled(column.name, column.unit) + (column.text ? " \u2013 " + column.text : "")));
+  }
+  return make("p", {class: "add-history"}, select);
+}
+
+// ----------------------------------------------------------------------- limits, energies and events
+
+function runSection(one) {
+  const {definition} = view;
+  const block = make("section", {id: "run", "aria-labelledby": "run-title"}, make("h3", {id: "run-title"}, "Limits and energy"));
+  const tables = make("div", {class: "beside"});
+  if (definition) {
+    const names = [...new Set([definition.force, ...(definition.forces || []), definition.limit, definition.limit_below, definition.normal_force, definition.mu, ...(definition.positions || [])].filter(Boolean))];
+    const rows = names.map((name) => columnOf(one, name)).filter(Boolean).map((column) => {
+      const found = range(column.values) || {};
+      return make("tr", {}, make("th", {scope: "row", title: column.text || false}, labelled(column.name, column.unit)),
+                  make("td", {class: "number"}, number(found.low, 5)), make("td", {class: "number"}, number(found.high, 5)),
+                  make("td", {class: "number"}, number(column.values[column.values.length - 1], 5)));
+    });
+    tables.append(make("table", {class: "plain"}, make("caption", {}, "Smallest, largest and last values"),
+        make("thead", {}, make("tr", {}, make("th", {scope: "col"}, "Quantity"), ...["Smallest", "Largest", "At the end"].map((word) => make("th", {scope: "col", class: "number"}, word)))),
+        make("tbody", {}, rows)));
+  }
+  const lines = energyLines(one, timeOf(one));
+  if (lines.length > 0) tables.append(energyTable(lines));
+  if (tables.children.length === 0) return null;
+  block.append(tables);
+  return block;
+}
+
+function energyTable(lines) {
+  const last = (line) => line.y[line.y.length - 1];
+  const cells = [];
+  const rows = lines.map((line) => {
+    const cell = make("td", {class: "number"});
+    cells.push({cell, line});
+    return make("tr", {}, make("th", {scope: "row"}, line.label), cell, make("td", {class: "number"}, withUnit(last(line), line.unit, 5)));
+  });
+  const named = (name) => lines.find((line) => line.label === name);
+  const [work, dissipated, stored] = ["work", "dissipated", "stored"].map(named);
+  if (work && dissipated && stored) {
+    const rest = work.y.map((value, i) => value - dissipated.y[i] - stored.y[i]);
+    const line = {y: rest, unit: work.unit};
+    const scale = Math.max(...[work, dissipated, stored].map((one) => Math.abs(last(one))));
+    const cell = make("td", {class: "number"});
+    cells.push({cell, line});
+    rows.push(make("tr", {}, make("th", {scope: "row"}, "not accounted for"), cell,
+                   make("td", {class: "number"}, withUnit(last(line), line.unit, 2) + (scale > 0 ? ` (${number(last(line) / scale, 2)} of the whole)` : ""))));
+  }
+  if (instantParts) instantParts.energy = cells;
+  return make("table", {class: "plain"}, make("caption", {}, "Energy balance"),
+      make("thead", {}, make("tr", {}, make("th", {scope: "col"}, "Energy"), ...["At the instant", "At the end"].map((word) => make("th", {scope: "col", class: "number"}, word)))),
+      make("tbody", {}, rows));
+}
+
+function eventSection(one) {
+  const events = one.events || [];
+  if (events.length === 0) return null;
+  const time = timeOf(one);
+  const several = (one.definitions || []).length > 1;
+  const positions = Object.keys(events[0].positions || {});
+  const unitOf = (name) => (columnOf(one, name) || {unit: ""}).unit;
+  const rows = events.map((event) => {
+    const force = (one.definitions || []).find((definition) => definition.name === event.definition) || {};
+    return make("tr", {},
+        make("td", {class: "number"}, make("button", {type: "button", onclick: () => view.moveToTime(event.t)}, number(event.t, 6))),
+        several ? make("td", {}, quoted(event.definition)) : null,
+        make("td", {}, event.reversal ? "slip turns round" : `${event.from} \u2192 ${event.to}`),
+        make("td", {class: "number"}, withUnit(event.force, unitOf(force.force))),
+        make("td", {class: "number"}, withUnit(event.limit, unitOf(force.limit))),
+        positions.map((name) => make("td", {class: "number"}, withUnit(event.positions[name], unitOf(name)))));
+  });
+  const total = one.events_total || events.length;
+  const caption = (total > events.length ? `The first ${events.length} of ${total} events` : plural(total, "event")) + "; choose one to see its instant";
+  const column = (word, numeric = true) => make("th", {scope: "col", class: numeric ? "number" : ""}, word);
+  Object.assign(instantParts, {events, rows, near: -1});
+  return make("section", {"aria-labelledby": "events-title"}, make("h3", {id: "events-title"}, "Events"),
+      make("p", {class: "soft", id: "events-caption"}, caption),
+      make("div", {class: "scroll", tabindex: 0, role: "region", "aria-label": "Events"},
+          make("table", {"aria-describedby": "events-caption"}, make("caption", {class: "hidden"}, "Events"),
+              make("thead", {}, make("tr", {}, column(labelled("t", time.unit)), several ? column("Definition", false) : null, column("Change", false), column("Force"), column("Limit"), positions.map((name) => column(name)))),
+              make("tbody", {}, rows))));
+}
+
+// ------------------------------------------------------------------------------- coverage of tables
+
+const axisName = (axis) => axis.name.replace(/_/g, " ");
+
+/** The words over the cells of an axis: between its knots, or at them where a cell is a knot. */
+function cellNames(axis, cells) {
+  const knots = axis.knots || [];
+  if (cells === knots.length) return knots.map((knot) => number(knot));
+  return Array.from({length: cells}, (_, i) => (i + 1 < knots.length ? `${number(knots[i])} \u2026 ${number(knots[i + 1])}` : `cell ${i + 1}`));
+}
+
+function coverageCell(count, largest, words) {
+  const seen = count > 0;
+  const weight = seen ? 0.12 + 0.68 * Math.log1p(count) / Math.log1p(largest) : 0;
+  return make("td", {class: seen ? "seen" : "never", style: seen ? `background: rgba(var(--cell), ${weight.toFixed(3)})` : null, title: `${words}: ${seen ? plural(count, "increment") : "never visited"}`},
+              make("span", {}, seen ? String(count) : "0"));
+}
+
+function coverageMap(title, columns, rows, visits, bounds) {
+  const names = cellNames(columns, visits[0].length);
+  const rowNames = rows ? cellNames(rows, visits.length) : [""];
+  const largest = Math.max(1, ...visits.flat());
+  const table = make("table", {class: "coverage"},
+      make("caption", {}, quoted(title)),
+      make("thead", {}, make("tr", {}, make("th", {scope: "col"}, rows ? `${axisName(rows)} \u2193  ${axisName(columns)} \u2192` : axisName(columns)), names.map((name) => make("th", {scope: "col"}, name)))),
+      // The second axis grows upwards, as in a diagram.
+      make("tbody", {}, visits.map((row, i) => make("tr", {}, make("th", {scope: "row"}, rows ? rowNames[i] : "increments"),
+          row.map((count, k) => coverageCell(count, largest, [names[k], rowNames[i]].filter(Boolean).join(", "))))).reverse()));
+  return make("div", {class: "coverage-block", tabindex: 0, role: "region", "aria-label": "Coverage of " + title}, table, make("p", {class: "soft"}, bounds));
+}
+
+function coverageSection(one) {
+  const tables = one.coverage || [];
+  if (tables.length === 0) return null;
+  const block = make("section", {"aria-labelledby": "coverage-title"}, make("h3", {id: "coverage-title"}, "Where the tables were used"),
+      make("p", {class: "soft"}, "Increments in each cell between knots; hatched cells were never visited, so nothing here has tried them."));
+  for (const table of tables) {
+    const axes = table.axes || [];
+    const beyond = axes.filter((axis) => axis.below > 0 || axis.above > 0)
+        .map((axis) => `${axisName(axis)}: ${[axis.below > 0 ? `${axis.below} below` : "", axis.above > 0 ? `${axis.above} above` : ""].filter(Boolean).join(", ")}`);
+    const bounds = table.outside > 0 ? `${table.outside} of ${plural(table.increments, "increment")} outside of the table${beyond.length > 0 ? " (" + beyond.join("; ") + ")" : ""}`
+                                     : `all ${plural(table.increments, "increment")} inside of the table`;
+    if (axes.length === 0) continue;
+    if (table.visits && axes.length === 1) block.append(coverageMap(table.table, axes[0], null, [table.visits], bounds));
+    else if (table.visits && axes.length === 2) block.append(coverageMap(table.table, axes[0], axes[1], table.visits, bounds));
+    else (table.marginals || []).forEach((visits, i) => block.append(coverageMap(`${table.table}, along ${axisName(axes[i])}`, axes[i], null, [visits], bounds)));
+  }
+  return block;
+}
+
+// ------------------------------------------------------------------------------------------- checks
+
+let checkRows = [];
+
+function bar(check) {
+  const part = check.worst_fraction;
+  const shown = isNumber(part) ? Math.min(part, 1.3) * 75 : check.passed ? 0 : 100;
+  const fill = make("i");
+  // Anything above 0 stays visible.
+  fill.style.width = `${shown > 0 ? Math.max(shown, 1) : 0}%`;
+  return make("span", {class: "bar " + (check.passed ? "passed" : "failed"), "aria-hidden": "true", title: "The line is the tolerance"}, fill);
+}
+
+function checkSection(one) {
+  checkRows = [];
+  const body = make("tbody");
+  for (const check of [...one.checks].sort((a, b) => Number(a.passed) - Number(b.passed))) {
+    const cell = make("td", {colspan: 5});
+    const detail = make("tr", {class: "detail", hidden: true}, cell);
+    const button = make("button", {type: "button", "aria-expanded": "false", onclick: () => toggleCheck(entry)}, quoted(check.name));
+    const entry = {check, button, detail, cell, pictures: null};
+    checkRows.push(entry);
+    const state = check.passed ? "passed" : "failed";
+    body.append(make("tr", {class: "check"},
+        make("td", {}, make("span", {class: "mark " + state, title: state}, kStatusMarks[state]), make("span", {class: "hidden"}, state)),
+        make("td", {class: "name"}, button),
+        make("td", {class: "wide"}, quoted(labelled(check.quantity || "", check.unit))),
+        make("td", {class: "wide"}, quoted((check.criterion || "").replace(/_/g, " "))),
+        make("td", {class: "number"}, bar(check), " ", fraction(check.worst_fraction))), detail);
+  }
+  const failing = failingChecks(one).length;
+  return make("section", {id: "checks", "aria-labelledby": "checks-title"}, make("h3", {id: "checks-title"}, failing > 0 ? `Checks: ${failing} of ${one.checks.length} failed` : "Checks"),
+      make("table", {class: "checks"}, make("caption", {class: "hidden"}, "Checks with their worst deviation as a part of the tolerance"),
+          make("thead", {}, make("tr", {}, make("th", {scope: "col"}, make("span", {class: "hidden"}, "Verdict")), make("th", {scope: "col"}, "Check"),
+              make("th", {scope: "col", class: "wide"}, "Quantity"), make("th", {scope: "col", class: "wide"}, "Criterion"), make("th", {scope: "col", class: "number"}, "Deviation of tolerance"))),
+          body));
+}
+
+/** The first failing checks stand open; many at once would only hide each other. */
+function openChecks() {
+  for (const entry of checkRows.filter((one) => !one.check.passed).slice(0, 3)) toggleCheck(entry);
+}
+
+function toggleCheck(entry, open = entry.detail.hidden) {
+  entry.detail.hidden = !open;
+  entry.button.setAttribute("aria-expanded", String(open));
+  if (!open) {
+    for (const picture of entry.pictures || []) picture.destroy();
+    entry.cell.replaceChildren();
+    return;
+  }
+  fillCheck(entry);
+}
+
+function fillCheck(entry) {
+  const {check, cell} = entry;
+  const worst = worstOf(check);
+  const time = timeOf(view.one);
+  const parts = [];
+  if (check.message) parts.push(make("p", {class: "note bad"}, quoted(check.message)));
+  if (check.likely_cause) parts.push(make("p", {class: "note"}, make("b", {}, "Perhaps: "), quoted(check.likely_cause)));
+  for (const warning of check.warnings || []) parts.push(make("p", {class: "note"}, make("b", {}, "Note: "), quoted(warning)));
+  const said = [`against ${check.against || "its reference"}`];
+  if (isNumber(check.tolerance)) said.push(`tolerance ${withUnit(check.tolerance, check.unit, 3)}${check.why ? " (" + check.why + ")" : ""}`);
+  if (isNumber(check.compared)) said.push(`${check.failing || 0} of ${plural(check.compared, "point")} beyond it`);
+  if (isNumber(check.first_failing) && isNumber(check.last_failing)) said.push(`from t = ${number(check.first_failing)} to ${withUnit(check.last_failing, time.unit)}`);
+  parts.push(make("p", {class: "soft"}, quoted(said.join(" \u00b7 "))));
+  if (worst && isNumber(worst.value)) {
+    const where = isNumber(worst.time) ? `t = ${withUnit(worst.time, time.unit, 5)}` : `${number(worst.abscissa, 5)}`;
+    parts.push(make("p", {class: "worst-words"}, `Worst: ${withUnit(worst.value, check.unit, 6)}` + (isNumber(worst.reference) ? ` where ${withUnit(worst.reference, check.unit, 6)} is wanted, ` : " ") + `at ${where}`));
+  }
+  entry.pictures = check.trace ? tracePictures(check, worst) : [];
+  const zoom = make("button", {type: "button", "aria-pressed": "false", onclick: () => zoomTo(entry, worst, zoom)}, "Zoom in on it");
+  const canMove = worst && isNumber(worst.time);
+  const canZoom = worst && isNumber(worst.abscissa) && entry.pictures.length > 0;
+  if (canMove || canZoom) {
+    parts.push(make("div", {class: "detail-tools"},
+        canMove ? make("button", {type: "button", class: "go-worst", onclick: () => view.moveToTime(worst.time)}, "Go to the worst point") : null, canZoom ? zoom : null));
+  }
+  cell.replaceChildren(...parts, ...entry.pictures.map((picture) => picture.element), ...((check.measures || []).length > 0 ? [measureTable(check)] : []));
+  pictures.push(...entry.pictures);
+  for (const picture of entry.pictures) picture.draw();
+}
+
+const rising = (values) => values.every((value, i) => i === 0 || !isNumber(value) || !isNumber(values[i - 1]) || value >= values[i - 1]);
+
+/** Value minus reference at the reference's points, where both go forwards over the same abscissa. */
+function deviations(trace) {
+  const {value, reference} = trace;
+  if (!value || !reference || !rising(value.x) || !rising(reference.x)) return null;
+  const x = [];
+  const y = [];
+  reference.x.forEach((at, i) => {
+    if (!isNumber(at) || !isNumber(reference.y[i]) || at < value.x[0] || at > value.x[value.x.length - 1]) return;
+    // Two rows at one abscissa are the two sides of a jump: each is compared with its own.
+    const twin = value.x[i] === at ? value.y[i] : valueAt(value.y, placeOf(value.x, at));
+    if (!isNumber(twin)) return;
+    x.push(at);
+    y.push(twin - reference.y[i]);
+  });
+  return x.length > 1 ? {x, y} : null;
+}
+
+function tracePictures(check, worst) {
+  const {trace} = check;
+  const overTime = ["t", "time", "T"].includes(trace.abscissa);
+  const lines = [];
+  if (trace.reference) lines.push({label: "reference", unit: check.unit, x: trace.reference.x, y: trace.reference.y, colour: 1, dash: [7, 3]});
+  if (trace.value) lines.push({label: "value", unit: check.unit, x: trace.value.x, y: trace.value.y, main: true});
+  if (lines.length === 0) return [];
+  const forwards = lines.every((line) => rising(line.x));
+  const common = {xName: trace.abscissa, xUnit: trace.abscissa_unit, unit: check.unit, last: true, linked: overTime};
+  const mark = worst && isNumber(worst.abscissa) && isNumber(worst.value);
+  const panels = [{
+    ...common, key: "trace", title: check.quantity || "Value", kind: overTime ? "history" : "loop", yName: check.quantity, lines,
+    xLimits: overTime ? undefined : null,
+    tube: isNumber(trace.tube) && trace.reference ? {...trace.reference, half: trace.tube, sorted: forwards} : null,
+    worst: mark ? {x: worst.abscissa, y: worst.value, reference: worst.reference, text: `worst: ${withUnit(worst.value, check.unit)}` + (isNumber(worst.reference) ? ` against ${number(worst.reference)}` : "")} : null
+  }];
+  const differences = deviations(trace);
+  if (differences && isNumber(trace.tube)) {
+    const off = mark && isNumber(worst.reference) ? worst.value - worst.reference : null;
+    const largest = Math.max(trace.tube, ...differences.y.map(Math.abs), Math.abs(off || 0));
+    panels.push({
+      ...common, key: "deviation", title: "Value minus reference, and the tolerance", kind: "history", lines: [{label: "deviation", unit: check.unit, ...differences, main: true}],
+      linked: overTime, yLimits: largest > 0 ? [-1.15 * largest, 1.15 * largest] : undefined,
+      tube: {x: [differences.x[0], differences.x[differences.x.length - 1]], y: [0, 0], half: trace.tube, sorted: true},
+      worst: isNumber(off) ? {x: worst.abscissa, y: off, text: `${off > 0 ? "+" : ""}${withUnit(off, check.unit, 3)}`} : null
+    });
+  }
+  return panels.map((panel) => new Picture(panel, panel.key === "trace" ? "trace" : "small"));
+}
+
+/** The tenth of the abscissa around the worst point, or all of it again. */
+function zoomTo(entry, worst, button) {
+  const on = button.getAttribute("aria-pressed") !== "true";
+  button.setAttribute("aria-pressed", String(on));
+  button.textContent = on ? "Show all" : "Zoom in on it";
+  for (const picture of entry.pictures) {
+    const {x, y} = picture.chart.options.scales;
+    const whole = range(picture.panel.lines.flatMap((line) => line.x));
+    const half = (whole.high - whole.low) / 20;
+    x.min = on ? worst.abscissa - half : undefined;
+    x.max = on ? worst.abscissa + half : undefined;
+    if (picture.panel.key === "trace") {
+      const near = range(picture.panel.lines.flatMap((line) => line.y.filter((_, i) => Math.abs(line.x[i] - worst.abscissa) <= half)));
+      const tube = picture.panel.tube ? picture.panel.tube.half : 0;
+      const room = near ? 0.1 * (near.high - near.low) + 1.2 * tube : 0;
+      y.min = on && near && room > 0 ? near.low - room : undefined;
+      y.max = on && near && room > 0 ? near.high + room : undefined;
+    }
+    picture.chart.update("none");
+  }
+}
+
+function measureTable(check) {
+  const several = check.measures.length > 1;
+  return make("table", {class: "plain"}, make("caption", {}, several ? "Measures" : "Measure"),
+      make("thead", {}, make("tr", {}, make("th", {scope: "col"}, ""), make("th", {scope: "col"}, "Measure"), ...["Value", "Reference", "Deviation", "Tolerance"].map((word) => make("th", {scope: "col", class: "number"}, word)))),
+      make("tbody", {}, check.measures.map((measure) => {
+        const judged = isNumber(measure.tolerance);
+        const state = measure.passed ? "passed" : "failed";
+        return make("tr", {}, make("td", {}, judged ? make("span", {class: "mark " + state, title: state}, kStatusMarks[state]) : ""),
+            make("th", {scope: "row"}, quoted(labelled(measure.name, measure.unit))),
+            ...[measure.value, measure.reference, measure.deviation].map((value) => make("td", {class: "number"}, number(value, 5))),
+            make("td", {class: "number"}, judged ? number(measure.tolerance, 3) : "only told"));
+      })));
+}
+
+let lastWorst = -1;
+
+/** The worst points of the failing checks, one after the other. */
+function nextWorst() {
+  const entries = checkRows.filter((entry) => !entry.check.passed && isNumber((worstOf(entry.check) || {}).time));
+  if (entries.length === 0 || !view) return;
+  lastWorst = (lastWorst + 1) % entries.length;
+  const entry = entries[lastWorst];
+  if (entry.detail.hidden) toggleCheck(entry, true);
+  view.moveToTime(worstOf(entry.check).time);
+  entry.button.scrollIntoView({block: "nearest"});
+}
+
+// -------------------------------------------------------------------------------- the list of cases
+
+const caseRows = new Map();
+
+function fillList() {
+  const body = find("verdicts").tBodies[0];
+  for (const one of cases) {
+    const slash = one.name.lastIndexOf("/") + 1;
+    const checks = one.checks || [];
+    const link = make("a", {href: address(one), tabindex: -1}, make("bdi", {}, make("span", {class: "folder"}, one.name.slice(0, slash)), one.name.slice(slash)));
+    const row = make("tr", {title: one.title || one.name, onclick: (event) => { if (!event.target.closest("a")) link.click(); }},
+        make("td", {}, make("span", {class: "mark " + one.status, "aria-hidden": "true"}, kStatusMarks[one.status]), make("span", {class: "hidden"}, kStatusWords[one.status])),
+        make("td", {}, link),
+        make("td", {class: "number"}, checks.length > 0 ? (isFailure(one) ? `${checks.filter((check) => check.passed).length}/${checks.length}` : String(checks.length)) : ""),
+        make("td", {class: "number"}, checks.length > 0 ? fraction(largestFraction(one)) : ""));
+    caseRows.set(one.id, {one, row, link});
+    body.append(row);
+  }
+}
+
+function tellTotals() {
+  const totals = page.totals || {};
+  const parts = [];
+  const add = (name, count, words) => { if (count > 0) parts.push(make("span", {class: name}, parts.length > 0 ? ", " : "", make("b", {}, String(count)), " " + words)); };
+  add("passed", totals.passed, "passed");
+  add("failed", totals.failed, "failed");
+  add("not_run", totals.not_run, "not run");
+  add("no_checks", totals.no_checks, "without checks");
+  find("totals").replaceChildren(`${plural(cases.length, "case")}${totals.checks > 0 ? ", " + plural(totals.checks, "check") : ""}: `, ...parts);
+}
+
+function visibleCases() { return cases.filter((one) => !caseRows.get(one.id).row.hidden); }
+
+function applyFilter() {
+  const wanted = find("filter").value.trim().toLowerCase().split(/\s+/).filter(Boolean);
+  const onlyFailures = find("failures").checked;
+  for (const {one, row} of caseRows.values()) {
+    const text = `${one.name} ${one.title || ""} ${kStatusWords[one.status]}`.toLowerCase();
+    row.hidden = !(wanted.every((word) => text.includes(word)) && (!onlyFailures || isFailure(one)));
+  }
+  find("none").hidden = visibleCases().length > 0;
+  markChosen();
+}
+
+/** The case shown is marked, and is the one that Tab reaches in the list. */
+function markChosen() {
+  let reachable = false;
+  for (const {one, row, link} of caseRows.values()) {
+    const on = view !== null && one === view.one;
+    row.classList.toggle("chosen", on);
+    if (on) link.setAttribute("aria-current", "true");
+    else link.removeAttribute("aria-current");
+    link.tabIndex = on && !row.hidden ? 0 : -1;
+    reachable = reachable || link.tabIndex === 0;
+  }
+  const first = visibleCases()[0];
+  if (!reachable && first) caseRows.get(first.id).link.tabIndex = 0;
+}
+
+function stepCase(step, focus) {
+  const shown = visibleCases();
+  if (shown.length === 0) return;
+  const at = shown.indexOf(view && view.one);
+  const next = shown[at < 0 ? 0 : Math.min(Math.max(at + step, 0), shown.length - 1)];
+  if (!view || next !== view.one) go(next);
+  const {link, row} = caseRows.get(next.id);
+  if (focus) link.focus({preventScroll: true});
+  const box = row.closest(".cases");
+  const top = row.offsetTop;
+  if (top < box.scrollTop + 30) box.scrollTop = top - 40;
+  else if (top + row.offsetHeight > box.scrollTop + box.clientHeight) box.scrollTop = top + row.offsetHeight - box.clientHeight;
+}
+
+// ------------------------------------------------------------------------------ address of the page
+
+function address(one, t) {
+  const name = encodeURIComponent(one.id).replace(/%2F/g, "/");
+  return "#" + name + (isNumber(t) ? "@" + Number(t.toPrecision(7)) : "");
+}
+
+/** Case and instant that the page's address names, if any. */
+function addressed() {
+  let text = location.hash.slice(1);
+  try { text = decodeURIComponent(text); } catch { /* kept as it is */ }
+  if (byId.has(text)) return {one: byId.get(text), t: null};
+  const at = text.lastIndexOf("@");
+  const one = at > 0 ? byId.get(text.slice(0, at)) : null;
+  const t = Number(text.slice(at + 1));
+  return one ? {one, t: isNumber(t) ? t : null} : null;
+}
+
+let writeLater = 0;
+
+/** The instant goes to the address when it has come to rest; it makes no entry of its own to go back to. */
+function keepAddress() {
+  clearTimeout(writeLater);
+  writeLater = setTimeout(() => {
+    try { history.replaceState(null, "", address(view.one, view.time())); } catch { /* a browser may forbid it for files */ }
+  }, 300);
+}
+
+function go(one) {
+  clearTimeout(writeLater);
+  lastWorst = -1;
+  show(one);
+  const target = address(one);
+  // The page is there already when the address changes.
+  if (location.hash !== target) location.hash = target;
+}
+
+function followAddress() {
+  const wanted = addressed();
+  if (!wanted) return;
+  if (!view || wanted.one !== view.one) show(wanted.one);
+  if (wanted.t !== null && view) view.moveToTime(wanted.t, true);
+}
+
+// --------------------------------------------------------------------------------- keys and printing
+
+function isTyping(target) {
+  return target.matches("input[type=search], select, textarea, dialog *");
+}
+
+function onKey(event) {
+  if (event.ctrlKey || event.metaKey || event.altKey || find("help").open) return;
+  const {target, key} = event;
+  if (isTyping(target)) {
+    if (key === "Escape" && target.id === "filter") {
+      target.value = "";
+      applyFilter();
+      target.blur();
+    }
+    return;
+  }
+  const inList = target.closest("#verdicts") !== null;
+  const inTabs = target.getAttribute("role") === "tab";
+  const slider = target.matches("input[type=range]");
+  // Regions that scroll keep their own arrow keys.
+  const scrolls = target.matches("pre, .coverage-block");
+  const step = event.shiftKey && view ? Math.max(1, Math.round(view.times[0].length / 50)) : 1;
+  const place = view ? view.places[0] : 0;
+  const actions = {
+    j: () => stepCase(1, inList), k: () => stepCase(-1, inList),
+    n: () => view && toEvent(1), p: () => view && toEvent(-1), w: nextWorst, t: nextTheme,
+    f: () => { find("failures").checked = !find("failures").checked; applyFilter(); },
+    "/": () => find("filter").focus(), "?": () => find("help").showModal()
+  };
+  if (inList) Object.assign(actions, {ArrowDown: () => stepCase(1, true), ArrowUp: () => stepCase(-1, true)});
+  // A slider without Shift moves by itself.
+  if (view && !inTabs && !scrolls && (!slider || event.shiftKey)) {
+    Object.assign(actions, {
+      ArrowLeft: () => view.moveTo(Math.ceil(place) - step), ArrowRight: () => view.moveTo(Math.floor(place) + step),
+      Home: () => view.moveTo(0), End: () => view.moveTo(Infinity)
+    });
+  }
+  const action = actions[key];
+  if (!action || (event.shiftKey && key.length === 1 && key !== "?" && key !== "/")) return;
+  event.preventDefault();
+  action();
+}
+
+let printing = false;
+
+function beforePrint() {
+  printing = true;
+  document.documentElement.classList.add("printing");
+  applyTheme("light");
+  for (const picture of pictures) resizeNow(picture);
+}
+
+function afterPrint() {
+  printing = false;
+  document.documentElement.classList.remove("printing");
+  applyTheme();
+  for (const picture of pictures) resizeNow(picture);
+}
+
+/** To the size its place has now; Chart.js itself would only see it in the next frame. */
+function resizeNow(picture) {
+  if (!picture.chart) return;
+  picture.chart.options.devicePixelRatio = printing ? 2.5 : window.devicePixelRatio;
+  picture.chart.resize(picture.plot.clientWidth, picture.plot.clientHeight);
+  picture.chart.update("none");
+}
+
+// -------------------------------------------------------------------------------------------- start
+
+Chart.defaults.font.family = getComputedStyle(document.body).fontFamily;
+try {
+  const kept = localStorage.getItem("slipbench-theme");
+  if (kThemes.includes(kept)) while (theme !== kept) nextTheme();
+} catch { /* a browser may forbid it for files */ }
+applyTheme();
+darkSystem.addEventListener("change", () => applyTheme());
+window.addEventListener("beforeprint", beforePrint);
+window.addEventListener("afterprint", afterPrint);
+window.addEventListener("hashchange", followAddress);
+document.addEventListener("keydown", onKey);
+find("filter").addEventListener("input", applyFilter);
+find("failures").addEventListener("change", applyFilter);
+find("theme").addEventListener("click", nextTheme);
+find("print").addEventListener("click", () => window.print());
+find("help-open").addEventListener("click", () => find("help").showModal());
+find("skip").addEventListener("click", (event) => { event.preventDefault(); find("case").focus(); });
+find("title").replaceChildren(quoted(page.title || "Report"));
+find("title").setAttribute("title", page.generator || "");
+tellTotals();
+fillList();
+followAddress();
+if (!view && cases.length > 0) show(cases.find((one) => one.status === "failed") || cases.find(isFailure) || cases[0]);
+if (view) stepCase(0, false);
+})();

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/commands/report.hpp"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "driver/commands/run.hpp"
+#include "driver/exit_code.hpp"
+#include "tests/driver/history/temporary_folder.hpp"
+#include "tests/driver/report/case_for_test.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+int report(const TemporaryFolder& folder, std::vector<std::string> names,
+           const std::string& page = "page.html") {
+  ReportOptions options;
+  for (const std::string& name : names) options.inputs.push_back((folder.path() / name).string());
+  options.output = (folder.path() / page).string();
+  return report_command(options);
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST_CASE("a failed check and a faulty case are on the page, and no failure of the command") {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path() / "cases");
+  folder.write("cases/a.yaml", slider_text("0.2"));
+  folder.write("cases/b.yaml", slider_text("0.3"));
+  folder.write("cases/c.yaml", "slipbench: 1\n");
+  CHECK(report(folder, {"cases"}) == kExitOk);
+  const std::string page = read(folder.path() / "page.html");
+  CHECK(has(page, "\"passed\":1,\"failed\":1,\"not_run\":1"));
+  CHECK(has(page, "\"id\":\"a\""));
+  CHECK(has(page, "\"id\":\"b\""));
+  CHECK(has(page, "c.yaml:1:"));
+  CHECK(has(page, "\"title\":\"cases\""));
+  // Same input, same bytes.
+  CHECK(report(folder, {"cases"}, "again.html") == kExitOk);
+  CHECK(read(folder.path() / "again.html") == page);
+}
+
+TEST_CASE("results are drawn beside cases, and compared with each other") {
+  const TemporaryFolder folder;
+  folder.write("a.yaml", slider_text("0.2"));
+  for (const char* name : {"old", "new"}) {
+    fs::create_directory(folder.path() / name);
+    RunOptions options;
+    options.cases = {(folder.path() / "a.yaml").string()};
+    options.folder = (folder.path() / name).string();
+    REQUIRE(run_command(options) == kExitOk);
+  }
+  CHECK(report(folder, {"old/a.csv", "new/a.csv", "a.yaml"}) == kExitOk);
+  const std::string page = read(folder.path() / "page.html");
+  CHECK(has(page, "\"compare\":[[\"" + (folder.path() / "old/a").generic_string() + "\",\"" +
+                      (folder.path() / "new/a").generic_string() + "\"]]"));
+  CHECK(has(page, "\"kind\":\"case\""));
+}
+
+TEST_CASE("with nothing to look at the page is written and the reason is the exit code") {
+  const TemporaryFolder folder;
+  folder.write("a.yaml", "slipbench: 1\n");
+  CHECK(report(folder, {"a.yaml"}) == kExitBadInput);
+  CHECK(fs::exists(folder.path() / "page.html"));
+  CHECK(report(folder, {"missing.csv"}) == kExitEnvironment);
+}
+
+TEST_CASE("a page never takes the place of what it is made of, or of a folder") {
+  const TemporaryFolder folder;
+  folder.write("a.yaml", slider_text("0.2"));
+  fs::create_directory(folder.path() / "empty");
+  CHECK(report(folder, {"a.yaml"}, "a.yaml") == kExitEnvironment);
+  CHECK(read(folder.path() / "a.yaml") == slider_text("0.2"));
+  CHECK(report(folder, {"a.yaml"}, "empty") == kExitEnvironment);
+  CHECK(report(folder, {"a.yaml"}, "nowhere/page.html") == kExitEnvironment);
+  CHECK(report(folder, {"empty"}) == kExitBadInput);
+}
+
+}  // namespace
+}  // namespace slipbench::driver

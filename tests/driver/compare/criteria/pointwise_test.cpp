@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/compare/criteria/pointwise.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "tests/driver/compare/criteria/sampled_curves.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+double largest(const PointwiseComparison& comparison) {
+  double size = 0.0;
+  for (const CurvePoint& p : comparison.points) {
+    size = std::max(size, std::abs(p.value - p.reference));
+  }
+  return size;
+}
+
+TEST_CASE("the result is interpolated at the rows of the reference") {
+  const Series result{{0, 1, 2}, {0, 10, 0}, {0, 5, 10}};
+  const Series reference{{0.5, 1.5}, {5, 4}, {}};
+  const PointwiseComparison found = compare_points(result, reference);
+  REQUIRE(found.fault.empty());
+  REQUIRE(found.points.size() == 2);
+  CHECK(found.points[0].value == Approx(5.0));
+  CHECK(found.points[0].time == Approx(2.5));
+  CHECK(found.points[1].abscissa == 1.5);
+  CHECK(found.points[1].value == Approx(5.0));
+  CHECK(found.points[1].reference == 4.0);
+  CHECK(scale_of(found.points) == 1.0);
+}
+
+TEST_CASE("only the common range is compared, its ends included in spite of rounding") {
+  double t = 0.0;
+  Series result;
+  for (int i = 0; i <= 10; ++i, t += 0.1) {
+    result.abscissa.push_back(t);
+    result.value.push_back(2.0 * t);
+  }
+  REQUIRE(result.abscissa.back() < 1.0);  // a sum of tenths
+  const Series reference = sampled({-0.5, 0.0, 0.5, 1.0, 1.5}, [](double x) { return 2.0 * x; });
+  const PointwiseComparison found = compare_points(result, reference);
+  REQUIRE(found.points.size() == 3);
+  CHECK(largest(found) < 1e-12);  // rounding of the sum
+  CHECK(found.points.back().abscissa == 1.0);
+}
+
+TEST_CASE("a reference without a row in the common range compares nothing") {
+  const Series result = sampled({2.0, 3.0}, [](double x) { return x; });
+  const Series reference = sampled({0.0, 10.0}, [](double x) { return x; });
+  CHECK(compare_points(result, reference).fault ==
+        "no row of the reference lies in the common range, 2 to 3");
+}
+
+TEST_CASE("a loop is compared branch by branch, whatever its sampling") {
+  const std::vector<double> turns{0, 0.1, -0.1, 0.1};
+  const Series fine = slider(zigzag(turns, 1000, true));
+  for (const int rows : {10, 37, 1000}) {
+    const Series reference = slider(zigzag(turns, rows));
+    const PointwiseComparison found = compare_points(fine, reference);
+    REQUIRE(found.fault.empty());
+    CHECK(found.points.size() == reference.size());
+    // Kinks of the ragged fine curve fall within its rows: less than a row's force.
+    CHECK(largest(found) < 1.25 * 0.2 / 1000 * kStiffness);
+  }
+}
+
+TEST_CASE("the branch matters: a loop and its mirror image are far apart") {
+  const std::vector<double> turns{0, 0.1, -0.1, 0.1};
+  const Series result = slider(zigzag(turns, 50));
+  Series reference = slider(zigzag(turns, 40));
+  for (std::size_t i = 41; i < 80; ++i) reference.value[i] = 20.0;
+  CHECK(largest(compare_points(result, reference)) == Approx(40.0));
+}
+
+TEST_CASE("a reversal is one point though it belongs to two branches") {
+  const Series result = slider(zigzag({0, 0.1, 0}, 9));
+  const Series reference = slider(zigzag({0, 0.1, 0}, 2));
+  CHECK(compare_points(result, reference).points.size() == 5);
+}
+
+TEST_CASE("a reference that ends within a branch is compared as far as it goes") {
+  const Series result = slider(zigzag({0, 0.1, -0.1}, 50));
+  const Series reference = slider(zigzag({0, 0.1, 0.05}, 10));
+  CHECK(compare_points(result, reference).points.size() == reference.size());
+  CHECK(compare_points(reference, result).points.size() == 51 + 12);
+}
+
+TEST_CASE("a branch that has nothing in common is a fault, not a gap") {
+  const Series result = slider(zigzag({0, 1, 0.9, 2}, 5));
+  const Series reference = slider(zigzag({0, 0.5, 0.4, 2}, 5));
+  CHECK_THAT(compare_points(result, reference).fault,
+             Catch::Contains("branch 2 of 3 of the reference has no row"));
+}
+
+TEST_CASE("a jump at the same instant does not fail by the side that is taken") {
+  const Series result{{0, 1, 1, 2}, {0, 0, 20, 20}, {0, 1, 1, 2}};
+  const Series reference{{0, 1 - 1e-15, 1 + 1e-15, 1.5}, {0, 0, 20, 20}, {}};
+  const PointwiseComparison found = compare_points(result, reference);
+  REQUIRE(found.points.size() == 4);
+  CHECK(largest(found) == 0.0);
+  const Series later{{0, 1.1, 1.1, 2}, {0, 0, 20, 20}, {}};
+  CHECK(largest(compare_points(result, later)) == 20.0);
+}
+
+TEST_CASE("curves of the same rows are compared row by row, even in a dwell") {
+  const Series result{{0, 1, 1, 1}, {0, 0, 10, 20}, {0, 1, 2, 3}};
+  const Series reference{{0, 1, 1, 1}, {0, 20, 10, 0}, {}};
+  const PointwiseComparison found = compare_points(result, reference);
+  REQUIRE(found.points.size() == 4);
+  CHECK(found.points[1].value == 0.0);
+  CHECK(largest(found) == 20.0);
+  CHECK(found.points[2].time == 2.0);
+}
+
+TEST_CASE("the one measure of a pointwise comparison is its worst point") {
+  const Series result{{0, 1, 2}, {0, 10.5, 21}, {0, 3, 6}};
+  const Series reference{{0, 1, 2}, {0, 10, 20}, {}};
+  const CurveComparison found = compare_pointwise(result, reference, relative(0.04));
+  REQUIRE(found.measures.size() == 1);
+  CHECK(found.compared == 3);
+  CHECK(found.measures[0].deviation == 1.0);
+  CHECK(found.measures[0].scale == 20.0);
+  CHECK(found.measures[0].tolerance == Approx(0.8));
+  CHECK(found.measures[0].where->time == 6.0);
+  CHECK_FALSE(passed(found));
+  CHECK(passed(compare_pointwise(result, reference, absolute(1.0))));
+}
+
+}  // namespace
+}  // namespace slipbench::driver

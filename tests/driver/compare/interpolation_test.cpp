@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/compare/interpolation.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+namespace slipbench::driver {
+namespace {
+
+TEST_CASE("a branch is read linearly between its rows and not outside") {
+  const Series curve{{0, 1, 3}, {0, 10, 30}, {0, 2, 4}};
+  BranchInterpolation read(curve, {0, 2, 1}, 1e-12);
+  CHECK(read.at(0.25, 0)->value == Approx(2.5));
+  CHECK(read.at(0.25, 0)->time == Approx(0.5));
+  CHECK(read.at(2.0, 0)->value == Approx(20.0));
+  CHECK(read.at(3.0, 0)->value == 30.0);
+  CHECK(read.at(3.0 + 1e-13, 0)->value == 30.0);
+  CHECK_FALSE(read.at(3.1, 0));
+  CHECK_FALSE(read.at(-0.1, 0));
+}
+
+TEST_CASE("a decreasing branch is read within its own rows only") {
+  const Series curve{{0, 2, 1, 0}, {0, 20, -10, -5}, {}};
+  BranchInterpolation back(curve, {1, 3, -1}, 1e-12);
+  CHECK(back.at(0.5, 0)->value == Approx(-7.5));
+  CHECK(back.at(2.0, 0)->value == 20.0);
+  CHECK(std::isnan(back.at(0.5, 0)->time));
+}
+
+TEST_CASE("of the values at a jump the nearest counts, and nothing in between") {
+  const Series jump{{0, 1, 1, 2}, {0, 0, 20, 20}, {0, 1, 1, 2}};
+  BranchInterpolation read(jump, {0, 3, 1}, 1e-12);
+  CHECK(read.at(1.0, 1.0)->value == 0.0);
+  CHECK(read.at(1.0, 19.0)->value == 20.0);
+  CHECK(read.at(1.0, 25.0)->value == 20.0);
+  CHECK(read.at(1.0 + 1e-14, -3.0)->value == 0.0);
+  CHECK(read.at(1.0 - 1e-14, 19.0)->value == 20.0);
+  CHECK(read.at(1.0 - 1e-6, 19.0)->value == Approx(0.0));
+  CHECK(read.at(1.0 + 1e-6, 1.0)->value == Approx(20.0));
+}
+
+TEST_CASE("two jumps are told apart") {
+  const Series jumps{{0, 1, 1, 2, 2, 3}, {0, 0, 20, 20, 40, 40}, {}};
+  BranchInterpolation read(jumps, {0, 5, 1}, 1e-12);
+  CHECK(read.at(1.0, 19.0)->value == 20.0);
+  CHECK(read.at(2.0, 39.0)->value == 40.0);
+  CHECK(read.at(1.0, 1.0)->value == 0.0);
+}
+
+TEST_CASE("a step back by rounding stays where the branch already was") {
+  const Series curve{{0, 1, 1 - 1e-10, 2}, {0, 10, 15, 20}, {}};
+  BranchInterpolation read(curve, {0, 3, 1}, 1e-12);
+  CHECK(read.at(1.0, 9.0)->value == 10.0);
+  CHECK(read.at(1.0, 16.0)->value == 15.0);
+  CHECK(read.at(1.5, 0.0)->value == Approx(17.5));
+}
+
+TEST_CASE("a dwell in which time passes goes through the values in between") {
+  const Series dwell{{0, 1, 1, 1, 2}, {0, 0, 20, 5, 5}, {0, 1, 2, 3, 4}};
+  BranchInterpolation read(dwell, {0, 4, 1}, 1e-12);
+  CHECK(read.at(1.0, 7.5)->value == 7.5);
+  CHECK(read.at(1.0, 21.0)->value == 20.0);
+  CHECK(read.at(1.0, -1.0)->value == 0.0);
+  Series unknown = dwell;
+  unknown.time.clear();
+  BranchInterpolation rows_only(unknown, {0, 4, 1}, 1e-12);
+  CHECK(rows_only.at(1.0, 7.5)->value == 5.0);
+}
+
+}  // namespace
+}  // namespace slipbench::driver

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+// A case to report on, and the document of a page taken apart again.
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "driver/case/read_case.hpp"
+#include "driver/compare/check.hpp"
+#include "driver/report/collect.hpp"
+#include "driver/simulation.hpp"
+#include "driver/yaml/parse.hpp"
+
+namespace slipbench::driver {
+
+/// A slider of 20 N (mu N) on a stick stiffness of 1000 N/mm, to and fro by 0.1 mm: it slips from
+/// 0.02 mm on, and after the turn at t = 1 from 0.06 mm on. `mu` is what its check expects.
+inline std::string slider_text(const std::string& mu, int increments = 10) {
+  const std::string n = std::to_string(increments);
+  return "slipbench: 1\n"
+         "title: Slider\n"
+         "units: {length: mm, force: N, time: s}\n"
+         "parameters: {mu: 0.2}\n"
+         "connector: {type: SLOT}\n"
+         "friction:\n"
+         "  - predefined: {}\n"
+         "    name: sleeve\n"
+         "    coefficient: = mu\n"
+         "    stick: {stiffness: 1000}\n"
+         "history:\n"
+         "  - {step: out, duration: 1, increments: " +
+         n +
+         ", motion: {CP1: {to: 0.1}}, force: {f2: 100}}\n"
+         "  - {step: back, duration: 1, increments: " +
+         n +
+         ", motion: {CP1: {to: 0}}}\n"
+         "checks:\n"
+         "  - name: limit\n"
+         "    quantity: FLIM\n"
+         "    against: {expression: \"= 100*" +
+         mu +
+         "\"}\n"
+         "    tolerance: {absolute: 0.5, why: a guess}\n";
+}
+
+inline Case read_slider(const std::string& mu, int increments = 10) {
+  ReadCase read = read_case_text(SourceText("case.yaml", slider_text(mu, increments)), ".");
+  if (!read.value || read.diagnostics.has_errors()) {
+    throw std::runtime_error(render(read.diagnostics, read.sources));
+  }
+  return std::move(*read.value);
+}
+
+/// The report of a case, run as the commands run it.
+inline CaseReport report_of(const Case& problem, const std::string& name = "case") {
+  CaseCollector collector(problem);
+  std::vector<CheckProgress> checks;
+  for (const Check& check : problem.checks) checks.emplace_back(problem, check, Trace::kKeep);
+  auto simulation = Simulation::start(problem);
+  if (!simulation) throw std::runtime_error(simulation.error().message);
+  while (true) {
+    collector.add(simulation->row());
+    for (CheckProgress& check : checks) check.add(simulation->row());
+    const auto more = simulation->advance();
+    if (!more) throw std::runtime_error(more.error().message);
+    if (!*more) break;
+  }
+  return collector.finish(name, checks, simulation->jumps());
+}
+
+/// A document as a tree: JSON is YAML.
+inline Tree tree_of(const std::string& document) {
+  auto tree = parse_yaml(SourceText("page.json", document));
+  if (!tree) throw std::runtime_error("no JSON: " + document);
+  return std::move(*tree);
+}
+
+/// The number of a column in a row of a report.
+inline double number_at(const CaseReport& report, std::size_t row, const std::string& column) {
+  for (std::size_t c = 0; c < report.columns.size(); ++c) {
+    if (report.columns[c].name == column) return report.rows[row * report.columns.size() + c];
+  }
+  throw std::runtime_error("no column " + column);
+}
+
+}  // namespace slipbench::driver

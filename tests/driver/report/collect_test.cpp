@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/report/collect.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "tests/driver/report/case_for_test.hpp"
+#include "tests/driver/simulation/example_cases.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+TEST_CASE("a report tells what a picture of friction needs") {
+  const CaseReport report = report_of(read_slider("0.2"), "folder/slider");
+  CHECK(report.name == "folder/slider");
+  CHECK(report.title == "Slider");
+  CHECK(report.status == ReportStatus::kPassed);
+  CHECK(report.increments == 20);
+  CHECK_FALSE(report.thinned);
+  REQUIRE(report.row_count() == 21);
+  CHECK(number_at(report, 10, "t") == Approx(1.0).epsilon(1e-14));
+  CHECK(number_at(report, 10, "CP1") == Approx(0.1).epsilon(1e-14));
+  CHECK(number_at(report, 10, "CSF1") == Approx(20.0).epsilon(1e-14));
+  REQUIRE(report.definitions.size() == 1);
+  const ReportDefinition& sleeve = report.definitions[0];
+  CHECK(sleeve.name == "sleeve");
+  CHECK(sleeve.force == "CSF1");
+  CHECK(sleeve.forces == std::vector<std::string>{"CSF1"});
+  CHECK(sleeve.positions == std::vector<std::string>{"CP1"});
+  CHECK(sleeve.limit == "FLIM");
+  CHECK(sleeve.limit_below.empty());
+  CHECK(sleeve.normal_force == "FN");
+  CHECK(sleeve.mu == "MU");
+  // Slip lasts from 0.02 to 0.1 mm at 0.1 mm/s, and back from 0.06 to 0 mm: 1.4 of 2 s. The onset
+  // is located in its increment; what remains is rounding.
+  CHECK(sleeve.slip_share == Approx(0.7).epsilon(1e-12));
+  REQUIRE(sleeve.spans.size() == 2);
+  CHECK(sleeve.spans[0].from == Approx(0.2).epsilon(1e-12));
+  CHECK(sleeve.spans[0].to == Approx(1.0).epsilon(1e-12));
+  CHECK(sleeve.spans[1].from == Approx(1.4).epsilon(1e-12));
+  CHECK(sleeve.spans[1].to == Approx(2.0).epsilon(1e-12));
+  REQUIRE(report.events.size() == 3);
+  CHECK(report.events_total == 3);
+  CHECK(report.events[1].from == "slip");
+  CHECK(report.events[1].to == "stick");
+  CHECK(report.events[2].reversal);
+  CHECK(report.events[2].positions.front().first == "CP1");
+  CHECK(report.events[2].positions.front().second == Approx(0.06).epsilon(1e-12));
+  REQUIRE(report.energies.size() == 3);
+  CHECK(report.energies[0].first == "work");
+  CHECK(report.energies[1].second == std::vector<std::string>{"DISS"});
+  CHECK(report.parameters.front().second == 0.2);
+  CHECK(report.summary.front().starts_with("slips 70 % of the time"));
+}
+
+TEST_CASE("a failed check brings its curves, its tolerance and its worst point") {
+  const CaseReport report = report_of(read_slider("0.3"));
+  CHECK(report.status == ReportStatus::kFailed);
+  REQUIRE(report.checks.size() == 1);
+  const ReportCheck& check = report.checks[0];
+  CHECK_FALSE(check.verdict.passed);
+  CHECK(check.verdict.worst.value == Approx(20.0).epsilon(1e-14));
+  CHECK(check.verdict.worst.reference == Approx(30.0).epsilon(1e-14));
+  CHECK(check.quantity == "FLIM");
+  CHECK(check.against.starts_with("expression "));
+  CHECK(check.why == "a guess");
+  CHECK(check.tube == 0.5);
+  REQUIRE(check.value.x.size() == 21);
+  CHECK(check.value.x == check.reference.x);
+  CHECK(check.value.y[5] == Approx(20.0).epsilon(1e-14));
+  CHECK(check.reference.y[5] == Approx(30.0).epsilon(1e-14));
+}
+
+TEST_CASE("a long run is thinned to a few hundred rows and says so") {
+  const CaseReport report = report_of(read_slider("0.2", 20000));
+  CHECK(report.thinned);
+  CHECK(report.increments == 40000);
+  CHECK(report.row_count() <= 500);
+  CHECK(report.row_count() > 200);
+  CHECK(number_at(report, report.row_count() - 1, "t") == Approx(2.0).epsilon(1e-12));
+  // The rows about each event stay, so that the corners of the loop are where they were: the
+  // increments are 5e-6 mm long.
+  const auto corner = [&](double place) {
+    for (std::size_t i = 0; i < report.row_count(); ++i) {
+      if (std::abs(number_at(report, i, "CP1") - place) < 1.01e-5) return true;
+    }
+    return false;
+  };
+  CHECK(corner(0.02));
+  CHECK(corner(0.1));
+  CHECK(corner(0.06));
+  CHECK(report.checks[0].thinned);
+  CHECK(report.checks[0].value.x.size() <= 100);
+}
+
+TEST_CASE("the definitions of a coupled connection are drawn with their own columns") {
+  const Case problem = puck_case({step("slide", 20, kFirstMotion + 1, LinearTo{0.1})});
+  const CaseReport report = report_of(problem);
+  REQUIRE(report.definitions.size() == 2);
+  CHECK(report.definitions[0].force == "CSFC");
+  CHECK(report.definitions[0].forces == std::vector<std::string>{"CSF2", "CSF3"});
+  CHECK(report.definitions[0].positions == std::vector<std::string>{"CP2", "CP3"});
+  CHECK(report.definitions[1].limit == "FLIM." + problem.definitions[1].name);
+  CHECK(report.status == ReportStatus::kNoChecks);
+  CHECK(report.columns.size() <= 24);
+  for (const ReportDefinition& definition : report.definitions) {
+    CHECK_NOTHROW(number_at(report, 0, definition.status));
+  }
+}
+
+TEST_CASE("what the reader noted and warned of is told") {
+  CaseReport report;
+  Diagnostics diagnostics;
+  diagnostics.note("a.yaml", {}, "friction[0]", "1 mm used", "give 'length'");
+  diagnostics.warning("a.yaml", {}, "", "odd");
+  add_remarks(report, diagnostics);
+  CHECK(report.summary == std::vector<std::string>{"note: friction[0]: 1 mm used; give 'length'"});
+  CHECK(report.warnings == std::vector<std::string>{"odd"});
+}
+
+}  // namespace
+}  // namespace slipbench::driver

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/report/read_result.hpp"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <string>
+
+#include "driver/commands/run.hpp"
+#include "tests/driver/history/temporary_folder.hpp"
+#include "tests/driver/report/case_for_test.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Runs the slider into the folder; its check expects `mu`.
+std::string run_slider(const TemporaryFolder& folder, const std::string& mu, int increments = 10) {
+  RunOptions options;
+  options.cases = {folder.write("slider.yaml", slider_text(mu, increments)).string()};
+  options.folder = folder.path().string();
+  run_command(options);
+  return (folder.path() / "slider.csv").string();
+}
+
+TEST_CASE("a result tells the same as its case, but for the checks' curves") {
+  const TemporaryFolder folder;
+  const std::string file = run_slider(folder, "0.3");
+  const ReadResult result = read_result(file, "out/slider");
+  const CaseReport of_case = report_of(read_slider("0.3"));
+  const CaseReport& report = result.report;
+  CHECK(result.code == kExitOk);
+  CHECK(report.is_result);
+  CHECK(report.name == "out/slider");
+  CHECK(report.title == "Slider");
+  CHECK(report.status == ReportStatus::kFailed);
+  CHECK(report.increments == 20);
+  CHECK(report.rows == of_case.rows);
+  CHECK(report.units == of_case.units);
+  CHECK(report.parameters == of_case.parameters);
+  CHECK(report.energies == of_case.energies);
+  REQUIRE(report.columns.size() == of_case.columns.size());
+  for (std::size_t c = 0; c < report.columns.size(); ++c) {
+    CHECK(report.columns[c].name == of_case.columns[c].name);
+    CHECK(report.columns[c].unit == of_case.columns[c].unit);
+  }
+  REQUIRE(report.definitions.size() == 1);
+  CHECK(report.definitions[0].limit == "FLIM");
+  CHECK(report.definitions[0].slip_share == of_case.definitions[0].slip_share);
+  // Of spans a result knows the rows: the increment in which slip begins counts as slip.
+  REQUIRE(report.definitions[0].spans.size() == 2);
+  CHECK(report.definitions[0].spans[1].to == of_case.definitions[0].spans[1].to);
+  REQUIRE(report.events.size() == of_case.events.size());
+  CHECK(report.events[1].time == of_case.events[1].time);
+  CHECK(report.events[1].force == of_case.events[1].force);
+  CHECK(report.events[1].positions == of_case.events[1].positions);
+  REQUIRE(report.checks.size() == 1);
+  const Verdict& verdict = report.checks[0].verdict;
+  CHECK(verdict.name == "limit");
+  CHECK_FALSE(verdict.passed);
+  CHECK(verdict.message == of_case.checks[0].verdict.message);
+  CHECK(verdict.worst.reference == of_case.checks[0].verdict.worst.reference);
+  CHECK(verdict.failing == of_case.checks[0].verdict.failing);
+  CHECK(verdict.worst_fraction() == of_case.checks[0].verdict.worst_fraction());
+  CHECK(report.checks[0].value.x.empty());
+  CHECK(report.summary.front().starts_with("slips 70 % of the time, 2 stick-slip events"));
+}
+
+TEST_CASE("a result alone, without the files beside it, is drawn without verdicts") {
+  const TemporaryFolder folder;
+  const std::string file = run_slider(folder, "0.2");
+  fs::remove(folder.path() / "slider.json");
+  fs::remove(folder.path() / "slider.events.csv");
+  const ReadResult result = read_result(file, "slider");
+  CHECK(result.code == kExitOk);
+  CHECK(result.report.status == ReportStatus::kNoChecks);
+  CHECK(result.report.events.empty());
+  CHECK(result.report.checks.empty());
+  CHECK(result.report.row_count() == 21);
+}
+
+TEST_CASE("broken files beside a result do not keep it from being drawn") {
+  const TemporaryFolder folder;
+  const std::string file = run_slider(folder, "0.2");
+  folder.write("slider.json", "{\"checks\": [{\"name\": 1, \"passed\"");
+  folder.write("slider.events.csv", "a,b\n1,2\n");
+  const ReadResult broken = read_result(file, "slider");
+  CHECK(broken.report.status == ReportStatus::kNoChecks);
+  CHECK(broken.report.events_total == 0);
+  folder.write("slider.json",
+               "{\"checks\": 5, \"summary\": [], \"warnings\": {\"a\": [1]}, \"more\": null}");
+  folder.write("slider.events.csv",
+               "t,definition,from,to,force,limit,accumulated_slip,CP1\n1,a,stick,slip\n"
+               "1,a,stick,slip,x,2,3,4\n");
+  const ReadResult odd = read_result(file, "slider");
+  CHECK(odd.report.row_count() == 21);
+  CHECK(odd.report.checks.empty());
+  REQUIRE(odd.report.events.size() == 1);
+  CHECK(odd.report.events[0].limit == 2.0);
+}
+
+TEST_CASE("a long result is thinned as its case is") {
+  const TemporaryFolder folder;
+  const ReadResult result = read_result(run_slider(folder, "0.2", 20000), "slider");
+  CHECK(result.report.thinned);
+  CHECK(result.report.row_count() <= 500);
+  CHECK(number_at(result.report, result.report.row_count() - 1, "t") == Approx(2.0).epsilon(1e-12));
+}
+
+TEST_CASE("what is no result says why, with its place") {
+  const TemporaryFolder folder;
+  const ReadResult missing = read_result((folder.path() / "no.csv").string(), "no");
+  CHECK(missing.code == kExitEnvironment);
+  CHECK(missing.report.status == ReportStatus::kNotRun);
+  CHECK(missing.report.is_result);
+  const ReadResult foreign = read_result(folder.write("a.csv", "t,x\n0,1\n").string(), "a");
+  CHECK(foreign.code == kExitBadInput);
+  CHECK(foreign.report.message.find("has no friction force to draw") != std::string::npos);
+  const ReadResult faulty = read_result(
+      folder.write("b.csv", "# friction: a = CSF1\nt,CSF1\n0,1\n1,one\n").string(), "b");
+  CHECK(faulty.code == kExitBadInput);
+  CHECK(faulty.report.message.find("b.csv:4: error: ") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace slipbench::driver

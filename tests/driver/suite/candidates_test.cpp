@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/suite/candidates.hpp"
+
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "tests/driver/history/temporary_folder.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> labels(const Candidates& found) {
+  std::vector<std::string> all;
+  for (const Candidate& candidate : found.cases) all.push_back(candidate.label);
+  return all;
+}
+
+TEST_CASE("a folder's cases come in the order of their labels, without bad and hidden folders") {
+  const TemporaryFolder folder;
+  for (const char* sub : {"b", "b/deep", "a", "bad", ".hidden", "a/bad"}) {
+    fs::create_directory(folder.path() / sub);
+  }
+  for (const char* name : {"b/deep/two.yaml", "b/one.yaml", "a/z.yaml", "bad/x.yaml",
+                           ".hidden/x.yaml", "a/bad/x.yaml", "a/notes.txt", "top.yaml"}) {
+    folder.write(name, "");
+  }
+  const Candidates found = find_candidates(std::vector{folder.path().string()});
+  CHECK(labels(found) == std::vector<std::string>{"a/z", "b/deep/two", "b/one", "top"});
+  CHECK(found.cases[0].path == (folder.path() / "a/z.yaml").string());
+  CHECK(found.faults.empty());
+}
+
+TEST_CASE("a file is a case whatever its name and whether it is there or not") {
+  const TemporaryFolder folder;
+  const std::string missing = (folder.path() / "missing.yml").string();
+  const Candidates found = find_candidates(std::vector{missing});
+  REQUIRE(found.cases.size() == 1);
+  CHECK(found.cases[0].path == missing);
+}
+
+TEST_CASE("with several paths the labels keep them, and no case comes twice") {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path() / "a");
+  folder.write("a/one.yaml", "");
+  folder.write("a/two.yaml", "");
+  const std::string a = (folder.path() / "a").string();
+  const Candidates found = find_candidates(std::vector{a + "/two.yaml", a, a + "/../a/one.yaml"});
+  CHECK(labels(found) == std::vector{a + "/two", a + "/one"});
+}
+
+TEST_CASE("a link to nowhere is a case that cannot be read, not one that is overlooked") {
+  const TemporaryFolder folder;
+  fs::create_symlink("nowhere", folder.path() / "gone.yaml");
+  CHECK(labels(find_candidates(std::vector{folder.path().string()})) ==
+        std::vector<std::string>{"gone"});
+}
+
+TEST_CASE("links between folders do not lead in circles") {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path() / "a");
+  folder.write("a/one.yaml", "");
+  fs::create_directory_symlink(folder.path(), folder.path() / "a/up");
+  CHECK(labels(find_candidates(std::vector{folder.path().string()})) ==
+        std::vector<std::string>{"a/one"});
+}
+
+TEST_CASE("a folder that cannot be searched is a fault and does not hide the others") {
+  if (geteuid() == 0) {
+    WARN("a superuser may read everything; nothing was tested");
+    return;
+  }
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path() / "closed");
+  folder.write("open.yaml", "");
+  fs::permissions(folder.path() / "closed", fs::perms::none);
+  const Candidates found = find_candidates(std::vector{folder.path().string()});
+  fs::permissions(folder.path() / "closed", fs::perms::owner_all);
+  CHECK(labels(found) == std::vector<std::string>{"open"});
+  REQUIRE(found.faults.size() == 1);
+  CHECK(found.faults[0] == (folder.path() / "closed").string() + ": Permission denied");
+}
+
+}  // namespace
+}  // namespace slipbench::driver
