@@ -34,7 +34,7 @@ plot \
   for [d=1:DEFINITIONS] $SPANS using (0.5 * (edge(d, 2, $3) + $4)):(0.5 * (foot(d) + top(d))):3:4:(foot(d)):(top(d)) \
     with boxxyerror fillstyle solid noborder fillcolor rgb slip_band title (d == 1 ? "slip" : ""), \
   for [d=1:DEFINITIONS] $SPANS using (0.5 * (edge(d, 0, $3) + $4)):(0.5 * (foot(d) + top(d))):3:4:(foot(d)):(top(d)) \
-    with boxxyerror fillstyle pattern 5 border linecolor rgb "#202020" title (d == 1 && OPENS ? "no contact" : ""), \
+    with boxxyerror fillstyle pattern 5 border linecolor rgb "#202020" fillcolor rgb "#202020" title (d == 1 && OPENS ? "no contact" : ""), \
   for [d=1:DEFINITIONS] $MARKS using (mark(d, 2, $3)):(top(d) + 0.10) with points pointtype 11 pointsize 1 \
     linecolor rgb "black" title (d == 1 ? "slips from here" : ""), \
   for [d=1:DEFINITIONS] $MARKS using (mark(d, 1, $3)):(foot(d) - 0.09) with points pointtype 8 pointsize 1 linewidth 1.4 \

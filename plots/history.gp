@@ -1,23 +1,31 @@
 # SPDX-License-Identifier: Apache-2.0
-# A friction result over time, a column of panels for each friction definition: its motions, its
-# force with the limit, normal force and coefficient, and energies, all over one time axis with stick
-# (white), slip (light) and no contact (dark) shaded.
+# A friction result over time, a column of panels for each friction definition, two in a row: its
+# motions, its force with the limit, normal force and coefficient, and energies, all over one time
+# axis with stick (white), slip (light) and no contact (dark) shaded.
 # `slipbench plot --as history` sets the variables and data blocks used here and loads this file.
 load STYLE
 set xzeroaxis linewidth 0.6 linecolor rgb "#777777"
-width = 1.0 / DEFINITIONS
-tall = (1.0 - head - 0.05) / 4.0
+in_row = DEFINITIONS > 1 ? 2 : 1
+width = 1.0 / in_row
+group = (1.0 - head) / ((DEFINITIONS + in_row - 1) / in_row)
+# Beside four panels a column has the labels of its time axis and its name.
+axis_room = 50.0 / HEIGHT
+name_room = NAME[1] eq "" ? 0 : 25.0 / HEIGHT
+tall = (group - axis_room - name_room) / 4.0
 
 do for [i=1:DEFINITIONS] {
-  set lmargin at screen (i - 1) * width + 0.075
-  set rmargin at screen i * width - 0.075
+  column_left = ((i - 1) % in_row) * width
+  group_foot = 1.0 - head - ((i - 1) / in_row + 1) * group
+  set lmargin at screen column_left + 0.085
+  set rmargin at screen column_left + width - 0.075
   set xrange [BEGIN:END_TIME]
   set xtics rotate by 0
+  set ylabel font ",12"
   @legend
-  set label 1 NAME[i] at screen (i - 1) * width + 0.02, screen 1.0 - 0.9 * head left font ",15"
+  set label 1 NAME[i] at screen column_left + 0.02, screen group_foot + group - 0.5 * name_room left font ",15"
 
   do for [p=1:4] {
-    base = 0.05 + (4 - p) * tall
+    base = group_foot + axis_room + (4 - p) * tall
     set bmargin at screen base + 0.14 * tall
     set tmargin at screen base + 0.84 * tall
     if (p < 4) { unset xlabel; set format x "" } else { set xlabel TIME_LABEL; set format x "% h" }
@@ -52,7 +60,7 @@ do for [i=1:DEFINITIONS] {
     if (p == 2) {
       low = SIGNED[i] ? -1.15 * TOP[i] : -0.04 * TOP[i]; high = 1.15 * TOP[i]
       set yrange [low:high]
-      set ylabel FORCE_LABEL[i]
+      set ylabel SHORT_LABEL[i]
       set ytics FORCE_STEP[i]
       plot @SHADES, \
         for [k=1:words(BESIDE[i])] $DATA using 1:(column(int(word(BESIDE[i], k)))) with lines \
@@ -85,7 +93,7 @@ do for [i=1:DEFINITIONS] {
       set ytics ENERGY_STEP[i]
       plot @SHADES, \
         $DATA using 1:(number(WORK[i])) with lines linewidth 6 \
-          linecolor rgb "#8fb8dc" title (WORK[i] > 0 ? "work" : ""), \
+          linecolor rgb "#7aa6d6" title (WORK[i] > 0 ? "work" : ""), \
         $DATA using 1:(number(STORED[i])) with lines linewidth 2 dashtype dashes[2] \
           linecolor rgb colour[3] title (STORED[i] > 0 ? "stored" : ""), \
         $DATA using 1:(number(DISSIPATION[i])) with lines linewidth 2 linecolor rgb "black" \

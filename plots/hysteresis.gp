@@ -47,9 +47,9 @@ do for [i=1:DEFINITIONS] {
   if (PLANAR[i]) {
     set bmargin; set tmargin; set lmargin; set rmargin
     set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05
-    set key at graph 0.5, graph 1.02 bottom center horizontal Left reverse maxrows 2 samplen 1.5 width 0 font ",12"
+    set key at graph 0.5, graph 1.02 bottom center horizontal Left reverse maxrows 1 samplen 1.5 width -2 font ",12"
     set origin 0.04, bottom + 0.01 * height
-    set size ratio -1 0.46, 0.90 * height
+    set size ratio -1 0.46, 0.83 * height
     set xrange [*:*]
     set yrange [*:*]
     set xlabel motion_label[1]
@@ -64,7 +64,7 @@ do for [i=1:DEFINITIONS] {
     unset label 1
     unset label 2
     set origin 0.52, bottom + 0.01 * height
-    set size ratio -1 0.46, 0.90 * height
+    set size ratio -1 0.46, 0.83 * height
     set parametric
     set trange [0:2*pi]
     set xrange [-1.15 * TOP[i]:1.15 * TOP[i]]
@@ -73,13 +73,14 @@ do for [i=1:DEFINITIONS] {
     set ylabel force_label[2]
     set xtics FORCE_STEP[i]
     set ytics FORCE_STEP[i]
-    plot $DATA using (column(force[1])):(column(force[2])) with lines linewidth whole_width \
-        linecolor rgb whole_colour title "path of the force", \
-      $DATA every ::first::last using (cycled ? column(force[1]) : NaN):(column(force[2])) \
-        with lines linewidth 2.5 linecolor rgb "black" title (cycled ? "last full cycle" : ""), \
+    plot \
       LIMIT_AXIS_1[i] * cos(t) * DIRECTION_X[i] - LIMIT_AXIS_2[i] * sin(t) * DIRECTION_Y[i], \
       LIMIT_AXIS_1[i] * cos(t) * DIRECTION_Y[i] + LIMIT_AXIS_2[i] * sin(t) * DIRECTION_X[i] \
-        with lines linewidth 2 dashtype 2 linecolor rgb limit_colour title "largest limit"
+        with lines linewidth 2 dashtype 2 linecolor rgb limit_colour title "largest limit", \
+      $DATA using (column(force[1])):(column(force[2])) with lines linewidth whole_width \
+        linecolor rgb whole_colour title "path of the force", \
+      $DATA every ::first::last using (cycled ? column(force[1]) : NaN):(column(force[2])) \
+        with lines linewidth 2.5 linecolor rgb "black" title (cycled ? "last full cycle" : "")
     unset parametric
     set xtics autofreq
     set ytics autofreq
@@ -96,14 +97,15 @@ do for [i=1:DEFINITIONS] {
       set xlabel motion_label[p]
       set ylabel force_label[p]
       set xtics motion_step[p]
-      plot $DATA using (number(motion[p])):(column(force[p])) with lines linewidth whole_width \
+      plot \
+        $DATA using (number(motion[p])):(with_limit[p] ? column(LIMIT[i]) : NaN) with lines \
+          linewidth 2 dashtype 2 linecolor rgb limit_colour title (with_limit[p] ? "limit" : ""), \
+        $DATA using (number(motion[p])):(with_limit[p] ? below(i) : NaN) with lines \
+          linewidth 2 dashtype 2 linecolor rgb limit_colour notitle, \
+        $DATA using (number(motion[p])):(column(force[p])) with lines linewidth whole_width \
           linecolor rgb whole_colour title whole_name, \
         $DATA every ::first::last using (cycled ? number(motion[p]) : NaN):(column(force[p])) \
-          with lines linewidth 2.5 linecolor rgb "black" title (cycled ? "last full cycle" : ""), \
-        $DATA using (number(motion[p])):(with_limit[p] ? column(LIMIT[i]) : NaN) with lines \
-          linewidth 1.5 dashtype 2 linecolor rgb limit_colour title (with_limit[p] ? "limit" : ""), \
-        $DATA using (number(motion[p])):(with_limit[p] ? below(i) : NaN) with lines \
-          linewidth 1.5 dashtype 2 linecolor rgb limit_colour notitle
+          with lines linewidth 2.5 linecolor rgb "black" title (cycled ? "last full cycle" : "")
       set xtics autofreq
       unset label 1
       unset label 2

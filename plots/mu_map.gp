@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # A coefficient of friction as a map over two of its arguments, a panel for each coefficient, with
-# contours, the points of its table and the states that the run visited.
+# contours at the marks of its scale, the points of its table and the states that the run visited.
 # `slipbench plot --as mu_map` sets the variables and data blocks used here and loads this file.
 load STYLE
 # From light to dark without a turn, so that it says the same in grey.
@@ -35,12 +35,11 @@ do for [i=1:MAPS] {
   set ytics Y_STEP[i]
   set cbrange [MU_LOW[i]:MU_HIGH[i]]
   set colorbox user origin 0.89, bottom + 0.14 * height size 0.018, 0.70 * height
-  set cbtics scale 0.3 font ",12"
+  set cbtics MU_STEP[i] scale 0.3 font ",12"
   set cblabel "coefficient mu" offset 0.5,0
   plot \
     $MAP index (i-1) using 1:2:3 with image notitle, \
-    $CONTOURS using 1:2 with lines linewidth 1 linecolor rgb "#40404040" notitle, \
-    $CONTOURS using 1:2:(sprintf("%.4g", $3)) every 200::40 with labels font ",11" notitle, \
+    $CONTOURS using 1:2 with lines linewidth 1 linecolor rgb "#404040" notitle, \
     $POINTS index (i-1) using 1:2 with points pointtype 1 pointsize 0.9 linewidth 1.6 linecolor rgb "#1060a0" \
       title (TABLE[i] ? "point of the table" : ""), \
     $STATES index (i-1) using 2:(state(1, $3)) with points pointtype 5 pointsize 0.9 linecolor rgb "black" notitle, \

@@ -18,7 +18,7 @@ do for [i=1:PANELS] {
   set lmargin at screen left
   set rmargin at screen (in_row == 1 ? 0.97 : left + 0.385)
   set bmargin at screen bottom + 0.17 * height
-  set tmargin at screen bottom + 0.76 * height
+  set tmargin at screen bottom + 0.69 * height
   set xrange [FROM[i]:TO[i]]
   set yrange [-HIGH[i]:HIGH[i]]
   set xlabel ABSCISSA[i]
@@ -40,7 +40,7 @@ do for [i=1:PANELS] {
     $RESIDUALS index (i-1) using 1:($3 > 0 ? $2 : NaN) with points pointtype 2 pointsize 0.8 \
       linecolor rgb limit_colour notitle, \
     "+" every ::::0 using (WORST_AT[i]):(WORST[i]) with points pointtype 6 pointsize 1.8 linewidth 2 \
-      linecolor rgb limit_colour title "worst"
+      linecolor rgb limit_colour title (POINTWISE[i] ? "worst" : "largest residual")
   unset object 1
 }
 unset multiplot

@@ -23,6 +23,7 @@ do for [i=1:DEFINITIONS] {
   plot for [k=1:PARTS[i]] data using 1:(column(1 + 2*k)):(column(2 + 2*k)) with filledcurves \
       fillstyle solid border linecolor rgb "#303030" fillcolor rgb stack_colour[k] \
       title word(PART_NAMES[i], k), \
+    for [k=1:PARTS[i]] data using 1:(column(2 + 2*k)) with lines linewidth 0.8 linecolor rgb "#303030" notitle, \
     data using 1:2 with lines linewidth 2.5 dashtype 2 linecolor rgb "black" title "F_N"
 }
 unset multiplot

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# From a fresh clone to checked cases and pictures: sets up, builds the program, checks cases/, draws some of them.
+# From a fresh clone to checked cases and pictures: sets up, builds the program, checks cases/, draws some of them
+# and makes a page of the examples.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -28,5 +29,8 @@ draw examples/puck puck
 draw verification/documented_and_as_coded documented_and_as_coded
 "$slipbench" plot --law cases/examples/modified_darmstad.yaml -o out/coefficient.svg || fail 'drawing the coefficient failed'
 pictures+=(out/coefficient.svg)
+
+say 'writing the report'
+"$slipbench" report cases/examples -o out/report.html || fail "slipbench report ended with exit code $?"
 say 'done'
-printf 'Pictures: %s\n' "${pictures[*]}"
+printf 'Pictures: %s      Report: out/report.html\n' "${pictures[*]}"

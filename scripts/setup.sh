@@ -1,23 +1,31 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Installs the Debian packages of scripts/packages.txt that are missing; with all there it touches nothing.
-# Exit: 0 all there, 1 the installation failed, 4 no apt-get here (says what is needed), 5 not root and no sudo.
+# setup.sh [tests]: installs the Debian packages of scripts/packages.txt that are missing, and with `tests` those of
+# scripts/packages-test.txt too (a browser among them); with all there it touches nothing.
+# Exit: 0 all there, 1 the installation failed, 2 a wrong argument, 4 no apt-get here (says what is needed), 5 not root and no sudo.
 # SLIPBENCH_SETUP=skip leaves the machine as it is, for systems where the needs are met in another way.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+lists=(scripts/packages.txt)
+case "$#:${1:-}" in
+  0:) ;;
+  1:tests) lists+=(scripts/packages-test.txt) ;;
+  *) fail "wanted nothing or 'tests', found '$*'" 2 ;;
+esac
 
 [ "${SLIPBENCH_SETUP:-}" != skip ] || exit 0
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
   {
     echo 'slipbench needs (the first word is the name of the Debian package):'
-    grep -v '^#' scripts/packages.txt | sed 's/^/  /'
+    grep -hv '^#' "${lists[@]}" | sed 's/^/  /'
   } >&2
   fail 'no apt-get on this system: install the above, then run again with SLIPBENCH_SETUP=skip' 4
 fi
 
-mapfile -t packages < <(awk '!/^#/ && NF {print $1}' scripts/packages.txt)
+mapfile -t packages < <(awk '!/^#/ && NF {print $1}' "${lists[@]}")
 installed=$(dpkg-query -W -f='${Package} ${db:Status-Status}\n' "${packages[@]}" 2>/dev/null || true)
 missing=()
 for package in "${packages[@]}"; do

@@ -7,7 +7,7 @@ set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 preset=${SLIPBENCH_PRESET:-release}
 
-scripts/setup.sh
+scripts/setup.sh tests
 say "building preset '$preset' on $(nproc) cores"
 configure "$preset"
 build "$preset"

@@ -22,7 +22,7 @@ struct ReadCase {
 };
 
 struct ReadOptions {
-  std::vector<ParameterText> overrides;  ///< --set name=value
+  std::vector<ParameterText> overrides = {};  ///< --set name=value
   bool allow_outside = false;            ///< data files may lie outside the case's folder
   bool curves_may_be_missing = false;    ///< reference curves are about to be made
 };

@@ -121,7 +121,7 @@ std::optional<UnitConversion> conversion(Binder& binder, const At<MeasuredColumn
     if (binder.unknown_names_excused()) return std::nullopt;
     binder.error(*unit.node, unit.path,
                  "the unit of an expression is not known, so nothing can be converted to it",
-                 "leave out 'unit', and convert in the " + std::string(what));
+                 "leave out 'unit', and convert in the expression of the " + std::string(what));
     return std::nullopt;
   }
   auto found = conversion_to_case(unit.value, *dimension, system);
@@ -224,11 +224,11 @@ std::optional<CurveReference> read_curve(Binder& binder, const CheckText& text,
   }
   auto result = curve_file(binder, against.curve, problem, may_be_missing);
   const auto over =
-      conversion(binder, against.abscissa, abscissa.dimension, "abscissa's", problem.units);
+      conversion(binder, against.abscissa, abscissa.dimension, "abscissa", problem.units);
   const auto quantity = column_of_quantity(text.quantity.value, problem);
   std::optional<Dimension> dimension;
   if (quantity) dimension = column_named(problem, *quantity)->dimension;
-  const auto compared = conversion(binder, against.column, dimension, "quantity's", problem.units);
+  const auto compared = conversion(binder, against.column, dimension, "quantity", problem.units);
   if (!result || !over || !compared) return std::nullopt;
 
   result->abscissa.conversion = *over;

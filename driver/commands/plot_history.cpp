@@ -64,6 +64,17 @@ void tell_motion(PlotScript& script, const PlotData& data, const PlotDefinition&
   range[1].tell(script, "MOTION2");
 }
 
+/// The axis of the force's panel, which is too low for a long label.
+void tell_force_axis(PlotScript& script, const PlotData& data, const PlotDefinition& definition) {
+  const int main = main_force(definition);
+  const PlotColumn& column = column_of(data, main);
+  const bool both_sides =
+      definition.total >= 0 || data.lowest[static_cast<std::size_t>(main)] < 0.0;
+  script.add("SHORT_LABEL",
+             axis_label(column.name.starts_with("CSM") ? "moment" : "force", {"", column.unit}));
+  script.add("FORCE_STEP", tic_step((both_sides ? 2.3 : 1.2) * top_of(data, definition), 4.0));
+}
+
 void tell_state(PlotScript& script, const PlotData& data, const PlotDefinition& definition) {
   Range normal;
   Range mu;
@@ -105,11 +116,11 @@ tl::expected<void, PlotFailure> draw_history(const PlotOptions& options,
   for (std::size_t i = 0; i < count; ++i) {
     const PlotDefinition& definition = data->definitions[i];
     tell_force(script, *data, definition);
-    script.add("FORCE_STEP", tic_step(2.3 * top_of(*data, definition), 4.0));
+    tell_force_axis(script, *data, definition);
     tell_motion(script, *data, definition);
     tell_state(script, *data, definition);
   }
-  return draw(script, drawn_title(*data), 1060, *begun);
+  return draw(script, drawn_title(*data), 60 + 1000 * ((count + 1) / 2), *begun);
 }
 
 }  // namespace slipbench::driver

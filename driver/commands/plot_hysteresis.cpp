@@ -21,6 +21,8 @@ namespace {
 constexpr std::size_t kMostLoops = 3;
 /// Turning points that differ by less, as a part of the motion's range, are one place.
 constexpr double kSamePlace = 1e-3;
+/// A cycle smaller than this part of the motion's range is what is left of a vibration.
+constexpr double kSmallestCycle = 0.02;
 
 std::vector<double> numbers_of(const PlotData& data, int column) {
   std::vector<double> numbers;
@@ -40,6 +42,8 @@ std::optional<std::pair<std::size_t, std::size_t>> last_cycle(const std::vector<
   for (const Branch& branch : pieces) turns.push_back(branch.last);
   const auto [low, high] = std::minmax_element(motion.begin(), motion.end());
   for (std::size_t i = turns.size(); i-- > 2;) {
+    const double width = std::abs(motion[turns[i]] - motion[turns[i - 1]]);
+    if (width < kSmallestCycle * (*high - *low)) continue;
     if (std::abs(motion[turns[i]] - motion[turns[i - 2]]) <= kSamePlace * (*high - *low)) {
       return std::pair{turns[i - 2], turns[i]};
     }

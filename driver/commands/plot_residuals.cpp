@@ -25,23 +25,20 @@ constexpr std::size_t kMostPanels = 12;
 constexpr std::size_t kRows = 2000;
 /// Residuals below this part of the tolerance are drawn at their own size.
 constexpr double kTooSmall = 0.02;
-constexpr std::size_t kLineLength = 84;
+constexpr std::size_t kLineLength = 74;
 
-/// A sentence in at most two lines of a panel's width.
+/// A sentence in at most two lines of a panel's width. Texts of a script have no line feeds: a '|'
+/// says where the second one begins.
 std::string in_two_lines(const std::string& text) {
   if (text.size() <= kLineLength) return text;
   const std::size_t space = text.rfind(' ', kLineLength);
   const std::size_t end = space == std::string::npos ? kLineLength : space;
   std::string rest = text.substr(end + (space == std::string::npos ? 0 : 1));
-  if (rest.size() > kLineLength) rest = rest.substr(0, kLineLength - 3) + "...";
-  return text.substr(0, end) + "\n" + rest;
-}
-
-/// gnuplot_string keeps texts in one line; a line feed is written as two characters for the
-/// template, which knows what they mean.
-std::string with_breaks(std::string text) {
-  for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos;) text[at] = '|';
-  return text;
+  if (rest.size() > kLineLength) {
+    const std::size_t last = rest.rfind(' ', kLineLength - 4);
+    if (last != std::string::npos) rest = rest.substr(0, last) + " ...";
+  }
+  return text.substr(0, end) + "|" + rest;
 }
 
 struct Judged {
@@ -76,13 +73,14 @@ class Panels {
     points_ += rows.empty() ? "NaN NaN 0\n\n\n" : "\n\n";
     script_.add("POINTS", static_cast<int>(rows.size() / 2));
     script_.add("NAME", (verdict.passed ? "PASS  " : "FAIL  ") + verdict.name);
-    script_.add("SAYS", with_breaks(in_two_lines(says(judged, compared.fault))));
+    script_.add("SAYS", in_two_lines(says(judged, compared.fault)));
     script_.add("LABEL", axis_label("residual", {"", verdict.unit}));
     script_.add(
         "ABSCISSA",
         axis_label(judged.trace.abscissa_label == "t" ? "time t" : judged.trace.abscissa_label,
                    {"", judged.trace.abscissa_unit}));
     script_.add("TUBE", tube);
+    script_.add("POINTWISE", pointwise ? 1 : 0);
     // A flat line in a wide band says nothing: then the band fills the panel.
     const bool small = worst < kTooSmall * tube && worst > 0.0;
     const double high = small ? 1.6 * worst : 1.25 * std::max(tube, worst);

@@ -58,7 +58,7 @@ std::vector<Source> find_sources(std::span<const std::string> inputs,
   return sources;
 }
 
-/// The page's title where none is given: what the user typed.
+/// The page's title where none is given: the only input's name, or nothing.
 std::string title_of(std::span<const std::string> inputs) {
   if (inputs.size() == 1) {
     const fs::path path = fs::path(inputs.front()).lexically_normal();
@@ -66,7 +66,7 @@ std::string title_of(std::span<const std::string> inputs) {
         path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
     if (!last.empty() && last != "." && last != "..") return last;
   }
-  return "slipbench report";
+  return {};
 }
 
 }  // namespace

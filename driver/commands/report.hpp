@@ -9,12 +9,14 @@ namespace slipbench::driver {
 struct ReportOptions {
   std::vector<std::string> inputs;  ///< cases, folders of cases, results (.csv)
   std::string output;               ///< the page
-  std::string title;                ///< empty: made of the inputs
+  std::string title;                ///< empty: the name of the only input
   std::vector<std::string> settings;
   bool allow_outside = false;
 };
 
-/// `slipbench report`: one self-contained HTML page about cases and results. Returns the exit code.
+/// `slipbench report`: one self-contained HTML page about cases and results. The output does not
+/// depend on the number of threads. Returns the exit code: 0 if the page was written and shows at
+/// least one run, whatever its checks say; that of the worst case if none could be read and run.
 int report_command(const ReportOptions& options);
 
 }  // namespace slipbench::driver

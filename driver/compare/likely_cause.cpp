@@ -237,25 +237,26 @@ class Inquiry {
   }
 
   /// Where one of the curves has reached the limit and the other one has not, the result lies
-  /// between the two lines.
+  /// between the two lines; where both have, they agree.
   std::optional<double> stick_stiffness() const {
     constexpr double kExact = 0.6;
     const auto ratio = ratio_of(kStick, true);
     if (!ratio || !(ratio->value > 0.0)) return std::nullopt;
-    Count sticking, exactly, explained;
+    Count sticking, slipping, exactly, explained;
     for (const Point& p : points_) {
       const double line = p.f0 + ratio->value * (p.r - p.r0);
       const double other = p.f0 + (p.r - p.r0);
       const bool exact = p.status == kStick && meets(p, line);
-      if (p.status == kStick) sticking.add(exact || p.failing);
-      if (!p.failing) continue;
       const bool between =
           p.f >= std::min(line, other) - allowed(p) && p.f <= std::max(line, other) + allowed(p);
+      if (p.status == kStick) sticking.add(exact || p.failing);
+      if (p.status == kSlip) slipping.add(meets(p, p.r) || between);
+      if (!p.failing) continue;
       exactly.add(exact);
       explained.add(exact || (between && (p.status == kStick || p.status == kSlip)));
     }
     if (exactly.share() > 1.0 - kExact || explained.share() > kOutliers ||
-        sticking.share() > kOutliers) {
+        sticking.share() > kOutliers || slipping.share() > kOutliers) {
       return std::nullopt;
     }
     return ratio->value;

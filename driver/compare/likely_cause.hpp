@@ -30,15 +30,17 @@ struct CauseScales {
 /// - sign: f = -r;
 /// - coefficient: f = q r in slip, and no stick point is off by more than the slip points are
 ///   (loops: a stick branch begins where the slip before it ended);
-/// - stick stiffness: f - f0 = q (r - r0) in stick, with f0, r0 the last slip point before it, or
-/// 0;
+/// - stick stiffness: f - f0 = q (r - r0) in stick and f = r in slip, with f0, r0 the last slip
+///   point before the stick, or 0;
 /// - factor: f = q r everywhere (a unit, where q is a power of ten; no load, where q is 0);
 /// - offset: f = r + c everywhere;
 /// - delay: f(t) = r(t - d), over time only.
-/// A cause is told only if it explains 95 % of the failing points to within 10 % of the tolerance
-/// or 1 % of their deviation, if 95 % of the others agree with it to within the tolerance, and if
-/// it can be told from the rest: a reference of one level has a ratio and an offset. Fewer than 3
-/// failing points (of a delay 5) explain nothing.
+/// A cause is told only if it explains 95 % of the failing points, and of all points that it speaks
+/// of, to within 10 % of the tolerance or 1 % of their deviation, and if it can be told from the
+/// others: against a reference of one level a ratio is an offset as well, and nothing is said
+/// unless all of it is slip. In loops a fifth of the failing slip points (of the stiffness, two
+/// fifths of all) may be on the way between the two curves, where only one of them has reached its
+/// limit. Fewer than 3 failing points (of a delay 5) explain nothing.
 ///
 /// \param points in the order of their history; all of a check's or an even selection of them
 std::string likely_cause(std::span<const CausePoint> points, const CauseScales& scales);

@@ -17,6 +17,16 @@
 namespace slipbench::driver {
 namespace {
 
+/// What is doubtful about a tolerance. A curve that agrees far better than its digits allow is one
+/// of round numbers: their digits are all there.
+std::vector<std::string> doubts(const Tolerance& tolerance, double scale, double worst,
+                                std::optional<double> resolution, const std::string& unit) {
+  constexpr double kFarBetter = 1e-2;
+  if (resolution && worst < kFarBetter * *resolution) resolution.reset();
+  return tolerance_doubts(tolerance,
+                          {.scale = scale, .worst = worst, .resolution = resolution, .unit = unit});
+}
+
 /// The status at a total time: that of the increment which leads there.
 int status_at(const ComparedRows& rows, double time) {
   if (rows.status.empty() || std::isnan(time)) return -1;
@@ -57,17 +67,13 @@ void judge_measures(const Check& check, const CheckLabels& labels, const Compare
                                : Deviation{unknown, worst->value, worst->reference, unknown};
   verdict.failing = std::count_if(verdict.measures.begin(), verdict.measures.end(),
                                   [](const Measure& measure) { return !measure.passed(); });
-  if (verdict.failing > 0) {
-    verdict.message = measures_message(verdict, labels);
-    return;
+  if (verdict.failing > 0) verdict.message = measures_message(verdict, labels);
+  const std::optional<double> printed =
+      worst->unit == MeasureUnit::kQuantity ? resolution : std::nullopt;
+  if (worst->unit != MeasureUnit::kAbscissa) {
+    verdict.warnings =
+        doubts(check.tolerance, worst->scale, worst->deviation, printed, unit_of(*worst, verdict));
   }
-  if (worst->unit == MeasureUnit::kAbscissa) return;
-  const bool printed = worst->unit == MeasureUnit::kQuantity;
-  verdict.warnings =
-      tolerance_doubts(check.tolerance, {.scale = worst->scale,
-                                         .worst = worst->deviation,
-                                         .resolution = printed ? resolution : std::nullopt,
-                                         .unit = unit_of(*worst, verdict)});
 }
 
 }  // namespace
@@ -96,12 +102,9 @@ void conclude(const Check& check, const CheckLabels& labels, const PointJudge& j
                                                          .over_time = !check.abscissa,
                                                          .time_unit = labels.time_unit});
     if (!verdict.likely_cause.empty()) verdict.message += "; " + verdict.likely_cause;
-  } else {
-    verdict.warnings = tolerance_doubts(check.tolerance, {.scale = result.scale,
-                                                          .worst = verdict.worst.size(),
-                                                          .resolution = resolution,
-                                                          .unit = labels.unit});
   }
+  verdict.warnings =
+      doubts(check.tolerance, result.scale, verdict.worst.size(), resolution, labels.unit);
 }
 
 void judge_rows(const Check& check, const CheckLabels& labels, const ComparedRows& rows,

@@ -117,7 +117,7 @@ DrawnColumns drawn_columns(const ResultLayout& layout) {
 
 std::size_t most_rows(std::size_t columns) {
   constexpr std::size_t kFewest = 200;
-  constexpr std::size_t kMost = 500;
+  constexpr std::size_t kMost = 520;
   return std::clamp(kMostNumbers / std::max<std::size_t>(columns, 1), kFewest, kMost);
 }
 

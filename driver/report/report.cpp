@@ -51,7 +51,8 @@ tl::expected<std::size_t, std::string> write_report(const std::filesystem::path&
                                                     std::span<const std::string> inputs) {
   auto out = OutputFile::create(file, inputs);
   if (!out) return tl::unexpected(out.error());
-  const std::string page = report_page(report_document(collection, title), title);
+  const std::string shown = title.empty() ? "slipbench report" : title;
+  const std::string page = report_page(report_document(collection, shown), shown);
   out->append(page);
   OutputFile* const alone[] = {&*out};
   if (auto committed = commit(alone); !committed) return tl::unexpected(committed.error());

@@ -52,7 +52,8 @@ class ReportCollection {
 /// cases give the same bytes.
 std::string report_document(const ReportCollection& collection, const std::string& title);
 
-/// Writes the page as one file that appears only when it is complete. Returns its size in bytes.
+/// Writes the page as one file that appears only when it is complete. An empty title becomes
+/// "slipbench report". Returns its size in bytes.
 /// Errors: those of OutputFile, also for a file that is one of `inputs`.
 tl::expected<std::size_t, std::string> write_report(const std::filesystem::path& file,
                                                     const ReportCollection& collection,

@@ -13,7 +13,7 @@ namespace slipbench::driver {
 namespace {
 
 constexpr std::size_t kPointsOfFailed = 300;
-constexpr std::size_t kPointsOfPassed = 100;
+constexpr std::size_t kPointsOfPassed = 120;
 /// Points of all checks of a case together, as long as each has those around its worst one.
 constexpr std::size_t kPointsOfCase = 3000;
 constexpr std::size_t kFewestPoints = 72;

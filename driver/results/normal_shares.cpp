@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "driver/case/quantity.hpp"
+#include "driver/results/columns.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -79,8 +80,9 @@ std::vector<NormalShare> normal_shares(const law::FrictionDefinition& definition
   }
   std::vector<NormalShare> shares = contact_shares(definition.contact_force, increment);
   const double slip = slip_of_internal_force(definition, update);
-  shares.push_back({"internal contact force",
-                    law::evaluate(definition.internal_contact_force, increment.end, slip).value});
+  shares.push_back(
+      {is_rotational(definition) ? "internal contact moment" : "internal contact force",
+       law::evaluate(definition.internal_contact_force, increment.end, slip).value});
   return shares;
 }
 

@@ -62,10 +62,14 @@ void sort_unique(std::vector<std::size_t>& numbers) {
 }  // namespace
 
 void RowThinner::close_piece() {
-  Chosen chosen;
-  choose(open_, 0, open_.size(), all_, chosen);
-  sort_unique(chosen);
-  for (const std::size_t i : chosen) append(done_, open_, i);
+  if (open_.size() == 1) {
+    append(done_, open_, 0);
+  } else {
+    Chosen chosen;
+    choose(open_, 0, open_.size(), all_, chosen);
+    sort_unique(chosen);
+    for (const std::size_t i : chosen) append(done_, open_, i);
+  }
   open_.clear();
   in_piece_ = 0;
   piece_ends_.push_back(done_.size());

@@ -30,10 +30,14 @@ function makeSvg(tag, attributes = {}) {
   return element;
 }
 
+/** A table that is wider than a phone scrolls in itself. */
+const inScroll = (table) => make("div", {class: "sideways"}, table);
 const find = (id) => document.getElementById(id);
 const isNumber = (value) => typeof value === "number" && Number.isFinite(value);
 /** Somebody else's words: their direction must not turn that of the words around them. */
 const quoted = (text) => make("bdi", {}, text);
+/** A name that may be broken behind its joints. */
+const breakable = (text) => text.split(/(?<=[_/.])/).flatMap((part, i) => (i > 0 ? [make("wbr"), part] : [part]));
 
 const kSuperscripts = {"-": "\u207b", 0: "\u2070", 1: "\u00b9", 2: "\u00b2", 3: "\u00b3", 4: "\u2074", 5: "\u2075", 6: "\u2076", 7: "\u2077", 8: "\u2078", 9: "\u2079"};
 const withPower = (mantissa, power) =>
@@ -61,6 +65,17 @@ const labelled = (name, unit) => (unit ? `${name} (${unit})` : name);
 function fraction(value) {
   if (value === null || value === undefined) return "\u2013";
   return value > 1 ? number(value, 2) + "\u00d7" : number(value, 2);
+}
+
+/** Round numbers from low to high, about `count` of them. */
+function roundTicks(low, high, count) {
+  const raw = (high - low) / Math.max(count, 1);
+  if (!(raw > 0) || !Number.isFinite(raw)) return [low];
+  const power = 10 ** Math.floor(Math.log10(raw));
+  const step = power * [1, 2, 5, 10].find((size) => raw <= size * power * 1.0001);
+  const ticks = [];
+  for (let i = Math.ceil(low / step - 1e-6); i <= high / step + 1e-6; ++i) ticks.push(Number((i * step).toPrecision(12)));
+  return ticks;
 }
 
 /** The text of a tick: as many decimals as the ticks are apart. */
@@ -170,6 +185,14 @@ function limitIsCircle(first, second, limit, status) {
   return seen > 0;
 }
 
+/** False for a limit that swings so often that it would only cover the loop. */
+function isCalm(values) {
+  const found = range(values);
+  if (!found || !varies(values)) return true;
+  const way = values.reduce((sum, value, i) => sum + (i > 0 ? Math.abs(value - values[i - 1]) : 0), 0);
+  return way < 5 * (found.high - found.low);
+}
+
 function forcePanels(one, definition, time) {
   const panels = [];
   const force = definition.force ? columnOf(one, definition.force) : null;
@@ -209,14 +232,14 @@ function motionPanels(one, definition, time) {
 }
 
 function energyLines(one, time) {
-  const words = {work: "work", dissipated: "dissipated", stored: "stored"};
+  const words = {work: "work", dissipated: "dissipated", stored: "stored", kinetic: "of motion", external: "put in from outside"};
   const styles = {work: {colour: 1, dash: [7, 2, 2, 2]}, dissipated: {main: true}, stored: {colour: 3, dash: [2, 2]}};
   const lines = [];
   for (const [key, names] of Object.entries((one.energy || {}).columns || {})) {
     const columns = (names || []).map((name) => columnOf(one, name)).filter(Boolean);
     if (columns.length === 0) continue;
     const sum = columns[0].values.map((value, i) => columns.reduce((total, column) => total + (isNumber(column.values[i]) ? column.values[i] : NaN), 0));
-    const style = styles[key] || {colour: 4 + (lines.length % 3), dash: [9, 3]};
+    const style = styles[key] || {colour: 4 + (lines.length % 3), dash: [[12, 4], [8, 3, 2, 3], [4, 2]][lines.length % 3]};
     lines.push(series(words[key] || key.replace(/_/g, " "), {...columns[0], values: sum}, time.values, style));
   }
   return lines;
@@ -277,7 +300,7 @@ function loops(one, definition) {
   if (!planar) pairs.sort((a, b) => (a.position.unit === b.position.unit ? span(b) - span(a) : 0));
   for (const {force, position} of pairs.slice(0, planar ? 0 : 3)) {
     const panel = path(`loop:${force.name}:${position.name}`, `${force.name.startsWith("CSM") ? "Moment over rotation" : "Force over motion"}`, position, force);
-    if (limit && forces.length === 1 && limit.unit === force.unit) {
+    if (limit && forces.length === 1 && limit.unit === force.unit && isCalm(limit.values)) {
       const style = {colour: "limit", dash: [6, 4]};
       panel.lines.push({label: limit.name, unit: limit.unit, x: position.values, y: limit.values, ...style},
                        {label: below ? below.name : "\u2212" + limit.name, unit: limit.unit, x: position.values, y: below ? below.values : negative(limit.values), ...style, silent: !below});
@@ -295,7 +318,9 @@ const kRunDashes = [[8, 3], [2, 2], [8, 3, 2, 3], [12, 4], [4, 2], [1, 3]];
 
 /** Adds the main curves of other runs to a panel of the same meaning. */
 function layOver(panel, others) {
-  const lines = panel.lines.map((line) => ({...line, run: 0}));
+  // Beside other runs only what is compared stays, and its limit.
+  const kept = panel.lines.filter((line) => others.length === 0 || line.main || line.colour === "limit");
+  const lines = kept.map((line) => ({...line, run: 0}));
   others.forEach((other, i) => {
     const same = other.panels.find((candidate) => candidate.key === panel.key && candidate.unit === panel.unit && candidate.xUnit === panel.xUnit);
     const main = same && same.lines.find((line) => line.main);
@@ -377,9 +402,9 @@ class Picture {
     this.plot = make("div", {class: "plot " + height}, this.canvas, this.layer);
     this.legend = make("ul", {class: "legend"});
     this.values = [];
-    const title = panel.kind === "loop" ? labelled(panel.yName, panel.unit) : labelled(panel.title, panel.unit);
+    const title = panel.kind === "loop" ? `${labelled(panel.yName, panel.unit)} over ${panel.xName}` : labelled(panel.title, panel.unit);
     this.element = make("figure", {class: "panel", "data-panel": panel.key},
-                        make("div", {class: "panel-head"}, make("h4", {}, panel.kind === "loop" ? `${panel.title}: ` : "", quoted(title)), this.legend));
+                        make("div", {class: "panel-head"}, make("h4", {}, panel.kind === "loop" && panel.title ? `${panel.title}: ` : "", quoted(title)), this.legend));
     this.element.append(this.plot);
     this.buildLegend();
   }
@@ -387,7 +412,6 @@ class Picture {
   /** Draws; the element must be in the page by now, since its size counts. */
   draw() {
     const {panel} = this;
-    const history = panel.kind !== "loop";
     this.chart = new Chart(this.canvas, {
       type: "line",
       data: {datasets: panel.lines.map((line) => this.dataset(line))},
@@ -397,8 +421,8 @@ class Picture {
         elements: {point: {radius: 0, hoverRadius: 0}, line: {tension: 0, borderJoinStyle: "round"}},
         plugins: {legend: {display: false}, tooltip: {enabled: false}, filler: false},
         scales: {
-          x: this.axis({title: panel.kind === "history" && !panel.last ? null : labelled(panel.xName, panel.xUnit), bounds: history ? "data" : "ticks", limits: panel.xLimits, tight: history}),
-          y: this.axis({limits: panel.yLimits, upright: true})
+          x: this.axis({title: panel.kind === "history" && !panel.last ? null : labelled(panel.xName, panel.xUnit), limits: panel.xLimits || this.span("x", panel.kind === "history" ? 0 : 0.04)}),
+          y: this.axis({limits: panel.yLimits || this.span("y", 0.06), upright: true})
         }
       },
       plugins: [{
@@ -421,17 +445,31 @@ class Picture {
     return {
       data: line.x.map((x, i) => ({x, y: line.y[i]})),
       borderColor: colourOf(line), borderDash: line.dash || [], borderWidth: width, hidden: line.off || false,
+      pointRadius: line.x.length < 3 ? 3 : 0, pointBackgroundColor: colourOf(line),
       // In a loop, where nothing can be shaded, slip is drawn bolder than stick.
       segment: slips ? {borderWidth: (context) => (slips[context.p1DataIndex] === 2 ? 2.6 : 1.1)} : undefined
     };
   }
 
-  axis({title, bounds = "ticks", limits, tight, upright}) {
+  /** From the smallest to the largest value drawn, and a part of that as air. */
+  span(key, air) {
+    const {low, high} = range(this.panel.lines.flatMap((line) => line[key])) || {low: -1, high: 1};
+    const size = Math.max(Math.abs(low), Math.abs(high));
+    // Rounding is no range.
+    if (high - low <= 1e-9 * size || size === 0) return [low - (0.05 * size || 1), high + (0.05 * size || 1)];
+    return [low - air * (high - low), high + air * (high - low)];
+  }
+
+  axis({title, limits, upright}) {
     return {
-      type: "linear", bounds, min: limits && limits[0], max: limits && limits[1], grace: tight || limits ? 0 : "4%",
+      type: "linear", bounds: "data", min: limits[0], max: limits[1],
       grid: {color: colours.grid, borderColor: colours.soft, drawTicks: false},
-      ticks: {color: colours.soft, font: {size: 11}, maxTicksLimit: upright ? 6 : 8, autoSkip: true, includeBounds: false, maxRotation: 0, padding: 5, callback: tickText},
+      ticks: {color: colours.soft, font: {size: 11}, autoSkip: false, maxRotation: 0, padding: 5, callback: tickText},
       title: {display: Boolean(title), text: title || "", color: colours.soft, font: {size: 12}, padding: 2},
+      afterBuildTicks: (scale) => {
+        const room = upright ? (scale.chart.height - kTop - kBottom) / 28 : (scale.chart.width - kLeft - kRight) / 75;
+        scale.ticks = roundTicks(scale.min, scale.max, Math.min(room, upright ? 6 : 10)).map((value) => ({value}));
+      },
       afterFit: (scale) => {
         if (upright) scale.width = kLeft;
         else scale.height = title ? kBottomTitled : kBottom;
@@ -560,7 +598,8 @@ class Picture {
   recolour() {
     if (!this.chart) return;
     this.panel.lines.forEach((line, i) => {
-      this.chart.data.datasets[i].borderColor = colourOf(line);
+      const dataset = this.chart.data.datasets[i];
+      dataset.borderColor = dataset.pointBackgroundColor = colourOf(line);
       if (line.swatch) line.swatch.setAttribute("stroke", colourOf(line));
     });
     for (const scale of Object.values(this.chart.options.scales)) {
@@ -597,7 +636,7 @@ class Picture {
         const place = one.run === undefined ? placeOf(one.x, now) : view.places[one.run];
         const y = valueAt(one.y, place);
         const x = this.panel.kind === "history" && now !== null ? now : valueAt(one.x, place);
-        if (this.values[i]) this.values[i].textContent = withUnit(y, one.unit, 4);
+        if (this.values[i]) this.values[i].textContent = withUnit(y, one.unit, 4) + (this.panel.kind === "loop" && one.main ? ` at ${this.panel.xName} ${withUnit(x, this.panel.xUnit, 4)}` : "");
         if (one.off || one.silent || !isNumber(x) || !isNumber(y)) return;
         const at = pixel(x, y);
         if (inside(at)) parts.push(makeSvg("circle", {cx: at[0], cy: at[1], r: one.main ? 5 : 3.5, fill: colourOf(one), class: "cursor-dot"}));
@@ -610,8 +649,11 @@ class Picture {
         if (isNumber(reference)) line(at, pixel(x, reference), "worst-line");
         parts.push(makeSvg("circle", {cx: at[0], cy: at[1], r: 7, class: "worst-ring"}));
         const right = at[0] < (area.left + area.right) / 2;
+        // Six and a half pixels a letter: on a phone the label is shifted until it is inside.
+        const width = 6.6 * text.length;
+        const from = right ? Math.min(at[0] + 12, Math.max(area.right - width, 2)) : Math.max(at[0] - 12, width + 2);
         const high = at[1] < area.top + 26;
-        const label = makeSvg("text", {x: at[0] + (right ? 12 : -12), y: at[1] + (high ? 18 : -9), class: "worst-label", "text-anchor": right ? "start" : "end"});
+        const label = makeSvg("text", {x: from, y: at[1] + (high ? 18 : -9), class: "worst-label", "text-anchor": right ? "start" : "end"});
         label.textContent = text;
         parts.push(label);
       }
@@ -680,8 +722,9 @@ class View {
   firstInstant() {
     const failing = failingChecks(this.one).find((check) => isNumber((worstOf(check) || {}).time));
     if (failing) return worstOf(failing).time;
-    const slip = (this.one.events || []).find((event) => event.to === "slip");
-    return slip ? slip.t : this.times[0][0];
+    const times = this.times[0];
+    const slip = (this.one.events || []).find((event) => event.to === "slip" && event.t > times[0]);
+    return slip ? slip.t : (times[0] + times[times.length - 1]) / 2;
   }
 
   moveTo(place, quietly) {
@@ -740,7 +783,10 @@ function markEvent(now) {
   let last = -1;
   for (let i = 0; i < events.length; ++i) if (events[i].t <= now * (1 + 1e-12)) last = i;
   if (instantParts.near === last) return;
+  const reach = (at, index) => { rows[at].querySelector("button").tabIndex = index; };
   if (rows[instantParts.near]) rows[instantParts.near].classList.remove("near");
+  reach(Math.max(instantParts.near, 0), -1);
+  reach(Math.max(last, 0), 0);
   instantParts.near = last;
   if (!rows[last]) return;
   rows[last].classList.add("near");
@@ -781,14 +827,17 @@ function header(one) {
       make("h2", {}, quoted(one.title || one.name)));
   const facts = [make("span", {class: "badge " + one.status}, `${kStatusMarks[one.status]} ${kStatusWords[one.status]}`)];
   const said = [];
-  if (isNumber(one.increments)) said.push(plural(one.increments, "increment"));
+  if (one.increments > 0) said.push(plural(one.increments, "increment"));
   if (one.thinned) said.push(`curves thinned to ${plural(one.rows_shown, "point")}; extremes, reversals and ends are kept`);
   const parameters = Object.entries(one.parameters || {});
   if (parameters.length > 0) said.push(parameters.map(([name, value]) => `${name} = ${isNumber(value) ? number(value, 6) : value}`).join(", "));
   block.append(make("p", {class: "facts"}, facts, make("span", {class: "soft"}, quoted(said.join(" \u00b7 ")))));
   if ((one.summary || []).length > 0) block.append(make("ul", {class: "summary"}, one.summary.map((line) => make("li", {}, quoted(line)))));
   if ((one.warnings || []).length > 0) {
-    block.append(make("ul", {class: "notes"}, one.warnings.map((line) => make("li", {class: "note"}, make("b", {}, "Note: "), quoted(line)))));
+    block.append(make("ul", {class: "notes"}, [...new Set(one.warnings)].map((line) => make("li", {class: "note"}, make("b", {}, "Note: "), quoted(line)))));
+  }
+  if (one.details === false && one.status !== "not_run") {
+    block.append(make("p", {class: "facts soft"}, "The curves of this case are left out to keep the page small; a report of this case alone draws them."));
   }
   if (one.message) block.append(make("pre", {tabindex: 0, "aria-label": "Why it was not run"}, one.message));
   if ((one.definitions || []).length > 1) block.append(definitionTabs(one));
@@ -875,6 +924,7 @@ function drawPictures() {
   const right = make("div", {class: "column"}, made.filter((picture) => picture.panel.kind === "history").map((picture) => picture.element));
   box.replaceChildren(...[left, right].filter((column) => column.children.length > 0));
   box.classList.toggle("histories-only", left.children.length === 0);
+  left.classList.toggle("stays", left.children.length === 1);
   pictures.push(...made);
   for (const picture of made) picture.draw();
   showShades();
@@ -955,22 +1005,24 @@ function runSection(one) {
     const names = [...new Set([definition.force, ...(definition.forces || []), definition.limit, definition.limit_below, definition.normal_force, definition.mu, ...(definition.positions || [])].filter(Boolean))];
     const rows = names.map((name) => columnOf(one, name)).filter(Boolean).map((column) => {
       const found = range(column.values) || {};
+      const size = Math.max(Math.abs(found.low), Math.abs(found.high));
+      // What rounding left of a number that returns to 0.
+      const told = (value) => number(Math.abs(value) < 1e-12 * size ? 0 : value, 5);
       return make("tr", {}, make("th", {scope: "row", title: column.text || false}, labelled(column.name, column.unit)),
-                  make("td", {class: "number"}, number(found.low, 5)), make("td", {class: "number"}, number(found.high, 5)),
-                  make("td", {class: "number"}, number(column.values[column.values.length - 1], 5)));
+                  ...[found.low, found.high, column.values[column.values.length - 1]].map((value) => make("td", {class: "number"}, told(value))));
     });
-    tables.append(make("table", {class: "plain"}, make("caption", {}, "Smallest, largest and last values"),
+    tables.append(inScroll(make("table", {class: "plain"}, make("caption", {}, "Smallest, largest and last values"),
         make("thead", {}, make("tr", {}, make("th", {scope: "col"}, "Quantity"), ...["Smallest", "Largest", "At the end"].map((word) => make("th", {scope: "col", class: "number"}, word)))),
-        make("tbody", {}, rows)));
+        make("tbody", {}, rows))));
   }
   const lines = energyLines(one, timeOf(one));
-  if (lines.length > 0) tables.append(energyTable(lines));
+  if (lines.length > 0) tables.append(energyTable(one, lines));
   if (tables.children.length === 0) return null;
   block.append(tables);
   return block;
 }
 
-function energyTable(lines) {
+function energyTable(one, lines) {
   const last = (line) => line.y[line.y.length - 1];
   const cells = [];
   const rows = lines.map((line) => {
@@ -980,19 +1032,21 @@ function energyTable(lines) {
   });
   const named = (name) => lines.find((line) => line.label === name);
   const [work, dissipated, stored] = ["work", "dissipated", "stored"].map(named);
-  if (work && dissipated && stored) {
+  // The work of friction alone says nothing about springs, dampers and masses.
+  const alone = (one.energy.columns.dissipated || []).concat(one.energy.columns.stored || []).every((name) => /^(DISS|STRAIN_E)(\.|$)/.test(name));
+  if (work && dissipated && stored && alone && lines.length === 3) {
     const rest = work.y.map((value, i) => value - dissipated.y[i] - stored.y[i]);
     const line = {y: rest, unit: work.unit};
-    const scale = Math.max(...[work, dissipated, stored].map((one) => Math.abs(last(one))));
+    const scale = Math.max(...[work, dissipated, stored].map((part) => Math.abs(last(part))));
     const cell = make("td", {class: "number"});
     cells.push({cell, line});
     rows.push(make("tr", {}, make("th", {scope: "row"}, "not accounted for"), cell,
                    make("td", {class: "number"}, withUnit(last(line), line.unit, 2) + (scale > 0 ? ` (${number(last(line) / scale, 2)} of the whole)` : ""))));
   }
   if (instantParts) instantParts.energy = cells;
-  return make("table", {class: "plain"}, make("caption", {}, "Energy balance"),
+  return inScroll(make("table", {class: "plain"}, make("caption", {}, "Energy balance"),
       make("thead", {}, make("tr", {}, make("th", {scope: "col"}, "Energy"), ...["At the instant", "At the end"].map((word) => make("th", {scope: "col", class: "number"}, word)))),
-      make("tbody", {}, rows));
+      make("tbody", {}, rows)));
 }
 
 function eventSection(one) {
@@ -1002,10 +1056,10 @@ function eventSection(one) {
   const several = (one.definitions || []).length > 1;
   const positions = Object.keys(events[0].positions || {});
   const unitOf = (name) => (columnOf(one, name) || {unit: ""}).unit;
-  const rows = events.map((event) => {
+  const rows = events.map((event, i) => {
     const force = (one.definitions || []).find((definition) => definition.name === event.definition) || {};
     return make("tr", {},
-        make("td", {class: "number"}, make("button", {type: "button", onclick: () => view.moveToTime(event.t)}, number(event.t, 6))),
+        make("td", {class: "number"}, make("button", {type: "button", tabindex: i === 0 ? 0 : -1, onclick: () => view.moveToTime(event.t)}, number(event.t, 6))),
         several ? make("td", {}, quoted(event.definition)) : null,
         make("td", {}, event.reversal ? "slip turns round" : `${event.from} \u2192 ${event.to}`),
         make("td", {class: "number"}, withUnit(event.force, unitOf(force.force))),
@@ -1016,9 +1070,19 @@ function eventSection(one) {
   const caption = (total > events.length ? `The first ${events.length} of ${total} events` : plural(total, "event")) + "; choose one to see its instant";
   const column = (word, numeric = true) => make("th", {scope: "col", class: numeric ? "number" : ""}, word);
   Object.assign(instantParts, {events, rows, near: -1});
+  // One stop of Tab for the whole list; arrows go through it.
+  const step = (key) => {
+    const at = rows.indexOf(document.activeElement.closest("tr"));
+    const next = rows[at + {ArrowDown: 1, ArrowUp: -1}[key.key]];
+    if (at < 0 || !next) return;
+    key.preventDefault();
+    const button = next.querySelector("button");
+    button.focus({preventScroll: true});
+    button.click();
+  };
   return make("section", {"aria-labelledby": "events-title"}, make("h3", {id: "events-title"}, "Events"),
       make("p", {class: "soft", id: "events-caption"}, caption),
-      make("div", {class: "scroll", tabindex: 0, role: "region", "aria-label": "Events"},
+      make("div", {class: "scroll", tabindex: 0, role: "region", "aria-label": "Events", onkeydown: step},
           make("table", {"aria-describedby": "events-caption"}, make("caption", {class: "hidden"}, "Events"),
               make("thead", {}, make("tr", {}, column(labelled("t", time.unit)), several ? column("Definition", false) : null, column("Change", false), column("Force"), column("Limit"), positions.map((name) => column(name)))),
               make("tbody", {}, rows))));
@@ -1064,6 +1128,7 @@ function coverageSection(one) {
     const axes = table.axes || [];
     const beyond = axes.filter((axis) => axis.below > 0 || axis.above > 0)
         .map((axis) => `${axisName(axis)}: ${[axis.below > 0 ? `${axis.below} below` : "", axis.above > 0 ? `${axis.above} above` : ""].filter(Boolean).join(", ")}`);
+    if (table.coarser) block.querySelector("p").textContent += " Of large tables several cells are taken together.";
     const bounds = table.outside > 0 ? `${table.outside} of ${plural(table.increments, "increment")} outside of the table${beyond.length > 0 ? " (" + beyond.join("; ") + ")" : ""}`
                                      : `all ${plural(table.increments, "increment")} inside of the table`;
     if (axes.length === 0) continue;
@@ -1102,13 +1167,13 @@ function checkSection(one) {
         make("td", {class: "name"}, button),
         make("td", {class: "wide"}, quoted(labelled(check.quantity || "", check.unit))),
         make("td", {class: "wide"}, quoted((check.criterion || "").replace(/_/g, " "))),
-        make("td", {class: "number"}, bar(check), " ", fraction(check.worst_fraction))), detail);
+        make("td", {class: "number"}, bar(check), make("span", {class: "part"}, fraction(check.worst_fraction)))), detail);
   }
   const failing = failingChecks(one).length;
   return make("section", {id: "checks", "aria-labelledby": "checks-title"}, make("h3", {id: "checks-title"}, failing > 0 ? `Checks: ${failing} of ${one.checks.length} failed` : "Checks"),
       make("table", {class: "checks"}, make("caption", {class: "hidden"}, "Checks with their worst deviation as a part of the tolerance"),
           make("thead", {}, make("tr", {}, make("th", {scope: "col"}, make("span", {class: "hidden"}, "Verdict")), make("th", {scope: "col"}, "Check"),
-              make("th", {scope: "col", class: "wide"}, "Quantity"), make("th", {scope: "col", class: "wide"}, "Criterion"), make("th", {scope: "col", class: "number"}, "Deviation of tolerance"))),
+              make("th", {scope: "col", class: "wide"}, "Quantity"), make("th", {scope: "col", class: "wide"}, "Criterion"), make("th", {scope: "col", class: "number"}, "Worst / tolerance"))),
           body));
 }
 
@@ -1133,8 +1198,10 @@ function fillCheck(entry) {
   const worst = worstOf(check);
   const time = timeOf(view.one);
   const parts = [];
-  if (check.message) parts.push(make("p", {class: "note bad"}, quoted(check.message)));
-  if (check.likely_cause) parts.push(make("p", {class: "note"}, make("b", {}, "Perhaps: "), quoted(check.likely_cause)));
+  // The cause has a line of its own.
+  const message = (check.message || "").replace(check.likely_cause ? "; " + check.likely_cause : "", "");
+  if (message) parts.push(make("p", {class: "note bad"}, quoted(message)));
+  if (check.likely_cause) parts.push(make("p", {class: "note"}, make("b", {}, "Perhaps: "), quoted(check.likely_cause.replace(/^looks like/, "it looks like"))));
   for (const warning of check.warnings || []) parts.push(make("p", {class: "note"}, make("b", {}, "Note: "), quoted(warning)));
   const said = [`against ${check.against || "its reference"}`];
   if (isNumber(check.tolerance)) said.push(`tolerance ${withUnit(check.tolerance, check.unit, 3)}${check.why ? " (" + check.why + ")" : ""}`);
@@ -1177,6 +1244,14 @@ function deviations(trace) {
   return x.length > 1 ? {x, y} : null;
 }
 
+/** True if the drawn points resolve the deviation: they have six digits and may be thinned. */
+function resolves(check, differences, worst) {
+  const size = Math.max(...Object.values(range(check.trace.reference.y) || {low: 0, high: 0}).map(Math.abs));
+  const known = worst && isNumber(worst.value) && isNumber(worst.reference) ? Math.abs(worst.value - worst.reference) : null;
+  if (!(Math.max(check.trace.tube, known || 0) > 2e-5 * size)) return false;
+  return known === null || Math.max(...differences.y.map(Math.abs)) <= 1.02 * known + 2e-6 * size;
+}
+
 function tracePictures(check, worst) {
   const {trace} = check;
   const overTime = ["t", "time", "T"].includes(trace.abscissa);
@@ -1188,13 +1263,18 @@ function tracePictures(check, worst) {
   const common = {xName: trace.abscissa, xUnit: trace.abscissa_unit, unit: check.unit, last: true, linked: overTime};
   const mark = worst && isNumber(worst.abscissa) && isNumber(worst.value);
   const panels = [{
-    ...common, key: "trace", title: check.quantity || "Value", kind: overTime ? "history" : "loop", yName: check.quantity, lines,
-    xLimits: overTime ? undefined : null,
+    ...common, key: "trace", title: overTime ? check.quantity || "Value" : "", kind: overTime ? "history" : "loop", yName: check.quantity || "Value", lines,
     tube: isNumber(trace.tube) && trace.reference ? {...trace.reference, half: trace.tube, sorted: forwards} : null,
     worst: mark ? {x: worst.abscissa, y: worst.value, reference: worst.reference, text: `worst: ${withUnit(worst.value, check.unit)}` + (isNumber(worst.reference) ? ` against ${number(worst.reference)}` : "")} : null
   }];
+  if (panels[0].tube) {
+    const {low, high} = range([...lines.flatMap((line) => line.y)]) || {low: 0, high: 0};
+    const wanted = range(trace.reference.y) || {low, high};
+    const [bottom, top] = [Math.min(low, wanted.low - trace.tube), Math.max(high, wanted.high + trace.tube)];
+    if (top > bottom) panels[0].yLimits = [bottom - 0.06 * (top - bottom), top + 0.06 * (top - bottom)];
+  }
   const differences = deviations(trace);
-  if (differences && isNumber(trace.tube)) {
+  if (differences && isNumber(trace.tube) && resolves(check, differences, worst)) {
     const off = mark && isNumber(worst.reference) ? worst.value - worst.reference : null;
     const largest = Math.max(trace.tube, ...differences.y.map(Math.abs), Math.abs(off || 0));
     panels.push({
@@ -1216,14 +1296,16 @@ function zoomTo(entry, worst, button) {
     const {x, y} = picture.chart.options.scales;
     const whole = range(picture.panel.lines.flatMap((line) => line.x));
     const half = (whole.high - whole.low) / 20;
-    x.min = on ? worst.abscissa - half : undefined;
-    x.max = on ? worst.abscissa + half : undefined;
+    const [first, last] = picture.panel.xLimits || picture.span("x", picture.panel.kind === "history" ? 0 : 0.04);
+    x.min = on ? worst.abscissa - half : first;
+    x.max = on ? worst.abscissa + half : last;
     if (picture.panel.key === "trace") {
       const near = range(picture.panel.lines.flatMap((line) => line.y.filter((_, i) => Math.abs(line.x[i] - worst.abscissa) <= half)));
       const tube = picture.panel.tube ? picture.panel.tube.half : 0;
       const room = near ? 0.1 * (near.high - near.low) + 1.2 * tube : 0;
-      y.min = on && near && room > 0 ? near.low - room : undefined;
-      y.max = on && near && room > 0 ? near.high + room : undefined;
+      const [bottom, top] = picture.panel.yLimits || picture.span("y", 0.06);
+      y.min = on && near && room > 0 ? near.low - room : bottom;
+      y.max = on && near && room > 0 ? near.high + room : top;
     }
     picture.chart.update("none");
   }
@@ -1231,7 +1313,7 @@ function zoomTo(entry, worst, button) {
 
 function measureTable(check) {
   const several = check.measures.length > 1;
-  return make("table", {class: "plain"}, make("caption", {}, several ? "Measures" : "Measure"),
+  return inScroll(make("table", {class: "plain"}, make("caption", {}, several ? "Measures" : "Measure"),
       make("thead", {}, make("tr", {}, make("th", {scope: "col"}, ""), make("th", {scope: "col"}, "Measure"), ...["Value", "Reference", "Deviation", "Tolerance"].map((word) => make("th", {scope: "col", class: "number"}, word)))),
       make("tbody", {}, check.measures.map((measure) => {
         const judged = isNumber(measure.tolerance);
@@ -1240,7 +1322,7 @@ function measureTable(check) {
             make("th", {scope: "row"}, quoted(labelled(measure.name, measure.unit))),
             ...[measure.value, measure.reference, measure.deviation].map((value) => make("td", {class: "number"}, number(value, 5))),
             make("td", {class: "number"}, judged ? number(measure.tolerance, 3) : "only told"));
-      })));
+      }))));
 }
 
 let lastWorst = -1;
@@ -1262,16 +1344,23 @@ const caseRows = new Map();
 
 function fillList() {
   const body = find("verdicts").tBodies[0];
+  let folder = "";
+  let group = null;
   for (const one of cases) {
     const slash = one.name.lastIndexOf("/") + 1;
+    if (one.name.slice(0, slash) !== folder) {
+      folder = one.name.slice(0, slash);
+      group = make("tr", {class: "group"}, make("th", {scope: "rowgroup", colspan: 4}, folder ? make("bdi", {}, breakable(folder)) : ""));
+      body.append(group);
+    }
     const checks = one.checks || [];
-    const link = make("a", {href: address(one), tabindex: -1}, make("bdi", {}, make("span", {class: "folder"}, one.name.slice(0, slash)), one.name.slice(slash)));
+    const link = make("a", {href: address(one), tabindex: -1}, make("bdi", {}, breakable(one.name.slice(slash))));
     const row = make("tr", {title: one.title || one.name, onclick: (event) => { if (!event.target.closest("a")) link.click(); }},
         make("td", {}, make("span", {class: "mark " + one.status, "aria-hidden": "true"}, kStatusMarks[one.status]), make("span", {class: "hidden"}, kStatusWords[one.status])),
         make("td", {}, link),
         make("td", {class: "number"}, checks.length > 0 ? (isFailure(one) ? `${checks.filter((check) => check.passed).length}/${checks.length}` : String(checks.length)) : ""),
         make("td", {class: "number"}, checks.length > 0 ? fraction(largestFraction(one)) : ""));
-    caseRows.set(one.id, {one, row, link});
+    caseRows.set(one.id, {one, row, link, group});
     body.append(row);
   }
 }
@@ -1296,6 +1385,8 @@ function applyFilter() {
     const text = `${one.name} ${one.title || ""} ${kStatusWords[one.status]}`.toLowerCase();
     row.hidden = !(wanted.every((word) => text.includes(word)) && (!onlyFailures || isFailure(one)));
   }
+  const groups = new Set([...caseRows.values()].map(({group}) => group).filter(Boolean));
+  for (const group of groups) group.hidden = [...caseRows.values()].every((entry) => entry.group !== group || entry.row.hidden);
   find("none").hidden = visibleCases().length > 0;
   markChosen();
 }

@@ -168,6 +168,9 @@ def guide():
             for kind, title, body in fence.findall((source / document).read_text()):
                 if kind == "csv":
                     (folder / title).write_text(body)
+                elif kind == "yaml" and title.endswith(".yml"):
+                    # A file for a continuous integration, to be pasted: at least it can be read.
+                    expect(isinstance(yaml.safe_load(body), dict), f"{document}: {title} is no YAML map")
                 elif kind == "yaml" and title.startswith("case "):
                     cases += 1
                     name = title.removeprefix("case ")
@@ -379,6 +382,22 @@ def suite_interruption(folder):
         expect(sorted(file.name for file in folder.iterdir()) == ["a.yaml", "endless.yaml"], "interrupted: files were left behind")
 
 
+def screen(text):
+    """What a terminal shows after a text of letters, returns, line feeds and "clear to the end of the line"."""
+    lines, column = [""], 0
+    for piece in re.findall(r"\x1b\[K|\r|\n|[^\x1b\r\n]+|\x1b", text):
+        if piece == "\x1b[K":
+            lines[-1] = lines[-1][:column]
+        elif piece == "\r":
+            column = 0
+        elif piece == "\n":
+            lines.append("")
+        else:
+            lines[-1] = lines[-1][:column].ljust(column) + piece + lines[-1][column + len(piece):]
+            column += len(piece)
+    return "\n".join(lines)
+
+
 def suite_progress(folder):
     """A bar for those who watch; what the terminal shows at the end, and what a log holds, is without it."""
     for name in "abcdefgh":
@@ -411,10 +430,8 @@ def suite_progress(folder):
     bar = re.compile(r"\r\[=*> *\] \d of 8 cases, 1 failed, \d+ s left\x1b\[K")
     shown = on_terminal({"TERM": "xterm", "NO_COLOR": "1"})
     expect(bar.search(shown), f"no progress bar on a terminal:\n{shown!r}")
-    # A line of the bar is gone once the cursor went back to its start and the line was cleared.
-    left = re.sub(r"\r\[[^\r]*\x1b\[K|\r\x1b\[K", "", shown)
     done = subprocess.run(arguments, cwd=folder, capture_output=True, text=True, timeout=120)
-    expect(unhurried(left.replace("\r\n", "\n")) == unhurried(done.stdout), f"the bar is not erased:\n{shown!r}\n{done.stdout!r}")
+    expect(unhurried(screen(shown)) == unhurried(done.stdout), f"the bar is not erased:\n{shown!r}\n{done.stdout!r}")
     expect(done.stderr == "" and "\r" not in done.stdout and "\x1b" not in done.stdout, f"a bar in a log:\n{done!r}")
     expect("\x1b" not in on_terminal({"TERM": "dumb"}), "a bar on a terminal that cannot erase it")
     expect(bar.search(on_terminal({"TERM": "xterm"}, stdout=subprocess.PIPE)), "no bar while the table goes to a file")

@@ -115,7 +115,12 @@ std::optional<std::pair<double, double>> departure(const Course& course,
   const auto left = first_crossing(u, below, kOffset * course.rise);
   if (!left) return std::nullopt;
   const auto halfway = first_crossing(u, below, 0.5 * kOffset * course.rise);
-  double at = std::clamp(2.0 * halfway->u - left->u, initial.end.u, left->u);
+  // Traced back, but not to before a row that still is on the line.
+  double last_on_line = initial.end.u;
+  for (std::size_t k = 1; k < halfway->row; ++k) {
+    if (below[k] <= kNoChange * course.rise) last_on_line = u[k];
+  }
+  double at = std::max(2.0 * halfway->u - left->u, last_on_line);
   // A sharp knee between two rows: the piece after them, traced back, meets the line between them.
   const std::size_t i = halfway->row;
   if (i + 1 < u.size() && below[i + 1] > below[i]) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstddef>
 #include <string>
 
 #include "driver/case/case.hpp"
@@ -24,10 +23,11 @@ struct Breakaway {
 ///   clearance
 ///     and a soft start;
 ///   - the curve has left it where it is 2 % of G below it;
-///   - breakaway is where its course there (from 1 % to 2 %), traced back, meets the initial slope.
-/// So a sharp knee is found exactly however coarse the rows, if one of them is behind the knee and
-/// one before; of a drop from static to kinetic friction, the last row of the initial slope. A knee
-/// within the first row counts as its end. A vertical start (rigid) breaks away where it ends.
+///   - breakaway is where its course there (from 1 % to 2 %), traced back, meets the initial slope,
+///     but not before a row that is still on it.
+/// So a sharp knee is found exactly however coarse the rows, if one of them is before the knee and
+/// two behind it; of a drop from static to kinetic friction, the last row of the initial slope. A
+/// knee within the first row counts as its end. A vertical start (rigid) breaks away where it ends.
 /// Faults: no branch, no change of the value, or a curve that never leaves its initial slope.
 Breakaway breakaway(const Series& curve);
 

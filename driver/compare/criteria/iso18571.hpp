@@ -28,11 +28,11 @@ namespace slipbench::driver {
 ///
 /// Measures, dimensionless but for the last: "rating" R, whose deviation 1 - R the tolerance bounds
 /// (the larger of absolute and relative, scale 1); "corridor score", "phase score", "magnitude
-/// score", "slope score" and "delay" [abscissa] (positive if the result is late), only reported.
-/// Equal curves have R = 1 exactly.
-/// Faults: an abscissa that turns, no common range, a number that is not finite, a reference that
-/// is constant (range below 1e-9 of its magnitude): neither phase nor slope have a meaning. A
-/// result that correlates at no shift, since it is constant, has E_P = 0.
+/// score", "slope score" and "delay" [abscissa] (positive if the result is the one that comes at
+/// larger abscissas, that is, late), only reported. Equal curves have R = 1 exactly. Faults: an
+/// abscissa that turns, no common range, a number that is not finite, a reference that is constant
+/// (range below 1e-9 of its magnitude): neither phase nor slope have a meaning. A result that
+/// correlates at no shift, since it is constant, has E_P = 0.
 CurveComparison compare_iso18571(const Series& result, const Series& reference,
                                  const Tolerance& tolerance);
 

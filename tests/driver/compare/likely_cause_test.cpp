@@ -104,6 +104,8 @@ TEST_CASE("a ratio in stick is the stiffness, in a pull and in loops") {
 TEST_CASE("coefficient and stiffness at once are neither") {
   const auto points = sliders({.stiffness = 800.0, .limit = 22.0}, triangle, 2.0, 1000, 0.1);
   CHECK(cause(points, 0.1) == "");
+  // A limit that is off by less than the tolerance is not the stiffness's doing either.
+  CHECK(cause(sliders({.stiffness = 1050.0, .limit = 19.7}, triangle, 2.0, 1000, 0.5), 0.5) == "");
 }
 
 double wave(double t) { return 20.0 * std::sin(7.0 * t) + 5.0 * std::cos(17.0 * t); }

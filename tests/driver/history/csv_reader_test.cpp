@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <charconv>
 #include <chrono>
@@ -14,6 +15,7 @@
 #include <locale>
 #include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tests/driver/history/temporary_folder.hpp"
@@ -318,6 +320,19 @@ TEST_CASE("a million rows of five columns are read fast", "[.timing]") {
                   seconds.count());
     }
   }
+}
+
+TEST_CASE("a row also gives its fields as they are written") {
+  const TemporaryFolder folder;
+  const auto file = folder.write("a.csv", "a;b;c\n 1.50 ; \"-2e1\" ;x\n");
+  const std::vector<std::string> columns = {"b", "a", "b"};
+  auto reader = CsvReader::open(file, columns);
+  REQUIRE(reader);
+  std::array<double, 3> values{};
+  std::array<std::string_view, 3> texts{};
+  REQUIRE(reader->next(values, texts).value());
+  CHECK(values == std::array<double, 3>{-20.0, 1.5, -20.0});
+  CHECK(texts == std::array<std::string_view, 3>{"-2e1", "1.50", "-2e1"});
 }
 
 }  // namespace

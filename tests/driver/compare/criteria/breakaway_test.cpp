@@ -25,6 +25,17 @@ TEST_CASE("the knee of a slider is found exactly at any step size") {
   }
 }
 
+TEST_CASE("a row just behind the knee does not blur it") {
+  // 0.3 N, 1.5 % of 20 N, below the initial slope at 0.0203 mm.
+  check_breakaway(slider({0, 0.01, 0.0203, 0.03, 0.04}), 0.02, 20.0);
+  check_breakaway(slider({0, 0.01, 0.02001, 0.03, 0.04}), 0.02, 20.0);
+}
+
+TEST_CASE("a course that falls away at once and then slowly leaves where it fell") {
+  const auto slow = [](double x) { return x < 0.02 + 1e-12 ? 1000 * x : 985 * x - 0.9; };
+  check_breakaway(sampled(zigzag({0, 0.1}, 1000), slow), 0.02, 20.0);
+}
+
 TEST_CASE("the knee does not depend on how far the branch goes on") {
   for (const double end : {0.022, 0.05, 0.1, 1.0}) {
     CAPTURE(end);

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// `slipbench bless` as its users meet it.
+#include <stdio.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "tests/driver/history/temporary_folder.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kBelt = R"(slipbench: 1
+title: Guide
+units: {length: mm, force: N, time: s}
+parameters: {mu: 0.2}
+connector: {type: SLOT}
+friction:
+  - component: 1
+    internal_contact_force: 100
+    coefficient: = mu
+    stick: {stiffness: 1000}
+history:
+  - {step: cycle, duration: 1, increments: 40, repeat: 2, motion: {CP1: {sine: {amplitude: 0.1, period: 1}}}}
+checks:
+  - name: pull
+    quantity: CSF1
+    against: {curve: golden/belt.csv}
+    tolerance: {absolute: 0.5, why: the liner's scatter}
+  - name: loop
+    quantity: CSF1
+    against: {curve: golden/belt.csv, abscissa: CU1}
+    criterion: loop_energy
+    tolerance: {relative: 1.0e-3, why: the liner's scatter}
+)";
+
+struct Ended {
+  int code = -1;
+  std::string output;  ///< of both streams
+};
+
+Ended slipbench(const TemporaryFolder& folder, const std::string& arguments) {
+  Ended ended;
+  const std::string command = "cd '" + folder.path().string() +
+                              "' && '" SLIPBENCH_BINARY_DIR "/slipbench' " + arguments + " 2>&1";
+  FILE* pipe = popen(command.c_str(), "r");
+  REQUIRE(pipe != nullptr);
+  std::array<char, 4096> piece{};
+  for (std::size_t n = 0; (n = fread(piece.data(), 1, piece.size(), pipe)) > 0;) {
+    ended.output.append(piece.data(), n);
+  }
+  const int status = pclose(pipe);
+  ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return ended;
+}
+
+std::string read(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::size_t files_in(const fs::path& folder) {
+  return static_cast<std::size_t>(
+      std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+TEST_CASE("a blessed case passes, a changed one fails, and passes once it is blessed again") {
+  const TemporaryFolder folder;
+  folder.write("belt.yaml", kBelt);
+  const Ended before = slipbench(folder, "check belt.yaml");
+  CHECK(before.code == 4);
+  CHECK(
+      contains(before.output, "belt.yaml:16:22: error: checks[0].against.curve: golden/belt.csv"));
+
+  const Ended first = slipbench(folder, "bless belt.yaml --reason 'as measured in May'");
+  INFO(first.output);
+  CHECK(first.code == 0);
+  CHECK(contains(first.output, "  golden/belt.csv: new, 81 rows, 3 columns\n"));
+  CHECK(contains(first.output, "  check 'pull': no curve before, now 0\n"));
+  const std::string blessed = read(folder.path() / "golden/belt.csv");
+  CHECK(blessed.find("# slipbench golden curve\n# slipbench ") == 0);
+  CHECK(contains(blessed, "# case: belt.yaml\n"));
+  CHECK(contains(blessed, "# parameters: mu = 0.2\n"));
+  CHECK(contains(blessed, "# columns: time [s], CSF1 [N], CU1 [mm]\n"));
+  CHECK(contains(blessed, "# blessed: as measured in May\ntime,CSF1,CU1\n0,0,0\n"));
+  CHECK(slipbench(folder, "check belt.yaml").code == 0);
+  // No row number is compared with another: other increments, the same energy of a loop.
+  CHECK(slipbench(folder, "check belt.yaml --set mu=0.2").code == 0);
+
+  const Ended changed = slipbench(folder, "check belt.yaml --set mu=0.214");
+  CHECK(changed.code == 1);
+  CHECK(contains(changed.output, "check 'pull': CSF1 off by 1.4 N (limit 0.5) at t = 0.05"));
+  CHECK(contains(changed.output, "check 'loop': energy of loop 1: "));
+
+  const Ended again = slipbench(folder, "bless belt.yaml --set mu=0.214 --reason 'new liner'");
+  INFO(again.output);
+  CHECK(again.code == 0);
+  CHECK(contains(again.output,
+                 "  golden/belt.csv: replaced, 81 rows, 3 columns\n"
+                 "    parameters were mu = 0.2\n"
+                 "    parameters are  mu = 0.214\n"));
+  CHECK(contains(again.output, "  check 'pull': was 2.8 of its tolerance (CSF1 off by 1.4 N"));
+  CHECK(contains(read(folder.path() / "golden/belt.csv"),
+                 "# blessed: new liner\n# blessed: as measured in May\ntime,"));
+  CHECK(slipbench(folder, "check belt.yaml --set mu=0.214").code == 0);
+  CHECK(files_in(folder.path() / "golden") == 1);
+}
+
+TEST_CASE("a curve that would not change is left alone, byte for byte") {
+  const TemporaryFolder folder;
+  folder.write("belt.yaml", kBelt);
+  REQUIRE(slipbench(folder, "bless belt.yaml --reason one").code == 0);
+  const std::string once = read(folder.path() / "golden/belt.csv");
+  const Ended again = slipbench(folder, "bless belt.yaml --reason two");
+  CHECK(again.code == 0);
+  CHECK(contains(again.output, "golden/belt.csv: as it was, left alone"));
+  CHECK(read(folder.path() / "golden/belt.csv") == once);
+}
+
+TEST_CASE("somebody else's reference is never overwritten") {
+  const TemporaryFolder folder;
+  folder.write("belt.yaml", kBelt);
+  fs::create_directory(folder.path() / "golden");
+  const std::string rig = "time,CSF1,CU1\n0,0,0\n1,1,1\n";
+  folder.write("golden/belt.csv", rig);
+  const Ended ended = slipbench(folder, "bless belt.yaml --reason x");
+  CHECK(ended.code == 2);
+  CHECK(contains(ended.output, "golden/belt.csv is no golden curve but somebody's reference"));
+  CHECK(read(folder.path() / "golden/belt.csv") == rig);
+}
+
+TEST_CASE("a blessing needs a reason, a curve to bless and a case that runs") {
+  const TemporaryFolder folder;
+  folder.write("belt.yaml", kBelt);
+  CHECK(slipbench(folder, "bless belt.yaml").code == 2);
+  CHECK(slipbench(folder, "bless belt.yaml --reason ' '").code == 2);
+  CHECK(slipbench(folder, "bless belt.yaml --reason x --set mu=-1").code == 2);
+  CHECK(slipbench(folder, "bless none.yaml --reason x").code == 4);
+  CHECK_FALSE(fs::exists(folder.path() / "golden"));
+  std::string text = kBelt;
+  text.resize(text.find("checks:"));
+  folder.write("bare.yaml", text);
+  const Ended bare = slipbench(folder, "bless bare.yaml --reason x");
+  CHECK(bare.code == 2);
+  CHECK(contains(bare.output, "no check is against a curve"));
+}
+
+TEST_CASE("a curve that would not pass against itself is not blessed") {
+  const TemporaryFolder folder;
+  std::string text = kBelt;
+  // A curve that never leaves its initial slope has no breakaway.
+  text.replace(text.find("criterion: loop_energy"), 22, "criterion: breakaway");
+  text.replace(text.find("internal_contact_force: 100"), 27, "internal_contact_force: 1.0e9");
+  folder.write("belt.yaml", text);
+  const Ended ended = slipbench(folder, "bless belt.yaml --reason x");
+  INFO(ended.output);
+  CHECK(ended.code == 1);
+  CHECK(contains(ended.output, "check 'loop' would not pass against today's own curve"));
+  CHECK_FALSE(fs::exists(folder.path() / "golden/belt.csv"));
+}
+
+TEST_CASE("a full disk leaves the old curve as it was") {
+  const TemporaryFolder folder;
+  folder.write("belt.yaml", kBelt);
+  REQUIRE(slipbench(folder, "bless belt.yaml --reason one").code == 0);
+  const std::string once = read(folder.path() / "golden/belt.csv");
+  // No file may grow: the system's message for what happens on a full disk.
+  const Ended ended =
+      slipbench(folder, "--version > /dev/null; trap '' XFSZ; ulimit -f 0; '" SLIPBENCH_BINARY_DIR
+                        "/slipbench' bless belt.yaml --set mu=0.3 --reason two");
+  CHECK(ended.code == 4);
+  CHECK(read(folder.path() / "golden/belt.csv") == once);
+  CHECK(files_in(folder.path() / "golden") == 1);
+}
+
+TEST_CASE("curves and criteria are listed and described") {
+  const TemporaryFolder folder;
+  const Ended curves = slipbench(folder, "list curves");
+  CHECK(curves.code == 0);
+  CHECK(contains(curves.output, "\n  dahl_loop "));
+  const Ended criteria = slipbench(folder, "list criteria");
+  CHECK(contains(criteria.output, "\n  loop_energy "));
+  CHECK(contains(slipbench(folder, "describe loop_energy").output, "(criterion of a check)"));
+  CHECK(contains(slipbench(folder, "describe dahl_loop").output, "Licence"));
+  const Ended unknown = slipbench(folder, "describe dahl_lop");
+  CHECK(unknown.code == 2);
+  CHECK(contains(unknown.output, "did you mean 'dahl_loop'?"));
+}
+
+}  // namespace
+}  // namespace slipbench::driver
