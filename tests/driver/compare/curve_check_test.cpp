@@ -243,7 +243,7 @@ TEST_CASE("digits that a curve does not have are doubted, whether the check fail
   const auto verdict = [&](const std::string& bytes, double tolerance) {
     return verdict_of(loop(), curve_check(folder.write("a.csv", bytes), {tolerance, {}, ""}));
   };
-  // 7 N at 0.07 s, rounded to 6.9996 by four decimals too few: half a unit is 5e-5 N.
+  // 6.99961 N at that time, printed with four decimals: half a unit is 5e-5 N.
   const std::string rounded = "time,F\n0,0\n0.0699961,6.9996\n1,20.0000\n";
   const Verdict failed = verdict(rounded, 1e-6);
   CHECK_FALSE(failed.passed);
