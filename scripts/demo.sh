@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # From a fresh clone to checked cases and pictures: sets up, builds the program, checks cases/, draws some of them
-# and makes a page of the examples.
+# and makes a page of the examples and of those that compare with curves.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -31,6 +31,6 @@ draw verification/documented_and_as_coded documented_and_as_coded
 pictures+=(out/coefficient.svg)
 
 say 'writing the report'
-"$slipbench" report cases/examples -o out/report.html || fail "slipbench report ended with exit code $?"
+"$slipbench" report cases/examples cases/validation -o out/report.html || fail "slipbench report ended with exit code $?"
 say 'done'
 printf 'Pictures: %s      Report: out/report.html\n' "${pictures[*]}"
