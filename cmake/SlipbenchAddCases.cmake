@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 # slipbench_add_cases(DIR [PREFIX prefix] [LABELS label...] [ARGUMENTS argument...])
 #
-# Makes a CTest test of every case (*.yaml) below DIR, but for those in folders named `bad` and in hidden ones; the
-# test passes if all checks of the case do. It fails if a check fails as well as if the case cannot be run.
-# Cases that are added later are found by the next build.
+# Makes a CTest test of every case (*.yaml) below DIR, but for hidden ones and those in folders that are hidden or named
+# `bad`; the test passes if all checks of the case do. It fails if a check fails as well as if the case cannot be run.
+# Cases that are added later are found by the next build. A file name may hold blanks and quotes, but no semicolon,
+# backslash, line feed or `$<`: CMake has no way to pass them on, and says so.
 #
 #   DIR        folder of cases, relative to the current source folder
 #   PREFIX     what test names begin with, followed by '/'; default: the name of DIR. The rest is the case's path
@@ -12,6 +13,8 @@
 #   ARGUMENTS  passed on to `slipbench check`: --set mu=0.2
 #
 # Comes with find_package(slipbench COMPONENTS program); call enable_testing() too.
+cmake_policy(PUSH)
+cmake_policy(VERSION 3.25)  # whatever the project has: before, a test name could hold no blank
 function(slipbench_add_cases dir)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "PREFIX" "LABELS;ARGUMENTS")
   if(arg_UNPARSED_ARGUMENTS)
@@ -31,16 +34,25 @@ function(slipbench_add_cases dir)
   endif()
 
   file(GLOB_RECURSE cases CONFIGURE_DEPENDS LIST_DIRECTORIES FALSE RELATIVE "${top}" "${top}/*.yaml")
-  list(FILTER cases EXCLUDE REGEX "(^|/)(bad|\\.[^/]*)/")
+  list(FILTER cases EXCLUDE REGEX "(^|/)(bad/|\\.)")
   if(NOT cases)
     message(FATAL_ERROR "slipbench_add_cases: there is no case (*.yaml) in ${top}")
   endif()
   foreach(case IN LISTS cases)
+    # A semicolon makes two names of one, neither of which is there; a link to nowhere is there.
+    if(NOT EXISTS "${top}/${case}" AND NOT IS_SYMLINK "${top}/${case}")
+      message(FATAL_ERROR "slipbench_add_cases: in ${top} the name of a case holds a semicolon, around '${case}'; "
+                          "CMake cannot pass it on, rename the file")
+    elseif(case MATCHES "[\\\n]|\\$<")
+      message(FATAL_ERROR "slipbench_add_cases: the name of the case ${top}/${case} holds a backslash, a line feed or "
+                          "'$<'; CMake cannot pass it on, rename the file")
+    endif()
     string(REGEX REPLACE "\\.yaml$" "" name "${arg_PREFIX}/${case}")
     add_test(NAME "${name}" WORKING_DIRECTORY "${top}"
-             COMMAND slipbench::slipbench check "${case}" ${arg_ARGUMENTS})
+             COMMAND slipbench::slipbench check "./${case}" ${arg_ARGUMENTS})
     if(arg_LABELS)
       set_tests_properties("${name}" PROPERTIES LABELS "${arg_LABELS}")
     endif()
   endforeach()
 endfunction()
+cmake_policy(POP)

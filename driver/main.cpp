@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <exception>
 #include <functional>
+#include <new>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -21,6 +22,7 @@
 #include "driver/commands/report.hpp"
 #include "driver/commands/run.hpp"
 #include "driver/commands/shared.hpp"
+#include "driver/plot/kinds.hpp"
 #include "driver/results/interruption.hpp"
 #include "driver/results/provenance.hpp"
 #include "driver/text/diagnostic.hpp"
@@ -47,6 +49,10 @@ void add_settings(CLI::App& command, std::vector<std::string>& settings, bool& a
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command.add_flag("--allow-outside", allow_outside,
                    "Let the case read data files outside its own folder");
+}
+
+void name_cases(std::vector<std::string>& paths) {
+  for (std::string& path : paths) path = named_case(path);
 }
 
 /// What is wrong with the command's name, if it is there and unknown; else empty.
@@ -114,7 +120,10 @@ int run(int argc, char** argv) {
       "Writes <case>.csv (a row an increment), <case>.events.csv (every change between stick and\n"
       "slip) and <case>.json (the summary). Prints what happened and the case's own checks.\n"
       "Example: slipbench run shock.yaml hinge.yaml -o out --set mu=0.2 --every 10");
-  run_app->callback([&] { command = [&] { return run_command(run_options); }; });
+  run_app->callback([&] {
+    name_cases(run_options.cases);
+    command = [&] { return run_command(run_options); };
+  });
 
   CheckOptions check_options;
   CLI::App* check_app = app.add_subcommand("check", "Run cases and judge their checks");
@@ -145,11 +154,13 @@ int run(int argc, char** argv) {
   check_app->add_option("--report", check_options.report, "Also write an HTML page of the cases")
       ->type_name("FILE");
   check_app->footer(
-      "Writes no files but those asked for. Folders named 'bad' and hidden ones are not searched.\n"
+      "Writes the files asked for, and remembers in the user's cache which cases did not pass.\n"
+      "Folders named 'bad' and hidden files and folders are not searched.\n"
       "Exit code 1 if a check failed. In GitHub Actions, failures are also annotations.\n"
       "Example: slipbench check cases/ -j 4 --junit slip.xml --report slip.html");
   check_app->callback([&] {
     if (check_options.paths.empty()) check_options.paths = {"."};
+    name_cases(check_options.paths);
     command = [&] { return check_command(check_options); };
   });
 
@@ -168,7 +179,10 @@ int run(int argc, char** argv) {
       "missing\n"
       "or golden curves already; never anybody else's reference.\n"
       "Example: slipbench bless belt.yaml --reason \"new liner, mu 0.16\"");
-  bless_app->callback([&] { command = [&] { return bless_command(bless_options); }; });
+  bless_app->callback([&] {
+    bless_options.file = named_case(bless_options.file);
+    command = [&] { return bless_command(bless_options); };
+  });
 
   PlotOptions plot_options;
   CLI::App* plot_app = app.add_subcommand("plot", "Draw a case or a result");
@@ -192,7 +206,10 @@ int run(int argc, char** argv) {
       "With --law: mu as curves and as a map, with the states that the run visits; the default\n"
       "name is <case>.law.svg.\n"
       "Needs gnuplot. Example: slipbench plot shock.yaml -o shock.png --set mu=0.2");
-  plot_app->callback([&] { command = [&] { return plot_command(plot_options); }; });
+  plot_app->callback([&] {
+    plot_options.input = named_case(plot_options.input);
+    command = [&] { return plot_command(plot_options); };
+  });
 
   ReportOptions report_options;
   CLI::App* report_app =
@@ -209,7 +226,10 @@ int run(int argc, char** argv) {
   report_app->footer(
       "One file that opens offline in any browser: verdicts, loops and histories, events, energy.\n"
       "Example: slipbench report cases/ -o report.html");
-  report_app->callback([&] { command = [&] { return report_command(report_options); }; });
+  report_app->callback([&] {
+    name_cases(report_options.inputs);
+    command = [&] { return report_command(report_options); };
+  });
 
   ImportOptions import_options;
   CLI::App* import_app =
@@ -286,6 +306,8 @@ int main(int argc, char** argv) {
   handle_interruption();
   try {
     return finish_output(run(argc, argv));
+  } catch (const std::bad_alloc&) {
+    return finish_output(refuse(kExitEnvironment, "this needs more memory than there is"));
   } catch (const std::exception& error) {
     print_error(fmt::format("slipbench: internal error: {}\n", error.what()));
     return kExitInternal;

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# When what slips: a band over time for each friction definition, with stick (white), slip (grey) and
-# no contact (dark, hatched), and its changes marked:
-# those to slip above, the others below.
+# When what slips: a band over time for each friction definition, with stick (white), slip (grey), no
+# contact (dark, hatched) and where they take turns too fast to be drawn (light, hatched), and its
+# changes marked: those to slip above, the others below.
 # `slipbench plot --as bands` sets the variables and data blocks used here and loads this file.
 load STYLE
 slip_band = "#9a9a9a"
@@ -14,6 +14,7 @@ unset ytics
 set xrange [BEGIN:END_TIME]
 set yrange [-DEFINITIONS:0]
 set xlabel TIME_LABEL
+set format x TIME_FORMAT
 set key at screen 0.98, screen 1.0 - 62.0 / HEIGHT right center horizontal Left reverse maxrows 1 samplen 1.5 width 1 font ",12"
 
 # A row reaches from -row to 1 - row; its band lies between these two.
@@ -35,8 +36,14 @@ plot \
     with boxxyerror fillstyle solid noborder fillcolor rgb slip_band title (d == 1 ? "slip" : ""), \
   for [d=1:DEFINITIONS] $SPANS using (0.5 * (edge(d, 0, $3) + $4)):(0.5 * (foot(d) + top(d))):3:4:(foot(d)):(top(d)) \
     with boxxyerror fillstyle pattern 5 border linecolor rgb "#202020" fillcolor rgb "#202020" title (d == 1 && OPENS ? "no contact" : ""), \
+  for [d=1:DEFINITIONS] $SPANS using (0.5 * (edge(d, 3, $3) + $4)):(0.5 * (foot(d) + top(d))):3:4:(foot(d)):(top(d)) \
+    with boxxyerror fillstyle pattern 4 noborder fillcolor rgb slip_band title (d == 1 && TURNS ? "in turn" : ""), \
+  for [d=1:DEFINITIONS] $SPANS using (0.5 * (edge(d, 4, $3) + $4)):(0.5 * (foot(d) + top(d))):3:4:(foot(d)):(top(d)) \
+    with boxxyerror fillstyle pattern 4 noborder fillcolor rgb "#202020" notitle, \
   for [d=1:DEFINITIONS] $MARKS using (mark(d, 2, $3)):(top(d) + 0.10) with points pointtype 11 pointsize 1 \
     linecolor rgb "black" title (d == 1 ? "slips from here" : ""), \
+  for [d=1:DEFINITIONS] $MARKS using (mark(d, 3, $3)):(top(d) + 0.10) with points pointtype 12 pointsize 1 \
+    linewidth 1.4 linecolor rgb "black" title (d == 1 && TURNS_BACK ? "slip turns" : ""), \
   for [d=1:DEFINITIONS] $MARKS using (mark(d, 1, $3)):(foot(d) - 0.09) with points pointtype 8 pointsize 1 linewidth 1.4 \
     linecolor rgb "black" title (d == 1 ? "sticks from here" : ""), \
   for [d=1:DEFINITIONS] $MARKS using (mark(d, 0, $3)):(foot(d) - 0.09) with points pointtype 2 pointsize 1 linewidth 1.4 \

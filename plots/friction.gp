@@ -1,17 +1,24 @@
 # SPDX-License-Identifier: Apache-2.0
 # A friction result in panels, one row of them for each friction definition: force against time with
 # its limit and with stick (white), slip (light) and no contact (dark) shaded; then force against
-# motion, or, for motion in a plane, the paths of the motion and of the force.
+# motion, or, for motion in a plane, the paths of the motion and of the force. Of a long run the loops
+# have all rows of the last full cycle, and some of the others, as points.
 # `slipbench plot` sets the variables and data blocks used here and loads this file.
 load STYLE
 set xzeroaxis linewidth 0.6 linecolor rgb "#777777"
 height = (1.0 - head) / DEFINITIONS
+rest = THINNED ? "with points pointtype 7 pointsize 0.25" : "with lines linewidth 2"
+limit_of_all = THINNED ? "with points pointtype 7 pointsize 0.25" : "with lines linewidth 2 dashtype 2"
+set label 5 NOTE at screen 0.075, screen 1.0 - 39.0 / HEIGHT left font ",12" textcolor rgb quiet_text
 
 do for [i=1:DEFINITIONS] {
   bottom = 1.0 - head - i * height
   low = SIGNED[i] ? -1.15 * TOP[i] : -0.04 * TOP[i]
   high = 1.15 * TOP[i]
   wide = PLANAR[i] ? 0.40 : 0.56
+  cycle = THINNED && CYCLED[i]
+  rest_colour = cycle ? faint : "#000000"
+  stays = STILL_X[i] && (!PLANAR[i] || STILL_Y[i])
 
   # Force against time.
   set size noratio
@@ -22,6 +29,7 @@ do for [i=1:DEFINITIONS] {
   set xrange [BEGIN:END_TIME]
   set yrange [low:high]
   set xlabel TIME_LABEL
+  set format x TIME_FORMAT
   set ylabel FORCE_LABEL[i]
   set label 1 NAME[i] at graph 0.0, graph 1.13 left font ",15"
   @legend
@@ -35,6 +43,8 @@ do for [i=1:DEFINITIONS] {
     $DATA using 1:(LIMIT[i] > 0 && SIGNED[i] ? below(i) : NaN) with lines linewidth 2 \
       dashtype 2 linecolor rgb limit_colour notitle
   unset label 1
+  unset label 5
+  set format x "% h"
   unset lmargin; unset rmargin; unset tmargin; unset bmargin
 
   if (PLANAR[i]) {
@@ -42,15 +52,23 @@ do for [i=1:DEFINITIONS] {
     set key at graph 0.5, graph 1.02 bottom center
     set size ratio -1 0.29, 0.92 * height
     set origin 0.42, bottom + 0.02 * height
-    set xrange [*:*]
-    set yrange [*:*]
+    if (MOVES_X[i]) { set xrange [*:*] } else { set xrange [PLACE_X[i]-1:PLACE_X[i]+1] }
+    if (MOVES_Y[i]) { set yrange [*:*] } else { set yrange [PLACE_Y[i]-1:PLACE_Y[i]+1] }
     set xlabel MOTION_X_LABEL[i]
     set ylabel MOTION_Y_LABEL[i]
     set xtics MOTION_X_STEP[i]
     set ytics MOTION_Y_STEP[i]
     set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05
-    plot $DATA using (column(MOTION_X[i])):(column(MOTION_Y[i])) with lines linewidth 2 \
-      linecolor rgb "black" title "path of the motion"
+    set format x MOTION_X_FORMAT[i]
+    set format y MOTION_Y_FORMAT[i]
+    plot $DATA using (column(MOTION_X[i])):(column(MOTION_Y[i])) @rest \
+        linecolor rgb rest_colour title "path of the motion", \
+      $DATA every ::0::0 using (stays ? column(MOTION_X[i]) : NaN):(column(MOTION_Y[i])) with points \
+        pointtype 7 linecolor rgb "black" notitle, \
+      $CYCLE index (i-1) using (cycle ? column(MOTION_X[i]) : NaN):(column(MOTION_Y[i])) with lines linewidth 2 \
+        linecolor rgb "black" title (cycle ? "last cycle" : "")
+    set format x "% h"
+    set format y "% h"
     set offsets 0, 0, 0, 0
     # The path of the force within its limit.
     set origin 0.71, bottom + 0.02 * height
@@ -63,8 +81,12 @@ do for [i=1:DEFINITIONS] {
     set ylabel FORCE_Y_LABEL[i]
     set xtics FORCE_STEP[i]
     set ytics FORCE_STEP[i]
-    plot $DATA using (column(FORCE_X[i])):(column(FORCE_Y[i])) with lines linewidth 2 \
-        linecolor rgb "black" title "force", \
+    plot $DATA using (column(FORCE_X[i])):(column(FORCE_Y[i])) @rest \
+        linecolor rgb rest_colour title "force", \
+      $DATA every ::0::0 using (stays ? column(FORCE_X[i]) : NaN):(column(FORCE_Y[i])) with points \
+        pointtype 7 linecolor rgb "black" notitle, \
+      $CYCLE index (i-1) using (cycle ? column(FORCE_X[i]) : NaN):(column(FORCE_Y[i])) with lines linewidth 2 \
+        linecolor rgb "black" title (cycle ? "last cycle" : ""), \
       LIMIT_AXIS_1[i] * cos(t) * DIRECTION_X[i] - LIMIT_AXIS_2[i] * sin(t) * DIRECTION_Y[i], \
       LIMIT_AXIS_1[i] * cos(t) * DIRECTION_Y[i] + LIMIT_AXIS_2[i] * sin(t) * DIRECTION_X[i] \
         with lines linewidth 2 dashtype 2 \
@@ -78,20 +100,36 @@ do for [i=1:DEFINITIONS] {
     set rmargin at screen 0.98
     set bmargin at screen bottom + 0.15 * height
     set tmargin at screen bottom + 0.87 * height
-    set xrange [*:*]
+    if (MOVES_X[i]) { set xrange [*:*] } else { set xrange [PLACE_X[i]-1:PLACE_X[i]+1] }
     set yrange [*:*]
     if (LIMIT_IN_LOOP[i]) { set yrange [-1.15 * TOP[i]:1.15 * TOP[i]] }
     set offsets graph 0.04, graph 0.04, 0, 0
     set xlabel MOTION_X_LABEL[i]
     set ylabel FORCE_X_LABEL[i]
     set xtics MOTION_X_STEP[i]
+    set format x MOTION_X_FORMAT[i]
+    limit_in_all = LIMIT_IN_LOOP[i] && !cycle
+    limit_in_cycle = LIMIT_IN_LOOP[i] && cycle
     plot \
-      $DATA using (column(MOTION_X[i])):(column(FORCE_X[i])) with lines linewidth 2 \
-        linecolor rgb "black" title "force", \
-      $DATA using (column(MOTION_X[i])):(LIMIT_IN_LOOP[i] ? column(LIMIT[i]) : NaN) with lines \
-        linewidth 2 dashtype 2 linecolor rgb limit_colour title (LIMIT_IN_LOOP[i] ? "limit" : ""), \
-      $DATA using (column(MOTION_X[i])):(LIMIT_IN_LOOP[i] ? below(i) : NaN) with lines \
+      $DATA using (column(MOTION_X[i])):(column(FORCE_X[i])) @rest \
+        linecolor rgb rest_colour title (cycle ? "before and after" : "force"), \
+      $DATA every ::0::0 using (stays ? column(MOTION_X[i]) : NaN):(column(FORCE_X[i])) with points \
+        pointtype 7 linecolor rgb "black" notitle, \
+      $CYCLE index (i-1) using (cycle ? column(MOTION_X[i]) : NaN):(column(FORCE_X[i])) with lines linewidth 2 \
+        linecolor rgb "black" title (cycle ? "last full cycle" : ""), \
+      $DATA using (column(MOTION_X[i])):(limit_in_all ? column(LIMIT[i]) : NaN) @limit_of_all \
+        linecolor rgb limit_colour title (limit_in_all ? "limit" : ""), \
+      $DATA using (column(MOTION_X[i])):(limit_in_all ? below(i) : NaN) @limit_of_all \
+        linecolor rgb limit_colour notitle, \
+      $DATA every ::0::0 using (stays && LIMIT_IN_LOOP[i] ? column(MOTION_X[i]) : NaN):(column(LIMIT[i])) \
+        with points pointtype 1 linecolor rgb limit_colour notitle, \
+      $DATA every ::0::0 using (stays && LIMIT_IN_LOOP[i] ? column(MOTION_X[i]) : NaN):(below(i)) \
+        with points pointtype 1 linecolor rgb limit_colour notitle, \
+      $CYCLE index (i-1) using (column(MOTION_X[i])):(limit_in_cycle ? column(LIMIT[i]) : NaN) with lines \
+        linewidth 2 dashtype 2 linecolor rgb limit_colour title (limit_in_cycle ? "limit" : ""), \
+      $CYCLE index (i-1) using (column(MOTION_X[i])):(limit_in_cycle ? below(i) : NaN) with lines \
         linewidth 2 dashtype 2 linecolor rgb limit_colour notitle
+    set format x "% h"
     set offsets 0, 0, 0, 0
     set xtics autofreq
     unset lmargin; unset rmargin; unset tmargin; unset bmargin

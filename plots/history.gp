@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # A friction result over time, a column of panels for each friction definition, two in a row: its
 # motions, its force with the limit, normal force and coefficient, and energies, all over one time
-# axis with stick (white), slip (light) and no contact (dark) shaded.
+# axis with stick (white), slip (light) and no contact (dark) shaded, and hatched where they take
+# turns too fast to be drawn.
 # `slipbench plot --as history` sets the variables and data blocks used here and loads this file.
 load STYLE
 set xzeroaxis linewidth 0.6 linecolor rgb "#777777"
@@ -28,7 +29,7 @@ do for [i=1:DEFINITIONS] {
     base = group_foot + axis_room + (4 - p) * tall
     set bmargin at screen base + 0.14 * tall
     set tmargin at screen base + 0.84 * tall
-    if (p < 4) { unset xlabel; set format x "" } else { set xlabel TIME_LABEL; set format x "% h" }
+    if (p < 4) { unset xlabel; set format x "" } else { set xlabel TIME_LABEL; set format x TIME_FORMAT }
     shades_told = p == 1
     unset y2tics
     unset y2label

@@ -16,6 +16,7 @@ do for [i=1:DEFINITIONS] {
   set xrange [BEGIN:END_TIME]
   set yrange [LOW[i]:HIGH[i]]
   set xlabel TIME_LABEL
+  set format x TIME_FORMAT
   set ylabel LABEL[i]
   set label 1 NAME[i] at graph 0.0, graph 1.06 left font ",15"
   set key at graph 1.03, graph 1.0 top left vertical Left reverse maxrows 12 samplen 2 width 0 invert font ",12"
@@ -24,6 +25,7 @@ do for [i=1:DEFINITIONS] {
       fillstyle solid border linecolor rgb "#303030" fillcolor rgb stack_colour[k] \
       title word(PART_NAMES[i], k), \
     for [k=1:PARTS[i]] data using 1:(column(2 + 2*k)) with lines linewidth 0.8 linecolor rgb "#303030" notitle, \
+    data using 1:2 with lines linewidth 4.5 linecolor rgb "white" notitle, \
     data using 1:2 with lines linewidth 2.5 dashtype 2 linecolor rgb "black" title "F_N"
 }
 unset multiplot

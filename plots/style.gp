@@ -10,14 +10,16 @@ set tics nomirror out scale 0.5 textcolor rgb "#222222" font ",12"
 
 slip_shade = "#dcdcdc"
 open_shade = "#a8a8a8"
+# Where regimes change too fast to be drawn one by one: hatched.
+turns_shade = "#c4c4c4"
 limit_colour = "#c03020"
 faint = "#8a8a8a"
 quiet_text = "#555555"
 # The first is what matters most; the others stand beside it.
 array colour[6] = ["#000000", "#1f6fb4", "#e08a00", "#2a8f5b", "#8a4fa3", "#7a7a7a"]
 array dashes[6] = [1, 4, 5, 2, 3, 6]
-# Neighbours in a stack, far apart in lightness.
-array stack_colour[6] = ["#2f5f8f", "#f2c879", "#7fae8d", "#5a3d5c", "#d9d9d9", "#b5654a"]
+# Of a stack: in grey any two differ by a contrast of 1.5, neighbours by much more.
+array stack_colour[6] = ["#2f6ea3", "#f6e7c1", "#4a9a6a", "#1f2d3d", "#e0a84a", "#7a3f1d"]
 
 # The span (column 3 to 4) if it is of definition d and of this status.
 edge(d, status, value) = column(1) == d && column(2) == status ? value : NaN
@@ -31,6 +33,10 @@ SHADES = '$SPANS using (0.5 * (edge(i, 2, $3) + $4)):(0.5 * (low + high)):3:4:(l
   with boxxyerror fillstyle solid noborder fillcolor rgb slip_shade title (shades_told && SLIPS[i] ? "slip" : ""), \
   $SPANS using (0.5 * (edge(i, 0, $3) + $4)):(0.5 * (low + high)):3:4:(low):(high) \
   with boxxyerror fillstyle solid noborder fillcolor rgb open_shade title (shades_told && OPENS[i] ? "no contact" : ""), \
+  $SPANS using (0.5 * (edge(i, 3, $3) + $4)):(0.5 * (low + high)):3:4:(low):(high) \
+  with boxxyerror fillstyle transparent pattern 4 noborder fillcolor rgb turns_shade title (shades_told && TURNS[i] ? "stick and slip in turn" : ""), \
+  $SPANS using (0.5 * (edge(i, 4, $3) + $4)):(0.5 * (low + high)):3:4:(low):(high) \
+  with boxxyerror fillstyle transparent pattern 4 noborder fillcolor rgb open_shade notitle, \
   keyentry with boxes fillstyle empty linecolor rgb "#888888" title (shades_told ? "stick" : "")'
 shades_told = 1
 

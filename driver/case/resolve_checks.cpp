@@ -322,6 +322,15 @@ bool judge_tolerance(Binder& binder, const CheckText& text) {
                  "needs 'absolute' or 'relative', or both (the larger counts)");
     good = false;
   }
+  if (text.criterion.sound && text.criterion.value == Criterion::kIso18571) {
+    for (const At<double>* bound : {&tolerance.absolute, &tolerance.relative}) {
+      if (!bound->sound || bound->value < 1.0) continue;
+      binder.error(*bound->node, bound->path,
+                   "wanted less than 1, found " + format_number(bound->value) +
+                       ": iso18571 compares one minus the rating, which no curve can exceed");
+      good = false;
+    }
+  }
   return good;
 }
 
@@ -448,7 +457,9 @@ void resolve_output_and_checks(Binder& binder, const CaseText& text, Case& out, 
   std::map<std::string_view, std::size_t> names;
   for (std::size_t i = 0; i < checks.size(); ++i) {
     const At<std::string>& name = checks[i].value.name;
-    if (name.sound) {
+    if (name.sound && name.value.find_first_not_of(' ') == std::string::npos) {
+      binder.error(*name.node, name.path, "the name of a check must not be empty");
+    } else if (name.sound) {
       const auto [first, is_new] = names.try_emplace(name.value, i);
       if (!is_new) {
         binder.error(*name.node, name.path,

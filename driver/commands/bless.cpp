@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
+#include <span>
 #include <system_error>
 #include <utility>
 #include <variant>
 
 #include "driver/commands/shared.hpp"
+#include "driver/compare/curve_file.hpp"
 #include "driver/compare/golden.hpp"
 #include "driver/results/output_file.hpp"
 #include "driver/results/provenance.hpp"
@@ -24,10 +24,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
-int refuse(int code, const std::string& message) {
-  print_error("slipbench: error: " + message + "\n");
-  return code;
-}
+/// The folders that had to be made for files that are still to come; those that stay empty are
+/// removed again.
+class NewFolders {
+ public:
+  NewFolders() = default;
+  ~NewFolders() {
+    std::error_code ignored;
+    for (auto it = made_.rbegin(); it != made_.rend(); ++it) fs::remove(*it, ignored);
+  }
+  NewFolders(const NewFolders&) = delete;
+  NewFolders& operator=(const NewFolders&) = delete;
+
+  /// Makes a folder and those it lies in; what cannot be made is told by who writes there.
+  void make(const fs::path& folder) {
+    std::error_code ignored;
+    if (folder.empty() || fs::exists(folder, ignored)) return;
+    make(folder.parent_path());
+    if (fs::create_directory(folder, ignored)) made_.push_back(folder);
+  }
+
+ private:
+  std::vector<fs::path> made_;  ///< the outer ones first
+};
 
 /// A golden curve on its way into its file.
 struct Writing {
@@ -47,24 +66,12 @@ struct Held {
   std::optional<CheckProgress> now;
 };
 
-/// What stands in a golden curve behind its comments.
-std::string rows_of_file(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  std::size_t begin = 0;
-  while (begin < text.size() && text[begin] == '#') begin = text.find('\n', begin) + 1;
-  return text.substr(begin);
-}
-
-std::vector<Writing> prepare(const Case& problem, std::vector<GoldenCurve> curves,
-                             const std::string& reason) {
+std::vector<Writing> prepare(std::vector<GoldenCurve> curves) {
   std::vector<Writing> all;
   for (GoldenCurve& curve : curves) {
     Writing& one = all.emplace_back();
     std::error_code ignored;
     one.was_there = fs::exists(curve.file, ignored);
-    if (one.was_there) one.before = read_golden_header(curve.file);
-    one.header = golden_header(problem, curve, reason, one.before);
     one.text = names_row(curve);
     one.curve = std::move(curve);
   }
@@ -80,7 +87,9 @@ tl::expected<std::int64_t, Failure> follow(const Case& problem, std::vector<Writ
                                            std::vector<Held>& checks) {
   std::string fault;
   std::int64_t increments = 0;
+  Progress progress(case_stem(problem));
   const auto ended = run_case(problem, [&](const Row& row) {
+    progress.step(row);
     increments = row.index;
     for (Held& check : checks) {
       if (check.old) check.old->add(row);
@@ -100,22 +109,36 @@ tl::expected<std::int64_t, Failure> follow(const Case& problem, std::vector<Writ
   return increments;
 }
 
-/// Writes the curves under their temporary names and points the checks there.
-tl::expected<void, Failure> write(const Case& problem, std::vector<Writing>& writings,
-                                  std::vector<Held>& checks) {
-  std::vector<std::string> inputs = {problem.file};
-  if (problem.measured) inputs.push_back(problem.measured->file.string());
+/// Refuses a file that must not be replaced, which may have come while the case ran.
+tl::expected<OutputFile, Failure> create_file(const Writing& one,
+                                              std::span<const std::string> inputs) {
+  if (one.was_there && !is_golden_curve(one.curve.file)) {
+    return tl::unexpected(Failure{
+        kExitEnvironment, "slipbench: error: " + printable(one.curve.shown_name) +
+                              " is no golden curve any more; it is not overwritten\n"});
+  }
+  auto file = OutputFile::create(one.curve.file, inputs);
+  if (!file) {
+    return tl::unexpected(Failure{kExitEnvironment, "slipbench: error: " + file.error() + "\n"});
+  }
+  return std::move(*file);
+}
+
+/// Writes the curves under their temporary names and points the checks there. To be called with
+/// the folders locked: the reasons of other blessings are read from what is there now.
+tl::expected<void, Failure> write(const Case& problem, const std::string& reason,
+                                  std::vector<Writing>& writings, std::vector<Held>& checks) {
+  const std::vector<std::string> inputs = history_files(problem);
   for (Writing& one : writings) {
+    std::error_code ignored;
+    one.was_there = fs::exists(one.curve.file, ignored);
+    auto file = create_file(one, inputs);
+    if (!file) return tl::unexpected(std::move(file.error()));
+    if (one.was_there) one.before = read_golden_header(one.curve.file);
+    one.header = golden_header(problem, one.curve, reason, one.before);
     one.unchanged = one.was_there && one.before.origin == one.header.origin &&
-                    rows_of_file(one.curve.file) == one.text;
+                    has_golden_rows(one.curve.file, one.text);
     if (one.unchanged) continue;
-    std::error_code error;
-    const fs::path folder = one.curve.file.parent_path();
-    if (!folder.empty()) fs::create_directories(folder, error);
-    auto file = OutputFile::create(one.curve.file, inputs);
-    if (!file) {
-      return tl::unexpected(Failure{kExitEnvironment, "slipbench: error: " + file.error() + "\n"});
-    }
     file->append(to_text(one.header));
     file->append(one.text);
     if (auto closed = file->close(); !closed) {
@@ -188,7 +211,8 @@ int bless_command(const BlessOptions& options) {
   const Case& problem = *read.value;
   auto curves = golden_curves(problem);
   if (!curves) return refuse(kExitBadInput, options.file + ": " + curves.error());
-  std::vector<Writing> writings = prepare(problem, std::move(*curves), options.reason);
+  NewFolders folders;  // goes after the files in them
+  std::vector<Writing> writings = prepare(std::move(*curves));
 
   std::vector<Held> checks;
   for (const Writing& one : writings) {
@@ -206,7 +230,13 @@ int bless_command(const BlessOptions& options) {
     print_error(increments.error().message);
     return increments.error().code;
   }
-  if (const auto written = write(problem, writings, checks); !written) {
+  std::vector<fs::path> places;
+  for (const Writing& one : writings) {
+    folders.make(one.curve.file.parent_path());
+    places.push_back(one.curve.file);
+  }
+  const FolderLocks locks(places);
+  if (const auto written = write(problem, options.reason, writings, checks); !written) {
     print_error(written.error().message);
     return written.error().code;
   }
@@ -228,7 +258,7 @@ int bless_command(const BlessOptions& options) {
     text += told(one);
     if (one.file) together.push_back(&*one.file);
   }
-  if (auto committed = commit(together); !committed) {
+  if (auto committed = commit(together, locks); !committed) {
     return refuse(kExitEnvironment, committed.error());
   }
   print(text + verdicts);

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <cstdlib>
 #include <iterator>
+#include <numeric>
 #include <optional>
 #include <string_view>
 #include <thread>
@@ -31,15 +31,6 @@
 namespace slipbench::driver {
 namespace {
 
-/// Up to so many cases are all read before the first one is run, so that the head of the table can
-/// say how many checks there are. More are read as their turn comes, which takes no memory.
-constexpr std::size_t kReadAhead = 1000;
-
-int refuse(int code, const std::string& message) {
-  print_error("slipbench: error: " + message + "\n");
-  return code;
-}
-
 std::string nothing_matches(const CheckOptions& options, std::size_t count) {
   std::vector<std::string> quoted;
   for (const std::string& filter : options.filters) quoted.push_back("'" + filter + "'");
@@ -53,14 +44,20 @@ std::string github_root() {
   return root == nullptr ? "" : root;
 }
 
-/// The cases to run, in their order.
-std::vector<Candidate> chosen(const CheckOptions& options, const std::vector<Candidate>& all,
-                              const std::optional<LastFailed>& memory) {
+/// The cases to run, in the order of the suite.
+std::vector<Candidate> chosen(const CheckOptions& options, const std::vector<Candidate>& all) {
   std::vector<Candidate> cases;
   std::copy_if(all.begin(), all.end(), std::back_inserter(cases),
                [&](const Candidate& c) { return label_matches_any(c.label, options.filters); });
-  if (memory) memory->order(cases);
   return cases;
+}
+
+/// The cases in another order.
+std::vector<Candidate> reordered(const std::vector<Candidate>& cases,
+                                 const std::vector<std::size_t>& order) {
+  std::vector<Candidate> result;
+  for (const std::size_t place : order) result.push_back(cases[place]);
+  return result;
 }
 
 /// Everybody who wants to know how the cases went.
@@ -72,13 +69,15 @@ struct Told {
   std::optional<Annotations> annotations;
   std::optional<LastFailed> memory;
   std::size_t cases = 0;
+  std::string overwritten;  ///< which input a file of verdicts would replace, in a sentence
 
-  void add(const Candidate& candidate, const CaseOutcome& outcome) {
+  /// \param place of the case in the suite
+  void add(std::size_t place, const Candidate& candidate, const CaseOutcome& outcome) {
     ++cases;
     totals.add(outcome);
     notes.add(candidate, outcome);
-    if (junit) junit->add(candidate, outcome);
-    if (json) json->add(candidate, outcome);
+    if (junit) junit->add(place, candidate, outcome);
+    if (json) json->add(place, candidate, outcome);
     if (annotations) annotations->add(candidate, outcome);
     if (memory) memory->note(candidate, outcome.well());
   }
@@ -97,10 +96,15 @@ int check_command(const CheckOptions& options) {
     return worse(search_code, refuse(kExitBadInput, "no case (*.yaml) found; nothing was checked"));
   }
   Told told;
-  if (options.failed_first) told.memory.emplace(options.paths);
-  const std::vector<Candidate> cases = chosen(options, found.cases, told.memory);
-  if (cases.empty()) return refuse(kExitBadInput, nothing_matches(options, found.cases.size()));
-  auto files = SuiteFiles::create({options.junit, options.json, options.report}, found.cases);
+  if (found.cases.size() > 1) told.memory.emplace(options.paths);
+  const std::vector<Candidate> in_order = chosen(options, found.cases);
+  if (in_order.empty()) return refuse(kExitBadInput, nothing_matches(options, found.cases.size()));
+  std::vector<std::size_t> places(in_order.size());  // in the suite, of the cases as they are run
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  if (options.failed_first && told.memory) places = told.memory->order(in_order);
+  const std::vector<Candidate> cases = reordered(in_order, places);
+  const SuiteTargets targets{options.junit, options.json, options.report};
+  auto files = SuiteFiles::create(targets, found.cases);
   if (!files) return refuse(files.error().code, files.error().message);
 
   if (!options.junit.empty()) told.junit.emplace();
@@ -123,23 +127,31 @@ int check_command(const CheckOptions& options) {
   if (cases.size() <= kReadAhead) {
     readings = read_suite(cases, suite);
     checks = 0;
-    for (const Reading& reading : readings) *checks += reading.checks();
+    for (const Reading& reading : readings) {
+      *checks += reading.checks();
+      if (const std::string fault = overwritten_input(targets, reading.inputs()); !fault.empty()) {
+        return refuse(kExitEnvironment, fault);
+      }
+    }
   }
   print(table_head(cases.size(), checks,
                    counted(suite.threads, options.jobs > 0 ? "thread" : "core")));
-  std::fflush(stdout);
+  flush_output();
 
   const VerdictTable table(cases, options.quiet, colour_wanted(STDOUT_FILENO));
   const bool on_terminal = isatty(STDOUT_FILENO) == 1;
   Progress progress("cases");
   SuiteListener listener;
   listener.tell = [&](const Candidate& candidate, CaseOutcome&& outcome) {
-    told.add(candidate, outcome);
+    told.add(places[static_cast<std::size_t>(&candidate - cases.data())], candidate, outcome);
+    if (told.overwritten.empty() && !checks) {
+      told.overwritten = overwritten_input(targets, outcome.inputs);
+    }
     const std::string lines = table.lines(candidate, outcome);
     if (lines.empty()) return;
     if (on_terminal) progress.hide();
-    print(lines);
-    std::fflush(stdout);
+    print(told.annotations ? without_commands(lines) : lines);
+    flush_output();
   };
   listener.progress = [&](const WorkDone& work) { progress.step(work); };
   run_suite(cases, std::move(readings), suite, listener);
@@ -148,12 +160,13 @@ int check_command(const CheckOptions& options) {
   const std::size_t not_reached = cases.size() - told.cases;
   told.totals.not_run += not_reached;
   print(table_totals(told.totals, !checks, std::chrono::steady_clock::now() - start));
-  print_error(told.notes.text());
+  print_error(told.annotations ? without_commands(told.notes.text()) : told.notes.text());
   if (told.annotations) print(told.annotations->text());
   if (told.memory) told.memory->write(found.cases);
+  int code = worse(told.totals.code, search_code);
+  if (!told.overwritten.empty()) return worse(code, refuse(kExitEnvironment, told.overwritten));
   if (told.junit) files->junit->append(told.junit->text());
   if (told.json) files->json->append(told.json->text(told.totals));
-  int code = worse(told.totals.code, search_code);
   for (const std::string& fault : files->complete()) {
     code = worse(code, refuse(kExitEnvironment, fault));
   }
@@ -161,7 +174,7 @@ int check_command(const CheckOptions& options) {
     for (std::size_t i = told.cases; i < cases.size(); ++i) {
       pages->put(i, not_run_report(cases[i].label, "", "not run: an earlier case did not pass"));
     }
-    // That the page is none of the cases was made sure of above.
+    // That the page replaces nothing that was read was made sure of above.
     const auto size = write_report(options.report, *pages, "", {});
     if (!size) code = worse(code, refuse(kExitEnvironment, size.error()));
   }

@@ -21,10 +21,13 @@ struct CheckOptions {
 };
 
 /// `slipbench check`: runs all cases and prints a verdict on each as soon as all before it are
-/// done; writes the files asked for, and nothing else but the memory of `failed_first`. The output
-/// does not depend on the number of threads. Folders are searched recursively for *.yaml files,
-/// except in folders named `bad` and hidden ones. Returns the exit code: that of the worst case, or
-/// of a file that could not be written.
+/// done; writes the files asked for, none of which replaces a file that is read, and nothing else
+/// but the memory for `failed_first`, which is kept of every suite of more than one case (see
+/// LastFailed): of the cases that were run, those that did not pass are added and those that passed
+/// are removed. The output does not depend on the number of threads, and the files but for the page
+/// not on the order in which the cases are run. Folders are searched recursively for *.yaml files,
+/// except for hidden ones and in folders that are hidden or named `bad`. Returns the exit code: that
+/// of the worst case, or of a file that could not be written.
 int check_command(const CheckOptions& options);
 
 }  // namespace slipbench::driver

@@ -2,6 +2,7 @@
 #include "driver/commands/progress.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,6 +11,8 @@
 #include <utility>
 
 #include "driver/commands/shared.hpp"
+#include "driver/text/diagnostic.hpp"
+#include "driver/text/utf8.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -24,6 +27,12 @@ bool can_erase() {
   const char* terminal = std::getenv("TERM");
   const bool dumb = terminal == nullptr || std::string_view(terminal) == "dumb";
   return isatty(STDERR_FILENO) == 1 && !dumb;
+}
+
+/// How many characters a line of the terminal holds; 0 if it does not say.
+std::size_t terminal_width() {
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
 }
 
 std::string remaining_text(double seconds) {
@@ -53,6 +62,16 @@ std::string progress_text(const WorkDone& work, const std::string& what, double 
   return text;
 }
 
+std::string fitting(const std::string& text, std::size_t width) {
+  const std::string shown = printable(text);
+  std::string_view rest = shown;
+  // The last place stays free: some terminals begin a new line behind it.
+  for (std::size_t used = 0; !rest.empty() && (width == 0 || used + 1 < width); ++used) {
+    rest.remove_prefix(decode_utf8(rest).length);
+  }
+  return shown.substr(0, shown.size() - rest.size());
+}
+
 Progress::Progress(std::string what)
     : what_(std::move(what)),
       start_(Clock::now()),
@@ -73,7 +92,7 @@ bool Progress::due() {
 
 void Progress::draw(const std::string& text) {
   shown_ = true;
-  print_error("\r" + text + "\033[K");
+  print_error("\r" + fitting(text, terminal_width()) + "\033[K");
 }
 
 void Progress::show(const Row& row) {
@@ -90,6 +109,21 @@ void Progress::hide() {
   shown_ = false;
   next_ = Clock::now();
   print_error("\r\033[K");
+}
+
+void SharedProgress::done(bool well) {
+  const std::lock_guard lock(mutex_);
+  ++work_.done;
+  if (!well) ++work_.failed;
+  progress_.step(work_);
+}
+
+void SharedProgress::tick() {
+  constexpr unsigned kRowsPerTick = 1U << 14U;
+  thread_local unsigned rows = 0;
+  if (++rows % kRowsPerTick != 0) return;
+  const std::unique_lock lock(mutex_, std::try_to_lock);
+  if (lock) progress_.step(work_);
 }
 
 }  // namespace slipbench::driver

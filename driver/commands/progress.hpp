@@ -3,7 +3,9 @@
 
 #include <chrono>
 #include <cstddef>
+#include <mutex>
 #include <string>
+#include <utility>
 
 #include "driver/simulation.hpp"
 
@@ -18,6 +20,10 @@ struct WorkDone {
 
 /// "[=====>    ] 52 of 100 cases, 1 failed, 3 s left"; `seconds` is what `work` took so far [s].
 std::string progress_text(const WorkDone& work, const std::string& what, double seconds);
+
+/// What fits into a line of that many characters, without any that could harm the terminal: a
+/// longer line could not be taken back. 0 stands for a width that is not known.
+std::string fitting(const std::string& text, std::size_t width);
 
 /// A line on standard error that shows how far a long work is; shown only on a terminal, and only
 /// once the work has taken half a second. It is gone at the end. One thread at a time may use it.
@@ -50,6 +56,23 @@ class Progress {
   unsigned calls_ = 0;
   bool terminal_ = false;
   bool shown_ = false;
+};
+
+/// The same for a work of many equal parts that several threads do.
+class SharedProgress {
+ public:
+  SharedProgress(std::string what, std::size_t total)
+      : progress_(std::move(what)), work_{0, total, 0} {}
+
+  /// One part is done.
+  void done(bool well = true);
+  /// A sign of life in the middle of a part; cheap enough for every row.
+  void tick();
+
+ private:
+  std::mutex mutex_;
+  Progress progress_;
+  WorkDone work_;
 };
 
 }  // namespace slipbench::driver

@@ -5,17 +5,20 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 #include <span>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include "driver/commands/shared.hpp"
-#include "driver/report/collect.hpp"
 #include "driver/report/read_result.hpp"
 #include "driver/report/report.hpp"
 #include "driver/results/output_file.hpp"
 #include "driver/suite/candidates.hpp"
 #include "driver/suite/check_case.hpp"
+#include "driver/suite/real_files.hpp"
+#include "driver/suite/run_suite.hpp"
 #include "driver/suite/work_crew.hpp"
 
 namespace slipbench::driver {
@@ -43,12 +46,15 @@ std::vector<Source> find_sources(std::span<const std::string> inputs,
     for (Candidate& candidate : found.cases) sources.push_back({std::move(candidate), false});
     faults.insert(faults.end(), found.faults.begin(), found.faults.end());
   };
+  RealFiles real_files;
+  std::set<std::string> results;   // a result counts once
   std::vector<std::string> cases;  // neighbours are searched together: a case counts once
   for (const std::string& input : inputs) {
     if (!names_result(input)) {
       cases.push_back(input);
       continue;
     }
+    if (!results.insert(real_files.of(input)).second) continue;
     add_cases(cases);
     cases.clear();
     const fs::path path = fs::path(input).lexically_normal();
@@ -56,6 +62,27 @@ std::vector<Source> find_sources(std::span<const std::string> inputs,
   }
   add_cases(cases);
   return sources;
+}
+
+/// The files that are read, as far as they are known before the cases are: of a result also those
+/// beside it.
+std::vector<std::string> known_inputs(std::span<const Source> sources) {
+  std::vector<std::string> inputs;
+  for (const Source& source : sources) {
+    const std::string& path = source.candidate.path;
+    inputs.push_back(path);
+    if (!source.is_result) continue;
+    for (const char* extension : {".json", ".events.csv"}) {
+      inputs.push_back(fs::path(path).replace_extension(extension).string());
+    }
+  }
+  return inputs;
+}
+
+std::string first_of(std::span<const std::string> faults) {
+  const auto first = std::find_if(faults.begin(), faults.end(),
+                                  [](const std::string& fault) { return !fault.empty(); });
+  return first == faults.end() ? "" : *first;
 }
 
 /// The page's title where none is given: the only input's name, or nothing.
@@ -73,60 +100,79 @@ std::string title_of(std::span<const std::string> inputs) {
 
 int report_command(const ReportOptions& options) {
   const auto settings = parse_settings(options.settings);
-  if (!settings) {
-    print_error("slipbench: error: " + settings.error() + "\n");
-    return kExitBadInput;
-  }
+  if (!settings) return refuse(kExitBadInput, settings.error());
+  if (options.output == "-") return refuse(kExitBadInput, "-o -: wanted the name of a file");
   std::vector<std::string> faults;
   const std::vector<Source> sources = find_sources(options.inputs, faults);
-  for (const std::string& fault : faults) print_error("slipbench: error: " + fault + "\n");
+  for (const std::string& fault : faults) refuse(kExitEnvironment, fault);
   if (sources.empty()) {
-    print_error("slipbench: error: no case (*.yaml) found; there is nothing to report\n");
+    refuse(kExitBadInput, "no case (*.yaml) found; there is nothing to report");
     return faults.empty() ? kExitBadInput : kExitEnvironment;
   }
   // Before the work: a page that cannot be written is known at once.
-  std::vector<std::string> inputs;
-  for (const Source& source : sources) inputs.push_back(source.candidate.path);
+  const std::vector<std::string> inputs = known_inputs(sources);
   if (const auto page = OutputFile::create(options.output, inputs); !page) {
-    print_error("slipbench: error: " + page.error() + "\n");
-    return kExitEnvironment;
+    return refuse(kExitEnvironment, page.error());
+  }
+  const ReadOptions read_options{*settings, options.allow_outside};
+  const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  std::vector<Reading> readings(sources.size());
+  std::vector<std::string> overwritten(sources.size());
+  const auto read = [&](std::size_t place) {
+    readings[place] = read_candidate(sources[place].candidate.path, read_options);
+    overwritten[place] = input_fault(options.output, readings[place].inputs());
+  };
+  const bool ahead = sources.size() <= kReadAhead;
+  if (ahead) {
+    SharedProgress progress("cases read", sources.size());
+    for_each_index(sources.size(), threads, [&](std::size_t place) {
+      if (!sources[place].is_result) read(place);
+      progress.done();
+    });
+  }
+  if (const std::string fault = first_of(overwritten); !fault.empty()) {
+    return refuse(kExitEnvironment, fault);
   }
 
   ReportCollection collection(sources.size());
   std::vector<int> codes(sources.size(), kExitOk);
   std::vector<std::string> messages(sources.size());
-  const ReadOptions read_options{*settings, options.allow_outside};
-  const auto collect = [&](std::size_t place) {
-    const auto& [candidate, is_result] = sources[place];
-    if (is_result) {
-      ReadResult result = read_result(candidate.path, candidate.label);
-      codes[place] = result.code;
-      messages[place] = result.report.message;
-      collection.put(place, std::move(result.report));
-      return;
-    }
-    const Reading reading = read_candidate(candidate.path, read_options);
-    CheckCaseOptions check_options;
-    check_options.report = [&](CaseReport&& report) {
-      if (reading.read && report.status != ReportStatus::kNotRun) {
-        add_remarks(report, reading.read->diagnostics);
+  {
+    SharedProgress progress("cases", sources.size());
+    for_each_index(sources.size(), threads, [&](std::size_t place) {
+      const auto& [candidate, is_result] = sources[place];
+      if (is_result) {
+        ReadResult result = read_result(candidate.path, candidate.label);
+        codes[place] = result.code;
+        messages[place] = result.report.message;
+        collection.put(place, std::move(result.report));
+        progress.done(codes[place] == kExitOk);
+        return;
       }
-      collection.put(place, std::move(report));
-    };
-    if (const auto outcome = check_case(candidate, reading, check_options)) {
+      if (!ahead) read(place);
+      const Reading reading = std::exchange(readings[place], Reading{});
+      CheckCaseOptions check_options;
+      check_options.stopped = [&] {
+        progress.tick();
+        return false;
+      };
+      check_options.report = [&](CaseReport&& report) {
+        collection.put(place, std::move(report));
+      };
+      const auto outcome = check_case(candidate, reading, check_options);
       // A failed check is the page's matter, not this command's.
       codes[place] = outcome->code == kExitCheckFailed ? kExitOk : outcome->code;
       messages[place] = outcome->messages;
-    }
-  };
-  for_each_index(sources.size(), std::max(1U, std::thread::hardware_concurrency()), collect);
+      progress.done(outcome->well());
+    });
+  }
+  if (const std::string fault = first_of(overwritten); !fault.empty()) {
+    return refuse(kExitEnvironment, fault);
+  }
 
   const std::string title = options.title.empty() ? title_of(options.inputs) : options.title;
   const auto size = write_report(options.output, collection, title, inputs);
-  if (!size) {
-    print_error("slipbench: error: " + size.error() + "\n");
-    return kExitEnvironment;
-  }
+  if (!size) return refuse(kExitEnvironment, size.error());
   for (const std::string& message : messages) print_error(message);
   const ReportTotals totals = collection.totals();
   std::string line = fmt::format("{}: {} case{}, {} failed", options.output, totals.cases,

@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <span>
+#include <string_view>
 #include <utility>
 
 #include "driver/commands/compare_integration.hpp"
@@ -37,8 +39,8 @@ struct ResultFiles {
 };
 
 tl::expected<ResultFiles, std::string> create_files(const Case& problem, const fs::path& folder,
-                                                    bool with_solver_report) {
-  const std::vector<std::string> inputs = input_files(problem);
+                                                    bool with_solver_report,
+                                                    std::span<const std::string> inputs) {
   const auto create = [&](const char* extension) {
     return OutputFile::create(folder / (case_stem(problem) + extension), inputs);
   };
@@ -87,19 +89,15 @@ bool reads_data_elsewhere(const Case& problem, const fs::path& folder) {
 
 /// Writes the smallest case that fails in the same way beside where the result would be.
 int write_reproducer(const ReadCase& read, const SimulationFailure& failure,
-                     const fs::path& folder) {
+                     const fs::path& folder, std::span<const std::string> inputs) {
   const Case& problem = *read.value;
   const fs::path target = folder / (case_stem(problem) + ".failed.yaml");
-  auto file = OutputFile::create(target, input_files(problem));
-  if (!file) {
-    print_error("slipbench: error: " + file.error() + "\n");
-    return kExitEnvironment;
-  }
+  auto file = OutputFile::create(target, inputs);
+  if (!file) return refuse(kExitEnvironment, file.error());
   file->append(reproducer(read.sources.front(), problem, failure));
   OutputFile* const alone[] = {&*file};
   if (auto committed = commit(alone); !committed) {
-    print_error("slipbench: error: " + committed.error() + "\n");
-    return kExitEnvironment;
+    return refuse(kExitEnvironment, committed.error());
   }
   print_error(
       "  a case that fails the same way: " + shown(target) +
@@ -108,7 +106,9 @@ int write_reproducer(const ReadCase& read, const SimulationFailure& failure,
   return kExitNumerical;
 }
 
-int run_one(const ReadCase& read, const RunOptions& options) {
+/// \param inputs what all cases of the command are read from
+int run_one(const ReadCase& read, const RunOptions& options,
+            std::span<const std::string> inputs) {
   const auto start = std::chrono::steady_clock::now();
   const Case& problem = *read.value;
   const int every = options.every.value_or(problem.output_every);
@@ -117,11 +117,8 @@ int run_one(const ReadCase& read, const RunOptions& options) {
   std::optional<CsvWriter> rows;
   std::optional<EventWriter> events;
   if (!options.no_output) {
-    auto created = create_files(problem, options.folder, options.solver_report);
-    if (!created) {
-      print_error("slipbench: error: " + created.error() + "\n");
-      return kExitEnvironment;
-    }
+    auto created = create_files(problem, options.folder, options.solver_report, inputs);
+    if (!created) return refuse(kExitEnvironment, created.error());
     files.emplace(std::move(*created));
     rows.emplace(problem, output_columns(problem), files->rows);
     events.emplace(problem, files->events);
@@ -157,7 +154,7 @@ int run_one(const ReadCase& read, const RunOptions& options) {
     print_error(failure_text(problem, ended.error()));
     int code = exit_code(ended.error());
     if (code == kExitNumerical && !options.no_output) {
-      code = worse(code, write_reproducer(read, ended.error(), options.folder));
+      code = worse(code, write_reproducer(read, ended.error(), options.folder, inputs));
     }
     return code;
   }
@@ -183,8 +180,7 @@ int run_one(const ReadCase& read, const RunOptions& options) {
     std::vector<OutputFile*> together = {&files->rows, &files->events, &files->summary};
     if (files->solver) together.push_back(&*files->solver);
     if (auto committed = commit(together); !committed) {
-      print_error("slipbench: error: " + committed.error() + "\n");
-      return kExitEnvironment;
+      return refuse(kExitEnvironment, committed.error());
     }
     for (const OutputFile* file : together) written += "  " + shown(file->target());
     written += "\n";
@@ -248,17 +244,34 @@ std::string collision(const std::vector<std::string>& cases) {
   return {};
 }
 
+/// Whether the command writes results at all.
+bool writes_results(const RunOptions& options) {
+  return !options.no_output && !options.explain && !options.compare_integration &&
+         !options.converge;
+}
+
+/// A result that would replace what one of the cases is read from, as a sentence; empty if there is
+/// none.
+std::string overwritten_input(const std::vector<ReadCase>& cases, const RunOptions& options,
+                              std::span<const std::string> inputs) {
+  for (const ReadCase& read : cases) {
+    for (const char* extension : {".csv", ".events.csv", ".json", ".solver.csv"}) {
+      if (extension == std::string_view(".solver.csv") && !options.solver_report) continue;
+      const fs::path target = fs::path(options.folder) / (case_stem(*read.value) + extension);
+      std::string fault = input_fault(target.lexically_normal(), inputs);
+      if (!fault.empty()) return fault;
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 int run_command(const RunOptions& options) {
   const auto settings = parse_settings(options.settings);
-  if (!settings) {
-    print_error("slipbench: error: " + settings.error() + "\n");
-    return kExitBadInput;
-  }
+  if (!settings) return refuse(kExitBadInput, settings.error());
   if (const std::string fault = collision(options.cases); !options.no_output && !fault.empty()) {
-    print_error("slipbench: error: " + fault + "\n");
-    return kExitBadInput;
+    return refuse(kExitBadInput, fault);
   }
   std::vector<ReadCase> cases;
   int code = kExitOk;
@@ -280,13 +293,21 @@ int run_command(const RunOptions& options) {
     print_error(driver::summary(all) + ", nothing was run\n");
     return code;
   }
+  std::vector<std::string> inputs;
+  for (const ReadCase& read : cases) {
+    for (std::string& file : input_files(*read.value)) inputs.push_back(std::move(file));
+  }
+  if (writes_results(options)) {
+    const std::string fault = overwritten_input(cases, options, inputs);
+    if (!fault.empty()) return refuse(kExitEnvironment, fault);
+  }
   for (const ReadCase& read : cases) {
     const auto run_it = [&] {
       if (options.explain) return explain_one(*read.value, *options.explain);
       if (options.compare_integration || options.converge) {
         return judge_increments(*read.value, options);
       }
-      return run_one(read, options);
+      return run_one(read, options, inputs);
     };
     code = worse(code, run_it());
   }

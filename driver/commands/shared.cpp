@@ -7,14 +7,18 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <system_error>
 #include <utility>
 #include <variant>
 
+#include "driver/text/diagnostic.hpp"
 #include "driver/text/number.hpp"
 
 namespace slipbench::driver {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// The first reason why standard output did not take something.
 int output_error = 0;
@@ -46,14 +50,30 @@ void print(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) note_output_error();
 }
 
+void flush_output() {
+  errno = 0;
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) note_output_error();
+}
+
 void print_error(std::string_view text) {
-  std::fflush(stdout);
+  flush_output();
   std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
+int refuse(int code, std::string_view message) {
+  print_error(fmt::format("slipbench: error: {}\n", printable(message)));
+  return code;
+}
+
+std::string named_case(const std::string& path) {
+  std::error_code error;
+  if (fs::exists(fs::symlink_status(path, error))) return path;
+  const std::string with_ending = path + ".yaml";
+  return fs::is_regular_file(with_ending, error) ? with_ending : path;
+}
+
 int finish_output(int code) {
-  errno = 0;
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) note_output_error();
+  flush_output();
   if (output_error == 0) return code;
   static bool told = false;
   if (!std::exchange(told, true))
@@ -113,7 +133,7 @@ std::string failure_text(const Case& problem, const SimulationFailure& failure) 
       failure.message);
 }
 
-std::vector<std::string> input_files(const Case& problem) {
+std::vector<std::string> history_files(const Case& problem) {
   std::vector<std::string> files = {problem.file};
   if (problem.measured) files.push_back(problem.measured->file.string());
   for (const Step& step : problem.steps) {
@@ -123,6 +143,11 @@ std::vector<std::string> input_files(const Case& problem) {
       }
     }
   }
+  return files;
+}
+
+std::vector<std::string> input_files(const Case& problem) {
+  std::vector<std::string> files = history_files(problem);
   for (const Check& check : problem.checks) {
     if (const auto* curve = std::get_if<CurveReference>(&check.against)) {
       files.push_back(curve->file.string());

@@ -27,8 +27,18 @@ tl::expected<std::vector<ParameterText>, std::string> parse_settings(
 /// Everything written to standard output goes through here, so that `finish_output` knows whether
 /// it arrived.
 void print(std::string_view text);
+/// Lets what was printed be seen now, by those who follow a long work.
+void flush_output();
 /// A message for standard error.
 void print_error(std::string_view text);
+/// "slipbench: error: ..." for standard error; returns `code`. What names and files are called
+/// cannot harm the terminal.
+int refuse(int code, std::string_view message);
+
+/// The case that somebody names: the path as it is, or, if there is nothing of that name, the file
+/// that is called so with .yaml, as tables show it.
+std::string named_case(const std::string& path);
+
 /// Flushes standard output. If something did not arrive (a closed or full one), says so on
 /// standard error and returns the worse of `code` and kExitEnvironment.
 int finish_output(int code);
@@ -55,7 +65,11 @@ int exit_code(const SimulationFailure& failure);
 /// "shock.yaml: error: ..." for a failed run, with a line feed.
 std::string failure_text(const Case& problem, const SimulationFailure& failure);
 
-/// The files a case is read from, none of which may be overwritten.
+/// The file of a case and those of its history.
+std::vector<std::string> history_files(const Case& problem);
+
+/// The files a case is read from, none of which may be overwritten: those of its history and the
+/// curves of its checks.
 std::vector<std::string> input_files(const Case& problem);
 
 /// The check's line in the results of `run` and `check`: its name, and the worst deviation or what

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "driver/compare/common_range.hpp"
@@ -14,9 +15,9 @@
 namespace slipbench::driver {
 namespace {
 
-int direction_at_start(std::span<const double> abscissa, double smallest_turn) {
+int direction_at_start(std::span<const double> abscissa, double turn) {
   for (const double x : abscissa) {
-    if (std::abs(x - abscissa.front()) > smallest_turn) return x > abscissa.front() ? 1 : -1;
+    if (std::abs(x - abscissa.front()) > turn) return x > abscissa.front() ? 1 : -1;
   }
   return 1;
 }
@@ -25,22 +26,45 @@ std::string counted(std::size_t count) {
   return fmt::format("{} {}", count, count == 1 ? "branch" : "branches");
 }
 
+/// A turn by less is rounding.
+double smallest_turn(double range, double noise) {
+  return std::max(kSmallestTurn * range, std::min(noise, kLargestNoise * range));
+}
+
+/// The shortest branch that begins and ends with a turn, if such a curve has one that may be noise.
+std::string about_noise(const Series& curve, const std::vector<Branch>& parts, double taken) {
+  constexpr double kMayBeNoise = 1e-2;  // of the range
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t b = 1; b + 1 < parts.size(); ++b) {
+    shortest = std::min(shortest,
+                        std::abs(curve.abscissa[parts[b].last] - curve.abscissa[parts[b].first]));
+  }
+  if (!(shortest < kMayBeNoise * extent(curve.abscissa).width())) return {};
+  return fmt::format("; turns by {:.3g} may be noise, only those up to {:.1g} were taken for it",
+                     shortest, taken);
+}
+
 /// Whether the abscissa of a curve is its time.
 bool is_over_time(const Series& curve) {
   return !curve.time.empty() && curve.abscissa == curve.time;
 }
 
-std::string different_branches(const Series& result, std::size_t ours, const Series& reference,
-                               const std::vector<Branch>& theirs) {
+std::string different_branches(const Series& result, const std::vector<Branch>& ours,
+                               const Series& reference, const std::vector<Branch>& theirs) {
   if (is_over_time(result)) {
     const std::size_t turn = theirs.front().direction > 0 ? theirs.front().last : 0;
     return fmt::format("the times of the reference decrease after row {}, from {:.9g}", turn + 1,
                        reference.abscissa[turn]);
   }
+  const bool ours_are_more = ours.size() > theirs.size();
+  const Series& more = ours_are_more ? result : reference;
+  const std::vector<Branch>& more_parts = ours_are_more ? ours : theirs;
+  const double taken =
+      smallest_turn(extent(more.abscissa).width(), common_noise(result, reference));
   return fmt::format(
       "the abscissa goes back and forth: the result has {}, the reference {}; select what is "
-      "compared with step or over, or compare whole loops with arc_length",
-      counted(ours), counted(theirs.size()));
+      "compared with step or over, or compare whole loops with arc_length{}",
+      counted(ours.size()), counted(theirs.size()), about_noise(more, more_parts, taken));
 }
 
 /// Which ends of a trimmed curve lie between its rows.
@@ -63,6 +87,7 @@ Ends trim(Series& curve, std::vector<Branch>& parts, double start, double end, d
   if (from == head.first && to == tail.last) return {};
   const std::size_t shift = enters ? from - 1 : from;
   Series kept;
+  kept.noise = curve.noise;
   if (enters)
     append_between(kept, curve, from - 1, (start - x[from - 1]) / (x[from] - x[from - 1]));
   // Both ends may lie between the same two rows; then there is no row to keep.
@@ -79,18 +104,22 @@ Ends trim(Series& curve, std::vector<Branch>& parts, double start, double end, d
 
 }  // namespace
 
-std::vector<Branch> branches(std::span<const double> abscissa) {
+double common_noise(const Series& result, const Series& reference) {
+  return std::max(result.noise, reference.noise);
+}
+
+std::vector<Branch> branches(std::span<const double> abscissa, double noise) {
   if (abscissa.empty()) return {};
   const double range = extent(abscissa).width();
-  const double smallest_turn = kSmallestTurn * range;
-  const double same_place = kSameTime * range;
+  const double turn = smallest_turn(range, noise);
+  const double same_place = std::max(kSameTime * range, std::min(noise, kLargestNoise * range));
   std::vector<Branch> found;
-  Branch branch{0, 0, direction_at_start(abscissa, smallest_turn)};
+  Branch branch{0, 0, direction_at_start(abscissa, turn)};
   std::size_t furthest = 0;
   for (std::size_t i = 1; i < abscissa.size(); ++i) {
     const double advance = branch.direction * (abscissa[i] - abscissa[furthest]);
     if (advance > 0.0) furthest = i;
-    if (advance >= -smallest_turn) continue;
+    if (advance >= -turn) continue;
     branch.last = furthest;
     while (std::abs(abscissa[branch.last + 1] - abscissa[furthest]) <= same_place) ++branch.last;
     found.push_back(branch);
@@ -107,14 +136,12 @@ MatchedBranches match_branches(const Series& result, const Series& reference) {
   const CommonRange common = common_range(result, reference);
   matched.fault = common.fault;
   if (!matched.fault.empty()) return matched;
-  std::vector<Branch> ours = branches(result.abscissa);
-  std::vector<Branch> theirs = branches(reference.abscissa);
-  // A single point has no direction of its own.
-  const bool is_point = extent(reference.abscissa).width() <= common.slack;
-  if (is_point) theirs.front().direction = ours.front().direction;
+  const double noise = common_noise(result, reference);
+  std::vector<Branch> ours = branches(result.abscissa, noise);
+  std::vector<Branch> theirs = branches(reference.abscissa, noise);
   if (ours.size() != theirs.size() ||
       (is_over_time(result) && theirs.front().direction != ours.front().direction)) {
-    matched.fault = different_branches(result, ours.size(), reference, theirs);
+    matched.fault = different_branches(result, ours, reference, theirs);
     return matched;
   }
   if (ours.front().direction != theirs.front().direction) {

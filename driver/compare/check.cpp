@@ -19,7 +19,7 @@ CheckProgress::CheckProgress(const Case& problem, const Check& check, Trace trac
   streamed_ = check.criterion == Criterion::kPointwise && !against_curve;
   kept_ = !streamed_ || trace == Trace::kKeep;
   const std::vector<Column> columns = result_columns(problem);
-  definition_ = definition_of(problem, columns, check);
+  definition_ = friction_of(problem, columns, check);
   const auto make = [&](const Expression& expression, const std::vector<std::string>& variables,
                         std::optional<RowExpression>& target) {
     auto made = RowExpression::make(problem, columns, expression, variables);
@@ -118,7 +118,7 @@ Verdict CheckProgress::verdict() const {
   if (!labels.abscissa_unit.empty()) result.abscissa += " [" + labels.abscissa_unit + "]";
   result.abscissa_unit = labels.abscissa_unit;
   result.product_unit = labels.product_unit;
-  if (streamed_) conclude(*check_, labels, judge_, std::nullopt, result);
+  if (streamed_) conclude(*check_, labels, judge_, {}, result);
   result.compared = compared_;
   if (!fault_.empty()) {
     result.failing += faults_;

@@ -62,7 +62,7 @@ class CheckProgress {
   std::optional<RowExpression> quantity_;
   std::optional<RowExpression> abscissa_;
   std::optional<RowReference> reference_;
-  std::optional<std::size_t> definition_;  ///< that the quantity belongs to
+  std::optional<std::size_t> definition_;  ///< whose friction force the quantity is
 
   std::string fault_;        ///< the first thing that makes the check fail whatever the numbers
   std::int64_t faults_ = 0;  ///< rows without a number

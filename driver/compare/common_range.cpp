@@ -30,6 +30,10 @@ std::string unusable(const Series& curve, std::string_view name) {
     if (!std::isfinite(curve.abscissa[i])) return not_finite(name, "the abscissa", i);
     if (!std::isfinite(curve.value[i])) return not_finite(name, "the value", i);
   }
+  if (!std::isfinite(extent(curve.value).width()) ||
+      !std::isfinite(extent(curve.abscissa).width())) {
+    return fmt::format("the range of the {} exceeds that of a double", name);
+  }
   return {};
 }
 
@@ -43,6 +47,11 @@ std::string in_words(const Interval& range, std::string_view name) {
 Interval extent(std::span<const double> numbers) {
   const auto [lowest, highest] = std::minmax_element(numbers.begin(), numbers.end());
   return {*lowest, *highest};
+}
+
+bool are_same_rows(const Series& result, const Series& reference) {
+  return !result.time.empty() && result.time == reference.time &&
+         result.abscissa == reference.abscissa;
 }
 
 CommonRange common_range(const Series& result, const Series& reference) {
@@ -59,7 +68,9 @@ CommonRange common_range(const Series& result, const Series& reference) {
                                          in_words(theirs, "reference"));
   if (common.interval.width() < -common.slack) {
     common.fault = "no common range: " + ranges;
-  } else if (common.interval.width() <= common.slack && theirs.width() > common.slack) {
+  } else if (common.interval.width() <= common.slack &&
+             (theirs.width() > common.slack || result.size() > 1) &&
+             !are_same_rows(result, reference)) {
     common.fault = "only one point in common: " + ranges;
   }
   if (common.interval.width() < 0.0) common.interval.to = common.interval.from;
@@ -68,6 +79,7 @@ CommonRange common_range(const Series& result, const Series& reference) {
 
 Series cut(const Series& curve, const Interval& interval, double slack) {
   Series part;
+  part.noise = curve.noise;
   const std::array<double, 2> ends{interval.from, interval.to};
   const std::size_t count = interval.width() > slack ? 2 : 1;
   for (std::size_t i = 0; i < curve.size(); ++i) {

@@ -40,6 +40,7 @@ void CurveFile::want(std::span<const std::string> names) {
 }
 
 void CurveFile::read() const {
+  golden_ = is_golden_curve(path_);
   auto probe = CsvReader::open(path_, {}, shown_name_);
   if (!probe) {
     fault_ = told(probe.error());
@@ -72,8 +73,7 @@ void CurveFile::read() const {
     }
   }
   // A golden curve has every digit of its doubles, however few some of them need.
-  const bool has_all_digits = golden();
-  for (std::size_t i = 0; i < columns_.size() && !has_all_digits; ++i) {
+  for (std::size_t i = 0; i < columns_.size() && !golden_; ++i) {
     columns_[i].resolution = digits[i].resolution();
   }
 }
@@ -102,7 +102,10 @@ tl::expected<const CurveFile::Column*, std::string> CurveFile::column(
   return tl::unexpected(std::move(message));
 }
 
-bool CurveFile::golden() const { return is_golden_curve(path_); }
+bool CurveFile::golden() const {
+  std::call_once(once_, [this] { read(); });
+  return golden_;
+}
 
 tl::expected<void, HistoryError> openable_curve(const std::filesystem::path& file,
                                                 const std::string& shown_name) {

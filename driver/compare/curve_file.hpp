@@ -53,6 +53,7 @@ class CurveFile {
   std::string shown_name_;
   std::vector<std::string> wanted_;
   mutable std::once_flag once_;
+  mutable bool golden_ = false;
   mutable std::string fault_;
   mutable std::vector<std::string> header_;
   mutable std::vector<std::string> names_;

@@ -3,13 +3,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <span>
 #include <utility>
 #include <variant>
 
+#include "driver/compare/common_range.hpp"
 #include "driver/compare/curve_file.hpp"
 #include "driver/history/step_grid.hpp"
 
@@ -23,15 +26,35 @@ bool within(double time, double from, double to) {
 }
 
 /// Keeps the rows whose entry in `times` lies in [from, to].
-void keep_between(Series& series, std::span<const double> times, double from, double to) {
+void keep_between(Series& series, std::span<const double> times, const Interval& span) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < times.size(); ++i) {
-    if (!within(times[i], from, to)) continue;
+    if (!within(times[i], span.from, span.to)) continue;
     series.abscissa[kept] = series.abscissa[i];
     series.value[kept++] = series.value[i];
   }
   series.abscissa.resize(kept);
   series.value.resize(kept);
+}
+
+/// The part of a curve whose time lies in `span`, its ends interpolated.
+void cut_between(Series& series, std::span<const double> times, const Interval& span) {
+  Series by_time{{times.begin(), times.end()}, std::move(series.value), std::move(series.abscissa)};
+  const Interval all = times.empty() ? Interval{} : extent(times);
+  const double slack = kSameTime * std::max(std::abs(all.from), std::abs(all.to));
+  by_time = cut(by_time, span, slack);
+  series.abscissa = std::move(by_time.time);
+  series.value = std::move(by_time.value);
+}
+
+/// Either of them, as the criterion needs it.
+void select(Series& series, std::span<const double> times, const Interval& span,
+            Criterion criterion) {
+  if (criterion == Criterion::kPointwise) {
+    keep_between(series, times, span);
+  } else {
+    cut_between(series, times, span);
+  }
 }
 
 bool selects_rows(const Check& check) { return check.step || check.from || check.to; }
@@ -84,18 +107,31 @@ tl::expected<ReferenceCurve, std::string> reference_curve(const Check& check,
     curve.resolution = *(*value)->resolution * std::abs(reference.column.conversion.scale);
   }
 
+  if ((*abscissa)->resolution) {
+    // Two numbers that are printed a unit apart may be the same.
+    series.noise = 2.0 * *(*abscissa)->resolution * std::abs(reference.abscissa.conversion.scale);
+  }
+
+  const std::size_t rows = series.size();
   const double infinity = std::numeric_limits<double>::infinity();
   if (!check.abscissa && (check.from || check.to)) {
     const std::vector<double> times = series.abscissa;
-    keep_between(series, times, check.from.value_or(-infinity), check.to.value_or(infinity));
+    select(series, times, {check.from.value_or(-infinity), check.to.value_or(infinity)},
+           check.criterion);
   }
   if (selects_rows(check) && check.abscissa && !result.time.empty() && curve.golden) {
     const auto times = file->column(golden_time_names());
     if (!times) return tl::unexpected(times.error());
-    keep_between(series, (*times)->values, result.time.front(), result.time.back());
+    select(series, (*times)->values, {result.time.front(), result.time.back()}, check.criterion);
   }
   if (series.size() == 0) {
     return tl::unexpected(fmt::format("{}: no row of it was compared", reference.shown_name));
+  }
+  if (series.size() == 1 && rows > 1 && result.size() > 1) {
+    return tl::unexpected(
+        fmt::format("{}: only 1 of its {} rows, at {:.9g}, is selected by the check, and a curve "
+                    "needs two",
+                    reference.shown_name, rows, series.abscissa.front()));
   }
   if (!check.abscissa) series.time = series.abscissa;
   return curve;

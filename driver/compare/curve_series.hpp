@@ -17,12 +17,14 @@ struct ReferenceCurve {
   bool golden = false;               ///< made by this program
 };
 
-/// The curve that `check` names. Of a curve over time, the rows within the check's `over:`; of a
-/// golden one, whose times are those of its case, also those of the check's step: the rows between
-/// the first and the last time of `result`, the selected rows of the run.
+/// The curve that `check` names. Of a curve over time, the part within the check's `over:`; of a
+/// golden one, whose times are those of its case, also that of the check's step: the part between
+/// the first and the last time of `result`, the selected rows of the run. The part begins and ends
+/// between rows, but for a pointwise check, which compares the rows within.
 ///
 /// Errors, in a sentence: a file that cannot be read or is faulty, a column it does not have, a
-/// number that the change of unit makes infinite, no row left.
+/// number that the change of unit makes infinite, no row left, a single row left of several while
+/// the result has several.
 tl::expected<ReferenceCurve, std::string> reference_curve(const Check& check, const Series& result);
 
 /// Tells a file which of its columns a check against it will ask for.

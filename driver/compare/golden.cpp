@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
@@ -152,6 +153,19 @@ GoldenHeader read_golden_header(const fs::path& file) {
     (line.starts_with(kBlessed) ? header.blessings : header.origin).push_back(line);
   }
   return header;
+}
+
+bool has_golden_rows(const fs::path& file, std::string_view rows) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string line;
+  while (stream.peek() == '#') std::getline(stream, line);
+  std::array<char, std::size_t{1} << 16U> piece{};
+  while (stream.read(piece.data(), piece.size()), stream.gcount() > 0) {
+    const std::string_view text(piece.data(), static_cast<std::size_t>(stream.gcount()));
+    if (!rows.starts_with(text)) return false;
+    rows.remove_prefix(text.size());
+  }
+  return rows.empty();
 }
 
 GoldenHeader golden_header(const Case& problem, const GoldenCurve& curve, std::string_view reason,

@@ -48,6 +48,10 @@ struct GoldenHeader {
 /// That of a golden curve which is there.
 GoldenHeader read_golden_header(const std::filesystem::path& file);
 
+/// Whether these rows, that of the names included, are all that stands in a golden curve behind its
+/// comments; a file that is cut off has others.
+bool has_golden_rows(const std::filesystem::path& file, std::string_view rows);
+
 /// That of a curve which is about to be written. The date of a blessing is that of
 /// SOURCE_DATE_EPOCH, or none: the same input gives the same bytes. At most 20 blessings are kept.
 GoldenHeader golden_header(const Case& problem, const GoldenCurve& curve, std::string_view reason,

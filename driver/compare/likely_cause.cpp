@@ -35,6 +35,8 @@ struct Point {
   double r0 = 0.0;
   int status = -1;
   bool failing = false;
+  /// Of a stick point without a slip before it: the reference where the result slips first.
+  std::optional<double> first_limit = std::nullopt;
 
   double deviation() const { return std::abs(f - r); }
 };
@@ -78,6 +80,8 @@ std::vector<Point> prepared(std::span<const CausePoint> points) {
   std::vector<Point> out;
   out.reserve(points.size());
   double f0 = 0.0, r0 = 0.0;
+  std::size_t fresh_from = 0;  // the points from here on have seen no slip yet
+  bool fresh = true;
   std::optional<Point> slipped;  // the last slip point, if no stick has followed yet
   for (const CausePoint& given : points) {
     Point p{.at = given.point.abscissa,
@@ -89,6 +93,8 @@ std::vector<Point> prepared(std::span<const CausePoint> points) {
     if (p.status == kOpen) {
       f0 = r0 = 0.0;
       slipped.reset();
+      fresh = true;
+      fresh_from = out.size() + 1;
     } else if (p.status == kStick && slipped) {
       f0 = slipped->f;
       r0 = slipped->r;
@@ -96,7 +102,11 @@ std::vector<Point> prepared(std::span<const CausePoint> points) {
     }
     p.f0 = f0;
     p.r0 = r0;
-    if (p.status == kSlip) slipped = p;
+    if (p.status == kSlip) {
+      slipped = p;
+      for (; fresh && fresh_from < out.size(); ++fresh_from) out[fresh_from].first_limit = p.r;
+      fresh = false;
+    }
     out.push_back(p);
   }
   return out;
@@ -117,14 +127,22 @@ class Inquiry {
     if (factor && is_unit_ratio(*factor)) {
       return fmt::format("looks like a unit: ratio {:.3g} everywhere", *factor);
     }
-    if (const auto ratio = coefficient()) {
-      return fmt::format("looks like the coefficient: ratio {} everywhere in slip",
-                         ratio_text(*ratio));
-    }
     const std::optional<double> offset = offset_everywhere();
+    if (factor && !offset && holds_in_stick(*factor)) {
+      return fmt::format(
+          "looks like {}: ratio {} everywhere",
+          fails_in(kSlip) ? "a factor" : "the stick stiffness (or the motion), or a factor",
+          ratio_text(*factor));
+    }
+    if (const auto ratio = coefficient()) {
+      return fmt::format(
+          "looks like the coefficient (or the normal force): ratio {} everywhere in slip",
+          ratio_text(*ratio));
+    }
     if (const auto ratio = stick_stiffness(); ratio && !offset) {
-      return fmt::format("looks like the stick stiffness: ratio {} everywhere in stick",
-                         ratio_text(*ratio));
+      return fmt::format(
+          "looks like the stick stiffness (or the motion): ratio {} everywhere in stick",
+          ratio_text(*ratio));
     }
     if (factor && offset) return {};  // a reference of one level does not tell which
     if (factor) return fmt::format("looks like a factor: ratio {} everywhere", ratio_text(*factor));
@@ -196,7 +214,39 @@ class Inquiry {
     if (!ratio || !explains([&](const Point& p) { return ratio->value * p.r; })) {
       return std::nullopt;
     }
+    // The few points of a first stick say as much as all the slip that follows.
+    Count sticking;
+    for (const Point& p : points_) {
+      if (p.failing && p.status == kStick) sticking.add(meets(p, ratio->value * p.r));
+    }
+    if (sticking.wrong >= kFewest && sticking.share() > kOutliers) return std::nullopt;
     return ratio->value;
+  }
+
+  bool fails_in(int status) const {
+    return std::any_of(points_.begin(), points_.end(),
+                       [&](const Point& p) { return p.failing && p.status == status; });
+  }
+
+  /// Whether a factor holds where it cannot be that of the limit: in stick, well below it.
+  bool holds_in_stick(double factor) const {
+    constexpr double kBelowLimit = 0.9;
+    double largest = 0.0;
+    for (const Point& p : points_) largest = std::max(largest, std::abs(p.r));
+    const auto count = std::count_if(points_.begin(), points_.end(), [&](const Point& p) {
+      return p.failing && p.status == kStick && std::abs(p.r) < kBelowLimit * largest &&
+             meets(p, factor * p.r);
+    });
+    return static_cast<std::size_t>(count) >= kFewest;
+  }
+
+  /// Whether the reference may have reached its limit while the result, whose limit is `ratio`
+  /// times as large, still sticks as both did from the start.
+  bool awaits_limit(const Point& p, double ratio) const {
+    constexpr double kNearLimit = 0.9;
+    const double limit = ratio * p.r;
+    return std::abs(p.r) >= kNearLimit * std::abs(*p.first_limit) &&
+           p.f >= std::min(p.r, limit) - allowed(p) && p.f <= std::max(p.r, limit) + allowed(p);
   }
 
   std::optional<double> offset_everywhere() const {
@@ -218,17 +268,20 @@ class Inquiry {
     if (!ratio || !(ratio->value > 0.0)) return std::nullopt;
     const double most = (1.0 + kOfDeviation) * std::abs(ratio->value - 1.0) * ratio->largest +
                         kOfTolerance * scales_.tolerance;
-    Count slipping, failing_slip, explained;
+    Count slipping, failing_slip, explained, before_slip;
     for (const Point& p : points_) {
       const bool exact = meets(p, ratio->value * p.r);
       if (p.status == kSlip) slipping.add(exact || p.failing);
       if (!p.failing) continue;
       const bool friction = p.status == kSlip || p.status == kStick;
       if (p.status == kSlip) failing_slip.add(exact);
+      if (p.first_limit) before_slip.add(awaits_limit(p, ratio->value));
       explained.add(friction && ((exact && p.status == kSlip) || p.deviation() <= most));
     }
     const bool enough =
         static_cast<double>(failing_slip.points) >= kOfFailing * static_cast<double>(failing_);
+    // However many points slip: what fails before the first slip is no matter of the limit.
+    if (before_slip.wrong >= kFewest && before_slip.share() > kOutliers) return std::nullopt;
     if (!enough || failing_slip.share() > 1.0 - kExactInSlip || explained.share() > kOutliers ||
         slipping.share() > kOutliers) {
       return std::nullopt;

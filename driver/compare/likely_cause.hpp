@@ -11,8 +11,8 @@ namespace slipbench::driver {
 /// One compared point of a pointwise check.
 struct CausePoint {
   CurvePoint point;
-  /// Of the definition whose friction the quantity is: 0 open, 1 stick, 2 slip; -1 if it is none of
-  /// friction, or if that is not known.
+  /// Of the definition whose friction force the quantity is: 0 open, 1 stick, 2 slip; -1 if it is
+  /// none, or if that is not known.
   int status = -1;
   bool failing = false;
 };
@@ -28,11 +28,16 @@ struct CauseScales {
 /// Guesses in one sentence, without a period at the end, why a pointwise check fails; empty if
 /// nothing explains it. Tried in this order, f the result and r the reference:
 /// - sign: f = -r;
+/// - factor: f = q r everywhere (a unit, where q is a power of ten; no load, where q is 0), if some
+///   of the failing points stick well below the largest force, where a coefficient changes nothing;
+///   of a run that only sticks, the stick stiffness and a factor are one;
 /// - coefficient: f = q r in slip, and no stick point is off by more than the slip points are
-///   (loops: a stick branch begins where the slip before it ended);
+///   (loops: a stick branch begins where the slip before it ended). Before the first slip only
+///   those may be off where the reference has reached its limit and the result has not. From a
+///   force alone, the coefficient and the normal force are one;
 /// - stick stiffness: f - f0 = q (r - r0) in stick and f = r in slip, with f0, r0 the last slip
-///   point before the stick, or 0;
-/// - factor: f = q r everywhere (a unit, where q is a power of ten; no load, where q is 0);
+///   point before the stick, or 0; the amplitude of the motion is one with it;
+/// - factor, if nothing of the friction explains it either;
 /// - offset: f = r + c everywhere;
 /// - delay: f(t) = r(t - d), over time only.
 /// A cause is told only if it explains 95 % of the failing points, and of all points that it speaks

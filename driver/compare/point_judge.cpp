@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "driver/compare/criteria/bounds.hpp"
+
 namespace slipbench::driver {
 namespace {
-
-/// Below this part of its magnitude, the range of a reference is its rounding.
-constexpr double kNearlyConstant = 1e-9;
 
 double deviation_of(const CurvePoint& point) { return std::abs(point.value - point.reference); }
 
@@ -27,55 +26,63 @@ void PointSample::keep(const Point& point) {
 
 void PointJudge::add(const CurvePoint& point, int status) {
   const double reference = point.reference;
-  lowest_ = count_ == 0 ? reference : std::min(lowest_, reference);
-  highest_ = count_ == 0 ? reference : std::max(highest_, reference);
+  references_.from = count_ == 0 ? reference : std::min(references_.from, reference);
+  references_.to = count_ == 0 ? reference : std::max(references_.to, reference);
   const double deviation = deviation_of(point);
-  if (count_ == 0 || deviation > worst_deviation_) {
-    worst_ = point;
-    worst_deviation_ = deviation;
-  }
+  const bool is_worst = count_ == 0 || deviation > worst_deviation_;
+  const bool is_suspect = deviation > certain_tolerance();
   all_.offer(count_, point, status);
-  if (deviation > certain_tolerance()) suspect(point, deviation, status);
+  // Most points are neither, nor is the one before them.
+  if (is_worst || is_suspect || worst_is_last_ || suspect_is_last_) {
+    const Spacing before = count_ == 0 ? Spacing{} : spacing(last_, point);
+    if (worst_is_last_) worst_spacing_ = narrower(worst_spacing_, before);
+    if (suspect_is_last_) {
+      suspects_.back().time_step = std::min(suspects_.back().time_step, before.time);
+    }
+    if (is_worst) {
+      worst_ = point;
+      worst_deviation_ = deviation;
+      worst_spacing_ = before;
+    }
+    worst_is_last_ = is_worst;
+    suspect_is_last_ = is_suspect;
+    if (is_suspect) suspect(point, deviation, before.time, status);
+  }
+  last_ = point;
   ++count_;
 }
 
 /// Only points that may yet fail are kept, so a check that passes needs next to no memory.
-void PointJudge::suspect(const CurvePoint& point, double deviation, int status) {
+void PointJudge::suspect(const CurvePoint& point, double deviation, double time_step, int status) {
   suspicious_.offer(count_, point, status);
-  suspects_.push_back({point.time, point.abscissa, deviation});
+  suspects_.push_back({point.time, time_step, deviation});
   if (suspects_.size() < prune_at_) return;
   const double certain = certain_tolerance();
   std::erase_if(suspects_, [&](const Suspect& s) { return s.deviation <= certain; });
+  suspect_is_last_ = deviation > certain;
   prune_at_ = std::max(prune_at_, 2 * suspects_.size());
 }
 
-/// What a relative tolerance is relative to.
-double PointJudge::scale() const {
-  const double range = highest_ - lowest_;
-  const double magnitude = std::max(std::abs(highest_), std::abs(lowest_));
-  return range < kNearlyConstant * magnitude ? magnitude : range;
+double PointJudge::tolerance() const {
+  return std::max(absolute_, relative_ * scale_of(references_));
 }
 
-double PointJudge::tolerance() const { return std::max(absolute_, relative_ * scale()); }
-
-/// The tolerance cannot turn out smaller than this: the range only grows, and the magnitude, too.
+/// The tolerance cannot turn out smaller than this.
 double PointJudge::certain_tolerance() const {
-  const double range = highest_ - lowest_;
-  const double magnitude = std::max(std::abs(highest_), std::abs(lowest_));
-  return std::max(absolute_, relative_ * std::max(range, kNearlyConstant * magnitude));
+  return std::max(absolute_, relative_ * least_scale(references_));
 }
 
 PointJudge::Result PointJudge::result() const {
   Result result;
-  result.scale = scale();
+  result.scale = scale_of(references_);
   result.tolerance = tolerance();
-  result.worst = worst_;
+  result.worst = {worst_, worst_spacing_};
   for (const Suspect& suspect : suspects_) {
     if (suspect.deviation <= result.tolerance) continue;
     ++result.failing;
-    const CurvePoint point{.abscissa = suspect.abscissa, .time = suspect.time};
-    if (!result.first) result.first = point;
-    result.last = point;
+    const FailingTime failing{suspect.time, suspect.time_step};
+    if (!result.first) result.first = failing;
+    result.last = failing;
   }
   return result;
 }

@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "driver/case/case.hpp"
+#include "driver/compare/common_range.hpp"
 #include "driver/compare/likely_cause.hpp"
 #include "driver/compare/series.hpp"
+#include "driver/compare/spacing.hpp"
 
 namespace slipbench::driver {
 
@@ -39,9 +41,8 @@ class PointSample {
 /// Judges a check point by point; points come one after another and only those are kept that may
 /// turn out to fail.
 ///
-/// The tolerance is the larger of the absolute one and the relative one times the range (largest
-/// minus smallest) of the reference over the compared points; a reference that is constant but for
-/// rounding (range below 1e-9 of its largest magnitude) counts with that magnitude instead.
+/// The tolerance is the larger of the absolute one and the relative one times the scale of the
+/// reference over the compared points (scale_of in criteria/bounds.hpp).
 class PointJudge {
  public:
   explicit PointJudge(const Tolerance& tolerance)
@@ -50,13 +51,18 @@ class PointJudge {
   /// \param status of the quantity's definition: see CausePoint
   void add(const CurvePoint& point, int status);
 
+  /// The total time of a failing point, and how far that is from the nearest of its neighbours.
+  struct FailingTime {
+    double time = 0.0;
+    double step = 0.0;
+  };
   struct Result {
     double scale = 0.0;
     double tolerance = 0.0;
-    CurvePoint worst;
+    ToldPoint worst;
     std::int64_t failing = 0;
-    std::optional<CurvePoint> first;  ///< of the failing points
-    std::optional<CurvePoint> last;
+    std::optional<FailingTime> first;  ///< of the failing points
+    std::optional<FailingTime> last;
   };
   Result result() const;
 
@@ -69,22 +75,24 @@ class PointJudge {
   /// A failing point as far as it is told.
   struct Suspect {
     double time;
-    double abscissa;
+    double time_step;
     double deviation;
   };
 
-  double scale() const;
   double certain_tolerance() const;
   double tolerance() const;
-  void suspect(const CurvePoint& point, double deviation, int status);
+  void suspect(const CurvePoint& point, double deviation, double time_step, int status);
 
   double absolute_;
   double relative_;
   std::int64_t count_ = 0;
-  double lowest_ = 0.0;  ///< of the reference
-  double highest_ = 0.0;
+  Interval references_;  ///< from the smallest to the largest
+  CurvePoint last_;
   CurvePoint worst_;
   double worst_deviation_ = 0.0;
+  Spacing worst_spacing_;
+  bool worst_is_last_ = false;     ///< so its next neighbour is still to come
+  bool suspect_is_last_ = false;   ///< the same of the last suspect
   std::vector<Suspect> suspects_;  ///< points that may turn out to fail
   std::size_t prune_at_ = 4096;
   PointSample all_;

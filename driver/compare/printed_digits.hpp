@@ -13,7 +13,9 @@ namespace slipbench::driver {
 /// significant digits that any number of the column has as those of its largest number:
 ///   u = 10^(e - d + 1)/2,
 /// with d these digits and e the decimal exponent of the largest magnitude. That is the coarsest
-/// rounding in the column where all have the same number of digits.
+/// rounding in the column where all have the same number of digits, and coarser than any where
+/// round numbers have dropped theirs: 1e5 beside 0.12 gives 5000. Who takes it for the error of the
+/// numbers has to ask them first (has_all_digits).
 class PrintedDigits {
  public:
   /// \param text a number as it stands in the file: digits, a point, an exponent

@@ -58,11 +58,17 @@ tl::expected<double, ExpressionError> RowExpression::operator()(const Row& row) 
   return (*expression_)(arguments_);
 }
 
-std::optional<std::size_t> definition_of(const Case& problem, std::span<const Column> columns,
-                                         const Check& check) {
-  const auto column = find_column(problem, columns, check.quantity_text);
-  if (column && column->definition >= 0) return static_cast<std::size_t>(column->definition);
-  if (problem.definitions.size() == 1) return 0;
+std::optional<std::size_t> friction_of(const Case& problem, std::span<const Column> columns,
+                                       const Check& check) {
+  std::optional<int> definition;
+  for (const std::string& name : check.variables) {
+    const auto column = find_column(problem, columns, name);
+    if (!column || column->source != ColumnSource::kFrictionForce) return std::nullopt;
+    if (definition && *definition != column->definition) return std::nullopt;
+    definition = column->definition;
+  }
+  if (definition && *definition >= 0) return static_cast<std::size_t>(*definition);
+  if (definition && problem.definitions.size() == 1) return 0;
   return std::nullopt;
 }
 

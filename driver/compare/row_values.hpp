@@ -49,8 +49,10 @@ class RowExpression {
   bool plain_ = false;  ///< nothing but its only input: most quantities are columns
 };
 
-/// The definition that a check's quantity belongs to: that of its column, or the only one there is.
-std::optional<std::size_t> definition_of(const Case& problem, std::span<const Column> columns,
-                                         const Check& check);
+/// The definition whose friction force a check compares: the one that all columns of the quantity
+/// belong to, or the only one there is. Nothing if a column is no friction force, so that stick and
+/// slip say nothing of it.
+std::optional<std::size_t> friction_of(const Case& problem, std::span<const Column> columns,
+                                       const Check& check);
 
 }  // namespace slipbench::driver

@@ -14,6 +14,7 @@ struct Series {
   std::vector<double> abscissa;
   std::vector<double> value;  ///< as many
   std::vector<double> time;   ///< total time; empty where only the abscissa is known
+  double noise = 0.0;         ///< turns of the abscissa by no more may be those of its printing
 
   std::size_t size() const { return value.size(); }
 };

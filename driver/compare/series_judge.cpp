@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/compare/series_judge.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <string>
 #include <utility>
 #include <variant>
 
+#include "driver/compare/common_range.hpp"
 #include "driver/compare/criteria.hpp"
 #include "driver/compare/criteria/pointwise.hpp"
 #include "driver/compare/curve_series.hpp"
@@ -17,14 +22,21 @@
 namespace slipbench::driver {
 namespace {
 
-/// What is doubtful about a tolerance. A curve that agrees far better than its digits allow is one
-/// of round numbers: their digits are all there.
-std::vector<std::string> doubts(const Tolerance& tolerance, double scale, double worst,
-                                std::optional<double> resolution, const std::string& unit) {
-  constexpr double kFarBetter = 1e-2;
-  if (resolution && worst < kFarBetter * *resolution) resolution.reset();
-  return tolerance_doubts(tolerance,
-                          {.scale = scale, .worst = worst, .resolution = resolution, .unit = unit});
+/// What is doubtful about a tolerance. A program may agree with its own past to the last digit, and
+/// that says nothing of the tolerance.
+void doubt(const Tolerance& tolerance, const ToleranceUse& use, bool golden, Verdict& verdict) {
+  if (golden && use.worst == 0.0) return;
+  for (std::string& doubt : tolerance_doubts(tolerance, use)) {
+    verdict.warnings.push_back(std::move(doubt));
+  }
+}
+
+/// Rows that the check picks from the run are on purpose no more than a part of the reference.
+void doubt_coverage(const Check& check, const ComparedRows& rows, const Series& reference,
+                    std::int64_t compared, Verdict& verdict) {
+  if (check.step || (check.abscissa && (check.from || check.to))) return;
+  std::string doubt = coverage_doubt(rows.value, reference, compared);
+  if (!doubt.empty()) verdict.warnings.push_back(std::move(doubt));
 }
 
 /// The status at a total time: that of the increment which leads there.
@@ -38,21 +50,89 @@ int status_at(const ComparedRows& rows, double time) {
 }
 
 void judge_points(const Check& check, const CheckLabels& labels, const ComparedRows& rows,
-                  const Series& reference, std::optional<double> resolution, Verdict& verdict) {
-  const PointwiseComparison comparison = compare_points(rows.value, reference);
+                  const ReferenceCurve& reference, Verdict& verdict) {
+  const PointwiseComparison comparison = compare_points(rows.value, reference.series);
   verdict.message = comparison.fault;
   if (!verdict.message.empty()) return;
   PointJudge judge(check.tolerance);
   for (const CurvePoint& point : comparison.points) judge.add(point, status_at(rows, point.time));
-  conclude(check, labels, judge, resolution, verdict);
+  std::optional<double> resolution = reference.resolution;
+  if (resolution && has_all_digits(comparison.points, *resolution)) resolution.reset();
+  conclude(check, labels, judge, {resolution, reference.golden}, verdict);
+  doubt_coverage(check, rows, reference.series, judge.count(), verdict);
+}
+
+/// A measure that is no number, or relative to none, is that of numbers near the largest double.
+std::string beyond_doubles(const std::vector<Measure>& measures) {
+  for (const Measure& measure : measures) {
+    if (std::isfinite(measure.value) && std::isfinite(measure.reference) &&
+        std::isfinite(measure.scale)) {
+      continue;
+    }
+    return "the numbers are too large: " + measure.name + " exceeds the range of a double";
+  }
+  return {};
+}
+
+/// The measure that tells whether the tolerance is a good one: the worst of those that it bounds.
+/// The number of reversals has none.
+const Measure* worst_doubted(const Verdict& verdict) {
+  Verdict bounded;
+  std::vector<const Measure*> origins;
+  for (const Measure& measure : verdict.measures) {
+    if (!(measure.tolerance > 0.0)) continue;
+    bounded.measures.push_back(measure);
+    origins.push_back(&measure);
+  }
+  const Measure* worst = worst_measure(bounded);
+  return worst == nullptr ? nullptr
+                          : origins[static_cast<std::size_t>(worst - bounded.measures.data())];
+}
+
+/// Distances and errors without a unit have a size beyond which nothing is alike.
+std::string dimensionless_doubt(const Check& check, const Measure& measure) {
+  const bool is_distance = check.criterion == Criterion::kArcLength;
+  if ((!is_distance && check.criterion != Criterion::kSpragueGeers) || measure.tolerance < 1.0) {
+    return {};
+  }
+  return fmt::format("the tolerance of {:.3g} has no unit, and 1 is already {}", measure.tolerance,
+                     is_distance ? "the whole width or height of the reference"
+                                 : "the error of the opposite curve");
+}
+
+void doubt_measures(const Check& check, const ReferenceCurve& reference, Verdict& verdict) {
+  const Measure* worst = worst_doubted(verdict);
+  if (worst == nullptr || worst->unit == MeasureUnit::kAbscissa) return;
+  std::string doubted = dimensionless_doubt(check, *worst);
+  if (!doubted.empty()) return verdict.warnings.push_back(std::move(doubted));
+  std::optional<double> resolution;
+  if (worst->unit == MeasureUnit::kQuantity) resolution = reference.resolution;
+  // One number has all its digits only if it agrees far better than they tell.
+  const CurvePoint only{.value = worst->value, .reference = worst->reference};
+  if (resolution && has_all_digits({&only, 1}, *resolution)) resolution.reset();
+  doubt(check.tolerance,
+        {.scale = worst->scale,
+         .worst = worst->deviation,
+         .resolution = resolution,
+         .unit = unit_of(*worst, verdict)},
+        reference.golden, verdict);
+}
+
+std::int64_t rows_in_common(const Series& result, const Series& reference) {
+  const CommonRange common = common_range(result, reference);
+  return std::count_if(reference.abscissa.begin(), reference.abscissa.end(), [&](double x) {
+    return x >= common.interval.from - common.slack && x <= common.interval.to + common.slack;
+  });
 }
 
 void judge_measures(const Check& check, const CheckLabels& labels, const ComparedRows& rows,
-                    const Series& reference, std::optional<double> resolution, Verdict& verdict) {
-  CurveComparison comparison = compare(check.criterion, rows.value, reference, check.tolerance);
+                    const ReferenceCurve& reference, Verdict& verdict) {
+  CurveComparison comparison =
+      compare(check.criterion, rows.value, reference.series, check.tolerance);
   verdict.message = std::move(comparison.fault);
   verdict.compared = comparison.compared;
   verdict.measures = std::move(comparison.measures);
+  if (verdict.message.empty()) verdict.message = beyond_doubles(verdict.measures);
   if (!verdict.message.empty()) return;
   const Measure* worst = worst_measure(verdict);
   if (worst == nullptr) {
@@ -67,13 +147,10 @@ void judge_measures(const Check& check, const CheckLabels& labels, const Compare
                                : Deviation{unknown, worst->value, worst->reference, unknown};
   verdict.failing = std::count_if(verdict.measures.begin(), verdict.measures.end(),
                                   [](const Measure& measure) { return !measure.passed(); });
-  if (verdict.failing > 0) verdict.message = measures_message(verdict, labels);
-  const std::optional<double> printed =
-      worst->unit == MeasureUnit::kQuantity ? resolution : std::nullopt;
-  if (worst->unit != MeasureUnit::kAbscissa) {
-    verdict.warnings =
-        doubts(check.tolerance, worst->scale, worst->deviation, printed, unit_of(*worst, verdict));
-  }
+  if (verdict.failing > 0) verdict.message = measures_message(verdict, labels, rows.value);
+  doubt_measures(check, reference, verdict);
+  doubt_coverage(check, rows, reference.series, rows_in_common(rows.value, reference.series),
+                 verdict);
 }
 
 }  // namespace
@@ -83,14 +160,18 @@ Series reference_of(const ComparedRows& rows) {
 }
 
 void conclude(const Check& check, const CheckLabels& labels, const PointJudge& judge,
-              std::optional<double> resolution, Verdict& verdict) {
+              const ReferenceDigits& digits, Verdict& verdict) {
   const PointJudge::Result result = judge.result();
   verdict.compared = judge.count();
+  verdict.scale = result.scale;
+  const CurvePoint& worst = result.worst.point;
+  verdict.worst = {worst.time, worst.value, worst.reference, worst.abscissa};
+  if (!std::isfinite(result.scale)) {
+    verdict.message = "the range of the reference exceeds that of a double";
+    return;
+  }
   verdict.failing = result.failing;
   verdict.tolerance = result.tolerance;
-  verdict.scale = result.scale;
-  verdict.worst = {result.worst.time, result.worst.value, result.worst.reference,
-                   result.worst.abscissa};
   if (result.first && std::isfinite(result.first->time)) {
     verdict.first_failing = result.first->time;
     verdict.last_failing = result.last->time;
@@ -103,34 +184,32 @@ void conclude(const Check& check, const CheckLabels& labels, const PointJudge& j
                                                          .time_unit = labels.time_unit});
     if (!verdict.likely_cause.empty()) verdict.message += "; " + verdict.likely_cause;
   }
-  verdict.warnings =
-      doubts(check.tolerance, result.scale, verdict.worst.size(), resolution, labels.unit);
+  doubt(check.tolerance,
+        {.scale = result.scale,
+         .worst = verdict.worst.size(),
+         .resolution = digits.resolution,
+         .unit = labels.unit},
+        digits.golden, verdict);
 }
 
 void judge_rows(const Check& check, const CheckLabels& labels, const ComparedRows& rows,
                 Verdict& verdict) {
-  std::optional<double> resolution;
-  bool golden = false;
-  Series reference;
+  ReferenceCurve reference;
   if (std::holds_alternative<CurveReference>(check.against)) {
     auto read = reference_curve(check, rows.value);
     if (!read) {
       verdict.message = std::move(read.error());
       return;
     }
-    reference = std::move(read->series);
-    resolution = read->resolution;
-    golden = read->golden;
+    reference = std::move(*read);
   } else {
-    reference = reference_of(rows);
+    reference.series = reference_of(rows);
   }
   if (check.criterion == Criterion::kPointwise) {
-    judge_points(check, labels, rows, reference, resolution, verdict);
+    judge_points(check, labels, rows, reference, verdict);
   } else {
-    judge_measures(check, labels, rows, reference, resolution, verdict);
+    judge_measures(check, labels, rows, reference, verdict);
   }
-  // A program agrees with its own past to the last digit: that says nothing of the tolerance.
-  if (golden) verdict.warnings.clear();
 }
 
 }  // namespace slipbench::driver

@@ -24,10 +24,16 @@ struct ComparedRows {
 /// The reference at these rows as a curve.
 Series reference_of(const ComparedRows& rows);
 
+/// How exactly the numbers of a reference are known.
+struct ReferenceDigits {
+  /// Half a unit of the last printed digit, if it was printed with fewer than it has.
+  std::optional<double> resolution;
+  bool golden = false;  ///< of this program's own past
+};
+
 /// The verdict of a judge that has seen all points: message, likely cause and warnings.
-/// \param resolution half a unit of the reference's last printed digit, if it was printed
 void conclude(const Check& check, const CheckLabels& labels, const PointJudge& judge,
-              std::optional<double> resolution, Verdict& verdict);
+              const ReferenceDigits& digits, Verdict& verdict);
 
 /// Judges a check whose rows were kept, by any criterion. Against a curve, its file is read here; a
 /// fault of it is the check's failure.

@@ -11,7 +11,7 @@
 namespace slipbench::driver {
 namespace {
 
-/// Three digits are enough to judge a deviation.
+/// Three digits are enough to judge a deviation; a place needs those that tell its row.
 std::string brief(double value) { return fmt::format("{:.3g}", value); }
 
 /// With so many digits that a deviation of that size shows.
@@ -26,11 +26,14 @@ std::string telling(double value, double deviation) {
 }
 
 /// "t = 0.84", or "CU1 = 0.02 mm (t = 0.84)".
-std::string place(const CurvePoint& point, const CheckLabels& labels) {
-  if (labels.abscissa == "t") return "t = " + brief(point.abscissa);
-  std::string text = fmt::format("{} = {}", labels.abscissa,
-                                 with_unit(brief(point.abscissa), labels.abscissa_unit));
-  if (std::isfinite(point.time)) text += fmt::format(" (t = {})", brief(point.time));
+std::string place(const ToldPoint& told, const CheckLabels& labels) {
+  const std::string abscissa = place_text(told.point.abscissa, told.spacing.abscissa);
+  if (labels.abscissa == "t") return "t = " + abscissa;
+  std::string text =
+      fmt::format("{} = {}", labels.abscissa, with_unit(abscissa, labels.abscissa_unit));
+  if (std::isfinite(told.point.time)) {
+    text += fmt::format(" (t = {})", place_text(told.point.time, told.spacing.time));
+  }
   return text;
 }
 
@@ -38,19 +41,21 @@ std::string place(const CurvePoint& point, const CheckLabels& labels) {
 
 std::string points_message(const Check& check, const PointJudge::Result& result,
                            std::int64_t compared, const CheckLabels& labels) {
-  const double deviation = std::abs(result.worst.value - result.worst.reference);
+  const CurvePoint& worst = result.worst.point;
+  const double deviation = std::abs(worst.value - worst.reference);
   std::string text = fmt::format("{} off by {} (limit {}) at {}", check.quantity_text,
                                  with_unit(brief(deviation), labels.unit), brief(result.tolerance),
                                  place(result.worst, labels));
   if (result.first && std::isfinite(result.first->time)) {
-    text += fmt::format(", first at {}{}, last at {}",
-                        labels.abscissa == "t" ? "" : "t = ", brief(result.first->time),
-                        brief(result.last->time));
+    text += fmt::format(", first at {}{}, last at {}", labels.abscissa == "t" ? "" : "t = ",
+                        place_text(result.first->time, result.first->step),
+                        place_text(result.last->time, result.last->step));
   }
   return text + fmt::format(", {} of {} points", result.failing, compared);
 }
 
-std::string measures_message(const Verdict& verdict, const CheckLabels& labels) {
+std::string measures_message(const Verdict& verdict, const CheckLabels& labels,
+                             const Series& result) {
   constexpr int kMostTold = 4;
   int failing = 0;
   std::string text;
@@ -63,7 +68,7 @@ std::string measures_message(const Verdict& verdict, const CheckLabels& labels) 
         with_unit(telling(measure.value, measure.deviation), unit_of(measure, verdict)),
         telling(measure.reference, measure.deviation),
         plain ? "" : "off by " + brief(measure.deviation) + ", ", brief(measure.tolerance));
-    if (measure.where) text += " at " + place(*measure.where, labels);
+    if (measure.where) text += " at " + place(told_point(*measure.where, result), labels);
   }
   if (failing > kMostTold) text += fmt::format("; and {} more", failing - kMostTold);
   return text;

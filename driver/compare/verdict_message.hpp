@@ -16,6 +16,8 @@ std::string points_message(const Check& check, const PointJudge::Result& result,
                            std::int64_t compared, const CheckLabels& labels);
 
 /// "energy of loop 2: 12.1 mJ instead of 11.0 (limit 0.5); ..." for the measures that fail.
-std::string measures_message(const Verdict& verdict, const CheckLabels& labels);
+/// \param result the compared rows of the run
+std::string measures_message(const Verdict& verdict, const CheckLabels& labels,
+                             const Series& result);
 
 }  // namespace slipbench::driver

@@ -2,11 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "driver/compare/check.hpp"
+#include "driver/report/row_choice.hpp"
 #include "driver/results/plot_data.hpp"
 
 namespace slipbench::driver {
@@ -42,6 +45,7 @@ struct ReportDefinition {
   std::string status;
   std::string normal_force;
   std::string mu;
+  bool filtered = false;          ///< an event's force is that before the filter, on no curve
   double slip_share = -1.0;       ///< part of the time that it slips; negative if unknown
   std::vector<RegimeSpan> spans;  ///< of slip and of no contact, in the order of their begin
 };
@@ -85,6 +89,22 @@ struct ReportCheck {
 
 enum class ReportStatus : std::uint8_t { kPassed, kFailed, kNoChecks, kNotRun };
 
+/// The events of a page: all of a run with few, else the first and the last ones.
+class ReportEvents {
+ public:
+  void add(ReportEvent event);
+  std::int64_t total() const { return total_; }
+  /// In their order.
+  std::vector<ReportEvent> take();
+
+  static constexpr std::size_t kMostAtEachEnd = 100;
+
+ private:
+  std::vector<ReportEvent> first_;
+  std::deque<ReportEvent> last_;
+  std::int64_t total_ = 0;
+};
+
 /// What the page tells about one case or result: numbers thinned, so that its size has a bound.
 struct CaseReport {
   std::string name;
@@ -99,20 +119,23 @@ struct CaseReport {
   std::int64_t increments = 0;
   bool thinned = false;
   std::vector<ReportColumn> columns;
-  std::vector<double> rows;  ///< row after row
+  std::vector<double> rows;                ///< row after row
+  std::vector<std::int64_t> row_index;     ///< of each row: how many rows of the run came before it
+  std::optional<DrawnStretch> beginning;   ///< of a thinned run with cycles: up to the first turn
+  std::optional<DrawnStretch> last_cycle;  ///< of such a run
   std::vector<ReportDefinition> definitions;
-  std::vector<ReportEvent> events;  ///< the first kMostEvents
+  std::vector<ReportEvent> events;  ///< as ReportEvents chooses them
   std::int64_t events_total = 0;
   std::vector<std::pair<std::string, std::vector<std::string>>> energies;  ///< kind, columns
   std::vector<ReportTable> coverage;
   std::vector<ReportCheck> checks;
   bool has_details = true;  ///< false once drop_details was called
 
-  static constexpr std::size_t kMostEvents = 200;
-
   std::size_t row_count() const { return columns.empty() ? 0 : rows.size() / columns.size(); }
   /// Keeps what the table of verdicts needs: rows, curves, events and coverage go.
   void drop_details();
+  /// Takes the rows of a page in.
+  void put_rows(DrawnRows drawn);
 };
 
 }  // namespace slipbench::driver

@@ -2,6 +2,7 @@
 #include "driver/report/collect.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -9,13 +10,13 @@
 
 #include "driver/report/drawn_columns.hpp"
 #include "driver/report/drawn_coverage.hpp"
+#include "driver/report/row_choice.hpp"
 #include "driver/report/thin_trace.hpp"
 #include "driver/results/columns.hpp"
 #include "driver/results/coverage.hpp"
 #include "driver/results/events.hpp"
 #include "driver/results/result_layout.hpp"
 #include "driver/results/summary.hpp"
-#include "driver/results/thinning.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -52,7 +53,7 @@ struct CaseCollector::State {
         columns(result_columns(the_case)),
         layout(layout_of(the_case, columns)),
         drawn(drawn_columns(layout)),
-        thinner(drawn.names.size(), most_rows(drawn.names.size()), drawn.watched),
+        rows(drawn.names.size(), most_rows(drawn.names.size()), drawn.watched, drawn.motions),
         detector(the_case),
         summary(the_case),
         coverage(the_case),
@@ -71,6 +72,8 @@ struct CaseCollector::State {
 
   void add(const Row& row);
   void note(const Event& event, const Row& row);
+  void take_numbers(const Row& row, std::span<double> to) const;
+  IndexedRows rows_at(std::vector<double> times) const;
 
   const Case& problem;
   std::vector<Column> columns;
@@ -78,12 +81,11 @@ struct CaseCollector::State {
   DrawnColumns drawn;
   std::vector<Column> shown;  ///< in the order of drawn.names
   std::vector<Column> positions;
-  RowThinner thinner;
+  RowChoice rows;
   EventDetector detector;
   Summary summary;
   Coverage coverage;
-  std::vector<ReportEvent> events;
-  std::int64_t events_total = 0;
+  ReportEvents events;
   std::vector<RegimeSpans> spans;
   struct Since {
     int status = 1;
@@ -101,8 +103,6 @@ void CaseCollector::State::note(const Event& event, const Row& row) {
   Since& since = regimes[event.definition];
   spans[event.definition].add(since.status, since.time, event.time);
   since = {static_cast<int>(event.to), event.time};
-  ++events_total;
-  if (events.size() >= CaseReport::kMostEvents) return;
   ReportEvent one{event.time,
                   problem.definitions[event.definition].name,
                   regime_name(event.from),
@@ -116,7 +116,7 @@ void CaseCollector::State::note(const Event& event, const Row& row) {
     one.positions.emplace_back(position.name,
                                position_at(event, row, position.index) - position.offset);
   }
-  events.push_back(std::move(one));
+  events.add(std::move(one));
 }
 
 void CaseCollector::State::add(const Row& row) {
@@ -126,7 +126,7 @@ void CaseCollector::State::add(const Row& row) {
   end = row.time;
   // The corner that an event makes lies between two rows: both stay.
   if (started) {
-    thinner.add(numbers, numbers_changed || !changes.empty());
+    rows.add(numbers, numbers_changed || !changes.empty());
   } else {
     start = row.time;
     for (std::size_t d = 0; d < regimes.size(); ++d) {
@@ -136,7 +136,27 @@ void CaseCollector::State::add(const Row& row) {
   started = true;
   for (const Event& event : changes) note(event, row);
   numbers_changed = !changes.empty();
-  for (std::size_t k = 0; k < shown.size(); ++k) numbers[k] = column_value(shown[k], problem, row);
+  take_numbers(row, numbers);
+}
+
+void CaseCollector::State::take_numbers(const Row& row, std::span<double> to) const {
+  for (std::size_t k = 0; k < shown.size(); ++k) to[k] = column_value(shown[k], problem, row);
+}
+
+/// The worst rows are known when all is over, and their numbers are gone by then: the case is
+/// walked through once more, up to the last of them. A case that cannot be (its measured history is
+/// gone) has its other rows.
+IndexedRows CaseCollector::State::rows_at(std::vector<double> times) const {
+  RowsAtTimes wanted(shown.size(), std::move(times));
+  auto simulation = Simulation::start(problem);
+  std::vector<double> here(shown.size());
+  while (simulation && !wanted.done()) {
+    take_numbers(simulation->row(), here);
+    wanted.add(here);
+    const auto more = simulation->advance();
+    if (!more || !*more) break;
+  }
+  return wanted.rows();
 }
 
 CaseCollector::CaseCollector(const Case& problem) : state_(std::make_unique<State>(problem)) {}
@@ -149,7 +169,7 @@ CaseReport CaseCollector::finish(const std::string& name, std::span<const CheckP
                                  std::span<const MotionJump> jumps) {
   State& state = *state_;
   const Case& problem = state.problem;
-  if (state.started) state.thinner.add(state.numbers);
+  if (state.started) state.rows.add(state.numbers, state.numbers_changed);
 
   CaseReport report;
   report.name = name;
@@ -160,13 +180,10 @@ CaseReport CaseCollector::finish(const std::string& name, std::span<const CheckP
   report.summary = lines_of(state.summary.text());
   report.warnings = state.summary.warnings(jumps);
   report.increments = state.summary.increments();
-  report.thinned = state.thinner.thinned();
   for (const Column& column : state.shown) {
     report.columns.push_back(
         {column.name, unit_text(column.dimension, problem.units), column.text});
   }
-  report.rows = state.thinner.rows();
-
   report.definitions = std::move(state.drawn.definitions);
   const double duration = state.end - state.start;
   for (ReportDefinition& definition : report.definitions) {
@@ -180,9 +197,10 @@ CaseReport CaseCollector::finish(const std::string& name, std::span<const CheckP
     state.spans[d].add(state.regimes[d].status, state.regimes[d].time, state.end);
     definition.spans = state.spans[d].spans();
   }
-  report.events = std::move(state.events);
-  report.events_total = state.events_total;
+  report.events_total = state.events.total();
+  report.events = state.events.take();
   report.energies = std::move(state.drawn.energies);
+  use_energy_unit(report, energy_unit(problem.units));
   for (const TableCoverage& table : state.coverage.tables()) {
     report.coverage.push_back(drawn_coverage(table, problem.definitions[table.definition].name));
   }
@@ -204,7 +222,21 @@ CaseReport CaseCollector::finish(const std::string& name, std::span<const CheckP
     }
     report.checks.push_back(std::move(one));
   }
+  IndexedRows worst;
+  if (state.rows.thinned() && !report.checks.empty()) worst = state.rows_at(worst_times(report));
+  report.put_rows(state.rows.finish(worst));
   return report;
+}
+
+std::vector<double> worst_times(const CaseReport& report) {
+  std::vector<double> times;
+  for (const ReportCheck& check : report.checks) {
+    const Measure* measure = worst_measure(check.verdict);
+    if (check.verdict.compared > 0) times.push_back(check.verdict.worst.time);
+    if (measure != nullptr && measure->where) times.push_back(measure->where->time);
+  }
+  std::erase_if(times, [](double time) { return !std::isfinite(time); });
+  return times;
 }
 
 void add_remarks(CaseReport& report, const Diagnostics& diagnostics) {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "driver/case/case.hpp"
 #include "driver/compare/check.hpp"
@@ -14,7 +15,9 @@
 namespace slipbench::driver {
 
 /// Gathers what the page tells about a case while somebody runs it. The memory has a bound that
-/// does not depend on the number of rows. A command that judges checks anyway uses it so:
+/// does not depend on the number of rows. Of a case that is thinned, the rows where its checks are
+/// worst are known at its end only: up to the last of them it is run once more. A command that
+/// judges checks anyway uses it so:
 ///
 ///     CaseCollector collector(problem);
 ///     // CheckProgress(problem, check, Trace::kKeep) for the checks' curves
@@ -44,6 +47,9 @@ class CaseCollector {
 
 /// A case that could not be read or run, with the reader's or the run's message.
 CaseReport not_run_report(const std::string& name, const std::string& title, std::string message);
+
+/// The times at which the checks of a report are worst, as far as they have one.
+std::vector<double> worst_times(const CaseReport& report);
 
 /// Adds what the reader of a case noted and warned of.
 void add_remarks(CaseReport& report, const Diagnostics& diagnostics);

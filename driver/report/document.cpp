@@ -8,6 +8,7 @@
 
 #include "driver/report/json_text.hpp"
 #include "driver/report/report.hpp"
+#include "driver/report/series_digits.hpp"
 #include "driver/results/provenance.hpp"
 
 namespace slipbench::driver {
@@ -45,11 +46,63 @@ void write_column(JsonText& json, std::string_view name, const std::string& colu
   }
 }
 
-void write_time(JsonText& json, std::string_view name, const std::optional<double>& time) {
-  if (time) json.member(name, *time);
+/// Writes times, all of a case with the same resolution, so that equal ones stay equal.
+class TimeText {
+ public:
+  explicit TimeText(double resolution) : resolution_(resolution) {}
+
+  void value(JsonText& json, double time) const {
+    json.value(time, resolution_ > 0.0 ? digits_within(time, resolution_) : JsonText::kDigits);
+  }
+  void member(JsonText& json, std::string_view name, double time) const {
+    json.key(name);
+    value(json, time);
+  }
+  void member_if(JsonText& json, std::string_view name, const std::optional<double>& time) const {
+    if (time) member(json, name, *time);
+  }
+
+ private:
+  double resolution_;
+};
+
+std::vector<double> column_of(const CaseReport& one, std::size_t column) {
+  std::vector<double> numbers;
+  for (std::size_t i = column; i < one.rows.size(); i += one.columns.size()) {
+    numbers.push_back(one.rows[i]);
+  }
+  return numbers;
 }
 
-void write_rows(JsonText& json, const CaseReport& one) {
+void write_stretch(JsonText& json, std::string_view name,
+                   const std::optional<DrawnStretch>& stretch) {
+  if (!stretch) return;
+  json.key(name);
+  json.begin_object();
+  json.member("first", static_cast<std::int64_t>(stretch->first));
+  json.member("last", static_cast<std::int64_t>(stretch->last));
+  json.member("rows", stretch->rows);
+  json.end_object();
+}
+
+/// Of the run's events the first and the last ones beside which no row was left out.
+void write_resolved_events(JsonText& json, const CaseReport& one) {
+  const std::vector<double> times = column_of(one, 0);
+  const auto resolved = [&](const ReportEvent& event) {
+    const auto behind = std::lower_bound(times.begin(), times.end(), event.time);
+    const auto at = static_cast<std::size_t>(behind - times.begin());
+    return at < times.size() && (at == 0 || one.row_index[at] == one.row_index[at - 1] + 1);
+  };
+  const auto until = [&](auto begin, auto end) {
+    return static_cast<std::int64_t>(
+        std::find_if(begin, end, [&](const ReportEvent& event) { return !resolved(event); }) -
+        begin);
+  };
+  json.member("events_first", until(one.events.begin(), one.events.end()));
+  json.member("events_last", until(one.events.rbegin(), one.events.rend()));
+}
+
+void write_rows(JsonText& json, const CaseReport& one, const TimeText& time) {
   json.key("columns");
   json.begin_array();
   for (const ReportColumn& column : one.columns) {
@@ -63,14 +116,18 @@ void write_rows(JsonText& json, const CaseReport& one) {
   json.key("rows");
   json.begin_array();
   for (std::size_t c = 0; c < one.columns.size(); ++c) {
-    json.begin_array();
-    for (std::size_t i = c; i < one.rows.size(); i += one.columns.size()) json.value(one.rows[i]);
-    json.end_array();
+    if (c == 0) {
+      json.begin_array();
+      for (const double t : column_of(one, c)) time.value(json, t);
+      json.end_array();
+    } else {
+      json.series(column_of(one, c));
+    }
   }
   json.end_array();
 }
 
-void write_definition(JsonText& json, const ReportDefinition& definition) {
+void write_definition(JsonText& json, const ReportDefinition& definition, const TimeText& time) {
   json.begin_object();
   json.member("name", definition.name);
   write_column(json, "force", definition.force);
@@ -90,23 +147,25 @@ void write_definition(JsonText& json, const ReportDefinition& definition) {
   write_column(json, "status", definition.status);
   write_column(json, "normal_force", definition.normal_force);
   write_column(json, "mu", definition.mu);
+  if (definition.filtered) json.member("filtered", true);
   if (definition.slip_share >= 0.0) json.member("slip_share", definition.slip_share);
   json.key("spans");
   json.begin_array();
   for (const RegimeSpan& span : definition.spans) {
     json.begin_array();
-    json.value(span.from);
-    json.value(span.to);
+    time.value(json, span.from);
+    time.value(json, span.to);
     json.value(std::int64_t{span.status});
+    if (span.merged) json.value(true);
     json.end_array();
   }
   json.end_array();
   json.end_object();
 }
 
-void write_event(JsonText& json, const ReportEvent& event) {
+void write_event(JsonText& json, const ReportEvent& event, const TimeText& time) {
   json.begin_object();
-  json.member("t", event.time);
+  time.member(json, "t", event.time);
   json.member("definition", event.definition);
   json.member("from", event.from);
   json.member("to", event.to);
@@ -165,17 +224,26 @@ void write_table(JsonText& json, const ReportTable& table) {
   json.end_object();
 }
 
-void write_curve(JsonText& json, std::string_view name, const ReportCurve& curve) {
+/// \param over_time whether x are times
+void write_curve(JsonText& json, std::string_view name, const ReportCurve& curve, bool over_time,
+                 const TimeText& time) {
   json.key(name);
   json.begin_object();
   json.key("x");
-  json.series(curve.x);
+  if (over_time) {
+    json.begin_array();
+    for (const double x : curve.x) time.value(json, x);
+    json.end_array();
+  } else {
+    json.series(curve.x);
+  }
   json.key("y");
   json.series(curve.y);
   json.end_object();
 }
 
-void write_measure(JsonText& json, const Measure& measure, const Verdict& verdict) {
+void write_measure(JsonText& json, const Measure& measure, const Verdict& verdict,
+                   const TimeText& time) {
   json.begin_object();
   json.member("name", measure.name);
   json.member("unit", unit_of(measure, verdict));
@@ -188,8 +256,9 @@ void write_measure(JsonText& json, const Measure& measure, const Verdict& verdic
   if (measure.where) {
     json.key("where");
     json.begin_object();
-    json.member("time", measure.where->time);
-    json.member("abscissa", measure.where->abscissa);
+    time.member(json, "time", measure.where->time);
+    json.key("abscissa");
+    json.value(measure.where->abscissa, kMostDigits);
     json.member("value", measure.where->value);
     json.member("reference", measure.where->reference);
     json.end_object();
@@ -197,7 +266,7 @@ void write_measure(JsonText& json, const Measure& measure, const Verdict& verdic
   json.end_object();
 }
 
-void write_check(JsonText& json, const ReportCheck& check) {
+void write_check(JsonText& json, const ReportCheck& check, const TimeText& time) {
   const Verdict& verdict = check.verdict;
   json.begin_object();
   json.member("name", verdict.name);
@@ -217,18 +286,19 @@ void write_check(JsonText& json, const ReportCheck& check) {
   if (verdict.compared > 0) {
     json.key("worst");
     json.begin_object();
-    json.member("time", verdict.worst.time);
-    json.member("abscissa", verdict.worst.abscissa);
+    time.member(json, "time", verdict.worst.time);
+    json.key("abscissa");
+    json.value(verdict.worst.abscissa, kMostDigits);
     json.member("value", verdict.worst.value);
     json.member("reference", verdict.worst.reference);
     json.end_object();
   }
-  write_time(json, "first_failing", verdict.first_failing);
-  write_time(json, "last_failing", verdict.last_failing);
+  time.member_if(json, "first_failing", verdict.first_failing);
+  time.member_if(json, "last_failing", verdict.last_failing);
   if (!verdict.measures.empty()) {
     json.key("measures");
     json.begin_array();
-    for (const Measure& measure : verdict.measures) write_measure(json, measure, verdict);
+    for (const Measure& measure : verdict.measures) write_measure(json, measure, verdict, time);
     json.end_array();
   }
   if (!check.value.x.empty()) {
@@ -236,8 +306,9 @@ void write_check(JsonText& json, const ReportCheck& check) {
     json.begin_object();
     json.member("abscissa", check.abscissa);
     json.member("abscissa_unit", check.abscissa_unit);
-    write_curve(json, "value", check.value);
-    write_curve(json, "reference", check.reference);
+    const bool over_time = check.abscissa == "t";
+    write_curve(json, "value", check.value, over_time, time);
+    write_curve(json, "reference", check.reference, over_time, time);
     if (check.tube > 0.0) json.member("tube", check.tube);
     json.member("thinned", check.thinned);
     json.end_object();
@@ -246,6 +317,7 @@ void write_check(JsonText& json, const ReportCheck& check) {
 }
 
 void write_case(JsonText& json, const CaseReport& one, const std::string& id) {
+  const TimeText time(time_resolution(column_of(one, 0)));
   json.begin_object();
   json.member("id", id);
   json.member("name", one.name);
@@ -268,14 +340,20 @@ void write_case(JsonText& json, const CaseReport& one, const std::string& id) {
   if (one.has_details && !one.columns.empty()) {
     json.member("rows_shown", static_cast<std::int64_t>(one.row_count()));
     json.member("thinned", one.thinned);
-    write_rows(json, one);
+    if (one.thinned) {
+      write_stretch(json, "beginning", one.beginning);
+      write_stretch(json, "cycle", one.last_cycle);
+      write_resolved_events(json, one);
+    }
+    write_rows(json, one, time);
     json.key("definitions");
     json.begin_array();
-    for (const ReportDefinition& definition : one.definitions) write_definition(json, definition);
+    for (const ReportDefinition& definition : one.definitions)
+      write_definition(json, definition, time);
     json.end_array();
     json.key("events");
     json.begin_array();
-    for (const ReportEvent& event : one.events) write_event(json, event);
+    for (const ReportEvent& event : one.events) write_event(json, event, time);
     json.end_array();
     json.member("events_total", one.events_total);
     json.key("energy");
@@ -292,7 +370,7 @@ void write_case(JsonText& json, const CaseReport& one, const std::string& id) {
   }
   json.key("checks");
   json.begin_array();
-  for (const ReportCheck& check : one.checks) write_check(json, check);
+  for (const ReportCheck& check : one.checks) write_check(json, check, time);
   json.end_array();
   json.end_object();
 }

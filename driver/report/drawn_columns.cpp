@@ -44,7 +44,15 @@ class Choice {
       for (const int position : definition.positions) watch(position);
       watch(definition.limit);
       watch(definition.limit_below);
+      if (drawn_.definitions.size() == 1) {
+        for (const int position : definition.positions) {
+          if (position >= 0) drawn_.motions.push_back(static_cast<std::size_t>(position));
+        }
+      }
       several_ = definition.several;
+    }
+    for (ReportDefinition& definition : drawn_.definitions) {
+      definition.filtered = has_column("ALPHA" + suffix_of(definition));
     }
     std::sort(drawn_.watched.begin(), drawn_.watched.end());
     drawn_.watched.erase(std::unique(drawn_.watched.begin(), drawn_.watched.end()),
@@ -77,14 +85,15 @@ class Choice {
     return several_ ? "." + definition.name : "";
   }
 
+  bool has_column(const std::string& name) const {
+    return std::find(layout_.columns.begin(), layout_.columns.end(), name) != layout_.columns.end();
+  }
+
   /// The name if the result has such a column and there is room for it, else nothing.
   std::string take(const std::string& name) {
     std::vector<std::string>& names = drawn_.names;
     if (std::find(names.begin(), names.end(), name) != names.end()) return name;
-    const auto& all = layout_.columns;
-    if (names.size() >= kMostColumns || std::find(all.begin(), all.end(), name) == all.end()) {
-      return {};
-    }
+    if (names.size() >= kMostColumns || !has_column(name)) return {};
     names.push_back(name);
     return name;
   }
@@ -113,6 +122,15 @@ DrawnColumns drawn_columns(const ResultLayout& layout) {
   choice.take_energies();
   choice.take_coefficients();
   return std::move(choice).take();
+}
+
+void use_energy_unit(CaseReport& report, const std::string& unit) {
+  for (const auto& [kind, names] : report.energies) {
+    for (ReportColumn& column : report.columns) {
+      const bool one_of_them = std::find(names.begin(), names.end(), column.name) != names.end();
+      if (one_of_them && !column.unit.empty()) column.unit = unit;
+    }
+  }
 }
 
 std::size_t most_rows(std::size_t columns) {

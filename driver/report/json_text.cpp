@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "driver/report/series_digits.hpp"
 #include "driver/text/json.hpp"
 
 namespace slipbench::driver {
@@ -57,17 +58,13 @@ void JsonText::value(std::string_view text) {
   append_for_page(text_, json::Value(text).dump());
 }
 
-void JsonText::number(double value) {
-  if (std::isfinite(value)) {
-    fmt::format_to(std::back_inserter(text_), "{:.6g}", value);
+void JsonText::value(double number, int digits) {
+  separate();
+  if (std::isfinite(number)) {
+    fmt::format_to(std::back_inserter(text_), "{:.{}g}", number, digits);
   } else {
     text_ += "null";
   }
-}
-
-void JsonText::value(double number_value) {
-  separate();
-  number(number_value);
 }
 
 void JsonText::value(std::int64_t number_value) {
@@ -86,8 +83,9 @@ void JsonText::null() {
 }
 
 void JsonText::series(std::span<const double> numbers) {
+  const SeriesDigits digits(numbers);
   begin_array();
-  for (const double one : numbers) value(one);
+  for (std::size_t i = 0; i < numbers.size(); ++i) value(numbers[i], digits[i]);
   end_array();
 }
 

@@ -10,8 +10,8 @@
 namespace slipbench::driver {
 
 /// Writes JSON (RFC 8259) piece by piece and without blanks, to be embedded in a page: '<' and the
-/// line separators of Unicode are escaped, so that no text ends a script element. Numbers have six
-/// significant digits, more than a screen can show; what is not finite is null.
+/// line separators of Unicode are escaped, so that no text ends a script element. Numbers have ten
+/// significant digits, or as many as told; what is not finite is null.
 class JsonText {
  public:
   void begin_object() { open('{'); }
@@ -23,11 +23,12 @@ class JsonText {
 
   void value(std::string_view text);
   void value(const char* text) { value(std::string_view(text)); }
-  void value(double number);
+  void value(double number) { value(number, kDigits); }
+  void value(double number, int digits);
   void value(std::int64_t number);
   void value(bool flag);
   void null();
-  /// An array of numbers.
+  /// An array of numbers, with the digits that keep its shape (SeriesDigits).
   void series(std::span<const double> numbers);
 
   template <class Value>
@@ -40,14 +41,14 @@ class JsonText {
     if (!text.empty()) member(name, text);
   }
 
+  static constexpr int kDigits = 10;
+
   std::string take() { return std::move(text_); }
 
  private:
   void open(char bracket);
   void close(char bracket);
   void separate();
-  void number(double value);
-
   std::string text_;
   bool first_ = true;  ///< nothing stands yet behind the last bracket or key
 };

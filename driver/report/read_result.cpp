@@ -15,10 +15,10 @@
 #include "driver/history/csv_reader.hpp"
 #include "driver/report/collect.hpp"
 #include "driver/report/drawn_columns.hpp"
+#include "driver/report/row_choice.hpp"
 #include "driver/results/regime_spans.hpp"
 #include "driver/results/result_layout.hpp"
 #include "driver/results/summary.hpp"
-#include "driver/results/thinning.hpp"
 #include "driver/text/number.hpp"
 #include "driver/yaml/parse.hpp"
 
@@ -138,14 +138,30 @@ const ReportColumn* find(const CaseReport& report, const std::string& name) {
   return found == report.columns.end() ? nullptr : &*found;
 }
 
+/// A file beside a result that is there but tells nothing must not look like one that is missing.
+void warn_of(const fs::path& file, const std::string& why, const char* lost, CaseReport& report) {
+  report.warnings.push_back(
+      fmt::format("{} cannot be read ({}): {}", file.filename().string(), why, lost));
+}
+
 /// Takes what the JSON beside a result tells; one that is missing, or of anybody else, tells
-/// nothing.
+/// nothing, and one that is broken is warned of.
 void add_summary(const fs::path& file, const std::string& energy, CaseReport& report) {
+  constexpr const char* kLost = "the verdicts of the checks are unknown";
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return;
   // JSON is YAML; the reader of cases is strict and has its limits.
   const auto source = read_source(file.string());
-  if (!source) return;
+  if (!source) {
+    warn_of(file, source.error().diagnostic.message, kLost, report);
+    return;
+  }
   const auto tree = parse_yaml(*source);
-  if (!tree) return;
+  if (!tree) {
+    const auto faults = tree.error().sorted();
+    warn_of(file, faults.empty() ? "no JSON" : faults.front().message, kLost, report);
+    return;
+  }
   const Node root = tree->root();
   if (const auto summary = root.find("summary")) {
     const double duration = number_in(*summary, "end_time").value_or(0.0) -
@@ -166,7 +182,9 @@ void add_summary(const fs::path& file, const std::string& energy, CaseReport& re
       }
     }
   }
-  report.warnings = texts_in(root, "warnings");
+  for (std::string& warning : texts_in(root, "warnings")) {
+    report.warnings.push_back(std::move(warning));
+  }
   if (const auto checks = root.find("checks")) {
     for (const Node check : checks->items()) report.checks.push_back(read_check(check));
   }
@@ -195,17 +213,19 @@ void add_events(const fs::path& file, CaseReport& report) {
   std::ifstream in(file);
   std::string line;
   std::vector<std::string> header;
+  ReportEvents events;
   while (std::getline(in, line)) {
     if (line.starts_with('#')) continue;
     const std::vector<std::string_view> fields = fields_of(line);
     if (header.empty()) {
-      if (!line.starts_with("t,definition,from,to,force,limit,accumulated_slip")) return;
+      if (!line.starts_with("t,definition,from,to,force,limit,accumulated_slip")) {
+        warn_of(file, "it is no list of events", "there is no list of events", report);
+        return;
+      }
       header.assign(fields.begin(), fields.end());
       continue;
     }
     if (fields.size() != header.size()) continue;
-    ++report.events_total;
-    if (report.events.size() >= CaseReport::kMostEvents) continue;
     const auto number = [&](std::size_t i) {
       return parse_number(fields[i]).value_or(std::numeric_limits<double>::quiet_NaN());
     };
@@ -221,8 +241,10 @@ void add_events(const fs::path& file, CaseReport& report) {
     for (std::size_t i = kFirstPosition; i < header.size(); ++i) {
       event.positions.emplace_back(header[i], number(i));
     }
-    report.events.push_back(std::move(event));
+    events.add(std::move(event));
   }
+  report.events_total = events.total();
+  report.events = events.take();
 }
 
 ReadResult unreadable(const std::string& name, const HistoryError& error) {
@@ -266,13 +288,24 @@ ReadResult read_result(const std::string& path, const std::string& name) {
   report.definitions = std::move(drawn.definitions);
   report.energies = std::move(drawn.energies);
 
+  UnitSystem units;
+  for (const auto& [what, unit] : layout.units) {
+    if (what == "length") units.length = unit;
+    if (what == "force") units.force = unit;
+  }
+  report.units.emplace_back("energy", energy_unit(units));
+  use_energy_unit(report, energy_unit(units));
+  add_summary(beside(path, ".json"), energy_unit(units), report);
+  add_events(beside(path, ".events.csv"), report);
+
   std::vector<std::size_t> status;  // of each definition, its column; the number of columns if none
   for (const ReportDefinition& definition : report.definitions) {
     status.push_back(static_cast<std::size_t>(
         std::find(drawn.names.begin(), drawn.names.end(), definition.status) -
         drawn.names.begin()));
   }
-  RowThinner thinner(drawn.names.size(), most_rows(drawn.names.size()), drawn.watched);
+  RowChoice rows(drawn.names.size(), most_rows(drawn.names.size()), drawn.watched, drawn.motions);
+  RowsAtTimes worst(drawn.names.size(), worst_times(report));
   std::vector<RegimeSpans> spans(report.definitions.size());
   std::vector<double> row(drawn.names.size());
   std::vector<double> before(drawn.names.size());
@@ -286,8 +319,9 @@ ReadResult read_result(const std::string& path, const std::string& name) {
     auto more = reader->next(row);
     if (!more) return unreadable(name, more.error());
     const bool changes = *more && count > 0 && regime_changes();
-    if (count > 0) thinner.add(before, changed || changes);
+    if (count > 0) rows.add(before, changed || changes);
     if (!*more) break;
+    worst.add(row);
     changed = changes;
     for (std::size_t d = 0; d < spans.size() && count > 0; ++d) {
       if (status[d] >= row.size()) continue;
@@ -295,19 +329,9 @@ ReadResult read_result(const std::string& path, const std::string& name) {
     }
     before = row;
   }
-  report.rows = thinner.rows();
-  report.thinned = thinner.thinned();
-  report.increments = std::max<std::int64_t>(thinner.count() - 1, 0);
+  report.put_rows(rows.finish(worst.rows()));
+  if (report.increments == 0) report.increments = std::max<std::int64_t>(rows.count() - 1, 0);
   for (std::size_t d = 0; d < spans.size(); ++d) report.definitions[d].spans = spans[d].spans();
-
-  UnitSystem units;
-  for (const auto& [what, unit] : layout.units) {
-    if (what == "length") units.length = unit;
-    if (what == "force") units.force = unit;
-  }
-  report.units.emplace_back("energy", energy_unit(units));
-  add_summary(beside(path, ".json"), energy_unit(units), report);
-  add_events(beside(path, ".events.csv"), report);
   return result;
 }
 

@@ -13,13 +13,27 @@ namespace slipbench::driver {
 
 void ReportCollection::put(std::size_t place, CaseReport report) {
   const std::scoped_lock lock(mutex_);
+  failed_.erase(place);
+  others_.erase(place);
   cases_[place] = std::move(report);
   if (cases_[place].status == ReportStatus::kNotRun) return;
-  detailed_.emplace(cases_[place].status == ReportStatus::kFailed ? 0 : 1, place);
-  if (detailed_.size() <= kMostDetailed) return;
-  const auto last = std::prev(detailed_.end());
-  cases_[last->second].drop_details();
-  detailed_.erase(last);
+  std::set<std::size_t>& kind = cases_[place].status == ReportStatus::kFailed ? failed_ : others_;
+  kind.insert(place);
+  keep_first(kind, kMostDetailed);
+}
+
+void ReportCollection::keep_first(std::set<std::size_t>& places, std::size_t most) const {
+  while (places.size() > most) {
+    const auto last = std::prev(places.end());
+    cases_[*last].drop_details();
+    places.erase(last);
+  }
+}
+
+std::span<const CaseReport> ReportCollection::cases() const {
+  const std::scoped_lock lock(mutex_);
+  keep_first(others_, kMostDetailed - failed_.size());
+  return cases_;
 }
 
 ReportTotals ReportCollection::totals() const {

@@ -26,6 +26,7 @@ struct ReportTotals {
 /// The cases of a page, put in from any thread in any order. Of the many cases of a suite, the
 /// first kMostDetailed keep their curves, those that failed before all others; the rest are lines
 /// of the table of verdicts. What is kept does not depend on the order in which they come.
+/// A case may be put in anew, as one that was not run after all: then all behind it must be, too.
 class ReportCollection {
  public:
   /// \param count how many cases will come, at the places 0 .. count - 1
@@ -35,21 +36,26 @@ class ReportCollection {
   void put(std::size_t place, CaseReport report);
 
   /// The cases in the order of their places; for one thread, once all are there.
-  std::span<const CaseReport> cases() const { return cases_; }
+  std::span<const CaseReport> cases() const;
   ReportTotals totals() const;
 
   static constexpr std::size_t kMostDetailed = 200;
 
  private:
-  std::mutex mutex_;
-  std::vector<CaseReport> cases_;
-  /// Who has details: (0 failed, 1 others) and the place, so that the last one goes first.
-  std::set<std::pair<int, std::size_t>> detailed_;
+  /// Drops the details of the last ones until only `most` have them.
+  void keep_first(std::set<std::size_t>& places, std::size_t most) const;
+
+  // As long as cases may still be put in anew, as many of either kind keep their details as may be
+  // needed; whoever looks gets the final choice.
+  mutable std::mutex mutex_;
+  mutable std::vector<CaseReport> cases_;
+  mutable std::set<std::size_t> failed_;  ///< places with details
+  mutable std::set<std::size_t> others_;
 };
 
 /// The JSON document of the page, on one line, to be embedded as it is in a script element: no '<'
-/// stands in it. Numbers have six significant digits; what is no finite number is null. The same
-/// cases give the same bytes.
+/// stands in it. Numbers have as many digits as tell neighbouring rows apart, those that stand
+/// alone ten; what is no finite number is null. The same cases give the same bytes.
 std::string report_document(const ReportCollection& collection, const std::string& title);
 
 /// Writes the page as one file that appears only when it is complete. An empty title becomes

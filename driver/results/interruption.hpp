@@ -6,8 +6,8 @@
 
 namespace slipbench::driver {
 
-/// From now on SIGINT and SIGTERM remove all registered files, end all registered processes and
-/// end this program at once, with exit code 130 or 143; a closed pipe is an error of the write
+/// From now on SIGINT, SIGTERM and SIGHUP (unless it was ignored) remove all registered files, end all
+/// registered processes and end this program at once, with exit code 130, 143 or 129; a closed pipe is an error of the write
 /// instead of a signal.
 void handle_interruption();
 

@@ -115,8 +115,8 @@ tl::expected<PlotData, HistoryError> read_plot_data(const std::filesystem::path&
   data.lowest.assign(names.size(), std::numeric_limits<double>::infinity());
   data.highest.assign(names.size(), -std::numeric_limits<double>::infinity());
   RowThinner thinner(names.size(), most_rows);
-  std::vector<RegimeSpans> spans(data.definitions.size());
-  std::vector<int> regimes(data.definitions.size());
+  std::vector<RegimeRecorder> regimes(data.definitions.size());
+  std::vector<int> now(data.definitions.size());
   double before = 0.0;
   while (true) {
     auto more = reader->next(row);
@@ -126,19 +126,23 @@ tl::expected<PlotData, HistoryError> read_plot_data(const std::filesystem::path&
       data.lowest[k] = std::min(data.lowest[k], row[k]);
       data.highest[k] = std::max(data.highest[k], row[k]);
     }
-    for (std::size_t d = 0; d < spans.size() && thinner.count() > 0; ++d) {
+    for (std::size_t d = 0; d < regimes.size(); ++d) {
       const int status = data.definitions[d].status;
       if (status < 0) continue;
+      // A row tells the regime of the increment that it ends.
       const int regime = static_cast<int>(std::lround(row[static_cast<std::size_t>(status)]));
-      spans[d].add(regime, before, row[0]);
-      if (thinner.count() > 1 && regime != regimes[d]) ++data.definitions[d].changes;
-      regimes[d] = regime;
+      if (thinner.count() == 0) regimes[d].begin(regime, row[0]);
+      if (thinner.count() > 0 && regime != now[d]) regimes[d].change(regime, before);
+      now[d] = regime;
     }
     before = row[0];
     thinner.add(row);
   }
   data.rows = thinner.rows();
-  for (std::size_t d = 0; d < spans.size(); ++d) data.definitions[d].spans = spans[d].spans();
+  data.rows_in_all = thinner.count();
+  for (std::size_t d = 0; d < regimes.size(); ++d) {
+    data.definitions[d].regimes = regimes[d].end(before);
+  }
   return data;
 }
 

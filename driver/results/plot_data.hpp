@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "driver/history/history_error.hpp"
-#include "driver/results/regime_spans.hpp"
+#include "driver/results/regime_history.hpp"
 #include "driver/results/result_layout.hpp"
 
 namespace slipbench::driver {
@@ -38,8 +38,10 @@ struct PlotDefinition {
   int dissipation = -1;
   int stored_energy = -1;
   int work = -1;
-  std::int64_t changes = 0;       ///< rows that end in another regime than the row before
-  std::vector<RegimeSpan> spans;  ///< of slip and of no contact; the rest is stick
+  RegimeHistory regimes;
+  /// Rows of the last full cycle of its motion, none left out; empty if there is none, or nobody
+  /// asked for it.
+  std::vector<double> cycle;
 };
 
 /// What is drawn of each definition.
@@ -56,8 +58,10 @@ struct PlotData {
   std::vector<double> rows;    ///< row after row, as many numbers as columns
   std::vector<double> lowest;  ///< of each column, over all rows of the result
   std::vector<double> highest;
+  std::int64_t rows_in_all = 0;  ///< of the result
 
   std::size_t row_count() const { return columns.empty() ? 0 : rows.size() / columns.size(); }
+  bool thinned() const { return rows_in_all > static_cast<std::int64_t>(row_count()); }
 };
 
 /// As many rows of a long result show all that a picture can.
@@ -67,8 +71,8 @@ inline constexpr std::size_t kDrawnRows = 3000;
 PlotData select_plot_columns(const ResultLayout& layout, PlotDetail detail = PlotDetail::kForces);
 
 /// Reads a result of `slipbench run` for drawing. A long one is thinned to `most_rows`
-/// (RowThinner): what is drawn looks the same, and the picture stays small. Spans of a regime that
-/// a picture cannot tell apart become one. The memory does not grow with the result.
+/// (RowThinner): what is drawn over time looks the same, and the picture stays small. Regimes are
+/// as the rows tell them: one from row to row. The memory does not grow with the result.
 ///
 /// Errors: those of CsvReader; a file without friction columns.
 tl::expected<PlotData, HistoryError> read_plot_data(const std::filesystem::path& file,

@@ -10,6 +10,7 @@ void RegimeSpans::lengthen_or_begin(const RegimeSpan& span) {
   for (auto before = spans_.rbegin(); before != spans_.rend() && before->to >= span.from - gap_;
        ++before) {
     if (before->status == span.status) {
+      before->merged = before->merged || span.merged || span.from > before->to;
       before->to = std::max(before->to, span.to);
       return;
     }
@@ -21,7 +22,7 @@ void RegimeSpans::add(int status, double from, double to) {
   if (!started_) start_ = from;
   started_ = true;
   if (status == 1 || !(to > from)) return;
-  lengthen_or_begin({from, to, status});
+  lengthen_or_begin({from, to, status, false});
   // With gaps of the new width there are at most `resolved_` of each regime, half of the bound.
   if (spans_.size() <= 4 * resolved_) return;
   gap_ = (to - start_) / static_cast<double>(resolved_);

@@ -11,11 +11,14 @@ struct RegimeSpan {
   double from = 0.0;
   double to = 0.0;
   int status = 1;  ///< 0 open, 1 stick, 2 slip
+  /// There were other regimes in between, each too short to be drawn.
+  bool merged = false;
 };
 
 /// Collects the spans of slip and of no contact; the rest is stick. Where they get too many, spans
-/// of one regime that are nearer to each other than a picture resolves become one, so that memory
-/// does not grow with a run that chatters.
+/// of one regime that are nearer to each other than a picture resolves become one, marked as
+/// merged, so that memory does not grow with a run that chatters. A merged span says nothing about
+/// the regime at one of its instants, nor how long it lasted in all.
 class RegimeSpans {
  public:
   /// \param resolved parts of the time so far that a picture can tell apart

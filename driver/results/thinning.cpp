@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace slipbench::driver {
 
@@ -128,14 +129,14 @@ void RowThinner::add(std::span<const double> row, bool must_keep) {
   open_ = std::move(fewer);
 }
 
-std::vector<double> RowThinner::rows() const {
+RowThinner::Rows RowThinner::indexed_rows(std::size_t most) const {
   Rows all = done_;
   std::vector<std::size_t> ends = piece_ends_;
   if (open_.size() > 0) {
     for (std::size_t i = 0; i < open_.size(); ++i) append(all, open_, i);
     ends.push_back(all.size());
   }
-  if (!thinned()) return all.numbers;
+  if (!thinned()) return all;
 
   // The rows that stay whatever the pieces; those the caller wants may be gone from the pieces.
   Chosen always;
@@ -160,14 +161,14 @@ std::vector<double> RowThinner::rows() const {
   // A piece of its own for every row cannot fit; the count falls about as the number of pieces.
   std::size_t groups = ends.size();
   std::vector<std::int64_t> index = chosen_of(groups);
-  while (index.size() > limit_ && groups > 1) {
-    const std::size_t next = groups * limit_ / index.size();
+  while (index.size() > most && groups > 1) {
+    const std::size_t next = groups * most / index.size();
     groups = std::max<std::size_t>(1, std::min(next, groups - 1));
     index = chosen_of(groups);
   }
 
-  std::vector<double> rows;
-  rows.reserve(index.size() * columns_);
+  Rows rows;
+  rows.numbers.reserve(index.size() * columns_);
   std::size_t from_all = 0;
   std::size_t from_kept = 0;
   for (const std::int64_t i : index) {
@@ -176,8 +177,9 @@ std::vector<double> RowThinner::rows() const {
     const bool in_pieces = from_all < all.size() && all.index[from_all] == i;
     const std::span<const double> row =
         in_pieces ? row_of(all, from_all) : row_of(kept_, from_kept);
-    rows.insert(rows.end(), row.begin(), row.end());
+    rows.numbers.insert(rows.numbers.end(), row.begin(), row.end());
   }
+  rows.index = std::move(index);
   return rows;
 }
 

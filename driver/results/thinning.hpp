@@ -21,6 +21,15 @@ namespace slipbench::driver {
 /// The memory depends on `limit` and the number of columns, not on the number of rows.
 class RowThinner {
  public:
+  /// Rows with their numbers, in their order.
+  struct Rows {
+    std::vector<std::int64_t> index;  ///< how many came before each
+    std::vector<double> numbers;      ///< row after row
+
+    std::size_t size() const { return index.size(); }
+    void clear();
+  };
+
   /// \param columns numbers in a row, at least 1
   /// \param limit rows that `rows` may give; at least enough for the ends, the extremes and the
   ///   kept rows: a smaller one is raised to 4/3 (2 + 2 columns + 2 watched)
@@ -32,21 +41,16 @@ class RowThinner {
   void add(std::span<const double> row, bool must_keep = false);
 
   /// The rows that stay, one after the other.
-  std::vector<double> rows() const;
+  std::vector<double> rows() const { return indexed_rows(limit_).numbers; }
+  /// The same with their places, and of a run that is thinned at most `most` of them, as far as the
+  /// ends, the extremes and the kept rows allow.
+  Rows indexed_rows(std::size_t most) const;
   /// How many rows came.
   std::int64_t count() const { return count_; }
   /// Whether `rows` gives fewer.
   bool thinned() const { return count_ > static_cast<std::int64_t>(limit_); }
 
  private:
-  /// Rows with their numbers, in their order.
-  struct Rows {
-    std::vector<std::int64_t> index;
-    std::vector<double> numbers;
-
-    std::size_t size() const { return index.size(); }
-    void clear();
-  };
   using Chosen = std::vector<std::size_t>;
 
   std::span<const double> row_of(const Rows& rows, std::size_t i) const;

@@ -3,17 +3,30 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
-#include <system_error>
+#include <filesystem>
 
 namespace slipbench::driver {
 namespace {
 
 namespace fs = std::filesystem;
 
+/// Without what no log can show; the ends of lines stay, which are escaped.
+std::string cleaned(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    result += printable(text.substr(0, end));
+    if (end < text.size()) result += text[end];
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return result;
+}
+
 std::string escaped(std::string_view text, bool property) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : cleaned(text)) {
     const bool special = c == '%' || c == '\r' || c == '\n' || (property && (c == ':' || c == ','));
     if (special) {
       result += fmt::format("%{:02X}", static_cast<unsigned char>(c));
@@ -39,12 +52,20 @@ std::string annotation(std::string_view level, const std::string& file, const So
   return text;
 }
 
-std::string Annotations::from_root(const std::string& file) const {
+std::string without_commands(std::string text) {
+  constexpr std::string_view kBegin = "##[";
+  for (std::size_t at = 0; (at = text.find(kBegin, at)) != std::string::npos;) {
+    text.replace(at, kBegin.size(), "# #[");
+  }
+  return text;
+}
+
+Annotations::Annotations(const std::string& root)
+    : root_(root.empty() ? root : real_folder(root)) {}
+
+std::string Annotations::from_root(const std::string& file) {
   if (root_.empty()) return file;
-  std::error_code error;
-  const fs::path there = fs::absolute(file, error).lexically_normal();
-  if (error) return file;
-  const fs::path relative = there.lexically_relative(root_);
+  const fs::path relative = fs::path(real_files_.of(file)).lexically_relative(root_);
   return relative.empty() || *relative.begin() == ".." ? file : relative.generic_string();
 }
 
@@ -54,13 +75,13 @@ void Annotations::add(const Candidate& candidate, const CaseOutcome& outcome) {
                         candidate.label, outcome.fault.message);
   }
   for (const CheckOutcome& check : outcome.verdicts) {
-    const std::string file = from_root(candidate.path);
-    const std::string title = candidate.label + ": " + check.verdict.name;
-    if (!check.verdict.passed && errors_++ < kMost) {
-      text_ += annotation("error", file, check.where, title, check.text);
-    }
+    const auto add_one = [&](const char* level, const std::string& message) {
+      text_ += annotation(level, from_root(candidate.path), check.where,
+                          candidate.label + ": " + check.verdict.name, message);
+    };
+    if (!check.verdict.passed && errors_++ < kMost) add_one("error", check.text);
     for (const std::string& warning : check.verdict.warnings) {
-      if (warnings_++ < kMost) text_ += annotation("warning", file, check.where, title, warning);
+      if (warnings_++ < kMost) add_one("warning", warning);
     }
   }
 }

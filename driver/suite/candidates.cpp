@@ -8,18 +8,24 @@
 #include <system_error>
 #include <utility>
 
+#include "driver/suite/real_files.hpp"
+
 namespace slipbench::driver {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string without_extension(const fs::path& path) {
-  return (path.parent_path() / path.stem()).lexically_normal().generic_string();
+/// Another extension than that of a case stays: two files are not to be called the same.
+std::string label_of(const fs::path& path) {
+  const fs::path name = path.extension() == ".yaml" ? path.stem() : path.filename();
+  return (path.parent_path() / name).lexically_normal().generic_string();
 }
 
+/// Editors and file systems keep locks and notes of their own under such names.
+bool is_hidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
+
 bool is_searched(const fs::path& folder) {
-  const std::string name = folder.filename().string();
-  return name != "bad" && !name.starts_with('.');
+  return folder.filename() != "bad" && !is_hidden(folder);
 }
 
 /// Adds the paths of the cases below `top`, in no order.
@@ -34,7 +40,7 @@ void search(const fs::path& top, std::vector<fs::path>& found, std::vector<std::
       std::error_code ignored;
       if (it->is_directory(ignored)) {
         if (!it->is_symlink(ignored) && is_searched(it->path())) folders.push_back(it->path());
-      } else if (it->path().extension() == ".yaml") {
+      } else if (it->path().extension() == ".yaml" && !is_hidden(it->path())) {
         found.push_back(it->path());
       }
     }
@@ -44,11 +50,10 @@ void search(const fs::path& top, std::vector<fs::path>& found, std::vector<std::
 
 /// Keeps the first of several that are the same file.
 void remove_repeated(std::vector<Candidate>& cases) {
-  std::set<fs::path> seen;
+  RealFiles real_files;
+  std::set<std::string> seen;
   std::erase_if(cases, [&](const Candidate& candidate) {
-    std::error_code error;
-    const fs::path real = fs::weakly_canonical(candidate.path, error);
-    return !error && !seen.insert(real).second;
+    return !seen.insert(real_files.of(candidate.path)).second;
   });
 }
 
@@ -59,7 +64,7 @@ Candidates find_candidates(std::span<const std::string> paths) {
   for (const std::string& path : paths) {
     std::error_code ignored;
     if (!fs::is_directory(path, ignored)) {
-      all.cases.push_back({path, without_extension(path)});
+      all.cases.push_back({path, label_of(path)});
       continue;
     }
     std::vector<fs::path> files;
@@ -67,7 +72,7 @@ Candidates find_candidates(std::span<const std::string> paths) {
     std::vector<Candidate> found;
     for (const fs::path& file : files) {
       const fs::path shown = paths.size() == 1 ? file.lexically_relative(path) : file;
-      found.push_back({file.string(), without_extension(shown)});
+      found.push_back({file.string(), label_of(shown)});
     }
     std::sort(found.begin(), found.end(),
               [](const Candidate& a, const Candidate& b) { return a.label < b.label; });

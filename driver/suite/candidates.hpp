@@ -10,7 +10,7 @@ namespace slipbench::driver {
 /// A case of a suite: where it is, and what it is called in tables.
 struct Candidate {
   std::string path;
-  std::string label;  ///< the path without extension; below the folder if only one was named
+  std::string label;  ///< the path without .yaml; below the folder if only one was named
 
   friend bool operator==(const Candidate&, const Candidate&) = default;
 };
@@ -22,8 +22,8 @@ struct Candidates {
 };
 
 /// The cases that `paths` name: files as they are, readable or not, and all *.yaml files below
-/// folders in the order of their labels, but for those in folders named `bad` and hidden ones.
-/// Links to folders are not followed. What cannot be searched is a fault and does not hide the
+/// folders in the order of their labels, but for those in folders named `bad`, hidden ones and those
+/// in hidden folders. Links to folders are not followed; a link to a case is a case. What cannot be searched is a fault and does not hide the
 /// rest.
 Candidates find_candidates(std::span<const std::string> paths);
 

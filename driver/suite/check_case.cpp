@@ -133,6 +133,19 @@ std::size_t Reading::checks() const {
   return read && can_run(*read) ? read->value->checks.size() : 0;
 }
 
+std::vector<std::string> Reading::inputs() const {
+  std::vector<std::string> files;
+  if (!read) return files;
+  if (read->value) files = input_files(*read->value);
+  for (const SourceText& source : read->sources) files.push_back(source.name());
+  for (const Diagnostic& diagnostic : read->diagnostics.sorted()) {
+    if (!diagnostic.file.empty()) files.push_back(diagnostic.file);
+  }
+  std::sort(files.begin(), files.end());
+  files.erase(std::unique(files.begin(), files.end()), files.end());
+  return files;
+}
+
 Reading read_candidate(const std::string& path, const ReadOptions& options) {
   const auto start = Clock::now();
   Reading reading;
@@ -156,6 +169,7 @@ std::optional<CaseOutcome> check_case(const Candidate& candidate, const Reading&
                            options);
     });
     CaseOutcome result = outcome ? std::move(*outcome) : std::move(outcome.error());
+    result.inputs = reading.inputs();
     report_fault(candidate, reading, result, options);
     result.seconds = reading.seconds + seconds_since(start);
     return result;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "driver/case/read_case.hpp"
 #include "driver/report/case_report.hpp"
@@ -20,6 +21,9 @@ struct Reading {
 
   /// How many checks the case has; 0 if it cannot be run.
   std::size_t checks() const;
+
+  /// The files the case is read from, as far as they are known, for one that has errors, too.
+  std::vector<std::string> inputs() const;
 };
 
 struct CheckCaseOptions {

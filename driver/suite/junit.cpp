@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <utility>
-#include <vector>
 
 #include "driver/suite/xml_text.hpp"
 
@@ -13,7 +12,8 @@ namespace {
 
 std::string folder_of(const std::string& label) {
   const std::size_t slash = label.rfind('/');
-  return slash == std::string::npos ? "." : label.substr(0, slash);
+  if (slash == std::string::npos) return ".";
+  return label.substr(0, slash == 0 ? 1 : slash);
 }
 
 const char* word_for_code(int code) {
@@ -57,14 +57,13 @@ std::string content_of(const CheckOutcome& check) {
 
 }  // namespace
 
-void JunitReport::add(const Candidate& candidate, const CaseOutcome& outcome) {
-  Suite& suite =
-      suites_.try_emplace(folder_of(candidate.label), Suite{suites_.size(), {}, {}}).first->second;
+void JunitReport::add(std::size_t place, const Candidate& candidate, const CaseOutcome& outcome) {
+  Suite& suite = suites_[folder_of(candidate.label)];
   Counts& counts = suite.counts;
   counts.seconds += outcome.seconds;
   const auto add_one = [&](const std::string& name, double seconds, const std::string& content) {
     ++counts.tests;
-    suite.cases += test_case(candidate.label, name, seconds, content);
+    suite.cases[place] += test_case(candidate.label, name, seconds, content);
   };
   if (outcome.kind == CaseOutcome::Kind::kNotRun) {
     ++counts.errors;
@@ -85,28 +84,31 @@ void JunitReport::add(const Candidate& candidate, const CaseOutcome& outcome) {
 }
 
 std::string JunitReport::attributes(const Counts& counts) {
-  return fmt::format(R"(tests="{}" failures="{}" errors="{}" skipped="{}" time="{:.6f}")",
-                     counts.tests, counts.failures, counts.errors, counts.skipped, counts.seconds);
+  return fmt::format(R"(tests="{}" failures="{}" errors="{}" time="{:.6f}")", counts.tests,
+                     counts.failures, counts.errors, counts.seconds);
 }
 
 std::string JunitReport::text() const {
   Counts all;
-  std::vector<const std::pair<const std::string, Suite>*> in_order(suites_.size());
+  using Entry = const std::pair<const std::string, Suite>*;
+  std::map<std::size_t, Entry> in_order;  // by the place of the first case
   for (const auto& entry : suites_) {
-    in_order[entry.second.place] = &entry;
+    in_order[entry.second.cases.begin()->first] = &entry;
     const Counts& counts = entry.second.counts;
     all.tests += counts.tests;
     all.failures += counts.failures;
     all.errors += counts.errors;
-    all.skipped += counts.skipped;
     all.seconds += counts.seconds;
   }
   std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+  // The readers' schema knows the number of skipped tests of a suite, but not of all.
   text += fmt::format("<testsuites name=\"slipbench\" {}>\n", attributes(all));
-  for (const auto* entry : in_order) {
-    text += fmt::format("  <testsuite name=\"{}\" {}>\n", xml_attribute(entry->first),
-                        attributes(entry->second.counts));
-    text += entry->second.cases;
+  for (const auto& [place, entry] : in_order) {
+    const Suite& suite = entry->second;
+    text += fmt::format("  <testsuite name=\"{}\" {} skipped=\"{}\">\n",
+                        xml_attribute(entry->first), attributes(suite.counts),
+                        suite.counts.skipped);
+    for (const auto& [case_place, elements] : suite.cases) text += elements;
     text += "  </testsuite>\n";
   }
   return text + "</testsuites>\n";

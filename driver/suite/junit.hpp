@@ -11,7 +11,7 @@
 namespace slipbench::driver {
 
 /// The verdicts of a suite as JUnit XML, the form that Jenkins and GitLab read: one <testsuite> for
-/// each folder, in the order of their first case; one <testcase> for each check, with the case's
+/// each folder, in the order of their first case in the suite; one <testcase> for each check, with the case's
 /// label as class name. A check that failed is a <failure>, a case that was not run an <error>, a
 /// case without checks is <skipped>; doubts about a check stand in its <system-out>. A case's time
 /// is divided equally among its checks. But for the times, the same verdicts give the same text:
@@ -19,7 +19,8 @@ namespace slipbench::driver {
 class JunitReport {
  public:
   /// The outcome must hold the verdicts of all its checks.
-  void add(const Candidate& candidate, const CaseOutcome& outcome);
+  /// \param place of the case in the suite, whatever the order in which the cases were run
+  void add(std::size_t place, const Candidate& candidate, const CaseOutcome& outcome);
 
   std::string text() const;
 
@@ -32,9 +33,8 @@ class JunitReport {
     double seconds = 0.0;
   };
   struct Suite {
-    std::size_t place = 0;  ///< in the order in which they came
     Counts counts;
-    std::string cases;  ///< their elements
+    std::map<std::size_t, std::string> cases;  ///< their elements, by their places
   };
 
   static std::string attributes(const Counts& counts);

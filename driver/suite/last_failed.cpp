@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <numeric>
 #include <string_view>
 #include <system_error>
 
@@ -17,12 +18,6 @@ namespace slipbench::driver {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string absolute(const std::string& path) {
-  std::error_code error;
-  const fs::path there = fs::absolute(path, error).lexically_normal();
-  return error ? path : there.string();
-}
 
 /// The folder of what may be forgotten; a relative one does not count (XDG base directories).
 std::optional<fs::path> cache_folder() {
@@ -46,7 +41,7 @@ std::uint64_t hash(std::string_view text) {
 
 LastFailed::LastFailed(std::span<const std::string> paths) {
   std::set<std::string> folders;
-  for (const std::string& path : paths) folders.insert(absolute(path));
+  for (const std::string& path : paths) folders.insert(real_folder(path));
   head_ = "slipbench: cases that did not pass last time, of\n";
   for (const std::string& folder : folders) head_ += folder + "\n";
   head_ += "\n";
@@ -54,37 +49,46 @@ LastFailed::LastFailed(std::span<const std::string> paths) {
   if (!folder) return;
   file_ = *folder / fmt::format("failed-{:016x}", hash(head_));
   std::ifstream in(*file_, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (!text.starts_with(head_)) return;
+  kept_.assign(std::istreambuf_iterator<char>(in), {});
+  if (!kept_.starts_with(head_)) return;
   std::size_t begin = head_.size();
-  for (std::size_t end = 0; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1) {
-    failed_.insert(text.substr(begin, end - begin));
+  for (std::size_t end = 0; (end = kept_.find('\n', begin)) != std::string::npos;
+       begin = end + 1) {
+    failed_.insert(kept_.substr(begin, end - begin));
   }
 }
 
-void LastFailed::order(std::vector<Candidate>& cases) const {
-  if (failed_.empty()) return;
-  std::stable_partition(cases.begin(), cases.end(), [&](const Candidate& candidate) {
-    return failed_.contains(absolute(candidate.path));
-  });
+std::vector<std::size_t> LastFailed::order(std::span<const Candidate> cases) {
+  std::vector<std::size_t> order(cases.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (!failed_.empty()) {
+    std::stable_partition(order.begin(), order.end(), [&](std::size_t i) {
+      return failed_.contains(real_files_.of(cases[i].path));
+    });
+  }
+  return order;
 }
 
 void LastFailed::note(const Candidate& candidate, bool well) {
-  if (well) {
-    failed_.erase(absolute(candidate.path));
-  } else {
-    failed_.insert(absolute(candidate.path));
+  if (!well) {
+    failed_.insert(real_files_.of(candidate.path));
+  } else if (!failed_.empty()) {
+    failed_.erase(real_files_.of(candidate.path));
   }
 }
 
-void LastFailed::write(std::span<const Candidate> cases) const {
+void LastFailed::write(std::span<const Candidate> cases) {
   if (!file_) return;
   std::string text = head_;
-  for (const Candidate& candidate : cases) {
-    const std::string path = absolute(candidate.path);
-    // A name of several lines would not be read back.
-    if (failed_.contains(path) && path.find('\n') == std::string::npos) text += path + "\n";
+  if (!failed_.empty()) {
+    for (const Candidate& candidate : cases) {
+      const std::string path = real_files_.of(candidate.path);
+      // A name of several lines would not be read back.
+      if (failed_.contains(path) && path.find('\n') == std::string::npos) text += path + "\n";
+    }
   }
+  // A suite that never failed leaves no trace.
+  if (text == kept_ || (text == head_ && kept_.empty())) return;
   std::error_code ignored;
   fs::create_directories(file_->parent_path(), ignored);
   auto file = OutputFile::create(*file_);

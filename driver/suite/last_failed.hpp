@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -9,32 +10,36 @@
 #include <vector>
 
 #include "driver/suite/candidates.hpp"
+#include "driver/suite/real_files.hpp"
 
 namespace slipbench::driver {
 
 /// Which cases of a suite did not pass last time. It is kept in a file of the user's cache
-/// ($XDG_CACHE_HOME/slipbench, or ~/.cache/slipbench), one for each set of folders that are
-/// checked. A cache that is missing or cannot be read or written means a suite without memory,
+/// ($XDG_CACHE_HOME/slipbench, or ~/.cache/slipbench), one for each set of paths that are checked,
+/// however they are written. A cache that is missing or cannot be read or written means a suite without memory,
 /// never an error.
 class LastFailed {
  public:
   /// Remembers what there is about the suite of these paths.
   explicit LastFailed(std::span<const std::string> paths);
 
-  /// Moves the cases that did not pass last time to the front; otherwise the order stays.
-  void order(std::vector<Candidate>& cases) const;
+  /// The order in which to run the cases, by their indices: those that did not pass last time come
+  /// first; otherwise the order stays.
+  std::vector<std::size_t> order(std::span<const Candidate> cases);
 
   /// Notes how a case went this time.
   void note(const Candidate& candidate, bool well);
 
   /// Keeps what was noted, and what was known about cases of the suite (`cases`) that were not run
   /// this time.
-  void write(std::span<const Candidate> cases) const;
+  void write(std::span<const Candidate> cases);
 
  private:
   std::string head_;  ///< of the file: whose failures they are
   std::optional<std::filesystem::path> file_;
-  std::set<std::string> failed_;  ///< absolute paths
+  std::string kept_;              ///< what the file held
+  std::set<std::string> failed_;  ///< see RealFiles
+  RealFiles real_files_;
 };
 
 }  // namespace slipbench::driver

@@ -41,6 +41,7 @@ struct CaseOutcome {
   std::vector<CheckOutcome> verdicts;
   std::string messages;  ///< of a case that was not run, as printed: one or more lines
   CaseFault fault;       ///< of a case that was not run
+  std::vector<std::string> inputs;  ///< files it was read from
 
   bool well() const { return kind == Kind::kPassed || kind == Kind::kNoChecks; }
 };

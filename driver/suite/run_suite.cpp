@@ -84,8 +84,11 @@ class InOrder {
 
 std::vector<Reading> read_suite(std::span<const Candidate> cases, const SuiteOptions& options) {
   std::vector<Reading> readings(cases.size());
-  for_each_index(cases.size(), options.threads,
-                 [&](std::size_t i) { readings[i] = read_candidate(cases[i].path, options.read); });
+  SharedProgress progress("cases read", cases.size());
+  for_each_index(cases.size(), options.threads, [&](std::size_t i) {
+    readings[i] = read_candidate(cases[i].path, options.read);
+    progress.done();
+  });
   return readings;
 }
 

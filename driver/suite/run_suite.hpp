@@ -14,6 +14,11 @@
 
 namespace slipbench::driver {
 
+/// Up to so many cases are all read before the first one is run, so that it is known how many checks
+/// there are, and which files must not be overwritten. More are read as their turn comes, which
+/// takes no memory.
+inline constexpr std::size_t kReadAhead = 1000;
+
 struct SuiteOptions {
   ReadOptions read = {};
   unsigned threads = 1;
@@ -32,7 +37,7 @@ struct SuiteListener {
   std::function<void(const WorkDone&)> progress;
 };
 
-/// Reads all cases, by several threads.
+/// Reads all cases, by several threads; a bar shows how far they are.
 std::vector<Reading> read_suite(std::span<const Candidate> cases, const SuiteOptions& options);
 
 /// Runs cases and judges their checks, by several threads; what is told does not depend on how

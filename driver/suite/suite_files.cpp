@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <system_error>
+#include <array>
 #include <utility>
 
 #include "driver/exit_code.hpp"
@@ -12,43 +11,45 @@
 namespace slipbench::driver {
 namespace {
 
-namespace fs = std::filesystem;
+using Wanted = std::array<std::pair<const char*, const std::string*>, 3>;
 
-/// Whether two names mean one file, be it there or not.
-bool is_same(const std::string& a, const std::string& b) {
-  std::error_code error;
-  if (fs::equivalent(a, b, error) && !error) return true;
-  return fs::absolute(a, error).lexically_normal() == fs::absolute(b, error).lexically_normal();
+Wanted wanted_files(const SuiteTargets& targets) {
+  return {{{"--junit", &targets.junit}, {"--json", &targets.json}, {"--report", &targets.report}}};
 }
 
-std::string overwritten_case(const std::string& target, std::span<const Candidate> cases) {
-  std::error_code error;
-  if (!fs::exists(target, error)) return {};
-  for (const Candidate& candidate : cases) {
-    if (fs::equivalent(target, candidate.path, error) && !error) return candidate.path;
+SuiteFilesFault bad_input(std::string message) { return {kExitBadInput, std::move(message)}; }
+
+}  // namespace
+
+std::string overwritten_input(const SuiteTargets& targets, std::span<const std::string> inputs) {
+  for (const auto& [option, target] : wanted_files(targets)) {
+    if (target->empty()) continue;
+    if (const std::string fault = input_fault(*target, inputs); !fault.empty()) {
+      return fmt::format("{} {}", option, fault);
+    }
   }
   return {};
 }
 
-}  // namespace
-
 tl::expected<SuiteFiles, SuiteFilesFault> SuiteFiles::create(const SuiteTargets& targets,
                                                              std::span<const Candidate> cases) {
-  const std::pair<const char*, const std::string*> wanted[] = {
-      {"--junit", &targets.junit}, {"--json", &targets.json}, {"--report", &targets.report}};
+  std::vector<std::string> inputs;
+  for (const Candidate& candidate : cases) inputs.push_back(candidate.path);
+  if (const std::string fault = overwritten_input(targets, inputs); !fault.empty()) {
+    return tl::unexpected(SuiteFilesFault{kExitEnvironment, fault});
+  }
+  const Wanted wanted = wanted_files(targets);
   for (const auto& [option, target] : wanted) {
     if (target->empty()) continue;
-    if (const std::string path = overwritten_case(*target, cases); !path.empty()) {
-      return tl::unexpected(SuiteFilesFault{
-          kExitBadInput,
-          fmt::format("{} {}: is one of the cases and is not overwritten", option, *target)});
+    if (*target == "-") {
+      return tl::unexpected(bad_input(fmt::format(
+          "{} -: wanted the name of a file; the terminal gets the table", option)));
     }
     for (const auto& [other_option, other] : wanted) {
       if (other == target) break;
-      if (!other->empty() && is_same(*target, *other)) {
-        return tl::unexpected(SuiteFilesFault{
-            kExitBadInput,
-            fmt::format("{} and {} would both write {}", other_option, option, *target)});
+      if (!other->empty() && is_same_file(*target, *other)) {
+        return tl::unexpected(bad_input(
+            fmt::format("{} and {} would both write {}", other_option, option, *target)));
       }
     }
   }

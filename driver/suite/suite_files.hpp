@@ -19,6 +19,9 @@ struct SuiteTargets {
   std::string report;
 };
 
+/// The first of the targets that is one of the files that are read, in a sentence, or nothing.
+std::string overwritten_input(const SuiteTargets& targets, std::span<const std::string> inputs);
+
 struct SuiteFilesFault {
   int code = 0;
   std::string message;
@@ -31,8 +34,9 @@ struct SuiteFiles {
   std::optional<OutputFile> json;
 
   /// The page is written by others (`write_report`); here it is only tried whether it can be.
-  /// Errors: a target that is one of the cases, or two that are the same file (exit code 2);
-  /// those of OutputFile (exit code 4).
+  /// Errors: "-", or two targets that are the same file (exit code 2); a target that is one of the
+  /// cases, and those of OutputFile (exit code 4). What else the cases are read from is known only
+  /// after reading, see `overwritten_input`.
   static tl::expected<SuiteFiles, SuiteFilesFault> create(const SuiteTargets& targets,
                                                           std::span<const Candidate> cases);
 

@@ -8,7 +8,7 @@
 
 namespace slipbench::driver {
 
-void SuiteJson::add(const Candidate& candidate, const CaseOutcome& outcome) {
+void SuiteJson::add(std::size_t place, const Candidate& candidate, const CaseOutcome& outcome) {
   json::Value one;
   one["case"] = candidate.label;
   one["file"] = candidate.path;
@@ -24,7 +24,7 @@ void SuiteJson::add(const Candidate& candidate, const CaseOutcome& outcome) {
   json::Array checks;
   for (const CheckOutcome& check : outcome.verdicts) checks.push_back(to_json(check.verdict));
   one["checks"] = std::move(checks);
-  cases_ += (cases_.empty() ? "\n  " : ",\n  ") + one.dump();
+  cases_[place] = one.dump();
 }
 
 std::string SuiteJson::text(const SuiteTotals& totals) const {
@@ -37,7 +37,9 @@ std::string SuiteJson::text(const SuiteTotals& totals) const {
   sums["checks"] = totals.checks;
   sums["failed_checks"] = totals.failed_checks;
   sums["exit_code"] = totals.code;
-  return "{\"slipbench\": " + json::Value(program_version()).dump() + ", \"cases\": [" + cases_ +
+  std::string cases;
+  for (const auto& [place, text] : cases_) cases += (cases.empty() ? "\n  " : ",\n  ") + text;
+  return "{\"slipbench\": " + json::Value(program_version()).dump() + ", \"cases\": [" + cases +
          "\n], \"totals\": " + sums.dump() + "}\n";
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <string>
 
 #include "driver/suite/candidates.hpp"
@@ -9,16 +11,18 @@
 namespace slipbench::driver {
 
 /// The verdicts of a suite as JSON: {"slipbench": version, "cases": [..], "totals": {..}}, one case
-/// a line, in the order of the suite. No times: the same verdicts give the same bytes.
+/// a line, in the order of the suite, whatever the order in which they were run. No times: the same
+/// verdicts give the same bytes.
 class SuiteJson {
  public:
   /// The outcome must hold the verdicts of all its checks.
-  void add(const Candidate& candidate, const CaseOutcome& outcome);
+  /// \param place of the case in the suite
+  void add(std::size_t place, const Candidate& candidate, const CaseOutcome& outcome);
 
   std::string text(const SuiteTotals& totals) const;
 
  private:
-  std::string cases_;
+  std::map<std::size_t, std::string> cases_;  ///< by their places
 };
 
 }  // namespace slipbench::driver

@@ -260,9 +260,11 @@ def loads():
         })""")
         expect(min(drawn) > 3, f"an empty picture among {drawn}")
         requests = [json.loads(entry["message"])["message"] for entry in page.driver.get_log("performance")]
-        asked = [entry["params"]["request"]["url"] for entry in requests if entry["method"] == "Network.requestWillBeSent"]
-        # chrome: is the browser's own first page.
-        elsewhere = [url for url in asked if not url.startswith(("file://" + str(page_file), "data:", "about:", "chrome:"))]
+        # Of this document only: the browser's own first page asks for things, too.
+        asked = [entry["params"]["request"]["url"] for entry in requests
+                 if entry["method"] == "Network.requestWillBeSent" and entry["params"]["documentURL"].startswith("file://")]
+        expect(asked, "the log of requests is empty")
+        elsewhere = [url for url in asked if not url.startswith(("file://" + str(page_file), "data:", "about:"))]
         expect(not elsewhere, f"the page asks for {elsewhere}")
         expect(any(url.startswith("file://") for url in asked), "the log of requests is empty, so this proves nothing")
         for case in page.cases:

@@ -241,7 +241,7 @@ def suite_junit(folder):
               "skipped": len(root.findall(".//skipped"))}
     expect(counts == {"tests": 6, "failures": 2, "errors": 2, "skipped": 1}, f"JUnit: found {counts}")
     for element in (root, *root):
-        for name in counts:
+        for name in counts if element is not root else ("tests", "failures", "errors"):
             inside = element.findall(".//testcase" if name == "tests" else f".//{name.removesuffix('s') if name != 'skipped' else name}")
             expect(int(element.get(name)) == len(inside), f"JUnit: {element.get('name')}: {name} is {element.get(name)}")
         sums = sum(float(test.get("time")) for test in element.findall(".//testcase"))
@@ -311,7 +311,7 @@ def suite_files(folder):
     case.write_text(slider(0.3))
     for option in ("--junit", "--json", "--report"):
         for target, wanted, words in (("missing/x", 4, "the folder missing does not exist"), (".", 4, "is a folder"),
-                                      ("a.yaml", 2, "is one of the cases"), ("./a.yaml", 2, "is one of the cases")):
+                                      ("a.yaml", 4, "is an input (a.yaml)"), ("./a.yaml", 4, "is an input (a.yaml)")):
             code, text = run("check", "a.yaml", option, target, cwd=folder)
             expect(code == wanted and words in text, f"{option} {target}: ended with {code}:\n{text}")
     expect(case.read_text() == slider(0.3), "a case was overwritten")
@@ -347,11 +347,11 @@ def suite_choice(folder):
     for jobs in (1, 4):
         some, text = told("--fail-fast", "-j", jobs, wanted=1)
         expect(some == list(names[:3]) and "2 cases passed, 1 failed, 2 not run" in text, f"--fail-fast:\n{text}")
-    expect(not (folder / "cache").exists(), "something is remembered without --failed-first")
-    first, _ = told("--failed-first", wanted=1)
-    again, _ = told("--failed-first", wanted=1)
-    expect(first == list(names), f"--failed-first without memory: {first}")
-    expect(again == ["hinge_1", "belt_1", "belt_2", "hinge_2", "slot"], f"--failed-first: {again}")
+    last, _ = told("--failed-first", wanted=1)
+    expect(last == ["hinge_1", "belt_1", "belt_2", "hinge_2", "slot"], f"--failed-first: {last}")
+    environment = {"XDG_CACHE_HOME": "/dev/null"}
+    without, _ = told("--failed-first", wanted=1)
+    expect(without == list(names), f"--failed-first without memory: {without}")
 
 
 def suite_memory(folder):
@@ -428,11 +428,17 @@ def suite_progress(folder):
         return shown.decode()
 
     bar = re.compile(r"\r\[=*> *\] \d of 8 cases, 1 failed, \d+ s left\x1b\[K")
+    done = subprocess.run(arguments, cwd=folder, capture_output=True, text=True, timeout=120)
+    expect(done.stderr == "" and "\r" not in done.stdout and "\x1b" not in done.stdout, f"a bar in a log:\n{done!r}")
+    try:
+        for end in pty.openpty():
+            os.close(end)
+    except OSError as error:  # a container without /dev/pts
+        print(f"progress: only tried in a log, this machine has no pseudo-terminals ({error})")
+        return
     shown = on_terminal({"TERM": "xterm", "NO_COLOR": "1"})
     expect(bar.search(shown), f"no progress bar on a terminal:\n{shown!r}")
-    done = subprocess.run(arguments, cwd=folder, capture_output=True, text=True, timeout=120)
     expect(unhurried(screen(shown)) == unhurried(done.stdout), f"the bar is not erased:\n{shown!r}\n{done.stdout!r}")
-    expect(done.stderr == "" and "\r" not in done.stdout and "\x1b" not in done.stdout, f"a bar in a log:\n{done!r}")
     expect("\x1b" not in on_terminal({"TERM": "dumb"}), "a bar on a terminal that cannot erase it")
     expect(bar.search(on_terminal({"TERM": "xterm"}, stdout=subprocess.PIPE)), "no bar while the table goes to a file")
 
@@ -449,7 +455,10 @@ source = options.source.resolve()
 for variable in ("GITHUB_ACTIONS", "GITHUB_WORKSPACE"):
     os.environ.pop(variable, None)
 
-tests[options.test]()
+# Nor on what failed here before; what fails in a test is not to be remembered for its user.
+with tempfile.TemporaryDirectory() as cache:
+    os.environ["XDG_CACHE_HOME"] = cache
+    tests[options.test]()
 for message in failures:
     print(message, file=sys.stderr)
 print(f"{options.test}: {len(failures)} failures")

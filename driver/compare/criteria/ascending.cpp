@@ -9,8 +9,8 @@ namespace slipbench::driver {
 namespace {
 
 /// Empty if the abscissa turns. Turns that are rounding are flattened.
-AscendingCurve ascending(const Series& curve) {
-  const std::vector<Branch> pieces = branches(curve.abscissa);
+AscendingCurve ascending(const Series& curve, double noise) {
+  const std::vector<Branch> pieces = branches(curve.abscissa, noise);
   if (pieces.size() != 1) return {};
   AscendingCurve out{curve.abscissa, curve.value};
   if (pieces.front().direction < 0) {
@@ -35,11 +35,12 @@ AscendingCurves ascending_curves(const Series& result, const Series& reference) 
     out.fault = range.fault;
     return out;
   }
-  if (branches(result.abscissa).size() != 1) {
+  const double noise = common_noise(result, reference);
+  if (branches(result.abscissa, noise).size() != 1) {
     out.fault = turns("result");
     return out;
   }
-  if (branches(reference.abscissa).size() != 1) {
+  if (branches(reference.abscissa, noise).size() != 1) {
     out.fault = turns("reference");
     return out;
   }
@@ -53,8 +54,8 @@ AscendingCurves ascending_curves(const Series& result, const Series& reference) 
       ++out.compared;
     }
   }
-  out.result = ascending(cut(result, range.interval, range.slack));
-  out.reference = ascending(cut(reference, range.interval, range.slack));
+  out.result = ascending(cut(result, range.interval, range.slack), noise);
+  out.reference = ascending(cut(reference, range.interval, range.slack), noise);
   if (out.result.at.empty() || out.reference.at.empty()) {
     out.fault = "the abscissas of the curves go back and forth by rounding in their common range";
   }

@@ -6,21 +6,29 @@
 #include <limits>
 #include <utility>
 
-#include "driver/compare/common_range.hpp"
-
 namespace slipbench::driver {
 namespace {
 
 /// Below this part of its magnitude, the range of values is their rounding.
 constexpr double kNearlyConstant = 1e-9;
 
+double magnitude(const Interval& values) {
+  return std::max(std::abs(values.from), std::abs(values.to));
+}
+
 }  // namespace
 
 double scale_of(std::span<const double> values) {
-  if (values.empty()) return 0.0;
-  const Interval range = extent(values);
-  const double magnitude = std::max(std::abs(range.from), std::abs(range.to));
-  return range.width() < kNearlyConstant * magnitude ? magnitude : range.width();
+  return values.empty() ? 0.0 : scale_of(extent(values));
+}
+
+double scale_of(const Interval& values) {
+  const double size = magnitude(values);
+  return values.width() < kNearlyConstant * size ? size : values.width();
+}
+
+double least_scale(const Interval& values) {
+  return std::max(values.width(), kNearlyConstant * magnitude(values));
 }
 
 double value_bound(const Tolerance& tolerance, double scale) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "driver/case/case.hpp"
+#include "driver/compare/common_range.hpp"
 #include "driver/compare/series.hpp"
 
 namespace slipbench::driver {
@@ -14,6 +15,12 @@ namespace slipbench::driver {
 /// What a relative tolerance of values is relative to: their range, or their magnitude if they are
 /// constant but for rounding (range below 1e-9 of it). Of no values, 0.
 double scale_of(std::span<const double> values);
+
+/// The same of values that reach from the smallest to the largest of this range.
+double scale_of(const Interval& values);
+
+/// What the scale cannot fall below, whatever other values join these.
+double least_scale(const Interval& values);
 
 /// The bound of a measure in the quantity's unit, or in quantity x abscissa: the larger of
 /// `absolute` and relative * scale; infinite if only positions are bounded, 0 if nothing is.

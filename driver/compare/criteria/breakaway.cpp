@@ -152,7 +152,7 @@ Breakaway without_breakaway(std::string fault) {
 
 Breakaway breakaway(const Series& curve) {
   if (curve.size() < 2) return without_breakaway("is but a point");
-  const Branch branch = branches(curve.abscissa).front();
+  const Branch branch = branches(curve.abscissa, curve.noise).front();
   const Course course = course_of(curve, branch);
   if (course.u.back() == 0.0) return without_breakaway("does not move");
   double magnitude = 0.0;

@@ -21,18 +21,20 @@ struct PointwiseComparison {
 ///
 /// Where the result has several rows at the reference's abscissa (equal but for rounding,
 /// kSameTime) it jumps or dwells there, and all its values stand: the nearest counts, and if time
-/// passes between these rows also all values in between. Curves with identical abscissas are
-/// compared row by row instead.
+/// passes between these rows also all values in between: a place in which time passes is a rest.
+/// A row of the reference that lies no further from a rest of the result than the result's own
+/// increment on that side (if the reference has several rows there, than any increment next to
+/// either curve's rest) may also be met by a value of that rest, or on the way to it: where the
+/// abscissa comes to rest depends on the increments. The very rows of the result, and identical
+/// abscissas of which no two are the same place, are compared row by row instead.
 ///
-/// A row at a reversal is compared once. Faults: unusable curves or nothing in common, different
-/// numbers of branches, branches in opposite directions.
+/// A row at a reversal is compared once. Faults: unusable curves or nothing in common, less than
+/// two rows of a reference that has more, different numbers of branches, branches in opposite
+/// directions. A result of a single row is compared all the same.
 PointwiseComparison compare_points(const Series& result, const Series& reference);
 
-/// What a relative tolerance of points is relative to: the range of their reference values, or its
-/// magnitude if it is constant but for rounding.
-double scale_of(const std::vector<CurvePoint>& points);
-
-/// One measure, the point of the largest deviation; `compared` is the number of points.
+/// One measure, the point of the largest deviation as PointJudge finds it; `compared` is the number
+/// of points.
 CurveComparison compare_pointwise(const Series& result, const Series& reference,
                                   const Tolerance& tolerance);
 

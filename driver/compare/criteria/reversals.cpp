@@ -15,8 +15,9 @@ CurveComparison compare_reversals(const Series& result, const Series& reference,
                                   const Tolerance& tolerance) {
   const CommonRange common = common_range(result, reference);
   if (!common.fault.empty()) return incomparable(common.fault);
-  const std::vector<Branch> ours = branches(result.abscissa);
-  const std::vector<Branch> theirs = branches(reference.abscissa);
+  const double noise = common_noise(result, reference);
+  const std::vector<Branch> ours = branches(result.abscissa, noise);
+  const std::vector<Branch> theirs = branches(reference.abscissa, noise);
   const std::size_t count = theirs.size() - 1;
   if (count == 0) return incomparable("the abscissa of the reference never turns");
   CurveComparison comparison;

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // `slipbench bless` as its users meet it.
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <catch2/catch.hpp>
@@ -10,6 +15,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <vector>
 
 #include "tests/driver/history/temporary_folder.hpp"
 
@@ -47,10 +53,10 @@ struct Ended {
   std::string output;  ///< of both streams
 };
 
-Ended slipbench(const TemporaryFolder& folder, const std::string& arguments) {
+/// Runs a shell command line in `folder`.
+Ended shell(const TemporaryFolder& folder, const std::string& line) {
   Ended ended;
-  const std::string command = "cd '" + folder.path().string() +
-                              "' && '" SLIPBENCH_BINARY_DIR "/slipbench' " + arguments + " 2>&1";
+  const std::string command = "cd '" + folder.path().string() + "' && { " + line + "; } 2>&1";
   FILE* pipe = popen(command.c_str(), "r");
   REQUIRE(pipe != nullptr);
   std::array<char, 4096> piece{};
@@ -60,6 +66,10 @@ Ended slipbench(const TemporaryFolder& folder, const std::string& arguments) {
   const int status = pclose(pipe);
   ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   return ended;
+}
+
+Ended slipbench(const TemporaryFolder& folder, const std::string& arguments) {
+  return shell(folder, "'" SLIPBENCH_BINARY_DIR "/slipbench' " + arguments);
 }
 
 std::string read(const fs::path& file) {
@@ -183,6 +193,113 @@ TEST_CASE("a full disk leaves the old curve as it was") {
   CHECK(ended.code == 4);
   CHECK(read(folder.path() / "golden/belt.csv") == once);
   CHECK(files_in(folder.path() / "golden") == 1);
+}
+
+TEST_CASE("a golden curve that was cut off behind its header is made anew") {
+  const TemporaryFolder folder;
+  folder.write("belt.yaml", kBelt);
+  REQUIRE(slipbench(folder, "bless belt.yaml --reason one").code == 0);
+  const std::string whole = read(folder.path() / "golden/belt.csv");
+  folder.write("golden/belt.csv", whole.substr(0, whole.find("\ntime,")));
+  const Ended ended = shell(folder, "timeout 60 '" SLIPBENCH_BINARY_DIR
+                                    "/slipbench' bless belt.yaml --reason one");
+  INFO(ended.output);
+  CHECK(ended.code == 0);
+  CHECK(read(folder.path() / "golden/belt.csv") == whole);
+}
+
+TEST_CASE("a golden curve that is a link stays one, and its file is replaced") {
+  const TemporaryFolder folder;
+  folder.write("belt.yaml", kBelt);
+  REQUIRE(slipbench(folder, "bless belt.yaml --reason one").code == 0);
+  fs::create_directory(folder.path() / "store");
+  fs::rename(folder.path() / "golden/belt.csv", folder.path() / "store/belt.csv");
+  fs::create_symlink("../store/belt.csv", folder.path() / "golden/belt.csv");
+  // A link that leads out of golden/ stays inside the case's folder.
+  REQUIRE(slipbench(folder, "bless belt.yaml --set mu=0.3 --reason two").code == 0);
+  CHECK(fs::is_symlink(folder.path() / "golden/belt.csv"));
+  CHECK(contains(read(folder.path() / "store/belt.csv"), "# blessed: two\n# blessed: one\n"));
+}
+
+TEST_CASE("blessings at the same time lose none of their reasons") {
+  const TemporaryFolder folder;
+  folder.write("belt.yaml", kBelt);
+  const Ended ended = shell(folder, "for i in 1 2 3 4 5 6 7 8; do '" SLIPBENCH_BINARY_DIR
+                                    "/slipbench' bless belt.yaml --set mu=0.2$i --reason r$i & "
+                                    "done; wait; grep -c '^# blessed: r[1-8]$' golden/belt.csv");
+  INFO(ended.output);
+  CHECK(ended.output.ends_with("\n8\n"));
+  CHECK(files_in(folder.path() / "golden") == 1);
+}
+
+TEST_CASE("a blessing that changes nothing leaves no folder behind") {
+  const TemporaryFolder folder;
+  std::string text = kBelt;
+  for (std::size_t at = 0; (at = text.find("golden/belt.csv", at)) != std::string::npos; at += 20) {
+    text.replace(at, 15, "deep/er/belt.csv");
+  }
+  text.replace(text.find("criterion: loop_energy"), 22, "criterion: breakaway");
+  text.replace(text.find("internal_contact_force: 100"), 27, "internal_contact_force: 1.0e9");
+  folder.write("belt.yaml", text);
+  CHECK(slipbench(folder, "bless belt.yaml --reason x").code == 1);
+  CHECK(files_in(folder.path()) == 1);
+}
+
+TEST_CASE("a curve that does not fit into memory is the machine's fault, not a bug") {
+  const TemporaryFolder folder;
+  std::string text = kBelt;
+  text.replace(text.find("increments: 40"), 14, "increments: 1000000000");
+  folder.write("belt.yaml", text);
+  const std::string limited = "ulimit -v 200000; '" SLIPBENCH_BINARY_DIR "/slipbench' ";
+  if (shell(folder, limited + "--version").code != 0) return;  // a sanitizer needs more for itself
+  const Ended ended = shell(folder, limited + "bless belt.yaml --reason x");
+  CHECK(ended.code == 4);
+  CHECK(ended.output == "slipbench: error: this needs more memory than there is\n");
+  CHECK(files_in(folder.path()) == 1);
+}
+
+/// What a command draws on a terminal before it is ended, up to a first bar or line of progress.
+std::string drawn(const TemporaryFolder& folder, const std::vector<std::string>& arguments) {
+  const int master = posix_openpt(O_RDWR | O_NOCTTY);
+  if (master < 0 || grantpt(master) != 0 || unlockpt(master) != 0) return "no terminal";
+  const std::string name = ptsname(master);
+  const pid_t child = fork();
+  if (child == 0) {
+    const int terminal = open(name.c_str(), O_RDWR | O_NOCTTY);
+    const bool ready = terminal >= 0 && dup2(terminal, STDERR_FILENO) >= 0 &&
+                       setenv("TERM", "xterm", 1) == 0 && chdir(folder.path().c_str()) == 0;
+    std::vector<char*> words;
+    for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
+    words.push_back(nullptr);
+    if (ready) execv(SLIPBENCH_BINARY_DIR "/slipbench", words.data());
+    _exit(127);
+  }
+  std::string text;
+  std::array<char, 256> piece{};
+  constexpr int kPatience = 20000;  // milliseconds
+  pollfd waiting{master, POLLIN, 0};
+  while (!contains(text, "\033[K") && poll(&waiting, 1, kPatience) > 0) {
+    const ssize_t n = ::read(master, piece.data(), piece.size());
+    if (n <= 0) break;
+    text.append(piece.data(), static_cast<std::size_t>(n));
+  }
+  kill(child, SIGTERM);
+  waitpid(child, nullptr, 0);
+  close(master);
+  return text;
+}
+
+TEST_CASE("bless and report show how far they are, on a terminal") {
+  const TemporaryFolder folder;
+  std::string text = kBelt;
+  text.replace(text.find("increments: 40"), 14, "increments: 1000000000");
+  folder.write("belt.yaml", text);
+  const std::string blessing = drawn(folder, {"slipbench", "bless", "belt.yaml", "--reason", "x"});
+  if (blessing == "no terminal") return;
+  CHECK(contains(blessing, "\rbelt: "));
+  folder.write("long.yaml", text.substr(0, text.find("checks:")));
+  const std::string report = drawn(folder, {"slipbench", "report", "long.yaml", "-o", "page.html"});
+  CHECK(contains(report, "] 0 of 1 cases"));
 }
 
 TEST_CASE("curves and criteria are listed and described") {

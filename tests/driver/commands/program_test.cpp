@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "tests/driver/history/temporary_folder.hpp"
+#include "tests/driver/suite/environment_for_test.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -236,6 +237,8 @@ TEST_CASE("a load that nothing holds is exit code 3, and the case left behind fa
 
 TEST_CASE("check searches folders, skips bad ones, and does not depend on the threads") {
   const TemporaryFolder folder;
+  const TemporaryFolder memory;
+  const Environment cache("XDG_CACHE_HOME", memory.path().string());
   for (const char* sub : {"a", "b", "bad"}) fs::create_directory(folder.path() / sub);
   folder.write("a/two.yaml", kSlider);
   folder.write("a/one.yaml", kSlider);
@@ -258,6 +261,19 @@ TEST_CASE("check searches folders, skips bad ones, and does not depend on the th
   CHECK(slipbench(folder, "check .").code == 2);
   fs::create_directory(folder.path() / "empty");
   CHECK(slipbench(folder, "check empty").code == 2);
+}
+
+TEST_CASE("a case is named as the table shows it, and told why nothing can be told") {
+  const TemporaryFolder folder;
+  folder.write("slider.yaml", kSlider);
+  CHECK(slipbench(folder, "check slider").code == 0);
+  CHECK(slipbench(folder, "run slider").code == 0);
+  CHECK(slipbench(folder, "report slider -o page.html").code == 0);
+  CHECK(contains(slipbench(folder, "bless slider --reason x").output,
+                 "slider.yaml: no check is against a curve"));
+  const Ended full = slipbench(folder, "check slider >/dev/full");
+  CHECK(full.code == 4);
+  CHECK(contains(full.output, "standard output cannot be written: No space left on device"));
 }
 
 TEST_CASE("plot draws a case and a result") {
@@ -417,6 +433,8 @@ TEST_CASE("an interrupted run ends with its code and leaves nothing behind") {
   CHECK(interrupted(folder, SIGINT) == 130);
   CHECK(file_count(folder.path()) == 1);
   CHECK(interrupted(folder, SIGTERM) == 143);
+  CHECK(file_count(folder.path()) == 1);
+  CHECK(interrupted(folder, SIGHUP) == 129);
   CHECK(file_count(folder.path()) == 1);
 }
 

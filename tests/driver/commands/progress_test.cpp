@@ -18,5 +18,13 @@ TEST_CASE("the line of progress tells how far, what failed and how long it will 
   CHECK(progress_text({0, 0, 0}, "cases", 1.0) == "[>                   ] 0 of 0 cases");
 }
 
+TEST_CASE("the line is cut to what the terminal can take back, by letters") {
+  CHECK(fitting("[==>] 3 of 9 cases", 80) == "[==>] 3 of 9 cases");
+  CHECK(fitting("[==>] 3 of 9 cases", 10) == "[==>] 3 o");
+  CHECK(fitting("größe", 4) == "grö");
+  CHECK(fitting("any length", 0) == "any length");
+  CHECK(fitting("\x1B[2Jcase", 80) == "\xEF\xBF\xBD[2Jcase");
+}
+
 }  // namespace
 }  // namespace slipbench::driver

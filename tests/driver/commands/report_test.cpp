@@ -88,5 +88,49 @@ TEST_CASE("a page never takes the place of what it is made of, or of a folder") 
   CHECK(report(folder, {"empty"}) == kExitBadInput);
 }
 
+TEST_CASE("a page takes the place of no file that its cases and results are read from") {
+  const TemporaryFolder folder;
+  folder.write("rig.csv", "t,x\n0,0\n2,0.1\n");
+  std::string text = slider_text("0.2");
+  text.replace(text.find("{to: 0.1}"), 9, "{csv: rig.csv, time: t, value: x}");
+  folder.write("a.yaml", text);
+  RunOptions options;
+  options.cases = {(folder.path() / "a.yaml").string()};
+  options.folder = folder.path().string();
+  REQUIRE(run_command(options) == kExitOk);
+  for (const char* name : {"a.csv", "a.json", "a.events.csv"}) {
+    const std::string before = read(folder.path() / name);
+    CHECK(report(folder, {"a.csv"}, name) == kExitEnvironment);
+    CHECK(read(folder.path() / name) == before);
+  }
+  const std::string rig = read(folder.path() / "rig.csv");
+  CHECK(report(folder, {"a.yaml"}, "rig.csv") == kExitEnvironment);
+  CHECK(read(folder.path() / "rig.csv") == rig);
+}
+
+TEST_CASE("what the reader of a case remarks stands on its page once") {
+  const TemporaryFolder folder;
+  std::string text = slider_text("0.2");
+  text.replace(text.find("{stiffness: 1000}"), 17, "{slip_tolerance: 1.0e-4}");
+  folder.write("a.yaml", text);
+  REQUIRE(report(folder, {"a.yaml"}) == kExitOk);
+  const std::string page = read(folder.path() / "page.html");
+  const std::string remark = "characteristic length";
+  const std::size_t first = page.find(remark);
+  REQUIRE(first != std::string::npos);
+  CHECK(page.find(remark, first + 1) == std::string::npos);
+}
+
+TEST_CASE("a result that is named twice is drawn once") {
+  const TemporaryFolder folder;
+  folder.write("a.yaml", slider_text("0.2"));
+  RunOptions options;
+  options.cases = {(folder.path() / "a.yaml").string()};
+  options.folder = folder.path().string();
+  REQUIRE(run_command(options) == kExitOk);
+  REQUIRE(report(folder, {"a.csv", "./a.csv"}) == kExitOk);
+  CHECK(has(read(folder.path() / "page.html"), "\"cases\":1,"));
+}
+
 }  // namespace
 }  // namespace slipbench::driver

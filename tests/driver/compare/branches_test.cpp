@@ -116,11 +116,27 @@ TEST_CASE("last branches that do not meet are a fault") {
              Catch::Contains("the last branches have no part in common"));
 }
 
-TEST_CASE("a reference of one row goes wherever the result goes") {
-  const Series falling = sampled({2, 1, 0}, [](double x) { return x; });
-  const MatchedBranches matched = match_branches(falling, {{0.5}, {0.5}, {}});
-  REQUIRE(matched.fault.empty());
-  CHECK(matched.result.value.front() == 0.5);
+TEST_CASE("turns that the printed digits of an abscissa explain are none") {
+  // A dwell at 0.1 printed with seven digits.
+  const std::vector<double> printed{0.0, 0.1, 0.09999999, 0.1, 0.09999998, 0.1, -0.1};
+  CHECK(branches(printed).size() == 6);
+  const auto parts = branches(printed, 1e-7);
+  REQUIRE(parts.size() == 2);
+  check_branch(parts[0], 0, 5, 1);
+  check_branch(parts[1], 5, 6, -1);
+  // Round numbers look as if they had one digit: their turns are turns.
+  CHECK(branches(std::vector<double>{0, 0.1, -0.1, 0.1}, 0.1).size() == 3);
+  CHECK(branches(std::vector<double>{0, 0.1, 0.0997, 0.1}, 0.1).size() == 3);
+}
+
+TEST_CASE("turns that the reference cannot show are none of the result") {
+  Series reference = slider(zigzag({0, 0.1, -0.1}, 20));
+  const Series result = slider({0, 0.05, 0.1, 0.1 - 3e-8, 0.1, -0.1});
+  const std::string fault = match_branches(result, reference).fault;
+  CHECK_THAT(fault, Catch::Contains("the result has 4 branches, the reference 2 branches"));
+  CHECK_THAT(fault, Catch::Contains("turns by 3e-08 may be noise, only those up to 2e-10 were"));
+  reference.noise = 1e-7;
+  CHECK(match_branches(result, reference).fault.empty());
 }
 
 TEST_CASE("times of a reference that decrease are named") {

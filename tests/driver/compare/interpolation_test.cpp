@@ -67,5 +67,49 @@ TEST_CASE("a dwell in which time passes goes through the values in between") {
   CHECK(rows_only.at(1.0, 7.5)->value == 5.0);
 }
 
+TEST_CASE("near a rest its values count, and those on the way to it") {
+  const Series curve{
+      {0, 0.8, 1, 1, 1, 1.1, 2}, {30, 20, 20, 0, -10, -12, -12}, {0, 1, 2, 3, 4, 5, 6}};
+  BranchInterpolation read(curve, {0, 6, 1}, 1e-12);
+  REQUIRE(read.has_rests());
+  // Within the increment before it and the one behind it.
+  CHECK(read.at(0.9, 5.0)->value == 5.0);
+  CHECK(read.at(0.9, 25.0)->value == 20.0);
+  CHECK(read.at(1.05, 15.0)->value == 15.0);
+  CHECK(read.at(1.05, -11.7)->value == -11.7);
+  CHECK(read.at(0.7, 5.0)->value == Approx(21.25));
+  CHECK(read.at(1.2, 5.0)->value == -12.0);
+  // A row of a curve that rests itself may be further away.
+  CHECK(read.at(0.7, 5.0, 0.35)->value == 5.0);
+  CHECK(read.at(1.2, 5.0, 0.1)->value == 5.0);
+  CHECK(read.at(1.4, 5.0, 0.1)->value == -12.0);
+  // Time does not rest.
+  Series over_time = curve;
+  over_time.time = over_time.abscissa;
+  BranchInterpolation jumps(over_time, {0, 6, 1}, 1e-12);
+  CHECK_FALSE(jumps.has_rests());
+  CHECK(jumps.at(0.9, 5.0)->value == Approx(20.0));
+}
+
+TEST_CASE("an abscissa that creeps by less than rounding costs no more than others") {
+  constexpr std::size_t kRows = 100000;
+  Series creeping;
+  for (std::size_t i = 0; i < kRows; ++i) {
+    const auto t = static_cast<double>(i);
+    creeping.abscissa.push_back(1e-16 * t);
+    creeping.value.push_back(std::sin(t));
+    creeping.time.push_back(t);
+  }
+  creeping.abscissa.push_back(1.0);
+  creeping.value.push_back(0.0);
+  creeping.time.push_back(static_cast<double>(kRows));
+  BranchInterpolation read(creeping, {0, kRows, 1}, 1e-12);
+  // 10^5 questions to 10^4 rows each would take minutes.
+  for (std::size_t i = 0; i < kRows; ++i) {
+    if (std::abs(read.at(creeping.abscissa[i], 0.5)->value - 0.5) > 1e-12) FAIL(i);
+  }
+  SUCCEED();
+}
+
 }  // namespace
 }  // namespace slipbench::driver

@@ -73,32 +73,33 @@ std::string cause(const std::vector<CausePoint>& points, double tolerance) {
 
 TEST_CASE("a ratio in slip is the coefficient, in a pull and in loops") {
   CHECK(cause(sliders({.limit = 21.4}, ramp, 1.0, 100, 0.5), 0.5) ==
-        "looks like the coefficient: ratio 1.07 everywhere in slip");
+        "looks like the coefficient (or the normal force): ratio 1.07 everywhere in slip");
   CHECK(cause(sliders({.limit = 18.0}, ramp, 1.0, 100, 0.5), 0.5) ==
-        "looks like the coefficient: ratio 0.9 everywhere in slip");
+        "looks like the coefficient (or the normal force): ratio 0.9 everywhere in slip");
   CHECK(cause(sliders({.limit = 21.4}, triangle, 2.0, 400, 0.5), 0.5) ==
-        "looks like the coefficient: ratio 1.07 everywhere in slip");
+        "looks like the coefficient (or the normal force): ratio 1.07 everywhere in slip");
   CHECK(cause(sliders({.limit = 18.6}, triangle, 2.0, 400, 0.5), 0.5) ==
-        "looks like the coefficient: ratio 0.93 everywhere in slip");
+        "looks like the coefficient (or the normal force): ratio 0.93 everywhere in slip");
   CHECK(cause(sliders({.limit = 20.006}, triangle, 2.0, 400, 1e-4), 1e-4) ==
-        "looks like the coefficient: ratio 1.0003 everywhere in slip");
+        "looks like the coefficient (or the normal force): ratio 1.0003 everywhere in slip");
 }
 
 TEST_CASE("a ratio in slip is told whatever the sign of the force, and if every row slips") {
   const auto points =
       curves([](double) { return -21.4; }, [](double) { return -20.0; }, 30, 0.5, kSlip);
-  CHECK(cause(points, 0.5) == "looks like the coefficient: ratio 1.07 everywhere in slip");
+  CHECK(cause(points, 0.5) ==
+        "looks like the coefficient (or the normal force): ratio 1.07 everywhere in slip");
 }
 
 TEST_CASE("a ratio in stick is the stiffness, in a pull and in loops") {
   CHECK(cause(sliders({.stiffness = 900.0}, ramp, 1.0, 500, 0.1), 0.1) ==
-        "looks like the stick stiffness: ratio 0.9 everywhere in stick");
+        "looks like the stick stiffness (or the motion): ratio 0.9 everywhere in stick");
   CHECK(cause(sliders({.stiffness = 1100.0}, ramp, 1.0, 500, 0.1), 0.1) ==
-        "looks like the stick stiffness: ratio 1.1 everywhere in stick");
+        "looks like the stick stiffness (or the motion): ratio 1.1 everywhere in stick");
   CHECK(cause(sliders({.stiffness = 900.0}, triangle, 2.0, 4000, 0.1), 0.1) ==
-        "looks like the stick stiffness: ratio 0.9 everywhere in stick");
+        "looks like the stick stiffness (or the motion): ratio 0.9 everywhere in stick");
   CHECK(cause(sliders({.stiffness = 1100.0}, triangle, 2.0, 4000, 0.1), 0.1) ==
-        "looks like the stick stiffness: ratio 1.1 everywhere in stick");
+        "looks like the stick stiffness (or the motion): ratio 1.1 everywhere in stick");
 }
 
 TEST_CASE("coefficient and stiffness at once are neither") {
@@ -153,7 +154,8 @@ TEST_CASE("a few points of their own do not hide a cause") {
   points[60].point.value = 35.0;
   points[120].point.value = -3.0;
   points[150].point.value = 22.0;
-  CHECK(cause(points, 0.5) == "looks like the coefficient: ratio 1.07 everywhere in slip");
+  CHECK(cause(points, 0.5) ==
+        "looks like the coefficient (or the normal force): ratio 1.07 everywhere in slip");
   for (std::size_t i = 160; i < 190; ++i) points[i].point.value = 23.0;
   CHECK(cause(points, 0.5) == "");
 }
@@ -196,7 +198,8 @@ TEST_CASE("a reference of one level does not tell a ratio from an offset") {
   };
   CHECK(level(kUnknown) == "");
   CHECK(level(kStick) == "");
-  CHECK(level(kSlip) == "looks like the coefficient: ratio 1.07 everywhere in slip");
+  CHECK(level(kSlip) ==
+        "looks like the coefficient (or the normal force): ratio 1.07 everywhere in slip");
 }
 
 TEST_CASE("one or two failing points, or none, explain nothing") {
@@ -210,6 +213,70 @@ TEST_CASE("one or two failing points, or none, explain nothing") {
   CHECK(cause(points, 0.5) == "");
   for (CausePoint& p : points) p.point.value = std::numeric_limits<double>::quiet_NaN();
   CHECK(cause(points, 0.5) == "");
+}
+
+/// The points of a pull that first rests for ten rows, whose result becomes what `change` makes of
+/// it.
+std::vector<CausePoint> pull(const Slider& slider, const std::function<double(double)>& change,
+                             const std::function<double(double)>& path, double duration) {
+  auto points = sliders(
+      slider, [&](double t) { return path(std::max(0.0, t - 0.05)); }, duration, 200, 0.1);
+  for (CausePoint& p : points) {
+    p.point.value = change(p.point.value);
+    p.failing = std::abs(p.point.value - p.point.reference) > 0.1;
+  }
+  return points;
+}
+
+TEST_CASE(
+    "an offset is not told as the coefficient, for before the first slip that changes nothing") {
+  const auto told = [](double limit, double offset) {
+    return cause(pull(
+                     {.limit = limit}, [&](double f) { return f + offset; },
+                     [](double t) { return t; }, 1.0),
+                 0.1);
+  };
+  CHECK(told(20.0, 1.0) == "looks like an offset: +1 N everywhere");
+  CHECK(told(20.0, -5.0) == "looks like an offset: -5 N everywhere");
+  CHECK(told(22.0, 1.0) == "");
+  CHECK(told(22.0, 0.0) ==
+        "looks like the coefficient (or the normal force): ratio 1.1 everywhere in slip");
+  CHECK(told(16.0, 0.0) ==
+        "looks like the coefficient (or the normal force): ratio 0.8 everywhere in slip");
+}
+
+TEST_CASE("the first stick may be off where only the reference has reached its limit") {
+  // Slow enough that a tenth of the points sticks while the reference slips.
+  CHECK(cause(sliders({.limit = 30.0}, ramp, 0.5, 200, 0.5), 0.5) ==
+        "looks like the coefficient (or the normal force): ratio 1.5 everywhere in slip");
+}
+
+TEST_CASE("a factor or a unit is not told as the coefficient, in pulls and in loops") {
+  const auto told = [](double factor, const std::function<double(double)>& path, double duration,
+                       double limit = 20.0) {
+    return cause(pull(
+                     {.limit = limit}, [&](double f) { return factor * f; }, path, duration),
+                 0.1);
+  };
+  const auto slow = [](double t) { return 0.2 * t; };
+  CHECK(told(4.448, slow, 1.0) == "looks like a factor: ratio 4.45 everywhere");
+  CHECK(told(1.05, slow, 1.0) == "looks like a factor: ratio 1.05 everywhere");
+  CHECK(told(4.448, triangle, 2.0) == "looks like a factor: ratio 4.45 everywhere");
+  CHECK(told(1.05, triangle, 2.0) == "looks like a factor: ratio 1.05 everywhere");
+  CHECK(told(1000.0, triangle, 2.0) == "looks like a unit: ratio 1e+03 everywhere");
+  CHECK(told(1000.0, triangle, 2.0, 22.0) == "");
+  // Nothing but stick: the stiffness and a factor are one.
+  CHECK(told(
+            1.05, [](double t) { return 0.01 * t; }, 1.0) ==
+        "looks like the stick stiffness (or the motion), or a factor: ratio 1.05 everywhere");
+}
+
+TEST_CASE("a factor that the first stick contradicts is none") {
+  // Coefficient and stiffness at once, in a pull of few stick rows.
+  CHECK(cause(pull(
+                  {.stiffness = 1200.0, .limit = 22.0}, [](double f) { return f; },
+                  [](double t) { return 0.9 * t; }, 1.0),
+              0.1) == "");
 }
 
 }  // namespace

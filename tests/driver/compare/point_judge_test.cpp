@@ -52,7 +52,19 @@ TEST_CASE("points that only failed while the range was small do not fail in the 
   judge.add(point(2, 10.0, 10.0), 1);
   CHECK(judge.result().tolerance == Approx(1.0));
   CHECK(judge.result().failing == 0);
-  CHECK(judge.result().worst.time == 0.0);
+  CHECK(judge.result().worst.point.time == 0.0);
+}
+
+TEST_CASE("what is told of a point has the distance to the nearer of its neighbours") {
+  PointJudge judge({0.5, {}, ""});
+  const double times[] = {0.0, 1.0, 1.25, 1.35, 3.0, 3.5};
+  const double deviations[] = {0.0, 0.0, 1.0, 2.0, 0.0, 1.0};
+  for (int i = 0; i < 6; ++i) judge.add(point(times[i], deviations[i], 0.0), 1);
+  const PointJudge::Result result = judge.result();
+  CHECK(result.worst.spacing.time == Approx(0.1));
+  CHECK(result.worst.spacing.abscissa == Approx(0.1));
+  CHECK(result.first->step == Approx(0.1));
+  CHECK(result.last->step == Approx(0.5));
 }
 
 }  // namespace

@@ -95,5 +95,60 @@ TEST_CASE("numbers that are not finite give no doubts") {
           .empty());
 }
 
+TEST_CASE("a deviation that rounding cannot explain is no matter of the digits") {
+  const auto doubted = [](double worst) {
+    return !tolerance_doubts(absolute(0.01),
+                             {.scale = 40.0, .worst = worst, .resolution = 0.05, .unit = "N"})
+                .empty();
+  };
+  CHECK(doubted(0.15));
+  CHECK_FALSE(doubted(0.16));
+}
+
+TEST_CASE("no tolerance is suggested that the reference's digits forbid") {
+  const ToleranceUse use{.scale = 20.0, .worst = 0.0, .resolution = 0.5, .unit = "N"};
+  // Too small for the digits: only that is said.
+  REQUIRE(tolerance_doubts(absolute(0.1), use).size() == 1);
+  CHECK_THAT(tolerance_doubts(absolute(0.1), use).front(), Catch::Contains("printed digits"));
+  CHECK(tolerance_doubts(absolute(1.0), use).empty());
+  const ToleranceUse fine{.scale = 20.0, .worst = 0.0, .resolution = 1e-6, .unit = "N"};
+  CHECK(tolerance_doubts(absolute(0.1), fine).size() == 1);
+}
+
+std::vector<CurvePoint> points(const std::vector<double>& values,
+                               const std::vector<double>& references) {
+  std::vector<CurvePoint> made;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    made.push_back({.value = values[i], .reference = references[i]});
+  }
+  return made;
+}
+
+TEST_CASE("digits are complete if most different values agree better than rounding could") {
+  // Integers that are exact, a failing row or two beside them.
+  CHECK(has_all_digits(points({0, 2, 4, 7, 8, 11, 12, 14}, {0, 2, 4, 6, 8, 10, 12, 14}), 0.5));
+  // Rounded to integers: one of four agrees by chance.
+  CHECK_FALSE(has_all_digits(points({1.7, 4.0, 6.3, 7.9}, {2, 4, 6, 8}), 0.5));
+  // Zeros and a plateau agree in a rounded file, too.
+  CHECK_FALSE(has_all_digits(
+      points({0, 0, 0, 1.7, 4.4, 20, 20, 20, 20, 20}, {0, 0, 0, 2, 4, 20, 20, 20, 20, 20}), 0.5));
+  // Few values count if nothing speaks against them.
+  CHECK(has_all_digits(points({0, 10, 20}, {0, 10, 20}), 0.5));
+  CHECK_FALSE(has_all_digits(points({0, 10.1, 20}, {0, 10, 20}), 0.5));
+}
+
+TEST_CASE("a reference of which less than half was seen is told with both ranges") {
+  const Series reference{{0, 1, 2, 3, 4}, {0, 0, 0, 0, 0}, {}};
+  const auto doubt = [&](double end, std::int64_t rows) {
+    return coverage_doubt({{0, end}, {0, 0}, {}}, reference, rows);
+  };
+  CHECK(doubt(1.5, 2) ==
+        "only 2 of the reference's 5 rows were compared, from 0 to 1.5, while it goes from 0 to 4; "
+        "select with 'over' what is meant");
+  CHECK(doubt(2.0, 3).empty());
+  // Half of the rows, but a small part of the range.
+  CHECK_FALSE(coverage_doubt({{0, 1}, {0, 0}, {}}, {{0, 0.5, 1, 9}, {0, 0, 0, 0}, {}}, 3).empty());
+}
+
 }  // namespace
 }  // namespace slipbench::driver

@@ -49,6 +49,33 @@ TEST_CASE("failed cases keep their curves before others, whatever the order they
   }
 }
 
+TEST_CASE("cases that turn out not to be run push out nobody's curves, whatever came before") {
+  // A suite that ends with its first failure, at the place 250; other threads were further.
+  constexpr std::size_t kCases = 400;
+  constexpr std::size_t kEnd = 251;
+  const auto kept = [](std::size_t further) {
+    ReportCollection collection(kCases);
+    for (std::size_t i = kCases; i-- > 0;) {
+      if (i >= kEnd + further) continue;
+      CaseReport report = numbered(i);
+      report.status = i >= kEnd - 1 ? ReportStatus::kFailed : ReportStatus::kPassed;
+      collection.put(i, std::move(report));
+    }
+    for (std::size_t i = kEnd; i < kCases; ++i) {
+      CaseReport report;
+      report.status = ReportStatus::kNotRun;
+      collection.put(i, std::move(report));
+    }
+    const std::vector<bool> all = detailed(collection.cases());
+    return std::vector<bool>(all.begin(), all.begin() + kEnd);
+  };
+  const std::vector<bool> alone = kept(0);
+  CHECK(std::count(alone.begin(), alone.end(), true) == ReportCollection::kMostDetailed);
+  CHECK(alone[kEnd - 1]);
+  CHECK(kept(1) == alone);
+  CHECK(kept(149) == alone);
+}
+
 TEST_CASE("a case without its curves still has its verdicts") {
   CaseReport report = numbered(0);
   report.drop_details();

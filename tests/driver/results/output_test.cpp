@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fcntl.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <atomic>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "driver/results/csv_writer.hpp"
@@ -112,6 +117,81 @@ TEST_CASE("an input is never overwritten, whatever it is called") {
   CHECK_FALSE(fault_of(folder.path() / "same.csv", {input}).empty());
   CHECK(fault_of(folder.path() / "other.csv", {input}).empty());
   CHECK(read(input) == "data");
+}
+
+TEST_CASE("a name that is a link stays one, and the file it leads to is written") {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path() / "store");
+  const fs::path real = folder.write("store/real.csv", "before");
+  fs::create_symlink("store/real.csv", folder.path() / "link.csv");
+  fs::create_symlink("link.csv", folder.path() / "link_to_link.csv");
+  fs::create_symlink("store/new.csv", folder.path() / "to_new.csv");
+  for (const char* name : {"link_to_link.csv", "to_new.csv"}) {
+    auto file = OutputFile::create(folder.path() / name);
+    REQUIRE(file);
+    CHECK(file->target() == folder.path() / name);
+    CHECK(file->temporary().parent_path() == folder.path() / "store");
+    file->append("after");
+    complete(*file);
+    CHECK(fs::is_symlink(folder.path() / name));
+  }
+  CHECK(read(real) == "after");
+  CHECK(read(folder.path() / "store/new.csv") == "after");
+  CHECK(file_count(folder) == 4);
+}
+
+TEST_CASE("links in a circle, pipes and links to open files are refused") {
+  const TemporaryFolder folder;
+  fs::create_symlink("b", folder.path() / "a");
+  fs::create_symlink("a", folder.path() / "b");
+  CHECK(fault_of(folder.path() / "a").find("a: cannot be written: ") != std::string::npos);
+  REQUIRE(mkfifo((folder.path() / "pipe").c_str(), 0600) == 0);
+  CHECK(fault_of(folder.path() / "pipe") == (folder.path() / "pipe").string() +
+                                                ": is no regular file");
+  // As /dev/stdout is, while standard output goes to a file.
+  const fs::path open_file = folder.write("open", "kept");
+  const int descriptor = ::open(open_file.c_str(), O_RDONLY | O_CLOEXEC);
+  REQUIRE(descriptor >= 0);
+  fs::create_symlink("/proc/self/fd/" + std::to_string(descriptor), folder.path() / "out");
+  CHECK(fault_of(folder.path() / "out") ==
+        (folder.path() / "out").string() + ": is no regular file");
+  ::close(descriptor);
+  CHECK(read(open_file) == "kept");
+}
+
+TEST_CASE("two names are one file if they lead to it, be it there or not") {
+  const TemporaryFolder folder;
+  folder.write("a", "");
+  fs::create_directory(folder.path() / "d");
+  fs::create_directory_symlink("d", folder.path() / "e");
+  fs::create_symlink("d/new", folder.path() / "link");
+  const fs::path base = folder.path();
+  CHECK(is_same_file(base / "a", base / "d/../a"));
+  CHECK(is_same_file(base / "d/new", base / "e/new"));
+  CHECK(is_same_file(base / "link", base / "e/new"));
+  CHECK_FALSE(is_same_file(base / "a", base / "d/new"));
+  CHECK_FALSE(is_same_file(base / "d/new", base / "new"));
+}
+
+TEST_CASE("who completes files waits for those that hold the folder") {
+  const TemporaryFolder folder;
+  auto file = OutputFile::create(folder.path() / "a.csv");
+  REQUIRE(file);
+  const fs::path places[] = {folder.path() / "other.csv"};
+  std::atomic<bool> released{false};
+  std::jthread other;
+  {
+    const FolderLocks locks(places);
+    other = std::jthread([&] {
+      OutputFile* const files[] = {&*file};
+      CHECK(commit(files));
+      CHECK(released);
+    });
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    released = true;
+  }
+  other.join();
+  CHECK(fs::exists(folder.path() / "a.csv"));
 }
 
 std::string written_rows(const Case& problem, const fs::path& target) {

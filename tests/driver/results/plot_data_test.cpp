@@ -30,10 +30,10 @@ TEST_CASE("a result says itself what is to be drawn") {
   CHECK(data->columns[static_cast<std::size_t>(sliding.components[0])].name == "CSF2");
   CHECK(data->columns[static_cast<std::size_t>(sliding.positions[0])].unit == "mm");
   CHECK(data->columns[static_cast<std::size_t>(sliding.limit)].name == "FLIM.sliding");
-  REQUIRE(sliding.spans.size() == 1);
-  CHECK(sliding.spans[0].from == 0.0);
-  CHECK(sliding.spans[0].to == 1.0);
-  CHECK(sliding.spans[0].status == 2);
+  REQUIRE(sliding.regimes.spans.size() == 1);
+  CHECK(sliding.regimes.spans[0].from == 0.0);
+  CHECK(sliding.regimes.spans[0].to == 1.0);
+  CHECK(sliding.regimes.spans[0].status == 2);
 }
 
 TEST_CASE("a long result is thinned but keeps its ends and extremes") {
@@ -54,8 +54,15 @@ TEST_CASE("a long result is thinned but keeps its ends and extremes") {
   CHECK(std::find(data->rows.begin(), data->rows.end(), 99.0) != data->rows.end());
   const auto force = static_cast<std::size_t>(data->definitions[0].components[0]);
   CHECK(data->highest[force] == 99.0);
-  // Slip and stick that alternate faster than the picture resolves are one span.
-  CHECK(data->definitions[0].spans.size() == 1);
+  CHECK(data->thinned());
+  CHECK(data->rows_in_all == 20001);
+  // Slip and stick that alternate faster than the picture resolves are one span, which says so.
+  const RegimeHistory& regimes = data->definitions[0].regimes;
+  REQUIRE(regimes.spans.size() == 1);
+  CHECK(regimes.spans[0].merged);
+  // Its length is not the time in slip: that is every other second from 5001 to 20000.
+  CHECK(regimes.slip_time == 7500.0);
+  CHECK(regimes.slip_begins == 7500);
 }
 
 TEST_CASE("a file without friction is refused") {

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <filesystem>
+#include <utility>
 
+#include "tests/driver/history/temporary_folder.hpp"
 #include "tests/driver/suite/outcomes_for_test.hpp"
 
 namespace slipbench::driver {
@@ -26,6 +29,17 @@ TEST_CASE("no name or message can end an annotation or begin a command of its ow
   CHECK(lines(text) == 1);
 }
 
+TEST_CASE("what a log cannot show is replaced in an annotation") {
+  const std::string bad = "\xEF\xBF\xBD";
+  CHECK(annotation("error", "a\xFF.yaml", {}, "t\x1B[31m", "m\x01\tn\x7F") ==
+        "::error file=a" + bad + ".yaml,title=t" + bad + "[31m::m" + bad + " n" + bad + "\n");
+}
+
+TEST_CASE("no name in a log is taken for a command of the old form") {
+  CHECK(without_commands("FAIL  ##[error]x ###[") == "FAIL  # #[error]x ## #[");
+  CHECK(without_commands("# [1] ## 3") == "# [1] ## 3");
+}
+
 TEST_CASE("failed checks and cases not run are errors, doubts are warnings") {
   Annotations all("");
   CheckOutcome doubtful = passed_check("limit");
@@ -46,6 +60,19 @@ TEST_CASE("files are named from the root of the repository, if they are below it
   Annotations outside("/repo");
   outside.add({"/other/c.yaml", "c"}, outcome_of(failed_check("pull", "off")));
   CHECK(outside.text().find("::error file=/other/c.yaml,") == 0);
+}
+
+TEST_CASE("a repository that is reached through a link has the same files") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() / "repo/cases");
+  std::filesystem::create_directory_symlink("repo", folder.path() / "link");
+  const std::string base = folder.path().string();
+  for (const auto& [root, file] : {std::pair(base + "/link", base + "/repo/cases/c.yaml"),
+                                   std::pair(base + "/repo/", base + "/link/cases/c.yaml")}) {
+    Annotations all(root);
+    all.add({file, "c"}, outcome_of(failed_check("pull", "off")));
+    CHECK(all.text().find("::error file=cases/c.yaml,") == 0);
+  }
 }
 
 TEST_CASE("no more annotations are written than are shown") {

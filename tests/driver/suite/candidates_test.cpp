@@ -19,15 +19,17 @@ std::vector<std::string> labels(const Candidates& found) {
   return all;
 }
 
-TEST_CASE("a folder's cases come in the order of their labels, without bad and hidden folders") {
+TEST_CASE("a folder's cases come in the order of their labels, without bad folders and what is hidden") {
   const TemporaryFolder folder;
   for (const char* sub : {"b", "b/deep", "a", "bad", ".hidden", "a/bad"}) {
     fs::create_directory(folder.path() / sub);
   }
   for (const char* name : {"b/deep/two.yaml", "b/one.yaml", "a/z.yaml", "bad/x.yaml",
-                           ".hidden/x.yaml", "a/bad/x.yaml", "a/notes.txt", "top.yaml"}) {
+                           ".hidden/x.yaml", "a/bad/x.yaml", "a/notes.txt", "top.yaml", "._top.yaml"}) {
     folder.write(name, "");
   }
+  // The lock of an editor, beside the case that is being edited.
+  fs::create_symlink("user@machine.1234", folder.path() / ".#top.yaml");
   const Candidates found = find_candidates(std::vector{folder.path().string()});
   CHECK(labels(found) == std::vector<std::string>{"a/z", "b/deep/two", "b/one", "top"});
   CHECK(found.cases[0].path == (folder.path() / "a/z.yaml").string());
@@ -50,6 +52,26 @@ TEST_CASE("with several paths the labels keep them, and no case comes twice") {
   const std::string a = (folder.path() / "a").string();
   const Candidates found = find_candidates(std::vector{a + "/two.yaml", a, a + "/../a/one.yaml"});
   CHECK(labels(found) == std::vector{a + "/two", a + "/one"});
+}
+
+TEST_CASE("a link to a case is a case, whether one path is named or several") {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path() / "d");
+  fs::create_directory(folder.path() / "o");
+  fs::create_directory_symlink("d", folder.path() / "same");
+  folder.write("d/a.yaml", "");
+  fs::create_symlink("a.yaml", folder.path() / "d/link.yaml");
+  const std::string d = (folder.path() / "d").string();
+  const std::string o = (folder.path() / "o").string();
+  CHECK(labels(find_candidates(std::vector{d})) == std::vector<std::string>{"a", "link"});
+  CHECK(labels(find_candidates(std::vector{d, o})) == std::vector{d + "/a", d + "/link"});
+  const std::string same = (folder.path() / "same").string();
+  CHECK(labels(find_candidates(std::vector{d, same})) == std::vector{d + "/a", d + "/link"});
+}
+
+TEST_CASE("two files that differ in their endings have two labels") {
+  const std::vector<std::string> paths = {"x/../block.yaml", "block.txt"};
+  CHECK(labels(find_candidates(paths)) == std::vector<std::string>{"block", "block.txt"});
 }
 
 TEST_CASE("a link to nowhere is a case that cannot be read, not one that is overlooked") {

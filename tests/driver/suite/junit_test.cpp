@@ -11,13 +11,13 @@ namespace {
 
 TEST_CASE("each folder is a suite, each check a test, and the counts and times add up") {
   JunitReport report;
-  report.add({"a/belt.yaml", "a/belt"},
+  report.add(0, {"a/belt.yaml", "a/belt"},
              outcome_of(passed_check("limit"), failed_check("pull", "CSF2 off by 3.1 N")));
-  report.add({"top.yaml", "top"}, outcome_of());
-  report.add({"a/broken.yaml", "a/broken"}, outcome_not_run(kExitBadInput, "unknown key"));
+  report.add(1, {"top.yaml", "top"}, outcome_of());
+  report.add(2, {"a/broken.yaml", "a/broken"}, outcome_not_run(kExitBadInput, "unknown key"));
   CHECK(report.text() == R"(<?xml version="1.0" encoding="UTF-8"?>
-<testsuites name="slipbench" tests="4" failures="1" errors="1" skipped="1" time="1.250000">
-  <testsuite name="a" tests="3" failures="1" errors="1" skipped="0" time="0.750000">
+<testsuites name="slipbench" tests="4" failures="1" errors="1" time="1.250000">
+  <testsuite name="a" tests="3" failures="1" errors="1" time="0.750000" skipped="0">
     <testcase classname="a/belt" name="limit" time="0.250000"/>
     <testcase classname="a/belt" name="pull" time="0.250000">
       <failure type="check failed" message="CSF2 off by 3.1 N">check 'pull': CSF2 off by 3.1 N</failure>
@@ -27,7 +27,7 @@ TEST_CASE("each folder is a suite, each check a test, and the counts and times a
 </error>
     </testcase>
   </testsuite>
-  <testsuite name="." tests="1" failures="0" errors="0" skipped="1" time="0.500000">
+  <testsuite name="." tests="1" failures="0" errors="0" time="0.500000" skipped="1">
     <testcase classname="top" name="case" time="0.500000">
       <skipped message="the case has no checks"/>
     </testcase>
@@ -40,15 +40,31 @@ TEST_CASE("doubts about a check that passed are in its output") {
   CheckOutcome doubtful = passed_check("limit");
   doubtful.verdict.warnings = {"the tolerance is 1e6 times the deviation"};
   JunitReport report;
-  report.add({"a.yaml", "a"}, outcome_of(doubtful));
+  report.add(0, {"a.yaml", "a"}, outcome_of(doubtful));
   CHECK(report.text().find("      <system-out>warning: the tolerance is 1e6 times the deviation\n"
                            "</system-out>\n") != std::string::npos);
+}
+
+TEST_CASE("the order is that of the suite, in whatever order its cases were run") {
+  const std::vector<Candidate> cases = {{"b/x.yaml", "b/x"}, {"a/x.yaml", "a/x"}, {"b/y.yaml", "b/y"}};
+  const auto text = [&](const std::vector<std::size_t>& order) {
+    JunitReport report;
+    for (const std::size_t i : order) report.add(i, cases[i], outcome_of(passed_check("limit")));
+    return report.text();
+  };
+  CHECK(text({2, 1, 0}) == text({0, 1, 2}));
+}
+
+TEST_CASE("every suite has a name, that of the root of the file system, too") {
+  JunitReport report;
+  report.add(0, {"/x.yaml", "/x"}, outcome_of());
+  CHECK(report.text().find("<testsuite name=\"/\" ") != std::string::npos);
 }
 
 TEST_CASE("an empty suite is a report all the same") {
   CHECK(JunitReport().text() ==
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"slipbench\" tests=\"0\" "
-        "failures=\"0\" errors=\"0\" skipped=\"0\" time=\"0.000000\">\n</testsuites>\n");
+        "failures=\"0\" errors=\"0\" time=\"0.000000\">\n</testsuites>\n");
 }
 
 TEST_CASE("markup and line ends are escaped where they would be misread") {

@@ -3,46 +3,22 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <cstdlib>
 
 #include "tests/driver/history/temporary_folder.hpp"
+#include "tests/driver/suite/environment_for_test.hpp"
 
 namespace slipbench::driver {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// An environment variable with another value, for one test.
-class Environment {
- public:
-  Environment(const char* name, const std::string& value) : name_(name) {
-    if (const char* before = std::getenv(name)) before_ = before;
-    ::setenv(name, value.c_str(), 1);
-  }
-  ~Environment() {
-    if (before_) {
-      ::setenv(name_, before_->c_str(), 1);
-    } else {
-      ::unsetenv(name_);
-    }
-  }
-  Environment(const Environment&) = delete;
-  Environment& operator=(const Environment&) = delete;
-
- private:
-  const char* name_;
-  std::optional<std::string> before_;
-};
-
 const std::vector<std::string> kSuite = {"suite"};
 const std::vector<Candidate> kCases = {
     {"suite/a.yaml", "a"}, {"suite/b.yaml", "b"}, {"suite/c.yaml", "c"}, {"suite/d.yaml", "d"}};
 
-std::string order_of(const LastFailed& memory) {
-  std::vector<Candidate> cases = kCases;
-  memory.order(cases);
+std::string order_of(LastFailed memory) {
   std::string text;
-  for (const Candidate& candidate : cases) text += candidate.label;
+  for (const std::size_t i : memory.order(kCases)) text += kCases[i].label;
   return text;
 }
 
@@ -71,6 +47,39 @@ TEST_CASE("the cases that did not pass last time come first, both kinds in their
     CHECK(order_of(LastFailed(std::vector<std::string>{"suite", "other"})) == "abcd");
     CHECK(order_of(LastFailed(std::vector<std::string>{"./other/../suite"})) == "bdac");
   }
+}
+
+TEST_CASE("a suite is the same however its folder is written") {
+  const TemporaryFolder folder;
+  const Environment environment("XDG_CACHE_HOME", (folder.path() / "cache").string());
+  fs::create_directories(folder.path() / "suite");
+  fs::create_directory_symlink("suite", folder.path() / "link");
+  const std::string suite = (folder.path() / "suite").string();
+  LastFailed memory(std::vector{suite});
+  memory.note({suite + "/b.yaml", "b"}, false);
+  memory.write(std::vector<Candidate>{{suite + "/a.yaml", "a"}, {suite + "/b.yaml", "b"}});
+  for (const std::string& name :
+       {suite + "/", suite + "/.", suite + "//", suite + "/../suite", suite + "/../link/"}) {
+    INFO(name);
+    LastFailed again(std::vector{name});
+    const std::vector<Candidate> cases = {{name + "/a.yaml", "a"}, {name + "/b.yaml", "b"}};
+    CHECK(again.order(cases) == std::vector<std::size_t>{1, 0});
+  }
+}
+
+TEST_CASE("a suite that never failed leaves no trace, and one that passes again is forgotten") {
+  const TemporaryFolder cache;
+  const Environment environment("XDG_CACHE_HOME", cache.path().string());
+  LastFailed memory(kSuite);
+  memory.note(kCases[0], true);
+  memory.write(kCases);
+  CHECK(fs::is_empty(cache.path()));
+  memory.note(kCases[1], false);
+  memory.write(kCases);
+  LastFailed second(kSuite);
+  second.note(kCases[1], true);
+  second.write(kCases);
+  CHECK(order_of(LastFailed(kSuite)) == "abcd");
 }
 
 TEST_CASE("a cache that cannot be used is a suite without memory") {

@@ -12,8 +12,9 @@ namespace {
 TEST_CASE("the JSON of a suite has a line for each case, and the totals") {
   SuiteJson suite;
   SuiteTotals totals;
+  std::size_t place = 0;
   const auto add = [&](const Candidate& candidate, const CaseOutcome& outcome) {
-    suite.add(candidate, outcome);
+    suite.add(place++, candidate, outcome);
     totals.add(outcome);
   };
   add({"a/b\".yaml", "a/b\""}, outcome_of());
@@ -33,6 +34,16 @@ TEST_CASE("the JSON of a suite has a line for each case, and the totals") {
 ], "totals": {"cases": 3, "passed": 0, "failed": 1, "no_checks": 1, "not_run": 1, "checks": 2, )"
                        R"("failed_checks": 1, "exit_code": 3}}
 )"));
+}
+
+TEST_CASE("the cases stand in the order of the suite, in whatever order they were run") {
+  const std::vector<Candidate> cases = {{"a.yaml", "a"}, {"b.yaml", "b"}, {"c.yaml", "c"}};
+  const auto text = [&](const std::vector<std::size_t>& order) {
+    SuiteJson suite;
+    for (const std::size_t i : order) suite.add(i, cases[i], outcome_of(passed_check("limit")));
+    return suite.text({});
+  };
+  CHECK(text({2, 0, 1}) == text({0, 1, 2}));
 }
 
 }  // namespace

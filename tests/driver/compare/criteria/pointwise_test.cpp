@@ -28,7 +28,6 @@ TEST_CASE("the result is interpolated at the rows of the reference") {
   CHECK(found.points[1].abscissa == 1.5);
   CHECK(found.points[1].value == Approx(5.0));
   CHECK(found.points[1].reference == 4.0);
-  CHECK(scale_of(found.points) == 1.0);
 }
 
 TEST_CASE("only the common range is compared, its ends included in spite of rounding") {
@@ -104,14 +103,73 @@ TEST_CASE("a jump at the same instant does not fail by the side that is taken") 
   CHECK(largest(compare_points(result, later)) == 20.0);
 }
 
-TEST_CASE("curves of the same rows are compared row by row, even in a dwell") {
+TEST_CASE("the very rows of a result are compared row by row, even in a dwell") {
   const Series result{{0, 1, 1, 1}, {0, 0, 10, 20}, {0, 1, 2, 3}};
-  const Series reference{{0, 1, 1, 1}, {0, 20, 10, 0}, {}};
+  const Series reference{{0, 1, 1, 1}, {0, 20, 10, 0}, {0, 1, 2, 3}};
   const PointwiseComparison found = compare_points(result, reference);
   REQUIRE(found.points.size() == 4);
   CHECK(found.points[1].value == 0.0);
   CHECK(largest(found) == 20.0);
   CHECK(found.points[2].time == 2.0);
+}
+
+TEST_CASE("a dwell is judged alike whether the abscissas of the curves are identical or not") {
+  const Series result{{0, 1, 1, 1, 2}, {0, 0, 10, 20, 20}, {0, 1, 2, 3, 4}};
+  // Half an increment late in the dwell: all of its values were taken by the result, too.
+  Series reference{{0, 1, 1, 1, 2}, {0, 5, 15, 20, 20}, {}};
+  CHECK(largest(compare_points(result, reference)) == 0.0);
+  reference.abscissa = {0, 1, 1, 1, 1.5};
+  CHECK(largest(compare_points(result, reference)) == 0.0);
+  reference.value = {0, -1, 15, 20, 20};
+  CHECK(largest(compare_points(result, reference)) == 1.0);
+  // Where no two rows share a place, rows belong together whatever is known of the times.
+  const Series moving{{0, 1, 2}, {0, 3, 4}, {0, 1, 2}};
+  CHECK(compare_points(moving, {{0, 1, 2}, {0, 1, 4}, {}}).points[1].value == 3.0);
+}
+
+/// A force over the slip, which rests at 1 while the force reverses and at no other place; slip
+/// begins `late` there.
+Series reversal(double late, bool with_times) {
+  Series curve{{0.0, 0.5, 0.9, 1.0 + late, 1.0 + late, 1.0 + late, 1.3, 2.0},
+               {20, 20, 20, 20, 4, -17, -20, -20},
+               {}};
+  for (std::size_t i = 0; with_times && i < curve.size(); ++i) {
+    curve.time.push_back(static_cast<double>(i));
+  }
+  return curve;
+}
+
+TEST_CASE("where the abscissa rests depends on the increments, and fails nothing by itself") {
+  for (const double late : {1e-3, -1e-3, 0.05, -0.05}) {
+    CAPTURE(late);
+    CHECK(largest(compare_points(reversal(late, true), reversal(0.0, false))) == 0.0);
+  }
+  // Further away than an increment of either curve it is a jump at another place.
+  CHECK(largest(compare_points(reversal(0.25, true), reversal(-0.25, false))) > 20.0);
+  // What the result never had is not met.
+  Series higher = reversal(1e-3, false);
+  higher.value[3] = 23.0;
+  CHECK(largest(compare_points(reversal(0.0, true), higher)) == 3.0);
+  // A row that neither rests nor is next to the rest is compared where it is.
+  Series wrong = reversal(0.0, false);
+  wrong.value[1] = 3.0;
+  CHECK(largest(compare_points(reversal(1e-3, true), wrong)) == 17.0);
+}
+
+TEST_CASE("a reference of which only one row is met of several is a fault that counts them") {
+  const Series result = sampled({0, 1, 2, 5}, [](double x) { return x; });
+  const Series reference = sampled({0, 1000, 2000}, [](double x) { return x; });
+  CHECK(compare_points(result, reference).fault ==
+        "only 1 of the reference's 3 rows, at 0, lies in the common range, 0 to 5");
+  const Series two = sampled({0, 4, 1000}, [](double x) { return x; });
+  CHECK(compare_points(result, two).points.size() == 2);
+}
+
+TEST_CASE("a branch without a row in common tells where both curves are") {
+  const Series result = slider(zigzag({0, 0.099, -0.1, 0.1}, 20));
+  const Series corners{{0, 0.1, -0.1, 0.1}, {0, 20, -20, 20}, {}};
+  CHECK_THAT(compare_points(result, corners).fault,
+             Catch::Contains("it has rows between -0.1 and 0.1, the result goes from -0.1 to 0.099"));
 }
 
 TEST_CASE("the one measure of a pointwise comparison is its worst point") {

@@ -5,9 +5,9 @@
 #include <string>
 #include <utility>
 
-#include "driver/commands/plot_definition.hpp"
-#include "driver/commands/plot_input.hpp"
-#include "driver/commands/plot_kinds.hpp"
+#include "driver/plot/definition.hpp"
+#include "driver/plot/input.hpp"
+#include "driver/plot/kinds.hpp"
 #include "driver/text/tics.hpp"
 
 namespace slipbench::driver {
@@ -71,7 +71,7 @@ void tell_force_axis(PlotScript& script, const PlotData& data, const PlotDefinit
   const bool both_sides =
       definition.total >= 0 || data.lowest[static_cast<std::size_t>(main)] < 0.0;
   script.add("SHORT_LABEL",
-             axis_label(column.name.starts_with("CSM") ? "moment" : "force", {"", column.unit}));
+             axis_label(is_moment(data, definition) ? "moment" : "force", {"", column.unit}));
   script.add("FORCE_STEP", tic_step((both_sides ? 2.3 : 1.2) * top_of(data, definition), 4.0));
 }
 
@@ -93,7 +93,9 @@ void tell_state(PlotScript& script, const PlotData& data, const PlotDefinition& 
   const int force = definition.normal_force;
   script.add("NORMAL", force + 1);
   script.add("NORMAL_LABEL",
-             force < 0 ? "" : axis_label("normal force", {"", column_of(data, force).unit}));
+             force < 0 ? ""
+                       : axis_label(is_moment(data, definition) ? "normal moment" : "normal force",
+                                    {"", column_of(data, force).unit}));
   script.add("MU", definition.mu + 1);
   script.add("DISSIPATION", definition.dissipation + 1);
   script.add("STORED", definition.stored_energy + 1);

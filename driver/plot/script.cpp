@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "driver/commands/plot_script.hpp"
+#include "driver/plot/script.hpp"
 
 #include <fmt/format.h>
 

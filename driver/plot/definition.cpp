@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "driver/commands/plot_definition.hpp"
+#include "driver/plot/definition.hpp"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "driver/plot/numbers.hpp"
 #include "driver/text/format_number.hpp"
 #include "driver/text/tics.hpp"
 
@@ -22,6 +23,26 @@ std::array<double, 2> limit_axes(const PlotData& data, const PlotDefinition& def
   const double normal = magnitude_of(data, definition.normal_force);
   return {magnitude_of(data, definition.coefficients[0]) * normal,
           magnitude_of(data, definition.coefficients[1]) * normal};
+}
+
+/// Rows as gnuplot reads them.
+std::string rows_text(const PlotData& data, const std::vector<double>& rows) {
+  const std::size_t columns = data.columns.size();
+  std::vector<int> digits;
+  for (std::size_t k = 0; k < columns; ++k) {
+    digits.push_back(drawn_digits(data.lowest[k], data.highest[k]));
+  }
+  std::string text;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const std::size_t k = i % columns;
+    if (std::isnan(rows[i])) {
+      text += "NaN";
+    } else {
+      text += fmt::format("{:.{}g}", rows[i], digits[k]);
+    }
+    text += k + 1 < columns ? ' ' : '\n';
+  }
+  return text;
 }
 
 }  // namespace
@@ -41,6 +62,20 @@ const PlotColumn& column_of(const PlotData& data, int number) {
   return data.columns[static_cast<std::size_t>(number)];
 }
 
+std::string drawn_rows_note(const PlotData& data) {
+  if (!data.thinned()) return {};
+  const std::size_t count = drawn_definitions(data);
+  const auto cycled = static_cast<std::size_t>(std::count_if(
+      data.definitions.begin(), data.definitions.begin() + static_cast<std::ptrdiff_t>(count),
+      [](const PlotDefinition& definition) { return !definition.cycle.empty(); }));
+  std::string note =
+      fmt::format("loops: {} of {} rows, as points", data.row_count(), data.rows_in_all);
+  if (cycled == count) note += ", and all rows of the last full cycle";
+  if (cycled > 0 && cycled < count)
+    note += ", and all rows of a last full cycle where there is one";
+  return note;
+}
+
 double magnitude_of(const PlotData& data, int number) {
   if (number < 0) return 0.0;
   const auto k = static_cast<std::size_t>(number);
@@ -58,6 +93,12 @@ std::string axis_label(std::string_view what, const PlotColumn& column) {
   if (!column.name.empty()) text += " " + column.name;
   if (!column.unit.empty()) text += " [" + column.unit + "]";
   return text;
+}
+
+bool is_moment(const PlotData& data, const PlotDefinition& definition) {
+  return !definition.components.empty() &&
+         std::all_of(definition.components.begin(), definition.components.end(),
+                     [&](int force) { return column_of(data, force).name.starts_with("CSM"); });
 }
 
 std::string force_label(const PlotData& data, int force) {
@@ -98,30 +139,46 @@ double top_of(const PlotData& data, const PlotDefinition& definition) {
   return top > 0.0 && std::isfinite(top) ? top : 1.0;
 }
 
-void tell_rows(PlotScript& script, const PlotData& data) {
-  script.set("TIME_LABEL", axis_label("time", {"t", data.columns[0].unit}));
-  const double begin = data.lowest[0];
-  const double end = data.highest[0];
+void tell_time(PlotScript& script, const std::string& unit, double begin, double end) {
+  script.set("TIME_LABEL", axis_label("time", {"t", unit}));
+  script.set("TIME_FORMAT", tic_format(begin, end));
   script.set("BEGIN", begin);
   script.set("END_TIME", end > begin ? end : begin + 1.0);
+}
+
+int drawn_status(const RegimeSpan& span) {
+  if (!span.merged) return span.status;
+  return span.status == 2 ? 3 : 4;
+}
+
+void tell_rows(PlotScript& script, const PlotData& data) {
+  tell_time(script, data.columns[0].unit, data.lowest[0], data.highest[0]);
   // The first span is of no length and no definition: an empty block cannot be plotted.
   std::string spans = "0 0 0 0\n";
   for (std::size_t i = 0; i < drawn_definitions(data); ++i) {
-    for (const RegimeSpan& span : data.definitions[i].spans) {
-      spans += fmt::format("{} {} {} {}\n", i + 1, span.status, format_number(span.from),
+    for (const RegimeSpan& span : data.definitions[i].regimes.spans) {
+      spans += fmt::format("{} {} {} {}\n", i + 1, drawn_status(span), format_number(span.from),
                            format_number(span.to));
     }
   }
   script.block("SPANS", std::move(spans));
-  std::string rows;
-  const std::size_t columns = data.columns.size();
-  for (std::size_t r = 0; r < data.row_count(); ++r) {
-    for (std::size_t k = 0; k < columns; ++k) {
-      // Six digits are finer than any screen or page.
-      rows += fmt::format("{:.6g}{}", data.rows[r * columns + k], k + 1 < columns ? ' ' : '\n');
-    }
+  script.block("DATA", rows_text(data, data.rows));
+}
+
+void tell_cycles(PlotScript& script, const PlotData& data) {
+  std::string cycles;
+  for (std::size_t i = 0; i < drawn_definitions(data); ++i) {
+    const std::vector<double>& cycle = data.definitions[i].cycle;
+    script.add("CYCLED", cycle.empty() ? 0 : 1);
+    // A row that shows nothing: an index without rows would not count.
+    cycles += cycle.empty()
+                  ? rows_text(data, std::vector<double>(data.columns.size(), std::nan("")))
+                  : rows_text(data, cycle);
+    cycles += "\n\n";
   }
-  script.block("DATA", std::move(rows));
+  script.block("CYCLE", std::move(cycles));
+  script.set("THINNED", data.thinned() ? 1 : 0);
+  script.set("NOTE", drawn_rows_note(data));
 }
 
 void tell_force(PlotScript& script, const PlotData& data, const PlotDefinition& definition) {
@@ -139,7 +196,9 @@ void tell_force(PlotScript& script, const PlotData& data, const PlotDefinition& 
   script.add("FORCE", main + 1);
   script.add("FORCE_NAME", (total ? "total " : "") + column_of(data, main).name);
   script.add("FORCE_LABEL",
-             total ? axis_label("friction force", {"", unit}) : force_label(data, main));
+             total ? axis_label(is_moment(data, definition) ? "friction moment" : "friction force",
+                                {"", unit})
+                   : force_label(data, main));
   const bool negative = data.lowest[static_cast<std::size_t>(main)] < 0.0;
   script.add("SIGNED", negative || !beside.empty() ? 1 : 0);
   // A loop over no columns is an error in gnuplot; the force itself, twice, is not.
@@ -150,9 +209,13 @@ void tell_force(PlotScript& script, const PlotData& data, const PlotDefinition& 
   script.add("TOP", top_of(data, definition));
   bool slips = false;
   bool opens = false;
-  for (const RegimeSpan& span : definition.spans) (span.status == 2 ? slips : opens) = true;
+  bool turns = false;
+  for (const RegimeSpan& span : definition.regimes.spans) {
+    (span.merged ? turns : span.status == 2 ? slips : opens) = true;
+  }
   script.add("SLIPS", slips ? 1 : 0);
   script.add("OPENS", opens ? 1 : 0);
+  script.add("TURNS", turns ? 1 : 0);
 }
 
 void tell_limit_ellipse(PlotScript& script, const PlotData& data, const PlotDefinition& definition,

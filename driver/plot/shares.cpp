@@ -8,10 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "driver/commands/plot_definition.hpp"
-#include "driver/commands/plot_input.hpp"
-#include "driver/commands/plot_kinds.hpp"
 #include "driver/connector_increment.hpp"
+#include "driver/plot/definition.hpp"
+#include "driver/plot/input.hpp"
+#include "driver/plot/kinds.hpp"
+#include "driver/plot/numbers.hpp"
 #include "driver/results/columns.hpp"
 #include "driver/results/normal_shares.hpp"
 #include "driver/results/thinning.hpp"
@@ -49,9 +50,9 @@ void append_edges(std::string& text, std::span<const double> shares) {
   double down = 0.0;
   for (const double share : shares) {
     double& end = share < 0.0 ? down : up;
-    text += fmt::format(" {:.6g}", end);
+    text += fmt::format(" {:.9g}", end);
     end += share;
-    text += fmt::format(" {:.6g}", end);
+    text += fmt::format(" {:.9g}", end);
   }
 }
 
@@ -103,6 +104,7 @@ void tell(PlotScript& script, const Case& problem, std::size_t definition, const
   double low = 0.0;
   double high = 0.0;
   std::vector<bool> used(names.size());
+  const int time_digits = drawn_digits(rows.front(), rows[rows.size() - table.columns()]);
   for (std::size_t at = 0; at < rows.size(); at += table.columns()) {
     const std::span<const double> shares(rows.data() + at + first, names.size());
     const double normal = rows[at + first + names.size()];
@@ -114,7 +116,7 @@ void tell(PlotScript& script, const Case& problem, std::size_t definition, const
     }
     low = std::min(low, down);
     high = std::max({high, up, normal});
-    text += fmt::format("{:.8g} {:.6g}", rows[at], normal);
+    text += fmt::format("{:.{}g} {:.9g}", rows[at], time_digits, normal);
     append_edges(text, shares);
     text += '\n';
   }
@@ -162,9 +164,7 @@ tl::expected<void, PlotFailure> draw_shares(const PlotOptions& options,
   const double begin = rows.front();
   const double end = rows[rows.size() - table.columns()];
   script.set("DEFINITIONS", static_cast<int>(count));
-  script.set("TIME_LABEL", axis_label("time", {"t", problem->units.time}));
-  script.set("BEGIN", begin);
-  script.set("END_TIME", end > begin ? end : begin + 1.0);
+  tell_time(script, problem->units.time, begin, end);
   std::size_t first = 1;
   for (std::size_t d = 0; d < count; ++d) {
     tell(script, *problem, d, table, rows, first);

@@ -4,17 +4,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "driver/commands/plot_definition.hpp"
-#include "driver/commands/plot_input.hpp"
-#include "driver/commands/plot_kinds.hpp"
 #include "driver/commands/shared.hpp"
 #include "driver/compare/check.hpp"
 #include "driver/compare/criteria/pointwise.hpp"
+#include "driver/plot/definition.hpp"
+#include "driver/plot/input.hpp"
+#include "driver/plot/kinds.hpp"
+#include "driver/plot/numbers.hpp"
+#include "driver/plot/text_lines.hpp"
 #include "driver/results/thinning.hpp"
 #include "driver/text/tics.hpp"
 
@@ -25,21 +28,10 @@ constexpr std::size_t kMostPanels = 12;
 constexpr std::size_t kRows = 2000;
 /// Residuals below this part of the tolerance are drawn at their own size.
 constexpr double kTooSmall = 0.02;
-constexpr std::size_t kLineLength = 74;
-
-/// A sentence in at most two lines of a panel's width. Texts of a script have no line feeds: a '|'
-/// says where the second one begins.
-std::string in_two_lines(const std::string& text) {
-  if (text.size() <= kLineLength) return text;
-  const std::size_t space = text.rfind(' ', kLineLength);
-  const std::size_t end = space == std::string::npos ? kLineLength : space;
-  std::string rest = text.substr(end + (space == std::string::npos ? 0 : 1));
-  if (rest.size() > kLineLength) {
-    const std::size_t last = rest.rfind(' ', kLineLength - 4);
-    if (last != std::string::npos) rest = rest.substr(0, last) + " ...";
-  }
-  return text.substr(0, end) + "|" + rest;
-}
+/// Letters that fit into a line of a panel, of its heading and of the text below it; as many again
+/// if there is one panel only.
+constexpr std::size_t kHeadingLength = 52;
+constexpr std::size_t kTextLength = 74;
 
 struct Judged {
   const Check* check = nullptr;
@@ -49,6 +41,8 @@ struct Judged {
 
 class Panels {
  public:
+  explicit Panels(std::size_t in_a_row) : in_a_row_(in_a_row) {}
+
   void add(const Judged& judged) {
     const Verdict& verdict = judged.verdict;
     const bool pointwise = verdict.criterion == Criterion::kPointwise;
@@ -56,10 +50,14 @@ class Panels {
     const double tube = pointwise ? judged.trace.tube : 0.0;
     double worst = 0.0;
     RowThinner thinner(2, kRows);
+    double from = std::numeric_limits<double>::infinity();
+    double to = -from;
     const CurvePoint* at = nullptr;
     for (const CurvePoint& point : compared.points) {
       const double residual = point.value - point.reference;
       thinner.add(std::array{point.abscissa, residual});
+      from = std::min(from, point.abscissa);
+      to = std::max(to, point.abscissa);
       if (at == nullptr || std::abs(residual) > worst) {
         worst = std::abs(residual);
         at = &point;
@@ -67,13 +65,13 @@ class Panels {
     }
     const std::vector<double> rows = thinner.rows();
     for (std::size_t r = 0; r + 1 < rows.size(); r += 2) {
-      points_ += fmt::format("{:.8g} {:.6g} {}\n", rows[r], rows[r + 1],
+      points_ += fmt::format("{:.{}g} {:.6g} {}\n", rows[r], drawn_digits(from, to), rows[r + 1],
                              tube > 0.0 && std::abs(rows[r + 1]) > tube ? 1 : 0);
     }
     points_ += rows.empty() ? "NaN NaN 0\n\n\n" : "\n\n";
     script_.add("POINTS", static_cast<int>(rows.size() / 2));
-    script_.add("NAME", (verdict.passed ? "PASS  " : "FAIL  ") + verdict.name);
-    script_.add("SAYS", in_two_lines(says(judged, compared.fault)));
+    tell_lines("NAME", (verdict.passed ? "PASS  " : "FAIL  ") + verdict.name, kHeadingLength);
+    tell_lines("SAYS", says(judged, compared.fault), kTextLength);
     script_.add("LABEL", axis_label("residual", {"", verdict.unit}));
     script_.add(
         "ABSCISSA",
@@ -90,20 +88,16 @@ class Panels {
     script_.add("WIDE", small ? 1 : 0);
     script_.add("WORST_AT", at == nullptr ? std::nan("") : at->abscissa);
     script_.add("WORST", at == nullptr ? std::nan("") : at->value - at->reference);
-    double from = 0.0;
-    double to = 1.0;
-    if (!compared.points.empty()) {
-      const auto [first, last] = std::minmax_element(
-          compared.points.begin(), compared.points.end(),
-          [](const CurvePoint& a, const CurvePoint& b) { return a.abscissa < b.abscissa; });
-      from = first->abscissa;
-      to = last->abscissa;
+    if (compared.points.empty()) {
+      from = 0.0;
+      to = 1.0;
     }
     if (!(to > from)) {
       const double half = from == 0.0 ? 0.5 : 0.5 * std::abs(from);
       from -= half;
       to = from + 2.0 * half;
     }
+    script_.add("FORMAT", tic_format(from, to));
     script_.add("FROM", from - 0.02 * (to - from));
     script_.add("TO", to + 0.02 * (to - from));
     script_.add("STEP", tic_step(to - from, 5.0));
@@ -128,7 +122,16 @@ class Panels {
     return text;
   }
 
+  /// The lines of a text, two at most, as the entries NAME_1 and NAME_2.
+  void tell_lines(const std::string& name, const std::string& text, std::size_t length) {
+    std::vector<std::string> lines = lines_of_length(text, in_a_row_ == 1 ? 2 * length : length, 2);
+    lines.resize(2);
+    script_.add(name + "_1", lines[0]);
+    script_.add(name + "_2", lines[1]);
+  }
+
   PlotScript script_;
+  std::size_t in_a_row_;
   int count_ = 0;
   std::string points_;
 };
@@ -160,13 +163,13 @@ tl::expected<void, PlotFailure> draw_residuals(const PlotOptions& options,
   }
   std::stable_partition(all.begin(), all.end(),
                         [](const Judged& one) { return !one.verdict.passed; });
-  Panels panels;
   const std::size_t count = std::min(kMostPanels, all.size());
+  Panels panels(count > 1 ? 2 : 1);
   for (std::size_t i = 0; i < count; ++i) panels.add(all[i]);
   std::string title = picture_title(*problem);
   if (count < all.size()) title += fmt::format(" ({} of {} checks)", count, all.size());
   const std::size_t in_columns = count > 1 ? (count + 1) / 2 : 1;
-  return draw(panels.finish(), title, 60 + (count > 1 ? 320 : 440) * in_columns, *begun);
+  return draw(panels.finish(), title, 60 + (count > 1 ? 345 : 460) * in_columns, *begun);
 }
 
 }  // namespace slipbench::driver

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <tl/expected.hpp>
 
-#include "driver/commands/gnuplot.hpp"
-#include "driver/commands/plot.hpp"
+#include "driver/plot/gnuplot.hpp"
+#include "driver/plot/options.hpp"
 
 namespace slipbench::driver {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "driver/commands/plot_input.hpp"
+#include "driver/plot/input.hpp"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,9 @@
 #include <utility>
 
 #include "driver/commands/shared.hpp"
+#include "driver/plot/case_regimes.hpp"
+#include "driver/plot/full_cycle.hpp"
+#include "driver/plot/result_regimes.hpp"
 #include "driver/results/csv_writer.hpp"
 #include "driver/results/output_file.hpp"
 #include "driver/results/provenance.hpp"
@@ -15,22 +18,27 @@ namespace slipbench::driver {
 namespace fs = std::filesystem;
 namespace {
 
-/// Runs a case and writes its rows to `rows`; the title of the picture.
-tl::expected<std::string, PlotFailure> write_rows(const PlotOptions& options,
-                                                  const fs::path& picture,
-                                                  std::optional<OutputFile>& rows) {
-  const auto read = read_for_plot(options);
-  if (!read) return tl::unexpected(read.error());
-  const Case& problem = *read;
+/// Runs a case and writes its rows to `rows`.
+tl::expected<void, PlotFailure> write_rows(const Case& problem, const fs::path& picture,
+                                           std::optional<OutputFile>& rows, CaseRegimes& regimes) {
   auto created = OutputFile::create(fs::path(picture).concat(".rows"), input_files(problem));
   if (!created) return failed(kExitEnvironment, created.error());
   rows.emplace(std::move(*created));
   CsvWriter writer(problem, result_columns(problem), *rows);
-  auto ended = follow_for_plot(
-      problem, [&](const Simulation& simulation) { writer.write(simulation.row()); });
-  if (!ended) return tl::unexpected(std::move(ended.error()));
+  auto ended = follow_for_plot(problem, [&](const Simulation& simulation) {
+    writer.write(simulation.row());
+    regimes.add(simulation.row());
+  });
+  if (!ended) return ended;
   if (auto closed = rows->close(); !closed) return failed(kExitEnvironment, closed.error());
-  return picture_title(problem);
+  return {};
+}
+
+tl::unexpected<PlotFailure> unreadable(const PlotOptions& options, const HistoryError& error) {
+  const bool input = error.kind == HistoryError::Kind::kInput;
+  const std::string line = error.line > 0 ? fmt::format(":{}", error.line) : "";
+  return failed(input ? kExitBadInput : kExitEnvironment,
+                fmt::format("{}{}: {}", options.input, line, error.message));
 }
 
 }  // namespace
@@ -70,25 +78,35 @@ std::string picture_title(const Case& problem) {
 }
 
 tl::expected<PlotData, PlotFailure> result_for_plot(const PlotOptions& options,
-                                                    const fs::path& picture, PlotDetail detail) {
+                                                    const fs::path& picture, PlotDetail detail,
+                                                    FullCycles cycles) {
   fs::path result = options.input;
   std::optional<OutputFile> rows;
-  std::string title;
+  std::optional<Case> problem;
+  std::optional<CaseRegimes> regimes;
   if (!is_result(options)) {
-    auto ran = write_rows(options, picture, rows);
-    if (!ran) return tl::unexpected(std::move(ran.error()));
-    title = *ran;
+    auto read = read_for_plot(options);
+    if (!read) return tl::unexpected(std::move(read.error()));
+    problem.emplace(std::move(*read));
+    regimes.emplace(*problem);
+    if (auto written = write_rows(*problem, picture, rows, *regimes); !written) {
+      return tl::unexpected(std::move(written.error()));
+    }
     result = rows->temporary();
   }
   auto data = read_plot_data(result, options.input, kDrawnRows, detail);
-  if (!data) {
-    const HistoryError& error = data.error();
-    const bool input = error.kind == HistoryError::Kind::kInput;
-    const std::string line = error.line > 0 ? fmt::format(":{}", error.line) : "";
-    return failed(input ? kExitBadInput : kExitEnvironment,
-                  fmt::format("{}{}: {}", options.input, line, error.message));
+  if (!data) return unreadable(options, data.error());
+  if (regimes) {
+    regimes->finish(*data);
+  } else {
+    take_events_beside(result, *data);
   }
-  if (!title.empty()) data->title = title;
+  if (cycles == FullCycles::kYes) {
+    if (auto added = add_full_cycles(*data, result, options.input); !added) {
+      return unreadable(options, added.error());
+    }
+  }
+  if (problem) data->title = picture_title(*problem);
   if (data->title.empty()) data->title = result.stem().string();
   return std::move(*data);
 }

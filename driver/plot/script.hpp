@@ -9,7 +9,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "driver/commands/gnuplot.hpp"
+#include "driver/plot/gnuplot.hpp"
 #include "driver/results/output_file.hpp"
 
 namespace slipbench::driver {

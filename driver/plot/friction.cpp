@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <string>
 
-#include "driver/commands/plot_definition.hpp"
-#include "driver/commands/plot_input.hpp"
-#include "driver/commands/plot_kinds.hpp"
+#include "driver/plot/definition.hpp"
+#include "driver/plot/input.hpp"
+#include "driver/plot/kinds.hpp"
+#include "driver/plot/numbers.hpp"
 #include "driver/text/tics.hpp"
 
 namespace slipbench::driver {
@@ -29,6 +30,10 @@ void tell_loop(PlotScript& script, const PlotData& data, const PlotDefinition& d
     script.add("FORCE_" + letter + "_LABEL", force_label(data, force));
     script.add("MOTION_" + letter, position + 1);
     script.add("MOTION_" + letter + "_LABEL", motion_label(data, position));
+    script.add("MOTION_" + letter + "_FORMAT", tic_format(data.lowest[p], data.highest[p]));
+    script.add("MOVES_" + letter, moves(data, position) ? 1 : 0);
+    script.add("PLACE_" + letter, data.lowest[p]);
+    script.add("STILL_" + letter, !moves(data, position) && !moves(data, force) ? 1 : 0);
     script.add("MOTION_" + letter + "_STEP", tic_step(data.highest[p] - data.lowest[p], parts));
   };
   axis("X", shown);
@@ -41,12 +46,13 @@ tl::expected<void, PlotFailure> draw_friction(const PlotOptions& options,
                                               const std::filesystem::path& picture) {
   auto begun = begin_picture(picture, options.input, "friction.gp");
   if (!begun) return tl::unexpected(std::move(begun.error()));
-  const auto data = result_for_plot(options, picture, PlotDetail::kForces);
+  const auto data = result_for_plot(options, picture, PlotDetail::kForces, FullCycles::kYes);
   if (!data) return tl::unexpected(data.error());
   PlotScript script;
   const std::size_t count = drawn_definitions(*data);
   script.set("DEFINITIONS", static_cast<int>(count));
   tell_rows(script, *data);
+  tell_cycles(script, *data);
   for (std::size_t i = 0; i < count; ++i) {
     tell_force(script, *data, data->definitions[i]);
     tell_loop(script, *data, data->definitions[i]);

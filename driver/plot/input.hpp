@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <tl/expected.hpp>
 
 #include "driver/case/case.hpp"
-#include "driver/commands/gnuplot.hpp"
-#include "driver/commands/plot.hpp"
+#include "driver/plot/gnuplot.hpp"
+#include "driver/plot/options.hpp"
 #include "driver/results/plot_data.hpp"
 #include "driver/simulation.hpp"
 
@@ -27,10 +28,15 @@ tl::expected<void, PlotFailure> follow_for_plot(const Case& problem,
 /// What a picture of a case is called: its title, or the file's stem.
 std::string picture_title(const Case& problem);
 
+/// Whether a picture needs the rows of the last full cycles (PlotDefinition::cycle).
+enum class FullCycles : std::uint8_t { kNo, kYes };
+
 /// The result that is drawn: the one given, or that of the case, which is run for it. Its title is
-/// never empty. Files that are needed meanwhile stand beside `picture`.
+/// never empty. Its regimes are those of the events, of a result without a file of events beside it
+/// those of its rows. Files that are needed meanwhile stand beside `picture`.
 tl::expected<PlotData, PlotFailure> result_for_plot(const PlotOptions& options,
                                                     const std::filesystem::path& picture,
-                                                    PlotDetail detail);
+                                                    PlotDetail detail,
+                                                    FullCycles cycles = FullCycles::kNo);
 
 }  // namespace slipbench::driver

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "driver/commands/plot_law.hpp"
+#include "driver/plot/law.hpp"
 
 #include <fmt/format.h>
 
@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "driver/commands/drawn_coefficients.hpp"
-#include "driver/commands/plot_definition.hpp"
-#include "driver/commands/plot_input.hpp"
-#include "driver/commands/plot_script.hpp"
+#include "driver/plot/definition.hpp"
+#include "driver/plot/drawn_coefficients.hpp"
+#include "driver/plot/input.hpp"
+#include "driver/plot/script.hpp"
 #include "driver/results/law_range.hpp"
 #include "driver/text/tics.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "driver/commands/drawn_coefficients.hpp"
+#include "driver/plot/drawn_coefficients.hpp"
 
 #include <algorithm>
 #include <string_view>

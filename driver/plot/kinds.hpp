@@ -5,12 +5,23 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <tl/expected.hpp>
+#include <vector>
 
-#include "driver/commands/gnuplot.hpp"
-#include "driver/commands/plot.hpp"
+#include "driver/plot/gnuplot.hpp"
+#include "driver/plot/options.hpp"
 
 namespace slipbench::driver {
+
+/// The pictures there are besides the one of friction.gp; each has a template of its name in
+/// plots/.
+std::vector<std::string> plot_kinds();
+
+/// The picture that the options ask for: one of plot_kinds(), friction.gp or the law's. Exit code 2
+/// if there is none of that name, or two are asked for.
+tl::expected<void, PlotFailure> draw_picture(const PlotOptions& options,
+                                             const std::filesystem::path& picture);
 
 /// Force over time and over motion (plots/friction.gp).
 tl::expected<void, PlotFailure> draw_friction(const PlotOptions& options,

@@ -2,67 +2,37 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "driver/commands/plot_definition.hpp"
-#include "driver/commands/plot_input.hpp"
-#include "driver/commands/plot_kinds.hpp"
-#include "driver/compare/branches.hpp"
-#include "driver/text/format_number.hpp"
+#include "driver/plot/definition.hpp"
+#include "driver/plot/input.hpp"
+#include "driver/plot/kinds.hpp"
+#include "driver/plot/numbers.hpp"
 #include "driver/text/tics.hpp"
 
 namespace slipbench::driver {
 namespace {
 
 constexpr std::size_t kMostLoops = 3;
-/// Turning points that differ by less, as a part of the motion's range, are one place.
-constexpr double kSamePlace = 1e-3;
-/// A cycle smaller than this part of the motion's range is what is left of a vibration.
-constexpr double kSmallestCycle = 0.02;
-
-std::vector<double> numbers_of(const PlotData& data, int column) {
-  std::vector<double> numbers;
-  const std::size_t columns = data.columns.size();
-  for (std::size_t r = 0; r < data.row_count(); ++r) {
-    numbers.push_back(data.rows[r * columns + static_cast<std::size_t>(column)]);
-  }
-  return numbers;
-}
-
-/// The rows from one turning point of a motion to the next but one, which is the same place: the
-/// last cycle that is complete.
-std::optional<std::pair<std::size_t, std::size_t>> last_cycle(const std::vector<double>& motion) {
-  const auto pieces = branches(motion);
-  if (pieces.size() < 3) return std::nullopt;
-  std::vector<std::size_t> turns;
-  for (const Branch& branch : pieces) turns.push_back(branch.last);
-  const auto [low, high] = std::minmax_element(motion.begin(), motion.end());
-  for (std::size_t i = turns.size(); i-- > 2;) {
-    const double width = std::abs(motion[turns[i]] - motion[turns[i - 1]]);
-    if (width < kSmallestCycle * (*high - *low)) continue;
-    if (std::abs(motion[turns[i]] - motion[turns[i - 2]]) <= kSamePlace * (*high - *low)) {
-      return std::pair{turns[i - 2], turns[i]};
-    }
-  }
-  return std::nullopt;
+/// What a column gains from the first of some rows to the last.
+double gain(const PlotData& data, const std::vector<double>& rows, int column) {
+  const auto k = static_cast<std::size_t>(column);
+  return rows[rows.size() - data.columns.size() + k] - rows[k];
 }
 
 /// "dissipated 27.4 J, 7.76 J in the last full cycle".
-std::string energy_text(const PlotData& data, int dissipation,
-                        const std::optional<std::pair<std::size_t, std::size_t>>& cycle) {
+std::string energy_text(const PlotData& data, const PlotDefinition& definition) {
+  const int dissipation = definition.dissipation;
   if (dissipation < 0) return {};
-  const std::vector<double> energy = numbers_of(data, dissipation);
   const std::string& unit = column_of(data, dissipation).unit;
   const auto with = [&](double value) {
     return fmt::format("{:.4g}{}{}", value, unit.empty() ? "" : " ", unit);
   };
-  std::string text = "dissipated " + with(energy.back() - energy.front());
-  if (cycle)
-    text += ", " + with(energy[cycle->second] - energy[cycle->first]) + " in the last full cycle";
+  std::string text = "dissipated " + with(gain(data, data.rows, dissipation));
+  if (!definition.cycle.empty()) {
+    text += ", " + with(gain(data, definition.cycle, dissipation)) + " in the last full cycle";
+  }
   return text;
 }
 
@@ -90,14 +60,7 @@ class Panels {
     const bool planar = translations.size() >= 2;
     script_.add("PLANAR", planar ? 1 : 0);
     script_.add("LOOPS", static_cast<int>(shown.size()));
-    std::optional<std::pair<std::size_t, std::size_t>> cycle;
-    for (const std::size_t k : shown) {
-      const int position = definition_.positions[k];
-      if (!cycle && position >= 0) cycle = last_cycle(numbers_of(data_, position));
-    }
-    script_.add("CYCLE_FROM", cycle ? static_cast<int>(cycle->first) : -1);
-    script_.add("CYCLE_TO", cycle ? static_cast<int>(cycle->second) : -1);
-    script_.add("ENERGY", energy_text(data_, definition_.dissipation, cycle));
+    script_.add("ENERGY", energy_text(data_, definition_));
     const double parts = shown.size() > 2 ? 3.0 : 5.0;
     for (std::size_t p = 0; p < kMostLoops; ++p)
       tell_loop(p < shown.size() ? shown[p] : 0, p, parts);
@@ -125,7 +88,10 @@ class Panels {
     script_.add("FORCE_" + number + "_LOW", low - 0.06 * tall);
     script_.add("FORCE_" + number + "_HIGH", high + 0.06 * tall);
     script_.add("FORCE_" + number + "_LIMIT", definition_.limit >= 0 && same_unit ? 1 : 0);
+    const bool still = !moves(data_, position) && !moves(data_, force);
+    script_.add("STILL_" + number, still ? 1 : 0);
     script_.add("MOTION_" + number, position + 1);
+    script_.add("MOTION_" + number + "_FORMAT", tic_format(data_.lowest[p], data_.highest[p]));
     script_.add("MOTION_" + number + "_LABEL", motion_label(data_, position));
     script_.add("MOTION_" + number + "_FROM", data_.lowest[p] - 0.04 * wide);
     script_.add("MOTION_" + number + "_TO", data_.highest[p] + 0.04 * wide);
@@ -143,12 +109,13 @@ tl::expected<void, PlotFailure> draw_hysteresis(const PlotOptions& options,
                                                 const std::filesystem::path& picture) {
   auto begun = begin_picture(picture, options.input, "hysteresis.gp");
   if (!begun) return tl::unexpected(std::move(begun.error()));
-  const auto data = result_for_plot(options, picture, PlotDetail::kState);
+  const auto data = result_for_plot(options, picture, PlotDetail::kState, FullCycles::kYes);
   if (!data) return tl::unexpected(data.error());
   PlotScript script;
   const std::size_t count = drawn_definitions(*data);
   script.set("DEFINITIONS", static_cast<int>(count));
   tell_rows(script, *data);
+  tell_cycles(script, *data);
   for (std::size_t i = 0; i < count; ++i) Panels(script, *data, data->definitions[i]).tell();
   return draw(script, drawn_title(*data), 60 + 460 * count, *begun);
 }

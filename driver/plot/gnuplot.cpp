@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "driver/commands/gnuplot.hpp"
+#include "driver/plot/gnuplot.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

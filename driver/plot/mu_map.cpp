@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "driver/case/quantity.hpp"
-#include "driver/commands/drawn_coefficients.hpp"
-#include "driver/commands/plot_definition.hpp"
-#include "driver/commands/plot_input.hpp"
-#include "driver/commands/plot_kinds.hpp"
+#include "driver/plot/definition.hpp"
+#include "driver/plot/drawn_coefficients.hpp"
+#include "driver/plot/input.hpp"
+#include "driver/plot/kinds.hpp"
 #include "driver/results/coverage.hpp"
 #include "driver/results/law_range.hpp"
 #include "driver/text/tics.hpp"
@@ -188,7 +188,7 @@ class Maps {
         put(coefficient.arguments[0], x * axes[0].factor, ambient, fields, slip);
         put(coefficient.arguments[1], y * axes[1].factor, ambient, fields, slip);
         const double mu = law::evaluate(coefficient.law, ambient, slip).mu;
-        map_ += fmt::format("{:.6g} {:.6g} {:.6g}\n", x, y, mu);
+        map_ += fmt::format("{:.9g} {:.9g} {:.6g}\n", x, y, mu);
         if (!std::isfinite(mu)) continue;
         low = any ? std::min(low, mu) : mu;
         high = any ? std::max(high, mu) : mu;
@@ -246,7 +246,7 @@ class Maps {
       }
       for (const double x : knots[0]) {
         for (const double y : knots[1]) {
-          points_ += fmt::format("{:.6g} {:.6g}\n", x / axes[0].factor, y / axes[1].factor);
+          points_ += fmt::format("{:.9g} {:.9g}\n", x / axes[0].factor, y / axes[1].factor);
           has_grid_ = true;
         }
       }
@@ -272,7 +272,7 @@ class Maps {
       }
       if (!inside || !drawn.insert(cell).second) continue;
       (state.status == 2 ? slips : sticks) = true;
-      states_ += fmt::format("{} {:.6g} {:.6g}\n", state.status, at[0], at[1]);
+      states_ += fmt::format("{} {:.9g} {:.9g}\n", state.status, at[0], at[1]);
     }
     states_ += "0 NaN NaN\n\n\n";
     script_.add("STICKS", sticks ? 1 : 0);

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// How finely numbers are told to gnuplot, and by it.
+#pragma once
+
+#include <string>
+
+namespace slipbench::driver {
+
+/// Significant digits that divide a range of numbers into parts finer than a picture can show, also
+/// where the range is small against the numbers themselves.
+int drawn_digits(double lowest, double highest);
+
+/// gnuplot's format of tics that divide a range: "% h", which has six digits, or one with as many
+/// digits as tell them apart.
+std::string tic_format(double lowest, double highest);
+
+}  // namespace slipbench::driver

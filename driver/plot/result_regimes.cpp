@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/plot/result_regimes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "driver/text/number.hpp"
+#include "driver/text/source_text.hpp"
+#include "driver/yaml/parse.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct EventLine {
+  double time = 0.0;
+  std::string definition;
+  int from = 1;
+  int to = 1;
+};
+
+std::optional<int> status_of(std::string_view regime) {
+  constexpr std::array<std::string_view, 3> kNames{"open", "stick", "slip"};
+  const auto found = std::find(kNames.begin(), kNames.end(), regime);
+  if (found == kNames.end()) return std::nullopt;
+  return static_cast<int>(found - kNames.begin());
+}
+
+/// Lines of a file that begin with '#', up to its header.
+std::set<std::string> comments_of(const fs::path& file) {
+  std::set<std::string> comments;
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line) && line.starts_with('#');) comments.insert(line);
+  return comments;
+}
+
+std::optional<EventLine> read_event(std::string_view line) {
+  std::array<std::string_view, 4> fields;
+  for (std::string_view& field : fields) {
+    const std::size_t end = line.find(',');
+    if (end == std::string_view::npos) return std::nullopt;
+    field = line.substr(0, end);
+    line.remove_prefix(end + 1);
+  }
+  const auto time = parse_number(fields[0]);
+  const auto from = status_of(fields[2]);
+  const auto to = status_of(fields[3]);
+  if (!time || !from || !to) return std::nullopt;
+  return EventLine{*time, std::string(fields[1]), *from, *to};
+}
+
+/// The regimes by a file of events; nothing if it is none, or of another run.
+std::optional<std::vector<RegimeHistory>> read_events(const fs::path& file, const fs::path& result,
+                                                      const PlotData& data) {
+  const std::set<std::string> known = comments_of(result);
+  std::ifstream in(file);
+  if (!in) return std::nullopt;
+  std::map<std::string, std::size_t, std::less<>> places;
+  for (std::size_t d = 0; d < data.definitions.size(); ++d) {
+    places.emplace(data.definitions[d].name, d);
+  }
+  const double start = data.lowest[0];
+  const double end = data.highest[0];
+  std::vector<RegimeRecorder> regimes(data.definitions.size());
+  std::vector<bool> begun(data.definitions.size());
+  bool header = false;
+  double before = start;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with('#')) {
+      if (!known.contains(line)) return std::nullopt;
+      continue;
+    }
+    if (!header) {
+      if (!line.starts_with("t,definition,from,to,")) return std::nullopt;
+      header = true;
+      continue;
+    }
+    const auto event = read_event(line);
+    if (!event || event->time < before || event->time > end) return std::nullopt;
+    before = event->time;
+    const auto place = places.find(event->definition);
+    if (place == places.end()) continue;  // one that has no column to be drawn
+    const std::size_t d = place->second;
+    if (!begun[d]) regimes[d].begin(event->from, start);
+    begun[d] = true;
+    regimes[d].change(event->to, event->time);
+  }
+  if (!header) return std::nullopt;
+  std::vector<RegimeHistory> histories;
+  for (std::size_t d = 0; d < regimes.size(); ++d) {
+    // Without an event it stays as it began, which its rows tell.
+    histories.push_back(begun[d] ? regimes[d].end(end) : data.definitions[d].regimes);
+  }
+  return histories;
+}
+
+/// Takes the sums of a summary whose count of slips is that of the events.
+void take_sums(const Node& summary, const std::string& name, RegimeHistory& history) {
+  const auto list = summary.find("definitions");
+  if (!list) return;
+  for (const Node node : list->items()) {
+    const auto number = [&](std::string_view key) -> std::optional<double> {
+      const auto member = node.find(key);
+      if (!member || !member->is_scalar()) return std::nullopt;
+      const auto value = parse_number(member->text());
+      return value ? std::optional(*value) : std::nullopt;
+    };
+    const auto own = node.find("name");
+    if (!own || !own->is_scalar() || own->text() != name) continue;
+    const auto slip = number("slip_time");
+    const auto open = number("open_time");
+    const auto begins = number("stick_slip_events");
+    const auto reversals = number("reversals");
+    if (!slip || !open || !begins || !reversals) return;
+    if (std::llround(*begins) != history.slip_begins) return;
+    history.slip_time = *slip;
+    history.open_time = *open;
+    history.reversals = std::llround(*reversals);
+  }
+}
+
+}  // namespace
+
+bool take_events_beside(const fs::path& result, PlotData& data) {
+  auto histories = read_events(fs::path(result).replace_extension(".events.csv"), result, data);
+  if (!histories) return false;
+  for (std::size_t d = 0; d < histories->size(); ++d) {
+    data.definitions[d].regimes = std::move((*histories)[d]);
+  }
+  // JSON is YAML; the reader of cases is strict and has its limits.
+  const auto source = read_source(fs::path(result).replace_extension(".json").string());
+  if (!source) return true;
+  const auto tree = parse_yaml(*source);
+  if (!tree) return true;
+  const auto summary = tree->root().find("summary");
+  if (!summary) return true;
+  for (PlotDefinition& definition : data.definitions) {
+    take_sums(*summary, definition.name, definition.regimes);
+  }
+  return true;
+}
+
+}  // namespace slipbench::driver

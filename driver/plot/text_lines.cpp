@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/plot/text_lines.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+constexpr std::string_view kGoesOn = " ...";
+
+bool begins_letter(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }
+
+/// Bytes of the first `letters` letters.
+std::size_t bytes_of(std::string_view text, std::size_t letters) {
+  std::size_t i = 0;
+  while (i < text.size()) {
+    if (begins_letter(text[i]) && letters-- == 0) break;
+    ++i;
+  }
+  return i;
+}
+
+/// The part of a text that a line of this length takes.
+std::string_view line_of(std::string_view text, std::size_t length) {
+  const std::size_t fits = bytes_of(text, length);
+  if (fits == text.size()) return text;
+  const std::size_t blank = text.rfind(' ', fits);
+  return text.substr(0, blank == std::string_view::npos || blank == 0 ? fits : blank);
+}
+
+}  // namespace
+
+std::vector<std::string> lines_of_length(std::string_view text, std::size_t length,
+                                         std::size_t most) {
+  std::vector<std::string> lines;
+  while (!text.empty() && lines.size() < most) {
+    std::string_view line = line_of(text, length);
+    const bool cut = lines.size() + 1 == most && line.size() < text.size();
+    if (cut) line = line_of(text, length - kGoesOn.size());
+    lines.emplace_back(line);
+    if (cut) lines.back() += kGoesOn;
+    text.remove_prefix(line.size());
+    if (text.starts_with(' ')) text.remove_prefix(1);
+  }
+  return lines;
+}
+
+}  // namespace slipbench::driver
