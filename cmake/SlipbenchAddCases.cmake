@@ -3,8 +3,9 @@
 #
 # Makes a CTest test of every case (*.yaml) below DIR, but for hidden ones and those in folders that are hidden or named
 # `bad`; the test passes if all checks of the case do. It fails if a check fails as well as if the case cannot be run.
-# Cases that are added later are found by the next build. A file name may hold blanks and quotes, but no semicolon,
-# backslash, line feed or `$<`: CMake has no way to pass them on, and says so.
+# Cases that are added later are found by the next build. A file name may hold blanks, but no semicolon, quote,
+# backslash, line feed or `$<`: CMake has no way to pass them on, which is an error that says so.
+# A name with a blank sets policy CMP0110 to NEW for the current folder.
 #
 #   DIR        folder of cases, relative to the current source folder
 #   PREFIX     what test names begin with, followed by '/'; default: the name of DIR. The rest is the case's path
@@ -14,7 +15,7 @@
 #
 # Comes with find_package(slipbench COMPONENTS program); call enable_testing() too.
 cmake_policy(PUSH)
-cmake_policy(VERSION 3.25)  # whatever the project has: before, a test name could hold no blank
+cmake_policy(VERSION 3.25)  # whatever the project has
 function(slipbench_add_cases dir)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "PREFIX" "LABELS;ARGUMENTS")
   if(arg_UNPARSED_ARGUMENTS)
@@ -43,9 +44,13 @@ function(slipbench_add_cases dir)
     if(NOT EXISTS "${top}/${case}" AND NOT IS_SYMLINK "${top}/${case}")
       message(FATAL_ERROR "slipbench_add_cases: in ${top} the name of a case holds a semicolon, around '${case}'; "
                           "CMake cannot pass it on, rename the file")
-    elseif(case MATCHES "[\\\n]|\\$<")
-      message(FATAL_ERROR "slipbench_add_cases: the name of the case ${top}/${case} holds a backslash, a line feed or "
-                          "'$<'; CMake cannot pass it on, rename the file")
+    elseif(case MATCHES "[\"\\\n]|\\$<")
+      message(FATAL_ERROR "slipbench_add_cases: the name of the case ${top}/${case} holds a quote, a backslash, a line "
+                          "feed or '$<'; CMake cannot pass it on, rename the file")
+    endif()
+    if(case MATCHES "[^A-Za-z0-9_./+-]")
+      # The names of tests are written when the folder is left, by the policies that it has then.
+      cmake_policy(SET CMP0110 NEW)
     endif()
     string(REGEX REPLACE "\\.yaml$" "" name "${arg_PREFIX}/${case}")
     add_test(NAME "${name}" WORKING_DIRECTORY "${top}"

@@ -9,7 +9,7 @@ set xzeroaxis linewidth 0.6 linecolor rgb "#777777"
 height = (1.0 - head) / DEFINITIONS
 rest = THINNED ? "with points pointtype 7 pointsize 0.25" : "with lines linewidth 2"
 limit_of_all = THINNED ? "with points pointtype 7 pointsize 0.25" : "with lines linewidth 2 dashtype 2"
-set label 5 NOTE at screen 0.075, screen 1.0 - 39.0 / HEIGHT left font ",12" textcolor rgb quiet_text
+set label 5 NOTE at screen 0.075, screen 1.0 - 43.0 / HEIGHT left font ",12" textcolor rgb quiet_text
 
 do for [i=1:DEFINITIONS] {
   bottom = 1.0 - head - i * height

@@ -164,6 +164,7 @@ std::optional<std::filesystem::path> Binder::data_file(const Node& node, const P
     history_error(node, path, file.error());
     return std::nullopt;
   }
+  data_files_.push_back(file->string());
   return std::move(*file);
 }
 

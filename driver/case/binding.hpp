@@ -86,6 +86,8 @@ class Binder {
   /// A data file the case names, inside its own folder unless the user allowed more.
   std::optional<std::filesystem::path> data_file(const Node& node, const Path& path,
                                                  std::string_view text);
+  /// All files that were asked for so, in this order, be they there or not.
+  [[nodiscard]] const std::vector<std::string>& data_files() const { return data_files_; }
   /// Reports a fault of a data file, in the file's own words and place.
   void history_error(const Node& node, const Path& path, const HistoryError& error,
                      std::string hint = {});
@@ -107,6 +109,7 @@ class Binder {
   const NamedNumbers& parameters_;
   std::vector<std::string> unresolved_;
   std::filesystem::path case_folder_;
+  std::vector<std::string> data_files_;
   bool allow_outside_;
   bool environment_failed_ = false;
   bool unknown_names_excused_ = false;

@@ -155,7 +155,8 @@ struct Check {
 
 /// A case, checked and with all expressions evaluated: what the simulation runs.
 struct Case {
-  std::string file;  ///< as the user typed it
+  std::string file;                     ///< as the user typed it
+  std::vector<std::string> data_files;  ///< that it names: histories, tables, curves
   std::string title;
   UnitSystem units;
   NamedNumbers parameters;

@@ -201,6 +201,8 @@ ReadCase read_case_text(const SourceText& source, const std::string& folder,
   resolve_output_and_checks(binder, text, problem, columns_known, history_known,
                             options.curves_may_be_missing);
   result.environment_failure = binder.environment_failed();
+  result.data_files = binder.data_files();
+  problem.data_files = binder.data_files();
   if (bound && !out.has_errors()) explain_table_arguments(binder, text, problem);
   if (bound && !out.has_errors()) result.value = std::move(problem);
   return result;

@@ -16,15 +16,16 @@ namespace slipbench::driver {
 struct ReadCase {
   std::optional<Case> value;
   Diagnostics diagnostics;
-  std::vector<SourceText> sources;  ///< texts the diagnostics quote from
+  std::vector<std::string> data_files;  ///< that the case names, also one with errors
+  std::vector<SourceText> sources;      ///< texts the diagnostics quote from
   bool environment_failure =
       false;  ///< some error is the machine's (exit 4), not the text's (exit 2)
 };
 
 struct ReadOptions {
   std::vector<ParameterText> overrides = {};  ///< --set name=value
-  bool allow_outside = false;            ///< data files may lie outside the case's folder
-  bool curves_may_be_missing = false;    ///< reference curves are about to be made
+  bool allow_outside = false;                 ///< data files may lie outside the case's folder
+  bool curves_may_be_missing = false;         ///< reference curves are about to be made
 };
 
 /// Reads, binds and checks a case file. All errors of the file are collected.

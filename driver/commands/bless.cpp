@@ -113,9 +113,9 @@ tl::expected<std::int64_t, Failure> follow(const Case& problem, std::vector<Writ
 tl::expected<OutputFile, Failure> create_file(const Writing& one,
                                               std::span<const std::string> inputs) {
   if (one.was_there && !is_golden_curve(one.curve.file)) {
-    return tl::unexpected(Failure{
-        kExitEnvironment, "slipbench: error: " + printable(one.curve.shown_name) +
-                              " is no golden curve any more; it is not overwritten\n"});
+    return tl::unexpected(
+        Failure{kExitEnvironment, "slipbench: error: " + printable(one.curve.shown_name) +
+                                      " is no golden curve any more; it is not overwritten\n"});
   }
   auto file = OutputFile::create(one.curve.file, inputs);
   if (!file) {

@@ -26,8 +26,8 @@ struct CheckOptions {
 /// LastFailed): of the cases that were run, those that did not pass are added and those that passed
 /// are removed. The output does not depend on the number of threads, and the files but for the page
 /// not on the order in which the cases are run. Folders are searched recursively for *.yaml files,
-/// except for hidden ones and in folders that are hidden or named `bad`. Returns the exit code: that
-/// of the worst case, or of a file that could not be written.
+/// except for hidden ones and in folders that are hidden or named `bad`. Returns the exit code:
+/// that of the worst case, or of a file that could not be written.
 int check_command(const CheckOptions& options);
 
 }  // namespace slipbench::driver

@@ -156,9 +156,7 @@ int report_command(const ReportOptions& options) {
         progress.tick();
         return false;
       };
-      check_options.report = [&](CaseReport&& report) {
-        collection.put(place, std::move(report));
-      };
+      check_options.report = [&](CaseReport&& report) { collection.put(place, std::move(report)); };
       const auto outcome = check_case(candidate, reading, check_options);
       // A failed check is the page's matter, not this command's.
       codes[place] = outcome->code == kExitCheckFailed ? kExitOk : outcome->code;

@@ -88,8 +88,8 @@ bool reads_data_elsewhere(const Case& problem, const fs::path& folder) {
 }
 
 /// Writes the smallest case that fails in the same way beside where the result would be.
-int write_reproducer(const ReadCase& read, const SimulationFailure& failure,
-                     const fs::path& folder, std::span<const std::string> inputs) {
+int write_reproducer(const ReadCase& read, const SimulationFailure& failure, const fs::path& folder,
+                     std::span<const std::string> inputs) {
   const Case& problem = *read.value;
   const fs::path target = folder / (case_stem(problem) + ".failed.yaml");
   auto file = OutputFile::create(target, inputs);
@@ -107,8 +107,7 @@ int write_reproducer(const ReadCase& read, const SimulationFailure& failure,
 }
 
 /// \param inputs what all cases of the command are read from
-int run_one(const ReadCase& read, const RunOptions& options,
-            std::span<const std::string> inputs) {
+int run_one(const ReadCase& read, const RunOptions& options, std::span<const std::string> inputs) {
   const auto start = std::chrono::steady_clock::now();
   const Case& problem = *read.value;
   const int every = options.every.value_or(problem.output_every);

@@ -148,6 +148,7 @@ std::vector<std::string> history_files(const Case& problem) {
 
 std::vector<std::string> input_files(const Case& problem) {
   std::vector<std::string> files = history_files(problem);
+  files.insert(files.end(), problem.data_files.begin(), problem.data_files.end());
   for (const Check& check : problem.checks) {
     if (const auto* curve = std::get_if<CurveReference>(&check.against)) {
       files.push_back(curve->file.string());

@@ -68,8 +68,8 @@ std::string failure_text(const Case& problem, const SimulationFailure& failure);
 /// The file of a case and those of its history.
 std::vector<std::string> history_files(const Case& problem);
 
-/// The files a case is read from, none of which may be overwritten: those of its history and the
-/// curves of its checks.
+/// The files a case is read from, none of which may be overwritten: those of its history, its
+/// tables and the curves of its checks.
 std::vector<std::string> input_files(const Case& problem);
 
 /// The check's line in the results of `run` and `check`: its name, and the worst deviation or what

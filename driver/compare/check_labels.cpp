@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "driver/compare/row_values.hpp"
 #include "driver/results/columns.hpp"
 #include "driver/results/summary.hpp"
 #include "driver/text/diagnostic.hpp"
@@ -34,6 +35,10 @@ CheckLabels labels_of(const Case& problem, const Check& check) {
   };
   CheckLabels labels;
   labels.time_unit = problem.units.time;
+  if (const auto definition = friction_of(problem, columns, check)) {
+    labels.stiffness_follows_limit =
+        problem.definitions[*definition].law.stick.mode == law::StickStiffness::Mode::kElasticSlip;
+  }
   const auto quantity = dimension_of(check.quantity_text);
   if (quantity) labels.unit = unit_text(*quantity, problem.units);
   std::optional<Dimension> abscissa = kTime;

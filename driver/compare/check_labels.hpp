@@ -7,13 +7,16 @@
 
 namespace slipbench::driver {
 
-/// How a check's numbers are called; a unit is empty where it is not known or there is none.
+/// What messages need to know of a check's numbers; a unit is empty where it is not known or there
+/// is none.
 struct CheckLabels {
   std::string unit;      ///< of the quantity
   std::string abscissa;  ///< "t", "CU1", "= CU1 + CU2"
   std::string abscissa_unit;
   std::string product_unit;  ///< quantity x abscissa, "mJ" rather than "N mm"
   std::string time_unit;
+  /// Of a friction force: its stick stiffness is that of an allowed elastic slip.
+  bool stiffness_follows_limit = false;
 };
 CheckLabels labels_of(const Case& problem, const Check& check);
 

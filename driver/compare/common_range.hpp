@@ -27,9 +27,10 @@ struct CommonRange {
 /// Whether two curves are at the same abscissas at the same known times: the same rows.
 bool are_same_rows(const Series& result, const Series& reference);
 
-/// Faults: a curve that is empty, has columns of different lengths, a number that is not finite or
-/// a range that is not; ranges without a common part, or with one point only. A result of a single
-/// row is compared at its point all the same, and so are the very rows of a result.
+/// Faults: a curve that is empty, has columns of different lengths or a number that is not finite;
+/// a reference whose ranges are not finite; ranges without a common part, or with one point only. A
+/// result of a single row is compared at its point all the same, and so are the very rows of a
+/// result.
 CommonRange common_range(const Series& result, const Series& reference);
 
 /// The part of a curve within an interval of the abscissa, in its order; where the curve crosses an

@@ -129,10 +129,8 @@ class Inquiry {
     }
     const std::optional<double> offset = offset_everywhere();
     if (factor && !offset && holds_in_stick(*factor)) {
-      return fmt::format(
-          "looks like {}: ratio {} everywhere",
-          fails_in(kSlip) ? "a factor" : "the stick stiffness (or the motion), or a factor",
-          ratio_text(*factor));
+      return fmt::format("looks like {}: ratio {} everywhere", in_stick_and_slip(),
+                         ratio_text(*factor));
     }
     if (const auto ratio = coefficient()) {
       return fmt::format(
@@ -221,6 +219,13 @@ class Inquiry {
     }
     if (sticking.wrong >= kFewest && sticking.share() > kOutliers) return std::nullopt;
     return ratio->value;
+  }
+
+  /// What a factor that holds in stick may come from.
+  const char* in_stick_and_slip() const {
+    if (!fails_in(kSlip)) return "the stick stiffness (or the motion), or a factor";
+    return scales_.stiffness_follows_limit ? "the coefficient (or the normal force), or a factor"
+                                           : "a factor";
   }
 
   bool fails_in(int status) const {

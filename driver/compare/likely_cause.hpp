@@ -23,6 +23,9 @@ struct CauseScales {
   std::string unit;        ///< of the quantity; may be empty
   bool over_time = true;   ///< whether the points' abscissa is a time
   std::string time_unit;   ///< may be empty
+  /// Whether the stick stiffness is that of an allowed elastic slip: then a larger coefficient
+  /// makes the whole curve larger, in stick and slip alike.
+  bool stiffness_follows_limit = false;
 };
 
 /// Guesses in one sentence, without a period at the end, why a pointwise check fails; empty if
@@ -30,7 +33,8 @@ struct CauseScales {
 /// - sign: f = -r;
 /// - factor: f = q r everywhere (a unit, where q is a power of ten; no load, where q is 0), if some
 ///   of the failing points stick well below the largest force, where a coefficient changes nothing;
-///   of a run that only sticks, the stick stiffness and a factor are one;
+///   of a run that only sticks, the stick stiffness and a factor are one; where the stiffness
+///   follows the limit, so are the coefficient and a factor;
 /// - coefficient: f = q r in slip, and no stick point is off by more than the slip points are
 ///   (loops: a stick branch begins where the slip before it ended). Before the first slip only
 ///   those may be off where the reference has reached its limit and the result has not. From a

@@ -178,10 +178,12 @@ void conclude(const Check& check, const CheckLabels& labels, const PointJudge& j
   }
   if (result.failing > 0) {
     verdict.message = points_message(check, result, verdict.compared, labels);
-    verdict.likely_cause = likely_cause(judge.sample(), {.tolerance = result.tolerance,
-                                                         .unit = labels.unit,
-                                                         .over_time = !check.abscissa,
-                                                         .time_unit = labels.time_unit});
+    verdict.likely_cause =
+        likely_cause(judge.sample(), {.tolerance = result.tolerance,
+                                      .unit = labels.unit,
+                                      .over_time = !check.abscissa,
+                                      .time_unit = labels.time_unit,
+                                      .stiffness_follows_limit = labels.stiffness_follows_limit});
     if (!verdict.likely_cause.empty()) verdict.message += "; " + verdict.likely_cause;
   }
   doubt(check.tolerance,

@@ -89,9 +89,12 @@ void write_stretch(JsonText& json, std::string_view name,
 void write_resolved_events(JsonText& json, const CaseReport& one) {
   const std::vector<double> times = column_of(one, 0);
   const auto resolved = [&](const ReportEvent& event) {
-    const auto behind = std::lower_bound(times.begin(), times.end(), event.time);
+    const double slack = 1e-12 * std::abs(event.time);
+    const auto behind = std::lower_bound(times.begin(), times.end(), event.time - slack);
     const auto at = static_cast<std::size_t>(behind - times.begin());
-    return at < times.size() && (at == 0 || one.row_index[at] == one.row_index[at - 1] + 1);
+    if (at == times.size()) return false;
+    return times[at] <= event.time + slack || at == 0 ||
+           one.row_index[at] == one.row_index[at - 1] + 1;
   };
   const auto until = [&](auto begin, auto end) {
     return static_cast<std::int64_t>(

@@ -96,6 +96,17 @@ void RowChoice::add(std::span<const double> row, bool wanted) {
   base_.add(row);
 }
 
+bool RowChoice::has_cycle(const Motion& motion) const {
+  if (!motion.last) return false;
+  // Extremes survive any thinning.
+  const IndexedRows rows = motion.last->rows.indexed_rows(limit_ / 2);
+  CycleFinder way;
+  for (std::size_t i = motion.column; i < rows.numbers.size(); i += columns_) {
+    way.take(rows.numbers[i]);
+  }
+  return way.range() >= 0.5 * motion.finder.range();
+}
+
 DrawnRows RowChoice::finish(const IndexedRows& more) const {
   DrawnRows drawn;
   drawn.thinned = thinned();
@@ -105,7 +116,7 @@ DrawnRows RowChoice::finish(const IndexedRows& more) const {
   }
   const Motion* slowest = nullptr;
   for (const Motion& motion : motions_) {
-    if (!motion.last) continue;
+    if (!has_cycle(motion)) continue;
     if (slowest == nullptr || motion.last->rows.count() > slowest->last->rows.count()) {
       slowest = &motion;
     }
@@ -116,7 +127,7 @@ DrawnRows RowChoice::finish(const IndexedRows& more) const {
       all.emplace(begin + rows.index[i], row_of(rows, i, columns_));
     }
   };
-  const IndexedRows base = base_.indexed_rows(limit_ * 2 / 3);
+  const IndexedRows base = base_.indexed_rows(slowest == nullptr ? limit_ : limit_ * 2 / 3);
   take(base, 0);
   take(first_wanted_, 0);
   take(last_wanted_, 0);

@@ -36,6 +36,8 @@ class CycleFinder {
   enum class Turn : std::uint8_t { kNone, kDown, kUp };
   /// What the motion is found to do at its next value.
   Turn take(double value);
+  /// Largest minus smallest of all values.
+  double range() const { return high_ - low_; }
 
  private:
   bool started_ = false;
@@ -48,7 +50,8 @@ class CycleFinder {
 
 /// Chooses the rows of a page while they come, however many there will be.
 ///
-/// Of up to `limit` rows all stay. Of more: two thirds of `limit` as RowThinner chooses them; the
+/// Of up to `limit` rows all stay. Of more: as many as RowThinner chooses, or two thirds of them
+/// where there are cycles; the
 /// wanted rows (before and after an event), as long as there are few, else the first and the last
 /// limit/8 of them; and, where a motion goes to and fro, its beginning up to the first turn (at
 /// most limit/8 rows) and its last whole cycle with all its rows, or limit/2 of them. Of several
@@ -82,6 +85,7 @@ class RowChoice {
     std::optional<Cycle> last;
   };
 
+  bool has_cycle(const Motion& motion) const;
   void follow(Motion& motion, std::span<const double> row, bool wanted);
   void want(std::span<const double> row);
   RowThinner cycle_thinner() const { return {columns_, limit_ / 2, watched_}; }

@@ -6,9 +6,9 @@
 
 namespace slipbench::driver {
 
-/// From now on SIGINT, SIGTERM and SIGHUP (unless it was ignored) remove all registered files, end all
-/// registered processes and end this program at once, with exit code 130, 143 or 129; a closed pipe is an error of the write
-/// instead of a signal.
+/// From now on SIGINT, SIGTERM and SIGHUP (unless it was ignored) remove all registered files, end
+/// all registered processes and end this program at once, with exit code 130, 143 or 129; a closed
+/// pipe is an error of the write instead of a signal.
 void handle_interruption();
 
 /// Holds interruption back while it exists; one that came meanwhile acts at its end.

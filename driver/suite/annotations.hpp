@@ -30,7 +30,8 @@ std::string without_commands(std::string text);
 /// as warnings. GitHub shows ten of each for a step, so no more are written.
 class Annotations {
  public:
-  /// \param root the folder of the checked-out repository, which files are named from, links or not;
+  /// \param root the folder of the checked-out repository, which files are named from, links or
+  /// not;
   ///     empty: the names stay as they are
   explicit Annotations(const std::string& root);
 

@@ -137,6 +137,7 @@ std::vector<std::string> Reading::inputs() const {
   std::vector<std::string> files;
   if (!read) return files;
   if (read->value) files = input_files(*read->value);
+  files.insert(files.end(), read->data_files.begin(), read->data_files.end());
   for (const SourceText& source : read->sources) files.push_back(source.name());
   for (const Diagnostic& diagnostic : read->diagnostics.sorted()) {
     if (!diagnostic.file.empty()) files.push_back(diagnostic.file);

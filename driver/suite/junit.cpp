@@ -105,9 +105,9 @@ std::string JunitReport::text() const {
   text += fmt::format("<testsuites name=\"slipbench\" {}>\n", attributes(all));
   for (const auto& [place, entry] : in_order) {
     const Suite& suite = entry->second;
-    text += fmt::format("  <testsuite name=\"{}\" {} skipped=\"{}\">\n",
-                        xml_attribute(entry->first), attributes(suite.counts),
-                        suite.counts.skipped);
+    text +=
+        fmt::format("  <testsuite name=\"{}\" {} skipped=\"{}\">\n", xml_attribute(entry->first),
+                    attributes(suite.counts), suite.counts.skipped);
     for (const auto& [case_place, elements] : suite.cases) text += elements;
     text += "  </testsuite>\n";
   }

@@ -52,8 +52,7 @@ LastFailed::LastFailed(std::span<const std::string> paths) {
   kept_.assign(std::istreambuf_iterator<char>(in), {});
   if (!kept_.starts_with(head_)) return;
   std::size_t begin = head_.size();
-  for (std::size_t end = 0; (end = kept_.find('\n', begin)) != std::string::npos;
-       begin = end + 1) {
+  for (std::size_t end = 0; (end = kept_.find('\n', begin)) != std::string::npos; begin = end + 1) {
     failed_.insert(kept_.substr(begin, end - begin));
   }
 }

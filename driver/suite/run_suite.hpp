@@ -14,9 +14,9 @@
 
 namespace slipbench::driver {
 
-/// Up to so many cases are all read before the first one is run, so that it is known how many checks
-/// there are, and which files must not be overwritten. More are read as their turn comes, which
-/// takes no memory.
+/// Up to so many cases are all read before the first one is run, so that it is known how many
+/// checks there are, and which files must not be overwritten. More are read as their turn comes,
+/// which takes no memory.
 inline constexpr std::size_t kReadAhead = 1000;
 
 struct SuiteOptions {

@@ -42,14 +42,14 @@ tl::expected<SuiteFiles, SuiteFilesFault> SuiteFiles::create(const SuiteTargets&
   for (const auto& [option, target] : wanted) {
     if (target->empty()) continue;
     if (*target == "-") {
-      return tl::unexpected(bad_input(fmt::format(
-          "{} -: wanted the name of a file; the terminal gets the table", option)));
+      return tl::unexpected(bad_input(
+          fmt::format("{} -: wanted the name of a file; the terminal gets the table", option)));
     }
     for (const auto& [other_option, other] : wanted) {
       if (other == target) break;
       if (!other->empty() && is_same_file(*target, *other)) {
-        return tl::unexpected(bad_input(
-            fmt::format("{} and {} would both write {}", other_option, option, *target)));
+        return tl::unexpected(
+            bad_input(fmt::format("{} and {} would both write {}", other_option, option, *target)));
       }
     }
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The report page: a list of cases, and of one case its pictures, events, energies, tables and checks.
 //
-// All pictures of a case share one instant: a place on the drawn rows, given as row + fraction. A
-// picture is made of a plain description (a "panel": title, axes, series); runs laid over each other
+// All pictures of a case share one instant: a drawn row, or an event with what is known of it. What
+// is read off is never made up between rows. A picture is made of a plain description (a "panel": title, axes, series); runs laid over each other
 // are panels of the same key. Text of the document only ever becomes text nodes.
 "use strict";
 (() => {
@@ -30,8 +30,24 @@ function makeSvg(tag, attributes = {}) {
   return element;
 }
 
-/** A table that is wider than a phone scrolls in itself. */
-const inScroll = (table) => make("div", {class: "sideways"}, table);
+/** What is wider than its place scrolls in itself; then Tab reaches it and arrow keys scroll it. */
+const scrollWatch = new ResizeObserver((entries) => {
+  for (const {target} of entries) {
+    const box = target.closest(".sideways");
+    if (!box) continue;
+    const wide = box.scrollWidth > box.clientWidth + 1;
+    for (const [name, value] of [["tabindex", "0"], ["role", "region"], ["aria-label", box.dataset.name]]) {
+      if (wide) box.setAttribute(name, value);
+      else box.removeAttribute(name);
+    }
+  }
+});
+function inScroll(table) {
+  const box = make("div", {class: "sideways", "data-name": table.caption ? table.caption.textContent : "Table"}, table);
+  scrollWatch.observe(box);
+  scrollWatch.observe(table);
+  return box;
+}
 const find = (id) => document.getElementById(id);
 const isNumber = (value) => typeof value === "number" && Number.isFinite(value);
 /** Somebody else's words: their direction must not turn that of the words around them. */
@@ -49,7 +65,7 @@ function number(value, digits = 4) {
   if (value === 0) return "0";
   const size = Math.abs(value);
   let text;
-  if (size >= 1e6 || size < 1e-3) {
+  if (size >= 10 ** Math.max(6, digits) || size < 1e-3) {
     const [mantissa, power] = value.toExponential(digits - 1).split("e");
     text = withPower(Number(mantissa).toString(), Number(power));
   } else {
@@ -145,27 +161,59 @@ function indexBefore(times, t) {
   return low;
 }
 
-/** The place (row + fraction) of a time. */
-function placeOf(times, t) {
+/** The row whose time is nearest; of two at one time the later one. */
+function nearestRow(times, t) {
   if (times.length === 0) return 0;
   const row = indexBefore(times, t);
-  if (row + 1 >= times.length || t <= times[row]) return row;
-  return row + (t - times[row]) / (times[row + 1] - times[row]);
+  return row + 1 < times.length && times[row + 1] - t < t - times[row] ? row + 1 : row;
 }
 
-/** What the drawn curve shows at a place. */
-function valueAt(values, place) {
-  const row = Math.min(Math.floor(place), values.length - 1);
-  const part = place - row;
-  const from = values[row];
-  if (part <= 0 || row + 1 >= values.length) return from;
-  const to = values[row + 1];
-  return isNumber(from) && isNumber(to) ? from + part * (to - from) : null;
+/** The first row that is not before a time. */
+function rowFrom(times, t) {
+  let low = 0;
+  let high = times.length - 1;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (times[middle] >= t) high = middle;
+    else low = middle + 1;
+  }
+  return Math.max(low, 0);
 }
+
+/** The curve straight between its points: only for differences of curves that have points of their own. */
+function between(x, y, at) {
+  const row = indexBefore(x, at);
+  if (row + 1 >= x.length || x[row] === at) return y[row];
+  const part = (at - x[row]) / (x[row + 1] - x[row]);
+  return isNumber(y[row]) && isNumber(y[row + 1]) ? y[row] + part * (y[row + 1] - y[row]) : null;
+}
+
+/** Of a series: what its numbers differ by from row to row, as a rule and at least. */
+const knownSteps = new WeakMap();
+function stepsOf(values) {
+  if (!knownSteps.has(values)) {
+    const size = values.reduce((largest, value) => (isNumber(value) ? Math.max(largest, Math.abs(value)) : largest), 0);
+    const steps = [];
+    for (let i = 1; i < values.length; ++i) {
+      const step = Math.abs(values[i] - values[i - 1]);
+      if (step > 1e-9 * size) steps.push(step);
+    }
+    steps.sort((a, b) => a - b);
+    knownSteps.set(values, {usual: steps[steps.length >> 1] || 0, least: steps[0] || 0});
+  }
+  return knownSteps.get(values);
+}
+
+const digitsFor = (value, step, least, most) =>
+    Math.min(most, Math.max(least, step > 0 && value !== 0 ? Math.ceil(Math.log10(Math.abs(value) / step)) + 1 : least));
+/** A number of a series, with the digits that tell its rows apart. */
+const told = (value, values, unit) => withUnit(value, unit, isNumber(value) ? digitsFor(value, stepsOf(values).usual, 4, 10) : 4);
+/** A time, with the digits that tell the instants of a run apart. */
+const timeText = (one, t, more = 0) => number(t, isNumber(t) ? digitsFor(t, stepsOf(timeOf(one).values).least, 5, 14) + more : 5);
 
 // -------------------------------------------------------------------------------- panels of a case
 
-const series = (label, column, x, more = {}) => ({label, unit: column.unit || "", x, y: column.values, ...more});
+const series = (label, column, x, more = {}) => ({label, unit: column.unit || "", column: column.name, x, y: column.values, ...more});
 const negative = (values) => values.map((value) => (isNumber(value) ? -value : null));
 
 /** Definition of `one` that belongs to `definition` of another run: of that name, else the first. */
@@ -193,6 +241,51 @@ function isCalm(values) {
   return way < 5 * (found.high - found.low);
 }
 
+/**
+ * Events between two rows as points of the drawn curves: there a corner is. Only what is known of an
+ * event is drawn; `values` gives a coordinate of it, undefined where it is not known.
+ */
+function withEvents(one, definition, line, xOf, yOf) {
+  const times = timeOf(one).values;
+  const drawn = {x: [], y: [], row: [], status: []};
+  const put = (x, y, row, status) => { drawn.x.push(x); drawn.y.push(y); drawn.row.push(row); drawn.status.push(status); };
+  const events = (one.events || []).filter((event) => event.definition === definition.name);
+  let next = 0;
+  for (let row = 0; row < line.x.length; ++row) {
+    for (; next < events.length && events[next].t < times[row]; ++next) {
+      const event = events[next];
+      const x = xOf(event);
+      const y = yOf(event);
+      if (row > 0 && event.t > times[row - 1] && isNumber(x) && isNumber(y)) put(x, y, row, event.from === "slip" ? 2 : 1);
+    }
+    while (next < events.length && events[next].t <= times[row]) ++next;
+    put(line.x[row], line.y[row], row, line.status ? line.status[row] : null);
+  }
+  return drawn.x.length > line.x.length ? {...line, drawn} : line;
+}
+
+/** What an event tells of a column of its definition; undefined if nothing. */
+function eventValue(one, event, name) {
+  if (event.positions && isNumber(event.positions[name])) return event.positions[name];
+  const definition = (one.definitions || []).find((other) => other.name === event.definition);
+  if (!definition) return undefined;
+  if (name === definition.limit_below) return event.force < 0 ? -event.limit : undefined;
+  if (name === definition.limit) return definition.limit_below && event.force < 0 ? undefined : event.limit;
+  // Of several components only the total is known, of a filter only the force before it.
+  return name === definition.force && !definition.filtered ? event.force : undefined;
+}
+
+/** Puts the events into the curves of a panel that they are known of. */
+function cornered(one, definition, panel) {
+  const of = (line) => (event) => {
+    const value = line.column ? eventValue(one, event, line.column) : undefined;
+    return value !== undefined && line.mirrored ? -value : value;
+  };
+  panel.lines = panel.lines.map((line) => withEvents(one, definition, line,
+      panel.kind === "loop" ? (event) => eventValue(one, event, panel.xName) : (event) => event.t, of(line)));
+  return panel;
+}
+
 function forcePanels(one, definition, time) {
   const panels = [];
   const force = definition.force ? columnOf(one, definition.force) : null;
@@ -209,7 +302,7 @@ function forcePanels(one, definition, time) {
     lines.push(series(limit.name, limit, time.values, {colour: "limit", dash: [6, 4]}));
     const signed = [main, ...parts].some((part) => part.unit === limit.unit && part.values.some((value) => value < 0));
     if (below) lines.push(series(below.name, below, time.values, {colour: "limit", dash: [6, 4]}));
-    else if (signed) lines.push(series("\u2212" + limit.name, {...limit, values: negative(limit.values)}, time.values, {colour: "limit", dash: [6, 4], silent: true}));
+    else if (signed) lines.push(series("\u2212" + limit.name, {...limit, values: negative(limit.values)}, time.values, {colour: "limit", dash: [6, 4], silent: true, mirrored: true}));
   }
   panels.push({key: "force", title: main.name.startsWith("CSM") ? "Friction moment and limit" : "Friction force and limit", unit: main.unit, lines});
   const others = parts.filter((part) => part.unit !== main.unit);
@@ -240,7 +333,7 @@ function energyLines(one, time) {
     if (columns.length === 0) continue;
     const sum = columns[0].values.map((value, i) => columns.reduce((total, column) => total + (isNumber(column.values[i]) ? column.values[i] : NaN), 0));
     const style = styles[key] || {colour: 4 + (lines.length % 3), dash: [[12, 4], [8, 3, 2, 3], [4, 2]][lines.length % 3]};
-    lines.push(series(words[key] || key.replace(/_/g, " "), {...columns[0], values: sum}, time.values, style));
+    lines.push(series(words[key] || key.replace(/_/g, " "), {...columns[0], name: "", values: sum}, time.values, style));
   }
   return lines;
 }
@@ -264,7 +357,7 @@ function histories(one, definition) {
   const energies = energyLines(one, time);
   if (energies.length > 0) panels.push({key: "energy", title: "Energy", unit: energies[0].unit, lines: energies});
   for (const panel of panels) Object.assign(panel, {kind: "history", xName: time.name, xUnit: time.unit});
-  return panels;
+  return definition ? panels.map((panel) => cornered(one, definition, panel)) : panels;
 }
 
 /** A history of any one column. */
@@ -273,6 +366,19 @@ function columnPanel(one, name) {
   const time = timeOf(one);
   return column && {key: "column:" + name, kind: "history", title: column.text || name, unit: column.unit, xName: time.name, xUnit: time.unit,
                     lines: [series(name, column, time.values, {main: true})]};
+}
+
+/** Of a thinned run with cycles: which rows end a stretch of a loop that is drawn lightly, since rows beside it are left out. */
+function faintRows(one) {
+  if (!one.thinned || !one.cycle) return null;
+  const whole = [one.beginning, one.cycle].filter(Boolean);
+  return (one.rows[0] || []).map((_, row) => !whole.some(({first, last}) => row > first && row <= last));
+}
+
+/** A limit that stays is drawn once, not at every pass: dashes upon dashes are no dashes. */
+function once(line) {
+  const x = range(line.x);
+  if (line.colour === "limit" && x && !varies(line.y)) line.drawn = {x: [x.low, x.high], y: [line.y[0], line.y[0]], row: [0, 0], status: []};
 }
 
 /** Force over motion, or, where two components move, the paths of force and motion. */
@@ -285,7 +391,7 @@ function loops(one, definition) {
   const below = definition.limit_below ? columnOf(one, definition.limit_below) : null;
   const path = (key, title, first, second, more = {}) => ({
     key, kind: "loop", title, unit: second.unit, yName: second.name, xName: first.name, xUnit: first.unit,
-    lines: [{label: second.name, unit: second.unit, x: first.values, y: second.values, main: true, status: status && status.values}], ...more
+    lines: [{label: second.name, unit: second.unit, column: second.name, x: first.values, y: second.values, main: true, status: status && status.values, faint: faintRows(one)}], ...more
   });
   const planar = forces[0] && forces[1] && positions[0] && positions[1] && forces[0].unit === forces[1].unit && varies(positions[0].values) && varies(positions[1].values);
   const panels = [];
@@ -302,11 +408,12 @@ function loops(one, definition) {
     const panel = path(`loop:${force.name}:${position.name}`, `${force.name.startsWith("CSM") ? "Moment over rotation" : "Force over motion"}`, position, force);
     if (limit && forces.length === 1 && limit.unit === force.unit && isCalm(limit.values)) {
       const style = {colour: "limit", dash: [6, 4]};
-      panel.lines.push({label: limit.name, unit: limit.unit, x: position.values, y: limit.values, ...style},
-                       {label: below ? below.name : "\u2212" + limit.name, unit: limit.unit, x: position.values, y: below ? below.values : negative(limit.values), ...style, silent: !below});
+      panel.lines.push({label: limit.name, unit: limit.unit, column: limit.name, x: position.values, y: limit.values, ...style},
+                       {label: below ? below.name : "\u2212" + limit.name, unit: limit.unit, column: (below || limit).name, x: position.values, y: below ? below.values : negative(limit.values), ...style, silent: !below, mirrored: !below});
     }
     panels.push(panel);
   }
+  for (const panel of panels) cornered(one, definition, panel).lines.forEach((line) => once(line));
   return panels;
 }
 
@@ -339,15 +446,16 @@ let colours = {};
 function readColours() {
   const style = getComputedStyle(document.documentElement);
   colours = {};
-  for (const name of ["text", "soft", "rule", "grid", "back", "slip", "open", "open-line", "limit", "tube", "bad", "accent"]) {
+  for (const name of ["text", "soft", "rule", "grid", "back", "slip", "open", "open-line", "mixed-line", "faint", "limit", "tube", "bad", "accent"]) {
     colours[name] = style.getPropertyValue("--" + name).trim();
   }
   for (let i = 1; i <= 6; ++i) colours[i] = style.getPropertyValue("--curve-" + i).trim();
   colours.hatch = hatch(colours.open, colours["open-line"]);
+  colours.mixed = hatch(colours.slip, colours["mixed-line"], true);
 }
 
-/** The pattern of "no contact". */
-function hatch(back, line) {
+/** The pattern of "no contact"; upright, that of regimes in turn. */
+function hatch(back, line, upright) {
   const tile = document.createElement("canvas");
   tile.width = tile.height = 8;
   const pen = tile.getContext("2d");
@@ -357,8 +465,8 @@ function hatch(back, line) {
   pen.lineWidth = 1.2;
   for (const shift of [-8, 0, 8]) {
     pen.beginPath();
-    pen.moveTo(shift - 1, 9);
-    pen.lineTo(shift + 9, -1);
+    pen.moveTo(upright ? shift + 4 : shift - 1, 9);
+    pen.lineTo(upright ? shift + 4 : shift + 9, -1);
     pen.stroke();
   }
   return tile;
@@ -440,20 +548,26 @@ class Picture {
   }
 
   dataset(line) {
-    const slips = line.status;
+    const {x: xs, y: ys} = line.drawn || line;
+    const slips = line.status && (line.drawn ? line.drawn.status : line.status);
+    const rowOf = (i) => (line.drawn ? line.drawn.row[i] : i);
+    const faint = (i) => line.faint && line.faint[rowOf(i)];
     const width = line.thin ? 1.3 : 1.7;
     return {
-      data: line.x.map((x, i) => ({x, y: line.y[i]})),
+      data: xs.map((x, i) => ({x, y: ys[i]})),
       borderColor: colourOf(line), borderDash: line.dash || [], borderWidth: width, hidden: line.off || false,
       pointRadius: line.x.length < 3 ? 3 : 0, pointBackgroundColor: colourOf(line),
       // In a loop, where nothing can be shaded, slip is drawn bolder than stick.
-      segment: slips ? {borderWidth: (context) => (slips[context.p1DataIndex] === 2 ? 2.6 : 1.1)} : undefined
+      segment: slips ? {
+        borderWidth: ({p1DataIndex: i}) => (faint(i) ? 0.7 : slips[i] === 2 ? 2.6 : 1.1),
+        borderColor: ({p1DataIndex: i}) => (faint(i) ? colours.faint : undefined)
+      } : undefined
     };
   }
 
   /** From the smallest to the largest value drawn, and a part of that as air. */
   span(key, air) {
-    const {low, high} = range(this.panel.lines.flatMap((line) => line[key])) || {low: -1, high: 1};
+    const {low, high} = range(this.panel.lines.flatMap((line) => (line.drawn || line)[key])) || {low: -1, high: 1};
     const size = Math.max(Math.abs(low), Math.abs(high));
     // Rounding is no range.
     if (high - low <= 1e-9 * size || size === 0) return [low - (0.05 * size || 1), high + (0.05 * size || 1)];
@@ -481,7 +595,7 @@ class Picture {
   equalise(scales, size) {
     const {panel} = this;
     if (!panel.equal) return;
-    const joined = (key) => panel.lines.map((line) => range(line[key])).filter(Boolean).reduce((a, b) => ({low: Math.min(a.low, b.low), high: Math.max(a.high, b.high)}));
+    const joined = (key) => panel.lines.map((line) => range((line.drawn || line)[key])).filter(Boolean).reduce((a, b) => ({low: Math.min(a.low, b.low), high: Math.max(a.high, b.high)}));
     let x = joined("x");
     let y = joined("y");
     if (panel.circle) {
@@ -509,9 +623,10 @@ class Picture {
     pen.rect(area.left, area.top, area.right - area.left, area.bottom - area.top);
     pen.clip();
     const pattern = this.panel.spans ? pen.createPattern(colours.hatch, "repeat") : null;
-    for (const [from, to, status] of this.panel.spans || []) {
+    const mixed = this.panel.spans ? pen.createPattern(colours.mixed, "repeat") : null;
+    for (const [from, to, status, merged] of this.panel.spans || []) {
       const left = chart.scales.x.getPixelForValue(from);
-      pen.fillStyle = status === 2 ? colours.slip : pattern;
+      pen.fillStyle = merged ? mixed : status === 2 ? colours.slip : pattern;
       pen.fillRect(left, area.top, Math.max(chart.scales.x.getPixelForValue(to) - left, 0.5), area.bottom - area.top);
     }
     if (this.panel.spans) {
@@ -619,7 +734,7 @@ class Picture {
     const inside = ([x, y]) => x >= area.left - 1 && x <= area.right + 1 && y >= area.top - 1 && y <= area.bottom + 1;
     const line = (from, to, name) => parts.push(makeSvg("line", {x1: from[0], y1: from[1], x2: to[0], y2: to[1], class: name}));
     if (this.panel.circle) {
-      const radii = [["limit-circle", valueAt(this.panel.circle.values, view.places[0])], ["limit-circle largest", range(this.panel.circle.values).high]];
+      const radii = [["limit-circle", this.panel.circle.values[view.places[0]]], ["limit-circle largest", range(this.panel.circle.values).high]];
       for (const [name, radius] of radii) {
         if (!isNumber(radius)) continue;
         const [cx, cy] = pixel(0, 0);
@@ -633,32 +748,61 @@ class Picture {
         if (x >= area.left - 1 && x <= area.right + 1) line([x, area.top], [x, area.bottom], "cursor-line");
       }
       this.panel.lines.forEach((one, i) => {
-        const place = one.run === undefined ? placeOf(one.x, now) : view.places[one.run];
-        const y = valueAt(one.y, place);
-        const x = this.panel.kind === "history" && now !== null ? now : valueAt(one.x, place);
-        if (this.values[i]) this.values[i].textContent = withUnit(y, one.unit, 4) + (this.panel.kind === "loop" && one.main ? ` at ${this.panel.xName} ${withUnit(x, this.panel.xUnit, 4)}` : "");
+        const {x, y, away} = this.reading(one, now);
+        // Of another instant than that of the bar: a point of another run, of a curve, or the row behind an event.
+        const place = this.panel.kind === "loop" ? (one.main ? ` at ${this.panel.xName} ${told(x, one.x, this.panel.xUnit)}` : "")
+                                                 : away ? ` at ${timeText(view.one, x)}` : "";
+        if (this.values[i]) this.values[i].textContent = told(y, one.y, one.unit) + place;
         if (one.off || one.silent || !isNumber(x) || !isNumber(y)) return;
         const at = pixel(x, y);
         if (inside(at)) parts.push(makeSvg("circle", {cx: at[0], cy: at[1], r: one.main ? 5 : 3.5, fill: colourOf(one), class: "cursor-dot"}));
       });
     }
-    if (this.panel.worst) {
-      const {x, y, reference, text} = this.panel.worst;
-      const at = pixel(x, y);
-      if (inside(at)) {
-        if (isNumber(reference)) line(at, pixel(x, reference), "worst-line");
-        parts.push(makeSvg("circle", {cx: at[0], cy: at[1], r: 7, class: "worst-ring"}));
-        const right = at[0] < (area.left + area.right) / 2;
-        // Six and a half pixels a letter: on a phone the label is shifted until it is inside.
-        const width = 6.6 * text.length;
-        const from = right ? Math.min(at[0] + 12, Math.max(area.right - width, 2)) : Math.max(at[0] - 12, width + 2);
-        const high = at[1] < area.top + 26;
-        const label = makeSvg("text", {x: from, y: at[1] + (high ? 18 : -9), class: "worst-label", "text-anchor": right ? "start" : "end"});
-        label.textContent = text;
-        parts.push(label);
-      }
-    }
     this.layer.replaceChildren(...parts);
+    if (this.panel.worst) this.markWorst(pixel, inside, line, parts, area);
+  }
+
+  /** What a curve is at the instant: a point of its own, or what is known of the event that is chosen. */
+  reading(line, now) {
+    if (line.run === undefined) {
+      // The curve of a check, over the time.
+      const at = nearestRow(line.x, now);
+      return {x: line.x[at], y: line.y[at], away: this.isAway(line.x[at], now)};
+    }
+    const row = view.places[line.run];
+    const history = this.panel.kind === "history";
+    if (line.run === 0 && view.event && line.column) {
+      const known = eventValue(view.one, view.event, line.column);
+      const x = history ? view.event.t : eventValue(view.one, view.event, this.panel.xName);
+      if (known !== undefined && x !== undefined) return {x, y: line.mirrored ? -known : known, away: false};
+    }
+    const x = line.x[row];
+    return {x, y: line.y[row], away: history && line.run > 0 && this.isAway(x, now)};
+  }
+
+  /** Another instant, not only the same one written with other digits. */
+  isAway(x, now) { return isNumber(x) && Math.abs(x - now) > 0.5 * stepsOf(view.times[0]).least; }
+
+  markWorst(pixel, inside, line, parts, area) {
+    const {x, y, reference, text} = this.panel.worst;
+    const at = pixel(x, y);
+    if (!inside(at)) return;
+    if (isNumber(reference)) line(at, pixel(x, reference), "worst-line");
+    parts.push(makeSvg("circle", {cx: at[0], cy: at[1], r: 7, class: "worst-ring"}));
+    const right = at[0] < (area.left + area.right) / 2;
+    const high = at[1] < area.top + 26;
+    const label = makeSvg("text", {y: at[1] + (high ? 18 : -9), class: "worst-label", "text-anchor": right ? "start" : "end"});
+    label.textContent = text;
+    parts.push(label);
+    this.layer.replaceChildren(...parts);
+    // On a phone the label is shifted until it is inside, and made narrower where it does not fit at all.
+    const room = this.plot.clientWidth - 8;
+    const width = Math.min(label.getComputedTextLength() + 4, room);
+    if (width === room) {
+      label.setAttribute("textLength", room);
+      label.setAttribute("lengthAdjust", "spacingAndGlyphs");
+    }
+    label.setAttribute("x", right ? Math.max(4, Math.min(at[0] + 12, this.plot.clientWidth - 4 - width)) : Math.max(at[0] - 12, width + 4));
   }
 
   /** The instant that is nearest to the pointer. */
@@ -671,8 +815,7 @@ class Picture {
     if (x < area.left - 8 || x > area.right + 8 || y < area.top - 8 || y > area.bottom + 8) return;
     if (this.panel.kind === "history") {
       const times = view.times[0];
-      const place = placeOf(times, scales.x.getValueForPixel(x));
-      view.moveTo(Math.round(place));
+      view.moveTo(nearestRow(times, scales.x.getValueForPixel(x)));
       return;
     }
     const main = this.panel.lines.find((line) => line.main);
@@ -710,52 +853,87 @@ class View {
     this.others = (page.compare || []).filter((group) => group.includes(one.id)).flat().filter((id) => id !== one.id && byId.has(id)).map((id) => byId.get(id));
     this.others = [...new Set(this.others)];
     this.added = [];
+    /** The row of each run. */
     this.places = [0];
+    /** The event that is chosen, if one is. */
+    this.event = null;
     this.setTimes();
-    this.places = this.times.map((times) => placeOf(times, this.firstInstant()));
+    const {event, t} = this.firstInstant();
+    this.event = event;
+    this.setPlaces(event ? rowFrom(this.times[0], event.t) : nearestRow(this.times[0], t));
   }
 
   setTimes() { this.times = [this.one, ...this.others].map((other) => timeOf(other).values || []); }
-  time() { return valueAt(this.times[0], this.places[0]); }
+  time() { return this.event ? this.event.t : this.times[0][this.places[0]]; }
+  /** Whether the chosen event is of the definition that is shown. */
+  sameDefinition() { return this.event && this.definition && this.event.definition === this.definition.name; }
 
   /** Worth looking at first: a failing check's worst point, else where slip begins. */
   firstInstant() {
     const failing = failingChecks(this.one).find((check) => isNumber((worstOf(check) || {}).time));
-    if (failing) return worstOf(failing).time;
+    if (failing) return {event: null, t: worstOf(failing).time};
     const times = this.times[0];
     const slip = (this.one.events || []).find((event) => event.to === "slip" && event.t > times[0]);
-    return slip ? slip.t : (times[0] + times[times.length - 1]) / 2;
+    return {event: slip || null, t: (times[0] + times[times.length - 1]) / 2};
   }
 
-  moveTo(place, quietly) {
+  setPlaces(row) {
+    this.places[0] = row;
+    const now = this.time();
+    for (let run = 1; run < this.times.length; ++run) this.places[run] = nearestRow(this.times[run], now);
+  }
+
+  moveTo(row, quietly, event = null) {
     const times = this.times[0];
     if (!times || times.length === 0) return;
-    const kept = Math.min(Math.max(place, 0), times.length - 1);
-    this.places[0] = kept;
-    const now = this.time();
-    for (let run = 1; run < this.times.length; ++run) this.places[run] = placeOf(this.times[run], now);
+    this.event = event;
+    this.setPlaces(Math.min(Math.max(row, 0), times.length - 1));
     showInstant();
     if (!quietly) keepAddress();
   }
-  moveToTime(t, quietly) { this.moveTo(placeOf(this.times[0], t), quietly); }
+  moveToTime(t, quietly) { this.moveTo(nearestRow(this.times[0], t), quietly); }
+  /** To an event: what is not known of it is that of the first drawn row that is not before it. */
+  choose(event, quietly) { this.moveTo(rowFrom(this.times[0], event.t), quietly, event); }
 
   statusNow() {
-    const now = this.time();
+    const words = {0: "no contact", 1: "stick", 2: "slip"};
     if (!this.definition) return "";
-    // Of two spans that meet, the later one is on.
-    const on = (this.definition.spans || []).filter(([from, to]) => from <= now && now <= to).pop();
-    return on ? (on[2] === 2 ? "slip" : "no contact") : "stick";
+    if (this.sameDefinition()) return this.event.to === "open" ? words[0] : this.event.to;
+    const column = this.definition.status ? columnOf(this.one, this.definition.status) : null;
+    if (column) return words[column.values[this.places[0]]] || "";
+    const now = this.time();
+    const on = (this.definition.spans || []).find(([from, to]) => from <= now && now < to);
+    return on ? (on[3] ? "" : words[on[2]]) : "stick";
   }
 }
 
 const failingChecks = (one) => (one.checks || []).filter((check) => !check.passed);
 
+/** The number of an event in its run, from 1: in the middle of a long run events are left out of the list. */
+function eventNumber(one, event) {
+  const at = one.events.indexOf(event);
+  const total = one.events_total || one.events.length;
+  return at < leftOut(one).after ? at + 1 : total - (one.events.length - 1 - at);
+}
+/** How many events the list has before others are left out, and how many those are. */
+function leftOut(one) {
+  const listed = (one.events || []).length;
+  const total = one.events_total || listed;
+  return total > listed ? {after: listed >> 1, count: total - listed} : {after: listed, count: 0};
+}
+
+/** The measure that decides about a check of such a criterion. */
+function worstMeasure(check) {
+  const judged = (check.measures || []).filter((measure) => isNumber(measure.tolerance));
+  const part = (measure) => (measure.tolerance > 0 ? measure.deviation / measure.tolerance : measure.deviation > 0 ? Infinity : 0);
+  return judged.sort((a, b) => part(b) - part(a))[0] || null;
+}
+
 /** Where a check is worst: its own point, or that of its worst measure. */
 function worstOf(check) {
   if (check.worst && isNumber(check.worst.value)) return check.worst;
-  const judged = (check.measures || []).filter((measure) => measure.where && isNumber(measure.tolerance));
-  judged.sort((a, b) => b.deviation / b.tolerance - a.deviation / a.tolerance);
-  return judged.length > 0 ? judged[0].where : check.worst || null;
+  const measure = worstMeasure(check);
+  return (measure && measure.where) || check.worst || null;
 }
 
 let instantParts = null;
@@ -766,22 +944,33 @@ function showInstant() {
   const {output, state, word, slider} = instantParts;
   const now = view.time();
   const time = timeOf(view.one);
-  output.textContent = `t = ${withUnit(now, time.unit, 5)}`;
+  const {event} = view;
+  output.textContent = `t = ${timeText(view.one, now, event ? 1 : 0)}` + (time.unit ? "\u00a0" + time.unit : "");
+  const row = view.times[0][view.places[0]];
+  const total = view.one.events_total || (view.one.events || []).length;
+  instantParts.note.textContent = event
+      ? `event ${eventNumber(view.one, event)} of ${total}` + (row !== event.t ? `, between two rows: other numbers are those at t = ${timeText(view.one, row)}` : "") : "";
+  for (const [button, step] of instantParts.steps) button.disabled = !nextEvent(step);
   const status = view.statusNow();
   state.className = "state-box " + {slip: "slip", "no contact": "open", stick: "stick"}[status];
   word.textContent = status;
-  slider.value = String(Math.round(view.places[0]));
+  slider.value = String(view.places[0]);
   slider.setAttribute("aria-valuetext", `${output.textContent}, ${status}`);
   const energy = instantParts.energy;
-  if (energy) energy.forEach(({cell, line}) => { cell.textContent = withUnit(valueAt(line.y, view.places[0]), line.unit, 5); });
+  if (energy) energy.forEach(({cell, line}) => { cell.textContent = withUnit(line.y[view.places[0]], line.unit, 5); });
   if (instantParts.events) markEvent(now);
 }
 
 /** The last event not after the instant is marked in the list. */
 function markEvent(now) {
   const {events, rows} = instantParts;
-  let last = -1;
-  for (let i = 0; i < events.length; ++i) if (events[i].t <= now * (1 + 1e-12)) last = i;
+  let last = view.event ? events.indexOf(view.event) : -1;
+  if (!view.event) {
+    for (let i = 0; i < events.length; ++i) if (events[i].t <= now) last = i;
+    // Among those that are left out nobody knows which is the last.
+    const {after, count} = leftOut(view.one);
+    if (count > 0 && last === after - 1 && now > events[last].t) last = -1;
+  }
   if (instantParts.near === last) return;
   const reach = (at, index) => { rows[at].querySelector("button").tabIndex = index; };
   if (rows[instantParts.near]) rows[instantParts.near].classList.remove("near");
@@ -828,7 +1017,6 @@ function header(one) {
   const facts = [make("span", {class: "badge " + one.status}, `${kStatusMarks[one.status]} ${kStatusWords[one.status]}`)];
   const said = [];
   if (one.increments > 0) said.push(plural(one.increments, "increment"));
-  if (one.thinned) said.push(`curves thinned to ${plural(one.rows_shown, "point")}; extremes, reversals and ends are kept`);
   const parameters = Object.entries(one.parameters || {});
   if (parameters.length > 0) said.push(parameters.map(([name, value]) => `${name} = ${isNumber(value) ? number(value, 6) : value}`).join(", "));
   block.append(make("p", {class: "facts"}, facts, make("span", {class: "soft"}, quoted(said.join(" \u00b7 ")))));
@@ -836,12 +1024,31 @@ function header(one) {
   if ((one.warnings || []).length > 0) {
     block.append(make("ul", {class: "notes"}, [...new Set(one.warnings)].map((line) => make("li", {class: "note"}, make("b", {}, "Note: "), quoted(line)))));
   }
+  if (one.thinned) block.append(make("p", {class: "facts soft", id: "thinned"}, thinnedWords(one)));
   if (one.details === false && one.status !== "not_run") {
     block.append(make("p", {class: "facts soft"}, "The curves of this case are left out to keep the page small; a report of this case alone draws them."));
   }
   if (one.message) block.append(make("pre", {tabindex: 0, "aria-label": "Why it was not run"}, one.message));
   if ((one.definitions || []).length > 1) block.append(definitionTabs(one));
   return block;
+}
+
+/** What is drawn of a thinned run, so that nobody takes the rest for a curve. */
+function thinnedWords(one) {
+  const time = timeOf(one);
+  const kept = ["the first and the last", "those of the smallest and the largest number of every column"];
+  const [first, last, total] = [one.events_first || 0, one.events_last || 0, one.events_total || 0];
+  if (total > 0 && first >= total) kept.push("those beside every event");
+  else if (first + last > 0) kept.push(`those beside the first ${first} and the last ${last} of ${total} events`);
+  if (one.kind !== "result" || (one.checks || []).length > 0) kept.push("those where a check is worst");
+  const whole = ({rows, first: from, last: to}) => (to - from + 1 === rows ? `with all ${rows} rows` : `with ${to - from + 1} of its ${rows} rows`);
+  if (one.cycle) {
+    const [from, to] = [one.cycle.first, one.cycle.last].map((row) => timeText(one, time.values[row]));
+    kept.push(`the last whole cycle (t = ${from} to ${to}) ${whole(one.cycle)}`);
+    if (one.beginning) kept.push(`the beginning ${whole(one.beginning)}`);
+  }
+  return `Drawn are ${one.rows_shown} of ${one.increments + 1} rows: ${kept.join(", ")}; of the rest the smallest and largest of each stretch. ` +
+      "Between drawn rows a line is no curve of the run" + (one.cycle ? "; in loops it is light." : ".");
 }
 
 function definitionTabs(one) {
@@ -880,19 +1087,25 @@ function instantBar(one) {
   const word = make("span");
   const slider = make("input", {type: "range", id: "instant", min: 0, max: Math.max(view.times[0].length - 1, 0), step: 1, "aria-label": "Instant",
                                 oninput: () => view.moveTo(Number(slider.value))});
-  instantParts = {output, state, word, slider};
-  const steps = (one.events || []).length > 0 ? make("span", {class: "steps"},
-      make("button", {type: "button", title: "Previous event (p)", onclick: () => toEvent(-1)}, "\u2039 event"),
-      make("button", {type: "button", title: "Next event (n)", onclick: () => toEvent(1)}, "event \u203a")) : null;
-  return make("div", {class: "instant", role: "group", "aria-label": "Instant shown in all pictures"}, output, make("span", {class: "state"}, state, word), slider, steps);
+  const note = make("span", {class: "soft event-note"});
+  const back = make("button", {type: "button", title: "Previous event (p)", onclick: () => toEvent(-1)}, "\u2039 event");
+  const on = make("button", {type: "button", title: "Next event (n)", onclick: () => toEvent(1)}, "event \u203a");
+  instantParts = {output, state, word, slider, note, steps: [[back, -1], [on, 1]]};
+  const steps = (one.events || []).length > 0 ? make("span", {class: "steps"}, back, on) : null;
+  return make("div", {class: "instant", role: "group", "aria-label": "Instant shown in all pictures"}, output, make("span", {class: "state"}, state, word), slider, steps, note);
+}
+
+/** The listed event before or after the instant. */
+function nextEvent(step) {
+  const events = view.one.events || [];
+  if (view.event) return events[events.indexOf(view.event) + step];
+  const now = view.time();
+  return step > 0 ? events.find((event) => event.t > now) : events.filter((event) => event.t < now).pop();
 }
 
 function toEvent(step) {
-  const now = view.time();
-  const slack = 1e-9 * Math.max(Math.abs(now), 1e-9);
-  const times = (view.one.events || []).map((event) => event.t);
-  const next = step > 0 ? times.find((t) => t > now + slack) : times.filter((t) => t < now - slack).pop();
-  if (next !== undefined) view.moveToTime(next);
+  const next = nextEvent(step);
+  if (next) view.choose(next);
 }
 
 // --------------------------------------------------------------------- the pictures and their tools
@@ -931,14 +1144,19 @@ function drawPictures() {
 }
 
 function showShades() {
-  const {definition} = view;
-  const share = definition && isNumber(definition.slip_share) ? ` ${number(100 * definition.slip_share, 2)} % of the time` : "";
-  const open = definition && (definition.spans || []).some((span) => span[2] === 0);
+  const {definition, one} = view;
+  // As the summary tells it.
+  const share = definition && isNumber(definition.slip_share) ? ` ${Math.round(100 * definition.slip_share)} % of the time` : "";
+  const spans = (definition && definition.spans) || [];
+  const open = spans.some((span) => span[2] === 0 && !span[3]);
+  const mixed = [2, 0].filter((status) => spans.some((span) => span[2] === status && span[3]));
   find("shades").replaceChildren(...(definition ? [
     make("span", {}, make("i", {class: "state-box"}), "stick"),
     make("span", {}, make("i", {class: "state-box slip"}), "slip" + share),
     open ? make("span", {}, make("i", {class: "state-box open"}), "no contact") : null,
-    make("span", {}, "in loops, slip is the bolder line")
+    ...mixed.map((status) => make("span", {}, make("i", {class: "state-box mixed"}), status === 2 ? "stick and slip, too fast to draw" : "contact lost and found, too fast to draw")),
+    make("span", {}, "in loops, slip is the bolder line" + (one.cycle ? ", and light what is thinned" : "")),
+    view.others.length > 0 ? make("span", {id: "shaded-run"}, "shades, state and limit are those of ", quoted(one.name)) : null
   ].filter(Boolean) : []));
 }
 
@@ -970,7 +1188,7 @@ function compareBox() {
     view.setTimes();
     view.places = [view.places[0]];
     drawPictures();
-    view.moveTo(view.places[0]);
+    view.moveTo(view.places[0], false, view.event);
     tell();
     fill();
     for (const box of list.querySelectorAll("input")) if (box.value === focused) box.focus();
@@ -1041,7 +1259,8 @@ function energyTable(one, lines) {
     const cell = make("td", {class: "number"});
     cells.push({cell, line});
     rows.push(make("tr", {}, make("th", {scope: "row"}, "not accounted for"), cell,
-                   make("td", {class: "number"}, withUnit(last(line), line.unit, 2) + (scale > 0 ? ` (${number(last(line) / scale, 2)} of the whole)` : ""))));
+                   make("td", {class: "number"}, withUnit(last(line), line.unit, 2))));
+    if (scale > 0) rows.push(make("tr", {}, make("th", {scope: "row"}, "as a part of the whole"), make("td"), make("td", {class: "number"}, number(last(line) / scale, 2))));
   }
   if (instantParts) instantParts.energy = cells;
   return inScroll(make("table", {class: "plain"}, make("caption", {}, "Energy balance"),
@@ -1059,7 +1278,7 @@ function eventSection(one) {
   const rows = events.map((event, i) => {
     const force = (one.definitions || []).find((definition) => definition.name === event.definition) || {};
     return make("tr", {},
-        make("td", {class: "number"}, make("button", {type: "button", tabindex: i === 0 ? 0 : -1, onclick: () => view.moveToTime(event.t)}, number(event.t, 6))),
+        make("td", {class: "number"}, make("button", {type: "button", tabindex: i === 0 ? 0 : -1, onclick: () => view.choose(event)}, timeText(one, event.t, 2))),
         several ? make("td", {}, quoted(event.definition)) : null,
         make("td", {}, event.reversal ? "slip turns round" : `${event.from} \u2192 ${event.to}`),
         make("td", {class: "number"}, withUnit(event.force, unitOf(force.force))),
@@ -1067,7 +1286,10 @@ function eventSection(one) {
         positions.map((name) => make("td", {class: "number"}, withUnit(event.positions[name], unitOf(name)))));
   });
   const total = one.events_total || events.length;
-  const caption = (total > events.length ? `The first ${events.length} of ${total} events` : plural(total, "event")) + "; choose one to see its instant";
+  const {after, count} = leftOut(one);
+  const caption = (count > 0 ? `The first ${after} and the last ${events.length - after} of ${total} events` : plural(total, "event")) + "; choose one to see its instant";
+  const lines = [...rows];
+  if (count > 0) lines.splice(after, 0, make("tr", {class: "gap"}, make("td", {colspan: rows[0].children.length}, `${count} events are not listed: the list goes on with event ${after + count + 1}`)));
   const column = (word, numeric = true) => make("th", {scope: "col", class: numeric ? "number" : ""}, word);
   Object.assign(instantParts, {events, rows, near: -1});
   // One stop of Tab for the whole list; arrows go through it.
@@ -1085,7 +1307,7 @@ function eventSection(one) {
       make("div", {class: "scroll", tabindex: 0, role: "region", "aria-label": "Events", onkeydown: step},
           make("table", {"aria-describedby": "events-caption"}, make("caption", {class: "hidden"}, "Events"),
               make("thead", {}, make("tr", {}, column(labelled("t", time.unit)), several ? column("Definition", false) : null, column("Change", false), column("Force"), column("Limit"), positions.map((name) => column(name)))),
-              make("tbody", {}, rows))));
+              make("tbody", {}, lines))));
 }
 
 // ------------------------------------------------------------------------------- coverage of tables
@@ -1206,11 +1428,16 @@ function fillCheck(entry) {
   const said = [`against ${check.against || "its reference"}`];
   if (isNumber(check.tolerance)) said.push(`tolerance ${withUnit(check.tolerance, check.unit, 3)}${check.why ? " (" + check.why + ")" : ""}`);
   if (isNumber(check.compared)) said.push(`${check.failing || 0} of ${plural(check.compared, "point")} beyond it`);
-  if (isNumber(check.first_failing) && isNumber(check.last_failing)) said.push(`from t = ${number(check.first_failing)} to ${withUnit(check.last_failing, time.unit)}`);
+  if (isNumber(check.first_failing) && isNumber(check.last_failing)) said.push(`from t = ${timeText(view.one, check.first_failing)} to ${timeText(view.one, check.last_failing)}` + (time.unit ? "\u00a0" + time.unit : ""));
+  if (check.trace && check.trace.thinned) said.push("the curves are thinned but for the points around the worst one");
   parts.push(make("p", {class: "soft"}, quoted(said.join(" \u00b7 "))));
   if (worst && isNumber(worst.value)) {
-    const where = isNumber(worst.time) ? `t = ${withUnit(worst.time, time.unit, 5)}` : `${number(worst.abscissa, 5)}`;
-    parts.push(make("p", {class: "worst-words"}, `Worst: ${withUnit(worst.value, check.unit, 6)}` + (isNumber(worst.reference) ? ` where ${withUnit(worst.reference, check.unit, 6)} is wanted, ` : " ") + `at ${where}`));
+    const where = isNumber(worst.time) ? `t = ${timeText(view.one, worst.time)}` + (time.unit ? "\u00a0" + time.unit : "") : `${number(worst.abscissa, 5)}`;
+    const measure = worstMeasure(check);
+    // What a measure is compared with stands elsewhere on the reference, or is no point of it at all.
+    const words = measure ? `Worst: ${measure.name} ${withUnit(measure.value, measure.unit, 6)}, wanted is ${withUnit(measure.reference, measure.unit, 6)}; at ${where}`
+                          : `Worst: ${withUnit(worst.value, check.unit, 6)}` + (isNumber(worst.reference) ? ` where ${withUnit(worst.reference, check.unit, 6)} is wanted, ` : " ") + `at ${where}`;
+    parts.push(make("p", {class: "worst-words"}, quoted(words)));
   }
   entry.pictures = check.trace ? tracePictures(check, worst) : [];
   const zoom = make("button", {type: "button", "aria-pressed": "false", onclick: () => zoomTo(entry, worst, zoom)}, "Zoom in on it");
@@ -1236,7 +1463,7 @@ function deviations(trace) {
   reference.x.forEach((at, i) => {
     if (!isNumber(at) || !isNumber(reference.y[i]) || at < value.x[0] || at > value.x[value.x.length - 1]) return;
     // Two rows at one abscissa are the two sides of a jump: each is compared with its own.
-    const twin = value.x[i] === at ? value.y[i] : valueAt(value.y, placeOf(value.x, at));
+    const twin = value.x[i] === at ? value.y[i] : between(value.x, value.y, at);
     if (!isNumber(twin)) return;
     x.push(at);
     y.push(twin - reference.y[i]);
@@ -1244,7 +1471,7 @@ function deviations(trace) {
   return x.length > 1 ? {x, y} : null;
 }
 
-/** True if the drawn points resolve the deviation: they have six digits and may be thinned. */
+/** True if the drawn points resolve the deviation: they have their digits and may be thinned. */
 function resolves(check, differences, worst) {
   const size = Math.max(...Object.values(range(check.trace.reference.y) || {low: 0, high: 0}).map(Math.abs));
   const known = worst && isNumber(worst.value) && isNumber(worst.reference) ? Math.abs(worst.value - worst.reference) : null;
@@ -1262,10 +1489,12 @@ function tracePictures(check, worst) {
   const forwards = lines.every((line) => rising(line.x));
   const common = {xName: trace.abscissa, xUnit: trace.abscissa_unit, unit: check.unit, last: true, linked: overTime};
   const mark = worst && isNumber(worst.abscissa) && isNumber(worst.value);
+  const measure = worstMeasure(check);
   const panels = [{
     ...common, key: "trace", title: overTime ? check.quantity || "Value" : "", kind: overTime ? "history" : "loop", yName: check.quantity || "Value", lines,
     tube: isNumber(trace.tube) && trace.reference ? {...trace.reference, half: trace.tube, sorted: forwards} : null,
-    worst: mark ? {x: worst.abscissa, y: worst.value, reference: worst.reference, text: `worst: ${withUnit(worst.value, check.unit)}` + (isNumber(worst.reference) ? ` against ${number(worst.reference)}` : "")} : null
+    worst: mark ? {x: worst.abscissa, y: worst.value, reference: measure ? null : worst.reference,
+                   text: measure ? `worst: ${measure.name}` : `worst: ${withUnit(worst.value, check.unit)}` + (isNumber(worst.reference) ? ` against ${number(worst.reference)}` : "")} : null
   }];
   if (panels[0].tube) {
     const {low, high} = range([...lines.flatMap((line) => line.y)]) || {low: 0, high: 0};
@@ -1275,7 +1504,7 @@ function tracePictures(check, worst) {
   }
   const differences = deviations(trace);
   if (differences && isNumber(trace.tube) && resolves(check, differences, worst)) {
-    const off = mark && isNumber(worst.reference) ? worst.value - worst.reference : null;
+    const off = mark && !measure && isNumber(worst.reference) ? worst.value - worst.reference : null;
     const largest = Math.max(trace.tube, ...differences.y.map(Math.abs), Math.abs(off || 0));
     panels.push({
       ...common, key: "deviation", title: "Value minus reference, and the tolerance", kind: "history", lines: [{label: "deviation", unit: check.unit, ...differences, main: true}],
@@ -1287,7 +1516,23 @@ function tracePictures(check, worst) {
   return panels.map((panel) => new Picture(panel, panel.key === "trace" ? "trace" : "small"));
 }
 
-/** The tenth of the abscissa around the worst point, or all of it again. */
+/**
+ * What is zoomed to: a tenth of the abscissa around the worst point, or a tenth of the points, whichever is less; of a
+ * curve that is thinned, the points around it of which none is left out.
+ */
+function zoomHalf(check, whole, at) {
+  const x = ((check.trace.value || {}).x || []).filter(isNumber);
+  const nearest = x.reduce((best, value, i) => (Math.abs(value - at) < Math.abs(x[best] - at) ? i : best), 0);
+  const count = check.trace.thinned ? kNeighbours : Math.max(kNeighbours, Math.round(x.length / 20));
+  const near = [x[Math.max(nearest - count, 0)], x[Math.min(nearest + count, x.length - 1)]].map((value) => Math.abs(value - at)).filter((size) => size > 0);
+  const half = (whole.high - whole.low) / 20;
+  if (near.length === 0) return half;
+  return Math.min(half, check.trace.thinned ? Math.min(...near) : Math.max(...near));
+}
+/** Points on each side of the worst one that no thinning leaves out. */
+const kNeighbours = 8;
+
+/** The surroundings of the worst point, or all again. */
 function zoomTo(entry, worst, button) {
   const on = button.getAttribute("aria-pressed") !== "true";
   button.setAttribute("aria-pressed", String(on));
@@ -1295,7 +1540,7 @@ function zoomTo(entry, worst, button) {
   for (const picture of entry.pictures) {
     const {x, y} = picture.chart.options.scales;
     const whole = range(picture.panel.lines.flatMap((line) => line.x));
-    const half = (whole.high - whole.low) / 20;
+    const half = zoomHalf(entry.check, whole, worst.abscissa);
     const [first, last] = picture.panel.xLimits || picture.span("x", picture.panel.kind === "history" ? 0 : 0.04);
     x.min = on ? worst.abscissa - half : first;
     x.max = on ? worst.abscissa + half : last;
@@ -1422,20 +1667,26 @@ function stepCase(step, focus) {
 
 // ------------------------------------------------------------------------------ address of the page
 
-function address(one, t) {
+function address(one, instant) {
   const name = encodeURIComponent(one.id).replace(/%2F/g, "/");
-  return "#" + name + (isNumber(t) ? "@" + Number(t.toPrecision(7)) : "");
+  return "#" + name + (instant === undefined ? "" : "@" + instant);
 }
+
+/** The instant in words of the address: the time of a row, or the number of an event. */
+const instantName = () => (view.event ? "event" + eventNumber(view.one, view.event) : String(view.time()));
 
 /** Case and instant that the page's address names, if any. */
 function addressed() {
   let text = location.hash.slice(1);
   try { text = decodeURIComponent(text); } catch { /* kept as it is */ }
-  if (byId.has(text)) return {one: byId.get(text), t: null};
+  if (byId.has(text)) return {one: byId.get(text)};
   const at = text.lastIndexOf("@");
   const one = at > 0 ? byId.get(text.slice(0, at)) : null;
-  const t = Number(text.slice(at + 1));
-  return one ? {one, t: isNumber(t) ? t : null} : null;
+  if (!one) return null;
+  const instant = text.slice(at + 1).trim();
+  const event = /^event\d+$/.test(instant) ? (one.events || []).find((other) => "event" + eventNumber(one, other) === instant) : null;
+  const t = instant === "" ? NaN : Number(instant);
+  return {one, event: event || null, t: isNumber(t) ? t : null};
 }
 
 let writeLater = 0;
@@ -1444,7 +1695,7 @@ let writeLater = 0;
 function keepAddress() {
   clearTimeout(writeLater);
   writeLater = setTimeout(() => {
-    try { history.replaceState(null, "", address(view.one, view.time())); } catch { /* a browser may forbid it for files */ }
+    try { history.replaceState(null, "", address(view.one, instantName())); } catch { /* a browser may forbid it for files */ }
   }, 300);
 }
 
@@ -1461,7 +1712,8 @@ function followAddress() {
   const wanted = addressed();
   if (!wanted) return;
   if (!view || wanted.one !== view.one) show(wanted.one);
-  if (wanted.t !== null && view) view.moveToTime(wanted.t, true);
+  if (wanted.event) view.choose(wanted.event, true);
+  else if (isNumber(wanted.t)) view.moveToTime(wanted.t, true);
 }
 
 // --------------------------------------------------------------------------------- keys and printing
@@ -1485,9 +1737,11 @@ function onKey(event) {
   const inTabs = target.getAttribute("role") === "tab";
   const slider = target.matches("input[type=range]");
   // Regions that scroll keep their own arrow keys.
-  const scrolls = target.matches("pre, .coverage-block");
+  const scrolls = target.matches("pre, .coverage-block, .sideways");
   const step = event.shiftKey && view ? Math.max(1, Math.round(view.times[0].length / 50)) : 1;
   const place = view ? view.places[0] : 0;
+  // Behind an event between two rows comes the row that is already the place.
+  const betweenRows = view && view.event && view.event.t < view.times[0][place];
   const actions = {
     j: () => stepCase(1, inList), k: () => stepCase(-1, inList),
     n: () => view && toEvent(1), p: () => view && toEvent(-1), w: nextWorst, t: nextTheme,
@@ -1498,7 +1752,7 @@ function onKey(event) {
   // A slider without Shift moves by itself.
   if (view && !inTabs && !scrolls && (!slider || event.shiftKey)) {
     Object.assign(actions, {
-      ArrowLeft: () => view.moveTo(Math.ceil(place) - step), ArrowRight: () => view.moveTo(Math.floor(place) + step),
+      ArrowLeft: () => view.moveTo(place - step), ArrowRight: () => view.moveTo(betweenRows && !event.shiftKey ? place : place + step),
       Home: () => view.moveTo(0), End: () => view.moveTo(Infinity)
     });
   }
@@ -1527,7 +1781,8 @@ function afterPrint() {
 /** To the size its place has now; Chart.js itself would only see it in the next frame. */
 function resizeNow(picture) {
   if (!picture.chart) return;
-  picture.chart.options.devicePixelRatio = printing ? 2.5 : window.devicePixelRatio;
+  // On paper a canvas of a broken ratio is drawn a little smaller than the marks over it.
+  picture.chart.options.devicePixelRatio = printing ? 2 : window.devicePixelRatio;
   picture.chart.resize(picture.plot.clientWidth, picture.plot.clientHeight);
   picture.chart.update("none");
 }

@@ -7,6 +7,8 @@ TEST is one of
   linked     pointing at one curve marks the same instant in all, with the values of the result
   keyboard   all keys that the page promises; Tab reaches every part
   cases      choosing, filtering, definitions, the address of case and instant; going back
+  rows       what is read off at rows, events and worst points is in the CSV and the events of `run`, coarse or late
+  thinned    the same of a long run, and what the page says of its thinning
   worst      a failing check stands open, its worst point is that of the result, the instant goes there
   overlay    two runs in one picture, from the start and by choice
   looks      light, dark, a phone of 360 pixels: readable and nothing beside the screen
@@ -18,6 +20,7 @@ The needs beyond python3 itself are python3-selenium, chromium and chromium-driv
 
 import argparse
 import base64
+import csv
 import json
 import math
 import pathlib
@@ -181,19 +184,40 @@ class Page:
     def check_contrast(self, what):
         """Words against their background: at least 4.5 to 1."""
         poor = self.run("""
+                const over = (front, behind) => front.c.map((v, i) => front.a * v + (1 - front.a) * behind[i]);
                 const parse = (text) => { const [r, g, b, a = 1] = text.match(/[\\d.]+/g).map(Number); return {c: [r, g, b], a}; };
                 const light = (c) => { const [r, g, b] = c.map((v) => { v /= 255; return v <= 0.03928 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4; });
                                        return 0.2126 * r + 0.7152 * g + 0.0722 * b; };
-                const back = (one) => { for (; one; one = one.parentElement) { const b = parse(getComputedStyle(one).backgroundColor); if (b.a > 0.9) return b.c; } return [255, 255, 255]; };
+                const back = (one) => { if (!one) return [255, 255, 255]; const b = parse(getComputedStyle(one).backgroundColor); return b.a === 1 ? b.c : over(b, back(one.parentElement)); };
                 const poor = [];
                 for (const one of document.querySelectorAll("p, h1, h2, h3, h4, th, td, li, button, .mark, .badge, b, output")) {
-                  if (!one.textContent.trim() || one.closest(".coverage, .hidden, dialog, .skip") || one.disabled) continue;
+                  // Of what was never visited the words stand on a patch of their own.
+                  if (!one.textContent.trim() || one.closest(".hidden, dialog, .skip") || one.disabled || one.matches(".never")) continue;
                   const a = light(parse(getComputedStyle(one).color).c), b = light(back(one));
                   const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
                   if (ratio < 4.5) poor.push(`${one.tagName}.${one.className} '${one.textContent.slice(0, 20)}' ${ratio.toFixed(1)}`);
                 }
                 return [...new Set(poor)].slice(0, 5);""")
         expect(not poor, f"{what}: hard to read: {poor}")
+
+    def check_curves(self, what):
+        """Curves against the screen and the shade of slip: at least 3 to 1 (WCAG 1.4.11)."""
+        poor = self.run("""
+                const probe = document.body.appendChild(document.createElement("i"));
+                const light = (name) => { probe.style.color = `var(--${name})`;
+                  const [r, g, b] = getComputedStyle(probe).color.match(/[\\d.]+/g).map((v) => { v /= 255; return v <= 0.03928 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4; });
+                  return 0.2126 * r + 0.7152 * g + 0.0722 * b; };
+                const poor = [];
+                for (const name of ["text", "limit", "bad", 1, 2, 3, 4, 5, 6].map((one) => (typeof one === "number" ? "curve-" + one : one))) {
+                  for (const back of ["back", "slip"]) {
+                    const a = light(name), b = light(back);
+                    const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+                    if (ratio < 3) poor.push(`${name} on ${back} ${ratio.toFixed(2)}`);
+                  }
+                }
+                probe.remove();
+                return poor;""")
+        expect(not poor, f"{what}: hard to see: {poor}")
 
     def overflow(self):
         return self.run("return [document.documentElement.scrollWidth, window.innerWidth]")
@@ -217,12 +241,90 @@ def close(found, wanted, digits=4):
     return math.isclose(found, wanted, rel_tol=2 * 10.0 ** (1 - digits), abs_tol=1e-12)
 
 
-def interpolated(x, y, at):
-    """y at x = at, straight between rows; of two rows at one x the later one."""
-    last = max(i for i in range(len(x)) if x[i] <= at)
-    if last + 1 == len(x) or x[last] == at:
-        return y[last]
-    return y[last] + (at - x[last]) / (x[last + 1] - x[last]) * (y[last + 1] - y[last])
+class Result:
+    """What `run` writes of a case: the oracle for what a page tells."""
+
+    def __init__(self, case):
+        name = pathlib.Path(case).stem
+        (folder / "results").mkdir(exist_ok=True)
+        done = subprocess.run([program, "run", case, "-o", "results"], capture_output=True, text=True, timeout=120, cwd=folder)
+        expect(done.returncode in (0, 1), f"run {case} ended with {done.returncode}: {done.stderr}")
+        self.rows = self.table(f"{name}.csv")
+        self.events = self.table(f"{name}.events.csv")
+        self.times = [float(row["t"]) for row in self.rows]
+
+    def table(self, name):
+        with open(folder / "results" / name, encoding="utf-8") as file:
+            return list(csv.DictReader(line for line in file if not line.startswith("#")))
+
+    def place(self, t):
+        """The row at a time that the page tells; None if there is none."""
+        row = min(range(len(self.times)), key=lambda i: abs(self.times[i] - t))
+        step = min(abs(self.times[i] - self.times[row]) for i in (row - 1, row + 1) if 0 <= i < len(self.times))
+        return row if abs(self.times[row] - t) < 0.2 * step else None
+
+
+kRegimes = {"0": "no contact", "1": "stick", "2": "slip"}
+
+
+def check_row(page, result, what, status="STATUS"):
+    """The bar and the legends tell a row of the result, and no other."""
+    row = result.place(page.instant())
+    if row is None:
+        expect(False, f"{what}: t = {page.instant()} is no row of the result")
+        return
+    wanted = result.rows[row]
+    for panel in page.run("return [...document.querySelectorAll('#pictures figure')].map((one) => one.dataset.panel)"):
+        for name, text in page.values(panel).items():
+            if name in wanted:
+                expect(close(first_number(text), float(wanted[name]), 4), f"{what}, t = {page.instant()}: {panel} tells {name} = {text}, the result {wanted[name]}")
+    expect(page.text(".instant .state") == kRegimes[wanted[status]], f"{what}, t = {page.instant()}: the bar says {page.text('.instant .state')}, the result {wanted[status]}")
+
+
+def check_event(page, result, number, what):
+    """The bar, the legends and the list tell event `number` of the result, from 1."""
+    wanted = result.events[number - 1]
+    expect(close(page.instant(), float(wanted["t"]), 5), f"{what}: event {number} is at t = {wanted['t']}, shown is {page.instant()}")
+    expect(f"event {number} of {len(result.events)}" in page.text(".event-note"), f"{what}: event {number} is told as '{page.text('.event-note')}'")
+    expect(page.text(".instant .state") == {"open": "no contact"}.get(wanted["to"], wanted["to"]), f"{what}: event {number} ends in {wanted['to']}, the bar says {page.text('.instant .state')}")
+    force = page.values("force")
+    for name, column in (("CSF1", "force"), ("FLIM", "limit")):
+        expect(close(first_number(force[name]), float(wanted[column]), 4), f"{what}: event {number} has {column} {wanted[column]}, shown is {force[name]}")
+    for loop in page.run("return [...document.querySelectorAll('#pictures figure')].map((one) => one.dataset.panel).filter((one) => one.startsWith('loop'))"):
+        at = page.values(loop)["CSF1"].split(" at CP1 ")[1]
+        expect(close(first_number(at), float(wanted["CP1"]), 4), f"{what}: event {number} is at CP1 = {wanted['CP1']}, shown is {at}")
+    expect("near" in page.run("return [...document.querySelectorAll('.scroll tr')].find((row) => row.classList.contains('near'))?.className || ''"), f"{what}: event {number} is not marked in the list")
+
+
+def written(name, history, checks=""):
+    """A slider of 100 N on 1000 N/mm."""
+    (folder / f"{name}.yaml").write_text("slipbench: 1\ntitle: " + name + """
+units: {length: mm, force: N, time: s}
+connector: {type: SLOT}
+friction:
+  - {predefined: {}, coefficient: 0.2, stick: {stiffness: 1000}}
+history:
+""" + history + ("checks:\n" + checks if checks else ""))
+    return f"{name}.yaml"
+
+
+def coarse():
+    """Twelve increments: all events lie inside of them, and a peak that is too low."""
+    return written("coarse", "  - {step: run, duration: 1, increments: 12, force: {f2: 500}, motion: {CP1: {sine: {amplitude: 0.5, frequency: 1.25}}}}\n",
+                   "  - {name: spoilt, quantity: CSF1, against: {expression: 'max(min(1000*CP1, 101), -101)'}, tolerance: {absolute: 0.5, why: a test}}\n"
+                   "  - {name: peak, criterion: peak, quantity: CSF1, against: {expression: '90*sin(2.5*pi*T)'}, tolerance: {absolute: 0.5, why: a test}}\n")
+
+
+def late():
+    """A hundredth of a second after a thousand."""
+    return written("late", "  - {step: wait, duration: 1000, increments: 10, force: {f2: 500}, motion: {CP1: {to: 1000}}}\n"
+                           "  - {step: run, duration: 0.01, increments: 200, motion: {CP1: {sine: {amplitude: 0.5, frequency: 300, mean: 1000}}}}\n")
+
+
+def endless():
+    """A thousand cycles of 60 increments; one check is off in three rows after a minute of 200 s."""
+    return written("endless", "  - {step: run, duration: 200, increments: 60000, force: {f2: 500}, motion: {CP1: {sine: {amplitude: 0.5, frequency: 5}}}}\n",
+                   "  - {name: spike, quantity: CSF1, against: {expression: 'CSF1 + 30*max(0, 1 - abs(T - 60.43)/0.005)'}, tolerance: {absolute: 0.5, why: a test}}\n")
 
 
 def failing_case():
@@ -395,6 +497,124 @@ def cases():
         expect("no contact" in page.text("#shades"), "lift-off without a word of no contact")
 
 
+def rows():
+    paths = [coarse(), late()]
+    results = {path.split(".")[0]: Result(path) for path in paths}
+    with Page(report(*paths)) as page:
+        for name, result in results.items():
+            page.go("#" + name)
+            case = page.cases[name]
+            expect(len(set(case["rows"][0])) == len(set(result.times)), f"{name}: {len(set(case['rows'][0]))} times of {len(set(result.times))} are told apart")
+            expect(case["rows_shown"] == len(result.rows), f"{name}: {case['rows_shown']} rows of {len(result.rows)}")
+            page.press(Keys.HOME)
+            check_row(page, result, name)
+            for _ in range(6):
+                page.press(Keys.ARROW_RIGHT)
+                check_row(page, result, name)
+            page.press(Keys.END)
+            check_row(page, result, name)
+            page.press(Keys.HOME)
+            expect(close(page.instant(), result.times[0]), "Home is not at the first row")
+            first = 1 if float(result.events[0]["t"]) > result.times[0] else 2
+            for number in range(first, min(len(result.events), 9) + 1):
+                page.press("n")
+                check_event(page, result, number, name)
+            page.press("p")
+            check_event(page, result, min(len(result.events), 9) - 1, name)
+            # The address leads to the event again, and without an instant to none.
+            page.wait("return location.hash.includes('@event')", "no event in the address")
+            page.go(page.run("return location.hash"))
+            check_event(page, result, min(len(result.events), 9) - 1, name + ", by its address")
+        page.go("#coarse@")
+        expect(page.instant() > 0.0, "an address without an instant goes to t = 0")
+        # The page opened at the worst point.
+        page.go("#coarse")
+        check_row(page, results["coarse"], "the worst point")
+        check = next(one for one in page.cases["coarse"]["checks"] if one["name"] == "spoilt")
+        expect(close(page.instant(), check["worst"]["time"], 5), f"opens at t = {page.instant()}, worst is {check['worst']['time']}")
+        peak = [text.replace("\u00a0", " ") for text in page.texts(".worst-words")][1]
+        expect(re.search(r"smallest value \S+ N, wanted is \S+ N", peak), f"a peak is told as '{peak}'")
+        expect("against" not in page.texts(".worst-label")[-1], f"a peak is set against '{page.texts('.worst-label')[-1]}'")
+        # The corner of the first slip is drawn: the loop has points that are no rows.
+        drawn = page.run("""const chart = Chart.getChart(document.querySelector('figure[data-panel^="loop"] canvas'));
+                            return chart.data.datasets[0].data.map(({x, y}) => [x, y]);""")
+        corner = [float(results["coarse"].events[0][name]) for name in ("CP1", "force")]
+        expect(any(close(x, corner[0], 5) and close(y, corner[1], 5) for x, y in drawn), f"the loop has no corner at {corner}")
+        units = set(re.findall(r"mJ|N mm", page.text("#run .beside").replace("\u00a0", " ") + page.text(".summary")))
+        expect(units == {"mJ"}, f"energies in {units}")
+
+
+def thinned():
+    path = endless()
+    result = Result(path)
+    with Page(report(path)) as page:
+        case = page.cases["endless"]
+        said = page.text("#thinned").replace("\u00a0", " ")
+        check_row(page, result, "the worst point")
+        expect(result.times[result.place(page.instant())] == float(min(result.times, key=lambda t: abs(t - 60.43))), f"the worst row is at 60.43, shown is {page.instant()}")
+        values = page.values("trace")
+        expect(close(first_number(values["value"]), first_number(page.values("force")["CSF1"])), f"the check tells {values}, the history {page.values('force')}")
+        # Every drawn row is a row, with its state.
+        places = [result.place(t) for t in case["rows"][0]]
+        expect(None not in places and len(set(places)) == len(places), "drawn rows that are none of the result")
+        for name in ("CSF1", "CP1", "STATUS"):
+            wrong = [t for t, place, value in zip(case["rows"][0], places, page.column(case, name)) if not close(value, float(result.rows[place][name]), 6)]
+            expect(not wrong, f"{name} is another at {wrong[:3]}")
+        for part in (0.1, 0.37, 0.62, 0.9):
+            page.hover("force", part)
+            check_row(page, result, "thinned")
+        # What is said of the thinning is so.
+        numbers = re.search(r"Drawn are (\d+) of (\d+) rows: .*beside the first (\d+) and the last (\d+) of (\d+) events", said)
+        expect(numbers, f"the thinning is told as '{said}'")
+        shown, rows_in_all, first, last, events = map(int, numbers.groups())
+        expect((shown, rows_in_all, events) == (len(places), len(result.rows), len(result.events)), f"'{said}' of {len(places)} of {len(result.rows)} rows, {len(result.events)} events")
+        expect(first >= 20 and last >= 20, f"only {first} and {last} events are whole")
+        drawn = set(places)
+        for event in result.events[:first] + result.events[-last:]:
+            t = float(event["t"])
+            after = next(i for i, time_of in enumerate(result.times) if time_of >= t * (1 - 1e-12))
+            expect(after in drawn and (after - 1 in drawn or close(result.times[after], t, 10)), f"the rows beside the event at {t} are left out")
+        cycle = re.search(r"the last whole cycle \(t = (\S+) to (\S+)\) with all (\d+) rows", said)
+        expect(cycle, f"no whole cycle in '{said}'")
+        from_row, to_row = (result.place(float(t)) for t in cycle.groups()[:2])
+        expect(set(range(from_row, to_row + 1)) <= drawn and to_row - from_row + 1 == int(cycle[3]), "the last cycle is not whole")
+        expect(abs(result.times[to_row] - result.times[from_row] - 0.2) < 0.0035, f"the last cycle lasts from row {from_row} to {to_row}")
+        expect(result.times[to_row] > 199.5, f"the last whole cycle ends at {result.times[to_row]}")
+        # Merged spans are no slip, and the part of slip is the summary's.
+        percent = re.search(r"slips (\d+) % of the time", page.text(".summary"))[1]
+        expect(f"slip {percent} % of the time" in page.text("#shades"), f"the summary says {percent} %, the page '{page.text('#shades')}'")
+        expect("stick and slip, too fast to draw" in page.text("#shades"), "chatter is shaded without a word")
+        status = page.column(case, "STATUS")
+        for begin, end, regime, *merged in case["definitions"][0]["spans"]:
+            inner = [s for t, s in zip(case["rows"][0], status) if begin * (1 + 1e-9) < t < end * (1 - 1e-9)]
+            expect(merged or all(s == regime for s in inner), f"shaded as {regime} from {begin} to {end}, the rows say {set(inner)}")
+        # The list of events: first and last, and nothing between them is marked.
+        total = len(result.events)
+        expect(f"The first 100 and the last 100 of {total} events" in page.text("#events-caption"), f"the list says '{page.text('#events-caption')}'")
+        page.run("location.hash = '#endless@100'")
+        page.wait("return document.querySelector('.instant output').textContent.startsWith('t = 9') || document.querySelector('.instant output').textContent.startsWith('t = 1')", "the address does not lead to t = 100")
+        check_row(page, result, "t = 100")
+        expect(page.run("return document.querySelectorAll('tr.near').length") == 0, "an event is marked though its neighbours are not listed")
+        for number in (1, 100, total - 99, total):
+            page.go(f"#endless@event{number}")
+            check_event(page, result, number, "thinned")
+            page.press("p" if number in (total, total - 99) else "n")
+            other = {1: 2, 100: total - 99, total - 99: 100, total: total - 1}[number]
+            check_event(page, result, other, "thinned, beside " + str(number))
+        page.go(f"#endless@event{total}")
+        expect(page.run("return [...document.querySelectorAll('.steps button')].map((one) => one.disabled)") == [False, True], "behind the last event there is another")
+        # In the loop the rest is light.
+        light = page.run("""const chart = Chart.getChart(document.querySelector('figure[data-panel^="loop"] canvas'));
+            const {segment, data} = chart.data.datasets[0];
+            const of = (i) => segment.borderColor({p1DataIndex: i}) !== undefined;
+            return [data.length, data.filter((_, i) => !of(i)).length];""")
+        expect(light[0] > light[1] >= int(cycle[3]) - 1, f"{light[1]} of {light[0]} stretches are drawn in full")
+        page.go("#endless")
+        page.find(".detail-tools button:last-child").click()
+        limits = page.run("""const {min, max} = Chart.getChart(document.querySelector('figure[data-panel="trace"] canvas')).scales.x; return [min, max];""")
+        expect(0.02 < limits[1] - limits[0] < 0.08, f"zoomed to {limits}, which is not eight rows on each side")
+
+
 def worst():
     (folder / "bad.yaml").write_text("slipbench: 1\ntitel: x\n")
     with Page(report(example("shock_absorber"), failing_case(), "bad.yaml")) as page:
@@ -420,8 +640,11 @@ def worst():
         expect(close(page.instant(), check["worst"]["time"], 5), "the button does not lead to the worst point")
         line = page.run("return Number(document.querySelector('figure[data-panel=\"trace\"] .cursor-line').getAttribute('x1'))")
         expect(abs(x - line) < 0.6, f"ring at {x}, instant at {line}")
-        force = interpolated(page.column(case, "t"), page.column(case, "CSF1"), check["worst"]["time"])
-        expect(close(first_number(page.values("force")["CSF1"]), force, 4), "the history tells another force there")
+        result = Result("spoilt.yaml")
+        check_row(page, result, "the worst point")
+        told = first_number(page.values("trace")["value"])
+        wanted = float(result.rows[result.place(page.instant())][check["quantity"]])
+        expect(close(told, wanted, 4), f"the check's picture tells {told}, the result {wanted}")
         page.press(Keys.HOME, "w")
         expect(close(page.instant(), check["worst"]["time"], 5), "w does not lead to the worst point")
         # The tube: colour between reference and tolerance.
@@ -444,9 +667,13 @@ def overlay():
         page.hover("force", 0.5)
         now = page.instant()
         told = page.values("force")
-        for case, name in ((page.cases[ids[0]], "CSFC"), (page.cases[ids[1]], other)):
-            wanted = interpolated(page.column(case, "t"), page.column(case, "CSFC"), now)
-            expect(close(first_number(told[name]), wanted, 3), f"{name} tells {told[name]} at t = {now}, wanted {wanted}")
+        expect("are those of" in page.text("#shaded-run") and page.cases[ids[0]]["name"] in page.text("#shaded-run"), "nothing says whose shades these are")
+        for run, name in (("old", "CSFC"), ("new", other)):
+            with open(folder / run / "shock_absorber.csv", encoding="utf-8") as file:
+                rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+            nearest = min(abs(float(row["t"]) - now) for row in rows)
+            wanted = [float(row["CSFC"]) for row in rows if abs(float(row["t"]) - now) <= nearest + 1e-5]
+            expect(any(close(first_number(told[name]), one, 3) for one in wanted), f"{name} tells {told[name]} at t = {now}, the result {wanted}")
         dashes = page.run("""return [...document.querySelectorAll('figure[data-panel="force"] .legend line')]
             .map((line) => line.getAttribute("stroke-dasharray"))""")
         expect(len(set(dashes)) == len(dashes), f"curves that are alike in grey: {dashes}")
@@ -460,7 +687,7 @@ def overlay():
 
 
 def looks():
-    page_file = report(failing_case(), example("puck"), example("lift_off"), example("hinge_wear"))
+    page_file = report(failing_case(), coarse(), example("puck"), example("press_fit"), example("hinge_wear"))
     back = "return getComputedStyle(document.body).backgroundColor"
     with Page(page_file) as page:
         for width, dark in ((1280, False), (1280, True), (768, False), (360, False), (360, True)):
@@ -473,14 +700,33 @@ def looks():
                 page.wait(f"return document.querySelector('main .case-name').textContent === '{page.cases[case]['name']}'", f"{case} does not come")
                 wide, there = page.overflow()
                 expect(wide <= there, f"{case}: {wide} pixels wide on a screen of {there}")
-                cut = page.run("""return [...document.querySelectorAll("#pictures svg text, #pictures h4, .legend button, .worst-label")].filter((one) => {
+                cut = page.run("""return [...document.querySelectorAll("main svg text, #pictures h4, .legend button")].filter((one) => {
                     const box = one.getBoundingClientRect();
-                    return box.right > innerWidth + 1 || box.left < -1;
+                    const svg = one.closest("svg");
+                    const place = svg ? svg.getBoundingClientRect() : {left: 0, right: innerWidth};
+                    return box.right > place.right + 1 || box.left < place.left - 1;
                 }).map((one) => one.textContent)""")
                 expect(not cut, f"{case}, {width} pixels: cut off: {cut}")
-            page.check_contrast(f"{width} pixels, dark {dark}")
+                # What does not fit scrolls, and keys can scroll it.
+                stuck = page.run("""return [...document.querySelectorAll(".sideways")]
+                    .filter((one) => one.scrollWidth > one.clientWidth + 1 && one.tabIndex !== 0).map((one) => one.textContent.slice(0, 20))""")
+                expect(not stuck, f"{case}, {width} pixels: no key reaches {stuck}")
+                if width == 1280:
+                    hidden = page.run("return [...document.querySelectorAll('.sideways')].filter((one) => one.scrollWidth > one.clientWidth + 1).map((one) => one.textContent.slice(0, 20))")
+                    expect(not hidden, f"{case}: cut on a usual screen: {hidden}")
+                if width == 360:
+                    small = page.run("""return [...document.querySelectorAll("#verdicts a, input[type=checkbox], .legend button, .scroll td button, .checks .name button")]
+                        .filter((one) => one.getBoundingClientRect().height > 0 && Math.min(one.getBoundingClientRect().height, one.getBoundingClientRect().width) < 23.9)
+                        .map((one) => one.textContent || one.id)""")
+                    expect(not small, f"{case}: too small for a finger: {small[:4]}")
+                page.check_contrast(f"{case}, {width} pixels, dark {dark}")
+            page.check_curves(f"dark {dark}")
         page.press("t")
         expect(page.run(back) == "rgb(255, 255, 255)", "light by choice stays dark")
+        page.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-reduced-motion", "value": "reduce"}]})
+        page.go("#spoilt")
+        turning = page.run("return getComputedStyle(document.querySelector('.checks .name button'), '::before').transitionProperty")
+        expect(turning == "none", f"against the wish for no motion: transition {turning}")
 
 
 def print_page():
@@ -504,6 +750,9 @@ def print_page():
         expect(not page.find("#filter").is_displayed(), "the filter is printed")
         hidden = page.run("return [...document.querySelectorAll('.scroll, .cases')].filter((one) => one.scrollHeight > one.clientHeight + 2).length")
         expect(hidden == 0, "a printed table is cut off")
+        # The marks lie over the curves: only a canvas of a whole ratio keeps its size on paper.
+        ratios = page.run("return [...document.querySelectorAll('main canvas')].map((canvas) => [canvas.width / canvas.clientWidth, canvas.height / canvas.clientHeight])")
+        expect(all(abs(ratio - 2) < 0.01 for pair in ratios for ratio in pair), f"canvases of the ratios {ratios}")
         wide = page.run("return Math.max(...[...document.querySelectorAll('main canvas')].map((canvas) => canvas.getBoundingClientRect().right))")
         expect(wide <= 701, f"pictures reach to {wide} of 700 pixels")
 
@@ -572,7 +821,7 @@ def large():
         expect(steps[len(steps) // 2] < 200, f"the next case takes {steps} ms")
 
 
-tests = {f.__name__: f for f in (loads, linked, keyboard, cases, worst, overlay, looks, hostile, large)}
+tests = {f.__name__: f for f in (loads, linked, keyboard, cases, rows, thinned, worst, overlay, looks, hostile, large)}
 tests["print"] = print_page
 parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 parser.add_argument("test", choices=tests)

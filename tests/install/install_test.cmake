@@ -53,10 +53,16 @@ endif()
 if(WITH_DRIVER)
   file(COPY ${CMAKE_CURRENT_LIST_DIR}/cases_consumer DESTINATION ${work})
   set(project ${work}/cases_consumer)
+  # Names that a shell or the program could take for something else, and an editor's lock.
+  foreach(name IN ITEMS "with space" "--quiet")
+    file(COPY_FILE ${project}/joint/holds.yaml "${project}/joint/${name}.yaml")
+  endforeach()
+  file(CREATE_LINK "user@machine.1234" "${project}/joint/.#holds.yaml" SYMBOLIC)
   run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${project} -B ${work}/cases -D CMAKE_PREFIX_PATH=${prefix})
   execute_process(COMMAND ${CMAKE_CTEST_COMMAND} -C ${CONFIG} --output-on-failure
                   WORKING_DIRECTORY ${work}/cases RESULT_VARIABLE code OUTPUT_VARIABLE text ERROR_VARIABLE text)
-  foreach(wanted IN ITEMS "5 tests failed out of 6" "joint/holds [.]+ +Passed"
+  foreach(wanted IN ITEMS "7 tests failed out of 10" "joint/holds [.]+ +Passed" "joint/with space [.]+ +Passed"
+          "joint/--quiet [.]+ +Passed"
           "joint/deep/misses [.]+\\*\\*\\*Failed" "FAIL  deep/misses   check 'limit'"
           "joint/broken [.]+\\*\\*\\*Failed" "broken.yaml:3:1: error"
           "set/holds [.]+\\*\\*\\*Failed" "set/deep/misses" "friction +=")
@@ -64,8 +70,8 @@ if(WITH_DRIVER)
       message(FATAL_ERROR "wanted '${wanted}' in what ctest says of the cases: ${text}")
     endif()
   endforeach()
-  if(text MATCHES "never|hidden")
-    message(FATAL_ERROR "cases in bad and hidden folders must not become tests: ${text}")
+  if(text MATCHES "never|hidden|[.]#")
+    message(FATAL_ERROR "hidden cases and those in bad and hidden folders must not become tests: ${text}")
   endif()
   file(COPY_FILE ${project}/joint/holds.yaml ${project}/joint/new.yaml)
   run(${CMAKE_COMMAND} --build ${work}/cases --config ${CONFIG})
@@ -73,6 +79,15 @@ if(WITH_DRIVER)
   if(NOT text MATCHES "100% tests passed, 0 tests failed out of 1")
     message(FATAL_ERROR "a case that was added is not found: ${text}")
   endif()
+  foreach(name IN ITEMS "semi\;colon" "q\"uote" "back\\slash" "gen$<x>")
+    file(WRITE "${project}/joint/${name}.yaml" "")
+    execute_process(COMMAND ${CMAKE_COMMAND} ${work}/cases
+                    RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE text)
+    if(code EQUAL 0 OR NOT text MATCHES "CMake[ \n]+cannot[ \n]+pass[ \n]+it[ \n]+on")
+      message(FATAL_ERROR "a name that CMake cannot pass on was not refused, ${name}: ${text}")
+    endif()
+    file(REMOVE "${project}/joint/${name}.yaml")
+  endforeach()
 endif()
 
 # A component that is not there must be refused by name.

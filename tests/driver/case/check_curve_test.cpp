@@ -150,5 +150,29 @@ TEST_CASE("A tolerance of positions is enough where positions are compared") {
   CHECK(problem.checks[0].criterion == Criterion::kReversals);
 }
 
+TEST_CASE("A tolerance that no curve can miss is refused") {
+  const auto told = [](const std::string& tolerance, const std::string& criterion) {
+    return messages(
+        changed({{"{relative: 1.0e-2, why: rounding}", tolerance},
+                 {"    tolerance", "    criterion: " + criterion + "\n    tolerance"}}));
+  };
+  CHECK(told("{absolute: 0.5, relative: 1, why: x}", "iso18571") ==
+        std::vector<std::string>{
+            "28:42: error: checks[0].tolerance.relative: wanted less than 1, found 1: iso18571 "
+            "compares one minus the rating, which no curve can exceed"});
+  CHECK(told("{absolute: 20, why: x}", "iso18571").size() == 1);
+  CHECK(told("{absolute: 0.99, why: x}", "iso18571").empty());
+  CHECK(told("{absolute: 20, why: x}", "sprague_geers").empty());
+}
+
+TEST_CASE("A check has a name") {
+  for (const char* name : {"\"\"", "\"  \""}) {
+    const auto told = messages(changed({{"name: limit", std::string("name: ") + name}}));
+    REQUIRE(told.size() == 1);
+    CHECK(told[0].find("error: checks[0].name: the name of a check must not be empty") !=
+          std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace slipbench::driver

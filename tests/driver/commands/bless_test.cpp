@@ -201,8 +201,8 @@ TEST_CASE("a golden curve that was cut off behind its header is made anew") {
   REQUIRE(slipbench(folder, "bless belt.yaml --reason one").code == 0);
   const std::string whole = read(folder.path() / "golden/belt.csv");
   folder.write("golden/belt.csv", whole.substr(0, whole.find("\ntime,")));
-  const Ended ended = shell(folder, "timeout 60 '" SLIPBENCH_BINARY_DIR
-                                    "/slipbench' bless belt.yaml --reason one");
+  const Ended ended =
+      shell(folder, "timeout 60 '" SLIPBENCH_BINARY_DIR "/slipbench' bless belt.yaml --reason one");
   INFO(ended.output);
   CHECK(ended.code == 0);
   CHECK(read(folder.path() / "golden/belt.csv") == whole);

@@ -45,8 +45,8 @@ struct Inputs {
 
   Inputs() {
     folder.write("rig.csv", "t,x\n0,0\n2,0.1\n");
-    folder.write("driven.yaml", slider_with("CP1: {to: 0.1}",
-                                            "CP1: {csv: rig.csv, time: t, value: x}"));
+    folder.write("driven.yaml",
+                 slider_with("CP1: {to: 0.1}", "CP1: {csv: rig.csv, time: t, value: x}"));
     const std::string limit = "expression: \"= 100*0.2\"";
     folder.write("blessed.yaml", slider_with(limit, "curve: golden.csv"));
     BlessOptions options;
@@ -102,6 +102,27 @@ TEST_CASE("run replaces no input of another of its cases, and runs none of them"
   CHECK(file_count(inputs.folder.path()) == 5);
   options.no_output = true;
   CHECK(run_command(options) == kExitOk);
+}
+
+TEST_CASE("a table and the data of a case with errors are inputs, too") {
+  const TemporaryFolder folder;
+  const std::string table = "mu,slip_rate\n0.2,0\n0.1,1\n";
+  folder.write("a.csv", table);
+  folder.write("a.yaml", slider_with("= mu", "{columns: [mu, slip_rate], csv: a.csv}"));
+  RunOptions run;
+  run.cases = {(folder.path() / "a.yaml").string()};
+  run.folder = folder.path().string();
+  CHECK(run_command(run) == kExitEnvironment);
+  CHECK(read(folder.path() / "a.csv") == table);
+  const std::string faulty = "t,x\n0,zero\n";
+  folder.write("rig.csv", faulty);
+  folder.write("driven.yaml",
+               slider_with("CP1: {to: 0.1}", "CP1: {csv: rig.csv, time: t, value: x}"));
+  CheckOptions check;
+  check.paths = {(folder.path() / "driven.yaml").string()};
+  check.json = (folder.path() / "rig.csv").string();
+  CHECK(check_command(check) == kExitEnvironment);
+  CHECK(read(folder.path() / "rig.csv") == faulty);
 }
 
 TEST_CASE("a file of verdicts needs a name") {

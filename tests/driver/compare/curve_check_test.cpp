@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Checks against curves, over time and over other abscissas.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -257,6 +259,178 @@ TEST_CASE("digits that a curve does not have are doubted, whether the check fail
   // A golden curve has all digits, and so have round numbers that agree to the last.
   CHECK(verdict("# slipbench golden curve\n" + rounded, 1e-6).warnings.empty());
   CHECK(verdict("time,F\n0,0.000\n0.1,10.000\n1,20.000\n", 1e-7).warnings.empty());
+}
+
+TEST_CASE("the span of a check cuts the line of a curve over time between its rows") {
+  const TemporaryFolder folder;
+  // The force of `loop` is 20 N from 0.2 s on; at 0.9 s the line of this one is at 90 N.
+  const auto verdict = [&](const std::string& rows, Criterion criterion, double from, double to) {
+    Check check = curve_check(folder.write("a.csv", "time,F\n" + rows), {{}, 0.2, ""});
+    check.criterion = criterion;
+    check.from = from;
+    check.to = to;
+    return verdict_of(loop(), check);
+  };
+  const std::string ramp = "0,0\n1,100\n5,100\n";
+  const Verdict peak = verdict(ramp, Criterion::kPeak, 0.0, 0.9);
+  CHECK_FALSE(peak.passed);
+  REQUIRE_FALSE(peak.measures.empty());
+  CHECK(peak.measures[0].reference == Approx(90.0));
+  const std::string knee = "0,0\n0.4,20\n0.45,20\n1,100\n5,100\n";
+  const Verdict plateau = verdict(knee, Criterion::kPlateau, 0.4, 0.9);
+  CHECK_FALSE(plateau.passed);
+  REQUIRE_FALSE(plateau.measures.empty());
+  // 20 N for 0.05 s, and up to 85.45 N in 0.45 s.
+  CHECK(plateau.measures[0].reference == Approx((20 * 0.05 + 52.727272727 * 0.45) / 0.5));
+  // Points are those of its rows, and one is not enough.
+  const Verdict points = verdict(ramp, Criterion::kPointwise, 0.0, 0.9);
+  CHECK_FALSE(points.passed);
+  CHECK(points.message ==
+        "a.csv: only 1 of its 3 rows, at 0, is selected by the check, and a curve needs two");
+  // A single instant of the run is compared with the line there.
+  CHECK(verdict(ramp, Criterion::kPeak, 0.5, 0.5).measures[0].reference == Approx(50.0));
+  CHECK(verdict("0,0\n0.5,20\n1,20\n", Criterion::kPointwise, 0.5, 0.5).passed);
+}
+
+TEST_CASE("of a golden curve over a position, the line is cut at the times of the step") {
+  const TemporaryFolder folder;
+  const auto file =
+      folder.write("a.csv", "# slipbench golden curve\n" + exact_curve({0.0, 0.2, 0.9, 1.4, 3.0}));
+  Check check = curve_check(file, {1e9, {}, ""}, "u");
+  check.criterion = Criterion::kArea;
+  check.step = "back";
+  const Verdict verdict = verdict_of(loop(), check);
+  REQUIRE(verdict.measures.size() == 1);
+  // The first row of the step is at 1.1 s; the line from 20 N at 0.9 s to -20 N at 1.4 s is at 4 N
+  // and 0.078 mm there. 8 N over 0.018 mm, and 20 N over 0.16 mm.
+  CHECK(verdict.compared == 3);
+  CHECK(verdict.measures[0].reference == Approx(8 * 0.018 + 20 * 0.16));
+}
+
+TEST_CASE("a check passes on no fragment of its reference without saying so") {
+  const TemporaryFolder folder;
+  // Times in ms taken for s.
+  const Verdict units = verdict_of(
+      loop(), curve_check(folder.write("a.csv", "time,F\n0,0\n200,20\n3000,-20\n"), {1, {}, ""}));
+  CHECK(units.message ==
+        "only 1 of the reference's 3 rows, at 0, lies in the common range, 0 to 3");
+  const std::string longer = exact_curve(kTimes) + "6,-0.1,-20\n7,-0.1,-20\n20,0,0\n";
+  const auto file = folder.write("b.csv", longer);
+  const Verdict part = verdict_of(loop(), curve_check(file, {1e-9, {}, ""}));
+  CHECK(part.passed);
+  REQUIRE(part.warnings.size() == 1);
+  CHECK(part.warnings[0] ==
+        "only 9 of the reference's 12 rows were compared, from 0 to 3, while it goes from 0 to 20; "
+        "select with 'over' what is meant");
+  // What the check selects is meant.
+  Check selected = curve_check(file, {1e-9, {}, ""});
+  selected.to = 3.0;
+  CHECK(verdict_of(loop(), selected).warnings.empty());
+  Check plateau = curve_check(file, {1e-6, {}, ""});
+  plateau.criterion = Criterion::kPlateau;
+  CHECK(verdict_of(loop(), plateau).warnings.size() == 1);
+}
+
+TEST_CASE("the coefficient is guessed of friction forces only") {
+  const TemporaryFolder folder;
+  const auto cause = [&](const std::string& quantity, const std::vector<std::string>& variables,
+                         const std::string& reference) {
+    Check check = curve_check("", {1e-6, {}, ""});
+    check.quantity = compiled(quantity, variables);
+    check.quantity_text = quantity;
+    check.variables = variables;
+    check.against = ExpressionReference{compiled(reference, variables), variables};
+    return verdict_of(loop(100), check).likely_cause;
+  };
+  CHECK(cause("CU1", {"CU1"}, "CU1/1.1") == "looks like a factor: ratio 1.1 everywhere");
+  CHECK(cause("DISS", {"DISS"}, "DISS/1.1") == "looks like a factor: ratio 1.1 everywhere");
+  CHECK(cause("FN", {"FN"}, "FN/1.1").empty());
+  CHECK(cause("STATUS", {"STATUS"}, "STATUS*0 + 1").empty());
+  const std::string clipped = "max(-18, min(18, CSF1))";
+  CHECK(cause("CSF1", {"CSF1"}, clipped).empty() == false);
+  CHECK(cause("CSF1*2 + 0*CU1", {"CSF1", "CU1"}, "2*" + clipped).empty());
+}
+
+TEST_CASE("a row that fails beside exact numbers is not blamed on their digits") {
+  const TemporaryFolder folder;
+  std::string rows = "time,F\n";
+  for (int i = 0; i <= 10; ++i) rows += fmt::format("{:.2g},{}\n", 0.02 * i, i == 7 ? 15 : 2 * i);
+  const Verdict verdict =
+      verdict_of(loop(), curve_check(folder.write("a.csv", rows), {1e-9, {}, ""}));
+  CHECK_FALSE(verdict.passed);
+  CHECK(verdict.failing == 1);
+  CHECK(verdict.warnings.empty());
+}
+
+TEST_CASE(
+    "a golden curve that is met exactly leaves its tolerance alone, one nearly met does not") {
+  const TemporaryFolder folder;
+  const auto warnings = [&](double factor) {
+    const std::string limit = format_number(20.0 * factor);
+    const auto file = folder.write(
+        "a.csv", "# slipbench golden curve\ntime,F\n0," + limit + "\n3," + limit + "\n");
+    Check check = curve_check(file, {{}, 0.9, ""});
+    check.quantity = compiled("FLIM", {"FLIM"});
+    check.variables = {"FLIM"};
+    check.criterion = Criterion::kPeak;
+    return verdict_of(loop(), check).warnings;
+  };
+  CHECK(warnings(1.0).empty());
+  REQUIRE(warnings(1.00001).size() == 1);
+  CHECK_THAT(warnings(1.00001).front(), Catch::Contains("times the largest deviation"));
+}
+
+TEST_CASE("the number of reversals has no tolerance that could be too wide") {
+  const TemporaryFolder folder;
+  const auto file = folder.write("a.csv", exact_curve({0.0, 1.0, 3.0}));
+  Check check = curve_check(file, {{}, 0.05, ""}, "u");
+  check.criterion = Criterion::kReversals;
+  const Verdict verdict = verdict_of(loop(), check);
+  CHECK(verdict.passed);
+  for (const std::string& warning : verdict.warnings) {
+    CHECK_THAT(warning, !Catch::Contains("0.05 is") && !Catch::Contains("tolerance of 0.1 is"));
+  }
+}
+
+TEST_CASE("a dimensionless tolerance beyond 1 is doubted, and nothing else beside it") {
+  const TemporaryFolder folder;
+  Check check = curve_check(folder.write("a.csv", exact_curve(kTimes)), {2.0, {}, ""});
+  check.criterion = Criterion::kSpragueGeers;
+  REQUIRE(verdict_of(loop(), check).warnings.size() == 1);
+  CHECK(verdict_of(loop(), check).warnings[0] ==
+        "the tolerance of 2 has no unit, and 1 is already the error of the opposite curve");
+  check.tolerance = {1e-7, {}, ""};
+  CHECK(verdict_of(loop(), check).warnings.empty());
+}
+
+TEST_CASE("numbers near the largest double fail with the reason, by every criterion") {
+  Check check = curve_check("", {{}, 0.05, ""});
+  check.against = ExpressionReference{compiled("8.5e306*CSF1", {"CSF1"}), {"CSF1"}};
+  const Verdict points = verdict_of(loop(), check);
+  CHECK_FALSE(points.passed);
+  CHECK(points.message == "the range of the reference exceeds that of a double");
+  check.criterion = Criterion::kIso18571;
+  CHECK(verdict_of(loop(), check).message == "the range of the reference exceeds that of a double");
+  check.criterion = Criterion::kArea;
+  check.against = ExpressionReference{compiled("4e306*(CSF1+20)", {"CSF1"}), {"CSF1"}};
+  check.quantity = compiled("CSF1*4e306", {"CSF1"});
+  CHECK_FALSE(verdict_of(loop(), check).passed);
+}
+
+TEST_CASE("messages name times by which a row can be found") {
+  const Case far = slider_case(
+      {step("wait", 10, 0, LinearTo{0.0}, 1000.0), step("out", 200, 0, LinearTo{0.1}, 0.01)});
+  Check check = curve_check("", {0.5, {}, ""});
+  check.against = ExpressionReference{
+      compiled("CSF1*(1 - 0.5*(T > 1000.00412)*(T < 1000.00423))", {"CSF1", "T"}), {"CSF1", "T"}};
+  const std::string message = verdict_of(far, check).message;
+  INFO(message);
+  CHECK(
+      message.find("at t = 1000.00415, first at 1000.00415, last at 1000.0042, 2 of 211 points") !=
+      std::string::npos);
+  check.criterion = Criterion::kPeak;
+  check.against = ExpressionReference{compiled("0.5*CSF1", {"CSF1"}), {"CSF1"}};
+  CHECK_THAT(verdict_of(far, check).message, Catch::Contains("at t = 1000.002"));
 }
 
 }  // namespace

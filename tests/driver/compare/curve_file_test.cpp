@@ -2,6 +2,7 @@
 #include "driver/compare/curve_file.hpp"
 
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -77,6 +78,9 @@ TEST_CASE("a golden curve is known by its first line, and has all digits of its 
   CurveFile golden(folder.path() / "a.csv", "a.csv");
   golden.want(Names{"time"});
   CHECK_FALSE((*golden.column(Names{"time"}))->resolution);
+  // What was read once is known: the file is not looked at again.
+  std::filesystem::remove(folder.path() / "a.csv");
+  CHECK(golden.golden());
 }
 
 }  // namespace

@@ -271,6 +271,18 @@ TEST_CASE("a factor or a unit is not told as the coefficient, in pulls and in lo
         "looks like the stick stiffness (or the motion), or a factor: ratio 1.05 everywhere");
 }
 
+TEST_CASE("where the stick stiffness follows the limit, the coefficient is a factor") {
+  const auto points = pull(
+      {.stiffness = 1100.0, .limit = 22.0}, [](double f) { return f; }, triangle, 2.0);
+  CHECK(likely_cause(points, {.tolerance = 0.1,
+                              .unit = "N",
+                              .over_time = true,
+                              .time_unit = "s",
+                              .stiffness_follows_limit = true}) ==
+        "looks like the coefficient (or the normal force), or a factor: ratio 1.1 everywhere");
+  CHECK(cause(points, 0.1) == "looks like a factor: ratio 1.1 everywhere");
+}
+
 TEST_CASE("a factor that the first stick contradicts is none") {
   // Coefficient and stiffness at once, in a pull of few stick rows.
   CHECK(cause(pull(

@@ -249,7 +249,7 @@ TEST_CASE("a short time late in a run has tics and rows of its own") {
   REQUIRE(begun);
   const std::string told = script.text(*begun, "Late", 300);
   CHECK(contains(told, "TIME_FORMAT = '%.8g'"));
-  CHECK(contains(told, "\n1000.00005 0 1\n1000.0001 0 2\n1000.00015 0 3\n"));
+  CHECK(contains(told, "\n1000.00005 1 0\n1000.0001 2 0\n1000.00015 3 0\n"));
 }
 
 TEST_CASE("long headings of residuals are broken, and the tolerance beyond a panel is explained") {

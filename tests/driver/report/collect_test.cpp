@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+#include <utility>
 
 #include "tests/driver/report/case_for_test.hpp"
 #include "tests/driver/simulation/example_cases.hpp"
@@ -75,7 +78,7 @@ TEST_CASE("a long run is thinned to a few hundred rows and says so") {
   const CaseReport report = report_of(read_slider("0.2", 20000));
   CHECK(report.thinned);
   CHECK(report.increments == 40000);
-  CHECK(report.row_count() <= 520);
+  CHECK(report.row_count() <= 2 * 520);
   CHECK(report.row_count() > 200);
   CHECK(number_at(report, report.row_count() - 1, "t") == Approx(2.0).epsilon(1e-12));
   // The rows about each event stay, so that the corners of the loop are where they were: the
@@ -91,6 +94,70 @@ TEST_CASE("a long run is thinned to a few hundred rows and says so") {
   CHECK(corner(0.06));
   CHECK(report.checks[0].thinned);
   CHECK(report.checks[0].value.x.size() <= 120);
+}
+
+/// The row of the report nearest to a time, the places of its neighbours being those beside it.
+std::size_t whole_row_at(const CaseReport& report, double time) {
+  std::size_t best = 0;
+  for (std::size_t i = 0; i < report.row_count(); ++i) {
+    const auto off = [&](std::size_t row) { return std::abs(number_at(report, row, "t") - time); };
+    if (off(i) < off(best)) best = i;
+  }
+  REQUIRE(best > 0);
+  REQUIRE(best + 1 < report.row_count());
+  CHECK(report.row_index[best] == report.row_index[best - 1] + 1);
+  CHECK(report.row_index[best] == report.row_index[best + 1] - 1);
+  return best;
+}
+
+TEST_CASE("the row where a check is worst and its neighbours stay, however long the run") {
+  const CaseReport report = report_of(read_cycles(100, 100));
+  REQUIRE(report.thinned);
+  REQUIRE(report.checks[0].verdict.failing == 1);
+  const double worst = report.checks[0].verdict.worst.time;
+  CHECK(worst == Approx(39.37).epsilon(1e-9));
+  const std::size_t row = whole_row_at(report, worst);
+  CHECK(number_at(report, row, "t") == worst);
+  // On its way down from 0.1 mm, where it had 20 N, it still sticks; the rest is rounding.
+  const double way = 0.1 - number_at(report, row, "CP1");
+  CHECK(way == Approx(0.1 - 0.1 * std::sin(0.74 * 3.14159265358979324)).epsilon(1e-9));
+  CHECK(number_at(report, row, "STATUS") == 1.0);
+  CHECK(number_at(report, row, "CSF1") == Approx(20.0 - 1000.0 * way).epsilon(1e-9));
+}
+
+TEST_CASE("of many events the first and the last are told, with their rows") {
+  const CaseReport report = report_of(read_cycles(100, 100));
+  CHECK(report.events_total == 401);
+  REQUIRE(report.events.size() == 200);
+  CHECK(report.events[0].time < 0.1);
+  CHECK(report.events[99].time < 25.1);
+  CHECK(report.events[100].time > 74.9);
+  CHECK(report.events[199].time > 99.5);
+  CHECK(report.row_count() <= 2 * 520);
+  for (const std::size_t event : {0U, 1U, 2U, 3U, 10U, 198U, 199U}) {
+    CAPTURE(event);
+    const double time = report.events[event].time;
+    bool beside = false;
+    for (std::size_t i = 1; i < report.row_count(); ++i) {
+      beside = beside || (report.row_index[i] == report.row_index[i - 1] + 1 &&
+                          number_at(report, i - 1, "t") <= time * (1.0 + 1e-12) &&
+                          number_at(report, i, "t") >= time * (1.0 - 1e-12));
+    }
+    CHECK(beside);
+  }
+}
+
+TEST_CASE("energies are told in the unit of the summary") {
+  const CaseReport report = report_of(read_slider("0.2"));
+  int energies = 0;
+  for (const ReportColumn& column : report.columns) {
+    if (column.name == "WORK" || column.name == "DISS" || column.name == "STRAIN_E") {
+      CHECK(column.unit == "mJ");
+      ++energies;
+    }
+  }
+  CHECK(energies == 3);
+  CHECK(report.units.back() == std::pair<std::string, std::string>("energy", "mJ"));
 }
 
 TEST_CASE("the definitions of a coupled connection are drawn with their own columns") {

@@ -2,6 +2,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <string>
 
 #include "driver/report/report.hpp"
 #include "tests/driver/report/case_for_test.hpp"
@@ -45,7 +47,7 @@ TEST_CASE("the document has the totals, and of each case columns, events and che
   CHECK(text(columns[0], "name") == "t");
   CHECK(text(columns[0], "unit") == "s");
   for (const Node column : rows.items()) CHECK(column.size() == 21);
-  // 0.30000000000000004 and the like have six digits.
+  // 0.30000000000000004 and the like are told as far as a row is apart from the next.
   CHECK(rows[0][3].text() == "0.3");
   const Node definition = (*good.find("definitions"))[0];
   CHECK(text(definition, "force") == "CSF1");
@@ -64,6 +66,72 @@ TEST_CASE("the document has the totals, and of each case columns, events and che
   CHECK(text(bad, "message") == "bad.yaml:1:1: error\n");
   CHECK(text(bad, "details") == "false");
   CHECK_FALSE(bad.find("rows"));
+}
+
+TEST_CASE("a short motion far away and late keeps its times and its shape") {
+  // 1000 s of waiting, then 200 increments in a hundredth of a second, of 0.1 mm at 1000 mm.
+  CaseReport report = report_of(read_slider("0.2"));
+  const std::size_t columns = report.columns.size();
+  const std::vector<double> row(report.rows.begin(),
+                                report.rows.begin() + static_cast<std::ptrdiff_t>(columns));
+  report.rows.clear();
+  std::size_t position = 0;
+  while (report.columns[position].name != "CP1") ++position;
+  for (int i = 0; i <= 200; ++i) {
+    report.rows.insert(report.rows.end(), row.begin(), row.end());
+    double* const added = report.rows.data() + report.rows.size() - columns;
+    added[0] = i == 0 ? 0.0 : 1000.0 + 5e-5 * i;
+    added[position] = i == 0 ? 0.0 : 1000.0 + 0.1 * std::sin(0.02 * i);
+  }
+  report.events[0].time = 1000.0 + 5e-5 * 10.25;
+  report.checks[0].verdict.worst.time = 1000.0 + 5e-5 * 60;
+  const Tree tree = tree_of(document_of({report}));
+  const Node one = (*tree.root().find("cases"))[0];
+  const auto distinct = [&](std::size_t column) {
+    std::set<std::string> texts;
+    for (const Node number : (*one.find("rows"))[column].items()) texts.emplace(number.text());
+    return texts.size();
+  };
+  CHECK(distinct(0) == 201);
+  // The sine turns at 1.57, so that a few of its numbers may come twice.
+  CHECK(distinct(position) >= 195);
+  const Node times = (*one.find("rows"))[0];
+  CHECK(times[10].text() == "1000.0005");
+  CHECK(text((*one.find("events"))[0], "t") == "1000.0005125");
+  CHECK(text(*(*one.find("checks"))[0].find("worst"), "time") == std::string(times[60].text()));
+}
+
+TEST_CASE("spans that cover several regimes are marked") {
+  CaseReport report = report_of(read_slider("0.2"));
+  report.definitions[0].spans = {{0.2, 1.0, 2, false}, {1.4, 2.0, 2, true}};
+  const Tree tree = tree_of(document_of({report}));
+  const Node spans = *(*(*tree.root().find("cases"))[0].find("definitions"))[0].find("spans");
+  CHECK(spans[0].size() == 3);
+  REQUIRE(spans[1].size() == 4);
+  CHECK(spans[1][3].text() == "true");
+}
+
+TEST_CASE("a thinned case says what of it is whole") {
+  const Tree tree = tree_of(document_of({report_of(read_cycles(100, 100))}));
+  const Node one = (*tree.root().find("cases"))[0];
+  CHECK(text(one, "thinned") == "true");
+  // Four events a cycle and the first slip: of the first and the last some dozens have their rows.
+  CHECK(text(one, "events_total") == "401");
+  CHECK(one.find("events")->size() == 200);
+  CHECK(std::stoi(text(one, "events_first")) >= 25);
+  CHECK(std::stoi(text(one, "events_first")) < 100);
+  CHECK(std::stoi(text(one, "events_last")) >= 25);
+  const Node cycle = *one.find("cycle");
+  const int first = std::stoi(text(cycle, "first"));
+  const int last = std::stoi(text(cycle, "last"));
+  CHECK(last - first + 1 == 101);
+  CHECK(text(cycle, "rows") == "101");
+  const Node times = (*one.find("rows"))[0];
+  const auto time = [&](int row) {
+    return std::stod(std::string(times[static_cast<std::size_t>(row)].text()));
+  };
+  CHECK(time(last) - time(first) == Approx(1.0).epsilon(1e-4));
+  CHECK(time(last) > 98.5);
 }
 
 TEST_CASE("the same cases give the same bytes") {

@@ -25,12 +25,20 @@ TEST_CASE("brackets, members and items are separated as JSON wants it") {
   CHECK(json.take() == R"({"a":true,"b":[{},"x",null],"c":12345678901})");
 }
 
-TEST_CASE("numbers have six digits, what is not finite is null") {
+TEST_CASE("numbers have ten digits, a series as many as it needs, what is not finite is null") {
   JsonText json;
+  json.begin_array();
+  json.value(0.1 + 0.2);
+  json.value(1000.0000123456);
+  json.value(-123456.789, 6);
   json.series(std::array{0.1 + 0.2, -123456.789, 1e-30, 2.0, -0.0,
                          std::numeric_limits<double>::infinity(),
                          std::numeric_limits<double>::quiet_NaN()});
-  CHECK(json.take() == "[0.3,-123457,1e-30,2,-0,null,null]");
+  json.series(std::array{1000.0, 1000.00123, 1000.00246});
+  json.end_array();
+  CHECK(json.take() ==
+        "[0.3,1000.000012,-123457,[0.3,-123457,1e-30,2,-0,null,null],"
+        "[1000,1000.00123,1000.00246]]");
 }
 
 TEST_CASE("no text ends a script element, breaks a line of JavaScript or is no UTF-8") {

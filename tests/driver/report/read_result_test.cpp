@@ -77,6 +77,7 @@ TEST_CASE("a result alone, without the files beside it, is drawn without verdict
   CHECK(result.report.events.empty());
   CHECK(result.report.checks.empty());
   CHECK(result.report.row_count() == 21);
+  CHECK(result.report.warnings.empty());
 }
 
 TEST_CASE("broken files beside a result do not keep it from being drawn") {
@@ -87,6 +88,11 @@ TEST_CASE("broken files beside a result do not keep it from being drawn") {
   const ReadResult broken = read_result(file, "slider");
   CHECK(broken.report.status == ReportStatus::kNoChecks);
   CHECK(broken.report.events_total == 0);
+  // A failed result must not look unchecked: what is there and cannot be read is told.
+  REQUIRE(broken.report.warnings.size() == 2);
+  CHECK(broken.report.warnings[0].starts_with("slider.json cannot be read ("));
+  CHECK(broken.report.warnings[0].ends_with("): the verdicts of the checks are unknown"));
+  CHECK(broken.report.warnings[1].starts_with("slider.events.csv cannot be read ("));
   folder.write("slider.json",
                "{\"checks\": 5, \"summary\": [], \"warnings\": {\"a\": [1]}, \"more\": null}");
   folder.write("slider.events.csv",
@@ -103,8 +109,29 @@ TEST_CASE("a long result is thinned as its case is") {
   const TemporaryFolder folder;
   const ReadResult result = read_result(run_slider(folder, "0.2", 20000), "slider");
   CHECK(result.report.thinned);
-  CHECK(result.report.row_count() <= 520);
+  CHECK(result.report.row_count() <= 2 * 520);
   CHECK(number_at(result.report, result.report.row_count() - 1, "t") == Approx(2.0).epsilon(1e-12));
+}
+
+TEST_CASE("the row where a check of a result is worst stays") {
+  const TemporaryFolder folder;
+  RunOptions options;
+  options.cases = {folder.write("cycles.yaml", cycles_text(100, 100)).string()};
+  options.folder = folder.path().string();
+  run_command(options);
+  const ReadResult result = read_result((folder.path() / "cycles.csv").string(), "cycles");
+  const CaseReport& report = result.report;
+  REQUIRE(report.thinned);
+  REQUIRE(report.checks.size() == 1);
+  const double worst = report.checks[0].verdict.worst.time;
+  bool there = false;
+  for (std::size_t i = 0; i < report.row_count(); ++i) {
+    there = there || number_at(report, i, "t") == worst;
+  }
+  CHECK(there);
+  CHECK(report.last_cycle);
+  REQUIRE(report.events.size() == 200);
+  CHECK(report.events.back().time > 99.5);
 }
 
 TEST_CASE("what is no result says why, with its place") {

@@ -146,8 +146,8 @@ TEST_CASE("links in a circle, pipes and links to open files are refused") {
   fs::create_symlink("a", folder.path() / "b");
   CHECK(fault_of(folder.path() / "a").find("a: cannot be written: ") != std::string::npos);
   REQUIRE(mkfifo((folder.path() / "pipe").c_str(), 0600) == 0);
-  CHECK(fault_of(folder.path() / "pipe") == (folder.path() / "pipe").string() +
-                                                ": is no regular file");
+  CHECK(fault_of(folder.path() / "pipe") ==
+        (folder.path() / "pipe").string() + ": is no regular file");
   // As /dev/stdout is, while standard output goes to a file.
   const fs::path open_file = folder.write("open", "kept");
   const int descriptor = ::open(open_file.c_str(), O_RDONLY | O_CLOEXEC);

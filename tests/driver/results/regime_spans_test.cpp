@@ -23,6 +23,7 @@ TEST_CASE("spans that meet are one, stick is none, regimes are told apart") {
   CHECK(all[1].status == 0);
   CHECK(all[1].to == 4.0);
   CHECK(all[2].from == 6.0);
+  for (const RegimeSpan& span : all) CHECK_FALSE(span.merged);
 }
 
 TEST_CASE("chatter needs no memory and stays where it was") {
@@ -37,6 +38,12 @@ TEST_CASE("chatter needs no memory and stays where it was") {
   REQUIRE(all.size() >= 2);
   CHECK(all[all.size() - 2].to <= 100000.0);
   CHECK(all.back().from == 200000.0);
+  // What covers stick, too, does not look like slip; the last one is slip and nothing else.
+  for (const RegimeSpan& span : all) {
+    CAPTURE(span.from, span.to);
+    CHECK(span.merged == (span.to - span.from > 1.5));
+  }
+  CHECK(all.front().merged);
 }
 
 }  // namespace

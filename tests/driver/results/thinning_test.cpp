@@ -158,6 +158,25 @@ TEST_CASE("too many wanted rows are halved evenly, not cut off") {
   CHECK(second_half >= 25);
 }
 
+TEST_CASE("rows know their places, and fewer than the limit can be had") {
+  std::mt19937 random(3);
+  const Table table = random_table(random, 9000, 4);
+  RowThinner thinner(4, 400);
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    thinner.add(std::span(table.numbers).subspan(i * 4, 4), i == 777);
+  }
+  for (const std::size_t most : {std::size_t{400}, std::size_t{120}}) {
+    const RowThinner::Rows rows = thinner.indexed_rows(most);
+    CHECK(rows.size() <= most);
+    CHECK(rows.size() > most / 2);
+    REQUIRE(rows.numbers.size() == 4 * rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      CHECK(rows.numbers[4 * i] == static_cast<double>(rows.index[i]));
+    }
+    CHECK(std::count(rows.index.begin(), rows.index.end(), 777) == 1);
+  }
+}
+
 TEST_CASE("what is no number is never an extreme, what is infinite is") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();

@@ -19,13 +19,15 @@ std::vector<std::string> labels(const Candidates& found) {
   return all;
 }
 
-TEST_CASE("a folder's cases come in the order of their labels, without bad folders and what is hidden") {
+TEST_CASE(
+    "a folder's cases come in the order of their labels, without bad folders and what is hidden") {
   const TemporaryFolder folder;
   for (const char* sub : {"b", "b/deep", "a", "bad", ".hidden", "a/bad"}) {
     fs::create_directory(folder.path() / sub);
   }
-  for (const char* name : {"b/deep/two.yaml", "b/one.yaml", "a/z.yaml", "bad/x.yaml",
-                           ".hidden/x.yaml", "a/bad/x.yaml", "a/notes.txt", "top.yaml", "._top.yaml"}) {
+  for (const char* name :
+       {"b/deep/two.yaml", "b/one.yaml", "a/z.yaml", "bad/x.yaml", ".hidden/x.yaml", "a/bad/x.yaml",
+        "a/notes.txt", "top.yaml", "._top.yaml"}) {
     folder.write(name, "");
   }
   // The lock of an editor, beside the case that is being edited.

@@ -46,7 +46,8 @@ TEST_CASE("doubts about a check that passed are in its output") {
 }
 
 TEST_CASE("the order is that of the suite, in whatever order its cases were run") {
-  const std::vector<Candidate> cases = {{"b/x.yaml", "b/x"}, {"a/x.yaml", "a/x"}, {"b/y.yaml", "b/y"}};
+  const std::vector<Candidate> cases = {
+      {"b/x.yaml", "b/x"}, {"a/x.yaml", "a/x"}, {"b/y.yaml", "b/y"}};
   const auto text = [&](const std::vector<std::size_t>& order) {
     JunitReport report;
     for (const std::size_t i : order) report.add(i, cases[i], outcome_of(passed_check("limit")));

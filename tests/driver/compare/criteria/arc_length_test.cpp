@@ -190,7 +190,10 @@ TEST_CASE("no distance without a reference that moves, or numbers") {
     CHECK(found.measures.empty());
     return found.fault;
   };
-  CHECK_THAT(fault(loop, Series{{2.0, 2.0}, {0.0, 200.0}, {}}), Catch::Contains("does not move"));
+  CHECK_THAT(fault(loop, Series{{2.0, 2.0}, {0.0, 200.0}, {}}),
+             Catch::Contains("only one point in common"));
+  CHECK_THAT(fault(Series{{2.0}, {0.0}, {}}, Series{{2.0, 2.0}, {0.0, 200.0}, {}}),
+             Catch::Contains("does not move"));
   CHECK_THAT(fault(loop, Series{{1.0, 3.0}, {0.0, 0.0}, {}}), Catch::Contains("zero throughout"));
   CHECK(fault(loop, Series{}) != "");
   CHECK(fault(Series{}, loop) != "");

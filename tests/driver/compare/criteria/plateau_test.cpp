@@ -46,7 +46,9 @@ TEST_CASE("the mean of a rippled plateau hardly depends on the rows") {
 
 TEST_CASE("a single place has no plateau") {
   const Series still{{1, 1}, {2, 3}, {}};
-  CHECK(compare_plateau(still, still, {}).fault == "a single point of the abscissa has no plateau");
+  CHECK_THAT(compare_plateau(still, still, {}).fault, Catch::Contains("only one point in common"));
+  const Series row{{1}, {2}, {}};
+  CHECK(compare_plateau(row, row, {}).fault == "a single point of the abscissa has no plateau");
 }
 
 }  // namespace

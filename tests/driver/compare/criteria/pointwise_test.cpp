@@ -90,7 +90,8 @@ TEST_CASE("a branch that has nothing in common is a fault, not a gap") {
   const Series result = slider(zigzag({0, 1, 0.9, 2}, 5));
   const Series reference = slider(zigzag({0, 0.5, 0.4, 2}, 5));
   CHECK_THAT(compare_points(result, reference).fault,
-             Catch::Contains("branch 2 of 3 of the reference has no row"));
+             Catch::Contains("branch 2 of 3 of the reference has no row that the result covers: it "
+                             "has rows between 0.4 and 0.5, the result goes from 0.9 to 1 there"));
 }
 
 TEST_CASE("a jump at the same instant does not fail by the side that is taken") {
@@ -127,10 +128,9 @@ TEST_CASE("a dwell is judged alike whether the abscissas of the curves are ident
   CHECK(compare_points(moving, {{0, 1, 2}, {0, 1, 4}, {}}).points[1].value == 3.0);
 }
 
-/// A force over the slip, which rests at 1 while the force reverses and at no other place; slip
-/// begins `late` there.
+/// A force over the slip, which rests at 1 while the force reverses, or that much later.
 Series reversal(double late, bool with_times) {
-  Series curve{{0.0, 0.5, 0.9, 1.0 + late, 1.0 + late, 1.0 + late, 1.3, 2.0},
+  Series curve{{0.0, 0.5, 0.9 + late, 1.0 + late, 1.0 + late, 1.0 + late, 1.1 + late, 2.0},
                {20, 20, 20, 20, 4, -17, -20, -20},
                {}};
   for (std::size_t i = 0; with_times && i < curve.size(); ++i) {
@@ -145,7 +145,7 @@ TEST_CASE("where the abscissa rests depends on the increments, and fails nothing
     CHECK(largest(compare_points(reversal(late, true), reversal(0.0, false))) == 0.0);
   }
   // Further away than an increment of either curve it is a jump at another place.
-  CHECK(largest(compare_points(reversal(0.25, true), reversal(-0.25, false))) > 20.0);
+  CHECK(largest(compare_points(reversal(0.3, true), reversal(0.0, false))) > 20.0);
   // What the result never had is not met.
   Series higher = reversal(1e-3, false);
   higher.value[3] = 23.0;
@@ -163,13 +163,6 @@ TEST_CASE("a reference of which only one row is met of several is a fault that c
         "only 1 of the reference's 3 rows, at 0, lies in the common range, 0 to 5");
   const Series two = sampled({0, 4, 1000}, [](double x) { return x; });
   CHECK(compare_points(result, two).points.size() == 2);
-}
-
-TEST_CASE("a branch without a row in common tells where both curves are") {
-  const Series result = slider(zigzag({0, 0.099, -0.1, 0.1}, 20));
-  const Series corners{{0, 0.1, -0.1, 0.1}, {0, 20, -20, 20}, {}};
-  CHECK_THAT(compare_points(result, corners).fault,
-             Catch::Contains("it has rows between -0.1 and 0.1, the result goes from -0.1 to 0.099"));
 }
 
 TEST_CASE("the one measure of a pointwise comparison is its worst point") {
