@@ -66,10 +66,27 @@ void BranchInterpolation::find_places() {
     if (to - from > 1) places_.push_back({from, to});
   }
   // Time itself does not rest.
-  if (places_.empty() || curve_->abscissa == curve_->time) return;
+  rests_possible_ = !places_.empty() && curve_->abscissa != curve_->time;
+  if (!rests_possible_) return;
   for (const Place& place : places_) {
     if (is_rest(place)) rests_.push_back(place);
   }
+}
+
+void BranchInterpolation::match_rests(const Series& other, const Branch& branch) {
+  if (rests_.empty()) return;
+  std::vector<double> ways;
+  ways.reserve(branch.last - branch.first + 1);
+  for (std::size_t i = branch.first; i <= branch.last; ++i) {
+    ways.push_back(branch_.direction * other.abscissa[i]);
+  }
+  // Turns by no more than noise put a row or two out of order.
+  std::sort(ways.begin(), ways.end());
+  std::erase_if(rests_, [&](const Place& rest) {
+    const auto first = std::lower_bound(ways.begin(), ways.end(), way_[rest.from] - slack_);
+    const auto end = std::upper_bound(first, ways.end(), way_[rest.to - 1] + slack_);
+    return end - first > 1;
+  });
 }
 
 bool BranchInterpolation::is_rest(const Place& place) const {
@@ -147,7 +164,7 @@ bool BranchInterpolation::offer_window(std::size_t from, std::size_t to, double 
       nearest.offer(between(row(i - 1), row(i)), row(i));
     }
     if (place != places_.end() && place->from <= i) {
-      const bool rest = is_rest(*place);
+      const bool rest = rests_possible_ && is_rest(*place);
       if (rest && reach > 0.0) {
         offer_rest(*place, nearest);
       } else {

@@ -42,7 +42,12 @@ class BranchInterpolation {
   /// Costs the logarithm of the rows, but for the first question about a place with many rows.
   std::optional<Interpolated> at(double abscissa, double wanted, double reach = 0.0);
 
-  bool has_rests() const { return !rests_.empty(); }
+  /// Whether a row may be met by a rest: only then `reach` matters.
+  bool has_rests() const { return rests_possible_; }
+
+  /// Where the other curve has several rows in the place of a rest, too, the two do not lie apart,
+  /// and rows beside this rest are not met by it.
+  void match_rests(const Series& other, const Branch& branch);
 
  private:
   /// Rows [from, to) of `way_` that lie in one place, at least two.
@@ -81,7 +86,8 @@ class BranchInterpolation {
   double slack_;
   std::vector<double> way_;  ///< the branch's abscissas times its direction, never decreasing
   std::vector<Place> places_;
-  std::vector<Place> rests_;
+  std::vector<Place> rests_;  ///< those that lie apart from the other curve's, once it is known
+  bool rests_possible_ = false;
 
   /// Answers are asked for in the order of a curve: the latest few are kept.
   std::array<PlaceValues, 4> kept_;

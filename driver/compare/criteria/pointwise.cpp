@@ -127,6 +127,7 @@ PointwiseComparison compare_points(const Series& result, const Series& reference
   for (std::size_t b = 0; b < count; ++b) {
     BranchInterpolation ours(matched.result, matched.result_branches[b], common.slack);
     const Branch& theirs = matched.reference_branches[b];
+    ours.match_rests(matched.reference, theirs);
     Reach reach(matched.reference, theirs, common.slack);
     const std::size_t before = comparison.points.size();
     const bool skips_first = b > 0 || matched.first_is_interpolated;

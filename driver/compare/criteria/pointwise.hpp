@@ -25,7 +25,8 @@ struct PointwiseComparison {
 /// A row of the reference that lies no further from a rest of the result than the result's own
 /// increment on that side (if the reference has several rows there, than any increment next to
 /// either curve's rest) may also be met by a value of that rest, or on the way to it: where the
-/// abscissa comes to rest depends on the increments. The very rows of the result, and identical
+/// abscissa comes to rest depends on the increments. Not so where the reference has several rows in
+/// the place of this rest, too. The very rows of the result, and identical
 /// abscissas of which no two are the same place, are compared row by row instead.
 ///
 /// A row at a reversal is compared once. Faults: unusable curves or nothing in common, less than

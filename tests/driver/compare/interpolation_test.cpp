@@ -83,6 +83,11 @@ TEST_CASE("near a rest its values count, and those on the way to it") {
   CHECK(read.at(0.7, 5.0, 0.35)->value == 5.0);
   CHECK(read.at(1.2, 5.0, 0.1)->value == 5.0);
   CHECK(read.at(1.4, 5.0, 0.1)->value == -12.0);
+  // Nothing of this where the other curve rests in the same place.
+  BranchInterpolation shared(curve, {0, 6, 1}, 1e-12);
+  shared.match_rests({{0, 0.9, 1, 1, 2}, {0, 0, 0, 0, 0}, {}}, {0, 4, 1});
+  CHECK(shared.at(0.9, 5.0)->value == Approx(20.0));
+  CHECK(shared.at(1.0, 5.0)->value == 5.0);
   // Time does not rest.
   Series over_time = curve;
   over_time.time = over_time.abscissa;

@@ -22,7 +22,7 @@ Measure measure(const std::string& name, double deviation, double tolerance, Mea
 TEST_CASE("the worst measure is the one nearest to its tolerance, not one that is only reported") {
   Verdict verdict;
   verdict.unit = "N";
-  verdict.abscissa_unit = "mm";
+  verdict.abscissa_unit = "metre";
   verdict.product_unit = "mJ";
   verdict.measures = {
       measure("force", 1.0, 2.0, MeasureUnit::kQuantity),
@@ -31,7 +31,7 @@ TEST_CASE("the worst measure is the one nearest to its tolerance, not one that i
   REQUIRE(worst_measure(verdict) != nullptr);
   CHECK(worst_measure(verdict)->name == "position");
   CHECK(unit_of(verdict.measures[0], verdict) == "N");
-  CHECK(unit_of(verdict.measures[1], verdict) == std::string("mm"));
+  CHECK(unit_of(verdict.measures[1], verdict) == "metre");
   CHECK(unit_of(verdict.measures[2], verdict).empty());
   verdict.tolerance = 1.0;
   CHECK(verdict.worst_deviation() == 0.9);
