@@ -26,8 +26,8 @@ struct Verdict {
   std::string name;
   Criterion criterion = Criterion::kPointwise;
   bool passed = false;
-  std::string message;       ///< in a sentence what is wrong; empty if passed
-  std::string likely_cause;  ///< "looks like an offset: +1 N everywhere"
+  std::string message;                  ///< in a sentence what is wrong; empty if passed
+  std::string likely_cause;             ///< "looks like an offset: +1 N everywhere"
   std::vector<std::string> warnings;    ///< in sentences what is doubtful about the check itself
   std::vector<Measure> measures;        ///< of criteria other than pointwise
   std::string unit;                     ///< of the quantity; empty if unknown

@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/driver/commands/program_for_test.hpp"
 #include "tests/driver/history/temporary_folder.hpp"
 
 namespace slipbench::driver {
@@ -47,35 +48,6 @@ checks:
     criterion: loop_energy
     tolerance: {relative: 1.0e-3, why: the liner's scatter}
 )";
-
-struct Ended {
-  int code = -1;
-  std::string output;  ///< of both streams
-};
-
-/// Runs a shell command line in `folder`.
-Ended shell(const TemporaryFolder& folder, const std::string& line) {
-  Ended ended;
-  const std::string command = "cd '" + folder.path().string() + "' && { " + line + "; } 2>&1";
-  FILE* pipe = popen(command.c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  std::array<char, 4096> piece{};
-  for (std::size_t n = 0; (n = fread(piece.data(), 1, piece.size(), pipe)) > 0;) {
-    ended.output.append(piece.data(), n);
-  }
-  const int status = pclose(pipe);
-  ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return ended;
-}
-
-Ended slipbench(const TemporaryFolder& folder, const std::string& arguments) {
-  return shell(folder, "'" SLIPBENCH_BINARY_DIR "/slipbench' " + arguments);
-}
-
-std::string read(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;

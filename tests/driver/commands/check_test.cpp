@@ -14,7 +14,7 @@
 #include "driver/exit_code.hpp"
 #include "tests/driver/history/temporary_folder.hpp"
 #include "tests/driver/report/case_for_test.hpp"
-#include "tests/driver/suite/environment_for_test.hpp"
+#include "tests/driver/environment_for_test.hpp"
 
 namespace slipbench::driver {
 namespace {

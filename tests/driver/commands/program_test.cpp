@@ -14,15 +14,14 @@
 #include <string>
 #include <thread>
 
+#include "tests/driver/commands/program_for_test.hpp"
+#include "tests/driver/environment_for_test.hpp"
 #include "tests/driver/history/temporary_folder.hpp"
-#include "tests/driver/suite/environment_for_test.hpp"
 
 namespace slipbench::driver {
 namespace {
 
 namespace fs = std::filesystem;
-
-const std::string kProgram = SLIPBENCH_BINARY_DIR "/slipbench";
 
 constexpr const char* kSlider = R"(slipbench: 1
 title: Slider
@@ -41,35 +40,6 @@ checks:
     against: {closed_form: coulomb_slider, with: {mu: 0.2, normal_force: 100, stick_stiffness: 1000}, inputs: {motion: CU1}, output: force}
     tolerance: {relative: 1.0e-12, why: rounding}
 )";
-
-struct Ended {
-  int code = -1;
-  std::string output;  ///< of both streams
-};
-
-/// Runs a shell command line in `folder`.
-Ended shell(const TemporaryFolder& folder, const std::string& line) {
-  Ended ended;
-  const std::string command = "cd '" + folder.path().string() + "' && { " + line + "; } 2>&1";
-  FILE* pipe = popen(command.c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  std::array<char, 4096> piece{};
-  for (std::size_t n = 0; (n = fread(piece.data(), 1, piece.size(), pipe)) > 0;) {
-    ended.output.append(piece.data(), n);
-  }
-  const int status = pclose(pipe);
-  ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return ended;
-}
-
-Ended slipbench(const TemporaryFolder& folder, const std::string& arguments) {
-  return shell(folder, "'" + kProgram + "' " + arguments);
-}
-
-std::string read(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
 
 std::size_t file_count(const fs::path& folder) {
   return static_cast<std::size_t>(

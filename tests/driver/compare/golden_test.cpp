@@ -11,6 +11,7 @@
 
 #include "driver/compare/check.hpp"
 #include "tests/driver/case/read_for_test.hpp"
+#include "tests/driver/environment_for_test.hpp"
 #include "tests/driver/history/temporary_folder.hpp"
 #include "tests/driver/simulation/example_cases.hpp"
 
@@ -34,28 +35,6 @@ std::vector<std::string> names_of(const GoldenCurve& curve) {
   for (const GoldenColumn& column : curve.columns) names.push_back(column.name);
   return names;
 }
-
-/// Sets a variable of the environment for as long as it lives.
-class Environment {
- public:
-  Environment(const char* name, const char* value) : name_(name) {
-    if (const char* before = ::getenv(name)) before_ = before;
-    ::setenv(name, value, 1);
-  }
-  ~Environment() {
-    if (before_) {
-      ::setenv(name_, before_->c_str(), 1);
-    } else {
-      ::unsetenv(name_);
-    }
-  }
-  Environment(const Environment&) = delete;
-  Environment& operator=(const Environment&) = delete;
-
- private:
-  const char* name_;
-  std::optional<std::string> before_;
-};
 
 TEST_CASE("checks that name one golden curve share it, each with its columns") {
   const TemporaryFolder folder;

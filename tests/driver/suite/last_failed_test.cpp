@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/driver/history/temporary_folder.hpp"
-#include "tests/driver/suite/environment_for_test.hpp"
+#include "tests/driver/environment_for_test.hpp"
 
 namespace slipbench::driver {
 namespace {
