@@ -147,7 +147,7 @@ void CaseCollector::State::take_numbers(const Row& row, std::span<double> to) co
 /// walked through once more, up to the last of them. A case that cannot be (its measured history is
 /// gone) has its other rows.
 IndexedRows CaseCollector::State::rows_at(std::vector<double> times) const {
-  RowsAtTimes wanted(shown.size(), std::move(times));
+  RowsAtTimes wanted(std::move(times));
   auto simulation = Simulation::start(problem);
   std::vector<double> here(shown.size());
   while (simulation && !wanted.done()) {

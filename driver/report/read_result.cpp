@@ -305,7 +305,7 @@ ReadResult read_result(const std::string& path, const std::string& name) {
         drawn.names.begin()));
   }
   RowChoice rows(drawn.names.size(), most_rows(drawn.names.size()), drawn.watched, drawn.motions);
-  RowsAtTimes worst(drawn.names.size(), worst_times(report));
+  RowsAtTimes worst(worst_times(report));
   std::vector<RegimeSpans> spans(report.definitions.size());
   std::vector<double> row(drawn.names.size());
   std::vector<double> before(drawn.names.size());

@@ -151,8 +151,7 @@ DrawnRows RowChoice::finish(const IndexedRows& more) const {
   return drawn;
 }
 
-RowsAtTimes::RowsAtTimes(std::size_t columns, std::vector<double> times)
-    : columns_(columns), times_(std::move(times)) {
+RowsAtTimes::RowsAtTimes(std::vector<double> times) : times_(std::move(times)) {
   std::sort(times_.begin(), times_.end());
 }
 

@@ -103,7 +103,7 @@ class RowChoice {
 /// Picks the rows about given instants: that nearest to each, two before and one behind it.
 class RowsAtTimes {
  public:
-  RowsAtTimes(std::size_t columns, std::vector<double> times);
+  explicit RowsAtTimes(std::vector<double> times);
 
   /// Takes the next row, whose first number is its time.
   void add(std::span<const double> row);
@@ -114,7 +114,6 @@ class RowsAtTimes {
  private:
   void keep(std::int64_t index, std::span<const double> row);
 
-  std::size_t columns_;
   std::vector<double> times_;
   std::size_t next_ = 0;  ///< of the times, that which was not reached yet
   int behind_ = 0;        ///< rows that are still wanted behind the last one

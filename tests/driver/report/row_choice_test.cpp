@@ -102,7 +102,7 @@ TEST_CASE("of too many wanted rows the first and the last ones stay") {
 }
 
 TEST_CASE("rows about given times: the nearest, its neighbours, and those of others") {
-  RowsAtTimes rows(2, {500.0, 20.4, 20.6, 5000.0});
+  RowsAtTimes rows({500.0, 20.4, 20.6, 5000.0});
   RowChoice choice(2, 100, kMotion, kMotion);
   for (int i = 0; i < 1000; ++i) {
     const std::array row{static_cast<double>(i), std::sin(0.1 * i)};
