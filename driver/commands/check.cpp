@@ -11,7 +11,6 @@
 #include <numeric>
 #include <optional>
 #include <string_view>
-#include <thread>
 #include <utility>
 
 #include "driver/commands/shared.hpp"
@@ -27,6 +26,7 @@
 #include "driver/suite/suite_json.hpp"
 #include "driver/suite/trailing_notes.hpp"
 #include "driver/suite/verdict_table.hpp"
+#include "driver/suite/work_crew.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -115,8 +115,7 @@ int check_command(const CheckOptions& options) {
 
   SuiteOptions suite;
   suite.read = {*settings, options.allow_outside};
-  suite.threads = options.jobs > 0 ? static_cast<unsigned>(options.jobs)
-                                   : std::max(1U, std::thread::hardware_concurrency());
+  suite.threads = options.jobs > 0 ? static_cast<unsigned>(options.jobs) : core_count();
   suite.fail_fast = options.fail_fast;
   suite.keep_passing = told.junit || told.json;
   if (pages) {

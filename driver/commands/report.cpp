@@ -8,7 +8,6 @@
 #include <set>
 #include <span>
 #include <system_error>
-#include <thread>
 #include <utility>
 
 #include "driver/commands/shared.hpp"
@@ -115,7 +114,7 @@ int report_command(const ReportOptions& options) {
     return refuse(kExitEnvironment, page.error());
   }
   const ReadOptions read_options{*settings, options.allow_outside};
-  const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  const unsigned threads = core_count();
   std::vector<Reading> readings(sources.size());
   std::vector<std::string> overwritten(sources.size());
   const auto read = [&](std::size_t place) {

@@ -54,8 +54,4 @@ CheckLabels labels_of(const Case& problem, const Check& check) {
   return labels;
 }
 
-std::string check_unit(const Case& problem, const Check& check) {
-  return labels_of(problem, check).unit;
-}
-
 }  // namespace slipbench::driver

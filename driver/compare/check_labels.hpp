@@ -20,7 +20,4 @@ struct CheckLabels {
 };
 CheckLabels labels_of(const Case& problem, const Check& check);
 
-/// The unit of the check's quantity, empty if it is no column.
-std::string check_unit(const Case& problem, const Check& check);
-
 }  // namespace slipbench::driver

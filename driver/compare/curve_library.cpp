@@ -6,23 +6,15 @@
 #include <iterator>
 #include <system_error>
 
+#include "driver/history/data_path.hpp"
+
 namespace slipbench::driver {
 namespace {
 
 namespace fs = std::filesystem;
 
 /// Where the curves are: beside an installed program, or in the source folder.
-std::optional<fs::path> curve_folder() {
-  const fs::path name = fs::path("reference") / "curves";
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  const fs::path source = fs::path(__FILE__).parent_path().parent_path().parent_path();
-  for (const fs::path& folder :
-       {program.parent_path().parent_path() / "share" / "slipbench", source}) {
-    if (fs::is_directory(folder / name, error)) return folder / name;
-  }
-  return std::nullopt;
-}
+std::optional<fs::path> curve_folder() { return shipped_path(fs::path("reference") / "curves"); }
 
 std::string first_line(const fs::path& file) {
   std::ifstream stream(file);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string_view>
 #include <tl/expected.hpp>
 
@@ -18,5 +19,9 @@ namespace slipbench::driver {
 /// not be entered). Whether the file exists is for its reader to find out.
 tl::expected<std::filesystem::path, HistoryError> resolve_data_path(
     const std::filesystem::path& case_folder, std::string_view text, bool allow_outside = false);
+
+/// Where a file or folder is that comes with the program, such as "plots/friction.gp": under
+/// share/slipbench of the installation, else in the source folder; nothing if it is in neither.
+std::optional<std::filesystem::path> shipped_path(const std::filesystem::path& name);
 
 }  // namespace slipbench::driver

@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "driver/exit_code.hpp"
+#include "driver/history/data_path.hpp"
 #include "driver/results/interruption.hpp"
 
 extern char** environ;
@@ -84,15 +85,7 @@ std::string terminal_for(const fs::path& picture, std::size_t height) {
 }
 
 std::optional<fs::path> find_template(std::string_view name_of_template) {
-  const fs::path name = fs::path("plots") / name_of_template;
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  const fs::path source = fs::path(__FILE__).parent_path().parent_path().parent_path();
-  for (const fs::path& folder :
-       {program.parent_path().parent_path() / "share" / "slipbench", source}) {
-    if (fs::is_regular_file(folder / name, error)) return folder / name;
-  }
-  return std::nullopt;
+  return shipped_path(fs::path("plots") / name_of_template);
 }
 
 std::string gnuplot_string(std::string_view text) {

@@ -6,6 +6,9 @@
 
 namespace slipbench::driver {
 
+/// As many threads as the machine has cores, at least one.
+unsigned core_count();
+
 /// Calls `work` for the indices 0 .. count-1, in this order begun, by at most `threads` threads
 /// (the caller's is one of them; fewer if the system gives no more), and returns when all are done.
 /// `work` must not throw.
