@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "driver/commands/bless.hpp"
+#include "driver/commands/calibrate.hpp"
 #include "driver/commands/catalogue.hpp"
 #include "driver/commands/check.hpp"
 #include "driver/commands/import.hpp"
@@ -230,6 +231,35 @@ int run(int argc, char** argv) {
     name_cases(report_options.inputs);
     command = [&] { return report_command(report_options); };
   });
+
+  CalibrateOptions calibrate_options;
+  CLI::App* calibrate_app =
+      app.add_subcommand("calibrate", "Fit parameters and tables of cases to measured data");
+  calibrate_app->add_option("FIT", calibrate_options.file, "A fit file (YAML)")->required();
+  calibrate_app
+      ->add_option("-o,--output", calibrate_options.folder, "Folder of the results; must exist")
+      ->type_name("DIR")
+      ->capture_default_str();
+  add_settings(*calibrate_app, calibrate_options.settings, calibrate_options.allow_outside);
+  calibrate_app
+      ->add_option("--bootstrap", calibrate_options.bootstrap,
+                   "Also errors by so many resamplings of the residuals")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100000));
+  calibrate_app->add_flag("--profile", calibrate_options.profile,
+                          "Also the profile likelihood of every parameter");
+  calibrate_app
+      ->add_option("--report", calibrate_options.report,
+                   "The HTML page; default: <fit>.html in the folder of the results")
+      ->type_name("FILE");
+  calibrate_app->add_flag("--no-output", calibrate_options.no_output,
+                          "Write no files, only tell what was found");
+  calibrate_app->footer(
+      "Writes <fit>.json (all figures), <fit>.html and <fit>.*.svg (measured against fitted), and\n"
+      "<case>.calibrated.yaml, the case with the values found, ready to run. Exit code 3 if the\n"
+      "search did not converge; the reason is told in words.\n"
+      "Example: slipbench calibrate rig_fit.yaml -o out --bootstrap 200");
+  calibrate_app->callback([&] { command = [&] { return calibrate_command(calibrate_options); }; });
 
   ImportOptions import_options;
   CLI::App* import_app =

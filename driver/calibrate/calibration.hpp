@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a calibration found: everything that is printed, drawn and written.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "driver/calibrate/fit.hpp"
+#include "driver/calibrate/least_squares/problem.hpp"
+#include "driver/calibrate/least_squares/statistics.hpp"
+
+namespace slipbench::driver {
+
+/// Measured and modelled values of one compared quantity, at the compared points.
+struct FittedResponse {
+  std::string quantity;
+  std::string unit;  ///< of the quantity, empty if the case states none
+  std::string over;  ///< result column the loops are compared over; empty: time
+  std::string over_unit;
+  std::vector<double> time;      ///< [T]
+  std::vector<double> abscissa;  ///< of loops, as long; empty over time
+  std::vector<double> measured;
+  std::vector<double> before;  ///< the model at the start values
+  std::vector<double> after;   ///< and at the optimum
+  double rmse_before = 0.0;    ///< in the quantity's unit
+  double rmse_after = 0.0;
+  double range = 0.0;            ///< of the measured values
+  double mean_error = 0.0;       ///< of `after`: a bias
+  double autocorrelation = 0.0;  ///< of the residual from one point to the next: near 0 is noise
+};
+
+struct FittedExperiment {
+  std::size_t index = 0;  ///< in Fit::experiments
+  std::size_t rows_read = 0;
+  std::size_t rows_used = 0;
+  std::vector<std::string> cleaning;  ///< what was done to the data, a sentence each
+  std::string data_hash;              ///< SHA-256 of the data file, hexadecimal
+  double share_of_cost = 0.0;         ///< [1]
+  std::vector<FittedResponse> responses;
+};
+
+/// Whether the data tell an unknown's value.
+enum class Identifiability : std::uint8_t {
+  kGood,
+  kWeak,         ///< the interval is wider than the value, or its bounds; or lost in a combination
+  kNeverVisited  ///< no compared point depends on it: kept at its start
+};
+
+/// One unknown: a parameter, or an ordinate of a table.
+struct FittedUnknown {
+  std::string name;  ///< "mu", or "sleeve.coefficient[3].mu"
+  std::string unit;
+  UnknownRange range;
+  double value = 0.0;
+  Identifiability identifiability = Identifiability::kGood;
+  std::string why;                 ///< a sentence where it is not kGood
+  std::int64_t visits = 0;         ///< compared points that depend on it
+  double distance_to_lower = 0.0;  ///< as a part of the range of the bounds; infinite without one
+  double distance_to_upper = 0.0;
+};
+
+/// A fitted table.
+struct FittedTable {
+  std::size_t index = 0;          ///< in Fit::tables
+  std::size_t first_unknown = 0;  ///< its ordinates are consecutive unknowns, in the rows' order
+  std::size_t count = 0;
+  std::vector<std::string> columns;         ///< independents' names, fastest first
+  std::vector<std::vector<double>> points;  ///< independents of each row
+  struct Cell {
+    std::string text;         ///< "slip_rate 0 .. 10, temperature 20 .. 90"
+    std::int64_t visits = 0;  ///< increments of the fitted experiments
+  };
+  std::vector<Cell> cells;
+};
+
+struct Calibration {
+  std::vector<FittedUnknown> unknowns;  ///< parameters in the fit's order, then tables' ordinates
+  std::vector<FittedTable> tables;
+  std::vector<FittedExperiment> experiments;  ///< in the fit's order, those held out last
+  ResidualProblem problem;                    ///< refers to the calibration's models
+  LeastSquaresFit fit;
+  FitStatistics statistics;
+  Bootstrap bootstrap;                      ///< done = 0 if not asked for
+  std::vector<LikelihoodProfile> profiles;  ///< empty if not asked for
+  std::string derivatives;                  ///< how they were found, a sentence
+  std::vector<std::string> notes;           ///< what the user should look at, a sentence each
+  double seconds = 0.0;
+};
+
+}  // namespace slipbench::driver

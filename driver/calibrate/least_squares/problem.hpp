@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bounded nonlinear least squares: what is asked, and what comes back. Knows nothing of cases.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace slipbench::driver {
+
+/// In what an unknown is searched.
+enum class Scale : std::uint8_t { kLinear, kLog };
+
+/// Start, bounds and scale of one unknown, in its natural unit.
+struct UnknownRange {
+  double start = 0.0;
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  Scale scale = Scale::kLinear;  ///< kLog needs 0 < start, 0 <= lower
+};
+
+/// What a row of unknowns, the ordinates of a curve, has to keep.
+struct Shape {
+  enum class Monotone : std::uint8_t { kFree, kIncreasing, kDecreasing } monotone = Monotone::kFree;
+  enum class Curvature : std::uint8_t { kFree, kConvex, kConcave } curvature = Curvature::kFree;
+  bool any() const { return monotone != Monotone::kFree || curvature != Curvature::kFree; }
+};
+
+/// Unknowns first .. first + count - 1 are the ordinates of one curve over `abscissa`.
+struct ShapedBlock {
+  std::size_t first = 0;
+  std::size_t count = 0;
+  std::vector<double> abscissa;  ///< as many, ascending
+  Shape shape;
+};
+
+/// How a residual r counts: the cost is the sum of rho(r^2)/2 (docs/theory.md, section 17).
+struct Loss {
+  enum class Kind : std::uint8_t { kSquares, kHuber, kSoftL1 } kind = Kind::kSquares;
+  double threshold = 1.0;  ///< residual at which it turns from squares to magnitudes, > 0
+};
+
+/// Residuals r(x) over natural unknowns x.
+struct ResidualProblem {
+  std::size_t rows = 0;
+  /// The first rows are compared with data; rows beyond (smoothness) always count as squares and
+  /// are no data for the statistics.
+  std::size_t data_rows = 0;
+  std::vector<UnknownRange> unknowns;
+  std::vector<ShapedBlock> shapes;
+  Loss loss;
+  /// r(x), `rows` numbers. False: the model has no value there.
+  /// Called from one thread at a time.
+  std::function<bool(std::span<const double> x, std::span<double> r)> residuals;
+  /// r(x) and dr/dx, row-major rows x unknowns; empty: central differences of `residuals`.
+  std::function<bool(std::span<const double> x, std::span<double> r, std::span<double> jacobian)>
+      derivatives;
+};
+
+struct SolverOptions {
+  int starts = 1;             ///< 1: from the given start only; more: a low-discrepancy set besides
+  std::uint64_t seed = 1;     ///< of the set, and of resamplings
+  int most_iterations = 200;  ///< of each start
+  double step_tolerance = 1e-10;      ///< of the step, as a part of the unknowns
+  double gradient_tolerance = 1e-10;  ///< of the scaled gradient
+  bool polish = true;                 ///< a derivative-free polish where kinks defeat the gradient
+};
+
+/// Why a search ended.
+enum class StopReason : std::uint8_t {
+  kStep,          ///< the steps have become negligible
+  kGradient,      ///< the gradient has become negligible
+  kCost,          ///< the cost has become rounding
+  kIterations,    ///< the most iterations allowed
+  kNoProgress,    ///< no step lowers the cost any more
+  kZeroGradient,  ///< nothing that is varied changes any residual at the start
+  kNoIteration,   ///< nothing was gained at all: the start is a minimum, or a kink
+  kModelFailure,  ///< the model has no value at the start
+  kTooFewData     ///< fewer rows than unknowns
+};
+/// Whether a search that ended so may be called converged.
+bool is_convergence(StopReason reason);
+/// A sentence for the user, which says what to look at where it is no convergence.
+std::string stop_text(StopReason reason);
+
+/// One search from one start.
+struct SearchTrace {
+  std::vector<double> start;
+  std::vector<double> end;
+  double start_cost = 0.0;
+  double cost = 0.0;
+  int iterations = 0;
+  StopReason stop = StopReason::kNoIteration;
+};
+
+/// What a fit found.
+struct LeastSquaresFit {
+  std::vector<double> x;  ///< the best point, natural unknowns
+  double start_cost = 0.0;
+  double cost = 0.0;  ///< sum of rho(r^2)/2 over all rows
+  StopReason stop = StopReason::kNoIteration;
+  bool converged = false;
+  std::string stop_sentence;
+  int iterations = 0;             ///< of the best search
+  long residual_evaluations = 0;  ///< of all
+  long derivative_evaluations = 0;
+  double gradient_norm = 0.0;     ///< largest scaled component at x, see stop rules
+  bool polished = false;          ///< the polish lowered the cost
+  std::vector<double> residuals;  ///< at x
+  std::vector<double> jacobian;   ///< dr/dx at x, row-major, natural unknowns
+  std::vector<double> weights;    ///< of each row, 1 unless the loss is robust: rho'
+  std::vector<char> frozen;       ///< unknowns no residual depends on: kept at their start
+  std::vector<char> at_lower;     ///< unknowns that ended at a bound
+  std::vector<char> at_upper;
+  std::vector<SearchTrace> searches;  ///< one a start, the given one first
+};
+
+/// Finds the least cost: GSL's trust region (Levenberg-Marquardt) on transformed unknowns, from
+/// every start; robust losses by reweighting. Errors are stop reasons, never exceptions.
+LeastSquaresFit solve_least_squares(const ResidualProblem& problem, const SolverOptions& options);
+
+}  // namespace slipbench::driver

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace slipbench::driver {
+
+struct CalibrateOptions {
+  std::string file;                   ///< the fit file
+  std::string folder = ".";           ///< where the results go
+  std::vector<std::string> settings;  ///< --set, for all cases of the fit
+  bool allow_outside = false;
+  bool no_output = false;        ///< write no files, only tell what was found
+  std::optional<int> bootstrap;  ///< resamplings; the fit's choice if absent
+  bool profile = false;          ///< profile likelihood, whatever the fit says
+  std::string report;            ///< an HTML page; empty: <fit>.html in `folder`
+};
+
+/// `slipbench calibrate`: fits parameters and tables of cases to measured data, tells how well they
+/// are known, and writes <fit>.json, <fit>.html, the pictures <fit>.*.svg and one calibrated case a
+/// fitted case, <case>.calibrated.yaml. Returns the exit code: 0 if the fit converged, 3 if not.
+int calibrate_command(const CalibrateOptions& options);
+
+}  // namespace slipbench::driver
