@@ -133,6 +133,38 @@ double Table::value_and_slopes(std::span<const double> x, std::span<double> slop
   return block<true>(independents() - 1, 0, x.data(), weight, slopes.data(), column);
 }
 
+Table::Bracket Table::bracket(int level, std::uint32_t index, double v) const noexcept {
+  const Level& here = levels_[at(level)];
+  const std::uint32_t first = here.first[index];
+  const std::uint32_t count = here.first[index + 1] - first;
+  const double* grid = here.x.data() + first;
+  if (extrapolation_ == Extrapolation::kConstant || count == 1) {
+    if (count == 1 || v < grid[0]) return {first, first, 0.0};
+    if (v >= grid[count - 1]) return {first + count - 1, first + count - 1, 0.0};
+  }
+  const std::uint32_t i = segment(grid, count, v);
+  return {first + i, first + i + 1, (v - grid[i]) / (grid[i + 1] - grid[i])};
+}
+
+std::vector<double> Table::point(std::size_t row) const {
+  std::vector<double> x;
+  std::size_t entry = row;
+  for (const Level& level : levels_) {
+    x.push_back(level.x[entry]);
+    // An entry of the next level is a block of this one: the one that holds the entry.
+    const auto block = std::upper_bound(level.first.begin(), level.first.end(), entry);
+    entry = static_cast<std::size_t>(block - level.first.begin()) - 1;
+  }
+  return x;
+}
+
+bool Table::same_grid(const Table& other) const {
+  const auto same = [](const Level& a, const Level& b) { return a.x == b.x && a.first == b.first; };
+  return dependents_ == other.dependents_ && extrapolation_ == other.extrapolation_ &&
+         rows() == other.rows() && levels_.size() == other.levels_.size() &&
+         std::equal(levels_.begin(), levels_.end(), other.levels_.begin(), same);
+}
+
 TableInterval Table::interval(int level, std::uint32_t index, double v) const noexcept {
   const Level& here = levels_[at(level)];
   const std::uint32_t first = here.first[index];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -77,6 +78,20 @@ class Table {
   int independents() const { return static_cast<int>(levels_.size()); }
   Extrapolation extrapolation() const { return extrapolation_; }
 
+  /// How many rows it was built from; rows are numbered from 0 in the order given.
+  std::size_t rows() const {
+    return dependents_ > 0 ? ordinates_.size() / static_cast<std::size_t>(dependents_) : 0;
+  }
+  double ordinate(std::size_t row, int column = 0) const { return ordinates_[index(row, column)]; }
+  /// \param value finite; whether it is admissible, who uses the table has to know
+  void set_ordinate(std::size_t row, int column, double value) {
+    ordinates_[index(row, column)] = value;
+  }
+  /// The independents of a row; for reading, not for the update path.
+  std::vector<double> point(std::size_t row) const;
+  /// Whether the other has the same points, dependents and extrapolation: all but the ordinates.
+  bool same_grid(const Table& other) const;
+
   /// Value of dependent `column` at `x` (as many entries as independents) without slopes.
   double value(std::span<const double> x, int column = 0) const noexcept;
 
@@ -84,6 +99,15 @@ class Table {
   /// each multiplied by `weight`.
   double value_and_slopes(std::span<const double> x, std::span<double> slopes, int column = 0,
                           double weight = 1.0) const noexcept;
+
+  /// Calls visit(row, weight) for every row that has a part in a value:
+  ///   value(x, column) = sum of weight * ordinate(row, column),
+  /// the weights being the slopes of the value to the ordinates. They sum to 1, and where the end
+  /// segment is prolonged some are negative. At most two rows an independent are multiplied out.
+  template <class Visit>
+  void for_each_weight(std::span<const double> x, Visit visit) const {
+    if (!ordinates_.empty()) weigh(independents() - 1, 0, x.data(), 1.0, visit);
+  }
 
   /// All distinct coordinates of independent `k` over all blocks, ascending.
   std::span<const double> knots(int k) const { return levels_[static_cast<std::size_t>(k)].knots; }
@@ -113,6 +137,30 @@ class Table {
     std::vector<std::uint32_t> first;
     std::vector<double> knots;
   };
+
+  std::size_t index(std::size_t row, int column) const {
+    return row * static_cast<std::size_t>(dependents_) + static_cast<std::size_t>(column);
+  }
+
+  /// The entries of a block that a coordinate lies between, and how far along; the same entry twice
+  /// where an end value is held.
+  struct Bracket {
+    std::uint32_t low = 0;
+    std::uint32_t high = 0;
+    double fraction = 0.0;
+  };
+  Bracket bracket(int level, std::uint32_t index, double v) const noexcept;
+
+  template <class Visit>
+  void weigh(int level, std::uint32_t index, const double* x, double weight, Visit& visit) const {
+    if (level < 0) {
+      visit(static_cast<std::size_t>(index), weight);
+      return;
+    }
+    const Bracket b = bracket(level, index, x[level]);
+    if (b.fraction != 1.0) weigh(level - 1, b.low, x, weight * (1.0 - b.fraction), visit);
+    if (b.fraction != 0.0) weigh(level - 1, b.high, x, weight * b.fraction, visit);
+  }
 
   TableInterval interval(int level, std::uint32_t index, double v) const noexcept;
   void find_cell(int level, std::uint32_t index, const double* x, TableCell* cell) const noexcept;

@@ -49,6 +49,7 @@ class TableFunction {
   TableFunction(Table table, std::vector<Independent> independents);
 
   const Table& table() const { return table_; }
+  Table& table() { return table_; }
   std::span<const Independent> independents() const { return independents_; }
   /// Position of an independent among the columns, -1 if the table does not depend on it.
   int column_of(IndependentKind kind) const;
@@ -64,6 +65,13 @@ class TableFunction {
   /// differ by a constant, so both count.
   void add_motion_slopes(const Ambient& ambient, const SlipArguments& slip, double weight,
                          RelativePosition* gradient, int column = 0) const noexcept;
+
+  /// Calls visit(row, weight) for every row that has a part in the value: Table::for_each_weight.
+  template <class Visit>
+  void for_each_weight(const Ambient& ambient, const SlipArguments& slip, Visit visit) const {
+    Arguments x;
+    table_.for_each_weight(gather(ambient, slip, &x), visit);
+  }
 
   /// What the table is asked for: as many numbers as it has independents, in their order.
   std::array<double, kMaxIndependents> arguments(const Ambient& ambient,

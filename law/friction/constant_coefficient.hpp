@@ -40,6 +40,11 @@ struct ConstantCoefficient {
                             const SlipArguments& /*slip*/) const noexcept {
     return {mu, 0.0, 0.0};
   }
+  /// dmu/d(number) in the order of fields().
+  std::array<double, 1> to_numbers(const Ambient& /*ambient*/,
+                                   const SlipArguments& /*slip*/) const noexcept {
+    return {1.0};
+  }
   bool depends_on_slip_rate() const { return false; }
   bool depends_on_contact_force() const { return false; }
   double largest() const { return mu; }

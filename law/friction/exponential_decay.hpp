@@ -59,6 +59,12 @@ struct ExponentialDecay {
     const double mu = coefficient(slip.slip_rate);
     return {mu, -decay * (mu - kinetic), 0.0};
   }
+  /// dmu/d(number) in the order of fields().
+  std::array<double, 3> to_numbers(const Ambient& /*ambient*/,
+                                   const SlipArguments& slip) const noexcept {
+    const double left = std::exp(-decay * slip.slip_rate);
+    return {left, 1.0 - left, -slip.slip_rate * (mu_static - kinetic) * left};
+  }
   bool depends_on_slip_rate() const { return decay > 0.0 && mu_static > kinetic; }
   bool depends_on_contact_force() const { return false; }
   double largest() const { return mu_static; }

@@ -85,6 +85,21 @@ struct ExponentialTestData {
   CoefficientPoint evaluate(const Ambient& ambient, const SlipArguments& slip) const noexcept {
     return fit().evaluate(ambient, slip);
   }
+  /// dmu/d(number) in the order of fields(), by way of the fitted decay.
+  std::array<double, 4> to_numbers(const Ambient& ambient,
+                                   const SlipArguments& slip) const noexcept {
+    const ExponentialDecay decay = fit();
+    const auto [by_static, by_kinetic, by_decay] = decay.to_numbers(ambient, slip);
+    const double by_rate2 = -by_decay * decay.decay / rate2;
+    if (!mu_inf) {
+      return {by_static - by_kinetic * kRest / (1.0 - kRest), by_kinetic / (1.0 - kRest), by_rate2,
+              0.0};
+    }
+    const double high = 1.0 / (rate2 * (mu1 - *mu_inf));
+    const double low = 1.0 / (rate2 * (mu2 - *mu_inf));
+    return {by_static + by_decay * high, -by_decay * low, by_rate2,
+            by_kinetic + by_decay * (low - high)};
+  }
   bool depends_on_slip_rate() const { return fit().depends_on_slip_rate(); }
   bool depends_on_contact_force() const { return false; }
   double largest() const { return mu1; }

@@ -67,6 +67,15 @@ struct GeneralizedViscous {
     return clamped({raw_coefficient(p, v), c2 + c3 * p + 2.0 * c5 * v,
                     (c1 + c3 * v + 2.0 * c4 * p) * per_force()});
   }
+  /// dmu/d(number) in the order of fields(); 0 on the floor.
+  std::array<double, 8> to_numbers(const Ambient& ambient,
+                                   const SlipArguments& slip) const noexcept {
+    if (!(raw(ambient, slip) >= kCoefficientFloor)) return {};
+    const double v = slip.slip_rate;
+    const double p = slip.contact_force * per_force();
+    const double by_area = -(c1 + c3 * v + 2.0 * c4 * p) * p * per_force();
+    return {1.0, p, v, p * v, p * p, v * v, 0.0, by_area};
+  }
   bool depends_on_slip_rate() const { return c2 != 0.0 || c3 != 0.0 || c5 != 0.0; }
   bool depends_on_contact_force() const { return c1 != 0.0 || c3 != 0.0 || c4 != 0.0; }
   bool needs_area() const { return depends_on_contact_force() && !area; }

@@ -65,6 +65,26 @@ struct ModifiedDarmstad {
   CoefficientPoint evaluate(const Ambient& /*ambient*/, const SlipArguments& slip) const noexcept {
     return clamped(point(slip));
   }
+  /// dmu/d(number) in the order of fields(); 0 on the floor and where an exponent overflows.
+  std::array<double, 8> to_numbers(const Ambient& /*ambient*/,
+                                   const SlipArguments& slip) const noexcept {
+    const CoefficientPoint here = point(slip);
+    if (!(here.mu >= kCoefficientFloor) || !std::isfinite(here.mu)) return {};
+    const double v = slip.slip_rate;
+    const double per_force = 1.0 / area.value_or(1.0);
+    const double p = slip.contact_force * per_force;
+    const double square = std::exp(std::min(c2 * v, kLargestExponent)) * p * p;
+    const double linear = std::exp(std::min(c4 * v, kLargestExponent)) * p;
+    const double alone = std::exp(std::min(c6 * v, kLargestExponent));
+    return {1.0,
+            square,
+            c1 * v * square,
+            linear,
+            c3 * v * linear,
+            alone,
+            c5 * v * alone,
+            -here.to_contact_force * slip.contact_force * per_force};
+  }
   /// The coefficient whose exponent overflows at a slip rate [L/T]; empty if none does.
   std::string_view overflow(double slip_rate) const {
     if (c1 != 0.0 && c2 * slip_rate > kLargestExponent) return "C2";

@@ -109,6 +109,30 @@ struct Renard {
   CoefficientPoint evaluate(const Ambient& /*ambient*/, const SlipArguments& slip) const noexcept {
     return clamped(point(slip.slip_rate));
   }
+  /// dmu/d(number) in the order of fields(), of C1 to C6; 0 on the floor. At C5 and C6 the slope to
+  /// the joint is that of the piece that begins there.
+  std::array<double, 8> to_numbers(const Ambient& /*ambient*/,
+                                   const SlipArguments& slip) const noexcept {
+    if (!(point(slip.slip_rate).mu >= kCoefficientFloor)) return {};
+    const double v = speed_factor * slip.slip_rate;
+    if (v <= c5) {
+      const double x = v / c5;
+      const double way = x * (2.0 - x);
+      return {1.0 - way, 0.0, way, 0.0, -2.0 * (c3 - c1) * (1.0 - x) * x / c5};
+    }
+    if (v < c6) {
+      const double width = c6 - c5;
+      const double y = (v - c5) / width;
+      const double way = y * y * (3.0 - 2.0 * y);
+      const double slope = -6.0 * (c3 - c4) * y * (1.0 - y) / width;  // to v
+      return {0.0, 0.0, 1.0 - way, way, slope * (y - 1.0), -slope * y};
+    }
+    const double d = c2 - c4;
+    const double s = v - c6;
+    const double q = 1.0 + d * s * s;
+    const double by_d = 1.0 / (q * q);
+    return {0.0, 1.0 - by_d, 0.0, by_d, 0.0, -2.0 * d * d * s * by_d};
+  }
   bool depends_on_slip_rate() const { return c1 != c3 || c3 != c4 || c4 != c2; }
   bool depends_on_contact_force() const { return false; }
   double largest() const { return std::max({c1, c2, c3, c4, kCoefficientFloor}); }

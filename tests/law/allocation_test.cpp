@@ -9,7 +9,9 @@
 #include "law/continuous_update.hpp"
 #include "law/potential_terms.hpp"
 #include "law/return_mapping.hpp"
+#include "law/sensitivity.hpp"
 #include "tests/support/allocation_counter.hpp"
+#include "tests/support/definition_numbers.hpp"
 #include "tests/support/friction_run.hpp"
 #include "tests/support/law_tables.hpp"
 
@@ -242,6 +244,40 @@ TEST_CASE("no table evaluation allocates") {
             }
           }) == 0);
     CHECK(sink > 0.0);
+  }
+}
+
+TEST_CASE("no derivative of an increment allocates, whatever the regime") {
+  FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0));
+  definition.internal_contact_force = make_function({{100, 0}, {0, 2}}, {kOverAccumulatedSlip});
+  definition.law = TabularCoefficient{make_function({{0.3, 0}, {0.2, 10}}, {kOverSlipRate})};
+  definition.contact_force = DerivedComponent{norm_term({2, 3}, 2.0)};
+  for (const StickStiffness stick : {allowable_slip(0.01), fixed_stiffness(1e4)}) {
+    definition.stick = stick;
+    DefinitionSlopes slopes;
+    for (const DefinitionNumber& number : numbers_of(definition)) {
+      REQUIRE(add_slopes(definition, number.at(definition, number.value + 1), 1.0, slopes.unknowns,
+                         &slopes));
+    }
+    FrictionRun run(definition);
+    StateSlopes state(definition, slopes);
+    const double motions[] = {0.002, 0.5, 0.498, -0.5, 5.0, 5.1};  // at last all is worn away
+    std::vector<Regime> seen;
+    seen.reserve(8);
+    const std::size_t count = count_allocations([&] {
+      for (const double motion : motions) {
+        run.position[0] = motion;
+        run.force[1] = motion < 4.0 ? 10.0 : 0.0;
+        const FrictionState old = run.state;
+        const ConnectorIncrement increment = run.increment();
+        state.advance(increment, old, run.step());
+        seen.push_back(run.state.regime);
+      }
+    });
+    CHECK(count == 0);
+    CHECK(seen.front() == Regime::kStick);
+    CHECK(seen[1] == Regime::kSlip);
+    CHECK(seen.back() == Regime::kOpen);
   }
 }
 

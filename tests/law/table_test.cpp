@@ -282,4 +282,63 @@ TEST_CASE("the largest growth of y x is that of the steepest cell, at one of its
   CHECK(two.largest_growth(0) == Approx(0.4 + 10 * 0.03).epsilon(1e-15));
 }
 
+/// The weights of all rows at a point; those of rows that have no part are 0.
+std::vector<double> weights(const Table& table, const std::vector<double>& x) {
+  std::vector<double> all(table.rows(), 0.0);
+  table.for_each_weight(x, [&](std::size_t row, double weight) {
+    CHECK(weight != 0.0);
+    all[row] += weight;
+  });
+  return all;
+}
+
+TEST_CASE("the weights of the rows make up the value, ragged or prolonged") {
+  for (const Extrapolation extrapolation : {Extrapolation::kConstant, Extrapolation::kLinear}) {
+    const Table table = make_table({{0.30, -5, 0, 20},
+                                    {0.20, -6, 10, 20},
+                                    {0.26, -7, 0, 90},
+                                    {0.18, -8, 4, 90},
+                                    {0.11, -9, 10, 90}},
+                                   2, 2, extrapolation);
+    for (const double x : {-3.0, 0.0, 2.5, 4.0, 9.0, 10.0, 30.0}) {
+      for (const double y : {-10.0, 20.0, 55.0, 90.0, 120.0}) {
+        const std::vector<double> all = weights(table, {x, y});
+        double sum = 0.0;
+        double values[2] = {0.0, 0.0};
+        for (std::size_t r = 0; r < table.rows(); ++r) {
+          sum += all[r];
+          for (int c = 0; c < 2; ++c) values[c] += all[r] * table.ordinate(r, c);
+        }
+        // Rounding; prolonged weights are up to some 10.
+        CHECK(sum == Approx(1.0).epsilon(1e-14));
+        CHECK(values[0] == Approx(at(table, {x, y}, 0)).epsilon(1e-13).margin(1e-14));
+        CHECK(values[1] == Approx(at(table, {x, y}, 1)).epsilon(1e-13));
+      }
+    }
+  }
+  const Table table = press_fit();
+  CHECK(weights(table, {0.25, 20}) == std::vector<double>{0.75, 0.25, 0, 0, 0, 0});
+  CHECK(weights(table, {9, 500}) == std::vector<double>{0, 0, 0, 0, 0, 1});
+  CHECK(weights(make_table({{7}}, 1, 0), {}) == std::vector<double>{1});
+}
+
+TEST_CASE("rows are numbered as given, and their ordinates can be changed alone") {
+  Table table = make_table({{0.30, 1, 0, 20}, {0.20, 2, 10, 20}, {0.26, 3, 0, 90}}, 2, 2);
+  REQUIRE(table.rows() == 3);
+  CHECK(table.ordinate(1) == 0.20);
+  CHECK(table.ordinate(2, 1) == 3);
+  CHECK(table.point(0) == std::vector<double>{0, 20});
+  CHECK(table.point(1) == std::vector<double>{10, 20});
+  CHECK(table.point(2) == std::vector<double>{0, 90});
+  const Table before = table;
+  table.set_ordinate(1, 0, 0.5);
+  CHECK(at(table, {10, 20}) == 0.5);
+  CHECK(at(table, {10, 20}, 1) == 2);
+  CHECK(table.same_grid(before));
+  CHECK_FALSE(
+      table.same_grid(make_table({{0.3, 1, 0, 20}, {0.2, 2, 9, 20}, {0.2, 3, 0, 90}}, 2, 2)));
+  CHECK_FALSE(table.same_grid(make_table({{0.3, 0, 20}, {0.2, 10, 20}, {0.2, 0, 90}}, 1, 2)));
+  CHECK(Table().rows() == 0);
+}
+
 }  // namespace
