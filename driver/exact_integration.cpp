@@ -96,6 +96,18 @@ std::optional<ExactRefusal> refuse_exact(const Case& problem) {
         "use backward_euler and small increments"};
   }
   for (const CaseDefinition& definition : problem.definitions) {
+    if (definition.dead_zone) {
+      return ExactRefusal{"friction '" + definition.name +
+                              "' has a dead zone, which only backward_euler crosses: an increment "
+                              "may unload, cross it and load again",
+                          "leave the method out; at a constant limit backward_euler is exact"};
+    }
+    if (definition.backward) {
+      return ExactRefusal{"friction '" + definition.name +
+                              "' has a coefficient for each direction, which only backward_euler "
+                              "chooses between",
+                          "leave the method out; at a constant limit backward_euler is exact"};
+    }
     if (auto refusal = refuse_definition(definition.name, definition.law)) return refusal;
   }
   for (const Step& step : problem.steps) {

@@ -259,7 +259,10 @@ int run(int argc, char** argv) {
       "<case>.calibrated.yaml, the case with the values found, ready to run. Exit code 3 if the\n"
       "search did not converge; the reason is told in words.\n"
       "Example: slipbench calibrate rig_fit.yaml -o out --bootstrap 200");
-  calibrate_app->callback([&] { command = [&] { return calibrate_command(calibrate_options); }; });
+  calibrate_app->callback([&] {
+    calibrate_options.file = named_case(calibrate_options.file);
+    command = [&] { return calibrate_command(calibrate_options); };
+  });
 
   ImportOptions import_options;
   CLI::App* import_app =
@@ -302,10 +305,13 @@ int run(int argc, char** argv) {
   describe_app->callback([&] { command = [&] { return describe_command(name); }; });
 
   CLI::App* schema_app =
-      app.add_subcommand("schema", "Print the JSON Schema of case files, for editors");
+      app.add_subcommand("schema", "Print the JSON Schema of case or fit files, for editors");
   bool markdown = false;
-  schema_app->add_flag("--markdown", markdown, "Print the case reference as Markdown instead");
-  schema_app->callback([&] { command = [&] { return schema_command(markdown); }; });
+  bool fit_schema = false;
+  schema_app->add_flag("--fit", fit_schema, "Print the schema of fit files, which calibrate reads");
+  schema_app->add_flag("--markdown", markdown,
+                       "Print the reference of both kinds of files as Markdown instead");
+  schema_app->callback([&] { command = [&] { return schema_command(markdown, fit_schema); }; });
 
   if (const std::string fault = unknown_command(app, argc, argv); !fault.empty()) {
     print_error("slipbench: error: " + fault + "\n");

@@ -13,9 +13,11 @@
 #include "driver/belt_motion.hpp"
 #include "driver/component_forces.hpp"
 #include "driver/connector_increment.hpp"
+#include "driver/dead_zone.hpp"
 #include "driver/dynamics.hpp"
 #include "driver/equilibrium.hpp"
 #include "driver/exact_integration.hpp"
+#include "driver/slip_direction.hpp"
 #include "driver/text/format_number.hpp"
 #include "law/capstan_update.hpp"
 #include "law/penalty_update.hpp"
@@ -70,9 +72,11 @@ const char* not_finite(const law::FrictionUpdate& update) {
 /// Whether a coefficient of the definition is kept above a floor at some time.
 bool has_floor(const Case& problem, std::size_t index) {
   const law::FrictionDefinition& definition = problem.definitions[index].law;
-  bool found = law::has_floor(definition.law) ||
-               (definition.formulation && definition.formulation->orthotropy &&
-                law::has_floor(definition.formulation->orthotropy->second));
+  bool found =
+      law::has_floor(definition.law) ||
+      (definition.formulation && definition.formulation->orthotropy &&
+       law::has_floor(definition.formulation->orthotropy->second)) ||
+      (problem.definitions[index].backward && law::has_floor(*problem.definitions[index].backward));
   for (const Step& step : problem.steps) {
     for (const FrictionChange& change : step.friction_changes) {
       found = found || (change.definition == index && law::has_floor(change.law));
@@ -105,7 +109,14 @@ Simulation::Simulation(const Case& problem) : case_(&problem) {
   row_.definitions.resize(problem.definitions.size());
   for (const CaseDefinition& definition : problem.definitions) {
     definitions_.push_back(definition.law);
-    if (has_floor(problem, definitions_.size() - 1)) with_floor_.push_back(definitions_.size() - 1);
+    const std::size_t index = definitions_.size() - 1;
+    if (has_floor(problem, index)) with_floor_.push_back(index);
+    if (definition.dead_zone) row_.definitions[index].play = definition.dead_zone->start;
+    if (definition.backward) {
+      other_law_.resize(problem.definitions.size());
+      other_law_[index] = *definition.backward;
+    }
+    has_options_ = has_options_ || definition.dead_zone || definition.backward;
   }
   note_falling_definitions();
   std::copy(problem.initial.values.begin(), problem.initial.values.end(),
@@ -165,6 +176,7 @@ tl::expected<Simulation, SimulationFailure> Simulation::resume(const Case& probl
     definition.dissipation = state.definitions[i].dissipation;
     definition.work = state.definitions[i].work;
     definition.update.mu = state.definitions[i].mu;
+    definition.play = state.definitions[i].play;
     // The walk knew no coefficients, so not what a change of friction in progress set out from.
     law::CoefficientBlend& blend = simulation.definitions_[i].blend;
     if (blend.weight != 1.0) blend.start = state.definitions[i].mu_start;
@@ -189,7 +201,8 @@ SimulationState Simulation::state() const {
   for (std::size_t i = 0; i < row_.definitions.size(); ++i) {
     const DefinitionRow& definition = row_.definitions[i];
     state.definitions.push_back({definition.update.state, definition.dissipation, definition.work,
-                                 definition.update.mu, definitions_[i].blend.start});
+                                 definition.update.mu, definitions_[i].blend.start,
+                                 definition.play});
   }
   return state;
 }
@@ -305,7 +318,12 @@ void Simulation::note_falling_definitions() {
   for (std::size_t i = 0; i < definitions_.size(); ++i) {
     row_.definitions[i].thresholds = {};
     if (!law::has_increment_thresholds(definitions_[i])) continue;
-    const law::CoefficientBounds bounds = law::coefficient_bounds(definitions_[i].law);
+    law::CoefficientBounds bounds = law::coefficient_bounds(definitions_[i].law);
+    if (case_->definitions[i].backward) {
+      const law::CoefficientBounds other = law::coefficient_bounds(other_law_[i]);
+      bounds.largest = std::max(bounds.largest, other.largest);
+      bounds.steepest_weakening = std::max(bounds.steepest_weakening, other.steepest_weakening);
+    }
     if (bounds.steepest_weakening > 0.0) falling_.push_back({i, bounds});
   }
 }
@@ -548,8 +566,9 @@ tl::expected<void, SimulationFailure> Simulation::update_definitions() {
     // In place: an assignment would build the result elsewhere and copy its 400 bytes.
     static_assert(std::is_trivially_destructible_v<law::FrictionUpdate>);
     ::new (&here.update) law::FrictionUpdate(
-        exact_ ? exact_->update(i, definitions_[i], increment, old, here.changes)
-               : integrate(i, increment, old));
+        exact_         ? exact_->update(i, definitions_[i], increment, old, here.changes)
+        : has_options_ ? integrate_with_options(i, increment, old)
+                       : integrate(i, increment, old));
     here.dissipation += here.update.dissipation;
     here.work += here.update.work;
     if (auto judged = judge(i); !judged) return judged;
@@ -626,6 +645,39 @@ law::FrictionUpdate Simulation::integrate(std::size_t definition,
     return law::judge_capstan(definitions_[definition], increment, row_.quantities[kTensionBehind]);
   }
   return law::update(definitions_[definition], increment, old);
+}
+
+law::FrictionUpdate Simulation::integrate_with_options(std::size_t definition,
+                                                       law::ConnectorIncrement increment,
+                                                       const law::FrictionState& old) {
+  const CaseDefinition& own = case_->definitions[definition];
+  if (!own.dead_zone && !own.backward) return integrate(definition, increment, old);
+  law::FrictionDefinition& in_force = definitions_[definition];
+  DefinitionRow& here = row_.definitions[definition];
+  const int c = in_force.slip.component[0];
+  const double motion = increment.end.position[c] - increment.begin_position[c];
+  const double elastic = elastic_extension(in_force, old);
+  PlayStep step{.motion = motion};
+  if (own.dead_zone) {
+    step = move_play(*own.dead_zone, here.play, elastic, motion);
+    here.play = step.play;
+    // The law sees tables at the end of the increment, and of its begin only how far it is.
+    if (step.travel != 0.0) increment.begin_position[c] = increment.end.position[c] - step.motion;
+  }
+  if (own.backward) {
+    const bool backward = loads_backward(elastic, step.motion, motion);
+    if (backward != here.backward) std::swap(in_force.law, other_law_[definition]);
+    here.backward = backward;
+  }
+  law::FrictionUpdate update = integrate(definition, increment, old);
+  if (own.backward) {
+    split_at_zero_force(in_force, old, in_force.slip.scale[0] * step.motion, update);
+  }
+  if (step.travel != 0.0) {
+    if (elastic + step.motion == 0.0) relax(update);
+    place_onset(step, update);
+  }
+  return update;
 }
 
 std::string Simulation::place(double before) const {

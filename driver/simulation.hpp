@@ -45,7 +45,9 @@ struct DefinitionRow {
   /// Coefficients before their floor [1], of laws that have one: the definition's, or those of both
   /// directions.
   std::array<double, 2> raw_mu{};
-  bool clamped = false;  ///< whether one of them is below it
+  bool clamped = false;   ///< whether one of them is below it
+  double play = 0.0;      ///< of a dead zone, at the end of the increment [L], [1]
+  bool backward = false;  ///< whether the coefficient of backward slip was in force
 };
 
 /// The result of one increment. Row 0 is the initial state: forces, temperature and fields as the
@@ -73,6 +75,7 @@ struct SimulationState {
     double work = 0.0;
     double mu = 0.0;        ///< coefficient of the last increment
     double mu_start = 0.0;  ///< that a change of friction in progress sets out from
+    double play = 0.0;      ///< of a dead zone
   };
   std::int64_t increments = 0;  ///< position in the history
   std::vector<Definition> definitions;
@@ -145,6 +148,10 @@ class Simulation {
   /// One increment of one definition by the case's integration method.
   law::FrictionUpdate integrate(std::size_t definition, const law::ConnectorIncrement& increment,
                                 const law::FrictionState& old);
+  /// The same for a definition with a dead zone or a coefficient for each direction.
+  law::FrictionUpdate integrate_with_options(std::size_t definition,
+                                             law::ConnectorIncrement increment,
+                                             const law::FrictionState& old);
   /// Whether the update of a definition can be used; else why not.
   tl::expected<void, SimulationFailure> judge(std::size_t definition) const;
   void note_raw_coefficients();
@@ -177,6 +184,9 @@ class Simulation {
   };
   std::vector<Falling> falling_;
   std::vector<std::size_t> with_floor_;  ///< definitions whose coefficient is kept above a floor
+  bool has_options_ = false;             ///< a dead zone, or a coefficient for each direction
+  /// The law that is not in force, of definitions with one for each direction; else empty.
+  std::vector<law::FrictionLaw> other_law_;
   Row row_;
   /// Of a case with components that are driven by force, and of a dynamic one.
   std::unique_ptr<Equilibrium> equilibrium_;

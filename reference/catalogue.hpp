@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "reference/backlash_slider.hpp"
 #include "reference/belt_segment.hpp"
 #include "reference/bouc_wen.hpp"
 #include "reference/capstan.hpp"
@@ -52,9 +53,10 @@ namespace slipbench::reference {
 
 inline constexpr std::array kCatalogue{
     // One direction
-    coulomb_slider::kForm, harmonic_balance::kForm, harmonic_balance::kFirstHarmonic,
-    parallel_sliders::kForm, iwan_uniform::kForm, segalman_iwan::kForm, varying_normal_force::kForm,
-    varying_normal_force::kQuadratureForm, lift_off::kForm,
+    coulomb_slider::kForm, backlash_slider::kForm, harmonic_balance::kForm,
+    harmonic_balance::kFirstHarmonic, parallel_sliders::kForm, iwan_uniform::kForm,
+    segalman_iwan::kForm, varying_normal_force::kForm, varying_normal_force::kQuadratureForm,
+    lift_off::kForm,
     // Two directions
     planar_slider::kForm, planar_slider_circle::kForm, planar_slider_circle::kIncrementsForm,
     helical_slip::kForm, p_norm::kNormForm, p_norm::kSliderForm, p_norm::kBoxForm,

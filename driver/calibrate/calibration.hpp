@@ -28,6 +28,11 @@ struct FittedResponse {
   double range = 0.0;            ///< of the measured values
   double mean_error = 0.0;       ///< of `after`: a bias
   double autocorrelation = 0.0;  ///< of the residual from one point to the next: near 0 is noise
+  /// For the picture of a loop where the comparison is over time: a result column with the motion
+  /// of the force, and the model's values of it at the compared points; empty if there is none.
+  std::string position;
+  std::string position_unit;
+  std::vector<double> positions;
 };
 
 struct FittedExperiment {
@@ -66,6 +71,7 @@ struct FittedTable {
   std::size_t first_unknown = 0;  ///< its ordinates are consecutive unknowns, in the rows' order
   std::size_t count = 0;
   std::vector<std::string> columns;         ///< independents' names, fastest first
+  std::vector<std::string> units = {};      ///< theirs; empty texts where none is stated
   std::vector<std::vector<double>> points;  ///< independents of each row
   struct Cell {
     std::string text;         ///< "slip_rate 0 .. 10, temperature 20 .. 90"

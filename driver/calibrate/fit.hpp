@@ -27,17 +27,22 @@ struct DataColumn {
 
 /// One compared quantity of an experiment.
 struct ResponseFit {
-  std::string quantity_text;           ///< as the fit names it: "CSF1", "= -TF1"
-  Expression quantity;                 ///< over t, T and result columns
-  std::vector<std::string> variables;  ///< of `quantity`, in this order
-  DataColumn column;
-  double weight = 1.0;          ///< of the squared residual, >= 0
-  std::optional<double> sigma;  ///< standard deviation of the measurement, in the case's unit, > 0
-  std::optional<double> from;   ///< only rows with measured time in [from, to]
-  std::optional<double> to;
+  std::string quantity_text;  ///< as the fit names it: "CSF1", "= -TF1"
+  Expression quantity;        ///< over t, T, result columns and parameters of the case
+  /// Names that `quantity` uses, in this order: t, T, a result column, or else a parameter of the
+  /// case, whose value is that of the case at the unknowns (an offset may be fitted so).
+  std::vector<std::string> variables;
+  std::optional<Dimension> dimension = {};  ///< of a plain result column; unknown of an expression
+  DataColumn column = {};
+  double weight = 1.0;  ///< of the squared residual, >= 0
+  /// Standard deviation of the measurement, in the case's unit, > 0.
+  std::optional<double> sigma = {};
+  std::optional<double> from = {};  ///< only rows with measured time in [from, to]
+  std::optional<double> to = {};
   /// Result column that is compared over instead of time: loops against position, branch by branch.
-  std::optional<std::string> over;
-  DataColumn over_column;  ///< the data's column of it
+  std::optional<std::string> over = {};
+  DataColumn over_column = {};  ///< the data's column of it
+  Dimension over_dimension = kLength;
 };
 
 /// Rows spread evenly in time, by linear interpolation.
@@ -54,7 +59,8 @@ struct CycleAveraging {
 struct DeadBand {
   DataColumn column;         ///< a speed [L/T], or a position when `of_position`
   bool of_position = false;  ///< the speed is the slope of a position over time
-  double below = 0.0;        ///< speed [L/T], > 0
+  double below = 0.0;        ///< speed, > 0
+  Dimension speed = {.length = 1, .time = -1};
 };
 
 /// One measured history with the case that is to meet it.
@@ -62,8 +68,9 @@ struct ExperimentFit {
   std::string name;
   std::string case_file;  ///< as the user named it, relative to the fit's folder
   std::filesystem::path case_path;
-  std::vector<ParameterText> settings;  ///< of parameters that are not varied
-  std::string data_file;                ///< as the user named it
+  /// Of parameters of the case that are not varied; the last of a name counts. --set included.
+  std::vector<ParameterText> settings;
+  std::string data_file;  ///< as the user named it
   std::filesystem::path data_path;
   DataColumn time;
   std::vector<ResponseFit> responses;

@@ -3,7 +3,9 @@
 // again, with exact derivatives.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,43 +13,57 @@
 #include <vector>
 
 #include "driver/case/case.hpp"
+#include "driver/case/quantity.hpp"
 #include "law/sensitivity.hpp"
 
 namespace slipbench::driver {
 
-/// The increments of a case, and the force component that each response reads.
+class Simulation;
+
+/// The increments of a case: all that the law is given, without the case.
+///
+/// Rows are those of the run, row 0 first: one an increment, however many of them the case writes.
+/// A replay is const: several threads may run it at once.
 class Replay {
  public:
   /// Where a response is read: between rows `row` and `row + 1` of the run, `fraction` of the way.
+  /// With fraction 0 the row alone counts, which may then be the last.
   struct Point {
     std::size_t row = 0;
-    double fraction = 0.0;
+    double fraction = 0.0;  ///< in [0, 1]
   };
   /// A response that is a friction force or moment of one component, CSF1 or CSM3 (all definitions
   /// of the case that act on it are added), times `factor`.
   struct Response {
     int component = 0;  ///< index 0..5
     double factor = 1.0;
-    std::vector<Point> points;
+    std::vector<Point> points;  ///< in any order; the fastest is that of the rows
   };
 
   /// Runs the history once. Errors, in a sentence: why the case cannot be replayed (it has a mass,
-  /// a component driven by force, a belt, a contact penalty, a friction that changes, exact
-  /// integration), or why its run failed.
-  static tl::expected<Replay, std::string> record(const Case& problem);
+  /// a component driven by force, a belt, a contact penalty, a friction that changes, a dead zone,
+  /// a coefficient that depends on the direction, exact integration), or why its run failed.
+  /// \param watch sees every row of that run, row 0 first
+  static tl::expected<Replay, std::string> record(
+      const Case& problem, const std::function<void(const Simulation&)>& watch = {});
 
   /// Total times of all rows, row 0 first.
-  std::span<const double> times() const;
-  /// Whether another case has the same history, bit by bit.
+  std::span<const double> times() const { return times_; }
+
+  /// Whether another case has the same history, bit by bit, and can be replayed: compares what the
+  /// histories are made of, so that files are taken to be unchanged.
   bool same_history(const Case& other) const;
 
-  /// Runs the law with other definitions over the recorded increments.
+  /// Runs the law with other definitions over the recorded increments: the forces are those of a
+  /// Simulation, bit by bit. Definitions that no response reads are left out.
+  /// \param definitions as many as the case has, in its order
   /// \param[out] values of all points, response by response
-  /// \return false if the law has no finite value somewhere
+  /// \return false if the law has no finite value somewhere, or a point lies outside the rows
   bool run(std::span<const law::FrictionDefinition> definitions,
            std::span<const Response> responses, std::span<double> values) const;
 
-  /// The same with derivatives to `unknowns` numbers.
+  /// The same with derivatives to `unknowns` numbers. All definitions that a response reads have to
+  /// be of the kind that law::add_slopes covers.
   /// \param slopes of each definition, how its numbers depend on the unknowns
   /// \param[out] jacobian row-major points x unknowns
   bool run(std::span<const law::FrictionDefinition> definitions,
@@ -56,7 +72,33 @@ class Replay {
            std::span<double> jacobian) const;
 
  private:
-  // The recorded increments.
+  /// Where the numbers go that a row of `increments_` holds behind its duration.
+  struct Columns {
+    std::vector<int> motions;  ///< components
+    std::vector<int> others;   ///< quantities
+    std::size_t stride() const { return 1 + motions.size() + others.size(); }
+  };
+  class Increments;
+
+  Replay() = default;
+  void record_row(double duration, std::span<const double> quantities);
+  template <bool kSlopes>
+  bool run_all(std::span<const law::FrictionDefinition> definitions,
+               std::span<const law::DefinitionSlopes> slopes, std::size_t unknowns,
+               std::span<const Response> responses, double* values, double* jacobian) const;
+
+  Columns columns_;
+  std::array<double, kQuantities> first_{};  ///< all quantities of row 0
+  std::vector<double> increments_;           ///< row-major: duration, motions, others
+  std::vector<double> times_;
+
+  // What the history was made of.
+  NamedNumbers parameters_;
+  law::RelativePosition initial_;
+  law::RelativePosition reference_;
+  std::vector<Step> steps_;
+  std::optional<MeasuredSource> measured_;
+  int measured_pieces_ = 1;
 };
 
 }  // namespace slipbench::driver

@@ -18,6 +18,13 @@ std::string with_wanted(std::string_view wanted, const std::string& reason) {
   return "wanted " + std::string(wanted) + ": " + reason;
 }
 
+/// An expression without its '=' and the blanks around it.
+std::string_view bare(std::string_view expression) {
+  const std::size_t first = expression.find_first_not_of("= ");
+  if (first == std::string_view::npos) return {};
+  return expression.substr(first, expression.find_last_not_of(' ') + 1 - first);
+}
+
 std::string in_quotes(std::string_view text) { return "'" + std::string(text) + "'"; }
 
 /// The place inside a scalar that an expression's error means, if the scalar stands in one line.
@@ -52,9 +59,19 @@ void Binder::missing_key(const Node& map, const Path& path, std::string_view key
   error(map, path, "missing key " + in_quotes(key) + " (" + std::string(wanted) + ")");
 }
 
+std::string Binder::other_name(std::string_view key, const Path& path) {
+  if (const std::string_view here = key_for_option(key); !here.empty()) return std::string(here);
+  if (key == "Fric" && path.text().ends_with("renard.Fric")) {
+    return "Renard's law has no Fric: its coefficient at rest is C1";
+  }
+  const std::string quantity = place_of_quantity(key);
+  return quantity.empty() ? "" : in_quotes(key) + " belongs to " + quantity;
+}
+
 std::optional<std::string_view> Binder::unknown_key(const Node& key, const Path& path,
                                                     std::span<const std::string_view> allowed) {
-  if (const auto later = later_key(key.text())) {
+  const bool in_case = words_.places_of_key == nullptr;
+  if (const auto later = later_key(key.text()); later && in_case) {
     error(key, path, std::string(later->why));
     if (later->in_place_of.empty()) return std::nullopt;
     return later->in_place_of;
@@ -63,22 +80,15 @@ std::optional<std::string_view> Binder::unknown_key(const Node& key, const Path&
     error(key, path, "unknown key");
     return std::nullopt;
   }
-  std::string hint;
-  const std::string quantity = place_of_quantity(key.text());
-  const bool other_name = !quantity.empty() || !key_for_option(key.text()).empty();
-  const auto nearest = other_name ? std::nullopt : nearest_name(key.text(), allowed);
-  if (const std::string_view here = key_for_option(key.text()); !here.empty()) {
-    hint = here;
-  } else if (key.text() == "Fric" && path.text().ends_with("renard.Fric")) {
-    hint = "Renard's law has no Fric: its coefficient at rest is C1";
-  } else if (!quantity.empty()) {
-    hint = in_quotes(key.text()) + " belongs to " + quantity;
-  } else if (nearest) {
+  std::string hint = in_case ? other_name(key.text(), path) : "";
+  const auto nearest = hint.empty() ? nearest_name(key.text(), allowed) : std::nullopt;
+  if (nearest) {
     hint = "did you mean " + in_quotes(*nearest) + "?";
-  } else if (const auto places = places_of_key(key.text()); !places.empty()) {
-    hint = in_quotes(key.text()) + " belongs to " + places;
-  } else {
-    hint = "known here: " + slipbench::driver::in_words(allowed, "and");
+  } else if (hint.empty()) {
+    const std::string places =
+        in_case ? slipbench::driver::places_of_key(key.text()) : words_.places_of_key(key.text());
+    hint = places.empty() ? "known here: " + slipbench::driver::in_words(allowed, "and")
+                          : in_quotes(key.text()) + " belongs to " + places;
   }
   error(key, path, "unknown key", std::move(hint));
   return nearest;
@@ -103,7 +113,7 @@ void Binder::expression_error(const Node& node, const Path& path, const Expressi
     // Only where result columns can be named.
     if (variables.size() > 1) hint = origin_of_column(problem.unknown_name);
     if (hint.empty()) {
-      hint = nearest_or(problem.unknown_name, names, "define it under 'parameters:'");
+      hint = nearest_or(problem.unknown_name, names, std::string(words_.undefined_name));
     }
   }
   out_.error(node.source().name(), inside(node, problem), path.text(), problem.message,
@@ -135,6 +145,10 @@ std::optional<double> Binder::number(const Node& node, const Path& path) {
     return std::nullopt;
   }
   if (is_expression(node)) {
+    // Most expressions are the name of a parameter and nothing else: no need to compile that.
+    if (const auto known = parameters_.find(bare(node.text())); known != parameters_.end()) {
+      return known->second;
+    }
     const auto compiled = expression(node, path, {});
     if (!compiled) return std::nullopt;
     const auto value = (*compiled)({});

@@ -42,14 +42,23 @@ struct KeyRow {
   KeyInfo info;
 };
 
+/// What messages say of a file that is no case.
+struct FileWords {
+  /// Where a key is known in such a file; null: the file is a case.
+  std::string (*places_of_key)(std::string_view key) = nullptr;
+  /// The hint for a name in an expression that nobody defined.
+  std::string_view undefined_name = "define it under 'parameters:'";
+};
+
 /// Reading context: where messages go and what expressions may use.
 class Binder {
  public:
   /// \param unresolved parameters whose own value is faulty: expressions that use them have no
   /// value, and that is not reported again
   Binder(Diagnostics& out, const NamedNumbers& parameters, std::vector<std::string> unresolved,
-         std::filesystem::path case_folder, bool allow_outside)
+         std::filesystem::path case_folder, bool allow_outside, FileWords words = {})
       : out_(out),
+        words_(words),
         parameters_(parameters),
         unresolved_(std::move(unresolved)),
         case_folder_(std::move(case_folder)),
@@ -105,7 +114,10 @@ class Binder {
   [[nodiscard]] bool flooded() const { return errors() > Diagnostics::kMaxKept; }
 
  private:
+  /// The hint for an unknown key of a case that goes by another name here, or empty.
+  static std::string other_name(std::string_view key, const Path& path);
   Diagnostics& out_;
+  FileWords words_;
   const NamedNumbers& parameters_;
   std::vector<std::string> unresolved_;
   std::filesystem::path case_folder_;

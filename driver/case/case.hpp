@@ -13,6 +13,7 @@
 #include "driver/case/criterion.hpp"
 #include "driver/case/integration.hpp"
 #include "driver/case/quantity.hpp"
+#include "driver/dead_zone.hpp"
 #include "driver/history/expression.hpp"
 #include "driver/history/measured_history.hpp"
 #include "driver/history/profile.hpp"
@@ -33,6 +34,9 @@ struct CaseDefinition {
   std::string name;      ///< suffix of its result columns where there are several definitions
   bool coupled = false;  ///< a potential: reported as CSFC, CNFC, CASUC, CIVC
   law::FrictionDefinition law;
+  /// Law of the other direction: `law.law` then holds for forward slip only. One component.
+  std::optional<law::FrictionLaw> backward = {};
+  std::optional<DeadZone> dead_zone = {};  ///< in series with the friction of one component
 };
 
 /// The record of a table of part pairs whose friction is in force.

@@ -144,6 +144,7 @@ void Codec<WeightsText>::rows(const std::string&, std::vector<KeyRow>&) {}
 namespace {
 
 constexpr std::string_view kOrthotropic = "orthotropic";
+constexpr std::string_view kWithDirection = "direction_dependent";
 
 /// Calls visit(std::type_identity<Law>{}) for the laws that are written by name.
 template <class Visit>
@@ -212,6 +213,12 @@ bool Codec<CoefficientText>::read(Binder& binder, const Node& node, const Path& 
     out.orthotropic = std::move(text);
     return good;
   }
+  if (node.size() == 1 && has_key(node, kWithDirection)) {
+    auto text = std::make_shared<DirectionDependentText>();
+    const bool good = read_struct(binder, *node.find(kWithDirection), path / kWithDirection, *text);
+    out.with_direction = std::move(text);
+    return good;
+  }
   std::vector<std::string_view> names;
   for_each_named_law([&]<class Law>(std::type_identity<Law>) { names.push_back(Law::kName); });
   if (node.size() != 1) {
@@ -243,6 +250,7 @@ bool Codec<CoefficientText>::read(Binder& binder, const Node& node, const Path& 
   });
   if (!known) {
     names.push_back(kOrthotropic);
+    names.push_back(kWithDirection);
     names.push_back("columns");
     binder.unknown_key(entry.key, below, names);
   }
@@ -257,7 +265,8 @@ Json Codec<DirectionText>::schema(const KeyInfo& info) {
 }
 Json Codec<CoefficientText>::schema(const KeyInfo& info) {
   return any_of({Codec<DirectionText>::schema(info),
-                 map_with_one(kOrthotropic, struct_schema<OrthotropicText>())});
+                 map_with_one(kOrthotropic, struct_schema<OrthotropicText>()),
+                 map_with_one(kWithDirection, struct_schema<DirectionDependentText>())});
 }
 std::string Codec<CoefficientText>::wanted(const KeyInfo&) {
   return "a number, a table, or one law by name";
@@ -273,6 +282,11 @@ void Codec<CoefficientText>::rows(const std::string& path, std::vector<KeyRow>& 
       {here, "a map",
        KeyInfo{.text = "Two coefficients at right angles (Radioss Idir 1).", .default_text = "-"}});
   struct_rows<OrthotropicText>(here, rows);
+  const std::string other = path + "." + std::string(kWithDirection);
+  rows.push_back({other, "a map",
+                  KeyInfo{.text = "A coefficient for each sense of the slip of one component.",
+                          .default_text = "-"}});
+  struct_rows<DirectionDependentText>(other, rows);
 }
 
 bool Codec<DirectionText>::read(Binder& binder, const Node& node, const Path& path,
@@ -280,6 +294,12 @@ bool Codec<DirectionText>::read(Binder& binder, const Node& node, const Path& pa
   if (has_key(node, kOrthotropic)) {
     binder.error(*node.find(kOrthotropic), path / kOrthotropic,
                  "a direction of an orthotropic coefficient cannot be orthotropic itself",
+                 "give a number, a table, or one law by name");
+    return false;
+  }
+  if (has_key(node, kWithDirection)) {
+    binder.error(*node.find(kWithDirection), path / kWithDirection,
+                 "the coefficient of one direction cannot depend on the direction itself",
                  "give a number, a table, or one law by name");
     return false;
   }
@@ -338,6 +358,33 @@ Json Codec<PartOrGroup>::schema(const KeyInfo&) {
 }
 std::string Codec<PartOrGroup>::wanted(const KeyInfo&) { return "a part id or a group's name"; }
 void Codec<PartOrGroup>::rows(const std::string&, std::vector<KeyRow>&) {}
+
+// --- dead_zone[].position ---------------------------------------------------------------------
+
+bool Codec<PlayPositionText>::read(Binder& binder, const Node& node, const Path& path,
+                                   const KeyInfo& info, PlayPositionText& out) {
+  if (!node.is_scalar() || node.text().empty()) {
+    binder.wrong_kind(node, path, wanted(info));
+    return false;
+  }
+  if (Binder::is_expression(node) || (!node.quoted() && looks_like_number(node.text()))) {
+    double place = 0.0;
+    if (!Codec<double>::read(binder, node, path, info, place)) return false;
+    out.value = place;
+    return true;
+  }
+  PlayPlace place{};
+  if (!Codec<PlayPlace>::read(binder, node, path, info, place)) return false;
+  out.value = place;
+  return true;
+}
+Json Codec<PlayPositionText>::schema(const KeyInfo& info) {
+  return any_of({Codec<double>::schema(info), Codec<PlayPlace>::schema(info)});
+}
+std::string Codec<PlayPositionText>::wanted(const KeyInfo& info) {
+  return Codec<PlayPlace>::wanted(info) + ", or a number";
+}
+void Codec<PlayPositionText>::rows(const std::string&, std::vector<KeyRow>&) {}
 
 // --- friction[].predefined --------------------------------------------------------------------
 

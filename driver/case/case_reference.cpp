@@ -63,6 +63,12 @@ std::vector<KeyRow> case_rows() {
   return rows;
 }
 
+std::string key_table(std::span<const KeyRow> rows) {
+  std::string out = "| key | what | default | meaning |\n|---|---|---|---|\n";
+  for (const KeyRow& row : rows) add_row(out, row);
+  return out;
+}
+
 Json case_schema() {
   Json schema;
   schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";
@@ -82,9 +88,8 @@ std::string case_reference_markdown() {
       "may\n"
       "be expressions over the parameters (`= 2/li`). Dimensions are force F, length L, time T; "
       "for a\n"
-      "rotation read moment and angle. Words on the meaning are in the user guide.\n\n"
-      "| key | what | default | meaning |\n|---|---|---|---|\n";
-  for (const KeyRow& row : case_rows()) add_row(out, row);
+      "rotation read moment and angle. Words on the meaning are in the user guide.\n\n";
+  out += key_table(case_rows());
   out +=
       "\n## Connection types\n\n"
       "| type | made of | held | free | predefined friction | |\n|---|---|---|---|---|---|\n";

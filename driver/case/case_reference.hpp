@@ -2,6 +2,7 @@
 // What is generated from the declarations of the case format.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@ std::string dimension_text(const law::Dimension& dimension);
 
 /// One row for every key of a case file, in the order of the declarations.
 std::vector<KeyRow> case_rows();
+
+/// A table of keys as Markdown: key, what, default, meaning.
+std::string key_table(std::span<const KeyRow> rows);
 
 /// JSON Schema (draft 2020-12) of a case file.
 Json case_schema();

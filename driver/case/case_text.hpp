@@ -298,14 +298,16 @@ struct EnumWords<law::RenardRules> {
 };
 
 struct OrthotropicText;
+struct DirectionDependentText;
 
 /// A number, a table, or a map with the name of one law of law::FrictionLaw; or two of these.
 struct CoefficientText {
   std::variant<law::FrictionLaw, TableText> value;
-  std::shared_ptr<const OrthotropicText> orthotropic;  ///< in place of the value
+  std::shared_ptr<const OrthotropicText> orthotropic;            ///< in place of the value
+  std::shared_ptr<const DirectionDependentText> with_direction;  ///< in place of the value
 };
 
-/// The coefficient along one direction: everything a coefficient may be but orthotropic.
+/// The coefficient along one direction: everything a coefficient may be but two of them.
 struct DirectionText {
   CoefficientText coefficient;
 };
@@ -340,6 +342,26 @@ struct OrthotropicText {
         KeyInfo{.text = "Direction 1 in the two components that slip, of any length; direction 2 "
                         "is turned by 90 degrees from it.",
                 .default_text = "[1, 0]"});
+  }
+};
+
+/// One coefficient for each sense of the slip of one component.
+struct DirectionDependentText {
+  static constexpr bool kIsDeclared = true;
+  At<DirectionText> forward, backward;
+
+  template <class V>
+  static void declare(V& key) {
+    key("forward", &DirectionDependentText::forward,
+        KeyInfo{.required = true,
+                .text = "Coefficient where the connector would slip towards larger positions, "
+                        "under a positive friction force.",
+                .bounds = law::kNotNegative});
+    key("backward", &DirectionDependentText::backward,
+        KeyInfo{.required = true,
+                .text = "Coefficient where it would slip towards smaller positions, under a "
+                        "negative friction force.",
+                .bounds = law::kNotNegative});
   }
 };
 
@@ -996,6 +1018,42 @@ struct StopText {
   }
 };
 
+/// Where the play of a dead zone is at the start: at one of its places, or a number.
+enum class PlayPlace { kCentred, kLower, kUpper };
+template <>
+struct EnumWords<PlayPlace> {
+  static constexpr std::array<std::string_view, 3> kWords{"centred", "lower", "upper"};
+};
+struct PlayPositionText {
+  std::variant<PlayPlace, double> value = PlayPlace::kCentred;
+};
+
+/// Backlash between the connector and the friction of one component.
+struct DeadZoneText {
+  static constexpr bool kIsDeclared = true;
+  At<int> component;
+  At<double> width;
+  At<PlayPositionText> position;
+
+  template <class V>
+  static void declare(V& key) {
+    key("component", &DeadZoneText::component,
+        KeyInfo{.required = true,
+                .text = "Number 1-6 of a free component that slips alone in its definition.",
+                .bounds = {.lower = 1, .upper = 6}});
+    key("width", &DeadZoneText::width,
+        KeyInfo{.required = true,
+                .text = "g: free travel without force at every reversal; 0 is none.",
+                .dimension = law::dimension::kLength,
+                .bounds = law::kNotNegative});
+    key("position", &DeadZoneText::position,
+        KeyInfo{.text = "Play at the start: centred, lower (motion to smaller positions meets "
+                        "friction at once), upper, or a number from -width/2 to width/2.",
+                .default_text = "centred",
+                .dimension = law::dimension::kLength});
+  }
+};
+
 /// One free component as a mass on a belt.
 struct DynamicsText {
   static constexpr bool kIsDeclared = true;
@@ -1047,6 +1105,7 @@ struct CaseText {
   At<std::vector<At<ElasticityText>>> elasticity;
   At<std::vector<At<DampingText>>> damping;
   At<std::vector<At<StopText>>> stops;
+  At<std::vector<At<DeadZoneText>>> dead_zone;
   At<DynamicsText> dynamics;
   IntegrationText integration;
   At<HistoryText> history;
@@ -1085,6 +1144,9 @@ struct CaseText {
                 .default_text = "none"});
     key("stops", &CaseText::stops,
         KeyInfo{.text = "Rigid stops of free components.", .default_text = "none"});
+    key("dead_zone", &CaseText::dead_zone,
+        KeyInfo{.text = "Backlash in series with the friction of single components.",
+                .default_text = "none"});
     key("dynamics", &CaseText::dynamics,
         KeyInfo{.text = "One free component as a mass with rigid stick, stepped in time.",
                 .default_text = "none: motions and forces are quasi-static"});

@@ -72,6 +72,7 @@ void explain_table_arguments(Binder& binder, const CaseText& text, const Case& p
   };
   for (const CaseDefinition& definition : problem.definitions) {
     for_each_independent(definition.law, explain);
+    if (definition.backward) for_each_independent(*definition.backward, explain);
   }
   for (const Step& step : problem.steps) {
     for (const FrictionChange& change : step.friction_changes) {

@@ -19,8 +19,12 @@ std::string place_of_quantity(std::string_view key) {
 }
 
 std::string places_of_key(std::string_view key) {
-  std::vector<std::string> places;
   static const std::vector<KeyRow> rows = case_rows();
+  return places_of_key(key, rows);
+}
+
+std::string places_of_key(std::string_view key, std::span<const KeyRow> rows) {
+  std::vector<std::string> places;
   for (const KeyRow& row : rows) {
     const std::size_t dot = row.path.rfind('.');
     const std::string_view last = dot == std::string::npos
@@ -47,7 +51,7 @@ std::optional<LaterKey> later_key(std::string_view key) {
   static constexpr std::array kLater{
       LaterKey{"adaptive", "adaptive increments are not in this version; give their number",
                "increments"},
-      LaterKey{"calibrate", "calibration is not in this version"},
+      LaterKey{"calibrate", "belongs to a fit file: slipbench calibrate FIT.yaml"},
       LaterKey{"sweep", "sweeps are not in this version"}};
   for (const LaterKey& later : kLater) {
     if (later.name == key) return later;
@@ -99,6 +103,8 @@ std::string origin_of_column(std::string_view name) {
     origin = "a Radioss law (generalized_viscous, modified_darmstad, renard)";
   } else if (is({"SPEED"})) {
     origin = "a 'formulation' or a Radioss law";
+  } else if (column.starts_with("PLAY")) {
+    origin = "a 'dead_zone'";
   } else if (is({"PRESSURE"})) {
     origin = "a law of the pressure and an 'area'";
   } else if (is({"UTILISATION"})) {

@@ -2,13 +2,19 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+
+#include "driver/case/binding.hpp"
 
 namespace slipbench::driver {
 
 /// Where in a case file a key is known: "connector", "history[] or friction[]"; empty if nowhere.
 std::string places_of_key(std::string_view key);
+
+/// The same among the keys of another kind of file.
+std::string places_of_key(std::string_view key, std::span<const KeyRow> rows);
 
 /// Where CP1, f1, field1 and the like are prescribed; empty for other keys.
 std::string place_of_quantity(std::string_view key);

@@ -2,10 +2,14 @@
 #include "driver/case/read_case.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "driver/case/case_codecs.hpp"
+#include "driver/case/file_kind.hpp"
 #include "driver/case/resolve.hpp"
 #include "driver/case/resolve_formulation.hpp"
 #include "driver/text/number.hpp"
@@ -154,47 +158,80 @@ UnitSystem read_units(Binder& binder, const UnitsText& text) {
           read(text.time, kTime, "s"), read(text.temperature, kTemperature, "K")};
 }
 
+/// What stands between the text of a case and its values: parameters, and a binder that knows them.
+struct Reading {
+  Reading(const Node& root, const std::string& folder, const ReadOptions& options, Diagnostics& out)
+      : parameters(read_parameters(root, options, out)),
+        binder(out, parameters.values, parameters.unresolved, folder, options.allow_outside) {
+    // Without parameters, every name in an expression would be unknown.
+    const auto map = root.find("parameters");
+    binder.excuse_unknown_names((map && !map->is_map()) ||
+                                is_misspelt<CaseText>(root, "parameters"));
+  }
+
+  Parameters parameters;
+  Binder binder;
+};
+
+/// Everything up to the friction. Faults do not hide one another: each part is judged as far as it
+/// was understood.
+/// \return whether it is known which result columns there are
+bool resolve_to_friction(Reading& reading, const Node& root, CaseText& text, Case& problem) {
+  Binder& binder = reading.binder;
+  problem.file = root.source().name();
+  problem.title =
+      text.title.empty() ? std::filesystem::path(problem.file).stem().string() : text.title;
+  problem.parameters = reading.parameters.values;
+  problem.units = read_units(binder, text.units);
+  resolve_connector(binder, text, problem);
+  resolve_belt(binder, text, problem);
+  resolve_friction_pairs(binder, text, !is_misspelt<CaseText>(root, "friction_pairs"), problem);
+  const bool derived_known = !is_misspelt<CaseText>(root, "derived_components");
+  return resolve_friction(binder, text, derived_known, problem) &&
+         !is_any_connection(problem.connection);
+}
+
+/// Whether a key of a case has a say in its friction definitions.
+bool is_about_friction(std::string_view key) {
+  constexpr std::array<std::string_view, 3> kOthers{"history", "output", "checks"};
+  return std::find(kOthers.begin(), kOthers.end(), key) == kOthers.end();
+}
+
 }  // namespace
 
-ReadCase read_case_text(const SourceText& source, const std::string& folder,
-                        const ReadOptions& options) {
-  ReadCase result;
-  result.sources.push_back(source);
+tl::expected<ParsedCase, Diagnostics> ParsedCase::parse(const SourceText& source,
+                                                        std::string folder) {
   auto tree = parse_yaml(source);
-  if (!tree) {
-    result.diagnostics = std::move(tree.error());
+  if (!tree) return tl::unexpected(std::move(tree.error()));
+  return ParsedCase(std::move(*tree), std::move(folder));
+}
+
+ReadCase ParsedCase::resolve(const ReadOptions& options) const {
+  ReadCase result;
+  const Node root = tree_.root();
+  result.sources.push_back(root.source());
+  Diagnostics& out = result.diagnostics;
+  if (const auto key = key_of_fit(root)) {
+    out.error(root.source().name(), key->where(), "calibrate",
+              "this is a fit file, not a case: 'slipbench calibrate " +
+                  printable(root.source().name()) + "' works on it");
     return result;
   }
-  const Node root = tree->root();
-  Diagnostics& out = result.diagnostics;
-  const Parameters parameters = read_parameters(root, options, out);
-  Binder binder(out, parameters.values, parameters.unresolved, folder, options.allow_outside);
-  // Without parameters, every name in an expression would be unknown.
-  const auto map = root.find("parameters");
-  binder.excuse_unknown_names((map && !map->is_map()) || is_misspelt<CaseText>(root, "parameters"));
+  Reading reading(root, folder_, options, out);
+  Binder& binder = reading.binder;
 
   CaseText text;
   const bool bound = read_struct(binder, root, Path(), text);
 
   Case problem;
-  problem.file = source.name();
-  problem.title =
-      text.title.empty() ? std::filesystem::path(source.name()).stem().string() : text.title;
-  problem.parameters = parameters.values;
-  problem.units = read_units(binder, text.units);
-  // Faults do not hide one another: each part is judged as far as it was understood.
-  resolve_connector(binder, text, problem);
-  resolve_belt(binder, text, problem);
-  resolve_friction_pairs(binder, text, !is_misspelt<CaseText>(root, "friction_pairs"), problem);
-  const bool derived_known = !is_misspelt<CaseText>(root, "derived_components");
-  const bool columns_known = resolve_friction(binder, text, derived_known, problem) &&
-                             !is_any_connection(problem.connection);
+  const bool columns_known = resolve_to_friction(reading, root, text, problem);
   const std::size_t errors = binder.errors();
   resolve_forces(binder, text, problem);
   resolve_history(binder, text, problem);
   finish_belt(binder, text, problem);
   finish_forces(binder, text, problem);
   check_formulations(binder, text, problem);
+  resolve_bench_options(binder, text, problem);
   const bool history_known = text.history.sound && binder.errors() == errors;
   resolve_friction_changes(binder, text, columns_known, problem);
   resolve_integration(binder, text, problem);
@@ -205,6 +242,43 @@ ReadCase read_case_text(const SourceText& source, const std::string& folder,
   problem.data_files = binder.data_files();
   if (bound && !out.has_errors()) explain_table_arguments(binder, text, problem);
   if (bound && !out.has_errors()) result.value = std::move(problem);
+  return result;
+}
+
+tl::expected<std::vector<CaseDefinition>, Diagnostics> ParsedCase::resolve_friction_only(
+    const ReadOptions& options) const {
+  Diagnostics out;
+  const Node root = tree_.root();
+  Reading reading(root, folder_, options, out);
+  CaseText text;
+  for_each_key<CaseText>([&](std::string_view key, auto member, const KeyInfo& info) {
+    using Member = std::remove_reference_t<decltype(text.*member)>;
+    if (!is_about_friction(key)) return;
+    if (const auto value = root.find(key)) {
+      Codec<Member>::read(reading.binder, *value, Path() / key, info, text.*member);
+    }
+  });
+  Case problem;
+  resolve_to_friction(reading, root, text, problem);
+  if (out.has_errors()) return tl::unexpected(std::move(out));
+  return std::move(problem.definitions);
+}
+
+tl::expected<NamedNumbers, Diagnostics> ParsedCase::resolve_parameters_only(
+    const ReadOptions& options) const {
+  Diagnostics out;
+  Parameters parameters = read_parameters(tree_.root(), options, out);
+  if (out.has_errors()) return tl::unexpected(std::move(out));
+  return std::move(parameters.values);
+}
+
+ReadCase read_case_text(const SourceText& source, const std::string& folder,
+                        const ReadOptions& options) {
+  auto parsed = ParsedCase::parse(source, folder);
+  if (parsed) return parsed->resolve(options);
+  ReadCase result;
+  result.sources.push_back(source);
+  result.diagnostics = std::move(parsed.error());
   return result;
 }
 

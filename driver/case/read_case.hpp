@@ -4,11 +4,14 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tl/expected.hpp>
+#include <utility>
 #include <vector>
 
 #include "driver/case/case.hpp"
 #include "driver/history/parameters.hpp"
 #include "driver/text/source_text.hpp"
+#include "driver/yaml/node.hpp"
 
 namespace slipbench::driver {
 
@@ -26,6 +29,34 @@ struct ReadOptions {
   std::vector<ParameterText> overrides = {};  ///< --set name=value
   bool allow_outside = false;                 ///< data files may lie outside the case's folder
   bool curves_may_be_missing = false;         ///< reference curves are about to be made
+};
+
+/// The text of a case, parsed once, to be resolved again and again with other parameters.
+class ParsedCase {
+ public:
+  /// Data files are looked for in `folder`. Errors: those of the text itself.
+  static tl::expected<ParsedCase, Diagnostics> parse(const SourceText& source, std::string folder);
+
+  /// What the text says, for those who look for names in it.
+  Node root() const { return tree_.root(); }
+
+  /// The case. All errors are collected.
+  ReadCase resolve(const ReadOptions& options = {}) const;
+
+  /// Only its friction definitions: history, output and checks are not looked at, so that it takes
+  /// a fraction of the time. Errors of the rest.
+  tl::expected<std::vector<CaseDefinition>, Diagnostics> resolve_friction_only(
+      const ReadOptions& options = {}) const;
+
+  /// Only its parameters. Errors of those.
+  tl::expected<NamedNumbers, Diagnostics> resolve_parameters_only(
+      const ReadOptions& options = {}) const;
+
+ private:
+  ParsedCase(Tree tree, std::string folder) : tree_(std::move(tree)), folder_(std::move(folder)) {}
+
+  Tree tree_;
+  std::string folder_;
 };
 
 /// Reads, binds and checks a case file. All errors of the file are collected.

@@ -37,6 +37,8 @@ void resolve_forces(Binder& binder, const CaseText& text, Case& out);
 /// What of them can only be judged with the history: components driven by force and by motion.
 void finish_forces(Binder& binder, const CaseText& text, Case& out);
 void resolve_history(Binder& binder, const CaseText& text, Case& out);
+/// Dead zones, and the rules of a coefficient for each direction; goes after the history.
+void resolve_bench_options(Binder& binder, const CaseText& text, Case& out);
 /// The changes of friction of every step; goes after the friction and the history.
 /// \param definitions_known false: names of definitions are not judged
 void resolve_friction_changes(Binder& binder, const CaseText& text, bool definitions_known,

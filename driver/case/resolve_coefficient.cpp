@@ -121,9 +121,9 @@ std::optional<law::FrictionLaw> coefficient_law(Binder& binder, const Coefficien
 std::optional<law::FrictionLaw> coefficient_law(Binder& binder,
                                                 const At<CoefficientText>& coefficient,
                                                 const LawSurroundings& surroundings) {
-  if (!coefficient.sound || coefficient.value.orthotropic) return std::nullopt;
-  return coefficient_law(binder, coefficient.value, *coefficient.node, coefficient.path,
-                         surroundings);
+  const CoefficientText& text = coefficient.value;
+  if (!coefficient.sound || text.orthotropic || text.with_direction) return std::nullopt;
+  return coefficient_law(binder, text, *coefficient.node, coefficient.path, surroundings);
 }
 
 bool suit_to_slip(Binder& binder, const At<CoefficientText>& coefficient,

@@ -216,9 +216,14 @@ namespace {
 std::optional<law::FrictionLaw> coefficient(Binder& binder, const FrictionText& text,
                                             const Node& friction, const Path& path,
                                             const LawSurroundings& surroundings) {
-  if (text.coefficient.value.orthotropic) {
-    const At<DirectionText>& first = text.coefficient.value.orthotropic->direction1;
+  const CoefficientText& coefficient = text.coefficient.value;
+  if (coefficient.orthotropic) {
+    const At<DirectionText>& first = coefficient.orthotropic->direction1;
     return coefficient_law(binder, coefficient_of(first), surroundings);
+  }
+  if (coefficient.with_direction) {
+    const At<DirectionText>& forward = coefficient.with_direction->forward;
+    return coefficient_law(binder, coefficient_of(forward), surroundings);
   }
   if (text.coefficient.given()) return coefficient_law(binder, text.coefficient, surroundings);
   if (has_unknown_key<FrictionText>(friction)) return std::nullopt;
@@ -295,6 +300,7 @@ class Resolver {
       }
       user_defined(friction, shared, false);
     }
+    if (text.coefficient.value.with_direction) add_backward(friction, first);
     suit_laws(text.coefficient, first);
     for (std::size_t i = first; i < out_.definitions.size() && has_formulation(text); ++i) {
       if (!slip_suits_formulation(binder_, friction, out_.definitions[i].law)) break;
@@ -308,15 +314,41 @@ class Resolver {
   [[nodiscard]] bool columns_known() const { return columns_known_; }
 
  private:
+  /// Gives the definitions from `first` on the coefficient of backward slip.
+  void add_backward(const At<FrictionText>& friction, std::size_t first) {
+    const At<DirectionText>& text = friction.value.coefficient.value.with_direction->backward;
+    const auto law =
+        coefficient_law(binder_, coefficient_of(text), {text_.connector.value.area, out_.units});
+    if (!law) return;
+    const At<double>& cap = friction.value.force_limit;
+    for (std::size_t i = first; i < out_.definitions.size(); ++i) {
+      CaseDefinition& definition = out_.definitions[i];
+      definition.backward = *law;
+      law::FrictionDefinition other = definition.law;
+      other.law = *law;
+      check_snap_back(binder_, other, *text.node, text.path);
+      if (law::exponential_decay(*law) && !law::exponential_decay(definition.law.law) &&
+          other.force_limit != law::kNoForceLimit) {
+        binder_.error(*cap.node, cap.path, "exponential decay takes no force limit");
+      }
+    }
+  }
   /// Suits the laws of the definitions from `first` on to what they slip in.
   void suit_laws(const At<CoefficientText>& coefficient, std::size_t first) {
     const auto& directions = coefficient.value.orthotropic;
+    const auto& senses = coefficient.value.with_direction;
     for (std::size_t i = first; i < out_.definitions.size(); ++i) {
       law::FrictionDefinition& d = out_.definitions[i].law;
       const auto suit = [&](const At<CoefficientText>& at, law::FrictionLaw& law) {
         return suit_to_slip(binder_, at, d.slip, out_.units, law);
       };
-      bool good = suit(directions ? coefficient_of(directions->direction1) : coefficient, d.law);
+      bool good = suit(directions ? coefficient_of(directions->direction1)
+                       : senses   ? coefficient_of(senses->forward)
+                                  : coefficient,
+                       d.law);
+      if (std::optional<law::FrictionLaw>& backward = out_.definitions[i].backward) {
+        good = suit(coefficient_of(senses->backward), *backward) && good;
+      }
       if (directions && d.formulation && d.formulation->orthotropy) {
         good =
             suit(coefficient_of(directions->direction2), d.formulation->orthotropy->second) && good;

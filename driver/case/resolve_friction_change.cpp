@@ -137,7 +137,7 @@ class Changes {
     refuse(text.coefficient);
     refuse(text.force_limit);
     refuse(text.stick);
-    if (text.coefficient.value.orthotropic) {
+    if (text.coefficient.value.orthotropic || text.coefficient.value.with_direction) {
       binder_.error(*text.coefficient.node, text.coefficient.path,
                     "friction changes from one coefficient to another, not to two directions");
       good = false;
@@ -176,6 +176,11 @@ class Changes {
     if (before.formulation && before.formulation->orthotropy) {
       binder_.error(*change.node, change.path,
                     "the coefficients of an orthotropic definition cannot change");
+      return false;
+    }
+    if (out_.definitions[result.definition].backward) {
+      binder_.error(*change.node, change.path,
+                    "the coefficients of a direction-dependent definition cannot change");
       return false;
     }
     using Mode = law::StickStiffness::Mode;

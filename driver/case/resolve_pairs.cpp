@@ -28,6 +28,7 @@ bool begins_with_letter(std::string_view name) {
 /// part of its own.
 std::string_view kind_of(const CoefficientText& text) {
   if (text.orthotropic) return kind_of(text.orthotropic->direction1.value.coefficient);
+  if (text.with_direction) return kind_of(text.with_direction->forward.value.coefficient);
   if (std::holds_alternative<TableText>(text.value)) return "table";
   return std::visit([]<class Law>(const Law&) { return Law::kName; },
                     std::get<law::FrictionLaw>(text.value));
@@ -284,14 +285,18 @@ void resolve_friction_pairs(Binder& binder, CaseText& text, bool table_known, Ca
   const auto judge = [&](const At<CoefficientText>& other) {
     if (&other == coefficient || !other.sound) return;
     const LawSurroundings surroundings{text.connector.value.area, out.units};
-    if (!other.value.orthotropic) {
+    const auto judge_both = [&](const At<DirectionText>& first, const At<DirectionText>& second) {
+      for (const At<DirectionText>* direction : {&first, &second}) {
+        coefficient_law(binder, direction->value.coefficient, *direction->node, direction->path,
+                        surroundings);
+      }
+    };
+    if (const auto& two = other.value.orthotropic) {
+      judge_both(two->direction1, two->direction2);
+    } else if (const auto& senses = other.value.with_direction) {
+      judge_both(senses->forward, senses->backward);
+    } else {
       coefficient_law(binder, other, surroundings);
-      return;
-    }
-    for (const At<DirectionText>* direction :
-         {&other.value.orthotropic->direction1, &other.value.orthotropic->direction2}) {
-      coefficient_law(binder, direction->value.coefficient, *direction->node, direction->path,
-                      surroundings);
     }
   };
   if (pairs.value.otherwise.given()) judge(pairs.value.otherwise.value.coefficient);

@@ -1,14 +1,187 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/commands/calibrate.hpp"
 
-#include "driver/calibrate/calibration.hpp"
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "driver/calibrate/calibrate.hpp"
+#include "driver/calibrate/calibrated_case.hpp"
+#include "driver/calibrate/calibration_json.hpp"
+#include "driver/calibrate/fit_summary.hpp"
+#include "driver/calibrate/read_fit.hpp"
+#include "driver/calibrate/report/fit_pictures.hpp"
+#include "driver/calibrate/report/fit_report.hpp"
+#include "driver/commands/progress.hpp"
 #include "driver/commands/shared.hpp"
 #include "driver/exit_code.hpp"
+#include "driver/results/output_file.hpp"
+#include "driver/text/diagnostic.hpp"
 
 namespace slipbench::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string stem_of(const Fit& fit) { return fs::path(fit.file).stem().string(); }
+
+std::string shown(const fs::path& path) { return path.lexically_normal().string(); }
+
+/// The notes, each with its file.
+std::string remarks(const Diagnostics& diagnostics) {
+  std::string text;
+  for (const Diagnostic& diagnostic : diagnostics.sorted()) {
+    if (diagnostic.severity != Severity::kNote) continue;
+    text += fmt::format("  note: {}: {}{}{}{}{}\n", diagnostic.file, diagnostic.path,
+                        diagnostic.path.empty() ? "" : ": ", diagnostic.message,
+                        diagnostic.hint.empty() ? "" : "; ", diagnostic.hint);
+  }
+  return text;
+}
+
+Diagnostics warnings_of(const Diagnostics& diagnostics) {
+  Diagnostics warnings;
+  for (Diagnostic& diagnostic : diagnostics.sorted()) {
+    if (diagnostic.severity == Severity::kWarning) warnings.add(std::move(diagnostic));
+  }
+  return warnings;
+}
+
+/// What is written, all or nothing, and what is told of it.
+struct Written {
+  std::vector<fs::path> files;
+  std::vector<std::string> remarks;
+};
+
+tl::expected<Written, std::string> write_results(const Fit& fit, const Calibration& calibration,
+                                                 const CalibrateOptions& options,
+                                                 const fs::path& page,
+                                                 std::span<const std::string> inputs) {
+  Written written;
+  const fs::path folder = options.folder;
+  std::vector<OutputFile> files;
+  const auto add = [&](const fs::path& target,
+                       const std::string& text) -> tl::expected<void, std::string> {
+    auto file = OutputFile::create(target, inputs);
+    if (!file) return tl::unexpected(file.error());
+    file->append(text);
+    files.push_back(std::move(*file));
+    written.files.push_back(target);
+    return {};
+  };
+  const json::Value document = calibration_json(fit, calibration);
+  if (auto done = add(folder / (stem_of(fit) + ".json"), document.dump(2) + "\n"); !done) {
+    return tl::unexpected(done.error());
+  }
+  const CalibratedCases cases = calibrated_cases(fit, calibration, folder);
+  for (const CalibratedCase& one : cases.cases) {
+    if (auto done = add(folder / one.file_name, one.text); !done) {
+      return tl::unexpected(done.error());
+    }
+    written.remarks.insert(written.remarks.end(), one.notes.begin(), one.notes.end());
+  }
+  written.remarks.insert(written.remarks.end(), cases.faults.begin(), cases.faults.end());
+  std::vector<OutputFile*> together;
+  for (OutputFile& file : files) together.push_back(&file);
+  if (auto committed = commit(together); !committed) return tl::unexpected(committed.error());
+  if (auto size = write_fit_report(fit, calibration, page, inputs); !size) {
+    return tl::unexpected(size.error());
+  }
+  written.files.push_back(page);
+  const FitPictures pictures = draw_fit_pictures(fit, calibration, folder, stem_of(fit));
+  written.files.insert(written.files.end(), pictures.written.begin(), pictures.written.end());
+  written.remarks.insert(written.remarks.end(), pictures.notes.begin(), pictures.notes.end());
+  return written;
+}
+
+/// A result that would replace what the fit is read from, as a sentence; empty if there is none.
+std::string overwritten_input(const Fit& fit, const CalibrateOptions& options, const fs::path& page,
+                              std::span<const std::string> inputs) {
+  std::vector<fs::path> targets = {fs::path(options.folder) / (stem_of(fit) + ".json"), page};
+  for (const ExperimentFit& experiment : fit.experiments) {
+    const std::string stem = fs::path(experiment.case_file).stem().string();
+    targets.push_back(fs::path(options.folder) / (stem + ".calibrated.yaml"));
+  }
+  for (const fs::path& target : targets) {
+    std::string fault = input_fault(target.lexically_normal(), inputs);
+    if (!fault.empty()) return fault;
+  }
+  return {};
+}
+
+}  // namespace
 
 int calibrate_command(const CalibrateOptions& options) {
-  return refuse(kExitInternal, "calibrate " + options.file + ": not linked");
+  const auto settings = parse_settings(options.settings);
+  if (!settings) return refuse(kExitBadInput, settings.error());
+  ReadFit read = read_fit(options.file, {*settings, options.allow_outside});
+  if (!read.value || read.diagnostics.has_errors()) {
+    print_error(render(read.diagnostics, read.sources));
+    print_error(summary(read.diagnostics) + ", nothing was fitted\n");
+    return read.environment_failure ? kExitEnvironment : kExitBadInput;
+  }
+  if (const Diagnostics warnings = warnings_of(read.diagnostics); !warnings.empty()) {
+    print_error(render(warnings, read.sources));
+  }
+  Fit& fit = *read.value;
+  if (options.bootstrap) fit.bootstrap = *options.bootstrap;
+  fit.profile = fit.profile || options.profile;
+
+  std::vector<std::string> inputs = read.data_files;
+  inputs.push_back(options.file);
+  for (const ExperimentFit& experiment : fit.experiments) {
+    inputs.push_back(experiment.case_path.string());
+    inputs.push_back(experiment.data_path.string());
+    for (std::string& file : input_files(experiment.base)) inputs.push_back(std::move(file));
+  }
+  const fs::path page = options.report.empty() ? fs::path(options.folder) / (stem_of(fit) + ".html")
+                                               : fs::path(options.report);
+  if (!options.no_output) {
+    std::error_code ignored;
+    if (!fs::is_directory(options.folder, ignored)) {
+      return refuse(kExitEnvironment, options.folder + " is no folder that results could go to");
+    }
+    const std::string fault = overwritten_input(fit, options, page, inputs);
+    if (!fault.empty()) return refuse(kExitEnvironment, fault);
+    // Before the work: a page that cannot be written is known at once.
+    if (const auto probe = OutputFile::create(page, inputs); !probe) {
+      return refuse(kExitEnvironment, probe.error());
+    }
+  }
+
+  const auto calibration = [&] {
+    Progress line(stem_of(fit));
+    CalibrateProgress progress;
+    progress.step = [&](const CalibrateStep& step) {
+      line.say(
+          fmt::format("{}, {} evaluations, cost {:.6g}", step.stage, step.evaluations, step.cost));
+    };
+    return calibrate(fit, progress, {.with_hashes = !options.no_output});
+  }();
+  if (!calibration) {
+    print_error(
+        fmt::format("{}: error: {}\n", printable(options.file), calibration.error().message));
+    return calibration.error().code;
+  }
+  std::string text = fit_summary(fit, *calibration) + remarks(read.diagnostics);
+  int code = calibration->fit.converged ? kExitOk : kExitNumerical;
+  if (!options.no_output) {
+    const auto written = write_results(fit, *calibration, options, page, inputs);
+    if (!written) {
+      print(text);
+      return refuse(kExitEnvironment, written.error());
+    }
+    for (const std::string& remark : written->remarks) text += "  note: " + remark + "\n";
+    for (const fs::path& file : written->files) text += "  " + shown(file);
+    text += "\n";
+  }
+  print(text);
+  return code;
 }
 
 }  // namespace slipbench::driver

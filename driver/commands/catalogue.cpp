@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "driver/calibrate/fit_reference.hpp"
 #include "driver/case/case_codecs.hpp"
 #include "driver/case/case_reference.hpp"
 #include "driver/case/criterion.hpp"
@@ -102,6 +103,8 @@ std::vector<Column> all_columns() {
         if constexpr (std::is_same_v<Type, law::Contact>) add_formulations(definition, forms);
         for (const law::FrictionDefinition& form : forms) {
           problem.definitions = {{"", check.slip.dimension > 1, form}};
+          if constexpr (std::is_same_v<Type, law::Slot>)
+            problem.definitions[0].dead_zone = DeadZone{};
           for (Column& column : result_columns(problem)) {
             const bool known = std::any_of(columns.begin(), columns.end(), [&](const Column& c) {
               return c.name == column.name && c.text == column.text;
@@ -263,9 +266,9 @@ int describe_command(const std::string& name) {
   return unknown("connection, law, closed form, quantity, key, criterion or curve", name, known);
 }
 
-int schema_command(bool markdown) {
-  const std::string text = markdown ? case_reference_markdown() : case_schema().dump(2) + "\n";
-  print(text);
+int schema_command(bool markdown, bool fit) {
+  print(markdown ? case_reference_markdown() + fit_reference_markdown()
+                 : (fit ? fit_schema() : case_schema()).dump(2) + "\n");
   return kExitOk;
 }
 

@@ -14,8 +14,8 @@ int list_command(const std::string& what);
 /// quantity of that name. Returns the exit code: bad input for an unknown name.
 int describe_command(const std::string& name);
 
-/// `slipbench schema`: the JSON Schema of a case file, or the case reference as Markdown. Returns
-/// the exit code.
-int schema_command(bool markdown = false);
+/// `slipbench schema`: the JSON Schema of a case file, or of a fit file, or the case reference,
+/// which tells of both, as Markdown. Returns the exit code.
+int schema_command(bool markdown = false, bool fit = false);
 
 }  // namespace slipbench::driver

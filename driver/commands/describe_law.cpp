@@ -216,7 +216,7 @@ struct Topic {
   std::string_view title;
   std::string_view text;
 };
-constexpr std::array<Topic, 4> kTopics{{
+constexpr std::array<Topic, 6> kTopics{{
     {"formulation", "contact penalty in place of stick and return mapping (Radioss Iform)",
      "The penalty formulations of a Radioss contact in place of the connector's stick and return "
      "mapping. viscous: F = min(C V, mu N) v/V, no stick, a load below the limit creeps at P/C. "
@@ -228,6 +228,14 @@ constexpr std::array<Topic, 4> kTopics{{
     {"orthotropic", "two coefficients at right angles (Radioss Idir)",
      "Two coefficients at right angles: the limit is the ellipse (F1/(mu1 N))^2 + (F2/(mu2 N))^2 "
      "= 1, and a force beyond it returns to the closest point."},
+    {"direction_dependent", "a coefficient for each sense of the slip of one component",
+     "Two coefficients for one component: that of the direction in which the friction force would "
+     "slip is in force. MU is the one that was used."},
+    {"dead_zone", "backlash in series with the friction of one component",
+     "A gap in series with the friction of one component: at a reversal the spring of the stick "
+     "unloads, the connector travels through the gap without force, and the spring loads the other "
+     "way. PLAY1 is the place in the gap; CP and CU are the connector's, CASU counts the slip of "
+     "the friction alone, and no work is done in the gap."},
     {"friction_pairs", "table of part pairs and their coefficients (Radioss /FRICTION)",
      "A table of contact pairs: the last entry whose two sides hold the two parts of the "
      "connector, in either order, gives the coefficient; else the default does."},

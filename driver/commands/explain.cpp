@@ -131,6 +131,16 @@ std::string force_unit(const law::FrictionDefinition& definition, const Case& pr
   return unit_text(is_rotational(definition) ? kMoment : kForce, problem.units);
 }
 
+/// Where the play of a dead zone is.
+std::string dead_zone_text(const DeadZone& zone, double play, const std::string& unit) {
+  const double half = 0.5 * zone.width;
+  const char* where = play >= half    ? "at its upper end"
+                      : play <= -half ? "at its lower end"
+                                      : "between its ends: no force";
+  return fmt::format("  play {} of a dead zone of {}, {}\n", with_unit(digits(play), unit),
+                     with_unit(digits(zone.width), unit), where);
+}
+
 /// "CSF1 74.2 N, CSM1 17.8 N mm".
 std::string forces_text(const Case& problem, const law::FrictionDefinition& definition,
                         const law::FrictionState& state, double limit) {
@@ -396,7 +406,17 @@ std::string definition_text(const Case& problem, const Instant& instant, std::si
   }
   text += "\n  " + limit_text(definition, update);
   if (regime == law::Regime::kOpen) text += "   nothing to hold on to";
-  text += "\n  " + coefficient_text(definition, instant.row.definitions[d], increment.end) + "\n";
+  text += "\n  " + coefficient_text(definition, instant.row.definitions[d], increment.end);
+  if (problem.definitions[d].backward) {
+    text +=
+        instant.row.definitions[d].backward ? ", that of backward slip" : ", that of forward slip";
+  }
+  text += "\n";
+  if (const auto& zone = problem.definitions[d].dead_zone) {
+    const std::string length =
+        unit_text(is_rotational(definition) ? kAngle : kLength, problem.units);
+    text += dead_zone_text(*zone, instant.row.definitions[d].play, length);
+  }
   if (definition.formulation && instant.row.index > 0) {
     text += formulation_text(definition, instant.row.definitions[d]);
   }

@@ -104,6 +104,10 @@ void Progress::step(const WorkDone& work) {
   draw(progress_text(work, what_, std::chrono::duration<double>(Clock::now() - start_).count()));
 }
 
+void Progress::say(const std::string& text) {
+  if (terminal_ && due()) draw(what_ + ": " + text);
+}
+
 void Progress::hide() {
   if (!shown_) return;
   shown_ = false;

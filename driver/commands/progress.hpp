@@ -40,6 +40,8 @@ class Progress {
     if ((++calls_ & kMask) == 0 && terminal_) show(row);
   }
   void step(const WorkDone& work);
+  /// "rig: <text>", for a work whose end is not known.
+  void say(const std::string& text);
 
   /// Takes the line away before something else is printed; the next `step` may show it again.
   void hide();

@@ -27,6 +27,10 @@ tl::expected<RowExpression, std::string> RowExpression::make(
       input.kind = name == "t" ? Input::Kind::kStepTime : Input::Kind::kTotalTime;
     } else if (auto column = find_column(problem, columns, name)) {
       input.column = std::move(*column);
+    } else if (const auto number = problem.parameters.find(name);
+               number != problem.parameters.end()) {
+      input.kind = Input::Kind::kParameter;
+      input.number = number->second;
     } else {
       return tl::unexpected("there is no result column '" + name + "'");
     }
@@ -43,6 +47,8 @@ double RowExpression::read(const Input& input, const Row& row) const {
       return row.step_time;
     case Input::Kind::kTotalTime:
       return row.time;
+    case Input::Kind::kParameter:
+      return input.number;
     case Input::Kind::kColumn:
       break;
   }

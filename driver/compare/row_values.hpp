@@ -14,13 +14,13 @@
 
 namespace slipbench::driver {
 
-/// An expression over t (time in the step), T (total time) and result columns, evaluated on the
-/// rows of a run. It keeps references to the case and the expression.
+/// An expression over t (time in the step), T (total time), result columns and parameters of the
+/// case, evaluated on the rows of a run. It keeps references to the case and the expression.
 class RowExpression {
  public:
   /// \param columns all of the case
   /// \param variables of `expression`, in its order
-  /// Error: a variable that is no result column, in a sentence.
+  /// Error: a variable that is none of these, in a sentence.
   static tl::expected<RowExpression, std::string> make(const Case& problem,
                                                        std::span<const Column> columns,
                                                        const Expression& expression,
@@ -33,8 +33,14 @@ class RowExpression {
 
  private:
   struct Input {
-    enum class Kind : std::uint8_t { kStepTime, kTotalTime, kColumn } kind = Kind::kColumn;
+    enum class Kind : std::uint8_t {
+      kStepTime,
+      kTotalTime,
+      kParameter,
+      kColumn
+    } kind = Kind::kColumn;
     Column column;
+    double number = 0.0;  ///< of a parameter
   };
 
   RowExpression(const Case& problem, const Expression& expression)

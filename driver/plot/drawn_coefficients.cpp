@@ -81,7 +81,10 @@ DrawnCoefficients::DrawnCoefficients(const Case& problem, bool any) : case_(&pro
                        {}});
       return static_cast<int>(list_.size()) - 1;
     };
-    entries[0] = add(definition.law.law, orthotropic ? "direction 1" : "");
+    entries[0] = add(definition.law.law, orthotropic           ? "direction 1"
+                                         : definition.backward ? "forward"
+                                                               : "");
+    if (definition.backward) entries[1] = add(*definition.backward, "backward");
     if (orthotropic) entries[1] = add(formulation->orthotropy->second, "direction 2");
     of_definition_.push_back(entries);
   }
@@ -103,6 +106,7 @@ void DrawnCoefficients::visit(const Simulation& simulation) {
     const bool orthotropic = formulation && formulation->orthotropy;
     for (std::size_t i = 0; i < 2; ++i) {
       if (of_definition_[d][i] < 0) continue;
+      if (case_->definitions[d].backward && row.backward != (i == 1)) continue;
       const auto entry = static_cast<std::size_t>(of_definition_[d][i]);
       // A direction of an orthotropic coefficient sees a speed of its own.
       const double rate = orthotropic ? row.penalty.speeds[i] : update.slip_rate;

@@ -2,6 +2,7 @@
 #include "driver/report/page.hpp"
 
 #include <array>
+#include <span>
 #include <utility>
 
 #include "driver/report/page_parts.hpp"
@@ -43,25 +44,16 @@ std::string escape_json(std::string_view json) {
   return escaped;
 }
 
-}  // namespace
+/// A part of a page and the name of its place in the layout.
+using Part = std::pair<std::string_view, std::string_view>;
 
-std::string report_page(std::string_view json_document, std::string_view title) {
-  const std::string document = escape_json(json_document);
-  const std::string heading = escape_html(title);
-  const std::array<std::pair<std::string_view, std::string_view>, 5> parts{{
-      {"title", heading},
-      {"style", page_part::style_css()},
-      {"document", document},
-      {"chart", page_part::chart_js()},
-      {"script", page_part::page_js()},
-  }};
-
-  std::string_view rest = page_part::page_html();
+/// In one pass over the layout, so that places within the parts are left as they are.
+std::string fill(std::string_view layout, std::span<const Part> parts) {
   std::string page;
-  std::size_t size = rest.size();
-  for (const auto& part : parts) size += part.second.size();
+  std::size_t size = layout.size();
+  for (const Part& part : parts) size += part.second.size();
   page.reserve(size);
-  // In one pass over the layout, so that places within the parts are left as they are.
+  std::string_view rest = layout;
   while (!rest.empty()) {
     const std::size_t open = rest.find("{{");
     const std::size_t close = open == std::string_view::npos ? open : rest.find("}}", open);
@@ -75,6 +67,37 @@ std::string report_page(std::string_view json_document, std::string_view title) 
   }
   page += rest;
   return page;
+}
+
+}  // namespace
+
+std::string report_page(std::string_view json_document, std::string_view title) {
+  const std::string document = escape_json(json_document);
+  const std::string heading = escape_html(title);
+  const std::array<Part, 6> parts{{
+      {"title", heading},
+      {"style", page_part::style_css()},
+      {"document", document},
+      {"chart", page_part::chart_js()},
+      {"tools", page_part::tools_js()},
+      {"script", page_part::page_js()},
+  }};
+  return fill(page_part::page_html(), parts);
+}
+
+std::string fit_page(std::string_view json_document, std::string_view title) {
+  const std::string document = escape_json(json_document);
+  const std::string heading = escape_html(title);
+  const std::array<Part, 7> parts{{
+      {"title", heading},
+      {"style", page_part::style_css()},
+      {"fit_style", page_part::fit_css()},
+      {"document", document},
+      {"chart", page_part::chart_js()},
+      {"tools", page_part::tools_js()},
+      {"script", page_part::fit_js()},
+  }};
+  return fill(page_part::fit_html(), parts);
 }
 
 }  // namespace slipbench::driver

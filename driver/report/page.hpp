@@ -11,4 +11,7 @@ namespace slipbench::driver {
 /// either contains stays text, whatever it looks like.
 std::string report_page(std::string_view json_document, std::string_view title);
 
+/// The same of a fit: its layout and program, and the document of fit_document.
+std::string fit_page(std::string_view json_document, std::string_view title);
+
 }  // namespace slipbench::driver

@@ -7,8 +7,12 @@
 namespace slipbench::driver::page_part {
 
 std::string_view page_html();  ///< the layout, with {{places}} for the others
-std::string_view style_css();
+std::string_view fit_html();   ///< that of a fit's page
+std::string_view style_css();  ///< of both
+std::string_view fit_css();    ///< what a fit's page has besides
+std::string_view tools_js();   ///< what both programs have in common, before either
 std::string_view page_js();
+std::string_view fit_js();
 std::string_view chart_js();  ///< Chart.js, minified, with its licence
 
 }  // namespace slipbench::driver::page_part

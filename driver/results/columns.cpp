@@ -221,6 +221,7 @@ void for_each_law(const Case& problem, std::size_t definition, Visit&& visit) {
   const law::FrictionDefinition& own = problem.definitions[definition].law;
   visit(own.law);
   if (own.formulation && own.formulation->orthotropy) visit(own.formulation->orthotropy->second);
+  if (problem.definitions[definition].backward) visit(*problem.definitions[definition].backward);
   for (const Step& step : problem.steps) {
     for (const FrictionChange& change : step.friction_changes) {
       if (change.definition == definition) visit(change.law);
@@ -369,6 +370,10 @@ void add_definition(const Case& problem, int d, std::vector<Column>& columns) {
                : "Friction force minus limit, P - FLIM.",
       ColumnSource::kPhi);
   add("SEL" + suffix, slip, "Elastic slip.", ColumnSource::kElasticSlip);
+  if (definition.dead_zone) {
+    add("PLAY" + component_suffix(definition.law.slip.component[0]), slip,
+        "Play of the dead zone, from -width/2 to width/2.", ColumnSource::kPlay);
+  }
   add("DISS" + suffix, kEnergy, "Dissipated energy since the start.", ColumnSource::kDissipation);
   add("STRAIN_E" + suffix, kEnergy, "Energy stored in the stick stiffness.",
       ColumnSource::kStoredEnergy);
@@ -582,6 +587,8 @@ double column_value(const Column& column, const Case& problem, const Row& row) {
       return here.update.limit;
     case ColumnSource::kPhi:
       return here.update.phi;
+    case ColumnSource::kPlay:
+      return here.play;
     case ColumnSource::kElasticSlip:
       return law::equivalent_elastic_slip(problem.definitions[d].law, here.update.state);
     case ColumnSource::kDissipation:

@@ -42,6 +42,7 @@ enum class ColumnSource : std::uint8_t {
   kLimit,
   kPhi,
   kElasticSlip,
+  kPlay,  ///< of a dead zone
   kDissipation,
   kStoredEnergy,
   kWork,

@@ -65,9 +65,9 @@ std::string TableCoverage::cell_text(std::size_t cell) const {
 Coverage::Coverage(const Case& problem) : case_(&problem) {
   constexpr int kEver = std::numeric_limits<int>::max();
   const auto add_law = [&](const law::FrictionLaw& law, std::size_t d, std::string what, int first,
-                           int end) {
+                           int end, Sense sense = Sense::kAny) {
     if (const auto* tabular = std::get_if<law::TabularCoefficient>(&law)) {
-      add_table(tabular->table, Use::kCoefficient, d, std::move(what), first, end);
+      add_table(tabular->table, Use::kCoefficient, d, std::move(what), first, end, sense);
     }
   };
   for (std::size_t d = 0; d < problem.definitions.size(); ++d) {
@@ -76,6 +76,7 @@ Coverage::Coverage(const Case& problem) : case_(&problem) {
     const law::FrictionLaw* law = &definition.law;
     std::string what = "coefficient";
     int since = 0;
+    const auto& backward = problem.definitions[d].backward;
     for (std::size_t s = 0; s < problem.steps.size(); ++s) {
       for (const FrictionChange& change : problem.steps[s].friction_changes) {
         if (change.definition != d) continue;
@@ -85,7 +86,12 @@ Coverage::Coverage(const Case& problem) : case_(&problem) {
         what = "coefficient of step '" + problem.steps[s].name + "'";
       }
     }
-    add_law(*law, d, what, since, kEver);
+    if (backward) {
+      add_law(*law, d, "coefficient.forward", 0, kEver, Sense::kForward);
+      add_law(*backward, d, "coefficient.backward", 0, kEver, Sense::kBackward);
+    } else {
+      add_law(*law, d, what, since, kEver);
+    }
     if (const auto* table = std::get_if<law::TableFunction>(&definition.internal_contact_force)) {
       add_table(*table, Use::kInternalContactForce, d, "internal_contact_force", 0, kEver);
     }
@@ -99,7 +105,7 @@ Coverage::Coverage(const Case& problem) : case_(&problem) {
 }
 
 void Coverage::add_table(const law::TableFunction& function, Use use, std::size_t definition,
-                         std::string what, int first_step, int end_step) {
+                         std::string what, int first_step, int end_step, Sense sense) {
   if (function.independents().empty()) return;
   TableCoverage table;
   table.definition = definition;
@@ -117,7 +123,7 @@ void Coverage::add_table(const law::TableFunction& function, Use use, std::size_
   }
   if (cells <= kMostCells) table.visits.resize(cells);
   tables_.push_back(std::move(table));
-  probes_.push_back({&function, use, first_step, end_step});
+  probes_.push_back({&function, use, first_step, end_step, sense});
 }
 
 void Coverage::count(const Row& row) {
@@ -126,6 +132,10 @@ void Coverage::count(const Row& row) {
     const Probe& probe = probes_[t];
     if (row.step < probe.first_step || row.step >= probe.end_step) continue;
     TableCoverage& table = tables_[t];
+    if (probe.sense != Sense::kAny &&
+        row.definitions[table.definition].backward != (probe.sense == Sense::kBackward)) {
+      continue;
+    }
     const law::FrictionUpdate& update = row.definitions[table.definition].update;
     law::SlipArguments slip;
     if (probe.use == Use::kCoefficient) {

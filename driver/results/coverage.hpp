@@ -66,14 +66,17 @@ class Coverage {
 
  private:
   enum class Use : std::uint8_t { kCoefficient, kInternalContactForce, kWeights };
+  /// In which increments a coefficient is in force.
+  enum class Sense : std::uint8_t { kAny, kForward, kBackward };
   struct Probe {
     const law::TableFunction* function = nullptr;
     Use use = Use::kCoefficient;
     int first_step = 0;  ///< in force from the start of this step
     int end_step = 0;    ///< up to the start of this one
+    Sense sense = Sense::kAny;
   };
   void add_table(const law::TableFunction& function, Use use, std::size_t definition,
-                 std::string what, int first_step, int end_step);
+                 std::string what, int first_step, int end_step, Sense sense = Sense::kAny);
   void count(const Row& row);
 
   const Case* case_;

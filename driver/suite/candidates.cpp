@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "driver/case/file_kind.hpp"
 #include "driver/suite/real_files.hpp"
 
 namespace slipbench::driver {
@@ -71,6 +72,7 @@ Candidates find_candidates(std::span<const std::string> paths) {
     search(path, files, all.faults);
     std::vector<Candidate> found;
     for (const fs::path& file : files) {
+      if (looks_like_fit(file)) continue;
       const fs::path shown = paths.size() == 1 ? file.lexically_relative(path) : file;
       found.push_back({file.string(), label_of(shown)});
     }

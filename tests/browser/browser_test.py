@@ -22,38 +22,13 @@ import argparse
 import base64
 import csv
 import json
-import math
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
-import time
 
-failures = []
-
-
-def expect(condition, message):
-    """Notes a failure and goes on, so that one run shows all of them."""
-    if not condition:
-        failures.append(message)
-
-
-def need(condition, package, what):
-    if not condition:
-        sys.exit(f"{what} is not there: install the Debian package {package} (scripts/setup.sh tests)")
-
-
-try:
-    from selenium import webdriver
-    from selenium.webdriver.chrome.options import Options
-    from selenium.webdriver.chrome.service import Service
-    from selenium.webdriver.common.action_chains import ActionChains
-    from selenium.webdriver.common.by import By
-    from selenium.webdriver.common.keys import Keys
-except ImportError:
-    need(False, "python3-selenium", "selenium")
+from browser_page import ActionChains, BrowserPage, Keys, as_number, close, expect, failures, finish, first_number, screen
 
 
 def program_run(*arguments, wanted=0):
@@ -77,78 +52,13 @@ def example(name):
     return path
 
 
-def browser(width=1280, height=900, dark=False):
-    chromium = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
-    driver = shutil.which("chromedriver")
-    need(chromium, "chromium", "Chromium")
-    need(driver, "chromium-driver", "chromedriver")
-    options = Options()
-    options.binary_location = chromium
-    for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars", "--no-first-run",
-                     "--disable-background-networking", "--disable-component-update", f"--user-data-dir={tempfile.mkdtemp(prefix='profile', dir=folder)}"):
-        options.add_argument(argument)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-    started = webdriver.Chrome(service=Service(driver), options=options)
-    started.set_page_load_timeout(30)
-    screen(started, width, height, dark)
-    return started
-
-
-def screen(driver, width=1280, height=900, dark=False):
-    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
-    driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": "dark" if dark else "light"}]})
-
-
-class Page:
-    """A page in a browser; on leaving, what the browser complained about is a failure."""
+class Page(BrowserPage):
+    """A report of cases."""
 
     def __init__(self, path, address="", **how):
-        self.path = path
-        self.driver = browser(**how)
-        self.document = json.loads(re.search(r'<script type="application/json" id="document">(.*?)</script>', path.read_text(), re.DOTALL)[1])
+        super().__init__(path, **how)
         self.cases = {case["id"]: case for case in self.document["cases"]}
         self.go(address)
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        for line in self.driver.get_log("browser"):
-            expect(False, f"the browser says: {line['level']}: {line['message']}")
-        self.driver.quit()
-
-    def go(self, address):
-        self.driver.get("about:blank")
-        self.driver.get(self.path.as_uri() + address)
-
-    def run(self, script, *arguments):
-        return self.driver.execute_script(script, *arguments)
-
-    def find(self, selector):
-        return self.driver.find_element(By.CSS_SELECTOR, selector)
-
-    def all(self, selector):
-        return self.driver.find_elements(By.CSS_SELECTOR, selector)
-
-    def text(self, selector):
-        return self.run("return document.querySelector(arguments[0]).textContent", selector)
-
-    def texts(self, selector):
-        return self.run("return [...document.querySelectorAll(arguments[0])].map((one) => one.textContent)", selector)
-
-    def press(self, *keys):
-        for key in keys:
-            ActionChains(self.driver).send_keys(key).perform()
-
-    def wait(self, script, message, seconds=5.0):
-        """Until the script is true; what settles by itself is waited for, never slept for."""
-        end = time.monotonic() + seconds
-        while time.monotonic() < end:
-            if self.run(script):
-                return True
-            time.sleep(0.02)
-        expect(False, message)
-        return False
 
     def instant(self):
         """The time that the bar tells."""
@@ -180,65 +90,6 @@ class Page:
         self.run("arguments[0].scrollIntoView({block: 'center'})", plot)
         size = plot.size
         ActionChains(self.driver).move_to_element_with_offset(plot, int((part - 0.5) * size["width"]), 0).perform()
-
-    def check_contrast(self, what):
-        """Words against their background: at least 4.5 to 1."""
-        poor = self.run("""
-                const over = (front, behind) => front.c.map((v, i) => front.a * v + (1 - front.a) * behind[i]);
-                const parse = (text) => { const [r, g, b, a = 1] = text.match(/[\\d.]+/g).map(Number); return {c: [r, g, b], a}; };
-                const light = (c) => { const [r, g, b] = c.map((v) => { v /= 255; return v <= 0.03928 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4; });
-                                       return 0.2126 * r + 0.7152 * g + 0.0722 * b; };
-                const back = (one) => { if (!one) return [255, 255, 255]; const b = parse(getComputedStyle(one).backgroundColor); return b.a === 1 ? b.c : over(b, back(one.parentElement)); };
-                const poor = [];
-                for (const one of document.querySelectorAll("p, h1, h2, h3, h4, th, td, li, button, .mark, .badge, b, output")) {
-                  // Of what was never visited the words stand on a patch of their own.
-                  if (!one.textContent.trim() || one.closest(".hidden, dialog, .skip") || one.disabled || one.matches(".never")) continue;
-                  const a = light(parse(getComputedStyle(one).color).c), b = light(back(one));
-                  const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
-                  if (ratio < 4.5) poor.push(`${one.tagName}.${one.className} '${one.textContent.slice(0, 20)}' ${ratio.toFixed(1)}`);
-                }
-                return [...new Set(poor)].slice(0, 5);""")
-        expect(not poor, f"{what}: hard to read: {poor}")
-
-    def check_curves(self, what):
-        """Curves against the screen and the shade of slip: at least 3 to 1 (WCAG 1.4.11)."""
-        poor = self.run("""
-                const probe = document.body.appendChild(document.createElement("i"));
-                const light = (name) => { probe.style.color = `var(--${name})`;
-                  const [r, g, b] = getComputedStyle(probe).color.match(/[\\d.]+/g).map((v) => { v /= 255; return v <= 0.03928 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4; });
-                  return 0.2126 * r + 0.7152 * g + 0.0722 * b; };
-                const poor = [];
-                for (const name of ["text", "limit", "bad", 1, 2, 3, 4, 5, 6].map((one) => (typeof one === "number" ? "curve-" + one : one))) {
-                  for (const back of ["back", "slip"]) {
-                    const a = light(name), b = light(back);
-                    const ratio = (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
-                    if (ratio < 3) poor.push(`${name} on ${back} ${ratio.toFixed(2)}`);
-                  }
-                }
-                probe.remove();
-                return poor;""")
-        expect(not poor, f"{what}: hard to see: {poor}")
-
-    def overflow(self):
-        return self.run("return [document.documentElement.scrollWidth, window.innerWidth]")
-
-
-def as_number(text):
-    text = text.replace("\u2212", "-")
-    powers = str.maketrans("\u207b\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079", "-0123456789")
-    if "\u00b710" in text:
-        mantissa, power = text.split("\u00b710")
-        return float(mantissa) * 10 ** int(power.translate(powers))
-    return float(text)
-
-
-def first_number(text):
-    return as_number(text.split()[0])
-
-
-def close(found, wanted, digits=4):
-    """True if `found` is `wanted` as people are told it, in so many digits."""
-    return math.isclose(found, wanted, rel_tol=2 * 10.0 ** (1 - digits), abs_tol=1e-12)
 
 
 class Result:
@@ -834,7 +685,4 @@ source = options.source.resolve()
 with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as made:
     folder = pathlib.Path(made).resolve()
     tests[options.test]()
-for message in failures:
-    print(message, file=sys.stderr)
-print(f"{options.test}: {len(failures)} failures")
-sys.exit(1 if failures else 0)
+finish(options.test)

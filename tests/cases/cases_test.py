@@ -3,9 +3,11 @@
 """Tests of the case files against the program: cases_test.py TEST --slipbench EXE --source DIR
 
 TEST is one of
-  schema     cases/examples and cases/verification validate against `slipbench schema`, cases/bad does not
+  schema     cases/examples and cases/verification validate against `slipbench schema`, cases/bad does not; fit files
+             against `slipbench schema --fit`
   check      `slipbench check cases/` passes, every case has checks, every tolerance says why
-  bad        every file of cases/bad is refused with exit code 2 and a message with file:line:column
+  bad        every file of cases/bad is refused with exit code 2 and a message with file:line:column, and so is every
+             fit file of cases/bad/calibration
   semantic   every file of semantic/ is refused with exit code 2, at the place and with the words its first line wants
   sensitive  checks notice a wrong coefficient: with mu raised by 1 % the verification cases fail
   twins      predefined and user-defined examples give the same result, column by column
@@ -68,6 +70,27 @@ def schema():
     for path in files("cases/bad"):
         valid = validator.is_valid(yaml.safe_load(path.read_text()))
         expect(not valid, f"bad/{path.name}: validates, although it must not")
+    fit_schema()
+
+
+def fit_schema():
+    """The schema of fit files: what is sound in form validates, whatever else is wrong with it."""
+    code, text = run("schema", "--fit")
+    expect(code == 0, f"slipbench schema --fit ended with {code}")
+    document = json.loads(text)
+    jsonschema.Draft202012Validator.check_schema(document)
+    validator = jsonschema.Draft202012Validator(document)
+    for path in sorted((source / "cases/calibration").glob("**/*.yaml")):
+        fit = yaml.safe_load(path.read_text())
+        if "calibrate" in fit:
+            for error in validator.iter_errors(fit):
+                expect(False, f"{path.name}: does not validate: {error.json_path}: {error.message:.200}")
+    faulty_in_form = {"bounds_of_three", "case_for_a_fit", "confidence_one", "huber_without_threshold",
+                      "key_at_the_wrong_level", "missing_experiments", "missing_time", "sigma_zero", "unknown_key",
+                      "unknown_key_of_an_experiment", "unknown_loss", "weight_negative"}
+    for path in files("cases/bad/calibration"):
+        valid = validator.is_valid(yaml.safe_load(path.read_text()))
+        expect(valid != (path.stem in faulty_in_form), f"bad/calibration/{path.name}: validates: {valid}")
 
 
 def check():
@@ -93,6 +116,18 @@ def bad():
                 expect(path.name + ":" in text and POSITION.search(text),
                        f"bad/{path.name}: {command} names no file:line:column:\n{text}")
                 expect(not list(pathlib.Path(folder).iterdir()), f"bad/{path.name}: {command} left files behind")
+    for path in files("cases/bad/calibration"):
+        with tempfile.TemporaryDirectory() as folder:
+            code, text = run("calibrate", path, cwd=folder)
+            expect(code == 2, f"bad/calibration/{path.name}: ended with {code}, wanted 2")
+            expect(POSITION.search(text), f"bad/calibration/{path.name}: names no file:line:column:\n{text}")
+            expect(not list(pathlib.Path(folder).iterdir()), f"bad/calibration/{path.name}: left files behind")
+            if path.stem == "case_for_a_fit":
+                continue
+            code, text = run("check", path, cwd=folder)
+            expect(code == 2, f"bad/calibration/{path.name}: check ended with {code}, wanted 2")
+            expect("slipbench calibrate" in text,
+                   f"bad/calibration/{path.name}: check does not name the right command:\n{text}")
 
 
 def semantic():
@@ -168,6 +203,8 @@ def guide():
             for kind, title, body in fence.findall((source / document).read_text()):
                 if kind == "csv":
                     (folder / title).write_text(body)
+                elif kind == "yaml" and title.startswith("file "):
+                    (folder / title.removeprefix("file ")).write_text(body)
                 elif kind == "yaml" and title.endswith(".yml"):
                     # A file for a continuous integration, to be pasted: at least it can be read.
                     expect(isinstance(yaml.safe_load(body), dict), f"{document}: {title} is no YAML map")

@@ -45,7 +45,8 @@ struct Loss {
   double threshold = 1.0;  ///< residual at which it turns from squares to magnitudes, > 0
 };
 
-/// Residuals r(x) over natural unknowns x.
+/// Residuals r(x) over natural unknowns x. A start on a bound, beyond it, or without its block's
+/// shape, is moved inside.
 struct ResidualProblem {
   std::size_t rows = 0;
   /// The first rows are compared with data; rows beyond (smoothness) always count as squares and
@@ -60,14 +61,20 @@ struct ResidualProblem {
   /// r(x) and dr/dx, row-major rows x unknowns; empty: central differences of `residuals`.
   std::function<bool(std::span<const double> x, std::span<double> r, std::span<double> jacobian)>
       derivatives;
+  /// What `derivatives` takes, in calls of `residuals`. Where that is little, points are tried with
+  /// derivatives at once.
+  double derivative_effort = 2.0;
 };
 
 struct SolverOptions {
-  int starts = 1;             ///< 1: from the given start only; more: a low-discrepancy set besides
-  std::uint64_t seed = 1;     ///< of the set, and of resamplings
-  int most_iterations = 200;  ///< of each start
+  int starts = 1;          ///< 1: from the given start only; more: a low-discrepancy set besides
+  std::uint64_t seed = 1;  ///< of the set, and of resamplings
+  /// Of each search; a start that is lost is searched from up to 4 times. What converges at all
+  /// from a sensible start takes tens; of NIST's problems, from their far starts, three take 280 to
+  /// 560.
+  int most_iterations = 1000;
   double step_tolerance = 1e-10;      ///< of the step, as a part of the unknowns
-  double gradient_tolerance = 1e-10;  ///< of the scaled gradient
+  double gradient_tolerance = 1e-10;  ///< of the scaled gradient, see LeastSquaresFit
   bool polish = true;                 ///< a derivative-free polish where kinks defeat the gradient
 };
 
@@ -85,7 +92,8 @@ enum class StopReason : std::uint8_t {
 };
 /// Whether a search that ended so may be called converged.
 bool is_convergence(StopReason reason);
-/// A sentence for the user, which says what to look at where it is no convergence.
+/// A sentence for the user, which says what to look at where it is no convergence. Whether it is
+/// one is left to is_convergence.
 std::string stop_text(StopReason reason);
 
 /// One search from one start.
@@ -109,7 +117,9 @@ struct LeastSquaresFit {
   int iterations = 0;             ///< of the best search
   long residual_evaluations = 0;  ///< of all
   long derivative_evaluations = 0;
-  double gradient_norm = 0.0;     ///< largest scaled component at x, see stop rules
+  /// Part of the weighted residuals that lies in the range of the Jacobian, |Q^T f|/|f|: 0 at a
+  /// minimum, whatever the units and the scales of the unknowns (docs/theory.md, section 17).
+  double gradient_norm = 0.0;
   bool polished = false;          ///< the polish lowered the cost
   std::vector<double> residuals;  ///< at x
   std::vector<double> jacobian;   ///< dr/dx at x, row-major, natural unknowns
@@ -117,11 +127,15 @@ struct LeastSquaresFit {
   std::vector<char> frozen;       ///< unknowns no residual depends on: kept at their start
   std::vector<char> at_lower;     ///< unknowns that ended at a bound
   std::vector<char> at_upper;
+  std::vector<char> moved_inside;     ///< unknowns whose start was on or beyond a bound, or not of
+                                      ///< the wanted shape, and was moved in
   std::vector<SearchTrace> searches;  ///< one a start, the given one first
 };
 
 /// Finds the least cost: GSL's trust region (Levenberg-Marquardt) on transformed unknowns, from
-/// every start; robust losses by reweighting. Errors are stop reasons, never exceptions.
+/// every start; robust losses by reweighting; steps by QR at the end, bounds held exactly. Errors
+/// are stop reasons, never exceptions. Bounds of one unknown must differ, lower < upper. Keeps no
+/// state; GSL's error handler is off from the first call on, for the whole program.
 LeastSquaresFit solve_least_squares(const ResidualProblem& problem, const SolverOptions& options);
 
 }  // namespace slipbench::driver

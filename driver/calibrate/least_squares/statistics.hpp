@@ -9,18 +9,23 @@
 
 namespace slipbench::driver {
 
-/// How well the unknowns of a fit are known. NaN where an unknown is not identifiable.
+/// How well the unknowns of a fit are known. NaN where an unknown is not identifiable, not even by
+/// the rows that are no data (smoothness). Bounds and shapes are looked through: errors are those
+/// of the unknowns as if they could move; intervals end at the bounds.
 struct FitStatistics {
   std::size_t data = 0;      ///< rows compared
   std::size_t unknowns = 0;  ///< that are not frozen
-  double deviation = 0.0;    ///< residual standard deviation s, s^2 = 2 cost/(data - unknowns)
+  /// Residual standard deviation s: s^2 = 2 cost/(data - unknowns) over the data, where the
+  /// unknowns count as far as data and not smoothness determine them; Huber's estimate for robust
+  /// losses.
+  double deviation = 0.0;
   std::vector<double> standard_error;  ///< of each unknown, natural unit
   std::vector<double> lower;           ///< confidence interval
   std::vector<double> upper;
   std::vector<double> covariance;   ///< unknowns x unknowns, row-major
   std::vector<double> correlation;  ///< likewise
   std::vector<char> identifiable;   ///< 0: the data do not see it, alone or in a combination
-  double condition = 0.0;           ///< of the scaled Jacobian
+  double condition = 0.0;           ///< of the Jacobian with columns of unit length, all rows
 };
 
 /// Covariance s^2 (J^T W J)^-1 of the linearised problem, with intervals by Student's t; those of
@@ -29,7 +34,9 @@ FitStatistics fit_statistics(const ResidualProblem& problem, const LeastSquaresF
                              double confidence);
 
 /// Bootstrap of the residuals: each resampling draws residuals with replacement (in blocks, since
-/// neighbours in time are alike), adds them to the fitted model, and fits again from the optimum.
+/// neighbours in time are alike; twice the lag at which their autocorrelation is lost in noise),
+/// centred and enlarged by sqrt(data/(data - unknowns)), adds them to the fitted model, and fits
+/// again from the optimum.
 struct Bootstrap {
   int wanted = 0;
   int done = 0;  ///< those that converged
@@ -41,7 +48,8 @@ struct Bootstrap {
 Bootstrap bootstrap(const ResidualProblem& problem, const LeastSquaresFit& fit, int resamplings,
                     double confidence, std::uint64_t seed);
 
-/// The cost along one unknown, all others fitted again at every value.
+/// The cost along one unknown, all others fitted again at every value. The ordinates of a shaped
+/// block keep their shape among themselves, without the fixed one.
 struct LikelihoodProfile {
   std::size_t unknown = 0;
   std::vector<double> value;  ///< ascending, the optimum among them

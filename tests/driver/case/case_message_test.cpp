@@ -187,7 +187,7 @@ TEST_CASE("A missing data file is the machine's fault, a path out of the folder 
     CHECK(refused.diagnostics.sorted()[0].path == "history[0].motion.CP1.csv");
   }
   std::filesystem::create_symlink("/etc/hostname", folder.path() / "link.csv");
-  CHECK(read("link.csv").diagnostics.sorted()[0].message.find("link out of the case's folder") !=
+  CHECK(read("link.csv").diagnostics.sorted()[0].message.find("link out of the folder") !=
         std::string::npos);
 }
 

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 
+#include "driver/calibrate/fit_reference.hpp"
 #include "driver/case/case_reference.hpp"
 #include "driver/case/key_index.hpp"
 
@@ -59,7 +60,7 @@ TEST_CASE("docs/case-reference.md is what the declarations say today") {
   std::ostringstream text;
   text << file.rdbuf();
   INFO("write it anew with: slipbench schema --markdown > docs/case-reference.md");
-  CHECK(text.str() == case_reference_markdown());
+  CHECK(text.str() == case_reference_markdown() + fit_reference_markdown());
 }
 
 TEST_CASE("Keys know where they belong") {

@@ -65,7 +65,7 @@ TEST_CASE("a link is followed within the case's folder and refused out of it") {
     INFO(text);
     REQUIRE_FALSE(refused);
     CHECK(refused.error().kind == HistoryError::Kind::kInput);
-    CHECK(refused.error().message.find("link out of the case's folder") != std::string::npos);
+    CHECK(refused.error().message.find("link out of the folder") != std::string::npos);
     CHECK(resolve_data_path(cases, text, true));
   }
 }

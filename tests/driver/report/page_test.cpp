@@ -20,6 +20,7 @@ TEST_CASE("a page carries style, program, chart library with its licence, and th
   CHECK(page.find("<title>Two runs</title>") != std::string::npos);
   CHECK(count(page, R"({"schema": 1})") == 1);
   CHECK(count(page, page_part::style_css()) == 1);
+  CHECK(count(page, page_part::tools_js()) == 1);
   CHECK(count(page, page_part::page_js()) == 1);
   CHECK(count(page, page_part::chart_js()) == 1);
   CHECK(page.find("Released under the MIT License") != std::string::npos);

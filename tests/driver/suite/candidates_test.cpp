@@ -38,6 +38,18 @@ TEST_CASE(
   CHECK(found.faults.empty());
 }
 
+TEST_CASE("fit files of a folder are not cases, whatever else speaks of calibration is") {
+  const TemporaryFolder folder;
+  folder.write("case.yaml", "# calibrate:\ntitle: calibrate: me\nfriction: []\n");
+  folder.write("fit.yaml", "slipbench: 1\ncalibrate:\n  vary: {mu: {}}\n");
+  folder.write("flat.yaml", "calibrate : {}\n");
+  const Candidates found = find_candidates(std::vector{folder.path().string()});
+  CHECK(labels(found) == std::vector<std::string>{"case"});
+  // One that is named is asked for: the reader says which command is meant.
+  const std::string fit = (folder.path() / "fit.yaml").string();
+  CHECK(find_candidates(std::vector{fit}).cases.size() == 1);
+}
+
 TEST_CASE("a file is a case whatever its name and whether it is there or not") {
   const TemporaryFolder folder;
   const std::string missing = (folder.path() / "missing.yml").string();

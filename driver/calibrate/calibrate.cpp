@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/calibrate/calibrate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <tuple>
+#include <utility>
+
+#include "driver/calibrate/experiment_model.hpp"
+#include "driver/calibrate/fitted_values.hpp"
+#include "driver/calibrate/identifiability.hpp"
+#include "driver/calibrate/least_squares/loss.hpp"
+#include "driver/calibrate/residuals.hpp"
+#include "driver/calibrate/varied_case.hpp"
+#include "driver/results/coverage.hpp"
+#include "driver/simulation.hpp"
+#include "driver/suite/work_crew.hpp"
+#include "driver/text/diagnostic.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+using Models = std::vector<std::shared_ptr<const ExperimentModel>>;
+
+/// The case and definition that a table is fitted in first.
+struct TableHome {
+  const Case* problem = nullptr;
+  const law::FrictionDefinition* definition = nullptr;
+};
+
+TableHome home_of(const Fit& fit, const VariedTable& table) {
+  for (const ExperimentFit& experiment : fit.experiments) {
+    const auto with = definitions_with(experiment.base, table);
+    if (!with.empty()) {
+      return {&experiment.base, &experiment.base.definitions[with.front()].law};
+    }
+  }
+  return {};
+}
+
+std::string independent_name(const law::Independent& independent) {
+  using Kind = law::IndependentKind;
+  const int index = independent.index;
+  switch (independent.kind) {
+    case Kind::kSlipRate:
+      return "slip_rate";
+    case Kind::kContactForce:
+      return "contact_force";
+    case Kind::kAccumulatedSlip:
+      return "accumulated_slip";
+    case Kind::kTemperature:
+      return "temperature";
+    case Kind::kField:
+      return fmt::format("field{}", index + 1);
+    case Kind::kPosition:
+      return index < 3 ? fmt::format("CP{}", index + 1) : fmt::format("CPR{}", index - 2);
+    case Kind::kConstitutiveMotion:
+      return index < 3 ? fmt::format("CU{}", index + 1) : fmt::format("CUR{}", index - 2);
+  }
+  return {};
+}
+
+/// Parameters in the fit's order, then the ordinates of every table.
+void describe_unknowns(const Fit& fit, std::span<const VariedOrdinates> ordinates,
+                       Calibration& calibration) {
+  for (const VariedParameter& parameter : fit.vary) {
+    FittedUnknown unknown;
+    unknown.name = parameter.name;
+    unknown.range = parameter.range;
+    calibration.unknowns.push_back(std::move(unknown));
+  }
+  for (const VariedOrdinates& here : ordinates) {
+    const VariedTable& varied = fit.tables[here.table];
+    const TableHome home = home_of(fit, varied);
+    if (home.definition == nullptr) continue;
+    const law::TableFunction& function = *varied_table(*home.definition, varied.use);
+    const law::Table& table = function.table();
+    FittedTable fitted;
+    fitted.index = here.table;
+    fitted.first_unknown = here.first_unknown;
+    fitted.count = here.count;
+    for (const law::Independent& independent : function.independents()) {
+      fitted.columns.push_back(independent_name(independent));
+    }
+    const bool moment = law::is_rotational(home.definition->slip);
+    for (std::size_t row = 0; row < here.count; ++row) {
+      fitted.points.push_back(table.point(row));
+      FittedUnknown unknown;
+      unknown.name = fmt::format("{}[{}].{}", varied.name, row, varied.free);
+      if (varied.use == VariedTable::Use::kInternalContactForce) {
+        unknown.unit = unit_text(moment ? kMoment : kForce, home.problem->units);
+      }
+      unknown.range = {table.ordinate(row, here.column), varied.lower, varied.upper, varied.scale};
+      calibration.unknowns.push_back(std::move(unknown));
+    }
+    calibration.tables.push_back(std::move(fitted));
+  }
+}
+
+tl::expected<Models, CalibrationFailure> build_models(const Fit& fit, const ModelOptions& options) {
+  const std::size_t count = fit.experiments.size();
+  Models models(count);
+  std::vector<ExperimentModel::Failure> failures(count);
+  for_each_index(count, options.threads, [&](std::size_t i) {
+    auto model = ExperimentModel::make(fit, fit.experiments[i], options);
+    if (model) {
+      models[i] = std::make_shared<const ExperimentModel>(std::move(*model));
+    } else {
+      failures[i] = std::move(model.error());
+    }
+  });
+  CalibrationFailure failure;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (models[i] != nullptr) continue;
+    const int code = failures[i].environment ? kExitEnvironment
+                     : failures[i].numerical ? kExitNumerical
+                                             : kExitBadInput;
+    failure.code = failure.message.empty() ? code : worse(failure.code, code);
+    failure.message += (failure.message.empty() ? "" : "\n") + failures[i].message;
+  }
+  if (!failure.message.empty()) return tl::unexpected(failure);
+  return models;
+}
+
+/// How the derivatives of the fitted experiments are found, in a sentence.
+std::string derivatives_text(const Fit& fit, const Models& models, std::size_t unknowns) {
+  std::vector<std::string> parts;
+  bool all_alike = true;
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    if (fit.experiments[i].held_out) continue;
+    const ExperimentModel& model = *models[i];
+    const std::size_t exact = model.exact().size();
+    const std::size_t differences = model.by_differences().size();
+    std::string text;
+    if (differences == 0) {
+      text = fmt::format("exact derivatives of all {} unknowns", exact);
+    } else if (exact == 0) {
+      text = fmt::format("central differences for all {} unknowns", differences);
+    } else {
+      text = fmt::format("exact derivatives of {} unknowns, central differences for {}", exact,
+                         differences);
+    }
+    if (!model.whole_runs_because().empty()) {
+      text += fmt::format(" (whole runs: {})", model.whole_runs_because());
+    }
+    all_alike =
+        all_alike && (parts.empty() || parts.front() == text) && exact + differences <= unknowns;
+    parts.push_back(std::move(text));
+  }
+  if (parts.empty()) return {};
+  if (all_alike) return parts.front();
+  std::string text;
+  for (std::size_t i = 0, part = 0; i < models.size(); ++i) {
+    if (fit.experiments[i].held_out) continue;
+    text += (text.empty() ? "" : "; ") + fit.experiments[i].name + ": " + parts[part++];
+  }
+  return text;
+}
+
+/// Counts the cells of the fitted tables that the experiments visit at the optimum.
+void count_visits(const Fit& fit, const Models& models, unsigned threads,
+                  Calibration& calibration) {
+  if (calibration.tables.empty()) return;
+  struct Visit {
+    std::unique_ptr<Case> problem;
+    std::unique_ptr<Coverage> coverage;
+  };
+  std::vector<Visit> visits(models.size());
+  for_each_index(models.size(), threads, [&](std::size_t i) {
+    if (fit.experiments[i].held_out) return;
+    auto problem = models[i]->case_at(calibration.fit.x);
+    if (!problem) return;
+    visits[i].problem = std::make_unique<Case>(std::move(*problem));
+    visits[i].coverage = std::make_unique<Coverage>(*visits[i].problem);
+    auto simulation = Simulation::start(*visits[i].problem);
+    while (simulation) {
+      const auto advanced = simulation->advance();
+      if (!advanced || !*advanced) return;
+      visits[i].coverage->add(simulation->row());
+    }
+  });
+  for (FittedTable& table : calibration.tables) {
+    for (const Visit& visit : visits) {
+      if (visit.coverage == nullptr) continue;
+      add_visits(fit.tables[table.index], *visit.problem, *visit.coverage, &table);
+    }
+  }
+}
+
+double distance(double from, double to, double width) {
+  if (!std::isfinite(from) || !std::isfinite(to)) return std::numeric_limits<double>::infinity();
+  return std::isfinite(width) && width > 0.0 ? (to - from) / width
+                                             : std::numeric_limits<double>::infinity();
+}
+
+void take_values(Calibration& calibration) {
+  for (std::size_t u = 0; u < calibration.unknowns.size(); ++u) {
+    FittedUnknown& unknown = calibration.unknowns[u];
+    const UnknownRange& range = unknown.range;
+    unknown.value = u < calibration.fit.x.size() ? calibration.fit.x[u] : range.start;
+    const double width = range.upper - range.lower;
+    unknown.distance_to_lower = distance(range.lower, unknown.value, width);
+    unknown.distance_to_upper = distance(unknown.value, range.upper, width);
+  }
+}
+
+/// Before, after, and which part of the cost is whose.
+/// \param seen values that need not be found again
+void take_experiments(const Models& models, const ModelOptions& options, const ModelValues& seen,
+                      Calibration& calibration) {
+  std::vector<double> start;
+  for (const UnknownRange& range : options.unknowns) start.push_back(range.start);
+  std::vector<std::size_t> first(models.size(), 0);
+  for (std::size_t i = 1; i < models.size(); ++i) {
+    first[i] = first[i - 1] + models[i - 1]->points();
+  }
+  std::vector<FittedExperiment> fitted(models.size());
+  for_each_index(models.size(), options.threads, [&](std::size_t i) {
+    const std::size_t points = models[i]->points();
+    const auto values_at = [&](std::span<const double> x) {
+      // Those held out come last, and have no rows.
+      const bool is_fitted = !models[i]->experiment().held_out;
+      for (const auto& [at, values] :
+           {std::tie(seen.first_x, seen.first), std::tie(seen.last_x, seen.last)}) {
+        if (!is_fitted || !std::equal(x.begin(), x.end(), at.begin(), at.end())) continue;
+        const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first[i]);
+        return std::vector<double>(begin, begin + static_cast<std::ptrdiff_t>(points));
+      }
+      std::vector<double> values(points);
+      if (x.empty() || !models[i]->values(x, values)) values.clear();
+      return values;
+    };
+    fitted[i] = fitted_experiment(*models[i], i, values_at(start), values_at(calibration.fit.x));
+  });
+  const std::vector<double>& residuals = calibration.fit.residuals;
+  std::size_t row = 0;
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    if (models[i]->experiment().held_out || residuals.empty()) continue;
+    double cost = 0.0;
+    for (std::size_t k = 0; k < models[i]->points(); ++k, ++row) {
+      cost += 0.5 * loss_value(calibration.problem.loss, residuals[row]);
+    }
+    if (calibration.fit.cost > 0.0) fitted[i].share_of_cost = cost / calibration.fit.cost;
+  }
+  calibration.experiments = std::move(fitted);
+}
+
+/// Whether the histories that were recorded at the start are still those of the optimum.
+bool still_replays(const Models& models, std::span<const double> x) {
+  return std::all_of(models.begin(), models.end(), [&](const auto& model) {
+    if (model->exact().empty() && model->by_differences().empty()) return true;
+    const auto problem = model->case_at(x);
+    return !problem || model->replays(*problem);
+  });
+}
+
+struct Search {
+  Models models;
+  std::shared_ptr<ModelValues> seen = std::make_shared<ModelValues>();
+  ResidualProblem problem;
+  LeastSquaresFit fit;
+};
+
+tl::expected<Search, CalibrationFailure> search(const Fit& fit, const ModelOptions& options,
+                                                const EvaluationWatch& watch) {
+  auto models = build_models(fit, options);
+  if (!models) return tl::unexpected(models.error());
+  Search found;
+  found.models = std::move(*models);
+  Models fitted;
+  for (std::size_t i = 0; i < found.models.size(); ++i) {
+    if (!fit.experiments[i].held_out) fitted.push_back(found.models[i]);
+  }
+  found.problem = residual_problem(fit, std::move(fitted), options, watch, found.seen);
+  found.fit = solve_least_squares(found.problem, fit.solver);
+  return found;
+}
+
+}  // namespace
+
+tl::expected<Calibration, CalibrationFailure> calibrate(const Fit& fit,
+                                                        const CalibrateProgress& progress,
+                                                        const CalibrateSettings& settings) {
+  const auto begun = std::chrono::steady_clock::now();
+  Calibration calibration;
+  ModelOptions options;
+  options.threads = settings.threads == 0 ? core_count() : settings.threads;
+  options.ordinates = varied_ordinates(fit);
+  options.with_hash = settings.with_hashes;
+  describe_unknowns(fit, options.ordinates, calibration);
+  for (const FittedUnknown& unknown : calibration.unknowns) {
+    options.unknowns.push_back(unknown.range);
+  }
+  const auto stage = std::make_shared<const char*>("search");
+  const EvaluationWatch watch = [stage, step = progress.step](long evaluations, double cost) {
+    if (step) step({*stage, evaluations, cost});
+  };
+  auto found = search(fit, options, progress.step ? watch : EvaluationWatch());
+  if (found && !found->fit.x.empty() && !still_replays(found->models, found->fit.x)) {
+    options.whole_runs = true;
+    found = search(fit, options, progress.step ? watch : EvaluationWatch());
+  }
+  if (!found) return tl::unexpected(found.error());
+  calibration.problem = std::move(found->problem);
+  calibration.fit = std::move(found->fit);
+  const Models& models = found->models;
+  calibration.derivatives = derivatives_text(fit, models, calibration.unknowns.size());
+  take_values(calibration);
+  take_experiments(models, options, *found->seen, calibration);
+  const bool has_optimum = !calibration.fit.jacobian.empty();
+  if (has_optimum) {
+    calibration.statistics = fit_statistics(calibration.problem, calibration.fit, fit.confidence);
+    count_visits(fit, models, options.threads, calibration);
+    if (fit.bootstrap > 0 && calibration.fit.converged) {
+      *stage = "resamplings";
+      calibration.bootstrap = bootstrap(calibration.problem, calibration.fit, fit.bootstrap,
+                                        fit.confidence, fit.solver.seed);
+    }
+    *stage = "profiles";
+    for (std::size_t u = 0; u < fit.vary.size(); ++u) {
+      const bool frozen = u < calibration.fit.frozen.size() && calibration.fit.frozen[u] != 0;
+      if (!fit.profile || frozen || !calibration.fit.converged) continue;
+      calibration.profiles.push_back(
+          profile_likelihood(calibration.problem, calibration.fit, u, fit.confidence));
+    }
+    judge_identifiability(&calibration);
+  }
+  calibration.notes = calibration_notes(fit, calibration);
+  if (has_optimum) {
+    for (std::string& note : identifiability_notes(fit, calibration)) {
+      calibration.notes.push_back(std::move(note));
+    }
+  }
+  calibration.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  return calibration;
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/calibrate/calibration_json.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "driver/calibrate/estimate_text.hpp"
+#include "driver/results/provenance.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+json::Value list(std::span<const double> values) {
+  json::Array array;
+  array.reserve(values.size());
+  for (const double value : values) array.emplace_back(value);
+  return array;
+}
+
+json::Value list(std::span<const std::string> texts) {
+  json::Array array;
+  for (const std::string& text : texts) array.emplace_back(text);
+  return array;
+}
+
+json::Value pair(double lower, double upper) { return json::Array{lower, upper}; }
+
+/// Null where there is no such entry.
+json::Value entry(const std::vector<double>& values, std::size_t i) {
+  return i < values.size() ? json::Value(values[i]) : json::Value();
+}
+
+json::Value interval(const std::vector<double>& lower, const std::vector<double>& upper,
+                     std::size_t i) {
+  if (i >= lower.size() || i >= upper.size()) return {};
+  if (std::isnan(lower[i]) || std::isnan(upper[i])) return {};
+  return pair(lower[i], upper[i]);
+}
+
+bool holds(const std::vector<char>& flags, std::size_t i) {
+  return i < flags.size() && flags[i] != 0;
+}
+
+std::string file_name(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+std::string_view word_of(StopReason reason) {
+  switch (reason) {
+    case StopReason::kStep:
+      return "step";
+    case StopReason::kGradient:
+      return "gradient";
+    case StopReason::kCost:
+      return "cost";
+    case StopReason::kIterations:
+      return "iterations";
+    case StopReason::kNoProgress:
+      return "no_progress";
+    case StopReason::kZeroGradient:
+      return "zero_gradient";
+    case StopReason::kNoIteration:
+      return "no_iteration";
+    case StopReason::kModelFailure:
+      return "model_failure";
+    case StopReason::kTooFewData:
+      break;
+  }
+  return "too_few_data";
+}
+
+std::string_view word_of(Identifiability identifiability) {
+  switch (identifiability) {
+    case Identifiability::kGood:
+      return "good";
+    case Identifiability::kWeak:
+      return "weak";
+    case Identifiability::kNeverVisited:
+      break;
+  }
+  return "never_visited";
+}
+
+std::string_view word_of(Loss::Kind kind) {
+  switch (kind) {
+    case Loss::Kind::kSquares:
+      return "squares";
+    case Loss::Kind::kHuber:
+      return "huber";
+    case Loss::Kind::kSoftL1:
+      break;
+  }
+  return "soft_l1";
+}
+
+json::Value origin(const Fit& fit, const Calibration& calibration) {
+  json::Value value;
+  value["program"] = "slipbench";
+  value["version"] = program_version();
+  value["fit"] = file_name(fit.file);
+  value["title"] = fit.title;
+  value["date"] = fit.date ? json::Value(*fit.date) : json::Value();
+  json::Value experiments = json::Array{};
+  for (const FittedExperiment& fitted : calibration.experiments) {
+    const ExperimentFit& experiment = fit.experiments[fitted.index];
+    json::Value one;
+    one["name"] = experiment.name;
+    one["case"] = experiment.case_file;
+    one["data"] = experiment.data_file;
+    one["sha256"] = fitted.data_hash;
+    experiments.push_back(one);
+  }
+  value["experiments"] = experiments;
+  return value;
+}
+
+json::Value result(const Fit& fit, const Calibration& calibration) {
+  const LeastSquaresFit& found = calibration.fit;
+  json::Value value;
+  value["converged"] = found.converged;
+  value["stop"] = word_of(found.stop);
+  value["sentence"] = found.stop_sentence;
+  json::Value loss;
+  loss["kind"] = word_of(fit.loss.kind);
+  loss["threshold"] =
+      fit.loss.kind == Loss::Kind::kSquares ? json::Value() : json::Value(fit.loss.threshold);
+  value["loss"] = loss;
+  value["start_cost"] = found.start_cost;
+  value["cost"] = found.cost;
+  value["iterations"] = found.iterations;
+  value["residual_evaluations"] = found.residual_evaluations;
+  value["derivative_evaluations"] = found.derivative_evaluations;
+  value["gradient"] = found.gradient_norm;
+  value["polished"] = found.polished;
+  value["derivatives"] = calibration.derivatives;
+  json::Value searches = json::Array{};
+  for (const SearchTrace& search : found.searches) {
+    json::Value one;
+    one["start"] = list(search.start);
+    one["end"] = list(search.end);
+    one["start_cost"] = search.start_cost;
+    one["cost"] = search.cost;
+    one["iterations"] = search.iterations;
+    one["stop"] = word_of(search.stop);
+    one["same_minimum"] = search.cost <= found.cost * (1.0 + kSameMinimum);
+    searches.push_back(one);
+  }
+  value["searches"] = searches;
+  return value;
+}
+
+json::Value statistics_of(const Fit& fit, const Calibration& calibration) {
+  const FitStatistics& statistics = calibration.statistics;
+  json::Value value;
+  value["points"] = statistics.data;
+  value["unknowns"] = statistics.unknowns;
+  value["deviation"] = statistics.deviation;
+  value["confidence"] = fit.confidence;
+  value["condition"] = statistics.condition;
+  if (calibration.bootstrap.wanted > 0) {
+    json::Value bootstrap;
+    bootstrap["wanted"] = calibration.bootstrap.wanted;
+    bootstrap["done"] = calibration.bootstrap.done;
+    bootstrap["block"] = calibration.bootstrap.block;
+    value["bootstrap"] = bootstrap;
+  }
+  return value;
+}
+
+json::Value unknown_of(const Calibration& calibration, std::size_t u) {
+  const FittedUnknown& unknown = calibration.unknowns[u];
+  const FitStatistics& statistics = calibration.statistics;
+  json::Value value;
+  value["name"] = unknown.name;
+  value["unit"] = unknown.unit;
+  value["value"] = unknown.value;
+  value["standard_error"] = entry(statistics.standard_error, u);
+  value["interval"] = interval(statistics.lower, statistics.upper, u);
+  value["start"] = unknown.range.start;
+  value["bounds"] = pair(unknown.range.lower, unknown.range.upper);
+  value["scale"] = unknown.range.scale == Scale::kLog ? "log" : "linear";
+  value["at_bound"] = holds(calibration.fit.at_lower, u)   ? json::Value("lower")
+                      : holds(calibration.fit.at_upper, u) ? json::Value("upper")
+                                                           : json::Value();
+  value["distance_to_lower"] = unknown.distance_to_lower;
+  value["distance_to_upper"] = unknown.distance_to_upper;
+  value["identifiability"] = word_of(unknown.identifiability);
+  value["why"] = unknown.why;
+  value["points"] = unknown.visits;
+  value["frozen"] = holds(calibration.fit.frozen, u);
+  if (calibration.bootstrap.done > 0) {
+    json::Value bootstrap;
+    bootstrap["standard_error"] = entry(calibration.bootstrap.standard_error, u);
+    bootstrap["interval"] = interval(calibration.bootstrap.lower, calibration.bootstrap.upper, u);
+    value["bootstrap"] = bootstrap;
+  }
+  return value;
+}
+
+/// Row by row; null if it is not known.
+json::Value matrix(const std::vector<double>& values, std::size_t n) {
+  if (n == 0 || values.size() != n * n) return {};
+  json::Value rows = json::Array{};
+  for (std::size_t i = 0; i < n; ++i) rows.push_back(list(std::span(values).subspan(i * n, n)));
+  return rows;
+}
+
+json::Value table_of(const Fit& fit, const Calibration& calibration, const FittedTable& fitted) {
+  const VariedTable& varied = fit.tables[fitted.index];
+  json::Value value;
+  value["name"] = varied.name;
+  value["free"] = varied.free;
+  value["independents"] = list(fitted.columns);
+  value["units"] = list(fitted.units);
+  value["smoothness"] = varied.smoothness;
+  json::Value rows = json::Array{};
+  for (std::size_t r = 0; r < fitted.count; ++r) {
+    json::Value row;
+    row["unknown"] = fitted.first_unknown + r;
+    row["at"] = list(fitted.points[r]);
+    row["value"] = calibration.unknowns[fitted.first_unknown + r].value;
+    row["standard_error"] = entry(calibration.statistics.standard_error, fitted.first_unknown + r);
+    rows.push_back(row);
+  }
+  value["rows"] = rows;
+  json::Value cells = json::Array{};
+  for (const FittedTable::Cell& cell : fitted.cells) {
+    json::Value one;
+    one["cell"] = cell.text;
+    one["increments"] = cell.visits;
+    cells.push_back(one);
+  }
+  value["cells"] = cells;
+  return value;
+}
+
+json::Value experiment_of(const Fit& fit, const FittedExperiment& fitted) {
+  const ExperimentFit& experiment = fit.experiments[fitted.index];
+  json::Value value;
+  value["name"] = experiment.name;
+  value["held_out"] = experiment.held_out;
+  value["rows_read"] = fitted.rows_read;
+  value["rows_used"] = fitted.rows_used;
+  value["cleaning"] = list(fitted.cleaning);
+  value["weight"] = experiment.weight;
+  value["share_of_cost"] = fitted.share_of_cost;
+  json::Value responses = json::Array{};
+  for (const FittedResponse& response : fitted.responses) {
+    json::Value one;
+    one["quantity"] = response.quantity;
+    one["unit"] = response.unit;
+    one["over"] = response.over.empty() ? "time" : response.over;
+    one["points"] = response.measured.size();
+    one["rmse_before"] = response.rmse_before;
+    one["rmse_after"] = response.rmse_after;
+    one["range"] = response.range;
+    one["mean_error"] = response.mean_error;
+    one["autocorrelation"] = response.autocorrelation;
+    one["time"] = list(response.time);
+    if (!response.over.empty()) {
+      one["over_unit"] = response.over_unit;
+      one["abscissa"] = list(response.abscissa);
+    }
+    one["measured"] = list(response.measured);
+    one["before"] = list(response.before);
+    one["after"] = list(response.after);
+    responses.push_back(one);
+  }
+  value["responses"] = responses;
+  return value;
+}
+
+json::Value profile_of(const Calibration& calibration, const LikelihoodProfile& profile) {
+  json::Value value;
+  value["unknown"] = calibration.unknowns[profile.unknown].name;
+  value["value"] = list(profile.value);
+  value["cost"] = list(profile.cost);
+  value["threshold"] = profile.threshold;
+  value["interval"] = pair(profile.lower, profile.upper);
+  value["open_below"] = profile.open_below;
+  value["open_above"] = profile.open_above;
+  return value;
+}
+
+}  // namespace
+
+json::Value calibration_json(const Fit& fit, const Calibration& calibration) {
+  const std::size_t n = calibration.unknowns.size();
+  json::Value document;
+  document["provenance"] = origin(fit, calibration);
+  document["result"] = result(fit, calibration);
+  document["statistics"] = statistics_of(fit, calibration);
+  json::Value unknowns = json::Array{};
+  for (std::size_t u = 0; u < n; ++u) unknowns.push_back(unknown_of(calibration, u));
+  document["unknowns"] = unknowns;
+  document["correlation"] = matrix(calibration.statistics.correlation, n);
+  document["covariance"] = matrix(calibration.statistics.covariance, n);
+  json::Value tables = json::Array{};
+  for (const FittedTable& table : calibration.tables) {
+    tables.push_back(table_of(fit, calibration, table));
+  }
+  document["tables"] = tables;
+  json::Value experiments = json::Array{};
+  for (const FittedExperiment& fitted : calibration.experiments) {
+    experiments.push_back(experiment_of(fit, fitted));
+  }
+  document["experiments"] = experiments;
+  json::Value profiles = json::Array{};
+  for (const LikelihoodProfile& profile : calibration.profiles) {
+    profiles.push_back(profile_of(calibration, profile));
+  }
+  document["profiles"] = profiles;
+  document["notes"] = list(calibration.notes);
+  return document;
+}
+
+}  // namespace slipbench::driver

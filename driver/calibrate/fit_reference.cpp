@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/calibrate/fit_reference.hpp"
+
+#include "driver/calibrate/fit_text.hpp"
+#include "driver/case/case_reference.hpp"
+#include "driver/case/key_index.hpp"
+
+namespace slipbench::driver {
+
+std::vector<KeyRow> fit_rows() {
+  std::vector<KeyRow> rows;
+  struct_rows<FitText>("", rows);
+  return rows;
+}
+
+Json fit_schema() {
+  Json schema;
+  schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";
+  schema["title"] = "slipbench fit, version 1";
+  Json body = struct_schema<FitText>();
+  for (const std::string_view key : {"type", "properties", "required", "additionalProperties"}) {
+    schema[key] = body[key];
+  }
+  return schema;
+}
+
+std::string fit_reference_markdown() {
+  return "\n## Fit files\n\n"
+         "What `slipbench calibrate` reads. A fit file has no parameters of its own: an "
+         "expression\n"
+         "(`= 2/3`) is one of plain numbers. Times, and numbers without a unit, are in the units "
+         "of the\n"
+         "experiment's case. `slipbench schema --fit` prints the JSON Schema.\n\n" +
+         key_table(fit_rows());
+}
+
+std::string places_of_fit_key(std::string_view key) {
+  static const std::vector<KeyRow> rows = fit_rows();
+  return places_of_key(key, rows);
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is generated from the declarations of fit files.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "driver/case/binding.hpp"
+
+namespace slipbench::driver {
+
+/// One row for every key of a fit file, in the order of the declarations; the keys of experiments
+/// that are held out are those of experiments and listed once.
+std::vector<KeyRow> fit_rows();
+
+/// JSON Schema (draft 2020-12) of a fit file.
+Json fit_schema();
+
+/// The section on fit files of the case reference, as Markdown.
+std::string fit_reference_markdown();
+
+/// Where in a fit file a key is known: "calibrate.experiments[]"; empty if nowhere.
+std::string places_of_fit_key(std::string_view key);
+
+}  // namespace slipbench::driver

@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/calibrate/least_squares/search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "driver/calibrate/least_squares/kink_bundle.hpp"
+#include "driver/calibrate/least_squares/simplex_polish.hpp"
+#include "driver/calibrate/least_squares/trust_region.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+/// Beyond this gain nothing but rounding is left in a sum of squares.
+constexpr double kRounding = 1e-14;
+/// Standard errors, all unknowns together, from where a minimum counts as near.
+constexpr double kNearErrors = 5.0;
+/// Standard errors, in the mean of all unknowns, that nobody can see.
+constexpr double kInvisible = 0.01;
+
+/// Whether the slope jumps between the point and all that holds it: rises by much more than the
+/// curvature has it. Asked of the unknowns, since coordinates are curved near their folds.
+bool at_kink(const KinkCut& here, std::span<const KinkCut> holders,
+             const Eigen::MatrixXd& products) {
+  constexpr double kJump = 10.0;
+  const Eigen::Index n = here.x.size();
+  return !holders.empty() && std::all_of(holders.begin(), holders.end(), [&](const KinkCut& cut) {
+    const Eigen::VectorXd way = cut.x - here.x;
+    return way.dot(cut.slope - here.slope) > kJump * way.dot(products.topLeftCorner(n, n) * way);
+  });
+}
+
+class Search {
+ public:
+  Search(Evaluator& evaluator, const UnknownMap& map, const SolverOptions& options)
+      : objective_(evaluator, map), options_(options), shaped_(false), released_(map.size(), 0) {
+    const std::vector<char> shaped = map.shaped();
+    shaped_ = std::find(shaped.begin(), shaped.end(), 1) != shaped.end();
+  }
+
+  SearchEnd run(std::span<const double> start, TrustScaling scaling);
+
+ private:
+  bool stopped() const { return end_.iterations >= options_.most_iterations; }
+  int left() const { return options_.most_iterations - end_.iterations; }
+  std::optional<StopReason> judge(const Linearisation& linear) const;
+  std::optional<StopReason> finish();
+  double residual_error() const;
+  KinkCut cut_of(const SearchPoint& point, const Linearisation& linear) const;
+  bool has_idle_unknown(const Linearisation& linear) const;
+  bool hold_at_folds();
+  bool release();
+
+  Objective objective_;
+  const SolverOptions& options_;
+  bool shaped_;                ///< some unknowns have a shape to keep
+  std::vector<int> released_;  ///< how often a coordinate was given back
+  SearchPoint trial_;
+  SearchEnd end_;
+};
+
+/// Whether the point is a minimum.
+std::optional<StopReason> Search::judge(const Linearisation& linear) const {
+  const SearchPoint& point = end_.point;
+  // A cost of zero, but for rounding, has no angle.
+  constexpr double kNothing = 1e-28;
+  if (point.cost <= kNothing * end_.start_cost) return StopReason::kCost;
+  if (linear.offset <= options_.gradient_tolerance) return StopReason::kGradient;
+  const std::vector<double> change = objective_.unknown_step(point, linear.step);
+  bool small = true;
+  for (std::size_t j = 0; j < change.size(); ++j) {
+    small = small && std::abs(change[j]) <= options_.step_tolerance * std::abs(point.x[j]);
+  }
+  if (small) return StopReason::kStep;
+  return std::nullopt;
+}
+
+/// Steps of Gauss and Newton, held back by what was seen beyond kinks; for as long as they bring
+/// the cost or the gradient down.
+std::optional<StopReason> Search::finish() {
+  constexpr int kMostSteps = 40;
+  // The model's own rounding in the cost; a step within it must bring the offset down.
+  constexpr double kNoise = 1e-10;
+  constexpr double kEnough = 0.8;  // of the offset before: else the trust region is better
+  SearchPoint& point = end_.point;
+  SearchPoint& trial = trial_;
+  // The differences of the trust region are not fine enough to end on.
+  const bool differences = !objective_.evaluator().problem().derivatives;
+  if (differences) {
+    const std::vector<double> z = point.z;
+    if (objective_.derivatives(z, trial, true)) std::swap(point, trial);
+  }
+  Linearisation linear = objective_.linearise(point);
+  std::optional<StopReason> verdict = judge(linear);
+  KinkBundle bundle;
+  int poor = 0;
+  const int most_poor = 6 + static_cast<int>(objective_.free().size());
+  for (int step = 0; step < kMostSteps && !verdict && !stopped(); ++step) {
+    // Where less is left than can be told from the noise of the data, kinks are worth a model.
+    const double error = residual_error();
+    const double invisible =
+        kInvisible * error * std::sqrt(static_cast<double>(objective_.free().size()));
+    const bool near =
+        linear.rank == objective_.free().size() && linear.projection.norm() <= kNearErrors * error;
+    constexpr double kFar = 0.1;  // of the offset
+    KinkStep next{linear.offset > kFar ? linear.far_step : linear.step, 0.0, {}};
+    if (near) {
+      const KinkCut here = cut_of(point, linear);
+      next =
+          bundle.step(here, objective_.coordinate_map(point), linear.triangle, kNearErrors * error);
+      if (at_kink(here, next.holders, linear.products) &&
+          next.gain <= 0.5 * invisible * invisible) {
+        end_.at_kink = true;
+        end_.step_left = kInvisible;
+        verdict = StopReason::kStep;
+        break;
+      }
+    }
+    const std::vector<double> z = objective_.moved(point, next.step);
+    if (!objective_.derivatives(z, trial, differences)) break;
+    const double gain = 1.0 - trial.cost / point.cost;
+    if (gain < -kNoise && !near) break;
+    const Linearisation there = objective_.linearise(trial);
+    const bool nearer = there.offset < kEnough * linear.offset;
+    const bool lower = gain > kRounding || (gain >= -kNoise && nearer);
+    // With a kink on the way little of what was promised is kept.
+    const bool kept = gain * point.cost > 0.5 * next.gain || gain >= 1e-3 || nearer;
+    if (!kept && !(near && next.gain > kNoise * point.cost && ++poor <= most_poor)) {
+      if (lower) {
+        std::swap(point, trial);
+        linear = there;
+        ++end_.iterations;
+        verdict = judge(linear);
+      }
+      break;
+    }
+    if (!lower) {
+      bundle.add(cut_of(trial, there));
+      continue;
+    }
+    if (near && (!kept || !bundle.empty())) bundle.add(cut_of(point, linear));
+    std::swap(point, trial);
+    linear = there;
+    ++end_.iterations;
+    if (shaped_ && hold_at_folds()) linear = objective_.linearise(point);
+    verdict = judge(linear);
+  }
+  end_.offset = linear.offset;
+  end_.degenerate = linear.rank < objective_.free().size() || has_idle_unknown(linear);
+  return verdict;
+}
+
+/// The standard error of one residual, as far as the point tells.
+double Search::residual_error() const {
+  const auto data = static_cast<double>(end_.point.residuals.size());
+  const auto unknowns = static_cast<double>(objective_.free().size());
+  return std::sqrt(2.0 * end_.point.cost / std::max(data - unknowns, 1.0));
+}
+
+KinkCut Search::cut_of(const SearchPoint& point, const Linearisation& linear) const {
+  KinkCut cut;
+  cut.cost = point.cost;
+  const auto n = static_cast<Eigen::Index>(point.x.size());
+  cut.x = Eigen::Map<const Eigen::VectorXd>(point.x.data(), n);
+  cut.slope = linear.products.col(n).head(n);
+  return cut;
+}
+
+/// Whether some unknown could change by its own size without any effect.
+bool Search::has_idle_unknown(const Linearisation& linear) const {
+  constexpr double kEffect = 1e-6;  // as a part of the residuals
+  const Eigen::Index n = linear.products.cols() - 1;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const double x = end_.point.x[static_cast<std::size_t>(j)];
+    const double effect = x * x * linear.products(j, j);
+    if (effect > 0.0 && effect < kEffect * kEffect * linear.products(n, n)) return true;
+  }
+  return false;
+}
+
+/// Puts coordinates that are close to a fold, with the cost falling towards it, onto it: the
+/// unknown is at its bound.
+/// \return whether any was
+bool Search::hold_at_folds() {
+  constexpr double kClose = 0.1;
+  SearchPoint& point = end_.point;
+  std::vector<double> z = point.z;
+  const std::vector<FoldPoint> folds = objective_.map().folds(z);
+  std::vector<std::size_t> close;
+  const std::size_t m = objective_.free().size();
+  const std::vector<double> root = objective_.root_weights(point);
+  std::vector<double> f;
+  std::vector<double> jacobian;
+  for (std::size_t c = 0; c < m; ++c) {
+    const std::size_t k = objective_.free()[c];
+    if (!(folds[k].distance < kClose) || released_[k] > 2) continue;
+    if (f.empty()) {
+      point.z = z;  // principal coordinates: the same unknowns
+      f.resize(point.residuals.size());
+      jacobian.resize(f.size() * m);
+      objective_.weigh(point, root, f, jacobian);
+    }
+    double gradient = 0.0;
+    for (std::size_t i = 0; i < f.size(); ++i) gradient += f[i] * jacobian[i * m + c];
+    // Towards the inside z rises on the lower side of two bounds and of a single one.
+    if (gradient * folds[k].inward > 0.0) close.push_back(k);
+  }
+  if (close.empty()) return false;
+  const auto try_to_hold = [&](std::span<const std::size_t> which) {
+    std::vector<double> moved = point.z;
+    for (const std::size_t k : which) moved[k] = folds[k].coordinate;
+    SearchPoint trial;
+    if (!objective_.derivatives(moved, trial, false) || trial.cost > point.cost) return false;
+    point = std::move(trial);
+    for (const std::size_t k : which) objective_.set_held(k, true);
+    return true;
+  };
+  if (try_to_hold(close)) return true;
+  if (close.size() == 1) return false;
+  bool any = false;
+  for (const std::size_t k : close) any = try_to_hold({&k, 1}) || any;
+  return any;
+}
+
+/// Gives back what is held although the cost falls inside.
+bool Search::release() {
+  constexpr double kSlope = 1e-7;
+  constexpr double kInside = 0.05;
+  SearchPoint& point = end_.point;
+  const std::vector<double> slopes = objective_.inward_slopes(point);
+  std::vector<double> z = point.z;
+  const std::vector<FoldPoint> folds = objective_.map().folds(z);
+  bool any = false;
+  for (std::size_t k = 0; k < slopes.size(); ++k) {
+    if (slopes[k] >= -kSlope || released_[k] > 2) continue;
+    // The way inside that lowers the cost may be short.
+    for (double inside = kInside; inside > 1e-5; inside *= 0.1) {
+      std::vector<double> moved = z;
+      moved[k] = folds[k].coordinate + folds[k].inward * inside;
+      SearchPoint trial;
+      if (!objective_.derivatives(moved, trial, false) || trial.cost > point.cost) continue;
+      z = moved;
+      point = std::move(trial);
+      objective_.set_held(k, false);
+      ++released_[k];
+      any = true;
+      break;
+    }
+  }
+  return any;
+}
+
+SearchEnd Search::run(std::span<const double> start, TrustScaling scaling) {
+  constexpr std::array kScalings{TrustScaling::kMore, TrustScaling::kAccelerated,
+                                 TrustScaling::kLevenberg, TrustScaling::kMarquardt};
+  constexpr int kIdleRounds = static_cast<int>(kScalings.size());
+  SearchPoint& point = end_.point;
+  if (!objective_.derivatives(start, point, false)) {
+    objective_.cost(start, point);
+    end_.start_cost = point.cost;
+    end_.stop = StopReason::kModelFailure;
+    return std::move(end_);
+  }
+  end_.start_cost = point.cost;
+  if (point.residuals.size() < objective_.map().size()) {
+    end_.stop = StopReason::kTooFewData;
+    return std::move(end_);
+  }
+  if (std::all_of(point.jacobian.begin(), point.jacobian.end(),
+                  [](double j) { return j == 0.0; })) {
+    end_.stop = StopReason::kZeroGradient;
+    return std::move(end_);
+  }
+  const bool robust = objective_.evaluator().problem().loss.kind != Loss::Kind::kSquares;
+  constexpr double kFirstGain = 1e-3;
+  double least_gain = kFirstGain;
+  int idle = 0;
+  bool first = true;
+  auto strategy = static_cast<std::size_t>(std::find(kScalings.begin(), kScalings.end(), scaling) -
+                                           kScalings.begin());
+  end_.stop = StopReason::kNoProgress;
+  while (true) {
+    const double before = point.cost;
+    TrustRegionOptions options;
+    options.scaling = kScalings[strategy % kScalings.size()];
+    // Weights are those of the round's start: a robust loss wants short rounds.
+    options.most_iterations = robust ? std::min(left(), 5) : left();
+    options.least_gain = least_gain;
+    options.most_idle = least_gain >= kFirstGain ? 1 : 2;
+    // Coordinates of shapes are curved: the plain steps over the unknowns come first.
+    if (!(shaped_ && first)) {
+      end_.iterations += trust_region(objective_, point, trial_, options);
+      hold_at_folds();
+    }
+    first = false;
+    std::optional<StopReason> verdict;
+    if (!stopped()) verdict = finish();
+    if (verdict) {
+      end_.stop = *verdict;
+      if (!release()) break;
+      continue;
+    }
+    if (stopped()) {
+      end_.stop = StopReason::kIterations;
+      break;
+    }
+    const double gain = 1.0 - point.cost / before;
+    least_gain = std::max(1e-2 * least_gain, kRounding);
+    if (gain > 1e-6) {
+      idle = 0;
+      continue;
+    }
+    ++strategy;
+    if (++idle <= kIdleRounds) continue;
+    if (release()) {
+      idle = 0;
+      continue;
+    }
+    // Bates and Watts' relative offset: the step that is left, in standard errors.
+    constexpr double kNearMinimum = 1e-3;
+    constexpr double kNearKink = 0.1;
+    const auto data = static_cast<double>(point.residuals.size());
+    const auto unknowns = static_cast<double>(objective_.free().size());
+    const double relative = end_.offset * std::sqrt(std::max(data - unknowns, 1.0) / unknowns);
+    if (relative <= kNearMinimum) {
+      constexpr double kDrowned = 3e-8;  // its square is the gain that is left
+      end_.stop = end_.offset <= kDrowned ? StopReason::kCost : StopReason::kStep;
+      break;
+    }
+    // A kink has no gradient to follow.
+    if (options_.polish && !end_.polished && simplex_polish(objective_, point)) {
+      end_.polished = true;
+      idle = 0;
+      continue;
+    }
+    if (relative <= kNearKink) {
+      end_.stop = StopReason::kStep;
+      end_.at_kink = true;
+      end_.step_left = kNearKink;
+    }
+    break;
+  }
+  constexpr double kGained = 1e-12;  // less is rounding: the start was the minimum, or a kink
+  if (end_.iterations == 0 || !(point.cost < end_.start_cost * (1.0 - kGained))) {
+    end_.iterations = 0;
+    end_.stop = StopReason::kNoIteration;
+  }
+  return std::move(end_);
+}
+
+}  // namespace
+
+SearchEnd search(Evaluator& evaluator, const UnknownMap& map, std::span<const double> start,
+                 const SolverOptions& options, TrustScaling scaling) {
+  return Search(evaluator, map, options).run(start, scaling);
+}
+
+}  // namespace slipbench::driver

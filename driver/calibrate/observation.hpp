@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where in a run a measurement is met.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "driver/calibrate/measurements.hpp"
+#include "driver/calibrate/replay.hpp"
+
+namespace slipbench::driver {
+
+/// The places of a run that measured points are compared with.
+struct Observations {
+  std::string fault;                  ///< why there are none; empty if there are
+  std::vector<std::size_t> kept;      ///< of the measured points, those that the run reaches
+  std::vector<Replay::Point> points;  ///< as many: where the run meets them
+};
+
+/// The rows of a run with total times `run` that have the measured times between them.
+/// Points before the first row and behind the last one, but for rounding, are left out.
+Observations observe_times(std::span<const double> run, std::span<const double> measured);
+
+/// The same for loops: a measured point is met where the run has its position on the same monotone
+/// branch. Branches are matched in order (driver/compare/branches.hpp); turns by no more than 1e-3
+/// of the range are noise of the measured positions, and so are a first or last branch of no more
+/// than 2 % of the range where the numbers of branches differ otherwise. Of the run, only the time
+/// between the first and the last measured point counts. Points beyond the end of their branch are
+/// left out.
+/// \param time, position of the rows of the run
+/// Faults: different numbers of branches, opposite directions.
+Observations observe_positions(std::span<const double> time, std::span<const double> position,
+                               const MeasuredSeries& measured);
+
+/// The values of a column of a run at some points.
+void read_points(std::span<const double> column, std::span<const Replay::Point> points,
+                 std::span<double> values);
+
+}  // namespace slipbench::driver

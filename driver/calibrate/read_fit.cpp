@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/calibrate/read_fit.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <utility>
+
+#include "driver/calibrate/fit_reference.hpp"
+#include "driver/calibrate/fit_text.hpp"
+#include "driver/calibrate/resolve_experiment.hpp"
+#include "driver/calibrate/resolve_varied.hpp"
+#include "driver/case/file_kind.hpp"
+#include "driver/yaml/parse.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string in_quotes(std::string_view name) { return "'" + printable(name) + "'"; }
+
+/// Names for experiments that have none: the case's, else the data's, with a number if need be.
+void name_experiments(std::vector<ReadExperiment>& experiments) {
+  const auto count = [&](const std::string& name) {
+    return std::count_if(experiments.begin(), experiments.end(),
+                         [&](const ReadExperiment& one) { return one.fit.name == name; });
+  };
+  const auto stem = [](const fs::path& file) { return file.stem().string(); };
+  std::map<std::string, int> of_case;
+  for (const ReadExperiment& one : experiments) ++of_case[stem(one.fit.case_path)];
+  for (ReadExperiment& one : experiments) {
+    if (!one.fit.name.empty()) continue;
+    const std::string by_case = stem(one.fit.case_path);
+    const std::string wanted = of_case[by_case] > 1 ? stem(one.fit.data_path) : by_case;
+    std::string name = wanted;
+    for (int number = 2; count(name) > 0; ++number) name = wanted + "_" + std::to_string(number);
+    one.fit.name = std::move(name);
+  }
+}
+
+/// What is wrong among the experiments as a whole.
+class FitReader {
+ public:
+  FitReader(const Node& root, const std::string& path, const ReadFitOptions& options, ReadFit& out)
+      : root_(root),
+        options_(options),
+        out_(out),
+        folder_(fs::path(path).parent_path()),
+        binder_(
+            out.diagnostics, no_parameters_, {}, folder_, options.allow_outside,
+            {places_of_fit_key, "known are t, T, the case's result columns and its parameters"}) {
+    fit_.file = path;
+    fit_.folder = folder_.empty() ? fs::path(".") : folder_;
+  }
+
+  void read() {
+    FitText text;
+    const bool bound = read_struct(binder_, root_, Path(), text);
+    const CalibrateText& calibrate = text.calibrate.value;
+    fit_.title = text.title.empty() ? fs::path(fit_.file).stem().string() : text.title;
+    for (const Named<VaryText>& vary : calibrate.vary.value) {
+      fit_.vary.push_back(varied_parameter(binder_, vary));
+    }
+    reader_.emplace(binder_, options_, fit_.vary, out_);
+    read_experiments(calibrate);
+    check_something_is_varied(text.calibrate);
+    settle_parameters(binder_, calibrate.vary.value, experiments_, fit_.vary);
+    fit_.tables = varied_tables(binder_, calibrate.tables.value, experiments_);
+    check_shapes();
+    check_weights(calibrate);
+    check_overrides();
+    fit_.loss = calibrate.loss.loss;
+    fit_.solver.starts = calibrate.multistart;
+    fit_.solver.seed = static_cast<std::uint64_t>(calibrate.seed);
+    fit_.solver.most_iterations = calibrate.stop.iterations;
+    fit_.solver.step_tolerance = calibrate.stop.step;
+    fit_.solver.gradient_tolerance = calibrate.stop.gradient;
+    fit_.solver.polish = calibrate.polish;
+    fit_.confidence = calibrate.confidence;
+    fit_.bootstrap = calibrate.bootstrap;
+    fit_.profile = calibrate.profile;
+    fit_.date = calibrate.date;
+    out_.environment_failure |= binder_.environment_failed();
+    const std::vector<std::string>& named = binder_.data_files();
+    out_.data_files.insert(out_.data_files.end(), named.begin(), named.end());
+    if (!bound || out_.diagnostics.has_errors()) return;
+    for (ReadExperiment& one : experiments_) fit_.experiments.push_back(std::move(one.fit));
+    out_.value = std::move(fit_);
+  }
+
+ private:
+  void read_experiments(const CalibrateText& text) {
+    for (const At<ExperimentText>& one : text.experiments.value) {
+      experiments_.push_back(reader_->read(one.value, *one.node));
+    }
+    for (const At<HoldoutText>& one : text.holdout.value) {
+      experiments_.push_back(reader_->read(one.value.experiment, *one.node));
+      experiments_.back().fit.held_out = true;
+    }
+    if (text.experiments.sound && text.experiments.value.empty()) {
+      binder_.error(*text.experiments.node, text.experiments.path,
+                    text.holdout.value.empty()
+                        ? "needs at least one experiment"
+                        : "needs at least one experiment: those held out are scored only");
+    }
+    check_names(text);
+    name_experiments(experiments_);
+  }
+
+  void check_names(const CalibrateText& text) {
+    const std::size_t fitted = text.experiments.value.size();
+    const auto name_of = [&](std::size_t i) -> const At<std::string>& {
+      return i < fitted ? text.experiments.value[i].value.name
+                        : text.holdout.value[i - fitted].value.experiment.name;
+    };
+    for (std::size_t i = 0; i < experiments_.size(); ++i) {
+      const At<std::string>& name = name_of(i);
+      for (std::size_t j = 0; j < i && name.sound; ++j) {
+        if (!name_of(j).sound || name_of(j).value != name.value) continue;
+        binder_.error(*name.node, name.path,
+                      "another experiment is called " + in_quotes(name.value) + " as well");
+        break;
+      }
+    }
+  }
+
+  void check_something_is_varied(const At<CalibrateText>& text) {
+    const CalibrateText& calibrate = text.value;
+    if (!text.given() || !text.node->is_map()) return;
+    const bool misspelt = is_misspelt<CalibrateText>(*text.node, "vary") ||
+                          is_misspelt<CalibrateText>(*text.node, "tables");
+    if (misspelt || calibrate.vary.faulty() || calibrate.tables.faulty()) return;
+    if (!calibrate.vary.value.empty() || !calibrate.tables.value.empty()) return;
+    binder_.error(*text.node, text.path, "nothing is varied",
+                  "name parameters of the cases under 'vary', {mu: {start: 0.3}}, or tables under "
+                  "'tables'");
+  }
+
+  /// The search begins at the nearest table of the wanted shape: worth a note.
+  void check_shapes() {
+    for (const VariedTable& table : fit_.tables) {
+      if (!table.shape.any() || keeps_shape(table)) continue;
+      const Path path = Path() / "calibrate" / "tables" / table.name;
+      out_.diagnostics.note(root_.source().name(), table.where, path.text(),
+                            "the numbers of the case do not have the wanted shape: the search "
+                            "begins at near ones that have");
+    }
+  }
+
+  bool keeps_shape(const VariedTable& table) const {
+    return std::all_of(experiments_.begin(), experiments_.end(), [&](const ReadExperiment& one) {
+      return !one.read || has_shape(one.fit.base, table);
+    });
+  }
+
+  void check_weights(const CalibrateText& text) {
+    bool any = false;
+    bool all_read = !experiments_.empty();
+    for (const ReadExperiment& one : experiments_) {
+      if (one.fit.held_out) continue;
+      all_read = all_read && one.read;
+      for (const ResponseFit& response : one.fit.responses) {
+        any = any || one.fit.weight * response.weight > 0.0;
+      }
+    }
+    const bool bad = text.experiments.faulty() || text.experiments.value.empty();
+    if (any || bad || !all_read || out_.diagnostics.has_errors()) return;
+    binder_.error(*text.experiments.node, text.experiments.path,
+                  "every weight is 0: nothing is left to fit");
+  }
+
+  /// Settings of the command line that no case takes.
+  void check_overrides() {
+    std::vector<std::string> known;
+    bool all_parsed = true;
+    for (const ReadExperiment& one : experiments_) {
+      all_parsed = all_parsed && one.root.has_value();
+      for (const std::string& name : one.parameters) {
+        if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
+      }
+    }
+    const std::vector<std::string_view> names(known.begin(), known.end());
+    for (const ParameterText& override : options_.overrides) {
+      const auto say = [&](std::string message, std::string hint) {
+        out_.diagnostics.error(root_.source().name(), {}, "--set " + override.name,
+                               std::move(message), std::move(hint));
+      };
+      if (std::any_of(fit_.vary.begin(), fit_.vary.end(),
+                      [&](const VariedParameter& one) { return one.name == override.name; })) {
+        say(in_quotes(override.name) + " is varied: it cannot be set as well",
+            "its start stands under 'vary'");
+      } else if (all_parsed &&
+                 std::find(known.begin(), known.end(), override.name) == known.end()) {
+        say("no case has a parameter " + in_quotes(override.name),
+            nearest_or(override.name, names,
+                       known.empty() ? "" : "parameters there are: " + in_words(names, "and")));
+      }
+    }
+  }
+
+  Node root_;
+  const ReadFitOptions& options_;
+  ReadFit& out_;
+  fs::path folder_;
+  NamedNumbers no_parameters_;
+  Binder binder_;
+  Fit fit_;
+  std::optional<ExperimentReader> reader_;  ///< owns the texts that the experiments point into
+  std::vector<ReadExperiment> experiments_;
+};
+
+}  // namespace
+
+ReadFit read_fit(const std::string& path, const ReadFitOptions& options) {
+  ReadFit result;
+  const auto source = read_source(path);
+  if (!source) {
+    result.diagnostics.add(source.error().diagnostic);
+    result.environment_failure = source.error().failure == ReadFailure::kEnvironment;
+    return result;
+  }
+  result.sources.push_back(*source);
+  const auto tree = parse_yaml(*source);
+  if (!tree) {
+    result.diagnostics = tree.error();
+    return result;
+  }
+  if (const auto key = key_of_case(tree->root())) {
+    result.diagnostics.error(
+        source->name(), key->where(), std::string(key->text()),
+        "this is a case, not a fit file: 'slipbench run " + printable(source->name()) + "' runs it",
+        "a fit file has 'calibrate:' and names its cases");
+    return result;
+  }
+  FitReader(tree->root(), path, options, result).read();
+  return result;
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "driver/calibrate/calibration.hpp"
+#include "driver/calibrate/fit.hpp"
+
+namespace slipbench::driver {
+
+/// The pictures of a fit, and why one is missing.
+struct FitPictures {
+  std::vector<std::filesystem::path> written;  ///< in the fit's order
+  std::vector<std::string> notes;  ///< for the user, a sentence each; gnuplot is missing
+};
+
+/// Draws with gnuplot, into `folder`, under names that start with `stem`:
+///   <stem>.<experiment>.loop.svg       measured, before and after, over time and over the position
+///   <stem>.<experiment>.residuals.svg  what is left, over time and as a histogram
+///   <stem>.<table>.table.svg           ordinates before and after with their intervals
+/// Characters of a name that do not belong into a file's name become '-'. A picture that does not
+/// come about is a note, no failure: the page has the same curves.
+FitPictures draw_fit_pictures(const Fit& fit, const Calibration& calibration,
+                              const std::filesystem::path& folder, std::string_view stem);
+
+}  // namespace slipbench::driver

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/calibrate/report/fit_report.hpp"
+
+#include "driver/report/page.hpp"
+#include "driver/results/output_file.hpp"
+
+namespace slipbench::driver {
+
+tl::expected<std::size_t, std::string> write_fit_report(const Fit& fit,
+                                                        const Calibration& calibration,
+                                                        const std::filesystem::path& file,
+                                                        std::span<const std::string> inputs) {
+  auto out = OutputFile::create(file, inputs);
+  if (!out) return tl::unexpected(out.error());
+  const std::string page =
+      fit_page(fit_document(fit, calibration), fit.title.empty() ? fit.file : fit.title);
+  out->append(page);
+  OutputFile* const alone[] = {&*out};
+  if (auto committed = commit(alone); !committed) return tl::unexpected(committed.error());
+  return page.size();
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "driver/calibrate/experiment_model.hpp"
+#include "driver/calibrate/fit.hpp"
+#include "driver/calibrate/least_squares/problem.hpp"
+
+namespace slipbench::driver {
+
+/// Called at every evaluation: how many there were, and the sum of squares of the latest over 2.
+using EvaluationWatch = std::function<void(long evaluations, double cost)>;
+
+/// What the models gave where they were evaluated first and last with derivatives: before and after
+/// the fit, as a rule. All rows of the data.
+struct ModelValues {
+  std::vector<double> first_x;
+  std::vector<double> first;
+  std::vector<double> last_x;
+  std::vector<double> last;
+};
+
+/// The experiments of a fit as one least-squares problem (docs/theory.md, section 17): rows are
+///   sqrt(w_experiment w_response) (model - measured)/sigma
+/// of all compared points, experiment by experiment and response by response, then the rows of
+/// smoothness, sqrt(smoothness S) d2, with S the weighted sum of squares of the measurements about
+/// their means. The functions of the problem own what they need.
+/// \param models of the experiments that are fitted
+/// \param values is filled by the evaluations
+ResidualProblem residual_problem(const Fit& fit,
+                                 std::vector<std::shared_ptr<const ExperimentModel>> models,
+                                 const ModelOptions& options, EvaluationWatch watch,
+                                 std::shared_ptr<ModelValues> values);
+
+/// What a residual of a response is, in the quantity's unit, times this.
+double residual_factor(const ExperimentFit& experiment, const ResponseFit& response);
+
+}  // namespace slipbench::driver

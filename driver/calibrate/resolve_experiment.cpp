@@ -1,0 +1,401 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/calibrate/resolve_experiment.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+#include "driver/case/file_kind.hpp"
+#include "driver/case/key_index.hpp"
+#include "driver/case/resolve_expression.hpp"
+#include "driver/history/csv_reader.hpp"
+#include "driver/results/columns.hpp"
+#include "driver/text/format_number.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr Dimension kSpeed{.length = 1, .time = -1};
+constexpr Dimension kAngularSpeed{.time = -1, .angle = 1};
+
+std::string in_quotes(std::string_view name) { return "'" + printable(name) + "'"; }
+
+std::vector<std::string_view> views(const std::vector<std::string>& names) {
+  return {names.begin(), names.end()};
+}
+
+struct Converted {
+  UnitConversion conversion;
+  Dimension dimension;
+};
+
+/// The change of unit to the first of `dimensions` that the unit has; the identity without a unit.
+std::optional<Converted> conversion(Binder& binder, const At<std::string>& unit,
+                                    std::span<const Dimension> dimensions,
+                                    const UnitSystem& system) {
+  if (!unit.given()) return Converted{{}, dimensions.front()};
+  if (!unit.sound) return std::nullopt;
+  std::optional<HistoryError> first;
+  for (const Dimension& dimension : dimensions) {
+    auto found = conversion_to_case(unit.value, dimension, system);
+    if (found) return Converted{*found, dimension};
+    if (!first) first = std::move(found.error());
+  }
+  binder.history_error(*unit.node, unit.path, *first);
+  return std::nullopt;
+}
+
+/// A data column of one dimension; `text` has unit, factor and offset.
+template <class Text>
+DataColumn data_column(Binder& binder, const Text& text, const std::string& name,
+                       std::span<const Dimension> dimensions, const UnitSystem& system) {
+  DataColumn result;
+  result.name = name;
+  result.factor = text.factor.value;
+  result.offset = text.offset.value;
+  if (text.factor.sound && text.factor.value == 0.0) {
+    binder.error(*text.factor.node, text.factor.path, "the factor 0 turns every number into 0");
+  }
+  if (const auto found = conversion(binder, text.unit, dimensions, system)) {
+    result.conversion = found->conversion;
+  }
+  return result;
+}
+
+std::optional<double> number(const At<double>& at) {
+  return at.sound ? std::optional(at.value) : std::nullopt;
+}
+
+/// A range of times must have an extent.
+void check_range(Binder& binder, const At<double>& from, const At<double>& to) {
+  if (!from.sound || !to.sound || from.value < to.value) return;
+  binder.error(*to.node, to.path,
+               "'to' must be later than 'from', which is " + format_number(from.value) +
+                   "; found " + format_number(to.value));
+}
+
+/// Every data column that an experiment names and was read without fault.
+std::vector<const At<std::string>*> column_uses(const ExperimentText& text) {
+  std::vector<const At<std::string>*> uses;
+  const auto add = [&](const At<std::string>& at) {
+    if (at.sound) uses.push_back(&at);
+  };
+  add(text.time.value.column);
+  for (const Named<CompareText>& compare : text.compare.value) {
+    add(compare.value.column);
+    const OverColumnText& over = compare.value.over.value;
+    add(over.column.given() ? over.column : over.quantity);
+  }
+  add(text.dead_band.value.column);
+  add(text.dead_band.value.position);
+  return uses;
+}
+
+}  // namespace
+
+void ExperimentReader::pass_on(const Diagnostics& diagnostics) {
+  const auto same = [](const Diagnostic& a, const Diagnostic& b) {
+    return a.file == b.file && a.where == b.where && a.path == b.path && a.message == b.message;
+  };
+  const std::vector<Diagnostic> known = out_.diagnostics.sorted();
+  for (Diagnostic& one : diagnostics.sorted()) {
+    const bool said = std::any_of(known.begin(), known.end(),
+                                  [&](const Diagnostic& other) { return same(one, other); });
+    if (!said) out_.diagnostics.add(std::move(one));
+  }
+}
+
+const ExperimentReader::Parsed& ExperimentReader::parse(const At<std::string>& name,
+                                                        const fs::path& file) {
+  const auto [entry, is_new] = parsed_.try_emplace(file.string());
+  Parsed& parsed = entry->second;
+  if (!is_new) return parsed;
+  auto source = read_source(file.string());
+  if (!source) {
+    out_.environment_failure |= source.error().failure == ReadFailure::kEnvironment;
+    binder_.error(*name.node, name.path,
+                  printable(name.value) + ": " + source.error().diagnostic.message,
+                  source.error().diagnostic.hint);
+    return parsed;
+  }
+  out_.sources.push_back(*source);
+  const std::string folder = file.parent_path().string();
+  auto read = ParsedCase::parse(*source, folder.empty() ? "." : folder);
+  if (read) {
+    parsed = std::move(*read);
+  } else {
+    pass_on(read.error());
+  }
+  return parsed;
+}
+
+void ExperimentReader::read_settings(const ExperimentText& text, ReadExperiment& result) {
+  const auto is_known = [&](const std::string& name) {
+    return std::find(result.parameters.begin(), result.parameters.end(), name) !=
+           result.parameters.end();
+  };
+  const auto is_varied = [&](const std::string& name) {
+    return std::any_of(varied_.begin(), varied_.end(),
+                       [&](const VariedParameter& varied) { return varied.name == name; });
+  };
+  for (const Named<double>& set : text.set) {
+    if (!is_known(set.name)) {
+      binder_.error(
+          *set.key, set.path, result.case_name + " has no parameter " + in_quotes(set.name),
+          nearest_or(set.name, views(result.parameters),
+                     result.parameters.empty()
+                         ? "it has none at all"
+                         : "its parameters are: " + in_words(views(result.parameters), "and")));
+      continue;
+    }
+    if (is_varied(set.name)) {
+      binder_.error(*set.key, set.path,
+                    in_quotes(set.name) + " is varied: it cannot be set as well",
+                    "its start stands under 'vary'");
+      continue;
+    }
+    if (set.sound) result.fit.settings.push_back({set.name, set.value});
+  }
+  for (const ParameterText& override : options_.overrides) {
+    if (is_known(override.name) && !is_varied(override.name)) {
+      result.fit.settings.push_back(override);
+    }
+  }
+}
+
+void ExperimentReader::read_case_file(const ExperimentText& text, ReadExperiment& result) {
+  if (!text.case_file.sound) return;
+  const auto file =
+      binder_.data_file(*text.case_file.node, text.case_file.path, text.case_file.value);
+  if (!file) return;
+  result.fit.case_file = text.case_file.value;
+  result.fit.case_path = file->lexically_normal();
+  const Parsed& parsed = parse(text.case_file, result.fit.case_path);
+  if (!parsed) return;
+  const Node root = parsed->root();
+  if (!key_of_fit(root)) result.root = root;
+  if (const auto parameters = root.find("parameters")) {
+    for (const Entry entry : parameters->entries()) {
+      result.parameters.emplace_back(entry.key.text());
+    }
+  }
+  read_settings(text, result);
+  ReadOptions options;
+  options.allow_outside = options_.allow_outside;
+  options.overrides = result.fit.settings;
+  for (const VariedParameter& varied : varied_) {
+    const bool known = std::find(result.parameters.begin(), result.parameters.end(), varied.name) !=
+                       result.parameters.end();
+    if (known && std::isfinite(varied.range.start)) {
+      options.overrides.push_back({varied.name, varied.range.start});
+    }
+  }
+  ReadCase read = parsed->resolve(options);
+  pass_on(read.diagnostics);
+  out_.environment_failure |= read.environment_failure;
+  out_.data_files.insert(out_.data_files.end(), read.data_files.begin(), read.data_files.end());
+  if (!read.value) return;
+  result.fit.base = std::move(*read.value);
+  result.read = true;
+}
+
+void ExperimentReader::read_data(const ExperimentText& text, ExperimentFit& fit) {
+  if (!text.data.sound) return;
+  const auto file = binder_.data_file(*text.data.node, text.data.path, text.data.value);
+  if (!file) return;
+  fit.data_file = text.data.value;
+  fit.data_path = file->lexically_normal();
+  const auto fail = [&](const HistoryError& error) {
+    binder_.history_error(*text.data.node, text.data.path, error);
+  };
+  const auto header = CsvReader::open(fit.data_path, {}, fit.data_file);
+  if (!header) return fail(header.error());
+  const std::vector<std::string> names(header->header().begin(), header->header().end());
+  std::vector<std::string> wanted;
+  for (const At<std::string>* use : column_uses(text)) {
+    const std::string& name = use->value;
+    if (std::find(names.begin(), names.end(), name) != names.end()) {
+      wanted.push_back(name);
+      continue;
+    }
+    binder_.error(
+        *use->node, use->path, printable(fit.data_file) + " has no column " + in_quotes(name),
+        nearest_or(name, views(names), "its columns are: " + in_words(views(names), "and")));
+  }
+  if (const auto chosen = CsvReader::open(fit.data_path, wanted, fit.data_file); !chosen) {
+    fail(chosen.error());
+  }
+}
+
+void ExperimentReader::read_responses(const ExperimentText& text, ReadExperiment& result) {
+  const Case& problem = result.fit.base;
+  const std::vector<Column> columns = result_columns(problem);
+  std::vector<std::string> names = column_names(problem);
+  std::vector<std::string> variables{"T"};
+  variables.insert(variables.end(), names.begin(), names.end());
+  if (std::find(names.begin(), names.end(), "t") == names.end()) variables.push_back("t");
+  for (const std::string& parameter : result.parameters) {
+    if (std::find(variables.begin(), variables.end(), parameter) == variables.end()) {
+      variables.push_back(parameter);
+    }
+  }
+  const auto no_column = [&](const Node& node, const Path& path, const std::string& name,
+                             std::string otherwise) {
+    std::string hint = origin_of_column(name);
+    if (hint.empty()) hint = nearest_or(name, views(names), std::move(otherwise));
+    binder_.error(node, path, result.case_name + " has no result column " + in_quotes(name),
+                  std::move(hint));
+  };
+  for (const Named<CompareText>& compare : text.compare.value) {
+    const CompareText& value = compare.value;
+    const auto column = find_column(problem, columns, compare.name);
+    if (!column && !Binder::is_expression(*compare.key)) {
+      no_column(*compare.key, compare.path, compare.name,
+                "an expression begins with '=', in quotes: \"= CSF1 + 10\"");
+      continue;
+    }
+    At<std::string> quantity;
+    quantity.value = compare.name;
+    quantity.node = compare.key;
+    quantity.path = compare.path;
+    quantity.sound = true;
+    auto compiled = compile_expression(binder_, quantity, variables);
+    if (!compiled) continue;
+    if (compiled->variables.empty()) {
+      binder_.error(*compare.key, compare.path, "is the same number whatever the model does");
+      continue;
+    }
+    if (!column && value.unit.sound) {
+      binder_.error(*value.unit.node, value.unit.path,
+                    "the unit of an expression is not known, so nothing can be converted to it",
+                    "compare the result column itself, with 'factor' and 'offset' for its data");
+      continue;
+    }
+    const Dimension dimension = column ? column->dimension : Dimension{};
+    ResponseFit response{.quantity_text = compare.name,
+                         .quantity = std::move(compiled->expression),
+                         .variables = std::move(compiled->variables)};
+    if (column) response.dimension = dimension;
+    response.column =
+        data_column(binder_, value, value.column.value, std::span(&dimension, 1), problem.units);
+    response.weight = value.weight.value;
+    response.sigma = number(value.sigma);
+    response.from = number(value.from);
+    response.to = number(value.to);
+    if (const At<OverColumnText>& over = value.over; over.sound) {
+      const At<std::string>& name = over.value.quantity;
+      const auto position = find_column(problem, columns, name.value);
+      if (name.value == "t" || name.value == "T" || name.value == "time") {
+        binder_.error(*name.node, name.path, "quantities are compared over time anyway",
+                      "leave 'over' out");
+        continue;
+      }
+      if (!position) {
+        no_column(*name.node, name.path, name.value, "a position is wanted, such as CP1");
+        continue;
+      }
+      response.over = name.value;
+      response.over_dimension = position->dimension;
+      response.over_column = data_column(
+          binder_, over.value, over.value.column.given() ? over.value.column.value : name.value,
+          std::span(&position->dimension, 1), problem.units);
+    }
+    result.fit.responses.push_back(std::move(response));
+  }
+}
+
+void ExperimentReader::read_cleaning(const ExperimentText& text, const ReadExperiment& known,
+                                     ExperimentFit& fit) {
+  check_range(binder_, text.from, text.to);
+  for (const Named<CompareText>& compare : text.compare.value) {
+    check_range(binder_, compare.value.from, compare.value.to);
+  }
+  fit.from = number(text.from);
+  fit.to = number(text.to);
+  if (text.resample.given() && text.resample.node->is_map()) {
+    const ResampleText& resample = text.resample.value;
+    if (resample.every.given() == resample.points.given() &&
+        !has_unknown_key<ResampleText>(*text.resample.node)) {
+      binder_.error(*text.resample.node, text.resample.path,
+                    resample.every.given() ? "takes 'every' or 'points', not both"
+                                           : "needs 'every' or 'points'");
+    }
+    Resampling resampling;
+    resampling.every = number(resample.every);
+    if (resample.points.sound) resampling.points = resample.points.value;
+    fit.resample = resampling;
+  }
+  if (text.average_cycles.sound) {
+    fit.average_cycles = {text.average_cycles.value.period.value,
+                          text.average_cycles.value.points.value};
+  }
+  if (text.dead_band.given() && text.dead_band.node->is_map()) {
+    const DeadBandText& band = text.dead_band.value;
+    if (band.column.given() == band.position.given() &&
+        !has_unknown_key<DeadBandText>(*text.dead_band.node)) {
+      binder_.error(*text.dead_band.node, text.dead_band.path,
+                    band.column.given() ? "takes 'column' or 'position', not both"
+                                        : "needs the 'column' of a speed, or a 'position'");
+    }
+    DeadBand result;
+    result.of_position = band.position.given();
+    result.column.name = result.of_position ? band.position.value : band.column.value;
+    result.below = band.below.value;
+    if (known.read) {
+      const std::array<Dimension, 2> dimensions =
+          result.of_position ? std::array{kLength, kAngle} : std::array{kSpeed, kAngularSpeed};
+      if (const auto found = conversion(binder_, band.unit, dimensions, known.fit.base.units)) {
+        result.column.conversion = found->conversion;
+        if (found->dimension == dimensions[1]) result.speed = kAngularSpeed;
+      }
+    }
+    fit.dead_band = result;
+  }
+}
+
+ReadExperiment ExperimentReader::read(const ExperimentText& text, const Node& node) {
+  ReadExperiment result;
+  ExperimentFit& fit = result.fit;
+  fit.where = node.where();
+  fit.weight = text.weight.value;
+  if (text.name.sound) fit.name = text.name.value;
+  result.case_name = printable(text.case_file.value);
+  read_case_file(text, result);
+  read_data(text, fit);
+  if (text.compare.sound && text.compare.value.empty()) {
+    binder_.error(*text.compare.node, text.compare.path, "nothing is compared",
+                  "name a result column and a column of the data: {CSF1: force}");
+  }
+  if (result.read) {
+    const DataColumnText& time = text.time.value;
+    if (time.column.sound) {
+      fit.time =
+          data_column(binder_, time, time.column.value, std::span(&kTime, 1), fit.base.units);
+      if (time.factor.sound && time.factor.value < 0.0) {
+        binder_.error(*time.factor.node, time.factor.path,
+                      "time cannot run backwards: the factor must be greater than 0, found " +
+                          format_number(time.factor.value));
+      }
+    }
+    read_responses(text, result);
+  }
+  read_cleaning(text, result, fit);
+  if (text.name.sound) {
+    const std::string& name = text.name.value;
+    if (name.empty() || name.front() == '.' || name.find('/') != std::string::npos ||
+        printable(name) != name) {
+      binder_.error(*text.name.node, text.name.path,
+                    "files are called by this name: it must not be empty, begin with '.' or "
+                    "contain '/', found " +
+                        in_quotes(name));
+    }
+  }
+  return result;
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "driver/calibrate/calibration.hpp"
+
+namespace slipbench::driver {
+
+/// The distinct coordinates of a fitted table's rows, ascending, for each independent.
+std::vector<std::vector<double>> knots_of(const FittedTable& table);
+
+/// Cells between them, over all independents; an independent with one coordinate counts as one.
+std::size_t count_cells(const std::vector<std::vector<double>>& knots);
+
+/// Coordinates along independent `k` between which a row's ordinate counts: those of its neighbours
+/// in its own block, its own coordinate where it is the first or the last.
+std::pair<double, double> neighbours(const FittedTable& table, std::size_t row, std::size_t k);
+
+/// Where no compared point lies: "with temperature above 80 degC, nor with slip_rate 0 .. 10 mm/s,
+/// temperature 20 .. 90 degC"; empty if there is none such cell, or the cells were not counted. A
+/// cell that increments met is one of them if they only ran along its edge, which leaves an
+/// ordinate at one of its corners unseen. \param seen rows of the table on whose ordinates a
+/// compared point depends; empty: all
+std::string unvisited_ranges(const FittedTable& table, const std::vector<char>& seen = {});
+
+}  // namespace slipbench::driver

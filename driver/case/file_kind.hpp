@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a file of slipbench is: a case, or a fit of cases to measurements.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "driver/yaml/node.hpp"
+
+namespace slipbench::driver {
+
+/// The key `calibrate` of a file that is a fit and no case; nothing of any other file.
+std::optional<Node> key_of_fit(const Node& root);
+
+/// A key of a file that is a case and no fit, such as `connector`; nothing of any other file.
+std::optional<Node> key_of_case(const Node& root);
+
+/// Whether a file says at the beginning of a line that it is a fit (`calibrate:`), which is known
+/// without parsing it. False for a file that cannot be read: whoever reads it says why.
+bool looks_like_fit(const std::filesystem::path& file);
+
+}  // namespace slipbench::driver

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/slip_direction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slipbench::driver {
+
+bool loads_backward(double elastic_slip, double left, double motion) noexcept {
+  const double trial = elastic_slip + left;
+  return trial < 0.0 || (trial == 0.0 && motion < 0.0);
+}
+
+void split_at_zero_force(const law::FrictionDefinition& definition, const law::FrictionState& old,
+                         double left, law::FrictionUpdate& update) noexcept {
+  if (definition.stick.mode != law::StickStiffness::Mode::kElasticSlip) return;
+  if (update.state.regime == law::Regime::kOpen || !(old.force[0] * update.state.force[0] < 0.0)) {
+    return;
+  }
+  update.work =
+      update.dissipation + update.stored_energy - 0.5 * old.force[0] * old.elastic_slip[0];
+  if (update.state.regime == law::Regime::kSlip && left != 0.0) {
+    const double before = std::abs(old.elastic_slip[0]) + definition.stick.value;
+    update.onset = std::clamp(before / std::abs(left), 0.0, 1.0);
+  }
+}
+
+}  // namespace slipbench::driver

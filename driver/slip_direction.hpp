@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// A coefficient that depends on the direction of the slip: an option of the bench, outside the law.
+#pragma once
+
+#include "law/friction_definition.hpp"
+#include "law/friction_state.hpp"
+#include "law/return_mapping.hpp"
+
+namespace slipbench::driver {
+
+/// Whether an increment loads a definition of one component backward: its elastic slip at the end
+/// is negative if nothing slips. A spring that ends relaxed takes the direction of the motion, and
+/// is loaded forward where nothing moves.
+/// \param elastic_slip at the begin of the increment
+/// \param left of the motion of the increment for the friction, behind a dead zone
+/// \param motion of the connector
+bool loads_backward(double elastic_slip, double left, double motion) noexcept;
+
+/// Corrects the work and the onset of an increment in which the force turned to the other direction
+/// and so to the other coefficient, where the stick stiffness follows the limit: the stiffness
+/// jumps where the force is 0, which one straight line from force to force does not see. The force
+/// falls to 0 along the old stiffness and gives its energy back, then rises along the new one.
+/// \param old the state at the begin of the increment
+/// \param left motion that the law saw, in the unit of its slip space [L]
+void split_at_zero_force(const law::FrictionDefinition& definition, const law::FrictionState& old,
+                         double left, law::FrictionUpdate& update) noexcept;
+
+}  // namespace slipbench::driver
