@@ -8,14 +8,16 @@ A plane that slides along two directions for ten seconds, 10 000 increments, bot
 measured with noise of a standard deviation of 1: first with 4 unknowns (stick stiffness, static and
 kinetic coefficient, characteristic rate), then with 20 (a table of 12 coefficients over the slip
 rate, one of 8 internal contact forces over the accumulated slip). Both programs read the same files
-and start at the same values. Prints the best time of each, their ratio, and both sums of squares;
-ends with 1 if these differ by more than 1e-6.
+and start at the same values. The peer is timed twice: compiling its loop, as a script does that runs
+for the first time, and with the compiled loop from numba's cache. Prints the best time of each, the
+ratios, and both sums of squares; ends with 1 if these differ by more than 1e-6.
 
 Needs python3 with numpy, scipy and numba (Debian: python3-scipy python3-numba).
 """
 import argparse
 import json
 import math
+import os
 import pathlib
 import subprocess
 import sys
@@ -51,7 +53,7 @@ def load_peer():
     import numba
     import numpy as np
 
-    @numba.njit
+    @numba.njit(cache=True)
     def loop(stiffness, limit_factor, internal, slips, wears, d2, d3, f1):
         """Forces of backward Euler; limit_factor is the coefficient of every increment."""
         n = len(d2)
@@ -173,9 +175,10 @@ def write_files(folder, rows):
         (folder / f"fit{count}.yaml").write_text(FIT.format(count=count, what=what))
 
 
-def timed(command, folder):
+def timed(command, folder, cache=None):
     begin = time.perf_counter()
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True,
+                          env={**os.environ, "NUMBA_CACHE_DIR": str(cache or folder)})
     elapsed = time.perf_counter() - begin
     if done.returncode != 0:
         sys.exit(f"{' '.join(map(str, command))}: exit code {done.returncode}\n"
@@ -189,23 +192,27 @@ def race(slipbench, rounds, rows):
         folder = pathlib.Path(name)
         write_files(folder, rows)
         for count in (4, 20):
-            ours, theirs = [], []
+            ours, compiling, cached = [], [], []
+            peer_command = [sys.executable, __file__, "--peer", str(count), name]
             for _ in range(rounds):
                 elapsed, _ = timed([slipbench, "calibrate", f"fit{count}.yaml", "--no-output"],
                                    folder)
                 ours.append(elapsed)
-                elapsed, text = timed([sys.executable, __file__, "--peer", str(count), name], folder)
-                theirs.append(elapsed)
+                with tempfile.TemporaryDirectory() as cache:
+                    compiling.append(timed(peer_command, folder, cache)[0])
+                    elapsed, text = timed(peer_command, folder, cache)
+                    cached.append(elapsed)
             timed([slipbench, "calibrate", f"fit{count}.yaml"], folder)
             result = json.loads((folder / f"fit{count}.json").read_text())
             squares = 2 * result["result"]["cost"]
             peer_squares = json.loads(text)["squares"]
             difference = squares / peer_squares - 1
             agree = agree and abs(difference) <= 1e-6
-            print(f"{count:2d} unknowns, {2 * (rows + 1)} points: slipbench {1e3 * min(ours):6.1f} ms, "
-                  f"scipy + numba {1e3 * min(theirs):6.1f} ms, ratio {min(theirs) / min(ours):.0f}; "
-                  f"sum of squares {squares:.6f} and {peer_squares:.6f} (relative difference "
-                  f"{difference:.1e})")
+            best = min(ours)
+            print(f"{count} unknowns, {2 * (rows + 1)} points: slipbench {1e3 * best:.1f} ms; scipy + numba "
+                  f"{1e3 * min(compiling):.0f} ms ({min(compiling) / best:.0f} times), compiled before "
+                  f"{1e3 * min(cached):.0f} ms ({min(cached) / best:.0f} times); sums of squares "
+                  f"{squares:.6f} and {peer_squares:.6f} (relative difference {difference:.1e})")
     return 0 if agree else 1
 
 

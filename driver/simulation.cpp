@@ -317,9 +317,15 @@ void Simulation::note_falling_definitions() {
   falling_.clear();
   for (std::size_t i = 0; i < definitions_.size(); ++i) {
     row_.definitions[i].thresholds = {};
-    if (!law::has_increment_thresholds(definitions_[i])) continue;
+    const bool backward = case_->definitions[i].backward.has_value();
+    law::FrictionDefinition other_way = definitions_[i];
+    if (backward) other_way.law = other_law_[i];
+    if (!law::has_increment_thresholds(definitions_[i]) &&
+        !law::has_increment_thresholds(other_way)) {
+      continue;
+    }
     law::CoefficientBounds bounds = law::coefficient_bounds(definitions_[i].law);
-    if (case_->definitions[i].backward) {
+    if (backward) {
       const law::CoefficientBounds other = law::coefficient_bounds(other_law_[i]);
       bounds.largest = std::max(bounds.largest, other.largest);
       bounds.steepest_weakening = std::max(bounds.steepest_weakening, other.steepest_weakening);
@@ -334,15 +340,16 @@ void Simulation::note_thresholds() {
   if (falling_.empty() || dynamics_ || exact_ || !(row_.duration > 0.0)) return;
   const law::Ambient end = ambient_of(row_.quantities, case_->reference);
   for (const auto& [i, bounds] : falling_) {
+    DefinitionRow& row = row_.definitions[i];
     const law::SlipSpace& slip = definitions_[i].slip;
     double square = 0.0;
     for (int k = 0; k < slip.dimension; ++k) {
       const auto a = static_cast<std::size_t>(k);
       const int c = slip.component[a];
-      const double ds = slip.scale[a] * (end.position[c] - row_.begin[c]);
+      // A definition with a dead zone has one component.
+      const double ds = slip.scale[a] * (end.position[c] - row_.begin[c] - row.travel);
       square += ds * ds;
     }
-    DefinitionRow& row = row_.definitions[i];
     row.thresholds = law::increment_thresholds(
         definitions_[i], bounds, end, row.update.normal_force, std::sqrt(square) / row_.duration);
   }
@@ -661,6 +668,7 @@ law::FrictionUpdate Simulation::integrate_with_options(std::size_t definition,
   if (own.dead_zone) {
     step = move_play(*own.dead_zone, here.play, elastic, motion);
     here.play = step.play;
+    here.travel = step.travel;
     // The law sees tables at the end of the increment, and of its begin only how far it is.
     if (step.travel != 0.0) increment.begin_position[c] = increment.end.position[c] - step.motion;
   }

@@ -47,6 +47,7 @@ struct DefinitionRow {
   std::array<double, 2> raw_mu{};
   bool clamped = false;   ///< whether one of them is below it
   double play = 0.0;      ///< of a dead zone, at the end of the increment [L], [1]
+  double travel = 0.0;    ///< of the play in the increment: motion that the friction does not see
   bool backward = false;  ///< whether the coefficient of backward slip was in force
 };
 

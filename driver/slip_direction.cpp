@@ -13,12 +13,18 @@ bool loads_backward(double elastic_slip, double left, double motion) noexcept {
 
 void split_at_zero_force(const law::FrictionDefinition& definition, const law::FrictionState& old,
                          double left, law::FrictionUpdate& update) noexcept {
-  if (definition.stick.mode != law::StickStiffness::Mode::kElasticSlip) return;
-  if (update.state.regime == law::Regime::kOpen || !(old.force[0] * update.state.force[0] < 0.0)) {
+  const double given_back = 0.5 * old.force[0] * old.elastic_slip[0];
+  if (update.state.regime == law::Regime::kOpen) {
+    // A limit that the slip wore away, or that went with the normal force, is the law's own matter.
+    const bool turned = old.force[0] * (old.elastic_slip[0] + left) < 0.0;
+    if (turned && update.slip_increment == 0.0 && update.normal_force > 0.0) {
+      update.work = -given_back;
+    }
     return;
   }
-  update.work =
-      update.dissipation + update.stored_energy - 0.5 * old.force[0] * old.elastic_slip[0];
+  if (definition.stick.mode != law::StickStiffness::Mode::kElasticSlip) return;
+  if (!(old.force[0] * update.state.force[0] < 0.0)) return;
+  update.work = update.dissipation + update.stored_energy - given_back;
   if (update.state.regime == law::Regime::kSlip && left != 0.0) {
     const double before = std::abs(old.elastic_slip[0]) + definition.stick.value;
     update.onset = std::clamp(before / std::abs(left), 0.0, 1.0);

@@ -17,9 +17,10 @@ namespace slipbench::driver {
 bool loads_backward(double elastic_slip, double left, double motion) noexcept;
 
 /// Corrects the work and the onset of an increment in which the force turned to the other direction
-/// and so to the other coefficient, where the stick stiffness follows the limit: the stiffness
-/// jumps where the force is 0, which one straight line from force to force does not see. The force
-/// falls to 0 along the old stiffness and gives its energy back, then rises along the new one.
+/// and so to the other coefficient: what the law sees as one straight line from force to force has
+/// a corner where the force is 0. The force falls to 0 along the old stiffness and gives its energy
+/// back. Then it rises along the new one, which is another where the stick stiffness follows the
+/// limit, or stays 0 where the coefficient of the new direction is 0.
 /// \param old the state at the begin of the increment
 /// \param left motion that the law saw, in the unit of its slip space [L]
 void split_at_zero_force(const law::FrictionDefinition& definition, const law::FrictionState& old,

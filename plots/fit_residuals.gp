@@ -25,8 +25,13 @@ do for [i=1:PANELS] {
   set format x T_FORMAT[i]
   set xlabel TIME_LABEL
   set ylabel LABEL[i] offset 0.5,0
-  plot $RESIDUALS index (i-1) using 1:2 with linespoints linewidth 1 pointtype 7 pointsize POINT_SIZE[i] \
-    linecolor rgb "black" notitle
+  # Points of no size are shapes that some programs cannot draw.
+  if (POINT_SIZE[i] > 0) {
+    plot $RESIDUALS index (i-1) using 1:2 with linespoints linewidth 1 pointtype 7 pointsize POINT_SIZE[i] \
+      linecolor rgb "black" notitle
+  } else {
+    plot $RESIDUALS index (i-1) using 1:2 with lines linewidth 1 linecolor rgb "black" notitle
+  }
   unset label 1
   unset label 2
   unset label 3

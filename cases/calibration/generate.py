@@ -18,6 +18,22 @@ FOLDER = pathlib.Path(__file__).resolve().parent
 NEWTON_PER_LBF = 4.4482216152605
 MM_PER_INCH = 25.4
 
+# What the data were made with. TABLE: coefficients over temperature and slip rate; WEAR: force over accumulated slip.
+TABLE = {20: [0.32, 0.31, 0.28, 0.25, 0.24], 60: [0.30, 0.285, 0.26, 0.235, 0.225],
+         100: [0.26, 0.25, 0.235, 0.215, 0.21], 140: [0.22, 0.21, 0.20, 0.19, 0.185]}
+WEAR = {0: 2400, 250: 1900, 500: 1560, 1000: 1190, 2000: 940, 4000: 850}
+# The unknowns of each fit; None where no data tell.
+TRUTHS = {
+    "slider_loop_fit": {"mu": 0.231, "k": 4210.0},
+    "exponential_decay_fit": {"mu_s": 0.42, "mu_k": 0.27, "decay": 0.031},
+    # The rig reaches 100 degC, and there only 50 mm/s.
+    "rate_temperature_table_fit": {
+        f"lining.coefficient[{5 * row + column}].mu": None if T == 140 or (T, column) == (100, 4) else mu
+        for row, (T, values) in enumerate(TABLE.items()) for column, mu in enumerate(values)},
+    "wear_table_fit": {f"fit.internal_contact_force[{row}].F": force for row, force in enumerate(WEAR.values())},
+    "backlash_brake_fit": {"forward": 0.352, "backward": 0.276, "k": 5860.0, "g": 4.27},
+}
+
 
 class Noise:
     """Normal deviates from the SplitMix64 generator: the same everywhere, whatever the version of Python."""
@@ -74,33 +90,29 @@ def measurements(program):
     """(file name, text) of each."""
     rig = [("time", "t", 1.0, 0.0, 4), ("disp", "CP1", 1.0 / MM_PER_INCH, 0.0, 5),
            ("load", "CSF1", 1.0 / NEWTON_PER_LBF, 16.0, 1)]
-    truth = {"mu": 0.231, "k": 4210.0}
+    truth = TRUTHS["slider_loop_fit"]
     yield "slider_loop.csv", measurement(program, "slider_loop.yaml", truth, rig, 1, 2)
     yield "slider_loop_long_stroke.csv", measurement(program, "slider_loop.yaml", {**truth, "stroke": 9.0}, rig, 2, 2)
 
     plain = [("t", "t", 1.0, 0.0, 4), ("x", "CP1", 1.0, 0.0, 5), ("F", "CSF1", 1.0, 0.5, 3)]
-    truth = {"mu_s": 0.42, "mu_k": 0.27, "decay": 0.031}
-    yield "exponential_decay.csv", measurement(program, "exponential_decay.yaml", truth, plain, 3)
+    yield "exponential_decay.csv", measurement(program, "exponential_decay.yaml", TRUTHS["exponential_decay_fit"],
+                                               plain, 3)
 
-    # The table that is to be found again; its last row of temperatures, and the fast end of the one before, are never
-    # visited.
     rates = [0, 5, 20, 60, 120]
-    true_table = {20: [0.32, 0.31, 0.28, 0.25, 0.24], 60: [0.30, 0.285, 0.26, 0.235, 0.225],
-                  100: [0.26, 0.25, 0.235, 0.215, 0.21], 140: [0.22, 0.21, 0.20, 0.19, 0.185]}
-    rows = ", ".join(f"[{mu}, {v}, {T}]" for T, values in true_table.items() for v, mu in zip(rates, values))
-    start = ", ".join(f"[0.25, {v}, {T}]" for T in true_table for v in rates)
+    rows = ", ".join(f"[{mu}, {v}, {T}]" for T, values in TABLE.items() for v, mu in zip(rates, values))
+    start = ", ".join(f"[0.25, {v}, {T}]" for T in TABLE for v in rates)
     loops = [("t", "t", 1.0, 0.0, 4), ("x", "CP1", 1.0, 0.0, 4), ("T", "temperature", 1.0, 0.0, 1),
              ("F", "CSF1", 1.0, 2.5, 2)]
     yield "rate_temperature_table.csv", measurement(program, "rate_temperature_table.yaml", {}, loops, 4, 1,
                                                     [(start, rows)])
 
-    start = "[2000, 0], [2000, 250], [2000, 500], [2000, 1000], [2000, 2000], [2000, 4000]"
-    rows = "[2400, 0], [1900, 250], [1560, 500], [1190, 1000], [940, 2000], [850, 4000]"
+    start = ", ".join(f"[2000, {slip}]" for slip in WEAR)
+    rows = ", ".join(f"[{force}, {slip}]" for slip, force in WEAR.items())
     wear = [("t", "t", 1.0, 0.0, 3), ("F", "CSF1", 1.0, 4.0, 2)]
     yield "wear_table.csv", measurement(program, "wear_table.yaml", {}, wear, 5, 1, [(start, rows)])
 
     brake = [("t", "t", 1.0, 0.0, 4), ("x", "CP1", 1.0, 0.0, 4), ("F", "CSF1", 1e-3, 0.12, 4)]
-    truth = {"forward": 0.352, "backward": 0.276, "k": 5860.0, "g": 4.27}
+    truth = TRUTHS["backlash_brake_fit"]
     yield "backlash_brake.csv", measurement(program, "backlash_brake.yaml", truth, brake, 6)
     yield "backlash_brake_short_stroke.csv", measurement(program, "backlash_brake.yaml", {**truth, "stroke": 8.0},
                                                          brake, 7)

@@ -11,6 +11,7 @@
 #include <tuple>
 #include <utility>
 
+#include "driver/calibrate/error_notes.hpp"
 #include "driver/calibrate/experiment_model.hpp"
 #include "driver/calibrate/fitted_values.hpp"
 #include "driver/calibrate/identifiability.hpp"
@@ -127,6 +128,10 @@ tl::expected<Models, CalibrationFailure> build_models(const Fit& fit, const Mode
   return models;
 }
 
+std::string all_of(std::size_t unknowns) {
+  return unknowns == 1 ? "the unknown" : fmt::format("all {} unknowns", unknowns);
+}
+
 /// How the derivatives of the fitted experiments are found, in a sentence.
 std::string derivatives_text(const Fit& fit, const Models& models, std::size_t unknowns) {
   std::vector<std::string> parts;
@@ -138,9 +143,9 @@ std::string derivatives_text(const Fit& fit, const Models& models, std::size_t u
     const std::size_t differences = model.by_differences().size();
     std::string text;
     if (differences == 0) {
-      text = fmt::format("exact derivatives of all {} unknowns", exact);
+      text = "exact derivatives of " + all_of(exact);
     } else if (exact == 0) {
-      text = fmt::format("central differences for all {} unknowns", differences);
+      text = "central differences for " + all_of(differences);
     } else {
       text = fmt::format("exact derivatives of {} unknowns, central differences for {}", exact,
                          differences);
@@ -203,9 +208,11 @@ void take_values(Calibration& calibration) {
     FittedUnknown& unknown = calibration.unknowns[u];
     const UnknownRange& range = unknown.range;
     unknown.value = u < calibration.fit.x.size() ? calibration.fit.x[u] : range.start;
-    const double width = range.upper - range.lower;
-    unknown.distance_to_lower = distance(range.lower, unknown.value, width);
-    unknown.distance_to_upper = distance(unknown.value, range.upper, width);
+    // On the axis that it was searched on.
+    const auto at = [&](double x) { return range.scale == Scale::kLog ? std::log(x) : x; };
+    const double width = at(range.upper) - at(range.lower);
+    unknown.distance_to_lower = distance(at(range.lower), at(unknown.value), width);
+    unknown.distance_to_upper = distance(at(unknown.value), at(range.upper), width);
   }
 }
 
@@ -242,7 +249,7 @@ void take_experiments(const Models& models, const ModelOptions& options, const M
   for (std::size_t i = 0; i < models.size(); ++i) {
     if (models[i]->experiment().held_out || residuals.empty()) continue;
     double cost = 0.0;
-    for (std::size_t k = 0; k < models[i]->points(); ++k, ++row) {
+    for (std::size_t k = 0; k < fitted_points(*models[i]); ++k, ++row) {
       cost += 0.5 * loss_value(calibration.problem.loss, residuals[row]);
     }
     if (calibration.fit.cost > 0.0) fitted[i].share_of_cost = cost / calibration.fit.cost;
@@ -257,6 +264,12 @@ bool still_replays(const Models& models, std::span<const double> x) {
     const auto problem = model->case_at(x);
     return !problem || model->replays(*problem);
   });
+}
+
+/// Whether what was taken as linear at the start is so at the optimum.
+bool keep_slopes(const Models& models, std::span<const double> x) {
+  return std::all_of(models.begin(), models.end(),
+                     [&](const auto& model) { return model->keeps_slopes(x); });
 }
 
 struct Search {
@@ -305,6 +318,10 @@ tl::expected<Calibration, CalibrationFailure> calibrate(const Fit& fit,
     options.whole_runs = true;
     found = search(fit, options, progress.step ? watch : EvaluationWatch());
   }
+  if (found && !found->fit.x.empty() && !keep_slopes(found->models, found->fit.x)) {
+    options.slopes_anew = true;
+    found = search(fit, options, progress.step ? watch : EvaluationWatch());
+  }
   if (!found) return tl::unexpected(found.error());
   calibration.problem = std::move(found->problem);
   calibration.fit = std::move(found->fit);
@@ -325,13 +342,16 @@ tl::expected<Calibration, CalibrationFailure> calibrate(const Fit& fit,
     for (std::size_t u = 0; u < fit.vary.size(); ++u) {
       const bool frozen = u < calibration.fit.frozen.size() && calibration.fit.frozen[u] != 0;
       if (!fit.profile || frozen || !calibration.fit.converged) continue;
-      calibration.profiles.push_back(
-          profile_likelihood(calibration.problem, calibration.fit, u, fit.confidence));
+      auto profile = profile_likelihood(calibration.problem, calibration.fit, u, fit.confidence);
+      if (std::isfinite(profile.threshold)) calibration.profiles.push_back(std::move(profile));
     }
     judge_identifiability(&calibration);
   }
   calibration.notes = calibration_notes(fit, calibration);
   if (has_optimum) {
+    for (std::string& note : error_notes(fit, calibration)) {
+      calibration.notes.push_back(std::move(note));
+    }
     for (std::string& note : identifiability_notes(fit, calibration)) {
       calibration.notes.push_back(std::move(note));
     }

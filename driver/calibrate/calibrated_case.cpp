@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
+#include <fstream>
 #include <map>
 #include <optional>
 #include <set>
@@ -14,6 +14,7 @@
 #include <variant>
 
 #include "driver/calibrate/calibration_comment.hpp"
+#include "driver/calibrate/file_part.hpp"
 #include "driver/calibrate/text_changes.hpp"
 #include "driver/compare/curve_library.hpp"
 #include "driver/history/data_path.hpp"
@@ -83,16 +84,6 @@ std::vector<Group> groups_of(const Fit& fit) {
   return groups;
 }
 
-std::string safe_in_file_name(std::string_view name) {
-  std::string safe;
-  for (const char c : name) {
-    const bool good = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-                      std::string_view("_.-").find(c) != std::string_view::npos;
-    safe += good ? c : '_';
-  }
-  return safe;
-}
-
 std::vector<std::string> file_names(const Fit& fit, const std::vector<Group>& groups) {
   const auto stem = [&](const Group& group) {
     return fit.experiments[group.experiments.front()].case_path.stem().string();
@@ -104,7 +95,7 @@ std::vector<std::string> file_names(const Fit& fit, const std::vector<Group>& gr
     const auto same = std::count_if(groups.begin(), groups.end(),
                                     [&](const Group& other) { return stem(other) == stem(group); });
     if (same > 1) {
-      name += "." + safe_in_file_name(fit.experiments[group.experiments.front()].name);
+      name += "." + file_part(fit.experiments[group.experiments.front()].name);
     }
     const std::string wanted = name;
     for (int n = 2; !taken.insert(name).second; ++n) name = fmt::format("{}.{}", wanted, n);
@@ -359,7 +350,28 @@ class CaseWriter {
   bool outside_ = false;
 };
 
+/// Whether the first line of a file ends in CRLF, and so all of them, usually.
+bool has_windows_line_ends(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string line;
+  return std::getline(in, line) && !in.eof() && line.ends_with('\r');
+}
+
+std::string with_windows_line_ends(const std::string& text) {
+  std::string out;
+  out.reserve(text.size() + text.size() / 16);
+  for (const char c : text) {
+    if (c == '\n') out += '\r';
+    out += c;
+  }
+  return out;
+}
+
 }  // namespace
+
+std::vector<std::string> calibrated_case_names(const Fit& fit) {
+  return file_names(fit, groups_of(fit));
+}
 
 CalibratedCases calibrated_cases(const Fit& fit, const Calibration& calibration,
                                  const fs::path& folder) {
@@ -388,6 +400,7 @@ CalibratedCases calibrated_cases(const Fit& fit, const Calibration& calibration,
       fault(text.error());
       continue;
     }
+    if (has_windows_line_ends(experiment.case_path)) *text = with_windows_line_ends(*text);
     result.cases.push_back({names[g], std::move(*text), groups[g].experiments, writer.notes()});
   }
   return result;

@@ -24,8 +24,12 @@ struct CalibratedCases {
   std::vector<std::string> faults;  ///< cases that could not be written: a sentence each
 };
 
+/// The names of the files of calibrated_cases.
+std::vector<std::string> calibrated_case_names(const Fit& fit);
+
 /// One case for each case file and `set:` of the fitted experiments: its text with parameters,
-/// ordinates of tables and `set:` values replaced in place, layout and comments kept. Numbers are
+/// ordinates of tables and `set:` values replaced in place, layout, comments and line ends kept (a
+/// byte order mark is not). Numbers are
 /// the shortest text that reads back to the same double. Expressions that were replaced are kept in
 /// the comments; a table from a file becomes rows. Paths of data files are rewritten for `folder`.
 /// A text is returned only if it reads back to the same case with these values.

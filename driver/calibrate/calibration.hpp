@@ -49,7 +49,7 @@ struct FittedExperiment {
 enum class Identifiability : std::uint8_t {
   kGood,
   kWeak,         ///< the interval is wider than the value, or its bounds; or lost in a combination
-  kNeverVisited  ///< no compared point depends on it: kept at its start
+  kNeverVisited  ///< no compared point depends on it: kept at its start, or known by smoothness
 };
 
 /// One unknown: a parameter, or an ordinate of a table.
@@ -61,6 +61,7 @@ struct FittedUnknown {
   Identifiability identifiability = Identifiability::kGood;
   std::string why;                 ///< a sentence where it is not kGood
   std::int64_t visits = 0;         ///< compared points that depend on it
+  bool tied = false;               ///< to others by smoothness
   double distance_to_lower = 0.0;  ///< as a part of the range of the bounds; infinite without one
   double distance_to_upper = 0.0;
 };
@@ -76,6 +77,9 @@ struct FittedTable {
   struct Cell {
     std::string text;         ///< "slip_rate 0 .. 10, temperature 20 .. 90"
     std::int64_t visits = 0;  ///< increments of the fitted experiments
+    /// These only ran along its edge: an ordinate at one of its corners is unseen.
+    bool edge_only = false;
+    bool visited() const { return visits > 0 && !edge_only; }
   };
   std::vector<Cell> cells;
 };

@@ -55,7 +55,7 @@ std::vector<std::string> lines_of(const Fit& fit, const FittedExperiment& fitted
   lines.push_back(fmt::format("  {}{}: {}, {} of {} rows, SHA-256 {}", experiment.name,
                               experiment.held_out ? " (hold-out)"
                               : own               ? ""
-                                                  : " (another case, same fit)",
+                                                  : " (another calibrated case of this fit)",
                               experiment.data_file, fitted.rows_used, fitted.rows_read,
                               fitted.data_hash));
   for (const FittedResponse& response : fitted.responses) {

@@ -14,6 +14,10 @@
 namespace slipbench::driver {
 namespace {
 
+/// Of a response with more points not all are written: a file for other programs, no copy of the
+/// measurements.
+constexpr std::size_t kMostPointsTold = 10000;
+
 json::Value list(std::span<const double> values) {
   json::Array array;
   array.reserve(values.size());
@@ -67,6 +71,8 @@ std::string_view word_of(StopReason reason) {
       return "no_iteration";
     case StopReason::kModelFailure:
       return "model_failure";
+    case StopReason::kSilent:
+      return "silent";
     case StopReason::kTooFewData:
       break;
   }
@@ -142,11 +148,12 @@ json::Value result(const Fit& fit, const Calibration& calibration) {
     json::Value one;
     one["start"] = list(search.start);
     one["end"] = list(search.end);
-    one["start_cost"] = search.start_cost;
-    one["cost"] = search.cost;
+    const bool known = has_value(search);
+    one["start_cost"] = known ? json::Value(search.start_cost) : json::Value();
+    one["cost"] = known ? json::Value(search.cost) : json::Value();
     one["iterations"] = search.iterations;
     one["stop"] = word_of(search.stop);
-    one["same_minimum"] = search.cost <= found.cost * (1.0 + kSameMinimum);
+    one["same_minimum"] = found_the_minimum(found, search);
     searches.push_back(one);
   }
   value["searches"] = searches;
@@ -232,10 +239,27 @@ json::Value table_of(const Fit& fit, const Calibration& calibration, const Fitte
     json::Value one;
     one["cell"] = cell.text;
     one["increments"] = cell.visits;
+    one["visited"] = cell.visited();
     cells.push_back(one);
   }
   value["cells"] = cells;
   return value;
+}
+
+/// The points whose values are written: all, or of very many every n-th and the last one.
+std::vector<std::size_t> told_points(std::size_t count) {
+  const std::size_t step = (count + kMostPointsTold - 1) / kMostPointsTold;
+  std::vector<std::size_t> told;
+  for (std::size_t i = 0; i < count; i += step) told.push_back(i);
+  if (count > 0 && told.back() + 1 != count) told.push_back(count - 1);
+  return told;
+}
+
+json::Value some_of(const std::vector<double>& values, const std::vector<std::size_t>& some) {
+  json::Array array;
+  array.reserve(some.size());
+  for (const std::size_t i : some) array.push_back(entry(values, i));
+  return array;
 }
 
 json::Value experiment_of(const Fit& fit, const FittedExperiment& fitted) {
@@ -260,14 +284,16 @@ json::Value experiment_of(const Fit& fit, const FittedExperiment& fitted) {
     one["range"] = response.range;
     one["mean_error"] = response.mean_error;
     one["autocorrelation"] = response.autocorrelation;
-    one["time"] = list(response.time);
+    const std::vector<std::size_t> told = told_points(response.measured.size());
+    one["points_told"] = told.size();
+    one["time"] = some_of(response.time, told);
     if (!response.over.empty()) {
       one["over_unit"] = response.over_unit;
-      one["abscissa"] = list(response.abscissa);
+      one["abscissa"] = some_of(response.abscissa, told);
     }
-    one["measured"] = list(response.measured);
-    one["before"] = list(response.before);
-    one["after"] = list(response.after);
+    one["measured"] = some_of(response.measured, told);
+    one["before"] = some_of(response.before, told);
+    one["after"] = some_of(response.after, told);
     responses.push_back(one);
   }
   value["responses"] = responses;

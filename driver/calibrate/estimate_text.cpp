@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 namespace slipbench::driver {
@@ -84,13 +85,64 @@ EstimateText estimate_text(const Calibration& calibration, std::size_t u) {
   if (holds(calibration.fit.at_upper)) text.remark = "at its upper bound";
   if (unknown.identifiability == Identifiability::kNeverVisited) {
     text.interval = "-";
-    text.remark = holds(calibration.fit.frozen) || calibration.fit.frozen.empty()
-                      ? "never visited, kept"
-                      : "never visited, smoothed";
+    text.remark = unknown.tied ? "never visited, smoothed" : "never visited, kept";
   } else if (unknown.identifiability == Identifiability::kWeak) {
     text.remark += text.remark.empty() ? "weak" : ", weak";
   }
   return text;
+}
+
+bool has_value(const SearchTrace& search) {
+  return search.stop != StopReason::kModelFailure && std::isfinite(search.cost);
+}
+
+bool found_the_minimum(const LeastSquaresFit& fit, const SearchTrace& search) {
+  const double slack = kSameMinimum * std::abs(fit.cost) + 1e-15 * std::abs(fit.start_cost);
+  return has_value(search) && search.cost <= fit.cost + slack;
+}
+
+std::string starts_text(const LeastSquaresFit& fit) {
+  if (fit.searches.size() < 2) return {};
+  std::size_t same = 0;
+  std::size_t failed = 0;
+  std::optional<double> next;
+  for (const SearchTrace& search : fit.searches) {
+    if (!has_value(search)) {
+      ++failed;
+    } else if (found_the_minimum(fit, search)) {
+      ++same;
+    } else {
+      next = next ? std::min(*next, search.cost) : search.cost;
+    }
+  }
+  std::string text = fmt::format("{} of {} starts found this minimum", same, fit.searches.size());
+  if (next && fit.cost > 0.0) {
+    text += fmt::format(", the next best has {} times its cost", short_number(*next / fit.cost));
+  }
+  if (failed > 0) text += fmt::format(", {} had no value", failed);
+  return text;
+}
+
+std::string told_name(const Calibration& calibration, std::size_t u) {
+  const std::string& name = calibration.unknowns[u].name;
+  for (const FittedTable& table : calibration.tables) {
+    if (u < table.first_unknown || u - table.first_unknown >= table.points.size()) continue;
+    // "sleeve.coefficient[7].mu"
+    const std::size_t bracket = name.rfind('[');
+    const std::size_t end = name.rfind("].");
+    if (bracket == std::string::npos || end == std::string::npos) return name;
+    std::string text = name.substr(end + 2);
+    // One of several tables is named.
+    if (calibration.tables.size() > 1) text = name.substr(0, bracket) + "." + text;
+    const std::vector<double>& point = table.points[u - table.first_unknown];
+    for (std::size_t k = 0; k < std::min(point.size(), table.columns.size()); ++k) {
+      const bool stated = k < table.units.size() && !table.units[k].empty();
+      text += fmt::format("{}{} {:.6g}{}", k == 0 ? " at " : ", ", table.columns[k], point[k],
+                          stated ? " " + table.units[k] : "");
+    }
+    return text;
+  }
+  return name;
 }
 
 }  // namespace slipbench::driver

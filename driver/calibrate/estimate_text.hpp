@@ -41,4 +41,18 @@ EstimateText estimate_text(const Calibration& calibration, std::size_t unknown);
 /// Costs within this part of one another are the same minimum.
 inline constexpr double kSameMinimum = 1e-6;
 
+/// Whether a search had a value at all; a cost of one that had none means nothing.
+bool has_value(const SearchTrace& search);
+
+/// Whether a search ended at the least cost of all.
+bool found_the_minimum(const LeastSquaresFit& fit, const SearchTrace& search);
+
+/// "9 of 12 starts found this minimum, the next best has 3.4 times its cost, 2 had no value"; empty
+/// for one start.
+std::string starts_text(const LeastSquaresFit& fit);
+
+/// An unknown for people: a parameter's name; an ordinate by its knots, "mu at slip_rate 3.5 mm/s",
+/// with its table, "sleeve.coefficient.mu at ..", where several are fitted.
+std::string told_name(const Calibration& calibration, std::size_t unknown);
+
 }  // namespace slipbench::driver

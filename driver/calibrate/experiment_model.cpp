@@ -111,6 +111,7 @@ tl::expected<void, ExperimentModel::Failure> ExperimentModel::prepare() {
                 false, true});
   }
   measurements_ = std::move(*read);
+  measurements_.rows_used = 0;
   run_rows_ = traced->time.size();
   for (std::size_t r = 0; r < experiment_->responses.size(); ++r) {
     ComparedResponse compared;
@@ -140,6 +141,7 @@ tl::expected<void, ExperimentModel::Failure> ExperimentModel::prepare() {
       read_points(trace.position, found.points, compared.positions);
     }
     points_ += found.points.size();
+    measurements_.rows_used = std::max(measurements_.rows_used, found.points.size());
     where_.push_back(std::move(found.points));
     responses_.push_back(std::move(compared));
   }
@@ -265,13 +267,30 @@ void ExperimentModel::choose_derivatives() {
     }
     exact_.push_back(u);
     // Ordinates enter as they are.
-    const bool constant = u >= varied_.first_ordinate() ||
-                          (add_slopes(moved, u, column, kDifference, there) &&
-                           std::equal(here.begin(), here.end(), there.begin(), alike));
+    const bool constant =
+        u >= varied_.first_ordinate() ||
+        (!options_.slopes_anew && add_slopes(moved, u, column, kDifference, there) &&
+         std::equal(here.begin(), here.end(), there.begin(), alike));
     constant_.push_back(constant ? 1 : 0);
     if (!constant) continue;
     for (std::size_t d = 0; d < count; ++d) append(here[d], constant_slopes_[d]);
   }
+}
+
+bool ExperimentModel::keeps_slopes(std::span<const double> x) const {
+  const std::vector<double> start = starts();
+  for (std::size_t column = 0; column < exact_.size(); ++column) {
+    const std::size_t u = exact_[column];
+    if (constant_[column] == 0 || u >= varied_.first_ordinate()) continue;
+    std::vector<law::DefinitionSlopes> at_start(relevant_.size());
+    std::vector<law::DefinitionSlopes> here(relevant_.size());
+    if (!add_slopes(start, u, column, kWideDifference, at_start) ||
+        !add_slopes(x, u, column, kDifference, here) ||
+        !std::equal(here.begin(), here.end(), at_start.begin(), alike)) {
+      return false;
+    }
+  }
+  return true;
 }
 
 std::vector<double> ExperimentModel::starts() const {

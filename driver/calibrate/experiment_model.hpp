@@ -26,6 +26,9 @@ struct ModelOptions {
   unsigned threads = 1;
   bool whole_runs = false;  ///< replay nothing, even what could be
   bool with_hash = true;    ///< of the data files
+  /// Find how a definition's numbers follow from the parameters anew at every point, also where it
+  /// looks the same everywhere (expressions in pieces: min, max, conditions).
+  bool slopes_anew = false;
 };
 
 /// A response with the measurements it is compared with.
@@ -56,6 +59,7 @@ class ExperimentModel {
                                                      const ModelOptions& options);
 
   const ExperimentFit& experiment() const { return *experiment_; }
+  /// Their rows used are those that are compared.
   const Measurements& measurements() const { return measurements_; }
   std::span<const ComparedResponse> responses() const { return responses_; }
   std::size_t points() const { return points_; }
@@ -83,6 +87,8 @@ class ExperimentModel {
   const std::string& whole_runs_because() const { return because_; }
   /// Whether a replay is still right for a case at other unknowns.
   bool replays(const Case& problem) const { return !replay_ || replay_->same_history(problem); }
+  /// Whether numbers that followed linearly from a parameter at the start do so at other unknowns.
+  bool keeps_slopes(std::span<const double> x) const;
 
  private:
   /// How the quantity of a response follows from its force: gain * force + offset.

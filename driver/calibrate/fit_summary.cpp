@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -143,8 +142,13 @@ std::string head(const Fit& fit, const Calibration& calibration) {
   const std::size_t fitted = fit.experiments.size() - held_out;
   std::size_t points = 0;
   for (const FittedExperiment& experiment : calibration.experiments) {
-    if (fit.experiments[experiment.index].held_out) continue;
-    for (const FittedResponse& response : experiment.responses) points += response.measured.size();
+    const ExperimentFit& asked = fit.experiments[experiment.index];
+    if (asked.held_out) continue;
+    for (std::size_t r = 0; r < experiment.responses.size(); ++r) {
+      // Those without a weight are scored only.
+      const bool counts = r >= asked.responses.size() || asked.responses[r].weight > 0.0;
+      if (counts) points += experiment.responses[r].measured.size();
+    }
   }
   std::string text = fmt::format(
       "{}: {}, {} of {}{}, {}\n", printable(std::filesystem::path(fit.file).stem().string()),
@@ -165,26 +169,8 @@ std::string head(const Fit& fit, const Calibration& calibration) {
 
 /// How the searches from several starts ended; empty for one start.
 std::string starts_line(const Calibration& calibration) {
-  const std::vector<SearchTrace>& searches = calibration.fit.searches;
-  if (searches.size() < 2) return {};
-  std::size_t same = 0;
-  std::size_t failed = 0;
-  std::optional<double> next;
-  for (const SearchTrace& search : searches) {
-    if (search.stop == StopReason::kModelFailure || !std::isfinite(search.cost)) {
-      ++failed;
-    } else if (search.cost <= calibration.fit.cost * (1.0 + kSameMinimum)) {
-      ++same;
-    } else {
-      next = next ? std::min(*next, search.cost) : search.cost;
-    }
-  }
-  std::string text = fmt::format("{} of {} starts found this minimum", same, searches.size());
-  if (next)
-    text += fmt::format(", the next best has {} times its cost",
-                        short_number(*next / calibration.fit.cost));
-  if (failed > 0) text += fmt::format(", {} had no value", failed);
-  return wrapped(text, 2);
+  const std::string text = starts_text(calibration.fit);
+  return text.empty() ? text : wrapped(text, 2);
 }
 
 std::string parameters_table(const Fit& fit, const Calibration& calibration) {
@@ -259,8 +245,8 @@ std::string correlation_line(const Calibration& calibration) {
   }
   if (largest == 0.0 || std::abs(largest) >= kStrongCorrelation) return {};
   return wrapped(fmt::format("strongest correlation: {} and {} {:.2f}",
-                             printable(calibration.unknowns[pair.first].name),
-                             printable(calibration.unknowns[pair.second].name), largest),
+                             printable(told_name(calibration, pair.first)),
+                             printable(told_name(calibration, pair.second)), largest),
                  2);
 }
 

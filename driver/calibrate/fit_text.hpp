@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "driver/calibrate/cleaning/resample.hpp"
 #include "driver/calibrate/least_squares/problem.hpp"
 #include "driver/case/binding.hpp"
 
@@ -107,7 +108,7 @@ struct ResampleText {
     key("points", &ResampleText::points,
         KeyInfo{.text = "How many rows there are to be.",
                 .default_text = "from every",
-                .bounds = {.lower = 2, .upper = 1.0e7}});
+                .bounds = {.lower = 2, .upper = kMostResampledRows}});
   }
 };
 
@@ -324,7 +325,7 @@ struct CalibrateText {
   double confidence = 0.95;
   int bootstrap = 0;
   bool profile = false;
-  std::optional<std::string> date;
+  At<std::string> date;
 
   template <class V>
   static void declare(V& key) {
@@ -373,7 +374,8 @@ struct CalibrateText {
         KeyInfo{.text = "true: the cost along every parameter, all others fitted again.",
                 .default_text = "false"});
     key("date", &CalibrateText::date,
-        KeyInfo{.text = "Date of the calibration, for its provenance; never taken from the clock.",
+        KeyInfo{.text = "Date of the calibration, YYYY-MM-DD, for its provenance; never taken from "
+                        "the clock.",
                 .default_text = "none"});
   }
 };

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "driver/calibrate/estimate_text.hpp"
+#include "driver/calibrate/residuals.hpp"
+
 namespace slipbench::driver {
 namespace {
 
@@ -79,15 +82,39 @@ void note_trends(const Fit& fit, const Calibration& calibration, std::vector<std
   }
 }
 
-/// The largest error of the fitted responses of a quantity; nothing if none is fitted.
-std::optional<double> fitted_error(const Fit& fit, const Calibration& calibration,
-                                   const std::string& quantity) {
-  std::optional<double> largest;
+/// An error for its size: in standard deviations of the measurement, or as a part of the range that
+/// the measured values have together with 0, so that a steady force is as large as a loop of it.
+double for_its_size(const FittedResponse& response, std::optional<double> sigma) {
+  if (sigma) return response.rmse_after / *sigma;
+  const auto [least, most] =
+      std::minmax_element(response.measured.begin(), response.measured.end());
+  const double range = std::max(*most, 0.0) - std::min(*least, 0.0);
+  return range > 0.0 ? response.rmse_after / range : response.rmse_after;
+}
+
+struct FittedError {
+  double rmse = 0.0;
+  double for_its_size = 0.0;
+};
+
+/// The largest error, for its size, of the fitted responses of a quantity whose noise is like that
+/// of a hold-out: means of cycles have less than rows. Nothing if none is fitted so.
+/// \param by_sigma whether they have a standard deviation
+std::optional<FittedError> fitted_error(const Fit& fit, const Calibration& calibration,
+                                        const ExperimentFit& hold_out, const std::string& quantity,
+                                        bool by_sigma) {
+  std::optional<FittedError> largest;
   for (const FittedExperiment& experiment : calibration.experiments) {
-    if (fit.experiments[experiment.index].held_out) continue;
-    for (const FittedResponse& response : experiment.responses) {
-      if (response.quantity != quantity) continue;
-      largest = std::max(largest.value_or(0.0), response.rmse_after);
+    const ExperimentFit& asked = fit.experiments[experiment.index];
+    if (asked.average_cycles.has_value() != hold_out.average_cycles.has_value()) continue;
+    for (std::size_t r = 0; r < experiment.responses.size(); ++r) {
+      const FittedResponse& response = experiment.responses[r];
+      if (response.quantity != quantity || !is_fitted(asked, asked.responses[r])) continue;
+      const std::optional<double> sigma =
+          by_sigma ? asked.responses[r].sigma : std::optional<double>();
+      if (by_sigma && !sigma) continue;
+      const double error = for_its_size(response, sigma);
+      if (!largest || error > largest->for_its_size) largest = {response.rmse_after, error};
     }
   }
   return largest;
@@ -96,43 +123,66 @@ std::optional<double> fitted_error(const Fit& fit, const Calibration& calibratio
 void note_hold_outs(const Fit& fit, const Calibration& calibration,
                     std::vector<std::string>& notes) {
   constexpr double kMuchWorse = 1.5;
+  constexpr double kRounding = 1e-9;
   for (const FittedExperiment& experiment : calibration.experiments) {
-    if (!fit.experiments[experiment.index].held_out) continue;
-    for (const FittedResponse& response : experiment.responses) {
-      const auto fitted = fitted_error(fit, calibration, response.quantity);
-      const double least = 1e-9 * response.range;
-      if (!fitted || !(response.rmse_after > kMuchWorse * std::max(*fitted, least))) continue;
+    const ExperimentFit& asked = fit.experiments[experiment.index];
+    if (!asked.held_out) continue;
+    for (std::size_t r = 0; r < experiment.responses.size(); ++r) {
+      const FittedResponse& response = experiment.responses[r];
+      std::optional<double> sigma = asked.responses[r].sigma;
+      auto fitted = fitted_error(fit, calibration, asked, response.quantity, sigma.has_value());
+      if (!fitted && sigma) {
+        sigma.reset();
+        fitted = fitted_error(fit, calibration, asked, response.quantity, false);
+      }
+      const double error = for_its_size(response, sigma);
+      if (!fitted || !(error > kMuchWorse * std::max(fitted->for_its_size, kRounding))) continue;
+      const auto size = [&](double number) {
+        return sigma ? fmt::format("{:.2g} sigma", number)
+                     : fmt::format("{:.2g} % of its range", 100.0 * number);
+      };
       notes.push_back(fmt::format(
-          "hold-out {}, {}: RMSE {} against {} of the fitted data: what was found does not carry "
-          "over; fewer unknowns, more smoothness or more experiments may help",
-          fit.experiments[experiment.index].name, response.quantity,
-          with_unit(response.rmse_after, response.unit), with_unit(*fitted, response.unit)));
+          "hold-out {}, {}: RMSE {} ({}) against {} ({}) of the fitted data: what was found does "
+          "not carry over; fewer unknowns, more smoothness or more experiments may help",
+          asked.name, response.quantity, with_unit(response.rmse_after, response.unit), size(error),
+          with_unit(fitted->rmse, response.unit), size(fitted->for_its_size)));
     }
   }
 }
 
+void note_weights(const Fit& fit, std::vector<std::string>& notes) {
+  for (const ExperimentFit& experiment : fit.experiments) {
+    if (experiment.weight == 0.0) {
+      notes.push_back(fmt::format("{} has the weight 0: it is scored like a hold-out, not fitted",
+                                  experiment.name));
+      continue;
+    }
+    for (const ResponseFit& response : experiment.responses) {
+      if (response.weight > 0.0) continue;
+      notes.push_back(fmt::format("{}, {} has the weight 0: it is scored, not fitted",
+                                  experiment.name, response.quantity_text));
+    }
+  }
+}
+
+/// How many starts ended where is told with the verdict; other minima that fit nearly as well are
+/// something to look at.
 void note_minima(const Calibration& calibration, std::vector<std::string>& notes) {
-  constexpr double kSameCost = 1e-6;
+  constexpr double kNearlyAsGood = 2.0;
   const LeastSquaresFit& fit = calibration.fit;
-  if (fit.searches.size() < 2) return;
-  std::size_t same = 0;
   std::size_t others = 0;
   double nearest = std::numeric_limits<double>::infinity();
-  const double slack = kSameCost * std::abs(fit.cost) + 1e-15 * std::abs(fit.start_cost);
   for (const SearchTrace& search : fit.searches) {
-    if (!is_convergence(search.stop)) continue;
-    if (search.cost <= fit.cost + slack) {
-      ++same;
-    } else {
-      ++others;
-      nearest = std::min(nearest, search.cost);
-    }
+    if (!is_convergence(search.stop) || found_the_minimum(fit, search)) continue;
+    if (!(search.cost <= kNearlyAsGood * fit.cost)) continue;
+    ++others;
+    nearest = std::min(nearest, search.cost);
   }
   if (others == 0) return;
   notes.push_back(fmt::format(
-      "of {} starts {} found this minimum and {} ended in other ones, the best of them at {:.3g} "
-      "times its cost",
-      fit.searches.size(), same, others, nearest / fit.cost));
+      "{} of {} starts converged elsewhere and fit{} nearly as well, the best at {:.4g} times the "
+      "cost of this one: the data hardly decide between them",
+      others, fit.searches.size(), others == 1 ? "s" : "", nearest / fit.cost));
 }
 
 void note_outliers(const Calibration& calibration, std::vector<std::string>& notes) {
@@ -214,6 +264,7 @@ std::vector<std::string> calibration_notes(const Fit& fit, const Calibration& ca
   note_minima(calibration, notes);
   note_trends(fit, calibration, notes);
   note_hold_outs(fit, calibration, notes);
+  note_weights(fit, notes);
   note_outliers(calibration, notes);
   return notes;
 }

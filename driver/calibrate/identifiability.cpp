@@ -9,6 +9,7 @@
 #include <numeric>
 #include <string_view>
 
+#include "driver/calibrate/estimate_text.hpp"
 #include "driver/calibrate/resolve_varied.hpp"
 #include "driver/calibrate/unseen_combinations.hpp"
 #include "driver/calibrate/unvisited_ranges.hpp"
@@ -105,9 +106,30 @@ void judge_one(const Calibration& calibration, std::size_t u, const Sight& sight
                FittedUnknown& unknown) {
   const FitStatistics& statistics = calibration.statistics;
   unknown.visits = sight.points;
+  unknown.tied = sight.tied;
   unknown.why.clear();
   unknown.identifiability = Identifiability::kGood;
   if (sight.points == 0) {
+    const double start = unknown.range.start;
+    const bool frozen = u < calibration.fit.frozen.size() && calibration.fit.frozen[u] != 0;
+    const std::vector<char>& silent = calibration.fit.silent;
+    if (u < silent.size() && silent[u] != 0 && unknown.value == start) {
+      unknown.identifiability = Identifiability::kWeak;
+      unknown.why = fmt::format(
+          "at {:.6g} no compared point depends on it, though some do at other values: start it "
+          "nearer, or compare several starts (multistart: 8)",
+          start);
+      return;
+    }
+    if (!sight.tied && !frozen && unknown.value != start) {
+      unknown.identifiability = Identifiability::kWeak;
+      unknown.why = fmt::format(
+          "moved from {:.6g} to {:.6g}, where no compared point depends on it: other values may "
+          "fit "
+          "as well",
+          start, unknown.value);
+      return;
+    }
     unknown.identifiability = Identifiability::kNeverVisited;
     unknown.why = sight.tied ? "no compared point depends on it: known only by smoothness"
                              : "no compared point depends on it: kept at its start";
@@ -151,16 +173,13 @@ std::vector<std::string> table_notes(const Fit& fit, const Calibration& calibrat
   const std::string name = "table '" + fit.tables[table.index].name + "'";
   std::size_t unseen = 0;
   std::size_t tied = 0;
-  std::vector<char> seen(table.count, 1);
   for (std::size_t r = 0; r < table.count; ++r) {
     const FittedUnknown& unknown = calibration.unknowns[table.first_unknown + r];
     if (unknown.identifiability != Identifiability::kNeverVisited) continue;
     ++unseen;
-    seen[r] = 0;
-    const std::size_t u = table.first_unknown + r;
-    if (u >= calibration.fit.frozen.size() || calibration.fit.frozen[u] == 0) ++tied;
+    if (unknown.tied) ++tied;
   }
-  const std::string ranges = unvisited_ranges(table, seen);
+  const std::string ranges = unvisited_ranges(table);
   std::vector<std::string> notes;
   if (unseen == 0 && ranges.empty()) return notes;
   std::string fate;
@@ -210,7 +229,7 @@ void add_correlated_pairs(const Calibration& calibration, std::vector<std::strin
     notes.push_back(fmt::format(
         "{} and {} move together (correlation {}): the data tell one combination of them far "
         "better than each",
-        calibration.unknowns[pairs[i].a].name, calibration.unknowns[pairs[i].b].name,
+        told_name(calibration, pairs[i].a), told_name(calibration, pairs[i].b),
         correlation_text(pairs[i].rho)));
   }
   if (pairs.size() > kMostPairs) {
@@ -261,18 +280,20 @@ void judge_identifiability(Calibration* calibration) {
     }
   }
   // Of an ordinate it can be said where nothing went.
-  for (const FittedTable& table : calibration->tables) {
+  for (FittedTable& table : calibration->tables) {
+    std::vector<char> seen(table.count, 1);
     for (std::size_t r = 0; r < table.count; ++r) {
       FittedUnknown& unknown = calibration->unknowns[table.first_unknown + r];
+      seen[r] = unknown.visits > 0 ? 1 : 0;
       if (unknown.identifiability != Identifiability::kNeverVisited) continue;
       const auto around = visits_around(table, r);
       if (!around) continue;
-      const std::string fate =
-          all[table.first_unknown + r].tied ? "known only by smoothness" : "kept at its start";
+      const std::string fate = unknown.tied ? "known only by smoothness" : "kept at its start";
       unknown.why = (*around == 0 ? "its cells were never visited: "
                                   : "no compared point lies inside the cells beside it: ") +
                     fate;
     }
+    mark_edge_cells(seen, &table);
   }
 }
 
@@ -294,8 +315,9 @@ std::vector<std::string> identifiability_notes(const Fit& fit, const Calibration
   for (std::size_t u = 0; u < calibration.unknowns.size() && u < fit.vary.size(); ++u) {
     const FittedUnknown& unknown = calibration.unknowns[u];
     const FitStatistics& statistics = calibration.statistics;
-    const bool known = u >= statistics.identifiable.size() || statistics.identifiable[u] != 0;
-    if (unknown.identifiability == Identifiability::kWeak && known) {
+    const bool in_combination =
+        unknown.visits > 0 && u < statistics.identifiable.size() && statistics.identifiable[u] == 0;
+    if (unknown.identifiability == Identifiability::kWeak && !in_combination) {
       notes.push_back(unknown.name + " is only weakly known: " + unknown.why);
     }
   }

@@ -74,12 +74,12 @@ class Cleaner {
     tell_conversions();
     in_file_ = span_of(rows_.time);
     keep_range();
-    if (rows_.size() == 0) return nothing_left("no row lies " + range());
+    if (rows_.size() == 0) return refused("no row lies " + range());
     in_range_ = span_of(rows_.time);
     leave_out_slow_rows();
-    if (rows_.size() == 0) return nothing_left("every row is in the dead band");
+    if (rows_.size() == 0) return refused("every row is in the dead band");
     if (auto averaged = average(); !averaged) return tl::unexpected(std::move(averaged.error()));
-    resample();
+    if (auto spread = resample(); !spread) return tl::unexpected(std::move(spread.error()));
     return split();
   }
 
@@ -182,13 +182,13 @@ class Cleaner {
     const std::size_t cycles = in_range_.whole_cycles(period);
     const std::size_t all = in_file_.whole_cycles(period);
     if (cycles == 0) {
-      return nothing_left(fmt::format("there is no whole cycle of {} from {:.6g} to {}",
-                                      amount(period, kTime, units_), in_range_.first,
-                                      amount(in_range_.last, kTime, units_)));
+      return refused(fmt::format("there is no whole cycle of {} from {:.6g} to {}",
+                                 amount(period, kTime, units_), in_range_.first,
+                                 amount(in_range_.last, kTime, units_)));
     }
     MeanCycle mean = mean_cycle(rows_, in_range_.first, period, cycles, points);
     rows_ = std::move(mean.rows);
-    if (rows_.size() == 0) return nothing_left("every row is in the dead band");
+    if (rows_.size() == 0) return refused("every row is in the dead band");
     const std::string of_all = all > cycles
                                    ? fmt::format("{} of {} cycles", cycles, all)
                                    : fmt::format("{} cycle{}", cycles, cycles == 1 ? "" : "s");
@@ -210,14 +210,22 @@ class Cleaner {
     return {};
   }
 
-  void resample() {
-    if (!experiment_.resample) return;
+  tl::expected<void, HistoryError> resample() {
+    if (!experiment_.resample) return {};
     const Resampling& resampling = *experiment_.resample;
+    const double extent = rows_.time.back() - rows_.time.front();
+    if (resampling.every && !(extent / *resampling.every < kMostResampledRows)) {
+      return refused(fmt::format(
+          "resample: one row every {} makes {:.2g} of {}, more than {:.0e}: write a longer 'every'",
+          amount(*resampling.every, kTime, units_), extent / *resampling.every,
+          amount(extent, kTime, units_), kMostResampledRows));
+    }
     rows_ = resampling.every ? resampled(rows_, *resampling.every)
                              : resampled(rows_, resampling.points.value_or(2));
     tell(resampling.every ? fmt::format("resampled to {}, one every {}", rows_word(rows_.size()),
                                         amount(*resampling.every, kTime, units_))
                           : fmt::format("resampled to {}", rows_word(rows_.size())));
+    return {};
   }
 
   tl::expected<Measurements, HistoryError> split() {
@@ -239,8 +247,8 @@ class Cleaner {
       if (!response.from && !response.to) continue;
       const std::string range = range_words(response.from, response.to, units_);
       if (series.time.empty()) {
-        return nothing_left("no row lies " + range + ", where " + response.quantity_text +
-                            " is compared");
+        return refused("no row lies " + range + ", where " + response.quantity_text +
+                       " is compared");
       }
       tell(fmt::format("{} is compared {}: {}", response.quantity_text, range,
                        rows_word(series.time.size())));
@@ -248,7 +256,7 @@ class Cleaner {
     return std::move(result_);
   }
 
-  tl::unexpected<HistoryError> nothing_left(std::string message) const {
+  tl::unexpected<HistoryError> refused(std::string message) const {
     return tl::unexpected(
         HistoryError{HistoryError::Kind::kInput, experiment_.data_file, 0, 0, std::move(message)});
   }

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "driver/compare/branches.hpp"
 #include "driver/compare/common_range.hpp"
@@ -13,7 +15,8 @@
 namespace slipbench::driver {
 namespace {
 
-constexpr double kPositionNoise = 1e-3;   // of the range
+constexpr double kPositionNoise = 1e-3;  // of the range: what turns by less does not turn
+constexpr double kNowhere = std::numeric_limits<double>::infinity();
 constexpr double kShortestBranch = 2e-2;  // at the ends, of the range
 
 /// Rows [first, last] of the run that the time of the measurement covers.
@@ -31,6 +34,47 @@ Window window_of(std::span<const double> time, std::span<const double> measured)
   window.last =
       last == time.end() ? time.size() - 1 : static_cast<std::size_t>(last - time.begin());
   return window;
+}
+
+/// Divides a curve at the very rows where it turns: what lies behind them is on its way back,
+/// however near it still is. Rows before the start of the first branch, or behind the end of the
+/// last one, are on none. Rows that stay at a turn, but for `slack`, belong to the branch before
+/// it.
+std::vector<Branch> split_at_extremes(std::span<const double> position, double noise,
+                                      double slack) {
+  std::vector<Branch> parts = branches(position, noise);
+  for (std::size_t b = 0; b < parts.size(); ++b) {
+    Branch& part = parts[b];
+    const auto way = [&](std::size_t row) { return part.direction * position[row]; };
+    std::size_t last = part.first;
+    for (std::size_t row = part.first; row <= part.last; ++row) {
+      if (way(row) > way(last)) last = row;
+    }
+    if (b == 0) {
+      for (std::size_t row = part.first; row <= last; ++row) {
+        if (way(row) < way(part.first) - slack) part.first = row;
+      }
+    }
+    const std::size_t furthest = last;
+    while (last < part.last && way(last + 1) >= way(furthest) - slack) ++last;
+    part.last = last;
+    if (b + 1 < parts.size()) parts[b + 1].first = last;
+  }
+  return parts;
+}
+
+/// How far a curve goes back inside its branches: its noise, 0 if it has none.
+double largest_relapse(std::span<const double> position, std::span<const Branch> parts) {
+  double largest = 0.0;
+  for (const Branch& part : parts) {
+    double furthest = part.direction * position[part.first];
+    for (std::size_t row = part.first; row <= part.last; ++row) {
+      const double way = part.direction * position[row];
+      furthest = std::max(furthest, way);
+      largest = std::max(largest, furthest - way);
+    }
+  }
+  return largest;
 }
 
 /// Takes short branches off the ends of the curve that has more of them.
@@ -114,13 +158,15 @@ Observations observe_positions(std::span<const double> time, std::span<const dou
                                const MeasuredSeries& measured) {
   Observations found = observe_times(time, measured.time);
   if (!found.fault.empty() || measured.time.empty()) return found;
-  found.kept.clear();
-  found.points.clear();
+  const Observations by_time = std::move(found);
+  found = {};
   const Window window = window_of(time, measured.time);
   const auto path = position.subspan(window.first, window.last - window.first + 1);
   const double range = extent(measured.over).width();
-  std::vector<Branch> theirs = branches(measured.over, kPositionNoise * range);
-  std::vector<Branch> ours = branches(path, kPositionNoise * range);
+  const double slack = kSameTime * range;
+  std::vector<Branch> theirs = split_at_extremes(measured.over, kPositionNoise * range, slack);
+  std::vector<Branch> ours = split_at_extremes(path, kPositionNoise * range, slack);
+  const double noise = std::max(slack, largest_relapse(measured.over, theirs));
   const std::size_t count = theirs.size();
   drop_short_ends(theirs, measured.over, ours.size());
   drop_short_ends(ours, path, theirs.size());
@@ -137,13 +183,32 @@ Observations observe_positions(std::span<const double> time, std::span<const dou
         "factor of the column, or compare over time";
     return found;
   }
-  // A row where the measured positions turn belongs to the branch before it.
   for (std::size_t b = 0; b < theirs.size(); ++b) {
-    BranchSearch search(path, ours[b], kSameTime * range);
+    BranchSearch search(path, ours[b], slack);
     const std::size_t first = b == 0 ? theirs[b].first : theirs[b].first + 1;
+    // A row where the measured positions turn belongs to the branch before it if there is no noise
+    // and the run turns at that very position. Else nothing tells on which side of the turn it was
+    // measured.
+    const double from = b > 0 ? measured.over[theirs[b].first] : kNowhere;
+    const bool last = b + 1 == theirs.size();
+    const double turn = last ? kNowhere : measured.over[theirs[b].last];
+    const bool same = noise == slack && !last && std::abs(turn - path[ours[b].last]) <= slack;
     for (std::size_t i = first; i <= theirs[b].last; ++i) {
+      const double here = measured.over[i];
       Replay::Point point;
-      if (!search.find(measured.over[i], point)) continue;
+      if (std::abs(here - from) <= noise || (!same && std::abs(here - turn) <= noise)) {
+        // Time tells, where the run is at this very position then.
+        const auto then = std::lower_bound(by_time.kept.begin(), by_time.kept.end(), i);
+        if (then == by_time.kept.end() || *then != i) continue;
+        point = by_time.points[static_cast<std::size_t>(then - by_time.kept.begin())];
+        double there = 0.0;
+        read_points(position, std::span(&point, 1), std::span(&there, 1));
+        if (std::abs(there - here) > slack) continue;
+        found.kept.push_back(i);
+        found.points.push_back(point);
+        continue;
+      }
+      if (!search.find(here, point)) continue;
       point.row += window.first;
       found.kept.push_back(i);
       found.points.push_back(point);

@@ -2,8 +2,10 @@
 #include "driver/calibrate/read_fit.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <map>
+#include <string_view>
 #include <utility>
 
 #include "driver/calibrate/fit_reference.hpp"
@@ -37,6 +39,24 @@ void name_experiments(std::vector<ReadExperiment>& experiments) {
     for (int number = 2; count(name) > 0; ++number) name = wanted + "_" + std::to_string(number);
     one.fit.name = std::move(name);
   }
+}
+
+/// Whether a text is a day of the calendar, YYYY-MM-DD.
+bool is_date(std::string_view text) {
+  constexpr std::string_view kForm = "dddd-dd-dd";
+  const bool formed =
+      std::equal(text.begin(), text.end(), kForm.begin(), kForm.end(),
+                 [](char c, char form) { return form == 'd' ? c >= '0' && c <= '9' : c == form; });
+  if (!formed) return false;
+  const auto number = [&](std::size_t first, std::size_t count) {
+    int value = 0;
+    for (const char digit : text.substr(first, count)) value = 10 * value + (digit - '0');
+    return value;
+  };
+  return std::chrono::year_month_day(std::chrono::year(number(0, 4)),
+                                     std::chrono::month(static_cast<unsigned>(number(5, 2))),
+                                     std::chrono::day(static_cast<unsigned>(number(8, 2))))
+      .ok();
 }
 
 /// What is wrong among the experiments as a whole.
@@ -80,11 +100,21 @@ class FitReader {
     fit_.confidence = calibrate.confidence;
     fit_.bootstrap = calibrate.bootstrap;
     fit_.profile = calibrate.profile;
-    fit_.date = calibrate.date;
+    if (calibrate.date.sound) fit_.date = calibrate.date.value;
+    check_date(calibrate.date);
     out_.environment_failure |= binder_.environment_failed();
     const std::vector<std::string>& named = binder_.data_files();
     out_.data_files.insert(out_.data_files.end(), named.begin(), named.end());
     if (!bound || out_.diagnostics.has_errors()) return;
+    for (ReadExperiment& one : experiments_) {
+      // What has no weight is no data of the fit: it is scored.
+      const auto& responses = one.fit.responses;
+      one.fit.held_out |= std::none_of(
+          responses.begin(), responses.end(),
+          [&](const ResponseFit& response) { return one.fit.weight * response.weight > 0.0; });
+    }
+    std::stable_partition(experiments_.begin(), experiments_.end(),
+                          [](const ReadExperiment& one) { return !one.fit.held_out; });
     for (ReadExperiment& one : experiments_) fit_.experiments.push_back(std::move(one.fit));
     out_.value = std::move(fit_);
   }
@@ -168,6 +198,13 @@ class FitReader {
     if (any || bad || !all_read || out_.diagnostics.has_errors()) return;
     binder_.error(*text.experiments.node, text.experiments.path,
                   "every weight is 0: nothing is left to fit");
+  }
+
+  void check_date(const At<std::string>& date) {
+    if (!date.sound || is_date(date.value)) return;
+    binder_.error(
+        *date.node, date.path,
+        "a date is wanted, YYYY-MM-DD, such as 2026-03-01; found " + in_quotes(date.value));
   }
 
   /// Settings of the command line that no case takes.

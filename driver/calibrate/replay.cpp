@@ -206,8 +206,6 @@ class Replay::Increments {
       increment_.end.motion[c] = *row_++ - reference_[c];
     }
     for (double* target : targets_) *target = *row_++;
-    // Row 0 is a state: nothing has moved yet.
-    if (std::exchange(is_first_, false)) increment_.begin_position = increment_.end.position;
     return increment_;
   }
 
@@ -218,7 +216,6 @@ class Replay::Increments {
   law::ConnectorIncrement increment_;
   std::array<double, law::kMaxFields> fields_{};
   std::vector<double*> targets_;
-  bool is_first_ = true;
 };
 
 namespace {

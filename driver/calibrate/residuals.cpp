@@ -15,7 +15,10 @@ namespace {
 /// All that the functions of a problem work with.
 struct Assembly {
   std::vector<std::shared_ptr<const ExperimentModel>> models;
-  std::vector<std::size_t> first;  ///< row of each of them
+  std::vector<std::size_t> first;   ///< row of each of them
+  std::vector<std::size_t> counts;  ///< and how many it has
+  std::vector<std::size_t> places;  ///< of their points, those without a weight among them
+  std::size_t points = 0;
   std::vector<SmoothnessRow> smooth;
   std::vector<double> smooth_factor;
   std::size_t data_rows = 0;
@@ -37,10 +40,14 @@ struct Assembly {
              std::span<double> jacobian) const {
     const ExperimentModel& model = *models[m];
     const std::span<const ComparedResponse> responses = model.responses();
+    std::size_t next = first[m];
     for (std::size_t k = 0; k < responses.size(); ++k) {
+      const ResponseFit& response = model.experiment().responses[k];
+      if (!is_fitted(model.experiment(), response)) continue;
       const std::vector<double>& measured = responses[k].measured.value;
-      const std::size_t at = first[m] + responses[k].first;
-      const double factor = residual_factor(model.experiment(), model.experiment().responses[k]);
+      const std::size_t at = next;
+      next += measured.size();
+      const double factor = residual_factor(model.experiment(), response);
       for (std::size_t i = 0; i < measured.size(); ++i) {
         r[at + i] = factor * (r[at + i] - measured[i]);
       }
@@ -92,20 +99,54 @@ struct Assembly {
     seen->last.assign(values.begin(), values.end());
   }
 
+  /// Values and derivatives of a model with responses that have no weight: only the others have
+  /// rows in `r` and `jacobian`.
+  /// \param all values of all of its points
+  bool run_partly(std::size_t m, std::span<const double> x, std::span<double> all,
+                  std::span<double> r, std::span<double> jacobian) const {
+    const ExperimentModel& model = *models[m];
+    const std::size_t n = x.size();
+    std::vector<double> slopes(jacobian.empty() ? 0 : all.size() * n);
+    if (!(jacobian.empty() ? model.values(x, all) : model.derivatives(x, all, slopes))) {
+      return false;
+    }
+    std::size_t row = 0;
+    for (std::size_t k = 0; k < model.responses().size(); ++k) {
+      if (!is_fitted(model.experiment(), model.experiment().responses[k])) continue;
+      const ComparedResponse& response = model.responses()[k];
+      const std::size_t count = response.measured.value.size();
+      const auto values = all.subspan(response.first, count);
+      std::copy(values.begin(), values.end(), r.subspan(row).begin());
+      if (!jacobian.empty()) {
+        const auto some = std::span(slopes).subspan(response.first * n, count * n);
+        std::copy(some.begin(), some.end(), jacobian.subspan(row * n).begin());
+      }
+      row += count;
+    }
+    return true;
+  }
+
   bool evaluate(std::span<const double> x, std::span<double> r, std::span<double> jacobian) {
     const std::size_t n = x.size();
     std::vector<char> good(models.size(), 0);
+    // Beside the rows, only where some points have none.
+    std::vector<double> all(points > data_rows ? points : 0);
     const auto run = [&](std::size_t m) {
-      const auto values = r.subspan(first[m], models[m]->points());
-      good[m] = jacobian.empty()
-                    ? models[m]->values(x, values)
-                    : models[m]->derivatives(
-                          x, values, jacobian.subspan(first[m] * n, models[m]->points() * n));
+      const auto values = r.subspan(first[m], counts[m]);
+      const auto slopes =
+          jacobian.empty() ? jacobian : jacobian.subspan(first[m] * n, counts[m] * n);
+      if (all.empty()) {
+        good[m] = jacobian.empty() ? models[m]->values(x, values)
+                                   : models[m]->derivatives(x, values, slopes);
+      } else {
+        const auto here = std::span(all).subspan(places[m], models[m]->points());
+        good[m] = run_partly(m, x, here, values, slopes);
+      }
     };
     for_each_index(models.size(), threads, run);
     ++evaluations;
     if (std::find(good.begin(), good.end(), 0) != good.end()) return false;
-    if (!jacobian.empty()) keep(x, r.first(data_rows));
+    if (!jacobian.empty()) keep(x, all.empty() ? r.first(data_rows) : std::span<double>(all));
     for (std::size_t m = 0; m < models.size(); ++m) weigh(m, n, r, jacobian);
     smoothen(x, r, jacobian);
     if (watch) {
@@ -152,6 +193,19 @@ double residual_factor(const ExperimentFit& experiment, const ResponseFit& respo
   return std::sqrt(experiment.weight * response.weight) / response.sigma.value_or(1.0);
 }
 
+bool is_fitted(const ExperimentFit& experiment, const ResponseFit& response) {
+  return !experiment.held_out && experiment.weight * response.weight > 0.0;
+}
+
+std::size_t fitted_points(const ExperimentModel& model) {
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < model.responses().size(); ++k) {
+    if (!is_fitted(model.experiment(), model.experiment().responses[k])) continue;
+    count += model.responses()[k].measured.value.size();
+  }
+  return count;
+}
+
 ResidualProblem residual_problem(const Fit& fit,
                                  std::vector<std::shared_ptr<const ExperimentModel>> models,
                                  const ModelOptions& options, EvaluationWatch watch,
@@ -163,7 +217,14 @@ ResidualProblem residual_problem(const Fit& fit,
   std::size_t work = 0;
   for (const auto& model : models) {
     assembly->first.push_back(assembly->data_rows);
-    assembly->data_rows += model->points();
+    assembly->places.push_back(assembly->points);
+    assembly->points += model->points();
+    for (std::size_t k = 0; k < model->responses().size(); ++k) {
+      if (!is_fitted(model->experiment(), model->experiment().responses[k])) continue;
+      problem.groups.push_back(assembly->data_rows);
+      assembly->data_rows += model->responses()[k].measured.value.size();
+    }
+    assembly->counts.push_back(assembly->data_rows - assembly->first.back());
     work += model->run_rows();
   }
   const double squares = measured_squares(models);
@@ -189,6 +250,9 @@ ResidualProblem residual_problem(const Fit& fit,
   assembly->seen = std::move(values);
   problem.data_rows = assembly->data_rows;
   problem.rows = assembly->data_rows + assembly->smooth.size();
+  // Also where the law is replayed, slopes of what expressions make of the unknowns are
+  // differences.
+  problem.derivative_accuracy = 1e-9;
   problem.residuals = [assembly](std::span<const double> x, std::span<double> r) {
     return assembly->evaluate(x, r, {});
   };

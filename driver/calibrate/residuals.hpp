@@ -27,9 +27,10 @@ struct ModelValues {
 
 /// The experiments of a fit as one least-squares problem (docs/theory.md, section 17): rows are
 ///   sqrt(w_experiment w_response) (model - measured)/sigma
-/// of all compared points, experiment by experiment and response by response, then the rows of
-/// smoothness, sqrt(smoothness S) d2, with S the weighted sum of squares of the measurements about
-/// their means. The functions of the problem own what they need.
+/// of all compared points with a weight above 0, experiment by experiment and response by response,
+/// then the rows of smoothness, sqrt(smoothness S) d2, with S the weighted sum of squares of the
+/// measurements about their means. The functions of the problem own what they need.
+///
 /// \param models of the experiments that are fitted
 /// \param values is filled by the evaluations
 ResidualProblem residual_problem(const Fit& fit,
@@ -39,5 +40,11 @@ ResidualProblem residual_problem(const Fit& fit,
 
 /// What a residual of a response is, in the quantity's unit, times this.
 double residual_factor(const ExperimentFit& experiment, const ResponseFit& response);
+
+/// Whether a response has rows in the problem: with a weight of 0 it has none, and is only scored.
+bool is_fitted(const ExperimentFit& experiment, const ResponseFit& response);
+
+/// Rows that an experiment has in the problem: the points of its fitted responses.
+std::size_t fitted_points(const ExperimentModel& model);
 
 }  // namespace slipbench::driver

@@ -104,16 +104,24 @@ std::pair<double, double> neighbours(const FittedTable& table, std::size_t row, 
   return ends;
 }
 
-std::string unvisited_ranges(const FittedTable& table, const std::vector<char>& seen) {
+void mark_edge_cells(const std::vector<char>& seen, FittedTable* table) {
+  if (table->cells.empty() || table->columns.empty()) return;
+  const Grid grid(*table);
+  if (grid.cells() != table->cells.size()) return;
+  for (std::size_t cell = 0; cell < grid.cells(); ++cell) {
+    FittedTable::Cell& one = table->cells[cell];
+    one.edge_only = one.visits > 0 && has_unseen_corner(*table, grid, cell, seen);
+  }
+}
+
+std::string unvisited_ranges(const FittedTable& table) {
   constexpr std::size_t kMostCells = 3;
   if (table.cells.empty() || table.columns.empty()) return {};
   const Grid grid(table);
   if (grid.cells() != table.cells.size()) return {};
   std::vector<char> untold(grid.cells(), 0);
   for (std::size_t cell = 0; cell < grid.cells(); ++cell) {
-    const bool visited =
-        table.cells[cell].visits > 0 && !has_unseen_corner(table, grid, cell, seen);
-    untold[cell] = visited ? 0 : 1;
+    untold[cell] = table.cells[cell].visited() ? 0 : 1;
   }
   const std::vector<char> unvisited = untold;
   const auto left = [&] {

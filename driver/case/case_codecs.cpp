@@ -277,6 +277,8 @@ void Codec<CoefficientText>::rows(const std::string& path, std::vector<KeyRow>& 
     rows.push_back({here, "a map", KeyInfo{.text = Law::kTitle, .default_text = "-"}});
     struct_rows<Law>(here, rows);
   });
+  // A change of friction leads to one coefficient: two directions are refused there.
+  if (path.find(".change_friction.") != std::string::npos) return;
   const std::string here = path + "." + std::string(kOrthotropic);
   rows.push_back(
       {here, "a map",

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -52,12 +53,13 @@ Diagnostics warnings_of(const Diagnostics& diagnostics) {
   return warnings;
 }
 
-/// What is written, all or nothing, and what is told of it.
+/// What was written, and what is told of it.
 struct Written {
   std::vector<fs::path> files;
   std::vector<std::string> remarks;
 };
 
+/// Numbers and cases, all or none of them; then the page; then pictures, as many as can be drawn.
 tl::expected<Written, std::string> write_results(const Fit& fit, const Calibration& calibration,
                                                  const CalibrateOptions& options,
                                                  const fs::path& page,
@@ -93,23 +95,39 @@ tl::expected<Written, std::string> write_results(const Fit& fit, const Calibrati
     return tl::unexpected(size.error());
   }
   written.files.push_back(page);
-  const FitPictures pictures = draw_fit_pictures(fit, calibration, folder, stem_of(fit));
+  const FitPictures pictures = draw_fit_pictures(fit, calibration, folder, stem_of(fit), inputs);
   written.files.insert(written.files.end(), pictures.written.begin(), pictures.written.end());
   written.remarks.insert(written.remarks.end(), pictures.notes.begin(), pictures.notes.end());
   return written;
 }
 
-/// A result that would replace what the fit is read from, as a sentence; empty if there is none.
-std::string overwritten_input(const Fit& fit, const CalibrateOptions& options, const fs::path& page,
-                              std::span<const std::string> inputs) {
-  std::vector<fs::path> targets = {fs::path(options.folder) / (stem_of(fit) + ".json"), page};
-  for (const ExperimentFit& experiment : fit.experiments) {
-    const std::string stem = fs::path(experiment.case_file).stem().string();
-    targets.push_back(fs::path(options.folder) / (stem + ".calibrated.yaml"));
+/// Whether all results can be written, as a sentence where one cannot: that is known before the
+/// work. Pictures are asked only whether they would replace something: without them the page has
+/// the curves.
+std::string fault_of_targets(const Fit& fit, const CalibrateOptions& options, const fs::path& page,
+                             std::span<const std::string> inputs) {
+  const fs::path folder = options.folder;
+  std::vector<fs::path> texts = {folder / (stem_of(fit) + ".json")};
+  for (const std::string& name : calibrated_case_names(fit)) texts.push_back(folder / name);
+  std::vector<fs::path> pictures;
+  for (const std::string& name : fit_picture_names(fit, stem_of(fit))) {
+    pictures.push_back(folder / name);
   }
-  for (const fs::path& target : targets) {
-    std::string fault = input_fault(target.lexically_normal(), inputs);
-    if (!fault.empty()) return fault;
+  for (const auto& others : {std::cref(texts), std::cref(pictures)}) {
+    for (const fs::path& other : others.get()) {
+      std::string fault = input_fault(other.lexically_normal(), inputs);
+      if (!fault.empty()) return fault;
+      if (is_same_file(page, other)) {
+        return fmt::format("--report {}: is another result of this fit; choose another name",
+                           page.string());
+      }
+    }
+  }
+  texts.push_back(page);
+  for (const fs::path& target : texts) {
+    if (const auto probe = OutputFile::create(target.lexically_normal(), inputs); !probe) {
+      return probe.error();
+    }
   }
   return {};
 }
@@ -117,6 +135,10 @@ std::string overwritten_input(const Fit& fit, const CalibrateOptions& options, c
 }  // namespace
 
 int calibrate_command(const CalibrateOptions& options) {
+  if (options.no_output && !options.report.empty()) {
+    return refuse(kExitBadInput,
+                  "--no-output writes no files: leave it out, or leave out --report");
+  }
   const auto settings = parse_settings(options.settings);
   if (!settings) return refuse(kExitBadInput, settings.error());
   ReadFit read = read_fit(options.file, {*settings, options.allow_outside});
@@ -146,12 +168,8 @@ int calibrate_command(const CalibrateOptions& options) {
     if (!fs::is_directory(options.folder, ignored)) {
       return refuse(kExitEnvironment, options.folder + " is no folder that results could go to");
     }
-    const std::string fault = overwritten_input(fit, options, page, inputs);
+    const std::string fault = fault_of_targets(fit, options, page, inputs);
     if (!fault.empty()) return refuse(kExitEnvironment, fault);
-    // Before the work: a page that cannot be written is known at once.
-    if (const auto probe = OutputFile::create(page, inputs); !probe) {
-      return refuse(kExitEnvironment, probe.error());
-    }
   }
 
   const auto calibration = [&] {

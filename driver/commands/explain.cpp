@@ -132,6 +132,12 @@ std::string force_unit(const law::FrictionDefinition& definition, const Case& pr
 }
 
 /// Where the play of a dead zone is.
+/// Whether the play lies between its ends and nothing slips: no force, whatever the limit is.
+bool is_in_gap(const CaseDefinition& definition, const DefinitionRow& row) {
+  return definition.dead_zone && row.update.state.regime == law::Regime::kStick &&
+         std::abs(row.play) < 0.5 * definition.dead_zone->width;
+}
+
 std::string dead_zone_text(const DeadZone& zone, double play, const std::string& unit) {
   const double half = 0.5 * zone.width;
   const char* where = play >= half    ? "at its upper end"
@@ -362,7 +368,7 @@ std::string limit_text(const law::FrictionDefinition& definition,
   return limit + " = " + product;
 }
 
-void append_events(std::string& text, const Instant& instant, std::size_t d,
+void append_events(std::string& text, const Instant& instant, std::size_t d, bool in_gap,
                    const std::string& unit, const std::string& time_unit) {
   const auto one = [&](const Event& event) {
     return fmt::format("t = {} {} -> {}{} (force {}, accumulated slip {})",
@@ -371,7 +377,10 @@ void append_events(std::string& text, const Instant& instant, std::size_t d,
                        with_unit(digits(event.force), unit), digits(event.accumulated_slip));
   };
   const std::string now = regime_name(instant.row.definitions[d].update.state.regime);
-  const std::string doing = now == "open" ? "open" : (now == "slip" ? "slipping" : "sticking");
+  const std::string doing = now == "open"   ? "open"
+                            : now == "slip" ? "slipping"
+                            : in_gap        ? "without slip"
+                                            : "sticking";
   const std::deque<Event>& before = instant.before[d];
   text += before.empty() ? "  " + doing + " since the start\n"
                          : fmt::format("  {} since t = {}\n", doing,
@@ -388,9 +397,11 @@ std::string definition_text(const Case& problem, const Instant& instant, std::si
   const law::Regime regime = update.state.regime;
   const std::string unit = force_unit(definition, problem);
   const bool belt = std::holds_alternative<law::Capstan>(definition.criterion);
+  const bool in_gap = is_in_gap(problem.definitions[d], instant.row.definitions[d]);
   std::string text = fmt::format(
       "{}{}   {}\n", problem.definitions.size() > 1 ? "'" + problem.definitions[d].name + "' " : "",
-      regime_name(regime), forces_text(problem, definition, update.state, update.limit));
+      in_gap ? "in the gap of the dead zone" : regime_name(regime),
+      forces_text(problem, definition, update.state, update.limit));
   // The limit bounds the force before a filter.
   const bool filtered = definition.formulation && law::smooths(*definition.formulation);
   auto [p, how] = magnitude(definition, limited_state(definition, instant.row.definitions[d]));
@@ -401,7 +412,7 @@ std::string definition_text(const Case& problem, const Instant& instant, std::si
   // Rounding of a force that was put on its limit is no distance.
   const double phi = std::abs(update.phi) <= 1e-12 * update.limit ? 0.0 : update.phi;
   text += fmt::format("  Phi {} = P - limit", with_unit(digits(phi), unit));
-  if (regime == law::Regime::kStick && update.limit > 0.0) {
+  if (regime == law::Regime::kStick && !in_gap && update.limit > 0.0) {
     text += fmt::format("   at {:.4g} % of the limit", 100.0 * p / update.limit);
   }
   text += "\n  " + limit_text(definition, update);
@@ -467,7 +478,7 @@ std::string definition_text(const Case& problem, const Instant& instant, std::si
     text += fmt::format("  slip direction ({}) in ({}); slip rate {}\n", numbers, names,
                         digits(update.slip_rate));
   }
-  append_events(text, instant, d, unit, problem.units.time);
+  append_events(text, instant, d, in_gap, unit, problem.units.time);
   return text;
 }
 

@@ -31,8 +31,10 @@ function reason(sentence) {
   return rest.charAt(0).toUpperCase() + rest.slice(1) + (/[.!?]$/.test(rest) ? "" : ".");
 }
 
-/** A name to be told, with its unit. */
-const nameOf = (unknown) => make("bdi", {}, breakable(labelled(unknown.name, unknown.unit)));
+/** What an unknown is called: an ordinate by its knots. */
+const calledOf = (unknown) => unknown.told || unknown.name;
+/** That with its unit. */
+const nameOf = (unknown) => make("bdi", {title: unknown.told ? unknown.name : false}, breakable(labelled(calledOf(unknown), unknown.unit)));
 
 const isNever = (one) => one.seen === "never_visited";
 const kSeen = {good: "well seen", weak: "weakly seen", never_visited: "never visited"};
@@ -360,7 +362,7 @@ const sameTrack = (a, b) => a && b && ["lower", "upper", "scale", "unit"].every(
 
 function interval(one, next) {
   const {place, bounded, logarithmic} = trackOf(one);
-  const svg = makeSvg("svg", {role: "img", "aria-label": `${one.name}: ${number(one.value)}` + (isNumber(one.low) ? `, from ${number(one.low)} to ${number(one.high)}` : ", no interval")});
+  const svg = makeSvg("svg", {role: "img", "aria-label": `${calledOf(one)}: ${number(one.value)}` + (isNumber(one.low) ? `, from ${number(one.low)} to ${number(one.high)}` : ", no interval")});
   const line = (x1, x2, y1, y2, name) => svg.append(makeSvg("line", {x1: x1 + "%", x2: x2 + "%", y1: y1 + "%", y2: y2 + "%", class: name}));
   if (one.seen === "never_visited") svg.append(makeSvg("rect", {x: "2%", width: "96%", y: "32%", height: "36%", class: "never-seen"}));
   line(2, 98, 50, 50, "rail");
@@ -555,7 +557,7 @@ const kBlockPoints = ["circle", "rect", "triangle", "rectRot", "circle", "rect"]
 function tablePart(table, t) {
   const own = unknowns.slice(table.first, table.first + table.count);
   const block = part(`table-${t + 1}`, ["Table ", quoted(table.name)]);
-  const never = table.cells.filter((cell) => cell.visits === 0);
+  const never = table.cells.filter((cell) => !cell.visited);
   if (never.length > 0) {
     const named = never.slice(0, kMostNamed).map((cell) => cell.text).join("; ");
     block.append(make("p", {class: "note words never-named"}, make("b", {}, `${never.length} of ${plural(table.cells.length, "cell")} never visited: `), quoted(named + (never.length > kMostNamed ? `; and ${never.length - kMostNamed} more` : ""))));
@@ -583,7 +585,7 @@ function unseen(pen, at, area, knots, table) {
   pen.fillStyle = pen.createPattern(colours.hatch, "repeat");
   pen.globalAlpha = 0.55;
   table.cells.forEach((cell, i) => {
-    if (cell.visits > 0) return;
+    if (cell.visited) return;
     const [left] = at(knots[i], 0);
     const [right] = at(knots[i + 1], 0);
     pen.fillRect(left, area.top, right - left, area.bottom - area.top);
@@ -642,12 +644,12 @@ function visits(table) {
   const between = (axis, i) => `${number(axis.knots[i])} \u2026 ${number(axis.knots[i + 1])}`;
   const largest = Math.max(1, ...table.cells.map((cell) => cell.visits));
   const cell = (one) => {
-    const seen = one.visits > 0;
+    const seen = one.visited;
     const weight = 0.08 + 0.4 * Math.log1p(one.visits) / Math.log1p(largest);
-    return make("td", {class: seen ? "seen" : "never", style: seen ? `background: rgba(var(--cell), ${weight.toFixed(3)})` : null, title: `${one.text}: ${seen ? plural(one.visits, "increment") : "never visited"}`}, make("span", {}, String(one.visits)));
+    return make("td", {class: seen ? "seen" : "never", style: seen ? `background: rgba(var(--cell), ${weight.toFixed(3)})` : null, title: `${one.text}: ${seen ? plural(one.visits, "increment") : one.visits > 0 ? `never visited, ${plural(one.visits, "increment")} along its edge only` : "never visited"}`}, make("span", {}, String(one.visits)));
   };
   const rows = Array.from({length: high}, (_, i) => make("tr", {}, make("th", {scope: "row"}, up ? between(up, i) : "increments"), table.cells.slice(i * wide, (i + 1) * wide).map(cell)));
-  return scrolling(make("table", {class: "coverage visits"}, make("caption", {}, "Increments of the fitted experiments in each cell between knots; hatched cells were never visited"),
+  return scrolling(make("table", {class: "coverage visits"}, make("caption", {}, "Increments of the fitted experiments in each cell between knots; hatched cells were never visited, or along their edge only"),
       make("thead", {}, make("tr", {}, make("th", {scope: "col"}, (up ? axisLabel(up) + " \u2193  " : "") + axisLabel(across) + " \u2192"), Array.from({length: wide}, (_, i) => make("th", {scope: "col"}, between(across, i))))),
       make("tbody", {}, rows.reverse())), "Visits of " + table.name);
 }
@@ -660,11 +662,11 @@ function correlationPart() {
   const {unknowns: shown, rows} = page.correlation;
   if (shown.length < 2) return null;
   const pairs = [];
-  rows.forEach((row, i) => row.forEach((value, k) => { if (k < i && Math.abs(value) >= kStrong) pairs.push([value, unknowns[shown[k]].name, unknowns[shown[i]].name]); }));
+  rows.forEach((row, i) => row.forEach((value, k) => { if (k < i && Math.abs(value) >= kStrong) pairs.push([value, calledOf(unknowns[shown[k]]), calledOf(unknowns[shown[i]])]); }));
   pairs.sort((a, b) => Math.abs(b[0]) - Math.abs(a[0]));
   const cell = (value, i, k) => {
     if (i === k) return make("td", {class: "soft"}, "1");
-    const name = `${unknowns[shown[i]].name}, ${unknowns[shown[k]].name}: ${number(value, 3)}`;
+    const name = `${calledOf(unknowns[shown[i]])}, ${calledOf(unknowns[shown[k]])}: ${number(value, 3)}`;
     return make("td", {class: i !== k && Math.abs(value) >= kStrong ? "strong" : "", style: isNumber(value) ? `background: rgba(var(${value < 0 ? "--push" : "--pull"}), ${(0.42 * Math.abs(value)).toFixed(3)})` : null, title: name},
                 isNumber(value) ? twoDecimals(value) : "\u2013");
   };
@@ -674,8 +676,8 @@ function correlationPart() {
   for (const [value, first, second] of pairs.slice(0, 5)) block.append(make("p", {class: "note words"}, quoted(first), " and ", quoted(second), `: ${value.toFixed(3).replace("-", "\u2212")}`));
   if (pairs.length > 5) block.append(make("p", {class: "soft"}, `and ${pairs.length - 5} more pairs`));
   block.append(scrolling(make("table", {class: "coverage", id: "correlations"}, make("caption", {class: "hidden"}, "Correlation of the unknowns"),
-      make("thead", {}, make("tr", {}, make("th"), shown.map((index, i) => make("th", {scope: "col", title: unknowns[index].name}, String(i + 1))))),
-      make("tbody", {}, rows.map((row, i) => make("tr", {}, make("th", {scope: "row", class: "long"}, `${i + 1}  `, make("bdi", {}, breakable(unknowns[shown[i]].name))), row.map((value, k) => cell(value, i, k)))))), "Correlation"));
+      make("thead", {}, make("tr", {}, make("th"), shown.map((index, i) => make("th", {scope: "col", title: calledOf(unknowns[index])}, String(i + 1))))),
+      make("tbody", {}, rows.map((row, i) => make("tr", {}, make("th", {scope: "row", class: "long"}, `${i + 1}  `, make("bdi", {}, breakable(calledOf(unknowns[shown[i]])))), row.map((value, k) => cell(value, i, k)))))), "Correlation"));
   return block;
 }
 
@@ -690,7 +692,7 @@ function profilesPart() {
     const top = profile.threshold + 1.2 * (profile.threshold - verdict.cost);
     const largest = range(profile.cost) || {high: top};
     return new Drawing({
-      key: "profile", title: `Cost along ${one.name}`, unit: "", xName: one.name, xUnit: one.unit, words: `Profile likelihood of ${one.name}`,
+      key: "profile", title: `Cost along ${calledOf(one)}`, unit: "", xName: calledOf(one), xUnit: one.unit, words: `Profile likelihood of ${calledOf(one)}`,
       lines: [best, {label: "cost, others fitted again", width: 2, point: "circle", radius: 2, x: profile.value, y: profile.cost},
               {label: "threshold", colour: "limit", dash: [6, 4], x: [profile.value[0], profile.value[profile.value.length - 1]], y: [profile.threshold, profile.threshold]}],
       yLimits: top > verdict.cost ? [verdict.cost - 0.08 * (top - verdict.cost), Math.min(top, Math.max(largest.high, profile.threshold) + 0.1 * (top - verdict.cost))] : undefined,
@@ -704,11 +706,11 @@ function profilesPart() {
 
 function searchPart() {
   const best = Math.min(...searches.map((one) => (isNumber(one.cost) ? one.cost : Infinity)));
-  const near = searches.filter((one) => isNumber(one.cost) && one.cost <= best * (1 + 1e-3) + 1e-300).length;
+  const near = searches.filter((one) => one.found).length;
   const block = part("search", "How it was found",
       make("p", {class: "soft"}, quoted([figures.derivatives, `${figures.runs} evaluations of the residuals and ${figures.derivative_runs} of their derivatives.`].filter(Boolean).join(" "))));
   if (searches.length > 1) {
-    block.append(make("p", {class: near === 1 ? "note words" : "words"}, near === 1 ? make("b", {}, "Look at: ") : "", `${near} of ${searches.length} starts reached the least cost (within 0.1\u00a0%).` + (near === 1 ? " Others ended elsewhere: there may be a lower one still; ask for more starts." : "")));
+    block.append(make("p", {class: near === 1 ? "note words" : "words"}, near === 1 ? make("b", {}, "Look at: ") : "", figures.starts + "." + (near === 1 && searches.some((one) => !one.found && isNumber(one.cost)) ? " Others ended elsewhere: there may be a lower one still; ask for more starts." : "")));
     block.append(waterfall().element);
   }
   block.append(inScroll(make("table", {class: "plain", id: "search-table"}, make("caption", {class: "hidden"}, "Searches"),

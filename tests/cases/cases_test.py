@@ -9,7 +9,10 @@ TEST is one of
   bad        every file of cases/bad is refused with exit code 2 and a message with file:line:column, and so is every
              fit file of cases/bad/calibration
   semantic   every file of semantic/ is refused with exit code 2, at the place and with the words its first line wants
-  sensitive  checks notice a wrong coefficient: with mu raised by 1 % the verification cases fail
+  sensitive  checks notice a wrong coefficient or gap: with mu, a direction's coefficient or the width of a dead zone
+             raised by 1 % the verification cases fail
+  calibration  the fits of cases/calibration find the numbers that their data were made with, within 4 standard errors,
+             and name the ones that no data tell; the calibrated cases pass their checks
   twins      predefined and user-defined examples give the same result, column by column
   suite      a suite with hostile names and broken cases: JUnit XML keeps the schema junit.xsd, JSON, annotations, what
              files are written and which are refused, --filter, --failed-first, --fail-fast, --quiet, interruption, the
@@ -21,6 +24,7 @@ The needs beyond python3 itself are python3-yaml, python3-jsonschema and xmllint
 
 import argparse
 import csv
+import importlib.util
 import json
 import os
 import pathlib
@@ -143,25 +147,67 @@ def sensitive():
     # Cases whose checks do not use the coefficient: normal forces only, or no coefficient at all.
     indifferent = {"coulomb_slider_stick", "wedging", "contact_force_translator_terms", "stick_stiffness_modes",
                    "ujoint_factors_table", "ujoint_bent"}
-    seen = 0
+    keys = {"mu": "coefficient", "forward": "forward", "backward": "backward", "g": "width"}
+    seen = dict.fromkeys(keys, 0)
     for path in files("cases/verification"):
-        case = yaml.safe_load(path.read_text())
-        mu = case.get("parameters", {}).get("mu")
-        if mu is None or path.stem in indifferent:
-            continue
-        seen += 1
-        # Every number a check compares with is fixed before the run: a case whose expectation moves along with
-        # the parameter would prove nothing, so it is compared with the result of the true coefficient.
-        text = re.sub(r"coefficient: = mu\b", f"coefficient: {1.01 * mu!r}", path.read_text())
-        expect(text != path.read_text(), f"{path.name}: has a parameter mu that is no coefficient")
-        with tempfile.TemporaryDirectory() as folder:
-            for data in path.parent.glob("*.csv"):
-                (pathlib.Path(folder) / data.name).write_text(data.read_text())
-            changed = pathlib.Path(folder) / path.name
-            changed.write_text(text)
-            code, _ = run("check", changed)
-        expect(code == 1, f"{path.name}: with mu 1 % too high check ended with {code}, wanted 1")
-    expect(seen >= 15, f"only {seen} cases tried")
+        parameters = yaml.safe_load(path.read_text()).get("parameters", {})
+        for name, key in keys.items():
+            value = parameters.get(name)
+            if not isinstance(value, (int, float)) or path.stem in indifferent:
+                continue
+            # Every number a check compares with is fixed before the run: a case whose expectation moves along with
+            # the parameter would prove nothing, so it is compared with the result of the true number.
+            text = re.sub(rf"\b{key}: = {name}\b", f"{key}: {1.01 * value!r}", path.read_text())
+            if name != "mu" and text == path.read_text():
+                continue
+            seen[name] += 1
+            expect(text != path.read_text(), f"{path.name}: has a parameter {name} that is no {key}")
+            with tempfile.TemporaryDirectory() as folder:
+                for data in path.parent.glob("*.csv"):
+                    (pathlib.Path(folder) / data.name).write_text(data.read_text())
+                changed = pathlib.Path(folder) / path.name
+                changed.write_text(text)
+                code, _ = run("check", changed)
+            expect(code == 1, f"{path.name}: with {name} 1 % too high check ended with {code}, wanted 1")
+    for name, least in {"mu": 15, "forward": 2, "backward": 2, "g": 5}.items():
+        expect(seen[name] >= least, f"only {seen[name]} cases tried with another {name}")
+
+
+def calibration():
+    folder = source / "cases/calibration"
+    sys.dont_write_bytecode = True
+    specification = importlib.util.spec_from_file_location("generate", folder / "generate.py")
+    generate = importlib.util.module_from_spec(specification)
+    specification.loader.exec_module(generate)
+    fits = {path.stem for path in files("cases/calibration") if path.stem.endswith("_fit")}
+    expect(fits == set(generate.TRUTHS), f"fits without a truth in generate.py, or the other way: {fits}")
+    for fit, truths in generate.TRUTHS.items():
+        with tempfile.TemporaryDirectory() as results:
+            code, text = run("calibrate", folder / f"{fit}.yaml", "-o", results)
+            expect(code == 0, f"{fit}: ended with {code}:\n{text}")
+            if code != 0:
+                continue
+            found = json.loads((pathlib.Path(results) / f"{fit}.json").read_text())
+            calibrated = list(pathlib.Path(results).glob("*.calibrated.yaml"))
+            expect(len(calibrated) == 1, f"{fit}: wrote {len(calibrated)} calibrated cases, wanted 1")
+            for path in calibrated:
+                code, text = run("check", path)
+                expect(code == 0, f"{path.name}: check ended with {code}:\n{text}")
+        # The sigma of each fit is the noise of its data: the residuals agree with it.
+        deviation = found["statistics"]["deviation"]
+        expect(0.9 < deviation < 1.1, f"{fit}: the residuals are {deviation} of the noise")
+        unknowns = {unknown["name"]: unknown for unknown in found["unknowns"]}
+        expect(set(unknowns) == set(truths), f"{fit}: the unknowns are {sorted(unknowns)}")
+        never_visited = {name for name, unknown in unknowns.items() if unknown["frozen"]}
+        wanted = {name for name, truth in truths.items() if truth is None}
+        expect(never_visited == wanted, f"{fit}: never visited are {sorted(never_visited)}, wanted {sorted(wanted)}")
+        for name, truth in truths.items():
+            if truth is None or name not in unknowns or name in never_visited:
+                continue
+            value, error = unknowns[name]["value"], unknowns[name]["standard_error"]
+            expect(abs(value - truth) <= 4.0 * error, f"{fit}: {name} is {value} +- {error}, wanted {truth}")
+            # An error that is any size holds any truth: the widest of them is 1.7 %.
+            expect(error <= 0.02 * abs(truth), f"{fit}: {name} is only known to {error}")
 
 
 def result(path, folder):
@@ -480,7 +526,7 @@ def suite_progress(folder):
     expect(bar.search(on_terminal({"TERM": "xterm"}, stdout=subprocess.PIPE)), "no bar while the table goes to a file")
 
 
-tests = {f.__name__: f for f in (schema, check, bad, semantic, sensitive, twins, suite, guide)}
+tests = {f.__name__: f for f in (schema, check, bad, semantic, sensitive, calibration, twins, suite, guide)}
 parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 parser.add_argument("test", choices=tests)
 parser.add_argument("--slipbench", required=True, help="the program")

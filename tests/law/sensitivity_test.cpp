@@ -186,6 +186,22 @@ TEST_CASE("grip that is worn away is gone; where it went tells the accumulated s
   CHECK(run.slip() == Approx(-40.0 / 3600.0).epsilon(1e-8));
 }
 
+TEST_CASE("where a prolonged table has fallen below 0 its ordinates do not count") {
+  // 100 - 60 s is below 0 from s = 1.67 on; the contact force of 50 N holds on.
+  FrictionDefinition definition = wearing(AccumulatedSlipTiming::kEnd);
+  definition.internal_contact_force =
+      make_function({{100, 0}, {40, 1}}, {kOverAccumulatedSlip}, 1, Extrapolation::kLinear);
+  definition.contact_force = ComponentContactForce{1};
+  for (const std::string name : {"internal contact force[0]", "internal contact force[1]"}) {
+    SlopeRun run(definition, name);
+    run.run().force[1] = 50.0;
+    run.move_to(1, 5.0);
+    REQUIRE(run.regime() == Regime::kSlip);
+    CHECK(run.run().state.force[0] == Approx(0.2 * 50.0).epsilon(kRounding));
+    CHECK(run.force() == 0.0);
+  }
+}
+
 TEST_CASE("under a force limit only the limit counts") {
   FrictionDefinition definition = slider(0.2, 100.0, fixed_stiffness(1000.0));
   definition.force_limit = 15.0;

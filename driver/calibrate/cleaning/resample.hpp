@@ -7,6 +7,9 @@
 
 namespace slipbench::driver {
 
+/// More would fill the memory.
+inline constexpr double kMostResampledRows = 1.0e7;
+
 /// Interpolates rows linearly at ascending times: every look goes on where the last one ended.
 class RowCursor {
  public:

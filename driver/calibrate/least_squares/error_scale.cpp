@@ -2,6 +2,7 @@
 #include "driver/calibrate/least_squares/error_scale.hpp"
 
 #include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -56,6 +57,48 @@ double effective_unknowns(const ResidualProblem& problem, const LeastSquaresFit&
       triangle_of({all.data(), data_entries}, seen.size(), problem.data_rows);
   const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> inverse(whole.transpose());
   return inverse.solve(data.transpose()).squaredNorm();
+}
+
+std::vector<double> leverages(const ResidualProblem& problem, const LeastSquaresFit& fit) {
+  const std::size_t n = problem.unknowns.size();
+  std::vector<std::size_t> seen;
+  for (std::size_t j = 0; j < n; ++j) {
+    if (fit.frozen[j] == 0) seen.push_back(j);
+  }
+  std::vector<double> all(problem.rows * seen.size());
+  for (std::size_t i = 0; i < problem.rows; ++i) {
+    for (std::size_t c = 0; c < seen.size(); ++c) {
+      all[i * seen.size() + c] = fit.jacobian[i * n + seen[c]];
+    }
+  }
+  std::vector<double> result(problem.data_rows, 0.0);
+  if (seen.empty()) return result;
+  // Columns of unit length first: of what units the unknowns are must not decide the rank.
+  Eigen::MatrixXd whole = triangle_of(all, seen.size(), problem.rows);
+  Eigen::VectorXd length = whole.colwise().norm();
+  for (Eigen::Index j = 0; j < length.size(); ++j) {
+    if (!(length(j) > 0.0)) length(j) = 1.0;
+    whole.col(j) /= length(j);
+  }
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> inverse;
+  inverse.setThreshold(problem.derivatives ? problem.derivative_accuracy : 1e-9);
+  inverse.compute(whole.transpose());
+  const Eigen::MatrixXd solver = inverse.pseudoInverse();
+  Eigen::VectorXd row(length.size());
+  for (std::size_t i = 0; i < problem.data_rows; ++i) {
+    for (Eigen::Index c = 0; c < row.size(); ++c) {
+      row(c) = all[i * seen.size() + static_cast<std::size_t>(c)] / length(c);
+    }
+    result[i] = std::min((solver * row).squaredNorm(), 1.0);
+  }
+  return result;
+}
+
+bool is_minimum(const LeastSquaresFit& refit, double effective, double freedom) {
+  constexpr double kMostLeft = 0.01;  // of a standard error
+  if (refit.converged) return true;
+  if (refit.stop == StopReason::kModelFailure) return false;
+  return refit.gradient_norm * std::sqrt(freedom / std::max(effective, 1.0)) <= kMostLeft;
 }
 
 }  // namespace slipbench::driver

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "driver/calibrate/least_squares/problem.hpp"
 
 namespace slipbench::driver {
@@ -24,5 +26,13 @@ ErrorScale error_scale(const ResidualProblem& problem, const LeastSquaresFit& fi
 
 /// p of a fit.
 double effective_unknowns(const ResidualProblem& problem, const LeastSquaresFit& fit);
+
+/// What each data row has in p: the diagonal of G (G^T G + H^T H)^-1 G^T, in [0, 1].
+std::vector<double> leverages(const ResidualProblem& problem, const LeastSquaresFit& fit);
+
+/// Whether a refit ended where its cost is least, or within 0.01 standard errors of it by its
+/// gradient: nothing can be gained where it began at its minimum.
+/// \param effective p; \param freedom data - p
+bool is_minimum(const LeastSquaresFit& refit, double effective, double freedom);
 
 }  // namespace slipbench::driver

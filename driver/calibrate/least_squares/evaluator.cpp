@@ -22,6 +22,7 @@ bool all_finite(std::span<const double> values) {
 
 /// The size of an unknown, by which its step is measured.
 double size_of(const UnknownRange& range, double x) {
+  if (range.scale == Scale::kLog && x != 0.0) return std::abs(x);
   double size = std::max(std::abs(x), 1e-2 * std::abs(range.start));
   if (std::isfinite(range.lower) && std::isfinite(range.upper)) {
     size = std::max(size, 1e-4 * (range.upper - range.lower));

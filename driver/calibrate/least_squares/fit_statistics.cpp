@@ -88,7 +88,7 @@ FitStatistics fit_statistics(const ResidualProblem& problem, const LeastSquaresF
     rows = weighted;
   }
   // What differences cannot tell from zero is larger than what exact derivatives cannot.
-  const double threshold = problem.derivatives ? 1e-12 : 1e-9;
+  const double threshold = problem.derivatives ? problem.derivative_accuracy : 1e-9;
   const ScaledSvd all = scaled_svd(rows, m, problem.rows, threshold);
   std::vector<char> identifiable = all.seen;
   if (problem.data_rows < problem.rows) {

@@ -64,6 +64,12 @@ struct ResidualProblem {
   /// What `derivatives` takes, in calls of `residuals`. Where that is little, points are tried with
   /// derivatives at once.
   double derivative_effort = 2.0;
+  /// First row of every response, ascending, within the data: rows of one response follow each
+  /// other in time and have one noise. Empty: all data are one response.
+  std::vector<std::size_t> groups = {};
+  /// Singular values of the Jacobian below this part of the largest (columns of unit length) are no
+  /// more than the error of `derivatives`.
+  double derivative_accuracy = 1e-12;
 };
 
 struct SolverOptions {
@@ -88,7 +94,8 @@ enum class StopReason : std::uint8_t {
   kZeroGradient,  ///< nothing that is varied changes any residual at the start
   kNoIteration,   ///< nothing was gained at all: the start is a minimum, or a kink
   kModelFailure,  ///< the model has no value at the start
-  kTooFewData     ///< fewer rows than unknowns
+  kTooFewData,    ///< fewer rows than unknowns
+  kSilent         ///< an unknown has no effect at the end, though it has one elsewhere
 };
 /// Whether a search that ended so may be called converged.
 bool is_convergence(StopReason reason);
@@ -127,9 +134,13 @@ struct LeastSquaresFit {
   std::vector<char> frozen;       ///< unknowns no residual depends on: kept at their start
   std::vector<char> at_lower;     ///< unknowns that ended at a bound
   std::vector<char> at_upper;
-  std::vector<char> moved_inside;     ///< unknowns whose start was on or beyond a bound, or not of
-                                      ///< the wanted shape, and was moved in
-  std::vector<SearchTrace> searches;  ///< one a start, the given one first
+  std::vector<char> moved_inside;  ///< unknowns whose start was on or beyond a bound, or not of
+                                   ///< the wanted shape, and was moved in
+  /// One a start, the given one first; behind them those from values at which unknowns that have no
+  /// effect at their start, or at the end, have one.
+  std::vector<SearchTrace> searches;
+  /// Unknowns outside of curves that no residual depends on at x, though residuals do elsewhere.
+  std::vector<char> silent = {};
 };
 
 /// Finds the least cost: GSL's trust region (Levenberg-Marquardt) on transformed unknowns, from

@@ -17,21 +17,32 @@ namespace {
 /// The problem with one unknown fixed: fitted again from the last answer.
 class FixedFit {
  public:
-  FixedFit(const ResidualProblem& problem, const LeastSquaresFit& fit, std::size_t unknown);
+  /// \param scale of the fit with all unknowns
+  FixedFit(const ResidualProblem& problem, const LeastSquaresFit& fit, std::size_t unknown,
+           const ErrorScale& scale);
   /// The least cost with the unknown at `value`; none where the model has no value.
   std::optional<double> cost(double value);
   /// The next fit starts from the optimum again.
   void restart() { last_ = optimum_; }
+  int refits() const { return refits_; }
+  int unconverged() const { return unconverged_; }
 
  private:
   std::vector<double> optimum_;  ///< the other unknowns
   std::vector<double> last_;
   std::shared_ptr<double> value_ = std::make_shared<double>(0.0);
+  double others_;   ///< unknowns besides the fixed one that the data determine
+  double freedom_;  ///< without them
   ResidualProblem reduced_;
+  int refits_ = 0;
+  int unconverged_ = 0;
 };
 
-FixedFit::FixedFit(const ResidualProblem& problem, const LeastSquaresFit& fit, std::size_t unknown)
-    : reduced_(problem) {
+FixedFit::FixedFit(const ResidualProblem& problem, const LeastSquaresFit& fit, std::size_t unknown,
+                   const ErrorScale& scale)
+    : others_(static_cast<double>(problem.data_rows) - scale.freedom - 1.0),
+      freedom_(scale.freedom + 1.0),
+      reduced_(problem) {
   const std::size_t n = problem.unknowns.size();
   const auto without = [](auto& list, std::size_t at) {
     list.erase(list.begin() + static_cast<std::ptrdiff_t>(at));
@@ -87,6 +98,8 @@ std::optional<double> FixedFit::cost(double value) {
   options.polish = false;
   const LeastSquaresFit fit = solve_least_squares(reduced_, options);
   if (fit.stop == StopReason::kModelFailure || !std::isfinite(fit.cost)) return std::nullopt;
+  ++refits_;
+  if (!is_minimum(fit, others_, freedom_)) ++unconverged_;
   last_ = fit.x;
   return std::max(fit.cost, 0.0);
 }
@@ -102,13 +115,15 @@ LikelihoodProfile profile_likelihood(const ResidualProblem& problem, const Least
   profile.value = {optimum};
   profile.cost = {fit.cost};
   profile.threshold = std::numeric_limits<double>::quiet_NaN();
+  profile.lower = profile.threshold;
+  profile.upper = profile.threshold;
+  const FitStatistics statistics = fit_statistics(problem, fit, confidence);
+  const ErrorScale scale = error_scale(problem, fit, effective_unknowns(problem, fit));
+  if (!(scale.freedom > 0.0) || fit.frozen[unknown] != 0) return profile;
   profile.lower = range.lower;
   profile.upper = range.upper;
   profile.open_below = true;
   profile.open_above = true;
-  const FitStatistics statistics = fit_statistics(problem, fit, confidence);
-  const ErrorScale scale = error_scale(problem, fit, effective_unknowns(problem, fit));
-  if (!(scale.freedom > 0.0) || fit.frozen[unknown] != 0) return profile;
   const double quantile = gsl_cdf_tdist_Pinv(0.5 + 0.5 * confidence, scale.freedom);
   // Student's t squared is Fisher's F of 1 and that many degrees of freedom.
   profile.threshold = fit.cost + 0.5 * scale.variance * scale.curvature * quantile * quantile;
@@ -118,7 +133,7 @@ LikelihoodProfile profile_likelihood(const ResidualProblem& problem, const Least
   const bool bounded = std::isfinite(range.upper - range.lower);
   const double width = bounded ? range.upper - range.lower : std::abs(optimum);
   if (!(first > 0.0)) first = log ? 0.1 : 0.02 * (width > 0.0 ? width : 1.0);
-  FixedFit fixed(problem, fit, unknown);
+  FixedFit fixed(problem, fit, unknown, scale);
   std::vector<std::pair<double, double>> points{{optimum, fit.cost}};
   for (const double sense : {-1.0, 1.0}) {
     constexpr int kMostSteps = 12;
@@ -169,6 +184,8 @@ LikelihoodProfile profile_likelihood(const ResidualProblem& problem, const Least
       break;
     }
   }
+  profile.refits = fixed.refits();
+  profile.unconverged = fixed.unconverged();
   std::sort(points.begin(), points.end());
   profile.value.clear();
   profile.cost.clear();

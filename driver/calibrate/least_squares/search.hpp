@@ -16,15 +16,18 @@ struct SearchEnd {
   bool degenerate = false;  ///< some unknown, or a combination, has no effect at the point
   bool polished = false;
   bool at_kink = false;    ///< a minimum for any step, with a gradient that is not quite zero
-  double step_left = 0.0;  ///< at a kink: the step that is left, in standard errors, in the mean
+  double step_left = 0.0;  ///< if > 0: below so much, in standard errors, is the step that is left
   StopReason stop = StopReason::kNoIteration;
+  StopReason reached = StopReason::kNoIteration;  ///< `stop`, but for kNoIteration
 };
 
 /// Trust region with changing scalings, steps by QR, bounds taken up and given back, and a polish
 /// without derivatives; until the point is a minimum by its own test, or nothing helps any more.
 /// \param start coordinates of the map
 /// \param scaling of the first round
+/// \param at_start the start with its derivatives, if they are known
 SearchEnd search(Evaluator& evaluator, const UnknownMap& map, std::span<const double> start,
-                 const SolverOptions& options, TrustScaling scaling = TrustScaling::kMore);
+                 const SolverOptions& options, TrustScaling scaling = TrustScaling::kMore,
+                 const SearchPoint* at_start = nullptr);
 
 }  // namespace slipbench::driver

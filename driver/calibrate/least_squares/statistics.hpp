@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "driver/calibrate/least_squares/problem.hpp"
@@ -33,20 +34,33 @@ struct FitStatistics {
 FitStatistics fit_statistics(const ResidualProblem& problem, const LeastSquaresFit& fit,
                              double confidence);
 
-/// Bootstrap of the residuals: each resampling draws residuals with replacement (in blocks, since
-/// neighbours in time are alike; twice the lag at which their autocorrelation is lost in noise),
-/// centred and enlarged by sqrt(data/(data - unknowns)), adds them to the fitted model, and fits
-/// again from the optimum.
+/// Bootstrap of the residuals: each resampling draws residuals with replacement, centred and
+/// enlarged by sqrt(data/(data - unknowns)) of their response, adds them to the fitted model, and
+/// fits again from the optimum. Residuals of a response stay in it (those of less than 10 points
+/// draw from all data), in circular blocks, since neighbours in time are alike: of the length by
+/// Politis and White, at most 3 sqrt(points) and a quarter of the points.
+/// Nothing is drawn without degrees of freedom.
 struct Bootstrap {
   int wanted = 0;
-  int done = 0;  ///< those that converged
-  std::size_t block = 1;
+  int done = 0;           ///< those that ended at a minimum
+  std::size_t block = 1;  ///< the longest of all responses
   std::vector<double> standard_error;
-  std::vector<double> lower;  ///< percentile interval
+  /// Percentile interval, its distances from the unknown enlarged from the normal distribution to
+  /// Student's t, whose freedom is that of the data or the number of blocks less one.
+  std::vector<double> lower;
   std::vector<double> upper;
+  /// The residuals hang together over so many points that few blocks are left, or shorter ones than
+  /// they should be: errors are too small.
+  bool few_blocks = false;
 };
 Bootstrap bootstrap(const ResidualProblem& problem, const LeastSquaresFit& fit, int resamplings,
                     double confidence, std::uint64_t seed);
+
+/// Length of the circular blocks for residuals, not yet rounded and without a cap, >= 1:
+/// (3 G^2 n / (2 g^2))^(1/3) with g = sum R(k) and G = sum |k| R(k) of the autocovariances R
+/// through a flat-topped window. Source: Politis and White, Automatic block-length selection for
+/// the dependent bootstrap, 2004, as corrected by Patton, Politis and White 2009.
+double block_length(std::span<const double> residuals);
 
 /// The cost along one unknown, all others fitted again at every value. The ordinates of a shaped
 /// block keep their shape among themselves, without the fixed one.
@@ -59,7 +73,11 @@ struct LikelihoodProfile {
   double upper = 0.0;
   bool open_below = false;  ///< not crossed: the data do not bound it
   bool open_above = false;
+  int refits = 0;       ///< of the other unknowns
+  int unconverged = 0;  ///< of those: their costs are too high, and the interval may be too narrow
 };
+/// Threshold, lower and upper are NaN, and nothing is open, without degrees of freedom or if the
+/// unknown is frozen.
 LikelihoodProfile profile_likelihood(const ResidualProblem& problem, const LeastSquaresFit& fit,
                                      std::size_t unknown, double confidence);
 

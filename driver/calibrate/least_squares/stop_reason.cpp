@@ -38,6 +38,10 @@ std::string stop_text(StopReason reason) {
     case StopReason::kTooFewData:
       return "fewer values are compared than unknowns are varied; compare more, or "
              "vary less";
+    case StopReason::kSilent:
+      return "an unknown that changes the compared values elsewhere changes none of them at the "
+             "values found: there everything sticks, or everything slips. Start it nearer, or "
+             "compare several starts (multistart: 8); if the data cannot tell it, do not vary it";
   }
   return {};
 }

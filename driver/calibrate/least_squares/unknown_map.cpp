@@ -10,6 +10,9 @@
 namespace slipbench::driver {
 namespace {
 
+/// A coordinate this far from a fold, 2e-9 of the way between two bounds, is not on it.
+constexpr double kInside = 1e-4;
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double safe_log(double x) { return x > 0.0 ? std::log(x) : -kInfinity; }
@@ -29,8 +32,11 @@ std::size_t ordinate_of(bool convex, std::size_t step, std::size_t count) {
 }  // namespace
 
 UnknownMap::UnknownMap(const ResidualProblem& problem, std::span<const char> frozen,
-                       Unbounded unbounded)
-    : problem_(&problem), frozen_(frozen.begin(), frozen.end()) {
+                       Unbounded unbounded, std::span<const double> kept)
+    : problem_(&problem), frozen_(frozen.begin(), frozen.end()), kept_(kept.begin(), kept.end()) {
+  if (kept_.empty()) {
+    for (const UnknownRange& range : problem.unknowns) kept_.push_back(range.start);
+  }
   std::vector<char> shaped(problem.unknowns.size(), 0);
   for (const ShapedBlock& block : problem.shapes) {
     if (!block.shape.any()) continue;
@@ -206,8 +212,13 @@ std::vector<double> UnknownMap::coordinates(std::span<const double> x, double in
     }
     std::vector<double> y(n);
     walk(piece, y, nullptr, [&](std::size_t step, std::size_t k, const Limits& limits) {
-      z[piece.first + step] = unfold(limits, target[k], inset);
-      return fold(limits, z[piece.first + step]);
+      double& coordinate = z[piece.first + step];
+      coordinate = unfold(limits, target[k], inset);
+      if (n == 1 && limits.any() && inset > kInside) {
+        const double own = unfold(limits, target[k], 0.0);
+        if (nearest_fold(limits, own).distance >= kInside) coordinate = own;
+      }
+      return fold(limits, coordinate);
     });
   }
   return z;
@@ -215,7 +226,7 @@ std::vector<double> UnknownMap::coordinates(std::span<const double> x, double in
 
 void UnknownMap::unknowns(std::span<const double> z, std::span<double> x) const {
   for (std::size_t j = 0; j < frozen_.size(); ++j) {
-    if (frozen_[j] != 0) x[j] = problem_->unknowns[j].start;
+    if (frozen_[j] != 0) x[j] = kept_[j];
   }
   std::vector<double> y;
   for (const Piece& piece : pieces_) {
@@ -296,6 +307,40 @@ std::vector<CoordinateColumn> UnknownMap::columns(std::span<const double> z,
     }
   }
   return columns;
+}
+
+std::vector<Inequality> UnknownMap::inequalities() const {
+  std::vector<Inequality> rows;
+  for (const Piece& piece : pieces_) {
+    const std::size_t n = piece.unknown.size();
+    const std::vector<double>& a = piece.abscissa;
+    const double lower = piece.log ? std::exp(piece.lower) : piece.lower;
+    const double upper = piece.log ? std::exp(piece.upper) : piece.upper;
+    for (std::size_t k = 0; k < n; ++k) {
+      const bool ends = k == 0 || k + 1 == n;
+      const bool needs_lower = piece.ascending ? k == 0 : piece.convex || n == 1;
+      const bool needs_upper = piece.ascending ? k + 1 == n : ends;
+      if (needs_lower && std::isfinite(lower)) {
+        rows.push_back({{{piece.unknown[k], piece.sign}}, lower});
+      }
+      if (needs_upper && std::isfinite(upper)) {
+        rows.push_back({{{piece.unknown[k], -piece.sign}}, -upper});
+      }
+      if (piece.ascending && k > 0 && !(piece.convex && k > 1)) {
+        rows.push_back(
+            {{{piece.unknown[k], piece.sign}, {piece.unknown[k - 1], -piece.sign}}, 0.0});
+      }
+      if (piece.convex && k > 0 && k + 1 < n) {
+        const double before = piece.sign / (a[k] - a[k - 1]);
+        const double after = piece.sign / (a[k + 1] - a[k]);
+        rows.push_back({{{piece.unknown[k - 1], before},
+                         {piece.unknown[k], -before - after},
+                         {piece.unknown[k + 1], after}},
+                        0.0});
+      }
+    }
+  }
+  return rows;
 }
 
 std::vector<char> UnknownMap::shaped() const {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "driver/calibrate/least_squares/convex_step.hpp"
 #include "driver/calibrate/least_squares/fold.hpp"
 #include "driver/calibrate/least_squares/problem.hpp"
 
@@ -30,10 +31,11 @@ class UnknownMap {
     kLinear,     ///< an unknown without bounds is its own coordinate
     kMagnitudes  ///< one whose start is not 0 keeps its sign, its logarithm is the coordinate
   };
-  /// \param frozen unknowns that keep their start and have no coordinate; one inside a shaped block
+  /// \param frozen unknowns that keep their value and have no coordinate; one inside a shaped block
   ///        gives way only as far as the shape demands
+  /// \param kept the values of the frozen ones, one an unknown; empty: their starts
   UnknownMap(const ResidualProblem& problem, std::span<const char> frozen,
-             Unbounded unbounded = Unbounded::kLinear);
+             Unbounded unbounded = Unbounded::kLinear, std::span<const double> kept = {});
 
   /// Whether searching magnitudes makes a difference.
   static bool has_magnitudes(const ResidualProblem& problem);
@@ -42,7 +44,7 @@ class UnknownMap {
   std::size_t size() const { return size_; }
 
   /// The coordinates of x, moved inside where x is on a bound or beyond, or does not have its
-  /// shape.
+  /// shape. What is alone and inside, be it by little, stays where it is.
   /// \param inset how far inside, in coordinates
   std::vector<double> coordinates(std::span<const double> x, double inset) const;
 
@@ -52,6 +54,9 @@ class UnknownMap {
   /// dx/dz of every coordinate; for those `held` at a fold the change on the way inside instead.
   std::vector<CoordinateColumn> columns(std::span<const double> z,
                                         std::span<const char> held) const;
+
+  /// What bounds and shapes demand of the unknowns that are not frozen.
+  std::vector<Inequality> inequalities() const;
 
   /// Whether a coordinate is one of a shaped block.
   std::vector<char> shaped() const;
@@ -81,6 +86,7 @@ class UnknownMap {
 
   const ResidualProblem* problem_;
   std::vector<char> frozen_;
+  std::vector<double> kept_;
   std::vector<Piece> pieces_;
   std::size_t size_ = 0;
 };

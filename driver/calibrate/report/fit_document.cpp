@@ -7,6 +7,7 @@
 #include <numeric>
 #include <string_view>
 
+#include "driver/calibrate/estimate_text.hpp"
 #include "driver/calibrate/report/drawn_points.hpp"
 #include "driver/calibrate/report/fit_report.hpp"
 #include "driver/calibrate/report/residual_view.hpp"
@@ -93,6 +94,7 @@ void write_verdict(JsonText& json, const Calibration& calibration, const Fit& fi
   json.member("runs", std::int64_t{found.residual_evaluations});
   json.member("derivative_runs", std::int64_t{found.derivative_evaluations});
   json.member("derivatives", calibration.derivatives);
+  json.member_if("starts", starts_text(found));
   json.member("loss", loss_text(fit.loss));
   json.member("confidence", fit.confidence);
   if (calibration.bootstrap.done > 0 || calibration.bootstrap.wanted > 0) {
@@ -107,6 +109,9 @@ void write_unknown(JsonText& json, const Calibration& calibration, std::size_t i
   const FitStatistics& statistics = calibration.statistics;
   json.begin_object();
   json.member("name", unknown.name);
+  if (const std::string told = told_name(calibration, i); told != unknown.name) {
+    json.member("told", told);
+  }
   json.member("unit", unknown.unit);
   json.member("scale", unknown.range.scale == Scale::kLog ? "log" : "linear");
   json.member("start", unknown.range.start);
@@ -293,6 +298,7 @@ void write_table(JsonText& json, const Fit& fit, const Calibration& calibration,
     json.begin_object();
     json.member("text", cell.text);
     json.member("visits", cell.visits);
+    json.member("visited", cell.visited());
     json.end_object();
   }
   json.end_array();
@@ -304,8 +310,10 @@ void write_searches(JsonText& json, const LeastSquaresFit& found) {
   json.begin_array();
   for (const SearchTrace& search : found.searches) {
     json.begin_object();
-    json.member("start_cost", search.start_cost);
-    json.member("cost", search.cost);
+    const bool known = has_value(search);
+    json.member("start_cost", known ? search.start_cost : std::nan(""));
+    json.member("cost", known ? search.cost : std::nan(""));
+    json.member("found", found_the_minimum(found, search));
     json.member("iterations", std::int64_t{search.iterations});
     json.member("converged", is_convergence(search.stop));
     json.member("stop", stop_text(search.stop));

@@ -10,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include "driver/calibrate/file_part.hpp"
 #include "driver/calibrate/report/drawn_points.hpp"
 #include "driver/calibrate/report/residual_view.hpp"
 #include "driver/calibrate/report/table_view.hpp"
@@ -233,7 +234,7 @@ std::string unseen_cells(const TableView& view, const FittedTable& table) {
   if (!view.cell_grid || view.axes.size() != 1) return rows;
   const std::vector<double>& knots = view.axes[0].knots;
   for (std::size_t i = 0; i < table.cells.size(); ++i) {
-    if (table.cells[i].visits > 0) continue;
+    if (table.cells[i].visited()) continue;
     const auto place = static_cast<double>(i);
     rows += view.even ? fmt::format("{} {}\n", place, place + 1.0)
                       : fmt::format("{:.9g} {:.9g}\n", knots[i], knots[i + 1]);
@@ -244,7 +245,7 @@ std::string unseen_cells(const TableView& view, const FittedTable& table) {
 std::string unseen_words(const FittedTable& table) {
   std::vector<std::string> never;
   for (const FittedTable::Cell& cell : table.cells) {
-    if (cell.visits == 0) never.push_back(cell.text);
+    if (!cell.visited()) never.push_back(cell.text);
   }
   if (never.empty()) return {};
   return fmt::format("{} of {} cells never visited: {}", never.size(), table.cells.size(),
@@ -310,31 +311,37 @@ Drawing ordinates(const Fit& fit, const Calibration& calibration, const FittedTa
   return drawing;
 }
 
-/// A name as a part of a file's name.
-std::string file_part(std::string_view name) {
-  std::string part;
-  for (const char c : name) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool plain = byte >= 0x80 || (byte >= '0' && byte <= '9') ||
-                       (byte >= 'A' && byte <= 'Z') || (byte >= 'a' && byte <= 'z') || c == '_' ||
-                       c == '.' || c == '-' || c == '+';
-    part += plain ? c : '-';
+/// Names of pictures, no two alike.
+class PictureNames {
+ public:
+  explicit PictureNames(std::string_view stem) : stem_(stem) {}
+
+  std::string of(std::string_view name, std::string_view kind) {
+    std::string file = fmt::format("{}.{}.{}.svg", stem_, file_part(name), kind);
+    for (int n = 2; !taken_.insert(file).second; ++n) {
+      file = fmt::format("{}.{}-{}.{}.svg", stem_, file_part(name), n, kind);
+    }
+    return file;
   }
-  return part.empty() || part.front() == '.' ? "-" + part : part;
-}
+
+ private:
+  std::string stem_;
+  std::set<std::string> taken_;
+};
 
 /// Draws one picture after the other; after one that gnuplot cannot draw it tries no more.
 class Pictures {
  public:
-  Pictures(fs::path folder, std::string_view stem) : folder_(std::move(folder)), stem_(stem) {}
+  Pictures(fs::path folder, std::span<const std::string> inputs)
+      : folder_(std::move(folder)), inputs_(inputs) {}
 
   /// \param make the drawing, made only if it is to be drawn
   template <class Make>
-  void draw(const std::string& name, std::string_view kind, std::string_view pattern, Make make) {
+  void draw(const std::string& file, std::string_view pattern, Make make) {
     if (given_up_) return;
-    std::string file = fmt::format("{}.{}.{}.svg", stem_, file_part(name), kind);
-    for (int n = 2; !taken_.insert(file).second; ++n) {
-      file = fmt::format("{}.{}-{}.{}.svg", stem_, file_part(name), n, kind);
+    if (const std::string fault = input_fault(folder_ / file, inputs_); !fault.empty()) {
+      found_.notes.push_back("a picture was not drawn: " + fault);
+      return;
     }
     auto picture = begin_picture(folder_ / file, "", pattern);
     if (!picture) return give_up(picture.error());
@@ -358,25 +365,37 @@ class Pictures {
   }
 
   fs::path folder_;
-  std::string stem_;
-  std::set<std::string> taken_;
+  std::span<const std::string> inputs_;
   FitPictures found_;
   bool given_up_ = false;
 };
 
 }  // namespace
 
+std::vector<std::string> fit_picture_names(const Fit& fit, std::string_view stem) {
+  PictureNames names(stem);
+  std::vector<std::string> all;
+  for (const ExperimentFit& experiment : fit.experiments) {
+    all.push_back(names.of(experiment.name, "loop"));
+    all.push_back(names.of(experiment.name, "residuals"));
+  }
+  for (const VariedTable& table : fit.tables) all.push_back(names.of(table.name, "table"));
+  return all;
+}
+
 FitPictures draw_fit_pictures(const Fit& fit, const Calibration& calibration,
-                              const std::filesystem::path& folder, std::string_view stem) {
-  Pictures pictures(folder, stem);
+                              const std::filesystem::path& folder, std::string_view stem,
+                              std::span<const std::string> inputs) {
+  const std::vector<std::string> names = fit_picture_names(fit, stem);
+  Pictures pictures(folder, inputs);
   for (const FittedExperiment& one : calibration.experiments) {
     if (one.responses.empty()) continue;
-    const std::string& name = fit.experiments.at(one.index).name;
-    pictures.draw(name, "loop", "fit_loops.gp", [&] { return loops(fit, one); });
-    pictures.draw(name, "residuals", "fit_residuals.gp", [&] { return residuals(fit, one); });
+    pictures.draw(names.at(2 * one.index), "fit_loops.gp", [&] { return loops(fit, one); });
+    pictures.draw(names.at(2 * one.index + 1), "fit_residuals.gp",
+                  [&] { return residuals(fit, one); });
   }
   for (const FittedTable& table : calibration.tables) {
-    pictures.draw(fit.tables.at(table.index).name, "table", "fit_table.gp",
+    pictures.draw(names.at(2 * fit.experiments.size() + table.index), "fit_table.gp",
                   [&] { return ordinates(fit, calibration, table); });
   }
   return pictures.take();

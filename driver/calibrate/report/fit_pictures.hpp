@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,13 +18,19 @@ struct FitPictures {
   std::vector<std::string> notes;  ///< for the user, a sentence each; gnuplot is missing
 };
 
+/// The names of all pictures of a fit: of each experiment the loop and the residuals, then of each
+/// table.
+std::vector<std::string> fit_picture_names(const Fit& fit, std::string_view stem);
+
 /// Draws with gnuplot, into `folder`, under names that start with `stem`:
 ///   <stem>.<experiment>.loop.svg       measured, before and after, over time and over the position
 ///   <stem>.<experiment>.residuals.svg  what is left, over time and as a histogram
 ///   <stem>.<table>.table.svg           ordinates before and after with their intervals
 /// Characters of a name that do not belong into a file's name become '-'. A picture that does not
-/// come about is a note, no failure: the page has the same curves.
+/// come about is a note, no failure: the page has the same curves; one that would take the place of
+/// one of `inputs` is not drawn.
 FitPictures draw_fit_pictures(const Fit& fit, const Calibration& calibration,
-                              const std::filesystem::path& folder, std::string_view stem);
+                              const std::filesystem::path& folder, std::string_view stem,
+                              std::span<const std::string> inputs = {});
 
 }  // namespace slipbench::driver

@@ -175,6 +175,131 @@ TEST_CASE("over the position a clean loop gives the same as over time") {
   CHECK(estimate(over_position, "k") == Approx(estimate(over_time, "k")).epsilon(1e-9));
 }
 
+TEST_CASE("over the position a loop without noise gives back the truth, soft or stiff") {
+  // Rows so dense that some lie within 1e-3 of the range behind each turn.
+  constexpr int kRows = 8000;
+  std::vector<double> position;
+  for (int i = 1; i <= kRows; ++i) position.push_back(triangle(8.0 * i / kRows));
+  std::string text = SliderRig::case_text();
+  for (const auto& [few, many] : {std::pair{": 20,", ": 1000,"}, {": 40,", ": 2000,"}}) {
+    for (std::size_t at = 0; (at = text.find(few, at)) != std::string::npos;) {
+      text.replace(at, std::string(few).size(), many);
+    }
+  }
+  const TemporaryFolder folder;
+  folder.write("slider.yaml", text);
+  for (const double stiffness : {60.0, 2000.0, 20000.0}) {
+    const std::vector<double> forces = slider_forces(position, stiffness, 30.0);
+    // On the rows of the run, and between them: then no row lies where it turns.
+    for (const double shift : {0.0, 0.3, 0.8}) {
+      CAPTURE(stiffness, shift);
+      std::string data = "t,u,F\n";
+      for (std::size_t i = 100; i + 100 < forces.size(); ++i) {
+        const auto at = [&](const std::vector<double>& column) {
+          return column[i] + shift * (column[i + 1] - column[i]);
+        };
+        data += fmt::format("{:.17g},{:.17g},{:.17g}\n",
+                            8.0 * (static_cast<double>(i + 1) + shift) / kRows, at(position),
+                            at(forces));
+      }
+      folder.write("rig.csv", data);
+      const Calibration found = calibrated(
+          folder,
+          with(with(kSliderFit, "CSF1: F}", "CSF1: {column: F, over: {quantity: CP1, column: u}}}"),
+               "k: {", fmt::format("k: {{start: {}, ", 0.8 * stiffness)));
+      // Rounding of positions times the stiffness.
+      CHECK(estimate(found, "mu") == Approx(0.3).epsilon(1e-8));
+      CHECK(estimate(found, "k") == Approx(stiffness).epsilon(1e-8));
+      CHECK(found.experiments[0].responses[0].measured.size() >= forces.size() - 200 - 8);
+    }
+  }
+}
+
+TEST_CASE("what has no weight is scored and has no say, not even in the errors") {
+  const TemporaryFolder folder;
+  write_rig(folder, {.noise = 0.3});
+  folder.write("other.csv", SliderRig{.mu = 0.6, .noise = 0.3, .seed = 7}.data());
+  const Calibration alone =
+      calibrated(folder, with(kSliderFit, "  vary:", "  bootstrap: 5\n  vary:"));
+  const auto check = [&](const Calibration& found, double rounding) {
+    CHECK(found.problem.data_rows == 160);
+    CHECK(found.statistics.data == 160);
+    CHECK(found.fit.residuals.size() == 160);
+    CHECK(found.experiments.at(0).share_of_cost == Approx(1.0));
+    CHECK(found.statistics.deviation == Approx(alone.statistics.deviation).epsilon(rounding));
+    for (std::size_t u = 0; u < 2; ++u) {
+      CHECK(found.fit.x.at(u) == Approx(alone.fit.x[u]).epsilon(rounding));
+      CHECK(found.statistics.standard_error.at(u) ==
+            Approx(alone.statistics.standard_error[u]).epsilon(rounding));
+      // Those fits end at 1e-5 of a standard error.
+      CHECK(found.bootstrap.standard_error.at(u) ==
+            Approx(alone.bootstrap.standard_error[u]).epsilon(std::max(rounding, 1e-3)));
+    }
+  };
+  // It stands first, and is told last, like a hold-out.
+  const Calibration off = calibrated(
+      folder, with(kSliderFit, "  experiments:\n",
+                   "  bootstrap: 5\n"
+                   "  experiments:\n"
+                   "    - {name: off, weight: 0, case: slider.yaml, data: other.csv, time: t,\n"
+                   "       compare: {CSF1: F}}\n"));
+  check(off, 1e-12);
+  REQUIRE(off.experiments.size() == 2);
+  CHECK(off.experiments[1].responses.at(0).rmse_after > 10.0);
+  CHECK(says(off.notes, "off has the weight 0: it is scored like a hold-out, not fitted"));
+  // Beside a response that counts, before and behind it.
+  for (const char* compare :
+       {"{DISS: {column: t, weight: 0}, CSF1: F}", "{CSF1: F, DISS: {column: t, weight: 0}}"}) {
+    const Calibration beside = calibrated(
+        folder, with(with(kSliderFit, "{CSF1: F}", compare), "  vary:", "  bootstrap: 5\n  vary:"));
+    // The other quantity takes whole runs and differences.
+    check(beside, 1e-5);
+    CHECK(says(beside.notes, "slider, DISS has the weight 0: it is scored, not fitted"));
+    CHECK(beside.experiments.at(0).responses.size() == 2);
+    for (const FittedResponse& response : beside.experiments[0].responses) {
+      CHECK(response.measured.size() == 160);
+      CHECK(std::isfinite(response.rmse_after));
+    }
+  }
+}
+
+TEST_CASE("a hold-out is judged for its size") {
+  const TemporaryFolder folder;
+  write_rig(folder, {.noise = 0.3});
+  const auto notes = [&](std::string_view noise, const SliderRig& rig) {
+    folder.write("heavy.csv", rig.data());
+    std::string fit =
+        with(kSliderFit, "  vary:",
+             "  holdout:\n"
+             "    - {case: slider.yaml, set: {N: 300, amplitude: 3}, data: heavy.csv, time: t,\n"
+             "       compare: {CSF1: {column: F" +
+                 std::string(noise) +
+                 "}}}\n"
+                 "  vary:");
+    if (!noise.empty()) fit = with(fit, "CSF1: F}", "CSF1: {column: F, sigma: 0.3}}");
+    return calibrated(folder, fit).notes;
+  };
+  // Three times the load and three times the noise.
+  const SliderRig heavy{.normal_force = 300.0, .amplitude = 3.0, .noise = 0.9, .seed = 7};
+  CHECK_FALSE(says(notes("", heavy), "carry over"));
+  CHECK_FALSE(says(notes(", sigma: 0.9", heavy), "carry over"));
+  CHECK(says(notes(", sigma: 0.3", heavy), " sigma) against"));
+  SliderRig other = heavy;
+  other.stiffness = 90.0;
+  CHECK(says(notes("", other), "% of its range) against"));
+}
+
+TEST_CASE("a resampling that would fill the memory is refused") {
+  const TemporaryFolder folder;
+  write_rig(folder);
+  const auto found = calibrate(
+      sound_fit(folder, with(kSliderFit, "time: t,", "time: t, resample: {every: 1.0e-12},")));
+  REQUIRE_FALSE(found);
+  CHECK(found.error().code == kExitBadInput);
+  CHECK(found.error().message.find("resample: one row every 1e-12 s makes 8e+12 of 7.95 s, more "
+                                   "than 1e+07: write a longer 'every'") != std::string::npos);
+}
+
 TEST_CASE("positions whose branches are not those of the run are refused with a reason") {
   const TemporaryFolder folder;
   write_rig(folder);
@@ -261,30 +386,44 @@ TEST_CASE("a fit gives the same bits again, whatever the number of threads") {
 TEST_CASE("a fit in which nothing changes anything is refused") {
   const TemporaryFolder folder;
   write_rig(folder);
-  // It sticks as long as the data last.
+  // It sticks as long as the data last, with a tenth of mu as well.
   folder.write("rig.csv", "t,F\n0.05,6\n0.1,12\n0.15,18\n");
-  folder.write("slider.yaml", with(SliderRig::case_text(), "mu: 0.1", "mu: 5"));
+  folder.write("slider.yaml", with(SliderRig::case_text(), "mu: 0.1", "mu: 500"));
   const Calibration found = calibrated(
       folder,
       with(kSliderFit, "{mu: {bounds: [0, 2]}, k: {bounds: [1, 1.0e+5], scale: log}}", "{mu: {}}"));
   CHECK_FALSE(found.fit.converged);
   CHECK(found.fit.stop == StopReason::kZeroGradient);
   CHECK(found.unknowns.at(0).identifiability == Identifiability::kNeverVisited);
-  CHECK(estimate(found, "mu") == 5.0);
+  CHECK(estimate(found, "mu") == 500.0);
 }
 
 TEST_CASE("what only one of two unknowns is seen of is told") {
   const TemporaryFolder folder;
   write_rig(folder);
   folder.write("rig.csv", "t,F\n0.05,6\n0.1,12\n0.15,18\n");
+  folder.write("slider.yaml", with(SliderRig::case_text(), "mu: 0.1", "mu: 500"));
+  const Calibration found =
+      calibrated(folder, with(kSliderFit, "mu: {bounds: [0, 2]}", "mu: {bounds: [0, 900]}"));
+  CHECK(found.fit.converged);
+  CHECK(estimate(found, "k") == Approx(120.0).epsilon(1e-9));
+  CHECK(estimate(found, "mu") == 500.0);
+  CHECK(found.unknowns.at(0).identifiability == Identifiability::kNeverVisited);
+  CHECK(found.unknowns.at(1).identifiability == Identifiability::kGood);
+}
+
+TEST_CASE("a limit that the data never reach is no convergence if it is seen elsewhere") {
+  const TemporaryFolder folder;
+  write_rig(folder);
+  folder.write("rig.csv", "t,F\n0.05,6\n0.1,12\n0.15,18\n");
   folder.write("slider.yaml", with(SliderRig::case_text(), "mu: 0.1", "mu: 5"));
   const Calibration found =
       calibrated(folder, with(kSliderFit, "mu: {bounds: [0, 2]}", "mu: {bounds: [0, 9]}"));
-  CHECK(found.fit.converged);
+  CHECK(found.fit.stop == StopReason::kSilent);
+  CHECK_FALSE(found.fit.converged);
   CHECK(estimate(found, "k") == Approx(120.0).epsilon(1e-9));
-  CHECK(estimate(found, "mu") == 5.0);
-  CHECK(found.unknowns.at(0).identifiability == Identifiability::kNeverVisited);
-  CHECK(found.unknowns.at(1).identifiability == Identifiability::kGood);
+  CHECK(found.unknowns.at(0).identifiability == Identifiability::kWeak);
+  CHECK(found.unknowns.at(0).why.find("multistart: 8") != std::string::npos);
 }
 
 namespace {
@@ -417,6 +556,8 @@ TEST_CASE("points before and behind the run are left out and told") {
   const Calibration found = calibrated(folder, kSliderFit);
   CHECK(found.experiments[0].responses[0].measured.size() == 160);
   CHECK(says(found.experiments[0].cleaning, "2 of 162 measured points lie outside of the run"));
+  CHECK(found.experiments[0].rows_read == 162);
+  CHECK(found.experiments[0].rows_used == 160);
   CHECK(estimate(found, "mu") == Approx(0.3).epsilon(1e-9));
 }
 

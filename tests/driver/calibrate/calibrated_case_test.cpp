@@ -248,8 +248,29 @@ TEST_CASE("experiments of one case with the same settings share a calibrated cas
   cases = calibrated_cases(made.fit, made.calibration, folder.path());
   REQUIRE(cases.cases.size() == 2);
   CHECK(cases.cases[0].file_name == "loop.a.calibrated.yaml");
-  CHECK(cases.cases[1].file_name == "loop.hot___2.calibrated.yaml");
+  CHECK(cases.cases[1].file_name == "loop.hot---2.calibrated.yaml");
+  CHECK(calibrated_case_names(made.fit) ==
+        std::vector<std::string>{cases.cases[0].file_name, cases.cases[1].file_name});
+  CHECK(contains(cases.cases[0].text, "hot / 2 (another calibrated case of this fit)"));
   CHECK(contains(cases.cases[1].text, "  T0: \"= 4*mu\"\n"));
+}
+
+TEST_CASE("a calibrated case keeps the line ends of a case from Windows") {
+  const Folder folder;
+  std::string windows;
+  for (const char c : std::string(kSlider)) windows += c == '\n' ? "\r\n" : std::string(1, c);
+  const fs::path path = folder.write("loop.yaml", windows);
+  const ReadCase read = read_case(path.string());
+  REQUIRE(read.value);
+  Made made;
+  made.add_experiment("a", path, *read.value, {});
+  made.vary("mu", 0.25);
+  const CalibratedCases cases = calibrated_cases(made.fit, made.calibration, folder.path());
+  REQUIRE(cases.cases.size() == 1);
+  const std::string& text = cases.cases[0].text;
+  CHECK(std::count(text.begin(), text.end(), '\n') == std::count(text.begin(), text.end(), '\r'));
+  CHECK(contains(text, "\r\n"));
+  CHECK(read_text(text, folder.path()).value);
 }
 
 TEST_CASE("data files are found from where the calibrated case stands") {

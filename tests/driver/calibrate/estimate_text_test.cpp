@@ -67,3 +67,21 @@ TEST_CASE("an interval has the digits of its standard error") {
   CHECK(interval_text(-kInfinity, 0.23501, 0.002) == "-inf .. 0.2350");
   CHECK(interval_text(std::numeric_limits<double>::quiet_NaN(), 1.0, 0.1) == "-");
 }
+
+TEST_CASE("starts without a value found no minimum") {
+  using namespace slipbench::driver;
+  LeastSquaresFit fit;
+  fit.cost = 2.0;
+  fit.start_cost = 100.0;
+  CHECK(starts_text(fit).empty());
+  for (const double cost : {2.0, 2.0000001, 6.0, 0.0}) {
+    SearchTrace search;
+    search.cost = cost;
+    search.stop = cost > 0.0 ? StopReason::kStep : StopReason::kModelFailure;
+    fit.searches.push_back(search);
+  }
+  CHECK(starts_text(fit) ==
+        "2 of 4 starts found this minimum, the next best has 3 times its cost, 1 had no value");
+  CHECK_FALSE(has_value(fit.searches[3]));
+  CHECK_FALSE(found_the_minimum(fit, fit.searches[3]));
+}

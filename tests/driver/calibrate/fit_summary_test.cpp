@@ -182,8 +182,36 @@ TEST_CASE("the JSON document of a calibration has stable keys and null for what 
         R"("correlation": [[1, 0.31], [0.31, 1]])", R"("tables": [])",
         R"("name": "rig2", "held_out": true)",
         R"("rmse_before": 801, "rmse_after": 74.1, "range": 6200)",
-        R"("profiles": [], "notes": []})"}) {
+        R"("profiles": [], "notes": []})", R"("points": 400)"}) {
     INFO(part << " in\n" << text);
     CHECK(contains(text, part));
   }
+}
+
+TEST_CASE("a start without a value has no cost and found no minimum in the JSON document") {
+  Rig rig;
+  rig.calibration.fit.cost = 2.0;
+  rig.calibration.fit.searches.resize(2);
+  rig.calibration.fit.searches[0].cost = 2.0;
+  rig.calibration.fit.searches[1].stop = StopReason::kModelFailure;
+  const std::string text = calibration_json(rig.fit, rig.calibration).dump();
+  CAPTURE(text);
+  CHECK(contains(text, R"("start_cost": null, "cost": null, "iterations": 0, )"
+                       R"("stop": "model_failure", "same_minimum": false)"));
+  CHECK(contains(text, R"("cost": 2, "iterations": 0, "stop": "no_iteration", )"
+                       R"("same_minimum": true)"));
+}
+
+TEST_CASE("of very many points the JSON document has some, and says how many") {
+  Rig rig;
+  rig.calibration.experiments.resize(1);
+  FittedResponse& response = rig.calibration.experiments[0].responses[0];
+  response.measured.clear();
+  for (int i = 0; i < 25001; ++i) response.measured.push_back(i);
+  response.time = response.before = response.after = response.measured;
+  const std::string text = calibration_json(rig.fit, rig.calibration).dump();
+  CHECK(contains(text, R"("points": 25001)"));
+  CHECK(contains(text, R"("points_told": 8335)"));
+  CHECK(contains(text, "24996, 24999, 25000]"));
+  CHECK(contains(text, "[0, 3, 6"));
 }

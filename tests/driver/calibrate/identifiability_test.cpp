@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "driver/calibrate/estimate_text.hpp"
 #include "driver/calibrate/unseen_combinations.hpp"
 #include "driver/calibrate/unvisited_ranges.hpp"
 #include "driver/case/read_case.hpp"
@@ -130,16 +131,64 @@ TEST_CASE("whole ranges that were never visited are told as ranges") {
   CHECK(unvisited_ranges(table) == "anywhere");
 }
 
-TEST_CASE("a cell whose edge only was met counts as never visited") {
-  const FittedTable table = grid_table({0, 1, 10}, {20, 50, 80, 120}, 0);
+TEST_CASE("a cell whose edge only was met counts as never visited, everywhere") {
   // Increments at exactly 80 degC are counted in the cells above, where no ordinate is seen.
-  std::vector<char> seen(12, 1);
-  seen[9] = seen[10] = seen[11] = 0;
-  CHECK(unvisited_ranges(table, seen) == "with temperature above 80 degC");
-  seen[8] = 0;
+  std::vector<std::pair<std::string, double>> unknowns;
+  for (int i = 0; i < 12; ++i) unknowns.push_back({"c[" + std::to_string(i) + "].mu", 0.2});
+  Calibration c = calibration_of(unknowns, {1, 1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0});
+  c.fit.frozen = {0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1};
+  c.tables.push_back(grid_table({0, 1, 10}, {20, 50, 80, 120}, 0));
+  judge_identifiability(&c);
+  CHECK(unvisited_ranges(c.tables[0]) == "with temperature above 80 degC");
+  const std::vector<FittedTable::Cell>& cells = c.tables[0].cells;
+  REQUIRE(cells.size() == 6);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    CAPTURE(i);
+    CHECK(cells[i].visits == 10);
+    CHECK(cells[i].visited() == (i < 4));
+  }
+  c.fit.jacobian[8] = 0.0;
+  c.fit.frozen[8] = 1;
+  judge_identifiability(&c);
   CHECK(
-      unvisited_ranges(table, seen) ==
+      unvisited_ranges(c.tables[0]) ==
       "with temperature above 80 degC, nor with slip_rate 1 .. 10 mm/s, temperature 50 .. 80 degC");
+  CHECK_FALSE(c.tables[0].cells[3].visited());
+}
+
+TEST_CASE("what moved to where no compared point depends on it was not kept at its start") {
+  Calibration c = calibration_of({{"mu", 0.3}, {"k", 4.0}}, {0.0, 1.0,  //
+                                                             0.0, 2.0});
+  c.unknowns[0].range.start = 0.25;
+  c.statistics.identifiable = {0, 1};
+  judge_identifiability(&c);
+  CHECK(c.unknowns[0].identifiability == Identifiability::kWeak);
+  CHECK(c.unknowns[0].why ==
+        "moved from 0.25 to 0.3, where no compared point depends on it: other values may fit as "
+        "well");
+  CHECK(any_contains(identifiability_notes(fit_of({"mu", "k"}), c),
+                     "mu is only weakly known: moved from 0.25 to 0.3"));
+  CHECK(estimate_text(c, 0).remark == "weak");
+}
+
+TEST_CASE("a note on ordinates names them by their knots") {
+  Calibration c = calibration_of(
+      {{"sleeve.coefficient[0].mu", 0.2}, {"sleeve.coefficient[1].mu", 0.3}}, {1, 2, 3, 4});
+  c.statistics.correlation = {1.0, 0.97, 0.97, 1.0};
+  FittedTable table;
+  table.columns = {"slip_rate"};
+  table.units = {"mm/s"};
+  table.points = {{0.0}, {3.5}};
+  table.count = 2;
+  c.tables = {table};
+  Fit fit = fit_of({});
+  fit.tables.resize(1);
+  CHECK(any_contains(identifiability_notes(fit, c),
+                     "mu at slip_rate 0 mm/s and mu at slip_rate 3.5 mm/s move together"));
+  // One of several tables is named.
+  c.tables.emplace_back();
+  c.tables.back().first_unknown = 2;
+  CHECK(told_name(c, 1) == "sleeve.coefficient.mu at slip_rate 3.5 mm/s");
 }
 
 TEST_CASE("an ordinate counts between its neighbours in its own block") {
@@ -169,8 +218,9 @@ TEST_CASE("a note on a table names what was never visited and what became of its
                      "table 'sleeve.coefficient': never visited with temperature above 80 degC; 2 "
                      "of 6 ordinates kept at their start; measure there to know them"));
   // Ordinates that are tied by smoothness are not kept.
-  c.fit.frozen.assign(6, 0);
+  c.unknowns[4].tied = c.unknowns[5].tied = true;
   CHECK(any_contains(identifiability_notes(fit, c), "2 of 6 ordinates known only by smoothness"));
+  CHECK(estimate_text(c, 5).remark == "never visited, smoothed");
 }
 
 TEST_CASE("the increments of runs are added up over the cells of a table") {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/calibrate/observation.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
@@ -79,6 +80,78 @@ TEST_CASE("noise of positions makes no branches, and points beyond a turn are le
   CHECK(found.fault.empty());
   CHECK(found.kept.size() < 201);
   CHECK(found.kept.size() > 180);
+}
+
+TEST_CASE("points just behind a turn are on the branch behind it, however near") {
+  // Up to 1, down to -1, up to 0; the run has no row where it turns. The value tells the branch.
+  const auto path = [](double t) { return t <= 1.0 ? t : t <= 3.0 ? 2.0 - t : t - 4.0; };
+  std::vector<double> time, position;
+  for (int i = 0; i <= 4000; ++i) time.push_back(0.001 * i + 0.0004);
+  for (const double t : time) position.push_back(path(t));
+  for (const double shift : {0.0, 0.3, 0.5, 0.8}) {
+    CAPTURE(shift);
+    MeasuredSeries measured;
+    for (std::size_t i = 5; i + 5 < time.size(); ++i) {
+      measured.time.push_back(time[i] + shift * (time[i + 1] - time[i]));
+      measured.over.push_back(position[i] + shift * (position[i + 1] - position[i]));
+    }
+    const Observations found = observe_positions(time, position, measured);
+    CHECK(found.fault.empty());
+    // Of measured turns that are none of the run, its time tells the side.
+    CHECK(found.kept.size() == measured.time.size());
+    const std::vector<double> read = values_at(time, found);
+    // Rounding of positions.
+    for (std::size_t i = 0; i < read.size(); ++i) {
+      if (std::abs(read[i] - measured.time[found.kept[i]]) > 1e-9) {
+        FAIL_CHECK(measured.time[found.kept[i]] << " is met at " << read[i]);
+      }
+    }
+  }
+}
+
+TEST_CASE(
+    "of a measured turn that is none of the run nothing tells the side if its clock is late") {
+  std::vector<double> time, position;
+  MeasuredSeries measured;
+  for (int i = 0; i <= 200; ++i) {
+    const double t = 0.01 * i;
+    time.push_back(t);
+    position.push_back(t <= 1.0 ? t : 2.0 - t);
+    if (i < 10 || i > 190) continue;
+    measured.time.push_back(t + 0.02);
+    measured.over.push_back(t + 0.003 <= 1.0 ? t + 0.003 : 2.0 - t - 0.003);
+  }
+  const Observations found = observe_positions(time, position, measured);
+  CHECK(found.fault.empty());
+  // The turn, and what the run had before the first measured time.
+  CHECK(found.kept.size() + 3 >= measured.time.size());
+  CHECK(std::count(found.kept.begin(), found.kept.end(), 90) == 0);
+  const std::vector<double> read = values_at(time, found);
+  // Rounding of positions.
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    CHECK(read[i] == Approx(measured.time[found.kept[i]] - 0.017).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("points as near to a turn as the noise of the positions are left out") {
+  std::vector<double> time, position;
+  MeasuredSeries measured;
+  for (int i = 0; i <= 400; ++i) {
+    const double t = 0.01 * i;
+    time.push_back(t);
+    // Up to 1, a rest, and down again.
+    position.push_back(t <= 1.0 ? t : t <= 2.0 ? 1.0 : 3.0 - t);
+    measured.time.push_back(t);
+    measured.over.push_back(position.back() + (i % 3 == 0 ? 3e-4 : -2e-4));
+  }
+  const Observations found = observe_positions(time, position, measured);
+  CHECK(found.fault.empty());
+  CHECK(found.kept.size() < 305);  // nothing of the rest
+  CHECK(found.kept.size() > 290);
+  const std::vector<double> read = values_at(time, found);
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    CHECK(read[i] == Approx(measured.time[found.kept[i]]).margin(4e-4));
+  }
 }
 
 TEST_CASE("branches that differ in number or direction are a fault") {

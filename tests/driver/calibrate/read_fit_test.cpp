@@ -454,4 +454,15 @@ TEST_CASE("A fit file where a case is wanted is sent to the command that reads i
 }
 
 }  // namespace
+TEST_CASE("A date is a day of the calendar") {
+  const FitFolder folder;
+  CHECK(folder.sound(kSoundFit + "  date: 2028-02-29\n").date == "2028-02-29");
+  for (const char* date : {"2026-02-31", "2026-02-29", "1.3.2026", "2026-3-1", "yesterday",
+                           "\"2026-03-01\\n- more\""}) {
+    CAPTURE(date);
+    CHECK(contains(folder.complaint(kSoundFit + "  date: " + date + "\n"),
+                   "a date is wanted, YYYY-MM-DD, such as 2026-03-01; found '"));
+  }
+}
+
 }  // namespace slipbench::driver

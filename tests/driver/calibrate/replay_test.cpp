@@ -165,7 +165,11 @@ TEST_CASE("only the friction may differ in the same history") {
   CHECK_FALSE(same([](Case& c) { c.steps[0].duration = 2.0; }));
   CHECK_FALSE(same([](Case& c) { c.steps[0].repeat = 2; }));
   CHECK_FALSE(same([](Case& c) { std::get<Wave>(c.steps[0].drives[0].profile).amplitude = 0.2; }));
+  CHECK_FALSE(same([](Case& c) { std::get<Wave>(c.steps[0].drives[0].profile).period = 0.9; }));
+  CHECK_FALSE(same([](Case& c) { std::get<Wave>(c.steps[0].drives[0].profile).mean = 0.1; }));
+  CHECK_FALSE(same([](Case& c) { std::get<Wave>(c.steps[0].drives[0].profile).phase = 0.1; }));
   CHECK_FALSE(same([](Case& c) { c.steps[0].drives[0].profile = LinearTo{0.1}; }));
+  CHECK_FALSE(same([](Case& c) { c.measured_pieces = 2; }));
   CHECK_FALSE(same([](Case& c) { c.steps[0].drives.push_back({kFirstForce, Constant{1.0}}); }));
   CHECK_FALSE(same([](Case& c) { c.steps.push_back(c.steps[0]); }));
   CHECK_FALSE(same([](Case& c) { c.initial[0] = 0.1; }));

@@ -129,6 +129,58 @@ TEST_CASE("calibrate overwrites no file that it reads") {
   CHECK(read(folder.path() / "slider.yaml") == SliderRig::case_text());
 }
 
+TEST_CASE("no picture of calibrate takes the place of a measurement") {
+  const TemporaryFolder folder;
+  write_rig(folder);
+  const std::string name = "fit.loop.loop.svg";
+  fs::copy_file(folder.path() / "rig.csv", folder.path() / name);
+  folder.write("fit.yaml",
+               "slipbench: 1\n"
+               "calibrate:\n"
+               "  experiments: [{name: loop, case: slider.yaml, data: fit.loop.loop.svg, time: t, "
+               "compare: {CSF1: F}}]\n"
+               "  vary: {mu: {}}\n");
+  const std::string data = read(folder.path() / name);
+  const Ended ended = slipbench(folder, "calibrate fit.yaml");
+  CAPTURE(ended.output);
+  CHECK(ended.code == 4);
+  CHECK(contains(ended.output, "is an input"));
+  // A link to the measurement where a picture would go.
+  fs::create_directory(folder.path() / "out");
+  fs::create_symlink("../" + name, folder.path() / "out" / name);
+  CHECK(slipbench(folder, "calibrate fit.yaml -o out").code == 4);
+  CHECK(read(folder.path() / name) == data);
+}
+
+TEST_CASE("the page of calibrate is no other result, and is written if it is asked for") {
+  const TemporaryFolder folder;
+  write_rig(folder);
+  const auto before = files_in(folder);
+  for (const char* page : {"./fit.json", "slider.calibrated.yaml"}) {
+    const Ended ended = slipbench(folder, std::string("calibrate fit.yaml --report ") + page);
+    CAPTURE(ended.output);
+    CHECK(ended.code == 4);
+    CHECK(contains(ended.output, "another result of this fit"));
+  }
+  const Ended none = slipbench(folder, "calibrate fit.yaml --no-output --report page.html");
+  CAPTURE(none.output);
+  CHECK(none.code == 2);
+  CHECK(contains(none.output, "leave out --report"));
+  CHECK(files_in(folder) == before);
+}
+
+TEST_CASE("a result that cannot be written is known before the fit") {
+  const TemporaryFolder folder;
+  write_rig(folder);
+  fs::create_directory(folder.path() / "slider.calibrated.yaml");
+  const Ended ended = slipbench(folder, "calibrate fit.yaml --report page.html");
+  CAPTURE(ended.output);
+  CHECK(ended.code == 4);
+  CHECK(contains(ended.output, "slider.calibrated.yaml"));
+  CHECK_FALSE(contains(ended.output, "converged"));
+  CHECK_FALSE(fs::exists(folder.path() / "page.html"));
+}
+
 TEST_CASE("a fit file given to another command is told where it belongs") {
   const TemporaryFolder folder;
   write_rig(folder);

@@ -224,5 +224,27 @@ history:
   CHECK(belt.find("behind the ring f_bc 187.446") != std::string::npos);
 }
 
+TEST_CASE("in the gap of a dead zone nothing is said to stick") {
+  constexpr const char* kGap = R"(slipbench: 1
+units: {length: mm, force: N, time: s}
+connector: {type: SLOT}
+friction:
+  - {component: 1, internal_contact_force: 100, coefficient: 0.2, stick: {stiffness: 1000}}
+dead_zone:
+  - {component: 1, width: 0.2}
+history:
+  - {step: in, increments: 10, motion: {CP1: {to: 0.5}}}
+)";
+  const std::string gap = text_of(kGap, 0.1);
+  INFO(gap);
+  CHECK(gap.find("\nin the gap of the dead zone   CSF1 0.0 N\n") != std::string::npos);
+  CHECK(gap.find("play 0.05 mm of a dead zone of 0.2 mm, between its ends") != std::string::npos);
+  CHECK(gap.find("  without slip since the start\n") != std::string::npos);
+  CHECK(gap.find("% of the limit") == std::string::npos);
+  const std::string slip = text_of(kGap, 0.9);
+  CHECK(slip.find("\nslip   CSF1 +20.0 N\n") != std::string::npos);
+  CHECK(slip.find("play 0.1 mm of a dead zone of 0.2 mm, at its upper end") != std::string::npos);
+}
+
 }  // namespace
 }  // namespace slipbench::driver

@@ -358,7 +358,8 @@ TEST_CASE("describe leads from the options of a Radioss block to what says them 
   CHECK(contains(described("Iform"), "formulation (key of a case)"));
   CHECK(contains(described("VISF"), "formulation (key of a case)"));
   const std::string two = described("Idir");
-  CHECK(contains(two, "history[].change_friction.NAME.coefficient.orthotropic\n"));
+  CHECK(contains(two, "friction[].coefficient.orthotropic"));
+  CHECK_FALSE(contains(two, "change_friction"));  // where it is refused
   CHECK(two.find("direction1 ") == two.rfind("direction1 "));
   const std::string pairs = described("friction_pairs");
   CHECK_FALSE(contains(pairs, "C1"));

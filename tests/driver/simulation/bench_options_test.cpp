@@ -51,6 +51,9 @@ Options random_options(Dice& dice) {
   options.start = 0.5 * options.gap * dice.one_of(std::vector<double>{-1.0, 0.0, 0.5, 1.0});
   options.forward = dice.between(0.05, 0.6);
   if (dice.chance(0.7)) options.backward = dice.between(0.05, 0.6);
+  // A ratchet: nothing holds in one direction.
+  if (dice.chance(0.2)) options.backward = 0.0;
+  if (options.backward.value_or(1.0) > 0.0 && dice.chance(0.1)) options.forward = 0.0;
   if (dice.chance(0.5)) {
     options.stick = {law::StickStiffness::Mode::kElasticSlip, dice.between(1e-3, 0.1)};
   }
@@ -73,7 +76,10 @@ TEST_CASE("a slider with backlash and two limits follows its closed form along a
       // Positions up to 5 carry roundings of 1e-15, which the stiffness turns into forces of 1e-12;
       // 180 of them add up.
       CHECK(std::abs(here.update.state.force[0] - state.force) <= 1e-9);
-      CHECK(std::abs(here.update.state.accumulated_slip - state.accumulated_slip) <= 1e-11);
+      // Without a limit the friction is open, and what slips there is not counted.
+      if (std::min(slider.forward_limit, slider.backward_limit) > 0.0) {
+        CHECK(std::abs(here.update.state.accumulated_slip - state.accumulated_slip) <= 1e-11);
+      }
       CHECK(std::abs(here.dissipation - state.dissipation) <= 1e-9);
       CHECK(std::abs(here.work - state.work) <= 1e-9);
       if (options.gap > 0.0) CHECK(std::abs(here.play - closed::play(slider, state)) <= 1e-12);
@@ -262,6 +268,133 @@ TEST_CASE("while the contact is open the play follows the motion and keeps its p
   CHECK(open.play == Approx(0.1 - 0.13).epsilon(1e-12));
   CHECK(rows[6].definitions[0].play == -0.1);
   CHECK(rows[6].definitions[0].update.state.force[0] == Approx(-20.0));
+}
+
+TEST_CASE("a direction that does not hold takes back the energy of the other one") {
+  // 30 N on a spring of 0.03 mm: 0.45 mJ that the first increment back gives back.
+  for (const double gap : {0.0, 0.06}) {
+    for (const int increments : {1, 10}) {
+      const std::vector<Row> rows = rows_of(
+          with_options({.gap = gap, .forward = 0.3, .backward = 0.0},
+                       {step("in", 1, 0, LinearTo{1.0}), step("out", increments, 0, LinearTo{-1.0}),
+                        step("in", 1, 0, LinearTo{1.0})}));
+      const DefinitionRow& there = rows[1].definitions[0];
+      const DefinitionRow& back = rows[1 + static_cast<std::size_t>(increments)].definitions[0];
+      CHECK(back.update.state.regime == law::Regime::kOpen);
+      CHECK(back.work == Approx(there.work - 0.45).epsilon(1e-12));  // rounding, as below
+      CHECK(back.dissipation == there.dissipation);
+      const DefinitionRow& end = rows.back().definitions[0];
+      CHECK(end.update.stored_energy == Approx(0.45).epsilon(1e-12));
+      CHECK(end.work == Approx(end.dissipation + 0.45).epsilon(1e-12));
+    }
+  }
+}
+
+TEST_CASE("a coefficient that falls in one direction alone has its thresholds there") {
+  const law::FrictionLaw falling =
+      law::ExponentialDecay{.mu_static = 0.3, .kinetic = 0.2, .decay = 0.5};
+  const std::vector<Step> path = {step("in", 4, 0, LinearTo{0.5}),
+                                  step("out", 4, 0, LinearTo{-0.5})};
+  Case plain = with_options({}, path);
+  plain.definitions[0].law.law = falling;
+  const law::IncrementThresholds wanted = rows_of(plain).back().definitions[0].thresholds;
+  REQUIRE(wanted.unique > 0.0);
+  REQUIRE(wanted.smooth > 0.0);
+  // The other one constant, or of a law that does not fall either.
+  const law::FrictionLaw others[] = {
+      law::ConstantCoefficient{0.2},
+      law::ExponentialDecay{.mu_static = 0.2, .kinetic = 0.2, .decay = 0.5}};
+  for (const law::FrictionLaw& other : others) {
+    for (const bool backward : {true, false}) {
+      Case problem = plain;
+      problem.definitions[0].law.law = backward ? other : falling;
+      problem.definitions[0].backward = backward ? falling : other;
+      const std::vector<Row> rows = rows_of(problem);
+      const std::size_t here = backward ? 8 : 4;
+      CHECK(rows[here].definitions[0].backward == backward);
+      CHECK(rows[here].definitions[0].thresholds.unique == wanted.unique);
+      CHECK(rows[backward ? 4 : 8].definitions[0].thresholds.smooth == 0.0);
+    }
+  }
+}
+
+TEST_CASE("thresholds see the motion that a gap leaves for the friction") {
+  const auto thresholds = [](double gap) {
+    Case problem = with_options({.gap = gap}, {step("in", 1, 0, LinearTo{0.5 * gap + 0.05})});
+    problem.definitions[0].law.law =
+        law::ExponentialDecay{.mu_static = 0.3, .kinetic = 0.2, .decay = 10.0};
+    return rows_of(problem).back().definitions[0].thresholds;
+  };
+  const law::IncrementThresholds plain = thresholds(0.0);
+  const law::IncrementThresholds behind = thresholds(0.5);
+  REQUIRE(plain.smooth > 0.0);
+  CHECK(behind.weakening == Approx(plain.weakening).epsilon(1e-12));  // rounding of positions
+  CHECK(behind.smooth == Approx(plain.smooth).epsilon(1e-12));
+}
+
+TEST_CASE("a floor of the backward coefficient is noted") {
+  law::GeneralizedViscous floored = law::GeneralizedViscous::example();
+  Case problem = with_options({}, {step("out", 2, 0, LinearTo{-0.5})});
+  // Forward it has no floor.
+  for (const double shift : {0.0, -1.0}) {
+    floored.fric = shift == 0.0 ? 1.0 : -1e3;
+    problem.definitions[0].backward = floored;
+    const DefinitionRow row = rows_of(problem).back().definitions[0];
+    CHECK(row.backward);
+    CHECK(row.clamped == (shift != 0.0));
+    CHECK((row.raw_mu[0] < 0.0) == (shift != 0.0));
+  }
+}
+
+TEST_CASE("a change of friction behind a gap: the spring is as long as its new stiffness wants") {
+  // 15 N: 0.015 mm at 1000 N/mm, 0.075 at 200. The play stands at its upper end.
+  law::FrictionDefinition softer = slider_case({}).definitions[0].law;
+  law::FrictionState state;
+  state.force[0] = 15.0;
+  state.elastic_slip[0] = 0.015;
+  softer.stick.value = 200.0;
+  CHECK(elastic_extension(softer, state) == Approx(0.075).epsilon(1e-15));
+  // With an allowable elastic slip the state has it.
+  softer.stick = {law::StickStiffness::Mode::kElasticSlip, 0.02};
+  CHECK(elastic_extension(softer, state) == 0.015);
+}
+
+TEST_CASE("in a scaled slip space the gap is in the unit of the component") {
+  // A friction at the radius 10: 20 N there are 200 N mm, 1000 N/mm are 1e5 N mm a radian.
+  for (const auto mode :
+       {law::StickStiffness::Mode::kStiffness, law::StickStiffness::Mode::kElasticSlip}) {
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      Dice dice(seed);
+      Options options = random_options(dice);
+      options.stick = {mode, mode == law::StickStiffness::Mode::kStiffness
+                                 ? dice.between(100.0, 3000.0)
+                                 : dice.between(1e-3, 0.1)};
+      const std::vector<Step> path = random_path(dice);
+      const std::vector<Row> along = rows_of(with_options(options, path));
+      constexpr double kRadius = 8.0;
+      options.gap /= kRadius;
+      options.start /= kRadius;
+      std::vector<Step> turning = path;
+      for (Step& one : turning) {
+        one.drives[0].quantity = 3;
+        one.drives[0].profile = LinearTo{std::get<LinearTo>(one.drives[0].profile).value / kRadius};
+      }
+      Case around = with_options(options, turning);
+      around.connection = law::find_connection("CYLINDRICAL").value();
+      around.definitions[0].law.slip = law::slip_space({4}, kRadius);
+      const std::vector<Row> rows = rows_of(around);
+      INFO("seed " << seed);
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        const DefinitionRow& one = along[i].definitions[0];
+        const DefinitionRow& other = rows[i].definitions[0];
+        // A power of two: no rounding.
+        CHECK(one.update.state == other.update.state);
+        CHECK(one.update.onset == other.update.onset);
+        CHECK(one.work == other.work);
+        CHECK(one.play == kRadius * other.play);
+      }
+    }
+  }
 }
 
 TEST_CASE("the law in force is that of the direction") {

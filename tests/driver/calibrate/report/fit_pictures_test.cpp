@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "driver/calibrate/report/fit_report.hpp"
 #include "tests/driver/calibrate/report/made_fits.hpp"
 #include "tests/driver/history/temporary_folder.hpp"
 
@@ -81,6 +82,46 @@ TEST_CASE("residuals say what they are, a long history is told to be thinned") {
   const FitPictures many = draw_all(folder, made_large_fit());
   REQUIRE(many.written.size() == 2);
   CHECK(contains(read_text(many.written[0]), "thinned"));
+}
+
+TEST_CASE("no picture has points of no size, which some programs cannot draw") {
+  if (no_gnuplot()) return;
+  const TemporaryFolder folder;
+  for (const MadeFit& made : {made_slider_fit(), made_table_fit(), made_large_fit()}) {
+    for (const fs::path& file : draw_all(folder, made).written) {
+      CAPTURE(file);
+      CHECK_FALSE(contains(read_text(file), "scale(0.00)"));
+    }
+  }
+}
+
+TEST_CASE("a picture does not take the place of an input, by whatever name") {
+  if (no_gnuplot()) return;
+  const TemporaryFolder folder;
+  const MadeFit made = made_slider_fit();
+  const std::vector<std::string> names = fit_picture_names(made.fit, "fit");
+  const fs::path data = folder.path() / "data.csv";
+  std::ofstream(data) << "t,F\n";
+  fs::create_symlink("data.csv", folder.path() / names.at(0));
+  const std::vector<std::string> inputs{data.string()};
+  const FitPictures pictures =
+      draw_fit_pictures(made.fit, made.calibration, folder.path(), "fit", inputs);
+  CHECK(read_text(data) == "t,F\n");
+  CHECK(pictures.written.size() + 1 == names.size());
+  REQUIRE(pictures.notes.size() == 1);
+  CHECK(contains(pictures.notes[0], "is an input"));
+}
+
+TEST_CASE("cells of which increments only met the edge are drawn as never visited") {
+  if (no_gnuplot()) return;
+  const TemporaryFolder folder;
+  MadeFit made = made_table_fit();
+  made.calibration.tables[0].cells[0].edge_only = true;
+  const FitPictures pictures = draw_all(folder, made);
+  REQUIRE(pictures.written.size() == 5);
+  CHECK(contains(read_text(pictures.written[4]), "7 of 12 cells never visited: slip_rate 0 .. 10"));
+  const std::string document = fit_document(made.fit, made.calibration);
+  CHECK(contains(document, "\"visited\":false"));
 }
 
 TEST_CASE("names become names of files, and two that become one are numbered") {
