@@ -190,6 +190,7 @@ def race(slipbench, rounds, rows):
     agree = True
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
+        os.environ["NUMBA_CACHE_DIR"] = name  # else it would write beside this file
         write_files(folder, rows)
         for count in (4, 20):
             ours, compiling, cached = [], [], []
