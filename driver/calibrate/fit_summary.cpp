@@ -193,10 +193,10 @@ std::string bootstrap_lines(const Fit& fit, const Calibration& calibration) {
   if (bootstrap.done == 0) return {};
   TextTable table;
   table.add({"bootstrap", "+-", fmt::format("{:.6g} % interval", 100.0 * fit.confidence)});
-  for (std::size_t u = 0; u < std::min(fit.vary.size(), bootstrap.standard_error.size()); ++u) {
+  for (std::size_t u = 0; u < bootstrap.standard_error.size(); ++u) {
     const double error = bootstrap.standard_error[u];
     if (calibration.unknowns[u].identifiability == Identifiability::kNeverVisited) continue;
-    table.add({printable(calibration.unknowns[u].name),
+    table.add({printable(told_name(calibration, u)),
                value_and_error(calibration.unknowns[u].value, error).error,
                interval_text(bootstrap.lower[u], bootstrap.upper[u], error)});
   }

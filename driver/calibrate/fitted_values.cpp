@@ -45,8 +45,8 @@ void note_bounds(const Calibration& calibration, std::vector<std::string>& notes
     notes.push_back(fmt::format(
         "{} ended at its {} bound {:.6g}: the data ask for {} than it allows; its standard error "
         "says nothing there",
-        unknown.name, lower ? "lower" : "upper", lower ? unknown.range.lower : unknown.range.upper,
-        lower ? "less" : "more"));
+        told_name(calibration, u), lower ? "lower" : "upper",
+        lower ? unknown.range.lower : unknown.range.upper, lower ? "less" : "more"));
   }
 }
 
@@ -57,9 +57,8 @@ void note_starts(const Calibration& calibration, std::vector<std::string>& notes
     const FittedUnknown& unknown = calibration.unknowns[u];
     notes.push_back(
         fmt::format("the start {:.6g} of {} is on a bound, or not of the shape that is wanted: the "
-                    "search began "
-                    "at {:.6g}",
-                    unknown.range.start, unknown.name, fit.searches.front().start[u]));
+                    "search began at {:.6g}",
+                    unknown.range.start, told_name(calibration, u), fit.searches.front().start[u]));
   }
 }
 
