@@ -79,18 +79,6 @@ std::string_view word_of(StopReason reason) {
   return "too_few_data";
 }
 
-std::string_view word_of(Identifiability identifiability) {
-  switch (identifiability) {
-    case Identifiability::kGood:
-      return "good";
-    case Identifiability::kWeak:
-      return "weak";
-    case Identifiability::kNeverVisited:
-      break;
-  }
-  return "never_visited";
-}
-
 std::string_view word_of(Loss::Kind kind) {
   switch (kind) {
     case Loss::Kind::kSquares:

@@ -145,4 +145,16 @@ std::string told_name(const Calibration& calibration, std::size_t u) {
   return name;
 }
 
+std::string_view word_of(Identifiability identifiability) {
+  switch (identifiability) {
+    case Identifiability::kGood:
+      return "good";
+    case Identifiability::kWeak:
+      return "weak";
+    case Identifiability::kNeverVisited:
+      break;
+  }
+  return "never_visited";
+}
+
 }  // namespace slipbench::driver

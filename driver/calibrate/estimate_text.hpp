@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "driver/calibrate/calibration.hpp"
 
@@ -54,5 +55,8 @@ std::string starts_text(const LeastSquaresFit& fit);
 /// An unknown for people: a parameter's name; an ordinate by its knots, "mu at slip_rate 3.5 mm/s",
 /// with its table, "sleeve.coefficient.mu at ..", where several are fitted.
 std::string told_name(const Calibration& calibration, std::size_t unknown);
+
+/// "good", "weak" or "never_visited": the word of files that programs read.
+std::string_view word_of(Identifiability identifiability);
 
 }  // namespace slipbench::driver

@@ -46,18 +46,6 @@ double entry(const std::vector<double>& list, std::size_t i) {
 }
 bool flag(const std::vector<char>& list, std::size_t i) { return i < list.size() && list[i] != 0; }
 
-std::string_view word_of(Identifiability identifiability) {
-  switch (identifiability) {
-    case Identifiability::kGood:
-      return "good";
-    case Identifiability::kWeak:
-      return "weak";
-    case Identifiability::kNeverVisited:
-      break;
-  }
-  return "never_visited";
-}
-
 std::string loss_text(const Loss& loss) {
   switch (loss.kind) {
     case Loss::Kind::kSquares:
