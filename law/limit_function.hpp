@@ -25,6 +25,7 @@ struct Limit {
   double to_contact = 0.0;     ///< dF_lim/d(F_C + F_int)
   double to_rate = 0.0;        ///< dF_lim/d(slip rate)
   double to_slip = 0.0;        ///< dF_lim/d(dL) through the accumulated slip
+  double wear = 0.0;           ///< dF_int/d(accumulated slip) [F/L]
 };
 
 /// F_lim as a function of the slip increment dL, all else of the increment given (theory 11.4):
@@ -69,6 +70,7 @@ class LimitFunction {
     limit.contact_force = contact_ + internal.value;
     limit.normal_force = std::abs(limit.contact_force);
     limit.slip_rate = rate;
+    limit.wear = internal.to_accumulated_slip;
     const CoefficientPoint c =
         blended(blend, evaluate(definition_.law, increment_.end,
                                 {.slip_rate = rate, .contact_force = limit.normal_force}));

@@ -17,9 +17,13 @@
 namespace slipbench::law {
 namespace {
 
-template <int D>
+/// What an update holds.
+enum class Detail : std::uint8_t { kAll, kForce };
+
+template <int D, Detail kDetail>
 FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIncrement& increment,
                          const FrictionState& old) noexcept {
+  constexpr bool kAll = kDetail == Detail::kAll;
   FrictionUpdate result;
   const bool fixed = definition.stick.mode == StickStiffness::Mode::kStiffness;
 
@@ -46,6 +50,7 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
     result.mu = l.mu;
     result.limit = l.force;
     result.slip_rate = l.slip_rate;
+    result.wear = l.wear;
   };
 
   // 3. Nothing to hold on to: start again from a stress-free state (section 10.6). A coefficient
@@ -54,7 +59,7 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
       (!(at_rest.normal_force > 0.0) || !(limit.at(0.0, limit.motion_rate(motion)).force > 0.0))) {
     report(at_rest);
     result.state.regime = Regime::kOpen;
-    result.work = 0.5 * y_old.dot(ds);  // the force falls from y_old to 0
+    if constexpr (kAll) result.work = 0.5 * y_old.dot(ds);  // the force falls from y_old to 0
     return result;
   }
 
@@ -83,14 +88,19 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
         l.slip_rate = limit.rate(slip);
       }
       // The force is put on the limit; with the root at rounding accuracy both agree.
-      result.multiple_roots =
-          -slope > kappa || (implicit && has_later_root(limit, trial, kappa, slip));
+      if constexpr (kAll) {
+        result.multiple_roots =
+            -slope > kappa || (implicit && has_later_root(limit, trial, kappa, slip));
+      }
       n = y_trial / trial;
       y = l.force * n;
       s_elastic = y / kappa;
     } else {
-      result.multiple_roots = -limit.slope(at_rest) > kappa ||
-                              (limit.depends_on_slip() && has_later_root(limit, trial, kappa, 0.0));
+      if constexpr (kAll) {
+        result.multiple_roots =
+            -limit.slope(at_rest) > kappa ||
+            (limit.depends_on_slip() && has_later_root(limit, trial, kappa, 0.0));
+      }
       y = y_trial;
       s_elastic = y / kappa;
     }
@@ -131,15 +141,17 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
   result.state.regime = opens ? Regime::kOpen : (slips ? Regime::kSlip : Regime::kStick);
   result.slip_increment = slip;
   result.state.accumulated_slip += slip;
-  result.dissipation = l.force * slip;
-  result.stored_energy = 0.5 * y.dot(s_elastic);
-  result.work = slips ? split_work<D>(y_old, y_trial, y, ds, l.force, &result.onset)
-                      : 0.5 * (y_old + y).dot(ds);
-  const double p = norm<D>(y);
-  result.phi = (slips && fixed && !opens ? trial - kappa_or_g * slip : p) - l.force;
+  const double p = kAll || !slips ? norm<D>(y) : l.force;
+  if constexpr (kAll) {
+    result.dissipation = l.force * slip;
+    result.stored_energy = 0.5 * y.dot(s_elastic);
+    result.work = slips ? split_work<D>(y_old, y_trial, y, ds, l.force, &result.onset)
+                        : 0.5 * (y_old + y).dot(ds);
+    result.phi = (slips && fixed && !opens ? trial - kappa_or_g * slip : p) - l.force;
+    if (motion > 0.0) store<D>(ds / motion, &result.motion_direction);
+  }
   if (!slips && p > 0.0) n = y / p;
   if (slips || p > 0.0) store<D>(n, &result.direction);
-  if (motion > 0.0) store<D>(ds / motion, &result.motion_direction);
 
   // 6. Consistent tangent (section 10.7, with wear and the rate of the relative motion).
   if (opens) return result;
@@ -172,10 +184,9 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
   return result;
 }
 
-}  // namespace
-
-FrictionUpdate update(const FrictionDefinition& definition, const ConnectorIncrement& increment,
-                      const FrictionState& old) noexcept {
+template <Detail kDetail>
+FrictionUpdate update_with(const FrictionDefinition& definition,
+                           const ConnectorIncrement& increment, const FrictionState& old) noexcept {
   if (definition.formulation) return update_penalty(definition, increment, old);
   switch (definition.criterion.index()) {
     case 1:
@@ -187,18 +198,31 @@ FrictionUpdate update(const FrictionDefinition& definition, const ConnectorIncre
   }
   switch (definition.slip.dimension) {
     case 1:
-      return update_in<1>(definition, increment, old);
+      return update_in<1, kDetail>(definition, increment, old);
     case 2:
-      return update_in<2>(definition, increment, old);
+      return update_in<2, kDetail>(definition, increment, old);
     case 3:
-      return update_in<3>(definition, increment, old);
+      return update_in<3, kDetail>(definition, increment, old);
     case 4:
-      return update_in<4>(definition, increment, old);
+      return update_in<4, kDetail>(definition, increment, old);
     case 5:
-      return update_in<5>(definition, increment, old);
+      return update_in<5, kDetail>(definition, increment, old);
     default:
-      return update_in<6>(definition, increment, old);
+      return update_in<6, kDetail>(definition, increment, old);
   }
+}
+
+}  // namespace
+
+FrictionUpdate update(const FrictionDefinition& definition, const ConnectorIncrement& increment,
+                      const FrictionState& old) noexcept {
+  return update_with<Detail::kAll>(definition, increment, old);
+}
+
+FrictionUpdate update_force(const FrictionDefinition& definition,
+                            const ConnectorIncrement& increment,
+                            const FrictionState& old) noexcept {
+  return update_with<Detail::kForce>(definition, increment, old);
 }
 
 namespace {

@@ -255,7 +255,6 @@ StateSlopes::StateSlopes(const FrictionDefinition& definition, const DefinitionS
     : definition_(&definition),
       slopes_(&slopes),
       fixed_(definition.stick.mode == StickStiffness::Mode::kStiffness),
-      wears_(depends_on_accumulated_slip(definition.internal_contact_force)),
       is_table_(std::holds_alternative<TabularCoefficient>(definition.law)),
       unknowns_(slopes.unknowns),
       stride_((slopes.unknowns + kLanes - 1) / kLanes * kLanes) {
@@ -335,14 +334,9 @@ void StateSlopes::take_limit(const ConnectorIncrement& increment, const Friction
   if (to_contact == 0.0) return;
   const bool at_end = definition_->accumulated_slip == AccumulatedSlipTiming::kEnd;
   const double accumulated = old.accumulated_slip + (at_end ? update.slip_increment : 0.0);
-  if (wears_) {
-    const InternalContactForcePoint internal =
-        evaluate(definition_->internal_contact_force, increment.end, accumulated);
-    const double to_slip = to_contact * internal.to_accumulated_slip;
-    if (to_slip != 0.0) {
-      for (std::size_t j = 0; j < stride_; j += kLanes) {
-        put(at(limit + j) + to_slip * at(slip_.data() + j), limit + j);
-      }
+  if (const double to_slip = to_contact * update.wear; to_slip != 0.0) {
+    for (std::size_t j = 0; j < stride_; j += kLanes) {
+      put(at(limit + j) + to_slip * at(slip_.data() + j), limit + j);
     }
   }
   add_contact(increment, accumulated, to_contact);
@@ -374,6 +368,7 @@ void StateSlopes::lose_grip(const ConnectorIncrement& increment, const FrictionS
   there.slip_rate = last.slip_rate;
   there.normal_force = last.normal_force;
   there.mu = last.mu;
+  there.wear = last.wear;
   there.limit = last.force;
   take_limit(increment, old, there, 1.0, last.to_contact);
   for (std::size_t j = 0; j < unknowns_; ++j) slip_[j] -= limit_[j] / slope;

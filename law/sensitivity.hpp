@@ -106,7 +106,6 @@ class StateSlopes {
   const FrictionDefinition* definition_;
   const DefinitionSlopes* slopes_;
   bool fixed_;          ///< the stick stiffness is constant: the state is the force
-  bool wears_;          ///< the internal contact force depends on the accumulated slip
   bool is_table_;       ///< the coefficient is a table
   RowSlopes law_;       ///< of a table
   RowSlopes internal_;  ///< of a table

@@ -16,8 +16,9 @@ std::uint32_t segment(const double* x, std::uint32_t count, double v) {
     const auto* end = x + count - 1;
     return static_cast<std::uint32_t>(std::upper_bound(x + 1, end, v) - x) - 1;
   }
+  // Counted to the end: where it stops is hard to foretell.
   std::uint32_t i = 0;
-  while (i + 2 < count && v >= x[i + 1]) ++i;
+  for (std::uint32_t k = 1; k + 1 < count; ++k) i += v >= x[k] ? 1U : 0U;
   return i;
 }
 
@@ -116,6 +117,12 @@ double Table::block(int level, std::uint32_t index, const double* x, double weig
   const std::uint32_t i = segment(grid, count, v);
   const double width = grid[i + 1] - grid[i];
   const double w = (v - grid[i]) / width;
+  if (level == 0) {
+    const double low = ordinates_[this->index(first + i, column)];
+    const double rise = ordinates_[this->index(first + i + 1, column)] - low;
+    if constexpr (kSlopes) slopes[0] += weight * rise / width;
+    return low + w * rise;
+  }
   const double low =
       block<kSlopes>(level - 1, first + i, x, kSlopes ? weight * (1.0 - w) : 0.0, slopes, column);
   const double high =

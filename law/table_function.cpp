@@ -8,6 +8,43 @@ bool is_motion(IndependentKind kind) {
   return kind == IndependentKind::kPosition || kind == IndependentKind::kConstitutiveMotion;
 }
 
+double argument(const Independent& independent, const Ambient& ambient,
+                const SlipArguments& slip) noexcept {
+  switch (independent.kind) {
+    case IndependentKind::kSlipRate:
+      return slip.slip_rate;
+    case IndependentKind::kContactForce:
+      return slip.contact_force;
+    case IndependentKind::kAccumulatedSlip:
+      return slip.accumulated_slip;
+    case IndependentKind::kTemperature:
+      return ambient.temperature;
+    case IndependentKind::kField:
+      return ambient.fields[static_cast<std::size_t>(independent.index)];
+    case IndependentKind::kPosition:
+      return ambient.position[independent.index];
+    case IndependentKind::kConstitutiveMotion:
+      break;
+  }
+  return ambient.motion[independent.index];
+}
+
+void set_slope(IndependentKind kind, double slope, SlipArguments* slopes) noexcept {
+  switch (kind) {
+    case IndependentKind::kSlipRate:
+      slopes->slip_rate = slope;
+      break;
+    case IndependentKind::kContactForce:
+      slopes->contact_force = slope;
+      break;
+    case IndependentKind::kAccumulatedSlip:
+      slopes->accumulated_slip = slope;
+      break;
+    default:
+      break;
+  }
+}
+
 }  // namespace
 
 TableFunction::TableFunction(Table table, std::vector<Independent> independents)
@@ -27,31 +64,7 @@ int TableFunction::column_of(IndependentKind kind) const {
 std::span<const double> TableFunction::gather(const Ambient& ambient, const SlipArguments& slip,
                                               Arguments* x) const noexcept {
   for (std::size_t k = 0; k < independents_.size(); ++k) {
-    const Independent& independent = independents_[k];
-    double& argument = (*x)[k];
-    switch (independent.kind) {
-      case IndependentKind::kSlipRate:
-        argument = slip.slip_rate;
-        break;
-      case IndependentKind::kContactForce:
-        argument = slip.contact_force;
-        break;
-      case IndependentKind::kAccumulatedSlip:
-        argument = slip.accumulated_slip;
-        break;
-      case IndependentKind::kTemperature:
-        argument = ambient.temperature;
-        break;
-      case IndependentKind::kField:
-        argument = ambient.fields[static_cast<std::size_t>(independent.index)];
-        break;
-      case IndependentKind::kPosition:
-        argument = ambient.position[independent.index];
-        break;
-      case IndependentKind::kConstitutiveMotion:
-        argument = ambient.motion[independent.index];
-        break;
-    }
+    (*x)[k] = argument(independents_[k], ambient, slip);
   }
   return {x->data(), independents_.size()};
 }
@@ -64,26 +77,21 @@ double TableFunction::value(const Ambient& ambient, const SlipArguments& slip,
 
 double TableFunction::value_and_slopes(const Ambient& ambient, const SlipArguments& slip,
                                        SlipArguments* slopes, int column) const noexcept {
+  *slopes = {};
+  if (independents_.size() == 1) {  // most tables have one, and need no lists
+    const double x = argument(independents_[0], ambient, slip);
+    double dx = 0.0;
+    const double result = table_.value_and_slopes({&x, 1}, {&dx, 1}, column);
+    set_slope(independents_[0].kind, dx, slopes);
+    return result;
+  }
   Arguments x;
   Arguments dx;
   const auto arguments = gather(ambient, slip, &x);
   for (std::size_t k = 0; k < arguments.size(); ++k) dx[k] = 0.0;
   const double result = table_.value_and_slopes(arguments, {dx.data(), arguments.size()}, column);
-  *slopes = {};
   for (std::size_t k = 0; k < arguments.size(); ++k) {
-    switch (independents_[k].kind) {
-      case IndependentKind::kSlipRate:
-        slopes->slip_rate = dx[k];
-        break;
-      case IndependentKind::kContactForce:
-        slopes->contact_force = dx[k];
-        break;
-      case IndependentKind::kAccumulatedSlip:
-        slopes->accumulated_slip = dx[k];
-        break;
-      default:
-        break;
-    }
+    set_slope(independents_[k].kind, dx[k], slopes);
   }
   return result;
 }

@@ -188,6 +188,29 @@ TEST_CASE("with a constant stick stiffness the slip is the first at which the li
   });
 }
 
+TEST_CASE("an update without energies has the force of the one that has them, bit by bit") {
+  check("update_force is update", [] {
+    const Case c = draw();
+    const FrictionDefinition definition = c.definition();
+    FrictionState old;
+    for (const HistoryRow& row : c.rows) {
+      const FrictionUpdate all = update(definition, row.increment(), old);
+      const FrictionUpdate force = update_force(definition, row.increment(), old);
+      RC_ASSERT(force.state == all.state);
+      RC_ASSERT(force.direction == all.direction);
+      const auto told = [](const FrictionUpdate& u) {
+        const SlipTangent& t = u.tangent;
+        return std::array{
+            t.transverse, t.radial,       t.rate, t.contact,   t.clip,          u.limit,
+            u.mu,         u.normal_force, u.wear, u.slip_rate, u.contact_force, u.slip_increment};
+      };
+      RC_ASSERT(told(force) == told(all));
+      RC_ASSERT(force.converged == all.converged);
+      old = all.state;
+    }
+  });
+}
+
 TEST_CASE("mirroring motion and state mirrors the force and nothing else") {
   check("odd symmetry", [] {
     const Case c = draw();
