@@ -184,6 +184,21 @@ tl::expected<Simulation, SimulationFailure> Simulation::resume(const Case& probl
   return simulation;
 }
 
+tl::expected<void, SimulationFailure> Simulation::walk(
+    const Case& problem, const std::function<void(const Row&)>& watch) {
+  Simulation simulation(problem);
+  if (auto begun = simulation.start_history(); !begun) return begun;
+  while (true) {
+    if (simulation.has_forces_) {
+      if (auto taken = simulation.take_forces(); !taken) return taken;
+    }
+    watch(simulation.row_);
+    const auto advanced = simulation.advance_history();
+    if (!advanced) return tl::unexpected(advanced.error());
+    if (!*advanced) return {};
+  }
+}
+
 tl::expected<bool, SimulationFailure> Simulation::advance() {
   auto advanced = advance_history();
   if (!advanced || !*advanced) return advanced;

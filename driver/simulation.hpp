@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -120,6 +121,12 @@ class Simulation {
   /// history shorter than that.
   static tl::expected<Simulation, SimulationFailure> resume(const Case& problem,
                                                             const SimulationState& state);
+
+  /// Walks through a history whose motions are prescribed, without friction: `watch` sees every
+  /// row, row 0 first, with no updates in it. Errors: those of the history, and a motion beyond a
+  /// stop.
+  static tl::expected<void, SimulationFailure> walk(const Case& problem,
+                                                    const std::function<void(const Row&)>& watch);
 
   /// Goes to the end of the next increment; false at the end of the history. After an error or the
   /// end the simulation stays where it is.

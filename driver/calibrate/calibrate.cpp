@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -17,9 +18,9 @@
 #include "driver/calibrate/identifiability.hpp"
 #include "driver/calibrate/least_squares/loss.hpp"
 #include "driver/calibrate/residuals.hpp"
+#include "driver/calibrate/run_trace.hpp"
 #include "driver/calibrate/varied_case.hpp"
 #include "driver/results/coverage.hpp"
-#include "driver/simulation.hpp"
 #include "driver/suite/work_crew.hpp"
 #include "driver/text/diagnostic.hpp"
 
@@ -182,12 +183,7 @@ void count_visits(const Fit& fit, const Models& models, unsigned threads,
     if (!problem) return;
     visits[i].problem = std::make_unique<Case>(std::move(*problem));
     visits[i].coverage = std::make_unique<Coverage>(*visits[i].problem);
-    auto simulation = Simulation::start(*visits[i].problem);
-    while (simulation) {
-      const auto advanced = simulation->advance();
-      if (!advanced || !*advanced) return;
-      visits[i].coverage->add(simulation->row());
-    }
+    models[i]->count_cells(calibration.fit.x, *visits[i].problem, *visits[i].coverage);
   });
   for (FittedTable& table : calibration.tables) {
     for (const Visit& visit : visits) {
@@ -249,7 +245,8 @@ void take_experiments(const Models& models, const ModelOptions& options, const M
   for (std::size_t i = 0; i < models.size(); ++i) {
     if (models[i]->experiment().held_out || residuals.empty()) continue;
     double cost = 0.0;
-    for (std::size_t k = 0; k < fitted_points(*models[i]); ++k, ++row) {
+    const std::size_t end = row + fitted_points(*models[i]);
+    for (; row < end; ++row) {
       cost += 0.5 * loss_value(calibration.problem.loss, residuals[row]);
     }
     if (calibration.fit.cost > 0.0) fitted[i].share_of_cost = cost / calibration.fit.cost;
@@ -272,6 +269,17 @@ bool keep_slopes(const Models& models, std::span<const double> x) {
                      [&](const auto& model) { return model->keeps_slopes(x); });
 }
 
+/// Why a case cannot be run at the start values; nothing if they all can.
+std::optional<CalibrationFailure> fault_at_start(const Fit& fit) {
+  for (const ExperimentFit& experiment : fit.experiments) {
+    const auto traced = trace_run(experiment.base, experiment);
+    if (traced) continue;
+    return CalibrationFailure{kExitNumerical, fmt::format("{}: at the start values: {}",
+                                                          experiment.case_file, traced.error())};
+  }
+  return std::nullopt;
+}
+
 struct Search {
   Models models;
   std::shared_ptr<ModelValues> seen = std::make_shared<ModelValues>();
@@ -291,6 +299,9 @@ tl::expected<Search, CalibrationFailure> search(const Fit& fit, const ModelOptio
   }
   found.problem = residual_problem(fit, std::move(fitted), options, watch, found.seen);
   found.fit = solve_least_squares(found.problem, fit.solver);
+  if (found.fit.stop == StopReason::kModelFailure) {
+    if (auto fault = fault_at_start(fit)) return tl::unexpected(*std::move(fault));
+  }
   return found;
 }
 

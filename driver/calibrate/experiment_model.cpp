@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "driver/results/coverage.hpp"
+#include "driver/simulation.hpp"
 #include "driver/suite/work_crew.hpp"
 
 namespace slipbench::driver {
@@ -178,9 +180,9 @@ void ExperimentModel::try_replay(RunTrace& trace, std::vector<std::string>& posi
   }
   auto tracer = RunTracer::make(problem, *experiment_, false);
   if (!tracer) return refuse(tracer.error());
-  auto replay = Replay::record(problem, [&](const Simulation& simulation) {
+  auto replay = Replay::record(problem, [&](const Row& row) {
     // Without values, nothing can fail.
-    static_cast<void>(tracer->take(simulation.row()));
+    static_cast<void>(tracer->take(row));
   });
   if (!replay) return refuse(replay.error());
   replay_ = std::move(*replay);
@@ -359,6 +361,25 @@ auto ExperimentModel::lines_at(std::span<const double> x) const
 
 bool ExperimentModel::values(std::span<const double> x, std::span<double> values) const {
   return replay_ ? values_by_replay(x, values) : values_by_run(x, values);
+}
+
+void ExperimentModel::count_cells(std::span<const double> x, const Case& problem,
+                                  Coverage& coverage) const {
+  if (replay_) {
+    const auto definitions = varied_.definitions_at(x);
+    if (!definitions) return;
+    bool initial = true;  // row 0 is no increment
+    replay_->show(*definitions, [&](const law::Ambient& end, auto updates) {
+      if (!std::exchange(initial, false)) coverage.add(end, updates);
+    });
+    return;
+  }
+  auto simulation = Simulation::start(problem);
+  while (simulation) {
+    const auto advanced = simulation->advance();
+    if (!advanced || !*advanced) return;
+    coverage.add(simulation->row());
+  }
 }
 
 bool ExperimentModel::values_by_replay(std::span<const double> x, std::span<double> values) const {

@@ -19,6 +19,8 @@
 
 namespace slipbench::driver {
 
+class Coverage;
+
 /// What a model may do, whatever the experiment.
 struct ModelOptions {
   std::vector<UnknownRange> unknowns;
@@ -74,6 +76,10 @@ class ExperimentModel {
   /// The same with derivatives to all unknowns, row-major points x unknowns.
   bool derivatives(std::span<const double> x, std::span<double> values,
                    std::span<double> jacobian) const;
+
+  /// Counts the cells that the experiment visits at some unknowns; nothing where there is no run.
+  /// \param coverage of the case there
+  void count_cells(std::span<const double> x, const Case& problem, Coverage& coverage) const;
 
   /// The whole case at some unknowns.
   tl::expected<Case, std::string> case_at(std::span<const double> x) const {

@@ -112,8 +112,8 @@ bool same(const MeasuredSource& a, const MeasuredSource& b) {
 
 // --- Recording ------------------------------------------------------------------------------
 
-tl::expected<Replay, std::string> Replay::record(
-    const Case& problem, const std::function<void(const Simulation&)>& watch) {
+tl::expected<Replay, std::string> Replay::record(const Case& problem,
+                                                 const std::function<void(const Row&)>& watch) {
   if (auto why = obstacle(problem)) return tl::unexpected(*std::move(why));
   Replay replay;
   replay.parameters_ = problem.parameters;
@@ -137,18 +137,14 @@ tl::expected<Replay, std::string> Replay::record(
     (q < kFirstForce ? replay.columns_.motions : replay.columns_.others).push_back(q);
   }
 
-  auto simulation = Simulation::start(problem);
-  if (!simulation) return tl::unexpected(simulation.error().message);
-  replay.first_ = simulation->row().quantities;
-  while (true) {
-    const Row& row = simulation->row();
-    if (watch) watch(*simulation);
+  const auto walked = Simulation::walk(problem, [&](const Row& row) {
+    if (watch) watch(row);
+    if (replay.times_.empty()) replay.first_ = row.quantities;
     replay.times_.push_back(row.time);
     replay.record_row(row.duration, row.quantities);
-    auto advanced = simulation->advance();
-    if (!advanced) return tl::unexpected(advanced.error().message);
-    if (!*advanced) return replay;
-  }
+  });
+  if (!walked) return tl::unexpected(walked.error().message);
+  return replay;
 }
 
 void Replay::record_row(double duration, std::span<const double> quantities) {
@@ -220,25 +216,17 @@ class Replay::Increments {
 
 namespace {
 
-/// Whether all numbers of a result are finite.
-bool is_finite(const law::FrictionUpdate& update) {
-  for (const double x :
-       {update.limit, update.normal_force, update.mu, update.phi, update.stored_energy, update.work,
-        update.dissipation, update.state.accumulated_slip}) {
-    if (!std::isfinite(x)) return false;
-  }
-  const auto finite = [](double x) { return std::isfinite(x); };
-  return std::all_of(update.state.force.begin(), update.state.force.end(), finite) &&
-         std::all_of(update.state.elastic_slip.begin(), update.state.elastic_slip.end(), finite);
-}
-
-/// Whether the result of an increment can be used, as Simulation judges it. One infinity or NaN
-/// spoils the sum: the single numbers are only looked at when it happened.
+/// Whether the result of an increment can be used, as Simulation judges it.
 inline bool is_sound(const law::FrictionUpdate& update) {
-  const double sum =
-      (update.limit + update.normal_force + update.mu + update.phi) +
-      (update.stored_energy + update.work + update.dissipation + update.state.accumulated_slip);
-  return update.converged && (std::isfinite(sum) || is_finite(update));
+  // One infinity or NaN spoils the sum: the single numbers are only looked at when it happened.
+  const auto& y = update.state.force;
+  const double sum = (update.limit + update.normal_force + update.mu) +
+                     (y[0] + y[1] + update.state.accumulated_slip) + (y[2] + y[3]) + (y[4] + y[5]);
+  if (std::isfinite(sum)) return update.converged;
+  const auto finite = [](double x) { return std::isfinite(x); };
+  return update.converged && finite(update.limit) && finite(update.normal_force) &&
+         finite(update.mu) && finite(update.state.accumulated_slip) &&
+         std::all_of(y.begin(), y.end(), finite);
 }
 
 bool goes_before(const Replay::Point& a, const Replay::Point& b) { return a.row < b.row; }
@@ -268,6 +256,7 @@ struct Source {
 struct RunningResponse {
   std::span<const Replay::Point> points;
   std::vector<std::size_t> order;  ///< of the points by their rows; empty: as they are
+  bool every_row = false;          ///< the points are the rows, one after the other
   double factor = 1.0;
   std::vector<Source> sources;
   double* values = nullptr;
@@ -308,6 +297,13 @@ struct RunningResponse {
 /// Fills in all points that the row `row` has a part in.
 template <bool kSlopes>
 void read_row(std::size_t row, std::size_t now, std::size_t unknowns, RunningResponse& response) {
+  if (response.every_row) {
+    response.values[row] = response.force(now);
+    if constexpr (kSlopes) {
+      response.take_slopes(1.0, false, {response.jacobian + row * unknowns, unknowns});
+    }
+    return;
+  }
   const auto jacobian_row = [&](std::size_t point) {
     return std::span<double>(response.jacobian + point * unknowns, unknowns);
   };
@@ -370,6 +366,10 @@ bool Replay::run_all(std::span<const law::FrictionDefinition> definitions,
     for (const Point& point : response.points) {
       if (point.row + (point.fraction > 0.0 ? 1 : 0) >= rows) return false;
     }
+    here.every_row = here.points.size() == rows;
+    for (std::size_t k = 0; here.every_row && k < rows; ++k) {
+      here.every_row = here.points[k].row == k && here.points[k].fraction == 0.0;
+    }
     if (!std::is_sorted(here.points.begin(), here.points.end(), goes_before)) {
       here.order.resize(here.points.size());
       for (std::size_t k = 0; k < here.order.size(); ++k) here.order[k] = k;
@@ -397,7 +397,7 @@ bool Replay::run_all(std::span<const law::FrictionDefinition> definitions,
       // In place: an assignment would build the result elsewhere and copy its 400 bytes.
       static_assert(std::is_trivially_destructible_v<law::FrictionUpdate>);
       const law::FrictionUpdate& update = *::new (&run.updates[now]) law::FrictionUpdate(
-          law::update(*run.definition, increment, old));
+          law::update_force(*run.definition, increment, old));
       if (!is_sound(update)) return false;
       if constexpr (kSlopes) {
         if (run.slopes) run.slopes->advance(increment, old, update);
@@ -406,6 +406,20 @@ bool Replay::run_all(std::span<const law::FrictionDefinition> definitions,
     for (RunningResponse& response : running) {
       read_row<kSlopes>(row, now, unknowns, response);
     }
+  }
+  return true;
+}
+
+bool Replay::show(std::span<const law::FrictionDefinition> definitions, const Watch& watch) const {
+  std::vector<law::FrictionUpdate> updates(definitions.size());
+  Increments increments(*this);
+  for (std::size_t row = 0; row < times_.size(); ++row) {
+    const law::ConnectorIncrement& increment = increments.next();
+    for (std::size_t d = 0; d < definitions.size(); ++d) {
+      updates[d] = law::update_force(definitions[d], increment, updates[d].state);
+      if (!is_sound(updates[d])) return false;
+    }
+    watch(increment.end, updates);
   }
   return true;
 }

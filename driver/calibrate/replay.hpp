@@ -18,7 +18,7 @@
 
 namespace slipbench::driver {
 
-class Simulation;
+struct Row;
 
 /// The increments of a case: all that the law is given, without the case.
 ///
@@ -40,12 +40,12 @@ class Replay {
     std::vector<Point> points;  ///< in any order; the fastest is that of the rows
   };
 
-  /// Runs the history once. Errors, in a sentence: why the case cannot be replayed (it has a mass,
-  /// a component driven by force, a belt, a contact penalty, a friction that changes, a dead zone,
-  /// a coefficient that depends on the direction, exact integration), or why its run failed.
-  /// \param watch sees every row of that run, row 0 first
+  /// Walks through the history once, without the law. Errors, in a sentence: why the case cannot be
+  /// replayed (it has a mass, a component driven by force, a belt, a contact penalty, a friction
+  /// that changes, a dead zone, a coefficient that depends on the direction, exact integration), or
+  /// what is wrong with it. \param watch sees every row, row 0 first; they have no updates
   static tl::expected<Replay, std::string> record(
-      const Case& problem, const std::function<void(const Simulation&)>& watch = {});
+      const Case& problem, const std::function<void(const Row&)>& watch = {});
 
   /// Total times of all rows, row 0 first.
   std::span<const double> times() const { return times_; }
@@ -70,6 +70,12 @@ class Replay {
            std::span<const law::DefinitionSlopes> slopes, std::size_t unknowns,
            std::span<const Response> responses, std::span<double> values,
            std::span<double> jacobian) const;
+
+  /// Runs the law of all definitions, row 0 first, and shows every increment to `watch`: its end,
+  /// and the results of the definitions in their order.
+  /// \return false if the law has no finite value somewhere
+  using Watch = std::function<void(const law::Ambient&, std::span<const law::FrictionUpdate>)>;
+  bool show(std::span<const law::FrictionDefinition> definitions, const Watch& watch) const;
 
  private:
   /// Where the numbers go that a row of `increments_` holds behind its duration.

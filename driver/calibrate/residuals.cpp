@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "driver/calibrate/table_lines.hpp"
@@ -26,14 +25,6 @@ struct Assembly {
   EvaluationWatch watch;
   std::shared_ptr<ModelValues> seen;
   long evaluations = 0;
-
-  /// The first point with derivatives: a search looks at its start, and then begins there.
-  struct Start {
-    std::vector<double> x;
-    std::vector<double> r;
-    std::vector<double> jacobian;
-  };
-  std::optional<Start> start;
 
   /// Values of the models become residuals, and derivatives theirs.
   void weigh(std::size_t m, std::size_t unknowns, std::span<double> r,
@@ -74,20 +65,6 @@ struct Assembly {
       }
       r[row] = sum;
     }
-  }
-
-  bool derivatives(std::span<const double> x, std::span<double> r, std::span<double> jacobian) {
-    if (start && std::equal(x.begin(), x.end(), start->x.begin(), start->x.end())) {
-      std::copy(start->r.begin(), start->r.end(), r.begin());
-      std::copy(start->jacobian.begin(), start->jacobian.end(), jacobian.begin());
-      return true;
-    }
-    const bool is_first = evaluations == 0;
-    if (!evaluate(x, r, jacobian)) return false;
-    if (is_first) {
-      start = Start{{x.begin(), x.end()}, {r.begin(), r.end()}, {jacobian.begin(), jacobian.end()}};
-    }
-    return true;
   }
 
   void keep(std::span<const double> x, std::span<const double> values) const {
@@ -258,7 +235,7 @@ ResidualProblem residual_problem(const Fit& fit,
   };
   problem.derivatives = [assembly](std::span<const double> x, std::span<double> r,
                                    std::span<double> jacobian) {
-    return assembly->derivatives(x, r, jacobian);
+    return assembly->evaluate(x, r, jacobian);
   };
   return problem;
 }

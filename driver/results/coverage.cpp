@@ -136,38 +136,47 @@ void Coverage::count(const Row& row) {
         row.definitions[table.definition].backward != (probe.sense == Sense::kBackward)) {
       continue;
     }
-    const law::FrictionUpdate& update = row.definitions[table.definition].update;
-    law::SlipArguments slip;
-    if (probe.use == Use::kCoefficient) {
-      slip = {.slip_rate = update.slip_rate, .contact_force = update.normal_force};
-    } else if (probe.use == Use::kInternalContactForce) {
-      const bool at_end = case_->definitions[table.definition].law.accumulated_slip ==
-                          law::AccumulatedSlipTiming::kEnd;
-      slip.accumulated_slip =
-          update.state.accumulated_slip - (at_end ? 0.0 : update.slip_increment);
+    count(end, row.definitions[table.definition].update, t);
+  }
+}
+
+void Coverage::add(const law::Ambient& end, std::span<const law::FrictionUpdate> updates) {
+  for (std::size_t t = 0; t < tables_.size(); ++t) count(end, updates[tables_[t].definition], t);
+}
+
+void Coverage::count(const law::Ambient& end, const law::FrictionUpdate& update,
+                     std::size_t which) {
+  const Probe& probe = probes_[which];
+  TableCoverage& table = tables_[which];
+  law::SlipArguments slip;
+  if (probe.use == Use::kCoefficient) {
+    slip = {.slip_rate = update.slip_rate, .contact_force = update.normal_force};
+  } else if (probe.use == Use::kInternalContactForce) {
+    const bool at_end = case_->definitions[table.definition].law.accumulated_slip ==
+                        law::AccumulatedSlipTiming::kEnd;
+    slip.accumulated_slip = update.state.accumulated_slip - (at_end ? 0.0 : update.slip_increment);
+  }
+  const auto x = probe.function->arguments(end, slip);
+  ++table.increments;
+  std::size_t cell = 0;
+  bool outside = false;
+  for (std::size_t k = 0; k < table.axes.size(); ++k) {
+    TableCoverage::Axis& axis = table.axes[k];
+    if (x[k] < axis.knots.front()) {
+      ++axis.below;
+      outside = true;
+    } else if (x[k] > axis.knots.back()) {
+      ++axis.above;
+      outside = true;
+    } else {
+      locate(axis, x[k]);
+      cell += axis.last * axis.stride;
     }
-    const auto x = probe.function->arguments(end, slip);
-    ++table.increments;
-    std::size_t cell = 0;
-    bool outside = false;
-    for (std::size_t k = 0; k < table.axes.size(); ++k) {
-      TableCoverage::Axis& axis = table.axes[k];
-      if (x[k] < axis.knots.front()) {
-        ++axis.below;
-        outside = true;
-      } else if (x[k] > axis.knots.back()) {
-        ++axis.above;
-        outside = true;
-      } else {
-        locate(axis, x[k]);
-        cell += axis.last * axis.stride;
-      }
-    }
-    if (outside) {
-      ++table.outside;
-    } else if (!table.visits.empty()) {
-      ++table.visits[cell];
-    }
+  }
+  if (outside) {
+    ++table.outside;
+  } else if (!table.visits.empty()) {
+    ++table.visits[cell];
   }
 }
 

@@ -53,6 +53,11 @@ class Coverage {
     if (!probes_.empty() && row.index > 0) count(row);
   }
 
+  /// An increment of a case that keeps its friction, known without a row.
+  /// \param end of the increment
+  /// \param updates one for each definition of the case
+  void add(const law::Ambient& end, std::span<const law::FrictionUpdate> updates);
+
   std::span<const TableCoverage> tables() const { return tables_; }
 
   /// A line for each table that has cells never visited, or was asked outside; indented by two
@@ -78,6 +83,7 @@ class Coverage {
   void add_table(const law::TableFunction& function, Use use, std::size_t definition,
                  std::string what, int first_step, int end_step, Sense sense = Sense::kAny);
   void count(const Row& row);
+  void count(const law::Ambient& end, const law::FrictionUpdate& update, std::size_t table);
 
   const Case* case_;
   std::vector<Probe> probes_;  ///< one for each of tables_

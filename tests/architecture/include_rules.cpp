@@ -43,8 +43,8 @@ const std::vector<Room>& rooms() {
       {std::regex("driver/.*"),
        std::regex(
            "(law|reference|driver|Eigen|fmt|tl|yaml-cpp|CLI|gsl|sys)/.*|muParser.*\\.h|udunits2\\.h"
-           "|(unistd|fcntl|spawn|signal|poll|locale)\\.h"),
-       "law/, reference/, driver/, its third parties and POSIX"},
+           "|(unistd|fcntl|spawn|signal|poll|locale|malloc)\\.h"),
+       "law/, reference/, driver/, its third parties and the system"},
       {std::regex("tests/law/.*"),
        std::regex("(law|reference|Eigen|catch2|tests/law|tests/support)/.*"),
        "law/, reference/, tests/law/, tests/support/, Eigen and Catch2"},

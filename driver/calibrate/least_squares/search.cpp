@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "driver/calibrate/least_squares/convex_step.hpp"
 #include "driver/calibrate/least_squares/kink_bundle.hpp"
@@ -45,7 +46,7 @@ class Search {
     shaped_ = std::find(shaped.begin(), shaped.end(), 1) != shaped.end();
   }
 
-  SearchEnd run(std::span<const double> start, TrustScaling scaling, const SearchPoint* at_start);
+  SearchEnd run(std::span<const double> start, TrustScaling scaling, SearchPoint* at_start);
 
  private:
   bool stopped() const { return end_.iterations >= options_.most_iterations; }
@@ -460,13 +461,13 @@ Search::Settled Search::settle_shapes() {
 }
 
 SearchEnd Search::run(std::span<const double> start, TrustScaling scaling,
-                      const SearchPoint* at_start) {
+                      SearchPoint* at_start) {
   constexpr std::array kScalings{TrustScaling::kMore, TrustScaling::kAccelerated,
                                  TrustScaling::kLevenberg, TrustScaling::kMarquardt};
   constexpr int kIdleRounds = static_cast<int>(kScalings.size());
   SearchPoint& point = end_.point;
   if (at_start != nullptr) {
-    point = *at_start;
+    point = std::move(*at_start);
   } else if (!objective_.derivatives(start, point, false)) {
     objective_.cost(start, point);
     end_.start_cost = point.cost;
@@ -597,7 +598,7 @@ SearchEnd Search::run(std::span<const double> start, TrustScaling scaling,
 }  // namespace
 
 SearchEnd search(Evaluator& evaluator, const UnknownMap& map, std::span<const double> start,
-                 const SolverOptions& options, TrustScaling scaling, const SearchPoint* at_start) {
+                 const SolverOptions& options, TrustScaling scaling, SearchPoint* at_start) {
   return Search(evaluator, map, options).run(start, scaling, at_start);
 }
 

@@ -25,9 +25,9 @@ struct SearchEnd {
 /// without derivatives; until the point is a minimum by its own test, or nothing helps any more.
 /// \param start coordinates of the map
 /// \param scaling of the first round
-/// \param at_start the start with its derivatives, if they are known
+/// \param at_start the start with its derivatives, if they are known; is used up
 SearchEnd search(Evaluator& evaluator, const UnknownMap& map, std::span<const double> start,
                  const SolverOptions& options, TrustScaling scaling = TrustScaling::kMore,
-                 const SearchPoint* at_start = nullptr);
+                 SearchPoint* at_start = nullptr);
 
 }  // namespace slipbench::driver

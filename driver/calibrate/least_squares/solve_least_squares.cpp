@@ -51,9 +51,10 @@ bool lost(const SearchEnd& end) {
 
 /// One search from a start. If it is lost: by magnitudes, and from there as before; and if that is
 /// lost as well, with another scaling of the trust region.
+/// \param point at z with its derivatives, if they are known; is used up
 SearchEnd search_from(Evaluator& evaluator, const UnknownMap& map, std::span<const char> frozen,
                       std::span<const double> kept, std::span<const double> z,
-                      const SearchPoint* point, const SolverOptions& options) {
+                      SearchPoint* point, const SolverOptions& options) {
   SearchEnd best = search(evaluator, map, z, options, TrustScaling::kMore, point);
   const ResidualProblem& problem = evaluator.problem();
   const double start_cost = best.start_cost;
@@ -200,7 +201,11 @@ void Searches::follow(std::span<const double> start) {
     const UnknownMap map(problem_, trace.frozen, UnknownMap::Unbounded::kLinear, kept);
     z = map.coordinates(start, kInset);
     map.unknowns(z, trace.from);
-    trace.end = search_from(evaluator_, map, trace.frozen, kept, z, nullptr, options_);
+    // As a rule the same point in other coordinates.
+    const bool same = found && trace.from == point.x;
+    point.z = z;
+    trace.end =
+        search_from(evaluator_, map, trace.frozen, kept, z, same ? &point : nullptr, options_);
   }
   constexpr int kMostRounds = 4;
   constexpr double kBesideFold = 1e-3;

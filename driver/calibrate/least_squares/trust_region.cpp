@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/calibrate/least_squares/trust_region.hpp"
 
-#include <gsl/gsl_blas.h>
 #include <gsl/gsl_multifit_nlinear.h>
 #include <gsl/gsl_multilarge_nlinear.h>
 
@@ -163,6 +162,11 @@ int large_products(CBLAS_TRANSPOSE_t transposed, const gsl_vector* free, const g
   return GSL_SUCCESS;
 }
 
+/// |f|; GSL's own takes a division an element.
+double length(const gsl_vector* f) {
+  return Eigen::Map<const Eigen::VectorXd>(f->data, static_cast<Eigen::Index>(f->size)).norm();
+}
+
 /// Iterates until GSL finds no step or the gain has become small.
 template <typename Iterate, typename Norm>
 int iterate(const TrustRegionOptions& options, const Iterate& next, const Norm& norm) {
@@ -209,7 +213,7 @@ int small(Callbacks& callbacks, std::size_t rows, const gsl_vector* start,
   if (!work || gsl_multifit_nlinear_init(start, &system, work.get()) != GSL_SUCCESS) return 0;
   return iterate(
       options, [&] { return gsl_multifit_nlinear_iterate(work.get()); },
-      [&] { return gsl_blas_dnrm2(work->f); });
+      [&] { return length(work->f); });
 }
 
 int large(Callbacks& callbacks, std::size_t rows, const gsl_vector* start,
@@ -232,7 +236,7 @@ int large(Callbacks& callbacks, std::size_t rows, const gsl_vector* start,
   if (!work || gsl_multilarge_nlinear_init(start, &system, work.get()) != GSL_SUCCESS) return 0;
   return iterate(
       options, [&] { return gsl_multilarge_nlinear_iterate(work.get()); },
-      [&] { return gsl_blas_dnrm2(work->f); });
+      [&] { return length(work->f); });
 }
 
 }  // namespace

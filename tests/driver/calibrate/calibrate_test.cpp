@@ -55,6 +55,40 @@ TEST_CASE("a clean loop gives back what it was made with") {
   CHECK(response.positions.at(9) == Approx(0.5));
 }
 
+TEST_CASE("a case that fails at the start values is told with its reason") {
+  const TemporaryFolder folder;
+  folder.write(
+      "sheet.yaml",
+      "slipbench: 1\n"
+      "parameters: {c: 8, N: 100}\n"
+      "connector: {type: SLOT}\n"
+      "friction:\n"
+      "  - name: sheet\n"
+      "    predefined: {}\n"
+      "    coefficient:\n"
+      "      modified_darmstad: {Fric: 0.1, C1: 0, C2: 0, C3: 0, C4: 0, C5: 0.1, C6: = c,\n"
+      "                          area: 2}\n"
+      "    stick: {stiffness: 1000}\n"
+      "integration: {slip_rate: relative_motion}\n"
+      "history:\n"
+      "  - {step: draw, duration: 1, increments: 10, force: {f2: = N},\n"
+      "     motion: {CP1: {to: 100}}}\n");
+  folder.write("sheet.csv", "t,F\n0.1,10\n0.5,20\n1,30\n");
+  const Fit fit = sound_fit(folder,
+                            "slipbench: 1\n"
+                            "calibrate:\n"
+                            "  experiments:\n"
+                            "    - {case: sheet.yaml, data: sheet.csv, time: t,\n"
+                            "       compare: {CSF1: F}}\n"
+                            "  vary: {c: {bounds: [0, 20]}}\n");
+  const auto found = calibrate(fit);
+  REQUIRE_FALSE(found);
+  CHECK(found.error().code == kExitNumerical);
+  CHECK(found.error().message.find("sheet.yaml: at the start values: ") != std::string::npos);
+  CHECK(found.error().message.find("the exponent C6 V of the coefficient passes 700 at V = 100") !=
+        std::string::npos);
+}
+
 TEST_CASE("the numbers of an exponential decay follow from its closed form") {
   // Steady sliding at eight speeds, read at the end of each: mu(v) N.
   const reference::exponential_decay::Decay truth{0.30, 0.18, 0.5};
