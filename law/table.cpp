@@ -95,14 +95,30 @@ bool Table::build(std::span<const std::vector<double>> rows, int dependents, int
 }
 
 template <bool kSlopes>
+double Table::line(std::uint32_t first, std::uint32_t count, double v, double weight, double* slope,
+                   int column) const noexcept {
+  const double* grid = levels_[0].x.data() + first;
+  const auto ordinate = [&](std::uint32_t i) { return ordinates_[this->index(first + i, column)]; };
+  if (extrapolation_ == Extrapolation::kConstant || count == 1) {
+    if (count == 1 || v < grid[0]) return ordinate(0);
+    if (v >= grid[count - 1]) return ordinate(count - 1);
+  }
+  const std::uint32_t i = segment(grid, count, v);
+  const double width = grid[i + 1] - grid[i];
+  const double low = ordinate(i);
+  const double rise = ordinate(i + 1) - low;
+  if constexpr (kSlopes) *slope += weight * rise / width;
+  return low + (v - grid[i]) / width * rise;
+}
+
+template <bool kSlopes>
 double Table::block(int level, std::uint32_t index, const double* x, double weight, double* slopes,
                     int column) const noexcept {
-  if (level < 0) {
-    return ordinates_[static_cast<std::size_t>(index) * at(dependents_) + at(column)];
-  }
+  if (level < 0) return ordinates_[this->index(index, column)];
   const Level& here = levels_[at(level)];
   const std::uint32_t first = here.first[index];
   const std::uint32_t count = here.first[index + 1] - first;
+  if (level == 0) return line<kSlopes>(first, count, x[0], weight, slopes, column);
   const double* grid = here.x.data() + first;
   const double v = x[level];
 
@@ -117,12 +133,6 @@ double Table::block(int level, std::uint32_t index, const double* x, double weig
   const std::uint32_t i = segment(grid, count, v);
   const double width = grid[i + 1] - grid[i];
   const double w = (v - grid[i]) / width;
-  if (level == 0) {
-    const double low = ordinates_[this->index(first + i, column)];
-    const double rise = ordinates_[this->index(first + i + 1, column)] - low;
-    if constexpr (kSlopes) slopes[0] += weight * rise / width;
-    return low + w * rise;
-  }
   const double low =
       block<kSlopes>(level - 1, first + i, x, kSlopes ? weight * (1.0 - w) : 0.0, slopes, column);
   const double high =
@@ -137,6 +147,10 @@ double Table::value(std::span<const double> x, int column) const noexcept {
 
 double Table::value_and_slopes(std::span<const double> x, std::span<double> slopes, int column,
                                double weight) const noexcept {
+  if (levels_.size() == 1) {  // as most tables are
+    const auto count = static_cast<std::uint32_t>(levels_[0].x.size());
+    return line<true>(0, count, x[0], weight, slopes.data(), column);
+  }
   return block<true>(independents() - 1, 0, x.data(), weight, slopes.data(), column);
 }
 

@@ -165,6 +165,10 @@ class Table {
   TableInterval interval(int level, std::uint32_t index, double v) const noexcept;
   void find_cell(int level, std::uint32_t index, const double* x, TableCell* cell) const noexcept;
 
+  /// Along the first independent: entries first .. first + count - 1.
+  template <bool kSlopes>
+  double line(std::uint32_t first, std::uint32_t count, double v, double weight, double* slope,
+              int column) const noexcept;
   template <bool kSlopes>
   double block(int level, std::uint32_t index, const double* x, double weight, double* slopes,
                int column) const noexcept;

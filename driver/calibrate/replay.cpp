@@ -256,7 +256,8 @@ struct Source {
 struct RunningResponse {
   std::span<const Replay::Point> points;
   std::vector<std::size_t> order;  ///< of the points by their rows; empty: as they are
-  bool every_row = false;          ///< the points are the rows, one after the other
+  bool consecutive = false;        ///< the points are rows, one after the other
+  bool one_source = false;         ///< with slopes to all unknowns
   double factor = 1.0;
   std::vector<Source> sources;
   double* values = nullptr;
@@ -292,15 +293,28 @@ struct RunningResponse {
     }
     if (set == 0) std::fill(row.begin(), row.end(), 0.0);
   }
+  /// The same set for a whole row, where one definition has slopes to all unknowns.
+  void take_slopes_of_one(double* __restrict row, std::size_t unknowns) const {
+    const double* __restrict slopes = sources[0].slopes->force(sources[0].entry).data();
+    const double weight = factor * sources[0].scale;
+    for (std::size_t j = 0; j < unknowns; ++j) row[j] = weight * slopes[j];
+  }
 };
 
 /// Fills in all points that the row `row` has a part in.
 template <bool kSlopes>
 void read_row(std::size_t row, std::size_t now, std::size_t unknowns, RunningResponse& response) {
-  if (response.every_row) {
-    response.values[row] = response.force(now);
+  if (response.consecutive) {
+    const std::size_t k = row - response.points.front().row;  // beyond all points before the first
+    if (k >= response.points.size()) return;
+    response.values[k] = response.force(now);
     if constexpr (kSlopes) {
-      response.take_slopes(1.0, false, {response.jacobian + row * unknowns, unknowns});
+      double* const slopes = response.jacobian + k * unknowns;
+      if (response.one_source) {
+        response.take_slopes_of_one(slopes, unknowns);
+      } else {
+        response.take_slopes(1.0, false, {slopes, unknowns});
+      }
     }
     return;
   }
@@ -366,9 +380,10 @@ bool Replay::run_all(std::span<const law::FrictionDefinition> definitions,
     for (const Point& point : response.points) {
       if (point.row + (point.fraction > 0.0 ? 1 : 0) >= rows) return false;
     }
-    here.every_row = here.points.size() == rows;
-    for (std::size_t k = 0; here.every_row && k < rows; ++k) {
-      here.every_row = here.points[k].row == k && here.points[k].fraction == 0.0;
+    here.consecutive = !here.points.empty();
+    for (std::size_t k = 0; here.consecutive && k < here.points.size(); ++k) {
+      const Point& point = here.points[k];
+      here.consecutive = point.row == here.points.front().row + k && point.fraction == 0.0;
     }
     if (!std::is_sorted(here.points.begin(), here.points.end(), goes_before)) {
       here.order.resize(here.points.size());
@@ -384,6 +399,8 @@ bool Replay::run_all(std::span<const law::FrictionDefinition> definitions,
         here.sources.emplace_back(run_definition(d), i);
       }
     }
+    here.one_source = here.sources.size() == 1 && here.sources[0].slopes != nullptr &&
+                      here.sources[0].slopes->force(0).size() == unknowns;
     running.push_back(std::move(here));
   }
 

@@ -2,7 +2,9 @@
 #include "driver/calibrate/residuals.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <mutex>
 #include <utility>
 
 #include "driver/calibrate/table_lines.hpp"
@@ -24,7 +26,8 @@ struct Assembly {
   unsigned threads = 1;
   EvaluationWatch watch;
   std::shared_ptr<ModelValues> seen;
-  long evaluations = 0;
+  std::atomic<long> evaluations = 0;
+  std::mutex watching;
 
   /// Values of the models become residuals, and derivatives theirs.
   void weigh(std::size_t m, std::size_t unknowns, std::span<double> r,
@@ -121,7 +124,7 @@ struct Assembly {
       }
     };
     for_each_index(models.size(), threads, run);
-    ++evaluations;
+    const long count = ++evaluations;
     if (std::find(good.begin(), good.end(), 0) != good.end()) return false;
     if (!jacobian.empty()) keep(x, all.empty() ? r.first(data_rows) : std::span<double>(all));
     for (std::size_t m = 0; m < models.size(); ++m) weigh(m, n, r, jacobian);
@@ -129,7 +132,8 @@ struct Assembly {
     if (watch) {
       double sum = 0.0;
       for (const double residual : r) sum += residual * residual;
-      watch(evaluations, 0.5 * sum);
+      const std::lock_guard<std::mutex> alone(watching);
+      watch(count, 0.5 * sum);
     }
     return true;
   }
@@ -227,6 +231,8 @@ ResidualProblem residual_problem(const Fit& fit,
   assembly->seen = std::move(values);
   problem.data_rows = assembly->data_rows;
   problem.rows = assembly->data_rows + assembly->smooth.size();
+  // Of several experiments each has its own thread already.
+  problem.threads = assembly->models.size() > 1 ? 1 : assembly->threads;
   // Also where the law is replayed, slopes of what expressions make of the unknowns are
   // differences.
   problem.derivative_accuracy = 1e-9;

@@ -3,6 +3,7 @@
 // derivatives of its own.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -10,6 +11,9 @@
 #include "driver/calibrate/least_squares/problem.hpp"
 
 namespace slipbench::driver {
+
+/// Whether no number is infinite or none.
+bool all_finite(std::span<const double> values);
 
 class Evaluator {
  public:
@@ -20,10 +24,11 @@ class Evaluator {
   std::size_t rows() const { return rows_; }
   std::size_t unknowns() const { return unknowns_; }
 
-  /// r(x); false where the model has no finite value.
+  /// r(x); false where the model has no finite value. For as many threads as the problem admits.
   bool residuals(std::span<const double> x, std::span<double> r);
 
-  /// r(x) and dr/dx, row-major; false where one of them is not finite. Without derivatives of the
+  /// r(x) and dr/dx, row-major; false where a residual is not finite, or a difference; derivatives
+  /// of the model's own are left for the caller to look at. Without derivatives of the
   /// model: central differences, of fourth order if `fine` (truncation and rounding errors balance
   /// at about 1e-10 and 1e-13 of the value), one-sided at a bound.
   bool derivatives(std::span<const double> x, std::span<double> r, std::span<double> jacobian,
@@ -45,7 +50,7 @@ class Evaluator {
   const ResidualProblem* problem_;
   std::size_t rows_;
   std::size_t unknowns_;
-  long residual_evaluations_ = 0;
+  std::atomic<long> residual_evaluations_ = 0;
   long derivative_evaluations_ = 0;
 };
 

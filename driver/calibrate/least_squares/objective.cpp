@@ -84,7 +84,12 @@ bool Objective::derivatives(std::span<const double> z, SearchPoint& point, bool 
   map_->unknowns(z, point.x);
   if (!evaluator_->derivatives(point.x, point.residuals, point.jacobian, fine)) return false;
   point.cost = total_cost(evaluator_->problem(), point.residuals);
-  return std::isfinite(point.cost);
+  if (evaluator_->problem().loss.kind == Loss::Kind::kSquares) {
+    // The products are wanted next, and any number that is not finite spoils them.
+    point.products = products(point.jacobian, evaluator_->unknowns(), point.residuals);
+    if (point.products.allFinite()) return std::isfinite(point.cost);
+  }
+  return all_finite(point.jacobian) && std::isfinite(point.cost);
 }
 
 std::vector<double> Objective::root_weights(const SearchPoint& point) const {
@@ -187,7 +192,6 @@ Eigen::MatrixXd Objective::unknown_products(SearchPoint& point,
   if (!root_weights.empty()) {
     return products(point.jacobian, n, point.residuals, root_weights);
   }
-  if (point.products.size() == 0) point.products = products(point.jacobian, n, point.residuals);
   return point.products;
 }
 

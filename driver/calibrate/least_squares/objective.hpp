@@ -19,7 +19,7 @@ struct SearchPoint {
   std::vector<double> residuals;
   std::vector<double> jacobian;  ///< dr/dx, row-major; of another point after Objective::cost
   double cost = 0.0;
-  Eigen::MatrixXd products;  ///< of dr/dx and r, all weights 1, once they were asked for
+  Eigen::MatrixXd products;  ///< of dr/dx and r, all weights 1; of squares only
 };
 
 /// The linearised problem at a point: f = sqrt(w) r, G = sqrt(w) dr/dz over the free coordinates.

@@ -56,7 +56,7 @@ struct ResidualProblem {
   std::vector<ShapedBlock> shapes;
   Loss loss;
   /// r(x), `rows` numbers. False: the model has no value there.
-  /// Called from one thread at a time.
+  /// Called from at most `threads` threads at a time, and not beside `derivatives`.
   std::function<bool(std::span<const double> x, std::span<double> r)> residuals;
   /// r(x) and dr/dx, row-major rows x unknowns; empty: central differences of `residuals`.
   std::function<bool(std::span<const double> x, std::span<double> r, std::span<double> jacobian)>
@@ -70,6 +70,7 @@ struct ResidualProblem {
   /// Singular values of the Jacobian below this part of the largest (columns of unit length) are no
   /// more than the error of `derivatives`.
   double derivative_accuracy = 1e-12;
+  unsigned threads = 1;  ///< that may call `residuals` at once, where that is worth it
 };
 
 struct SolverOptions {

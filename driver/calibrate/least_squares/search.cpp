@@ -15,6 +15,7 @@
 #include "driver/calibrate/least_squares/loss.hpp"
 #include "driver/calibrate/least_squares/simplex_polish.hpp"
 #include "driver/calibrate/least_squares/trust_region.hpp"
+#include "driver/suite/work_crew.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -180,18 +181,24 @@ double Search::total_offset() const {
 
 /// Whether a cost has a kink between t = first and t = last: its second difference on ever shorter
 /// parts of the way, where it is the greatest, falls with their length instead of its square.
+/// \param threads that may ask for costs at once
 template <typename Cost>
-bool kinks_between(double first, double last, int halvings, const Cost& cost) {
+bool kinks_between(double first, double last, int halvings, unsigned threads, const Cost& cost) {
   constexpr double kKink = 0.2;  // 0.5 at least where there is one, else 2^-halvings
   const auto bend = [](double a, double b, double c) { return std::abs(a - 2.0 * b + c); };
+  const auto both = [&](double a, double b) {
+    std::array<double, 2> costs{};
+    for_each_index(2, threads, [&](std::size_t i) { costs[i] = cost(i == 0 ? a : b); });
+    return costs;
+  };
   double width = last - first;
   double left = first;
-  std::array<double, 3> at{cost(left), cost(left + 0.5 * width), cost(last)};
+  const auto [middle, end] = both(left + 0.5 * width, last);
+  std::array<double, 3> at{cost(left), middle, end};
   const double whole = bend(at[0], at[1], at[2]);
   double greatest = whole;
   for (int k = 0; k < halvings; ++k, width *= 0.5) {
-    const double before = cost(left + 0.25 * width);
-    const double after = cost(left + 0.75 * width);
+    const auto [before, after] = both(left + 0.25 * width, left + 0.75 * width);
     const std::array<std::array<double, 3>, 3> parts{
         {{at[0], before, at[1]}, {before, at[1], after}, {at[1], after, at[2]}}};
     std::size_t most = 0;
@@ -217,10 +224,12 @@ bool Search::bends_sharply(double errors) {
   if (!(length > 0.0) || linear.rank < objective_.free().size()) return false;
   const double way = std::min(1.0, errors * residual_error() / length);
   // The kink may be where the point is, in the middle.
-  return kinks_between(-way, way, 5, [&](double t) {
+  const unsigned threads = objective_.evaluator().problem().threads;
+  return kinks_between(-way, way, 5, threads, [&](double t) {
     if (t == 0.0) return point.cost;
-    return objective_.cost(objective_.moved(point, t * linear.step), trial_)
-               ? trial_.cost
+    SearchPoint there;
+    return objective_.cost(objective_.moved(point, t * linear.step), there)
+               ? there.cost
                : std::numeric_limits<double>::quiet_NaN();
   });
 }
@@ -245,10 +254,10 @@ bool Search::jumps(const KinkCut& here, std::span<const KinkCut> holders) {
   constexpr double kSurely = 1e3;
   if (mildest == nullptr || least > kSurely) return true;
   Evaluator& evaluator = objective_.evaluator();
-  std::vector<double> x(point.x.size());
-  std::vector<double> r(point.residuals.size());
-  return kinks_between(0.0, 1.0, 3, [&](double t) {
+  return kinks_between(0.0, 1.0, 3, evaluator.problem().threads, [&](double t) {
     if (t == 0.0) return point.cost;
+    std::vector<double> x(point.x.size());
+    std::vector<double> r(point.residuals.size());
     for (Eigen::Index j = 0; j < n; ++j) {
       x[static_cast<std::size_t>(j)] = here.x(j) + t * (mildest->x(j) - here.x(j));
     }
@@ -460,8 +469,7 @@ Search::Settled Search::settle_shapes() {
   return Settled::kNothing;
 }
 
-SearchEnd Search::run(std::span<const double> start, TrustScaling scaling,
-                      SearchPoint* at_start) {
+SearchEnd Search::run(std::span<const double> start, TrustScaling scaling, SearchPoint* at_start) {
   constexpr std::array kScalings{TrustScaling::kMore, TrustScaling::kAccelerated,
                                  TrustScaling::kLevenberg, TrustScaling::kMarquardt};
   constexpr int kIdleRounds = static_cast<int>(kScalings.size());

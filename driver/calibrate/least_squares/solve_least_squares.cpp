@@ -53,8 +53,8 @@ bool lost(const SearchEnd& end) {
 /// lost as well, with another scaling of the trust region.
 /// \param point at z with its derivatives, if they are known; is used up
 SearchEnd search_from(Evaluator& evaluator, const UnknownMap& map, std::span<const char> frozen,
-                      std::span<const double> kept, std::span<const double> z,
-                      SearchPoint* point, const SolverOptions& options) {
+                      std::span<const double> kept, std::span<const double> z, SearchPoint* point,
+                      const SolverOptions& options) {
   SearchEnd best = search(evaluator, map, z, options, TrustScaling::kMore, point);
   const ResidualProblem& problem = evaluator.problem();
   const double start_cost = best.start_cost;
