@@ -269,8 +269,21 @@ bool keep_slopes(const Models& models, std::span<const double> x) {
                      [&](const auto& model) { return model->keeps_slopes(x); });
 }
 
-/// Why a case cannot be run at the start values; nothing if they all can.
-std::optional<CalibrationFailure> fault_at_start(const Fit& fit) {
+/// Why a case cannot be run at the start values. Nothing if all have values there, those of the fit
+/// by the search that began there.
+std::optional<CalibrationFailure> fault_at_start(const Fit& fit, const Models& models,
+                                                 const ModelOptions& options,
+                                                 const SearchTrace& from_start) {
+  std::vector<double> start;
+  for (const UnknownRange& range : options.unknowns) start.push_back(range.start);
+  const auto has_values = [&](const auto& model) {
+    std::vector<double> values(model->experiment().held_out ? model->points() : 0);
+    return values.empty() || model->values(start, values);
+  };
+  if (from_start.stop != StopReason::kModelFailure &&
+      std::all_of(models.begin(), models.end(), has_values)) {
+    return std::nullopt;
+  }
   for (const ExperimentFit& experiment : fit.experiments) {
     const auto traced = trace_run(experiment.base, experiment);
     if (traced) continue;
@@ -299,8 +312,8 @@ tl::expected<Search, CalibrationFailure> search(const Fit& fit, const ModelOptio
   }
   found.problem = residual_problem(fit, std::move(fitted), options, watch, found.seen);
   found.fit = solve_least_squares(found.problem, fit.solver);
-  if (found.fit.stop == StopReason::kModelFailure) {
-    if (auto fault = fault_at_start(fit)) return tl::unexpected(*std::move(fault));
+  if (auto fault = fault_at_start(fit, found.models, options, found.fit.searches.front())) {
+    return tl::unexpected(*std::move(fault));
   }
   return found;
 }

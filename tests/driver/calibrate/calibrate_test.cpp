@@ -74,13 +74,16 @@ TEST_CASE("a case that fails at the start values is told with its reason") {
       "  - {step: draw, duration: 1, increments: 10, force: {f2: = N},\n"
       "     motion: {CP1: {to: 100}}}\n");
   folder.write("sheet.csv", "t,F\n0.1,10\n0.5,20\n1,30\n");
-  const Fit fit = sound_fit(folder,
-                            "slipbench: 1\n"
-                            "calibrate:\n"
-                            "  experiments:\n"
-                            "    - {case: sheet.yaml, data: sheet.csv, time: t,\n"
-                            "       compare: {CSF1: F}}\n"
-                            "  vary: {c: {bounds: [0, 20]}}\n");
+  const std::string experiment =
+      "    - {case: sheet.yaml, data: sheet.csv, time: t, compare: {CSF1: F}}\n";
+  // Fitted, or only scored.
+  const bool held_out = GENERATE(false, true);
+  if (held_out) write_rig(folder);
+  const Fit fit = sound_fit(
+      folder,
+      held_out ? with(std::string(kSliderFit), "  vary:", "  holdout:\n" + experiment + "  vary:")
+               : "slipbench: 1\ncalibrate:\n  experiments:\n" + experiment +
+                     "  vary: {c: {bounds: [0, 20]}}\n");
   const auto found = calibrate(fit);
   REQUIRE_FALSE(found);
   CHECK(found.error().code == kExitNumerical);
