@@ -45,28 +45,6 @@ TableHome home_of(const Fit& fit, const VariedTable& table) {
   return {};
 }
 
-std::string independent_name(const law::Independent& independent) {
-  using Kind = law::IndependentKind;
-  const int index = independent.index;
-  switch (independent.kind) {
-    case Kind::kSlipRate:
-      return "slip_rate";
-    case Kind::kContactForce:
-      return "contact_force";
-    case Kind::kAccumulatedSlip:
-      return "accumulated_slip";
-    case Kind::kTemperature:
-      return "temperature";
-    case Kind::kField:
-      return fmt::format("field{}", index + 1);
-    case Kind::kPosition:
-      return index < 3 ? fmt::format("CP{}", index + 1) : fmt::format("CPR{}", index - 2);
-    case Kind::kConstitutiveMotion:
-      return index < 3 ? fmt::format("CU{}", index + 1) : fmt::format("CUR{}", index - 2);
-  }
-  return {};
-}
-
 /// Parameters in the fit's order, then the ordinates of every table.
 void describe_unknowns(const Fit& fit, std::span<const VariedOrdinates> ordinates,
                        Calibration& calibration) {

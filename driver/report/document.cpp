@@ -28,14 +28,6 @@ std::string_view word_of(ReportStatus status) {
   return "not_run";
 }
 
-template <class Texts>
-void write_texts(JsonText& json, std::string_view name, const Texts& texts) {
-  json.key(name);
-  json.begin_array();
-  for (const auto& text : texts) json.value(text);
-  json.end_array();
-}
-
 /// A member that is null where there is no such column.
 void write_column(JsonText& json, std::string_view name, const std::string& column) {
   json.key(name);
@@ -134,7 +126,7 @@ void write_definition(JsonText& json, const ReportDefinition& definition, const 
   json.begin_object();
   json.member("name", definition.name);
   write_column(json, "force", definition.force);
-  write_texts(json, "forces", definition.forces);
+  json.member_texts("forces", definition.forces);
   json.key("positions");
   json.begin_array();
   for (const std::string& position : definition.positions) {
@@ -279,7 +271,7 @@ void write_check(JsonText& json, const ReportCheck& check, const TimeText& time)
   json.member("passed", verdict.passed);
   json.member_if("message", verdict.message);
   json.member_if("likely_cause", verdict.likely_cause);
-  write_texts(json, "warnings", verdict.warnings);
+  json.member_texts("warnings", verdict.warnings);
   json.member("compared", verdict.compared);
   json.member("failing", verdict.failing);
   json.member("tolerance", verdict.tolerance);
@@ -336,8 +328,8 @@ void write_case(JsonText& json, const CaseReport& one, const std::string& id) {
   json.begin_object();
   for (const auto& [name, number] : one.parameters) json.member(name, number);
   json.end_object();
-  write_texts(json, "summary", one.summary);
-  write_texts(json, "warnings", one.warnings);
+  json.member_texts("summary", one.summary);
+  json.member_texts("warnings", one.warnings);
   json.member("increments", one.increments);
   json.member("details", one.has_details && !one.columns.empty());
   if (one.has_details && !one.columns.empty()) {
@@ -363,7 +355,7 @@ void write_case(JsonText& json, const CaseReport& one, const std::string& id) {
     json.begin_object();
     json.key("columns");
     json.begin_object();
-    for (const auto& [kind, columns] : one.energies) write_texts(json, kind, columns);
+    for (const auto& [kind, columns] : one.energies) json.member_texts(kind, columns);
     json.end_object();
     json.end_object();
     json.key("coverage");

@@ -36,6 +36,14 @@ class JsonText {
     key(name);
     value(what);
   }
+  /// A member that is an array of texts.
+  template <class Texts>
+  void member_texts(std::string_view name, const Texts& texts) {
+    key(name);
+    begin_array();
+    for (const auto& text : texts) value(text);
+    end_array();
+  }
   /// A member whose text is left out when it is empty.
   void member_if(std::string_view name, std::string_view text) {
     if (!text.empty()) member(name, text);

@@ -27,14 +27,6 @@ constexpr std::size_t kMostCorrelated = 40;
 
 std::int64_t count_of(std::size_t count) { return static_cast<std::int64_t>(count); }
 
-template <class Texts>
-void write_texts(JsonText& json, std::string_view name, const Texts& texts) {
-  json.key(name);
-  json.begin_array();
-  for (const auto& text : texts) json.value(text);
-  json.end_array();
-}
-
 void write_series(JsonText& json, std::string_view name, std::span<const double> numbers) {
   json.key(name);
   json.series(numbers);
@@ -70,7 +62,7 @@ void write_verdict(JsonText& json, const Calibration& calibration, const Fit& fi
   json.member("cost", found.cost);
   json.member("polished", found.polished);
   json.end_object();
-  write_texts(json, "notes", calibration.notes);
+  json.member_texts("notes", calibration.notes);
   json.key("figures");
   json.begin_object();
   json.member("data", count_of(statistics.data));
@@ -237,7 +229,7 @@ void write_experiments(JsonText& json, const Fit& fit, const Calibration& calibr
     json.member("rows_read", count_of(one.rows_read));
     json.member("rows_used", count_of(one.rows_used));
     json.member("share", one.share_of_cost);
-    write_texts(json, "cleaning", one.cleaning);
+    json.member_texts("cleaning", one.cleaning);
     json.key("responses");
     json.begin_array();
     for (const FittedResponse& response : one.responses) write_response(json, response, limit);
