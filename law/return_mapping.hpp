@@ -40,7 +40,7 @@ struct FrictionUpdate {
   double limit = 0.0;           ///< F_lim [F]
   double slip_increment = 0.0;  ///< dL [L]
   double slip_rate = 0.0;       ///< the rate the coefficient saw [L/T]
-  double wear = 0.0;            ///< dF_int/d(accumulated slip) it was taken with [F/L]
+  double wear = 0.0;            ///< dF_int/d(accumulated slip) of a Euclidean norm [F/L]; else 0
   double dissipation = 0.0;     ///< F_lim dL of this increment [F L], never negative
   double stored_energy = 0.0;   ///< y . s_el / 2 at the end [F L]
   double work = 0.0;            ///< of y over ds, split at the stick-slip point [F L]
@@ -71,8 +71,8 @@ FrictionUpdate update(const FrictionDefinition& definition, const ConnectorIncre
 
 /// The same without what only tells of the increment: energies, work, onset, phi, direction of the
 /// motion and further roots stay as they are by default where a definition has the Euclidean norm.
-/// For those who run a history many times over; state and tangent are those of update(), bit by
-/// bit.
+/// For those who run a history many times over; state and `tangent` are those of update(), bit by
+/// bit. Not for connector_tangent(), which needs the direction of the motion.
 FrictionUpdate update_force(const FrictionDefinition& definition,
                             const ConnectorIncrement& increment, const FrictionState& old) noexcept;
 

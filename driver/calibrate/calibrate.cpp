@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -18,7 +17,6 @@
 #include "driver/calibrate/identifiability.hpp"
 #include "driver/calibrate/least_squares/loss.hpp"
 #include "driver/calibrate/residuals.hpp"
-#include "driver/calibrate/run_trace.hpp"
 #include "driver/calibrate/varied_case.hpp"
 #include "driver/results/coverage.hpp"
 #include "driver/suite/work_crew.hpp"
@@ -247,30 +245,6 @@ bool keep_slopes(const Models& models, std::span<const double> x) {
                      [&](const auto& model) { return model->keeps_slopes(x); });
 }
 
-/// Why a case cannot be run at the start values. Nothing if all have values there, those of the fit
-/// by the search that began there.
-std::optional<CalibrationFailure> fault_at_start(const Fit& fit, const Models& models,
-                                                 const ModelOptions& options,
-                                                 const SearchTrace& from_start) {
-  std::vector<double> start;
-  for (const UnknownRange& range : options.unknowns) start.push_back(range.start);
-  const auto has_values = [&](const auto& model) {
-    std::vector<double> values(model->experiment().held_out ? model->points() : 0);
-    return values.empty() || model->values(start, values);
-  };
-  if (from_start.stop != StopReason::kModelFailure &&
-      std::all_of(models.begin(), models.end(), has_values)) {
-    return std::nullopt;
-  }
-  for (const ExperimentFit& experiment : fit.experiments) {
-    const auto traced = trace_run(experiment.base, experiment);
-    if (traced) continue;
-    return CalibrationFailure{kExitNumerical, fmt::format("{}: at the start values: {}",
-                                                          experiment.case_file, traced.error())};
-  }
-  return std::nullopt;
-}
-
 struct Search {
   Models models;
   std::shared_ptr<ModelValues> seen = std::make_shared<ModelValues>();
@@ -290,9 +264,6 @@ tl::expected<Search, CalibrationFailure> search(const Fit& fit, const ModelOptio
   }
   found.problem = residual_problem(fit, std::move(fitted), options, watch, found.seen);
   found.fit = solve_least_squares(found.problem, fit.solver);
-  if (auto fault = fault_at_start(fit, found.models, options, found.fit.searches.front())) {
-    return tl::unexpected(*std::move(fault));
-  }
   return found;
 }
 

@@ -185,6 +185,12 @@ void ExperimentModel::try_replay(RunTrace& trace, std::vector<std::string>& posi
     static_cast<void>(tracer->take(row));
   });
   if (!replay) return refuse(replay.error());
+  // Also what no response reads has to run: a calibrated case is there to be run.
+  std::vector<law::FrictionDefinition> definitions;
+  for (const CaseDefinition& definition : problem.definitions) {
+    definitions.push_back(definition.law);
+  }
+  if (!replay->show(definitions)) return refuse("it cannot be run at the start values");
   replay_ = std::move(*replay);
   if (std::string why = dependent_history(); !why.empty()) {
     replay_.reset();

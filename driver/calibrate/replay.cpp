@@ -216,7 +216,7 @@ class Replay::Increments {
 
 namespace {
 
-/// Whether the result of an increment can be used, as Simulation judges it.
+/// Whether the forces of an increment can be used; Simulation asks the same of its energies.
 inline bool is_sound(const law::FrictionUpdate& update) {
   // One infinity or NaN spoils the sum: the single numbers are only looked at when it happened.
   const auto& y = update.state.force;
@@ -436,7 +436,7 @@ bool Replay::show(std::span<const law::FrictionDefinition> definitions, const Wa
       updates[d] = law::update_force(definitions[d], increment, updates[d].state);
       if (!is_sound(updates[d])) return false;
     }
-    watch(increment.end, updates);
+    if (watch) watch(increment.end, updates);
   }
   return true;
 }

@@ -75,7 +75,7 @@ class Replay {
   /// and the results of the definitions in their order.
   /// \return false if the law has no finite value somewhere
   using Watch = std::function<void(const law::Ambient&, std::span<const law::FrictionUpdate>)>;
-  bool show(std::span<const law::FrictionDefinition> definitions, const Watch& watch) const;
+  bool show(std::span<const law::FrictionDefinition> definitions, const Watch& watch = {}) const;
 
  private:
   /// Where the numbers go that a row of `increments_` holds behind its duration.

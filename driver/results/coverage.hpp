@@ -53,7 +53,7 @@ class Coverage {
     if (!probes_.empty() && row.index > 0) count(row);
   }
 
-  /// An increment of a case that keeps its friction, known without a row.
+  /// An increment of a case that keeps its friction, in both directions, known without a row.
   /// \param end of the increment
   /// \param updates one for each definition of the case
   void add(const law::Ambient& end, std::span<const law::FrictionUpdate> updates);

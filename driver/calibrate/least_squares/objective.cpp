@@ -3,6 +3,7 @@
 
 #include <Eigen/QR>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -192,6 +193,7 @@ Eigen::MatrixXd Objective::unknown_products(SearchPoint& point,
   if (!root_weights.empty()) {
     return products(point.jacobian, n, point.residuals, root_weights);
   }
+  assert(point.products.size() > 0);  // the point has derivatives
   return point.products;
 }
 

@@ -186,19 +186,18 @@ template <typename Cost>
 bool kinks_between(double first, double last, int halvings, unsigned threads, const Cost& cost) {
   constexpr double kKink = 0.2;  // 0.5 at least where there is one, else 2^-halvings
   const auto bend = [](double a, double b, double c) { return std::abs(a - 2.0 * b + c); };
-  const auto both = [&](double a, double b) {
-    std::array<double, 2> costs{};
-    for_each_index(2, threads, [&](std::size_t i) { costs[i] = cost(i == 0 ? a : b); });
+  const auto costs_at = [&]<std::size_t kCount>(const std::array<double, kCount>& t) {
+    std::array<double, kCount> costs{};
+    for_each_index(kCount, threads, [&](std::size_t i) { costs[i] = cost(t[i]); });
     return costs;
   };
   double width = last - first;
   double left = first;
-  const auto [middle, end] = both(left + 0.5 * width, last);
-  std::array<double, 3> at{cost(left), middle, end};
+  std::array<double, 3> at = costs_at(std::array{left, left + 0.5 * width, last});
   const double whole = bend(at[0], at[1], at[2]);
   double greatest = whole;
   for (int k = 0; k < halvings; ++k, width *= 0.5) {
-    const auto [before, after] = both(left + 0.25 * width, left + 0.75 * width);
+    const auto [before, after] = costs_at(std::array{left + 0.25 * width, left + 0.75 * width});
     const std::array<std::array<double, 3>, 3> parts{
         {{at[0], before, at[1]}, {before, at[1], after}, {at[1], after, at[2]}}};
     std::size_t most = 0;

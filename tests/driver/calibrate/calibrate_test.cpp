@@ -92,6 +92,48 @@ TEST_CASE("a case that fails at the start values is told with its reason") {
         std::string::npos);
 }
 
+TEST_CASE("every case that fails at the start values is told, also by what is not compared") {
+  const TemporaryFolder folder;
+  for (const char* const name : {"first", "second"}) {
+    folder.write(
+        fmt::format("{}.yaml", name),
+        "slipbench: 1\n"
+        "parameters: {mu: 0.3}\n"
+        "connector: {type: CYLINDRICAL}\n"
+        "friction:\n"
+        "  - {name: axial, component: 1, contact_force: 2, coefficient: = mu,\n"
+        "     stick: {stiffness: 1000}}\n"
+        "  - name: around\n"
+        "    component: 4\n"
+        "    contact_force: 2\n"
+        "    coefficient:\n"
+        "      modified_darmstad: {Fric: 0.1, C1: 0, C2: 0, C3: 0, C4: 0, C5: 0.1, C6: 8,\n"
+        "                          area: 2}\n"
+        "    stick: {stiffness: 1000}\n"
+        "integration: {slip_rate: relative_motion}\n"
+        "history:\n"
+        "  - {step: draw, duration: 1, increments: 10, force: {f2: 100},\n"
+        "     motion: {CP1: {to: 1}, CPR1: {to: 100}}}\n");
+  }
+  folder.write("axial.csv", "t,F\n0.1,10\n0.5,20\n1,30\n");
+  const Fit fit =
+      sound_fit(folder,
+                "slipbench: 1\n"
+                "calibrate:\n"
+                "  experiments:\n"
+                "    - {name: A, case: first.yaml, data: axial.csv, time: t, compare: {CSF1: F}}\n"
+                "    - {name: B, case: second.yaml, data: axial.csv, time: t, compare: {CSF1: F}}\n"
+                "  vary: {mu: {bounds: [0, 1]}}\n");
+  const auto found = calibrate(fit);
+  REQUIRE_FALSE(found);
+  CHECK(found.error().code == kExitNumerical);
+  for (const char* const name : {"first", "second"}) {
+    CHECK(found.error().message.find(fmt::format("{}.yaml: at the start values: ", name)) !=
+          std::string::npos);
+  }
+  CHECK(found.error().message.find("definition 'around'") != std::string::npos);
+}
+
 TEST_CASE("the numbers of an exponential decay follow from its closed form") {
   // Steady sliding at eight speeds, read at the end of each: mu(v) N.
   const reference::exponential_decay::Decay truth{0.30, 0.18, 0.5};
