@@ -8,6 +8,24 @@ bool is_motion(IndependentKind kind) {
   return kind == IndependentKind::kPosition || kind == IndependentKind::kConstitutiveMotion;
 }
 
+void set_slope(IndependentKind kind, double slope, SlipArguments* slopes) noexcept {
+  switch (kind) {
+    case IndependentKind::kSlipRate:
+      slopes->slip_rate = slope;
+      break;
+    case IndependentKind::kContactForce:
+      slopes->contact_force = slope;
+      break;
+    case IndependentKind::kAccumulatedSlip:
+      slopes->accumulated_slip = slope;
+      break;
+    default:
+      break;
+  }
+}
+
+}  // namespace
+
 double argument(const Independent& independent, const Ambient& ambient,
                 const SlipArguments& slip) noexcept {
   switch (independent.kind) {
@@ -28,24 +46,6 @@ double argument(const Independent& independent, const Ambient& ambient,
   }
   return ambient.motion[independent.index];
 }
-
-void set_slope(IndependentKind kind, double slope, SlipArguments* slopes) noexcept {
-  switch (kind) {
-    case IndependentKind::kSlipRate:
-      slopes->slip_rate = slope;
-      break;
-    case IndependentKind::kContactForce:
-      slopes->contact_force = slope;
-      break;
-    case IndependentKind::kAccumulatedSlip:
-      slopes->accumulated_slip = slope;
-      break;
-    default:
-      break;
-  }
-}
-
-}  // namespace
 
 TableFunction::TableFunction(Table table, std::vector<Independent> independents)
     : table_(std::move(table)), independents_(std::move(independents)) {

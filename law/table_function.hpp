@@ -42,6 +42,10 @@ struct SlipArguments {
   double accumulated_slip = 0.0;  ///< [L]
 };
 
+/// What an independent is at a place and a slip, in its own unit.
+double argument(const Independent& independent, const Ambient& ambient,
+                const SlipArguments& slip) noexcept;
+
 /// A table whose independents are connector quantities.
 class TableFunction {
  public:

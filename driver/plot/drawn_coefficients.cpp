@@ -118,31 +118,10 @@ void DrawnCoefficients::visit(const Simulation& simulation) {
                                update.normal_force,
                                mu,
                                status,
-                               {argument_of(coefficient.arguments[0], ambient_, slip),
-                                argument_of(coefficient.arguments[1], ambient_, slip)}});
+                               {law::argument(coefficient.arguments[0], ambient_, slip),
+                                law::argument(coefficient.arguments[1], ambient_, slip)}});
     }
   }
-}
-
-double argument_of(const DrawnArgument& argument, const law::Ambient& ambient,
-                   const law::SlipArguments& slip) {
-  switch (argument.kind) {
-    case Kind::kSlipRate:
-      return slip.slip_rate;
-    case Kind::kContactForce:
-      return slip.contact_force;
-    case Kind::kAccumulatedSlip:
-      return slip.accumulated_slip;
-    case Kind::kTemperature:
-      return ambient.temperature;
-    case Kind::kField:
-      return ambient.fields[static_cast<std::size_t>(argument.index)];
-    case Kind::kPosition:
-      return ambient.position[argument.index];
-    case Kind::kConstitutiveMotion:
-      return ambient.motion[argument.index];
-  }
-  return 0.0;
 }
 
 }  // namespace slipbench::driver

@@ -82,8 +82,4 @@ class DrawnCoefficients {
   law::Ambient ambient_;
 };
 
-/// The number of an argument.
-double argument_of(const DrawnArgument& argument, const law::Ambient& ambient,
-                   const law::SlipArguments& slip);
-
 }  // namespace slipbench::driver

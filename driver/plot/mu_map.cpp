@@ -149,7 +149,7 @@ std::string fixed_text(const DrawnCoefficient& coefficient, const law::Ambient& 
       continue;
     }
     text += fmt::format("{}{} {:.4g}", text.empty() ? "" : ", ", independent_name(independent),
-                        argument_of(independent, ambient, slip));
+                        law::argument(independent, ambient, slip));
   }
   return text.empty() ? text : "at " + text + ", as the run ends";
 }
