@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <Eigen/Core>
+#include <array>
 
 #include "law/friction_definition.hpp"
 #include "law/friction_state.hpp"
@@ -75,17 +75,5 @@ FrictionUpdate update(const FrictionDefinition& definition, const ConnectorIncre
 /// bit. Not for connector_tangent(), which needs the direction of the motion.
 FrictionUpdate update_force(const FrictionDefinition& definition,
                             const ConnectorIncrement& increment, const FrictionState& old) noexcept;
-
-/// The tangent at the connector: how the friction forces of all six components change with the
-/// motion at the end of the increment and with the constraint forces at its end. Both are
-/// unsymmetric in general: the contact force, table weights and internal contact forces over
-/// position, and the angles of a universal joint are all in it.
-struct ConnectorTangent {
-  Eigen::Matrix<double, kComponents, kComponents> to_motion;  ///< df_i/du_j
-  Eigen::Matrix<double, kComponents, kComponents> to_force;   ///< df_i/df_j (constraint force j)
-};
-ConnectorTangent connector_tangent(const FrictionDefinition& definition,
-                                   const ConnectorIncrement& increment,
-                                   const FrictionUpdate& update);
 
 }  // namespace slipbench::law

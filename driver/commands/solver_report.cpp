@@ -14,6 +14,7 @@
 #include "driver/results/summary.hpp"
 #include "driver/text/format_number.hpp"
 #include "law/capstan_update.hpp"
+#include "law/connector_tangent.hpp"
 #include "law/uniqueness.hpp"
 
 namespace slipbench::driver {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "law/connection_type.hpp"
+#include "law/connector_tangent.hpp"
 #include "law/continuous_update.hpp"
 #include "law/potential_terms.hpp"
 #include "law/return_mapping.hpp"

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "law/connection/slipring.hpp"
+#include "law/connector_tangent.hpp"
 #include "tests/support/dice.hpp"
 #include "tests/support/finite_difference.hpp"
 #include "tests/support/friction_run.hpp"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "law/connector_tangent.hpp"
 #include "law/return_mapping.hpp"
 #include "tests/support/friction_run.hpp"
 #include "tests/support/law_tables.hpp"

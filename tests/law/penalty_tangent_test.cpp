@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "law/penalty_tangent.hpp"
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "law/penalty_tangent.hpp"
+#include "law/connector_tangent.hpp"
 #include "tests/support/dice.hpp"
 #include "tests/support/force_difference.hpp"
 #include "tests/support/friction_run.hpp"

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "law/connection/cylindrical.hpp"
+#include "law/connector_tangent.hpp"
 #include "reference/coulomb_slider.hpp"
 #include "reference/parallel_sliders.hpp"
 #include "reference/planar_slider.hpp"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "law/connection_type.hpp"
+#include "law/connector_tangent.hpp"
 #include "law/return_mapping.hpp"
 #include "tests/support/dice.hpp"
 #include "tests/support/force_difference.hpp"

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "law/connector_tangent.hpp"
 #include "tests/support/random_definition.hpp"
 #include "tests/support/random_history.hpp"
 

@@ -12,6 +12,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "law/connector_tangent.hpp"
 #include "law/ellipse_return.hpp"
 #include "law/penalty_update.hpp"
 #include "tests/support/dice.hpp"

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "law/connector_tangent.hpp"
 #include "law/limit_function.hpp"
 #include "law/potential_return.hpp"
 #include "tests/support/finite_difference.hpp"
