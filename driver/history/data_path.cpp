@@ -64,7 +64,7 @@ tl::expected<fs::path, HistoryError> resolve_data_path(const fs::path& case_fold
 std::optional<std::filesystem::path> shipped_path(const std::filesystem::path& name) {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  const fs::path source = fs::path(__FILE__).parent_path().parent_path().parent_path();
+  const fs::path source = SLIPBENCH_SOURCE_DIR;
   for (const fs::path& folder :
        {program.parent_path().parent_path() / "share" / "slipbench", source}) {
     if (fs::exists(folder / name, error)) return folder / name;

@@ -7,12 +7,13 @@
 #include "tests/architecture/include_rules.hpp"
 #include "tests/architecture/source_file.hpp"
 #include "tests/architecture/text_rules.hpp"
+#include "tests/support/project_paths.hpp"
 
 namespace slipbench::architecture {
 namespace {
 
 const std::vector<SourceFile>& repository() {
-  static const std::vector<SourceFile> kFiles = read_repository(SLIPBENCH_SOURCE_DIR);
+  static const std::vector<SourceFile> kFiles = read_repository(test::source_dir());
   return kFiles;
 }
 
@@ -36,7 +37,7 @@ TEST_CASE("the rooms are read, all of them") {
 
 TEST_CASE("a broken rule in a folder on disk is found, build folders and binaries are not read") {
   const std::filesystem::path root =
-      std::filesystem::path(SLIPBENCH_BINARY_DIR) / "architecture-test";
+      std::filesystem::path(test::binary_dir()) / "architecture-test";
   std::filesystem::remove_all(root);
   const auto write = [&](const std::string& path, const std::string& text) {
     std::filesystem::create_directories((root / path).parent_path());
@@ -70,7 +71,7 @@ TEST_CASE("every source states its licence") { CHECK(broken(licence_violations) 
 
 TEST_CASE("no file names a place outside of the repository") {
   CHECK(broken([](const SourceFile& file) {
-          return outside_violations(file, SLIPBENCH_SOURCE_DIR);
+          return outside_violations(file, test::source_dir());
         }) == "");
 }
 

@@ -21,6 +21,7 @@
 #include "reference/wear.hpp"
 #include "tests/reference/evaluate.hpp"
 #include "tests/reference/printed.hpp"
+#include "tests/support/project_paths.hpp"
 
 using namespace slipbench::reference;
 using std::numbers::pi;
@@ -31,7 +32,7 @@ namespace {
 class Curve {
  public:
   explicit Curve(const std::string& name) {
-    std::ifstream file(SLIPBENCH_SOURCE_DIR "/reference/curves/" + name + ".csv");
+    std::ifstream file(slipbench::test::source_dir() + "/reference/curves/" + name + ".csv");
     std::string line;
     while (std::getline(file, line)) {
       if (line.starts_with("#")) continue;

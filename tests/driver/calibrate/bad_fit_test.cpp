@@ -10,6 +10,7 @@
 
 #include "driver/calibrate/read_fit.hpp"
 #include "driver/case/read_case.hpp"
+#include "tests/support/project_paths.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -18,7 +19,7 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> bad_fits() {
   std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(SLIPBENCH_SOURCE_DIR "/cases/bad/calibration")) {
+  for (const auto& entry : fs::directory_iterator(test::source_dir() + "/cases/bad/calibration")) {
     if (entry.path().extension() == ".yaml") files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
@@ -59,8 +60,8 @@ TEST_CASE("A bad fit file is refused with its place and what is wrong") {
 
 TEST_CASE("The cases beside the bad fits are sound, or nothing could be learnt from them") {
   for (const char* name : {"loop", "table", "no_units", "extra"}) {
-    const ReadCase read = read_case(
-        std::string(SLIPBENCH_SOURCE_DIR "/cases/bad/calibration/sound/") + name + ".yaml");
+    const ReadCase read =
+        read_case(test::source_dir() + "/cases/bad/calibration/sound/" + name + ".yaml");
     INFO(render(read.diagnostics, read.sources));
     CHECK(read.value.has_value());
   }

@@ -16,6 +16,7 @@
 #include "driver/simulation.hpp"
 #include "driver/text/source_text.hpp"
 #include "tests/driver/calibrate/calibration_for_test.hpp"
+#include "tests/support/project_paths.hpp"
 
 using namespace slipbench::driver;
 namespace law = slipbench::law;
@@ -352,7 +353,7 @@ TEST_CASE("every shipped case reads back with the numbers that were put into it"
   int with_tables = 0;
   for (const char* room : {"examples", "verification", "validation", "calibration"}) {
     for (const auto& entry :
-         fs::directory_iterator(fs::path(SLIPBENCH_SOURCE_DIR) / "cases" / room)) {
+         fs::directory_iterator(fs::path(slipbench::test::source_dir()) / "cases" / room)) {
       if (entry.path().extension() != ".yaml") continue;
       INFO(entry.path());
       const ReadCase read = read_case(entry.path().string());

@@ -14,6 +14,7 @@
 #include "driver/case/read_case.hpp"
 #include "tests/driver/history/temporary_folder.hpp"
 #include "tests/driver/simulation/example_cases.hpp"
+#include "tests/support/project_paths.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -54,7 +55,7 @@ std::uint64_t bits(double x) {
 }
 
 TEST_CASE("every shipped case is replayed bit by bit, or says why not") {
-  const std::filesystem::path root = SLIPBENCH_SOURCE_DIR;
+  const std::filesystem::path root = test::source_dir();
   int replayed = 0;
   int refused = 0;
   for (const char* folder : {"cases/examples", "cases/validation", "cases/verification"}) {

@@ -9,6 +9,7 @@
 #include "driver/calibrate/fit_reference.hpp"
 #include "driver/case/case_reference.hpp"
 #include "driver/case/key_index.hpp"
+#include "tests/support/project_paths.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -55,7 +56,7 @@ TEST_CASE("A required key is required by the schema, with the same words for its
 }
 
 TEST_CASE("docs/case-reference.md is what the declarations say today") {
-  std::ifstream file(SLIPBENCH_SOURCE_DIR "/docs/case-reference.md", std::ios::binary);
+  std::ifstream file(test::source_dir() + "/docs/case-reference.md", std::ios::binary);
   REQUIRE(file.good());
   std::ostringstream text;
   text << file.rdbuf();

@@ -160,8 +160,8 @@ TEST_CASE("a full disk leaves the old curve as it was") {
   const std::string once = read(folder.path() / "golden/belt.csv");
   // No file may grow: the system's message for what happens on a full disk.
   const Ended ended =
-      slipbench(folder, "--version > /dev/null; trap '' XFSZ; ulimit -f 0; '" SLIPBENCH_BINARY_DIR
-                        "/slipbench' bless belt.yaml --set mu=0.3 --reason two");
+      slipbench(folder, "--version > /dev/null; trap '' XFSZ; ulimit -f 0; '" + kProgram +
+                            "' bless belt.yaml --set mu=0.3 --reason two");
   CHECK(ended.code == 4);
   CHECK(read(folder.path() / "golden/belt.csv") == once);
   CHECK(files_in(folder.path() / "golden") == 1);
@@ -173,8 +173,7 @@ TEST_CASE("a golden curve that was cut off behind its header is made anew") {
   REQUIRE(slipbench(folder, "bless belt.yaml --reason one").code == 0);
   const std::string whole = read(folder.path() / "golden/belt.csv");
   folder.write("golden/belt.csv", whole.substr(0, whole.find("\ntime,")));
-  const Ended ended =
-      shell(folder, "timeout 60 '" SLIPBENCH_BINARY_DIR "/slipbench' bless belt.yaml --reason one");
+  const Ended ended = shell(folder, "timeout 60 '" + kProgram + "' bless belt.yaml --reason one");
   INFO(ended.output);
   CHECK(ended.code == 0);
   CHECK(read(folder.path() / "golden/belt.csv") == whole);
@@ -196,9 +195,10 @@ TEST_CASE("a golden curve that is a link stays one, and its file is replaced") {
 TEST_CASE("blessings at the same time lose none of their reasons") {
   const TemporaryFolder folder;
   folder.write("belt.yaml", kBelt);
-  const Ended ended = shell(folder, "for i in 1 2 3 4 5 6 7 8; do '" SLIPBENCH_BINARY_DIR
-                                    "/slipbench' bless belt.yaml --set mu=0.2$i --reason r$i & "
-                                    "done; wait; grep -c '^# blessed: r[1-8]$' golden/belt.csv");
+  const Ended ended =
+      shell(folder, "for i in 1 2 3 4 5 6 7 8; do '" + kProgram +
+                        "' bless belt.yaml --set mu=0.2$i --reason r$i & "
+                        "done; wait; grep -c '^# blessed: r[1-8]$' golden/belt.csv");
   INFO(ended.output);
   CHECK(ended.output.ends_with("\n8\n"));
   CHECK(files_in(folder.path() / "golden") == 1);
@@ -222,7 +222,7 @@ TEST_CASE("a curve that does not fit into memory is the machine's fault, not a b
   std::string text = kBelt;
   text.replace(text.find("increments: 40"), 14, "increments: 1000000000");
   folder.write("belt.yaml", text);
-  const std::string limited = "ulimit -v 200000; '" SLIPBENCH_BINARY_DIR "/slipbench' ";
+  const std::string limited = "ulimit -v 200000; '" + kProgram + "' ";
   if (shell(folder, limited + "--version").code != 0) return;  // a sanitizer needs more for itself
   const Ended ended = shell(folder, limited + "bless belt.yaml --reason x");
   CHECK(ended.code == 4);
@@ -243,7 +243,7 @@ std::string drawn(const TemporaryFolder& folder, const std::vector<std::string>&
     std::vector<char*> words;
     for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
     words.push_back(nullptr);
-    if (ready) execv(SLIPBENCH_BINARY_DIR "/slipbench", words.data());
+    if (ready) execv(kProgram.c_str(), words.data());
     _exit(127);
   }
   std::string text;

@@ -13,10 +13,11 @@
 #include <string>
 
 #include "tests/driver/history/temporary_folder.hpp"
+#include "tests/support/project_paths.hpp"
 
 namespace slipbench::driver {
 
-inline const std::string kProgram = SLIPBENCH_BINARY_DIR "/slipbench";
+inline const std::string kProgram = test::binary_dir() + "/slipbench";
 
 struct Ended {
   int code = -1;

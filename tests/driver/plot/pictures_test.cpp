@@ -25,6 +25,7 @@
 #include "driver/plot/script.hpp"
 #include "driver/results/summary.hpp"
 #include "tests/driver/history/temporary_folder.hpp"
+#include "tests/support/project_paths.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -291,7 +292,7 @@ double luminance(const std::string& colour) {
 }
 
 TEST_CASE("in grey the parts of a stack can be told apart") {
-  const std::string style = read_text(fs::path(SLIPBENCH_SOURCE_DIR) / "plots/style.gp");
+  const std::string style = read_text(fs::path(test::source_dir()) / "plots/style.gp");
   std::string line = style.substr(style.find("array stack_colour[6]"));
   line = line.substr(0, line.find('\n'));
   std::vector<double> levels;
