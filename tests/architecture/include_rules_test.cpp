@@ -58,6 +58,8 @@ TEST_CASE("the driver knows both rooms and its third parties, each at its place"
   CHECK_FALSE(allowed("driver/case/read.cpp", "<yaml-cpp/yaml.h>"));
 
   CHECK(allowed("driver/main.cpp", "<CLI/CLI.hpp>"));
+  CHECK(allowed("driver/command_line/run.cpp", "<CLI/CLI.hpp>"));
+  CHECK_FALSE(allowed("driver/command_line/declare.hpp", "<CLI/CLI.hpp>"));
   CHECK_FALSE(allowed("driver/commands/run.cpp", "<CLI/CLI.hpp>"));
 
   CHECK(allowed("driver/history/expression.cpp", "<muParser.h>"));

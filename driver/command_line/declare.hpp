@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// The commands of the program with their options, one file a command.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace slipbench::driver {
+
+/// The command that was typed, with its options: runs it and returns the exit code.
+using Command = std::function<int()>;
+
+/// Each adds a subcommand; where it is typed, parsing puts it with its options into `command`,
+/// which must outlive the parsing.
+void declare_run(CLI::App& app, Command& command);
+void declare_check(CLI::App& app, Command& command);
+void declare_bless(CLI::App& app, Command& command);
+void declare_plot(CLI::App& app, Command& command);
+void declare_report(CLI::App& app, Command& command);
+void declare_calibrate(CLI::App& app, Command& command);
+void declare_import(CLI::App& app, Command& command);
+void declare_list(CLI::App& app, Command& command);
+void declare_describe(CLI::App& app, Command& command);
+void declare_schema(CLI::App& app, Command& command);
+
+/// Adds the options that every command with cases has, '--set' and '--allow-outside'.
+void declare_settings(CLI::App& command, std::vector<std::string>& settings, bool& allow_outside);
+
+/// Completes names of cases that were given without their ending.
+void name_cases(std::vector<std::string>& paths);
+
+}  // namespace slipbench::driver
