@@ -4,49 +4,50 @@
 # changes marked: those to slip above, the others below.
 # `slipbench plot --as bands` sets the variables and data blocks used here and loads this file.
 load STYLE
-slip_band = "#9a9a9a"
-set lmargin at screen 0.11
+slip_band = DARK ? "#6d757e" : "#9a9a9a"
+open_band = DARK ? "#c8ced4" : "#202020"
+set lmargin at screen 0.05
 set rmargin at screen 0.98
-set bmargin at screen 55.0 / HEIGHT
-set tmargin at screen 1.0 - 85.0 / HEIGHT
+set bmargin at screen foot
+set tmargin at screen 1.0 - head - 25.0 / HEIGHT
 set border 1
 unset ytics
 set xrange [BEGIN:END_TIME]
 set yrange [-DEFINITIONS:0]
 set xlabel TIME_LABEL
 set format x TIME_FORMAT
-set key at screen 0.98, screen 1.0 - 62.0 / HEIGHT right center horizontal Left reverse maxrows 1 samplen 1.5 width 1 font ",12"
+set key at screen 0.98, screen 1.0 - head - 2.0 / HEIGHT right center horizontal Left reverse maxrows 1 samplen 1.5 width 1 font ",12"
 
 # A row reaches from -row to 1 - row; its band lies between these two.
-foot(row) = -row + 0.20
+base(row) = -row + 0.20
 top(row) = -row + 0.58
 mark(d, status, value) = column(1) == d && column(2) == status ? value : NaN
 
 do for [i=1:DEFINITIONS] {
-  set label i NAME[i] at graph -0.01, first 0.5 * (foot(i) + top(i)) right font ",14"
-  set label 100+i FACTS[i] at graph 0.0, first top(i) + 0.30 left font ",12" textcolor rgb quiet_text
-  set object i rectangle from graph 0, first foot(i) to graph 1, first top(i) behind \
-    fillstyle solid border linecolor rgb "#444444" fillcolor rgb "white"
-  set object 100+i rectangle from graph 0, first foot(i) to graph 1, first top(i) front \
-    fillstyle empty border linecolor rgb "#444444"
+  set label i NAME[i] at graph 0.0, first top(i) + 0.30 left font ",14" textcolor rgb ink
+  set label 100+i FACTS[i] at graph 1.0, first top(i) + 0.30 right font ",12" textcolor rgb quiet_text
+  set object i rectangle from graph 0, first base(i) to graph 1, first top(i) behind \
+    fillstyle solid border linecolor rgb edge_colour fillcolor rgb paper
+  set object 100+i rectangle from graph 0, first base(i) to graph 1, first top(i) front \
+    fillstyle empty border linecolor rgb edge_colour
 }
 plot \
-  keyentry with boxes fillstyle empty linecolor rgb "#444444" title "stick", \
-  for [d=1:DEFINITIONS] $SPANS using (0.5 * (edge(d, 2, $3) + $4)):(0.5 * (foot(d) + top(d))):3:4:(foot(d)):(top(d)) \
+  keyentry with boxes fillstyle empty linecolor rgb edge_colour title "stick", \
+  for [d=1:DEFINITIONS] $SPANS using (0.5 * (edge(d, 2, $3) + $4)):(0.5 * (base(d) + top(d))):3:4:(base(d)):(top(d)) \
     with boxxyerror fillstyle solid noborder fillcolor rgb slip_band title (d == 1 ? "slip" : ""), \
-  for [d=1:DEFINITIONS] $SPANS using (0.5 * (edge(d, 0, $3) + $4)):(0.5 * (foot(d) + top(d))):3:4:(foot(d)):(top(d)) \
-    with boxxyerror fillstyle pattern 5 border linecolor rgb "#202020" fillcolor rgb "#202020" title (d == 1 && OPENS ? "no contact" : ""), \
-  for [d=1:DEFINITIONS] $SPANS using (0.5 * (edge(d, 3, $3) + $4)):(0.5 * (foot(d) + top(d))):3:4:(foot(d)):(top(d)) \
+  for [d=1:DEFINITIONS] $SPANS using (0.5 * (edge(d, 0, $3) + $4)):(0.5 * (base(d) + top(d))):3:4:(base(d)):(top(d)) \
+    with boxxyerror fillstyle pattern 5 border linecolor rgb open_band fillcolor rgb open_band title (d == 1 && OPENS ? "no contact" : ""), \
+  for [d=1:DEFINITIONS] $SPANS using (0.5 * (edge(d, 3, $3) + $4)):(0.5 * (base(d) + top(d))):3:4:(base(d)):(top(d)) \
     with boxxyerror fillstyle pattern 4 noborder fillcolor rgb slip_band title (d == 1 && TURNS ? "in turn" : ""), \
-  for [d=1:DEFINITIONS] $SPANS using (0.5 * (edge(d, 4, $3) + $4)):(0.5 * (foot(d) + top(d))):3:4:(foot(d)):(top(d)) \
-    with boxxyerror fillstyle pattern 4 noborder fillcolor rgb "#202020" notitle, \
+  for [d=1:DEFINITIONS] $SPANS using (0.5 * (edge(d, 4, $3) + $4)):(0.5 * (base(d) + top(d))):3:4:(base(d)):(top(d)) \
+    with boxxyerror fillstyle pattern 4 noborder fillcolor rgb open_band notitle, \
   for [d=1:DEFINITIONS] $MARKS using (mark(d, 2, $3)):(top(d) + 0.10) with points pointtype 11 pointsize 1 \
-    linecolor rgb "black" title (d == 1 ? "slips from here" : ""), \
+    linecolor rgb ink title (d == 1 ? "slips from here" : ""), \
   for [d=1:DEFINITIONS] $MARKS using (mark(d, 3, $3)):(top(d) + 0.10) with points pointtype 12 pointsize 1 \
-    linewidth 1.4 linecolor rgb "black" title (d == 1 && TURNS_BACK ? "slip turns" : ""), \
-  for [d=1:DEFINITIONS] $MARKS using (mark(d, 1, $3)):(foot(d) - 0.09) with points pointtype 8 pointsize 1 linewidth 1.4 \
-    linecolor rgb "black" title (d == 1 ? "sticks from here" : ""), \
-  for [d=1:DEFINITIONS] $MARKS using (mark(d, 0, $3)):(foot(d) - 0.09) with points pointtype 2 pointsize 1 linewidth 1.4 \
-    linecolor rgb "black" title (d == 1 && OPENS ? "lifts off" : "")
+    linewidth 1.4 linecolor rgb ink title (d == 1 && TURNS_BACK ? "slip turns" : ""), \
+  for [d=1:DEFINITIONS] $MARKS using (mark(d, 1, $3)):(base(d) - 0.09) with points pointtype 8 pointsize 1 linewidth 1.4 \
+    linecolor rgb ink title (d == 1 ? "sticks from here" : ""), \
+  for [d=1:DEFINITIONS] $MARKS using (mark(d, 0, $3)):(base(d) - 0.09) with points pointtype 2 pointsize 1 linewidth 1.4 \
+    linecolor rgb ink title (d == 1 && OPENS ? "lifts off" : "")
 unset multiplot
 unset output

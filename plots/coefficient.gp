@@ -18,16 +18,16 @@ height = (1.0 - head) / COEFFICIENTS
 do for [i=1:COEFFICIENTS] {
   bottom = 1.0 - head - i * height
   both = BY_RATE[i] && BY_LOAD[i]
-  set bmargin at screen bottom + 0.15 * height
+  set bmargin at screen bottom + foot
   set tmargin at screen bottom + 0.82 * height
   set key at graph 0.0, graph 1.02 bottom left horizontal Left reverse maxrows 2 samplen 1.5 width 0 font ",12"
-  set label 1 NAME[i] at screen 0.075, screen bottom + 0.96 * height left font ",15"
+  set label 1 NAME[i] at screen 0.1, screen bottom + 0.96 * height left font ",15" textcolor rgb ink
   set label 2 CUT[i] at screen 0.98, screen bottom + 0.96 * height right font ",12" textcolor rgb quiet_text
   set yrange [0:1.12 * TOP[i]]
   set ylabel "coefficient mu" offset 1,0
 
   if (BY_RATE[i]) {
-    set lmargin at screen 0.075
+    set lmargin at screen 0.1
     set rmargin at screen (both ? 0.32 : 0.50)
     set xrange [0:RATE_END[i]]
     set xlabel RATE_LABEL[i]
@@ -48,15 +48,15 @@ do for [i=1:COEFFICIENTS] {
   unset label 1
   unset label 2
   if (BY_LOAD[i]) {
-    set lmargin at screen (both ? 0.385 : 0.075)
+    set lmargin at screen (both ? 0.385 : 0.1)
     set rmargin at screen (both ? 0.60 : 0.50)
     set xrange [0:LOAD_END[i]]
     set xlabel LOAD_LABEL[i]
     set xtics LOAD_STEP[i]
     if (!both) {
-      set label 1 NAME[i] at screen 0.075, screen bottom + 0.96 * height left font ",15"
+      set label 1 NAME[i] at screen 0.1, screen bottom + 0.96 * height left font ",15" textcolor rgb ink
       set label 2 CUT[i] at screen 0.98, screen bottom + 0.96 * height right font ",12" textcolor rgb quiet_text
-    } else { unset ylabel }
+    } else { set ylabel "" }
     plot \
       for [k=1:words(OVER_LOAD_NAMES[i])] $OVER_LOAD index (i-1) using 1:(column(k+1)) with lines \
         linewidth 2 dashtype dashes[k] linecolor rgb colour[k] \
@@ -77,7 +77,7 @@ do for [i=1:COEFFICIENTS] {
   set xrange [0:RATE_END[i]]
   set yrange [0:LOAD_END[i]]
   set cbrange [0:TOP[i]]
-  set colorbox user origin 0.915, bottom + 0.15 * height size 0.014, 0.67 * height
+  set colorbox user origin 0.915, bottom + foot size 0.014, 0.67 * height
   set cbtics scale 0.3 font ",12"
   set cblabel "mu" offset -0.5,0
   set xlabel RATE_LABEL[i]
@@ -93,9 +93,9 @@ do for [i=1:COEFFICIENTS] {
       linecolor rgb "black" notitle, \
     $STATES index (i-1) using 2:(state(2, $3)) with points pointtype 7 pointsize 0.5 \
       linecolor rgb slip_fill notitle, \
-    keyentry with points pointtype 4 pointsize 0.8 linewidth 1.2 linecolor rgb "black" \
+    keyentry with points pointtype 4 pointsize 0.8 linewidth 1.2 linecolor rgb ink \
       title (STICKS[i] ? STICK_NAME[i] : ""), \
-    keyentry with points pointtype 6 pointsize 0.8 linewidth 1.2 linecolor rgb "black" \
+    keyentry with points pointtype 6 pointsize 0.8 linewidth 1.2 linecolor rgb ink \
       title (SLIPS[i] ? "visited in slip" : "")
   unset colorbox
 }

@@ -3,17 +3,17 @@
 # each compared quantity the loop over the position, if it has one, and the history.
 # `slipbench calibrate` sets the variables and data blocks used here and loads this file.
 load STYLE
-set xzeroaxis linewidth 0.6 linecolor rgb "#777777"
+set xzeroaxis linewidth 0.6 linecolor rgb axis_colour
 height = (1.0 - head) / PANELS
 set label 9 NOTE at screen 0.98, screen 1.0 - 50.0 / HEIGHT right font ",11" textcolor rgb quiet_text
 do for [i=1:PANELS] {
   bottom = 1.0 - head - i * height
-  set bmargin at screen bottom + 0.17 * height
+  set bmargin at screen bottom + foot
   set tmargin at screen bottom + 0.78 * height
   set yrange [LOW[i]:HIGH[i]]
   set ytics Y_STEP[i]
   line = 21.0 / HEIGHT
-  set label 1 NAME[i] at screen 0.03, screen bottom + 0.96 * height left font ",14"
+  set label 1 NAME[i] at screen 0.03, screen bottom + 0.96 * height left font ",14" textcolor rgb ink
   set label 2 SAYS[i] at screen 0.03, screen bottom + 0.96 * height - line left font ",12" textcolor rgb quiet_text
   set key at screen 0.98, screen bottom + 0.80 * height bottom right horizontal Left reverse maxrows 1 samplen 2.5 width 1 font ",12"
   if (LOOP[i]) {

@@ -3,17 +3,17 @@
 # same deviation. Noise has no shape over time; a trend is something that the model does not have.
 # `slipbench calibrate` sets the variables and data blocks used here and loads this file.
 load STYLE
-set xzeroaxis linewidth 0.8 linecolor rgb "#777777"
+set xzeroaxis linewidth 0.8 linecolor rgb axis_colour
 height = (1.0 - head) / PANELS
 set label 9 NOTE at screen 0.98, screen 1.0 - 50.0 / HEIGHT right font ",11" textcolor rgb quiet_text
 bell(x, i) = DEVIATION[i] > 0 ? TOTAL[i] * WIDTH[i] * exp(-0.5 * ((x - MEAN[i]) / DEVIATION[i])**2) / (DEVIATION[i] * sqrt(2 * pi)) : NaN
 set samples 400
 do for [i=1:PANELS] {
   bottom = 1.0 - head - i * height
-  set bmargin at screen bottom + 0.19 * height
+  set bmargin at screen bottom + foot
   set tmargin at screen bottom + 0.74 * height
   line = 19.0 / HEIGHT
-  set label 1 NAME[i] at screen 0.03, screen bottom + 0.96 * height left font ",14"
+  set label 1 NAME[i] at screen 0.03, screen bottom + 0.96 * height left font ",14" textcolor rgb ink
   set label 2 SAYS_1[i] at screen 0.03, screen bottom + 0.96 * height - 1.1 * line left font ",12" textcolor rgb quiet_text
   set label 3 SAYS_2[i] at screen 0.03, screen bottom + 0.96 * height - 2.0 * line left font ",12" textcolor rgb quiet_text
   set lmargin at screen 0.09
@@ -28,9 +28,9 @@ do for [i=1:PANELS] {
   # Points of no size are shapes that some programs cannot draw.
   if (POINT_SIZE[i] > 0) {
     plot $RESIDUALS index (i-1) using 1:2 with linespoints linewidth 1 pointtype 7 pointsize POINT_SIZE[i] \
-      linecolor rgb "black" notitle
+      linecolor rgb ink notitle
   } else {
-    plot $RESIDUALS index (i-1) using 1:2 with lines linewidth 1 linecolor rgb "black" notitle
+    plot $RESIDUALS index (i-1) using 1:2 with lines linewidth 1 linecolor rgb ink notitle
   }
   unset label 1
   unset label 2
@@ -47,7 +47,7 @@ do for [i=1:PANELS] {
   set ylabel "points" offset 0.5,0
   set key at graph 1.0, graph 1.02 bottom right horizontal Left reverse maxrows 1 samplen 2.5 font ",12"
   plot \
-    $BINS index (i-1) using 1:2:(WIDTH[i]) with boxes fillcolor rgb "#c3d7ea" fillstyle solid border linecolor rgb colour[2] notitle, \
+    $BINS index (i-1) using 1:2:(WIDTH[i]) with boxes fillcolor rgb (DARK ? "#34506b" : "#c3d7ea") fillstyle solid border linecolor rgb colour[2] notitle, \
     bell(x, i) with lines linewidth 2 dashtype 2 linecolor rgb colour[3] title (DEVIATION[i] > 0 ? "noise of this deviation" : "")
 }
 unset multiplot

@@ -7,7 +7,7 @@ array shape[6] = [7, 5, 9, 13, 11, 15]
 array hollow[6] = [6, 4, 8, 12, 10, 14]
 set lmargin at screen 0.09
 set rmargin at screen 0.97
-set bmargin at screen 0.13
+set bmargin at screen foot
 set tmargin at screen 1.0 - head - 75.0 / HEIGHT
 set xrange [FROM:TO]
 set yrange [LOW:HIGH]
@@ -24,9 +24,9 @@ if (BLOCKS == 1) {
       fillstyle transparent pattern 4 noborder fillcolor rgb turns_shade title (UNSEEN ? "never visited" : ""), \
     $ORDINATES using 1:4:5 with filledcurves fillstyle solid 0.25 noborder linecolor rgb colour[2] title INTERVAL, \
     $ORDINATES using 1:2 with lines linewidth 1 dashtype 2 linecolor rgb faint title "before", \
-    $ORDINATES using 1:3 with lines linewidth 2 linecolor rgb "black" title "after", \
-    $ORDINATES using 1:($6 > 0 ? NaN : $3) with points pointtype 7 pointsize 0.8 linecolor rgb "black" notitle, \
-    $ORDINATES using 1:($6 > 0 ? $3 : NaN) with points pointtype 6 pointsize 0.9 linecolor rgb "black" notitle
+    $ORDINATES using 1:3 with lines linewidth 2 linecolor rgb ink title "after", \
+    $ORDINATES using 1:($6 > 0 ? NaN : $3) with points pointtype 7 pointsize 0.8 linecolor rgb ink notitle, \
+    $ORDINATES using 1:($6 > 0 ? $3 : NaN) with points pointtype 6 pointsize 0.9 linecolor rgb ink notitle
 } else {
   plot \
     for [b=1:BLOCKS] $ORDINATES index (b-1) using 1:2 with lines linewidth 1 dashtype 3 linecolor rgb faint notitle, \

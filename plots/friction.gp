@@ -5,11 +5,11 @@
 # have all rows of the last full cycle, and some of the others, as points.
 # `slipbench plot` sets the variables and data blocks used here and loads this file.
 load STYLE
-set xzeroaxis linewidth 0.6 linecolor rgb "#777777"
+set xzeroaxis linewidth 0.6 linecolor rgb axis_colour
 height = (1.0 - head) / DEFINITIONS
 rest = THINNED ? "with points pointtype 7 pointsize 0.25" : "with lines linewidth 2"
 limit_of_all = THINNED ? "with points pointtype 7 pointsize 0.25" : "with lines linewidth 2 dashtype 2"
-set label 5 NOTE at screen 0.075, screen 1.0 - 43.0 / HEIGHT left font ",12" textcolor rgb quiet_text
+set label 5 NOTE at screen 0.11, screen 1.0 - 43.0 / HEIGHT left font ",12" textcolor rgb quiet_text
 
 do for [i=1:DEFINITIONS] {
   bottom = 1.0 - head - i * height
@@ -17,27 +17,27 @@ do for [i=1:DEFINITIONS] {
   high = 1.15 * TOP[i]
   wide = PLANAR[i] ? 0.40 : 0.56
   cycle = THINNED && CYCLED[i]
-  rest_colour = cycle ? faint : "#000000"
+  rest_colour = cycle ? faint : ink
   stays = STILL_X[i] && (!PLANAR[i] || STILL_Y[i])
 
   # Force against time.
   set size noratio
-  set lmargin at screen 0.075
+  set lmargin at screen 0.11
   set rmargin at screen wide
-  set bmargin at screen bottom + 0.15 * height
+  set bmargin at screen bottom + foot
   set tmargin at screen bottom + 0.87 * height
   set xrange [BEGIN:END_TIME]
   set yrange [low:high]
   set xlabel TIME_LABEL
   set format x TIME_FORMAT
   set ylabel FORCE_LABEL[i]
-  set label 1 NAME[i] at graph 0.0, graph 1.13 left font ",15"
+  set label 1 NAME[i] at graph 0.0, graph 1.13 left font ",15" textcolor rgb ink
   @legend
   plot \
     @SHADES, \
     for [k=1:words(BESIDE[i])] $DATA using 1:(column(int(word(BESIDE[i], k)))) with lines \
       linewidth 1.5 dashtype dashes[k+1] linecolor rgb colour[k+1] title word(BESIDE_NAMES[i], k), \
-    $DATA using 1:(column(FORCE[i])) with lines linewidth 2 linecolor rgb "black" title FORCE_NAME[i], \
+    $DATA using 1:(column(FORCE[i])) with lines linewidth 2 linecolor rgb ink title FORCE_NAME[i], \
     $DATA using 1:(LIMIT[i] > 0 ? column(LIMIT[i]) : NaN) with lines linewidth 2 dashtype 2 \
       linecolor rgb limit_colour title (LIMIT[i] > 0 ? "limit" : ""), \
     $DATA using 1:(LIMIT[i] > 0 && SIGNED[i] ? below(i) : NaN) with lines linewidth 2 \
@@ -64,9 +64,9 @@ do for [i=1:DEFINITIONS] {
     plot $DATA using (column(MOTION_X[i])):(column(MOTION_Y[i])) @rest \
         linecolor rgb rest_colour title "path of the motion", \
       $DATA every ::0::0 using (stays ? column(MOTION_X[i]) : NaN):(column(MOTION_Y[i])) with points \
-        pointtype 7 linecolor rgb "black" notitle, \
+        pointtype 7 linecolor rgb ink notitle, \
       $CYCLE index (i-1) using (cycle ? column(MOTION_X[i]) : NaN):(column(MOTION_Y[i])) with lines linewidth 2 \
-        linecolor rgb "black" title (cycle ? "last cycle" : "")
+        linecolor rgb ink title (cycle ? "last cycle" : "")
     set format x "% h"
     set format y "% h"
     set offsets 0, 0, 0, 0
@@ -84,9 +84,9 @@ do for [i=1:DEFINITIONS] {
     plot $DATA using (column(FORCE_X[i])):(column(FORCE_Y[i])) @rest \
         linecolor rgb rest_colour title "force", \
       $DATA every ::0::0 using (stays ? column(FORCE_X[i]) : NaN):(column(FORCE_Y[i])) with points \
-        pointtype 7 linecolor rgb "black" notitle, \
+        pointtype 7 linecolor rgb ink notitle, \
       $CYCLE index (i-1) using (cycle ? column(FORCE_X[i]) : NaN):(column(FORCE_Y[i])) with lines linewidth 2 \
-        linecolor rgb "black" title (cycle ? "last cycle" : ""), \
+        linecolor rgb ink title (cycle ? "last cycle" : ""), \
       LIMIT_AXIS_1[i] * cos(t) * DIRECTION_X[i] - LIMIT_AXIS_2[i] * sin(t) * DIRECTION_Y[i], \
       LIMIT_AXIS_1[i] * cos(t) * DIRECTION_Y[i] + LIMIT_AXIS_2[i] * sin(t) * DIRECTION_X[i] \
         with lines linewidth 2 dashtype 2 \
@@ -96,9 +96,9 @@ do for [i=1:DEFINITIONS] {
     unset parametric
   } else { if (MOTION_X[i] > 0) {
     # Force against motion.
-    set lmargin at screen 0.66
-    set rmargin at screen 0.98
-    set bmargin at screen bottom + 0.15 * height
+    set lmargin at screen 0.67
+    set rmargin at screen 0.965
+    set bmargin at screen bottom + foot
     set tmargin at screen bottom + 0.87 * height
     if (MOVES_X[i]) { set xrange [*:*] } else { set xrange [PLACE_X[i]-1:PLACE_X[i]+1] }
     set yrange [*:*]
@@ -114,9 +114,9 @@ do for [i=1:DEFINITIONS] {
       $DATA using (column(MOTION_X[i])):(column(FORCE_X[i])) @rest \
         linecolor rgb rest_colour title (cycle ? "before and after" : "force"), \
       $DATA every ::0::0 using (stays ? column(MOTION_X[i]) : NaN):(column(FORCE_X[i])) with points \
-        pointtype 7 linecolor rgb "black" notitle, \
+        pointtype 7 linecolor rgb ink notitle, \
       $CYCLE index (i-1) using (cycle ? column(MOTION_X[i]) : NaN):(column(FORCE_X[i])) with lines linewidth 2 \
-        linecolor rgb "black" title (cycle ? "last full cycle" : ""), \
+        linecolor rgb ink title (cycle ? "last full cycle" : ""), \
       $DATA using (column(MOTION_X[i])):(limit_in_all ? column(LIMIT[i]) : NaN) @limit_of_all \
         linecolor rgb limit_colour title (limit_in_all ? "limit" : ""), \
       $DATA using (column(MOTION_X[i])):(limit_in_all ? below(i) : NaN) @limit_of_all \

@@ -6,13 +6,13 @@
 # there may be many cycles.
 # `slipbench plot --as hysteresis` sets the variables and data blocks used here and loads this file.
 load STYLE
-set xzeroaxis linewidth 0.6 linecolor rgb "#777777"
-set yzeroaxis linewidth 0.6 linecolor rgb "#777777"
+set xzeroaxis linewidth 0.6 linecolor rgb axis_colour
+set yzeroaxis linewidth 0.6 linecolor rgb axis_colour
 height = (1.0 - head) / DEFINITIONS
 
 # A panel's left and right end, of `n` panels in a row.
-left(n, p) = 0.08 + (p - 1) * 0.92 / n
-right(n, p) = n == 1 ? 0.78 : left(n, p) + 0.92 / n - 0.085
+left(n, p) = 0.11 + (p - 1) * 0.9 / n
+right(n, p) = n == 1 ? 0.78 : left(n, p) + 0.9 / n - 0.11
 
 array force[3]
 array force_label[3]
@@ -48,10 +48,10 @@ do for [i=1:DEFINITIONS] {
   cycled = CYCLED[i]
   # The limit of a long run is that of its cycle, if it has one.
   limit_in_all = !(THINNED && cycled)
-  whole_colour = cycled ? faint : "#000000"
+  whole_colour = cycled ? faint : ink
   whole_width = cycled ? 1 : 2
   whole_name = cycled ? "before and after" : "force"
-  set label 1 NAME[i] at screen 0.08, screen bottom + 0.95 * height left font ",15"
+  set label 1 NAME[i] at screen 0.08, screen bottom + 0.95 * height left font ",15" textcolor rgb ink
   set label 2 ENERGY[i] at screen 0.98, screen bottom + 0.95 * height right font ",12" textcolor rgb quiet_text
 
   if (PLANAR[i]) {
@@ -72,9 +72,9 @@ do for [i=1:DEFINITIONS] {
     plot $DATA using (column(motion[1])):(column(motion[2])) @rest linewidth whole_width \
         linecolor rgb whole_colour title "path of the motion", \
       $DATA every ::0::0 using (stays ? column(motion[1]) : NaN):(column(motion[2])) with points pointtype 7 \
-        linecolor rgb "black" notitle, \
+        linecolor rgb ink notitle, \
       $CYCLE index (i-1) using (cycled ? column(motion[1]) : NaN):(column(motion[2])) \
-        with lines linewidth 2.5 linecolor rgb "black" title (cycled ? "last full cycle" : "")
+        with lines linewidth 2.5 linecolor rgb ink title (cycled ? "last full cycle" : "")
     set offsets 0, 0, 0, 0
     set format x "% h"
     set format y "% h"
@@ -98,9 +98,9 @@ do for [i=1:DEFINITIONS] {
       $DATA using (column(force[1])):(column(force[2])) @rest linewidth whole_width \
         linecolor rgb whole_colour title "path of the force", \
       $DATA every ::0::0 using (stays ? column(force[1]) : NaN):(column(force[2])) with points pointtype 7 \
-        linecolor rgb "black" notitle, \
+        linecolor rgb ink notitle, \
       $CYCLE index (i-1) using (cycled ? column(force[1]) : NaN):(column(force[2])) \
-        with lines linewidth 2.5 linecolor rgb "black" title (cycled ? "last full cycle" : "")
+        with lines linewidth 2.5 linecolor rgb ink title (cycled ? "last full cycle" : "")
     unset parametric
     set xtics autofreq
     set ytics autofreq
@@ -109,7 +109,7 @@ do for [i=1:DEFINITIONS] {
     do for [p=1:LOOPS[i]] {
       set lmargin at screen left(LOOPS[i], p)
       set rmargin at screen right(LOOPS[i], p)
-      set bmargin at screen bottom + 0.15 * height
+      set bmargin at screen bottom + foot
       set tmargin at screen bottom + 0.83 * height
       @legend
       set xrange [from[p]:to[p]]
@@ -136,9 +136,9 @@ do for [i=1:DEFINITIONS] {
         $DATA using (number(motion[p])):(column(force[p])) @rest linewidth whole_width \
           linecolor rgb whole_colour title whole_name, \
         $DATA every ::0::0 using (still[p] ? number(motion[p]) : NaN):(column(force[p])) with points pointtype 7 \
-          linecolor rgb "black" notitle, \
+          linecolor rgb ink notitle, \
         $CYCLE index (i-1) using (cycled ? number(motion[p]) : NaN):(column(force[p])) \
-          with lines linewidth 2.5 linecolor rgb "black" title (cycled ? "last full cycle" : "")
+          with lines linewidth 2.5 linecolor rgb ink title (cycled ? "last full cycle" : "")
       set xtics autofreq
       set format x "% h"
       unset label 1

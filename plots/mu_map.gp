@@ -24,9 +24,9 @@ do for [i=1:MAPS] {
 
   set lmargin at screen 0.09
   set rmargin at screen 0.87
-  set bmargin at screen bottom + 0.14 * height
+  set bmargin at screen bottom + foot
   set tmargin at screen bottom + 0.84 * height
-  set label 1 NAME[i] at screen 0.09, screen bottom + 0.96 * height left font ",15"
+  set label 1 NAME[i] at screen 0.09, screen bottom + 0.96 * height left font ",15" textcolor rgb ink
   set label 2 NOTE[i] at screen 0.98, screen bottom + 0.96 * height right font ",12" textcolor rgb quiet_text
   set key at graph 0.0, graph 1.02 bottom left horizontal Left reverse maxrows 1 samplen 1.5 width 1 font ",12"
   set xlabel X_LABEL[i]
@@ -34,7 +34,7 @@ do for [i=1:MAPS] {
   set xtics X_STEP[i]
   set ytics Y_STEP[i]
   set cbrange [MU_LOW[i]:MU_HIGH[i]]
-  set colorbox user origin 0.89, bottom + 0.14 * height size 0.018, 0.70 * height
+  set colorbox user origin 0.89, bottom + foot size 0.018, 0.70 * height
   set cbtics MU_STEP[i] scale 0.3 font ",12"
   set cblabel "coefficient mu" offset 0.5,0
   plot \
@@ -46,9 +46,9 @@ do for [i=1:MAPS] {
     $STATES index (i-1) using 2:(state(1, $3)) with points pointtype 5 pointsize 0.5 linecolor rgb "#888888" notitle, \
     $STATES index (i-1) using 2:(state(2, $3)) with points pointtype 7 pointsize 0.9 linecolor rgb "black" notitle, \
     $STATES index (i-1) using 2:(state(2, $3)) with points pointtype 7 pointsize 0.6 linecolor rgb "white" notitle, \
-    keyentry with points pointtype 4 pointsize 0.8 linewidth 1.2 linecolor rgb "black" \
+    keyentry with points pointtype 4 pointsize 0.8 linewidth 1.2 linecolor rgb ink \
       title (STICKS[i] ? STICK_NAME[i] : ""), \
-    keyentry with points pointtype 6 pointsize 0.8 linewidth 1.2 linecolor rgb "black" \
+    keyentry with points pointtype 6 pointsize 0.8 linewidth 1.2 linecolor rgb ink \
       title (SLIPS[i] ? "visited in slip" : "")
   unset colorbox
 }

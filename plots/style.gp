@@ -5,21 +5,34 @@ eval "set terminal ".TERMINAL
 set output PICTURE
 set encoding utf8
 set termoption noenhanced
-set border 3 linewidth 1 linecolor rgb "#444444"
-set tics nomirror out scale 0.5 textcolor rgb "#222222" font ",12"
 
-slip_shade = "#dcdcdc"
-open_shade = "#a8a8a8"
+# The background is told by TERMINAL; `paper` is for what covers something.
+paper = DARK ? "#16191d" : "#ffffff"
+ink = DARK ? "#e8e8e8" : "#000000"
+edge_colour = DARK ? "#a4abb3" : "#444444"
+axis_colour = DARK ? "#7c848c" : "#777777"
+slip_shade = DARK ? "#2d3339" : "#dcdcdc"
+open_shade = DARK ? "#4b535c" : "#a8a8a8"
 # Where regimes change too fast to be drawn one by one: hatched.
-turns_shade = "#c4c4c4"
-limit_colour = "#c03020"
-faint = "#8a8a8a"
-quiet_text = "#555555"
+turns_shade = DARK ? "#59616b" : "#c4c4c4"
+limit_colour = DARK ? "#ff7a66" : "#c03020"
+faint = DARK ? "#7a828a" : "#8a8a8a"
+quiet_text = DARK ? "#aab2ba" : "#555555"
 # The first is what matters most; the others stand beside it.
 array colour[6] = ["#000000", "#1f6fb4", "#e08a00", "#2a8f5b", "#8a4fa3", "#7a7a7a"]
+if (DARK) { array colour[6] = ["#e8e8e8", "#6cb2f0", "#f0a030", "#5cc890", "#c592e6", "#9a9a9a"] }
 array dashes[6] = [1, 4, 5, 2, 3, 6]
 # Of a stack: in grey any two differ by a contrast of 1.5, neighbours by much more.
 array stack_colour[6] = ["#2f6ea3", "#f6e7c1", "#4a9a6a", "#1f2d3d", "#e0a84a", "#7a3f1d"]
+
+set border 3 linewidth 1 linecolor rgb edge_colour
+set tics nomirror out scale 0.5 textcolor rgb ink font ",12"
+# A label that is unset forgets its colour: set it to "" instead.
+set xlabel textcolor rgb ink
+set ylabel textcolor rgb ink
+set y2label textcolor rgb ink
+set cblabel textcolor rgb ink
+set key textcolor rgb ink
 
 # The span (column 3 to 4) if it is of definition d and of this status.
 edge(d, status, value) = column(1) == d && column(2) == status ? value : NaN
@@ -40,6 +53,8 @@ SHADES = '$SPANS using (0.5 * (edge(i, 2, $3) + $4)):(0.5 * (low + high)):3:4:(l
   keyentry with boxes fillstyle empty linecolor rgb "#888888" title (shades_told ? "stick" : "")'
 shades_told = 1
 
-head = 60.0 / HEIGHT
+# Parts of the picture's height: of the title, and of what stands below the axis of a panel.
+head = HEAD / HEIGHT
+foot = 80.0 / HEIGHT
 legend = 'set key at graph 1.0, graph 1.02 bottom right horizontal Left reverse maxrows 2 samplen 2.5 width 0 font ",12"'
-set multiplot title TITLE font ",17" offset 0,-0.2
+set multiplot title TITLE.(TITLE_2 eq "" ? "" : "\n".TITLE_2) font ",17" offset 0,-0.2 textcolor rgb ink

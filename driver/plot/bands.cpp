@@ -12,6 +12,7 @@
 #include "driver/plot/definition.hpp"
 #include "driver/plot/input.hpp"
 #include "driver/plot/kinds.hpp"
+#include "driver/plot/text_lines.hpp"
 #include "driver/text/format_number.hpp"
 
 namespace slipbench::driver {
@@ -46,7 +47,7 @@ std::string facts(const PlotData& data, const RegimeHistory& regimes, bool all_m
 
 tl::expected<void, PlotFailure> draw_bands(const PlotOptions& options,
                                            const std::filesystem::path& picture) {
-  auto begun = begin_picture(picture, options.input, "bands.gp");
+  auto begun = begin_picture(picture, options.input, "bands.gp", options.look);
   if (!begun) return tl::unexpected(std::move(begun.error()));
   const auto data = result_for_plot(options, picture, PlotDetail::kForces);
   if (!data) return tl::unexpected(data.error());
@@ -85,8 +86,9 @@ tl::expected<void, PlotFailure> draw_bands(const PlotOptions& options,
       rows += fmt::format("{} {} {} {}\n", count, drawn_status(span), format_number(span.from),
                           format_number(span.to));
     }
-    script.add("NAME", definition.several ? definition.name
-                                          : column_of(*data, main_force(definition)).name);
+    script.add("NAME", one_line(definition.several ? definition.name
+                                                   : column_of(*data, main_force(definition)).name,
+                                kNameLength));
     script.add("FACTS", facts(*data, regimes, all_marked));
   }
   if (count == 0) {
@@ -100,7 +102,7 @@ tl::expected<void, PlotFailure> draw_bands(const PlotOptions& options,
   tell_time(script, data->columns[0].unit, data->lowest[0], data->highest[0]);
   script.block("SPANS", std::move(rows));
   script.block("MARKS", std::move(marks));
-  return draw(script, data->title, 150 + 90 * static_cast<std::size_t>(count), *begun);
+  return draw(script, data->title, 170 + 90 * static_cast<std::size_t>(count), *begun);
 }
 
 }  // namespace slipbench::driver

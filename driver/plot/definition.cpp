@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "driver/plot/numbers.hpp"
+#include "driver/plot/text_lines.hpp"
 #include "driver/text/format_number.hpp"
 #include "driver/text/tics.hpp"
 
@@ -192,7 +193,7 @@ void tell_force(PlotScript& script, const PlotData& data, const PlotDefinition& 
     beside += fmt::format("{}{}", beside.empty() ? "" : " ", force + 1);
     beside_names += (beside_names.empty() ? "" : " ") + column_of(data, force).name;
   }
-  script.add("NAME", definition.several ? definition.name : "");
+  script.add("NAME", definition.several ? one_line(definition.name, kNameLength) : "");
   script.add("FORCE", main + 1);
   script.add("FORCE_NAME", (total ? "total " : "") + column_of(data, main).name);
   script.add("FORCE_LABEL",

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "driver/connector_increment.hpp"
+#include "driver/plot/text_lines.hpp"
 #include "driver/results/columns.hpp"
 
 namespace slipbench::driver {
@@ -39,7 +40,7 @@ std::array<DrawnArgument, 2> map_arguments(const law::FrictionLaw& law) {
 
 std::string title_of(const CaseDefinition& definition, bool several, const law::FrictionLaw& law,
                      std::string_view direction) {
-  std::string text = several ? definition.name + ": " : "";
+  std::string text = several ? one_line(definition.name, kNameLength) + ": " : "";
   if (!direction.empty()) text += std::string(direction) + ": ";
   return text + std::string(std::visit([](const auto& one) { return one.kTitle; }, law));
 }

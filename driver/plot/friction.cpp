@@ -34,7 +34,7 @@ void tell_loop(PlotScript& script, const PlotData& data, const PlotDefinition& d
     script.add("MOVES_" + letter, moves(data, position) ? 1 : 0);
     script.add("PLACE_" + letter, data.lowest[p]);
     script.add("STILL_" + letter, !moves(data, position) && !moves(data, force) ? 1 : 0);
-    script.add("MOTION_" + letter + "_STEP", tic_step(data.highest[p] - data.lowest[p], parts));
+    script.add("MOTION_" + letter + "_STEP", wide_tic_step(data.lowest[p], data.highest[p], parts));
   };
   axis("X", shown);
   axis("Y", planar ? translations[1] : shown);
@@ -44,7 +44,7 @@ void tell_loop(PlotScript& script, const PlotData& data, const PlotDefinition& d
 
 tl::expected<void, PlotFailure> draw_friction(const PlotOptions& options,
                                               const std::filesystem::path& picture) {
-  auto begun = begin_picture(picture, options.input, "friction.gp");
+  auto begun = begin_picture(picture, options.input, "friction.gp", options.look);
   if (!begun) return tl::unexpected(std::move(begun.error()));
   const auto data = result_for_plot(options, picture, PlotDetail::kForces, FullCycles::kYes);
   if (!data) return tl::unexpected(data.error());

@@ -10,6 +10,8 @@
 
 #include <array>
 #include <cerrno>
+#include <fstream>
+#include <iterator>
 #include <system_error>
 
 #include "driver/exit_code.hpp"
@@ -64,22 +66,46 @@ tl::expected<void, PlotFailure> run_gnuplot(const fs::path& script_file) {
   return {};
 }
 
+/// Shows an SVG smaller or larger than it is laid out: its first width and height are those of the
+/// page, its viewBox stays.
+void scale_svg(const fs::path& file, double scale) {
+  std::ifstream in(file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  in.close();
+  for (const std::string_view name : {"width=\"", "height=\""}) {
+    const std::size_t begin = text.find(name) + name.size();
+    const std::size_t end = text.find('"', begin);
+    const double side = std::stod(text.substr(begin, end - begin));
+    text.replace(begin, end - begin, fmt::format("{:.0f}", scale * side));
+  }
+  std::ofstream(file, std::ios::binary) << text;
+}
+
 }  // namespace
 
 tl::unexpected<PlotFailure> failed(int code, const std::string& message) {
   return tl::unexpected(PlotFailure{code, "slipbench: error: " + message + "\n"});
 }
 
-std::string terminal_for(const fs::path& picture, std::size_t height) {
+std::string terminal_for(const fs::path& picture, const Canvas& canvas, const PictureLook& look) {
   const std::string extension = picture.extension().string();
+  const std::string background = fmt::format("background '{}'", look.dark ? "#16191d" : "white");
   if (extension == ".svg") {
-    return fmt::format("svg size 1200,{} background 'white' font 'Helvetica,15'", height);
+    return fmt::format("svg size {:.0f},{:.0f} {} font 'Helvetica,15'", canvas.width, canvas.height,
+                       background);
   }
+  const auto scaled = [](double scale) {
+    return fmt::format("fontscale {0:.6g} linewidth {0:.6g} pointscale {0:.6g}", scale);
+  };
   if (extension == ".png") {
-    return fmt::format("pngcairo size 1200,{} background 'white' font 'Sans,11'", height);
+    const double scale = canvas.scale * (look.dpi > 0.0 ? look.dpi / kPixelsPerInch : 1.0);
+    return fmt::format("pngcairo size {:.0f},{:.0f} {} font 'Sans,11' {}", canvas.width * scale,
+                       canvas.height * scale, background, scaled(scale));
   }
   if (extension == ".pdf") {
-    return fmt::format("pdfcairo size 1200/100.,{}/100. font 'Sans,11'", height);
+    return fmt::format("pdfcairo size {:.6g}/100.,{:.6g}/100. {} font 'Sans,11' {}",
+                       canvas.width * canvas.scale, canvas.height * canvas.scale, background,
+                       scaled(canvas.scale));
   }
   return {};
 }
@@ -98,7 +124,7 @@ std::string gnuplot_string(std::string_view text) {
 }
 
 tl::expected<void, PlotFailure> draw_script(const std::string& script, const fs::path& picture,
-                                            OutputFile& output) {
+                                            double scale, OutputFile& output) {
   auto commands = OutputFile::create(fs::path(picture).concat(".gp"));
   if (!commands) return failed(kExitEnvironment, commands.error());
   commands->append(script);
@@ -108,6 +134,7 @@ tl::expected<void, PlotFailure> draw_script(const std::string& script, const fs:
   if (fs::file_size(output.temporary(), error) == 0 || error) {
     return failed(kExitEnvironment, picture.string() + ": gnuplot wrote no picture");
   }
+  if (picture.extension() == ".svg" && scale != 1.0) scale_svg(output.temporary(), scale);
   OutputFile* const together[] = {&output};
   if (auto committed = commit(together); !committed) {
     return failed(kExitEnvironment, committed.error());

@@ -9,6 +9,7 @@
 #include <tl/expected.hpp>
 
 #include "driver/exit_code.hpp"
+#include "driver/plot/look.hpp"
 #include "driver/results/output_file.hpp"
 
 namespace slipbench::driver {
@@ -22,9 +23,10 @@ struct PlotFailure {
 /// "slipbench: error: message" with an exit code.
 tl::unexpected<PlotFailure> failed(int code, const std::string& message);
 
-/// gnuplot's terminal for a picture's file name, of the given height [px]; empty if its ending is
-/// not .svg, .png or .pdf.
-std::string terminal_for(const std::filesystem::path& picture, std::size_t height);
+/// gnuplot's terminal for a picture's file name; empty if its ending is not .svg, .png or .pdf. An
+/// SVG is of the canvas' size, not yet of its scale.
+std::string terminal_for(const std::filesystem::path& picture, const Canvas& canvas,
+                         const PictureLook& look);
 
 /// A template of plots/, as it is installed beside the program or in the source folder.
 std::optional<std::filesystem::path> find_template(std::string_view name);
@@ -35,8 +37,9 @@ std::string gnuplot_string(std::string_view text);
 
 /// Runs gnuplot on a script that writes `output`, and puts the picture in its place.
 /// \param picture its final name, beside which the script is kept meanwhile
+/// \param scale of an SVG: how much smaller it is shown than it is laid out
 tl::expected<void, PlotFailure> draw_script(const std::string& script,
-                                            const std::filesystem::path& picture,
+                                            const std::filesystem::path& picture, double scale,
                                             OutputFile& output);
 
 }  // namespace slipbench::driver

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "driver/text/tics.hpp"
+
 namespace slipbench::driver {
 namespace {
 
@@ -32,6 +34,13 @@ std::string tic_format(double lowest, double highest) {
   constexpr int kOfRange = 2;
   const int digits = kOfRange + digits_before_range(lowest, highest);
   return digits <= kUsual ? "% h" : fmt::format("%.{}g", std::min(digits, kMostDigits));
+}
+
+double wide_tic_step(double lowest, double highest, double parts) {
+  const double largest = std::max(std::abs(lowest), std::abs(highest));
+  const bool short_numbers =
+      largest == 0.0 || (largest < 1e5 && highest - lowest >= 1e-3 * largest && largest >= 1e-3);
+  return tic_step(highest - lowest, short_numbers ? parts : 0.5 * parts);
 }
 
 }  // namespace slipbench::driver

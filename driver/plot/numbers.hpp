@@ -14,4 +14,8 @@ int drawn_digits(double lowest, double highest);
 /// digits as tell them apart.
 std::string tic_format(double lowest, double highest);
 
+/// A distance of tics (tic_step) for an axis below a panel that has room for `parts` short numbers;
+/// of numbers with exponents, or of many digits, it has room for fewer.
+double wide_tic_step(double lowest, double highest, double parts);
+
 }  // namespace slipbench::driver

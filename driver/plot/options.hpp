@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "driver/plot/look.hpp"
+
 namespace slipbench::driver {
 
 struct PlotOptions {
@@ -13,6 +15,7 @@ struct PlotOptions {
   bool allow_outside = false;
   bool law = false;  ///< draw the coefficients of a case, not its forces
   std::string kind;  ///< one of plot_kinds(); empty: force over time and over motion
+  PictureLook look;
 };
 
 }  // namespace slipbench::driver

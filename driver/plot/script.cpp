@@ -7,11 +7,32 @@
 #include <cmath>
 #include <utility>
 
+#include "driver/plot/text_lines.hpp"
 #include "driver/text/format_number.hpp"
 
 namespace slipbench::driver {
 namespace fs = std::filesystem;
 namespace {
+
+/// Of the title that all layouts have room for, and of a second line of it [px].
+constexpr double kHead = 60.0;
+constexpr double kTitleLine = 22.0;
+/// Letters of the title's size that surely fit into a line.
+constexpr std::size_t kTitleLength = 100;
+
+std::vector<std::string> title_lines(const std::string& title) {
+  std::vector<std::string> lines = lines_of_length(title, kTitleLength, 2);
+  lines.resize(2);
+  return lines;
+}
+
+double head_height(const std::string& title) {
+  return title_lines(title)[1].empty() ? kHead : kHead + kTitleLine;
+}
+
+Canvas canvas_for(const Picture& picture, const std::string& title, std::size_t height) {
+  return canvas_of(picture.look, static_cast<double>(height) + head_height(title) - kHead);
+}
 
 std::string gnuplot_number(double number) {
   return std::isfinite(number) ? format_number(number) : "NaN";
@@ -20,8 +41,9 @@ std::string gnuplot_number(double number) {
 }  // namespace
 
 tl::expected<Picture, PlotFailure> begin_picture(const fs::path& name, const std::string& input,
-                                                 std::string_view pattern) {
-  if (terminal_for(name, 0).empty()) {
+                                                 std::string_view pattern,
+                                                 const PictureLook& look) {
+  if (terminal_for(name, {}, look).empty()) {
     return failed(kExitBadInput, fmt::format("{}: wanted a picture that ends in .svg, .png or .pdf",
                                              name.string()));
   }
@@ -34,7 +56,7 @@ tl::expected<Picture, PlotFailure> begin_picture(const fs::path& name, const std
   const std::array<std::string, 1> inputs{input};
   auto output = OutputFile::create(name, inputs);
   if (!output) return failed(kExitEnvironment, output.error());
-  return Picture{name, std::move(*found), std::move(*output)};
+  return Picture{name, std::move(*found), look, std::move(*output)};
 }
 
 void PlotScript::set(std::string_view name, std::string_view text) {
@@ -66,11 +88,16 @@ void PlotScript::block(std::string_view name, std::string rows) {
 
 std::string PlotScript::text(const Picture& picture, const std::string& title,
                              std::size_t height) const {
+  const auto lines = title_lines(title);
+  const Canvas canvas = canvas_for(picture, title, height);
   std::string text = fmt::format(
-      "TERMINAL = \"{}\"\nPICTURE = {}\nSTYLE = {}\nTITLE = {}\nHEIGHT = {}.0\n",
-      terminal_for(picture.name, height), gnuplot_string(picture.output.temporary().string()),
-      gnuplot_string((picture.pattern.parent_path() / "style.gp").string()), gnuplot_string(title),
-      height);
+      "TERMINAL = \"{}\"\nPICTURE = {}\nSTYLE = {}\nTITLE = {}\nTITLE_2 = {}\nHEIGHT = {:.0f}.0\n"
+      "HEAD = {:.0f}.0\nDARK = {}\n",
+      terminal_for(picture.name, canvas, picture.look),
+      gnuplot_string(picture.output.temporary().string()),
+      gnuplot_string((picture.pattern.parent_path() / "style.gp").string()),
+      gnuplot_string(lines[0]), gnuplot_string(lines[1]), canvas.height, head_height(title),
+      picture.look.dark ? 1 : 0);
   text += variables_;
   for (const auto& [name, values] : arrays_) {
     text += fmt::format("array {}[{}]\n", name, values.size());
@@ -84,7 +111,8 @@ std::string PlotScript::text(const Picture& picture, const std::string& title,
 
 tl::expected<void, PlotFailure> draw(const PlotScript& script, const std::string& title,
                                      std::size_t height, Picture& picture) {
-  return draw_script(script.text(picture, title, height), picture.name, picture.output);
+  return draw_script(script.text(picture, title, height), picture.name,
+                     canvas_for(picture, title, height).scale, picture.output);
 }
 
 }  // namespace slipbench::driver

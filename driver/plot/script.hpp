@@ -18,14 +18,15 @@ namespace slipbench::driver {
 struct Picture {
   std::filesystem::path name;     ///< its final name; the ending says what it is
   std::filesystem::path pattern;  ///< the template of plots/
+  PictureLook look;
   OutputFile output;
 };
 
 /// Errors: an ending that is not .svg, .png or .pdf, a template that is not installed, a picture
 /// that cannot be written or would take the place of `input`.
 tl::expected<Picture, PlotFailure> begin_picture(const std::filesystem::path& name,
-                                                 const std::string& input,
-                                                 std::string_view pattern);
+                                                 const std::string& input, std::string_view pattern,
+                                                 const PictureLook& look = {});
 
 /// What a template is told: variables, arrays with an entry for each panel, and blocks of data.
 class PlotScript {
@@ -43,7 +44,7 @@ class PlotScript {
   /// plotted.
   void block(std::string_view name, std::string rows);
 
-  /// The whole script for a picture of this height [px].
+  /// The whole script for a picture whose panels need this height [px], one line of title included.
   std::string text(const Picture& picture, const std::string& title, std::size_t height) const;
 
  private:

@@ -13,6 +13,7 @@
 #include "driver/plot/input.hpp"
 #include "driver/plot/kinds.hpp"
 #include "driver/plot/numbers.hpp"
+#include "driver/plot/text_lines.hpp"
 #include "driver/results/columns.hpp"
 #include "driver/results/normal_shares.hpp"
 #include "driver/results/thinning.hpp"
@@ -121,7 +122,9 @@ void tell(PlotScript& script, const Case& problem, std::size_t definition, const
     text += '\n';
   }
   script.block("SHARES" + number, std::move(text));
-  script.add("NAME", problem.definitions.size() > 1 ? problem.definitions[definition].name : "");
+  script.add("NAME", problem.definitions.size() > 1
+                         ? one_line(problem.definitions[definition].name, kNameLength)
+                         : "");
   script.add("PARTS", static_cast<int>(names.size()));
   // gnuplot's word() takes the double-quoted parts of a text as words.
   std::string titles;
@@ -146,7 +149,7 @@ tl::expected<void, PlotFailure> draw_shares(const PlotOptions& options,
                                      ": a result does not say what its normal force is made of; "
                                      "give the case");
   }
-  auto begun = begin_picture(picture, options.input, "shares.gp");
+  auto begun = begin_picture(picture, options.input, "shares.gp", options.look);
   if (!begun) return tl::unexpected(std::move(begun.error()));
   const auto problem = read_for_plot(options);
   if (!problem) return tl::unexpected(problem.error());

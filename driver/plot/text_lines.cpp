@@ -43,4 +43,9 @@ std::vector<std::string> lines_of_length(std::string_view text, std::size_t leng
   return lines;
 }
 
+std::string one_line(std::string_view text, std::size_t length) {
+  const std::vector<std::string> lines = lines_of_length(text, length, 1);
+  return lines.empty() ? std::string() : lines.front();
+}
+
 }  // namespace slipbench::driver

@@ -14,4 +14,10 @@ namespace slipbench::driver {
 std::vector<std::string> lines_of_length(std::string_view text, std::size_t length,
                                          std::size_t most);
 
+/// The same in one line; empty for an empty text.
+std::string one_line(std::string_view text, std::size_t length);
+
+/// Letters of a definition's name that a picture has room for.
+inline constexpr std::size_t kNameLength = 48;
+
 }  // namespace slipbench::driver

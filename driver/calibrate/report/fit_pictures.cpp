@@ -74,12 +74,6 @@ std::string number_with_unit(double value, const std::string& unit) {
 
 std::string thinned_note(bool thinned) { return thinned ? "thinned: extremes are kept" : ""; }
 
-/// A text in one line, cut where it is longer.
-std::string one_line(std::string_view text, std::size_t length) {
-  const std::vector<std::string> lines = lines_of_length(text, length, 1);
-  return lines.empty() ? std::string() : lines.front();
-}
-
 std::string title_of(const std::string& name) { return one_line(name, kTitleLength); }
 
 std::string title_of(const Fit& fit, const ExperimentFit& experiment) {
