@@ -121,7 +121,7 @@ ReportCheck read_check(const Node& node) {
 
 /// "slips 62 % of the time, 8 stick-slip events" and the range of the force, as `run` tells it.
 std::string summary_line(const Node& node, bool several, double duration, const std::string& force,
-                         const std::string& energy) {
+                         const UnitSystem& units) {
   const double slip = number_in(node, "slip_time").value_or(0.0);
   const std::int64_t events = count_in(node, "stick_slip_events");
   return fmt::format(
@@ -129,7 +129,7 @@ std::string summary_line(const Node& node, bool several, double duration, const 
       several ? text_in(node, "name") + ": " : "", duration > 0.0 ? 100.0 * slip / duration : 0.0,
       events, events == 1 ? "" : "s", rounded(number_in(node, "lowest_force").value_or(0.0)),
       with_unit(rounded(number_in(node, "highest_force").value_or(0.0)), force),
-      with_unit(rounded(number_in(node, "dissipation").value_or(0.0), 3), energy));
+      energy_text(number_in(node, "dissipation").value_or(0.0), units));
 }
 
 const ReportColumn* find(const CaseReport& report, const std::string& name) {
@@ -146,7 +146,7 @@ void warn_of(const fs::path& file, const std::string& why, const char* lost, Cas
 
 /// Takes what the JSON beside a result tells; one that is missing, or of anybody else, tells
 /// nothing, and one that is broken is warned of.
-void add_summary(const fs::path& file, const std::string& energy, CaseReport& report) {
+void add_summary(const fs::path& file, const UnitSystem& units, CaseReport& report) {
   constexpr const char* kLost = "the verdicts of the checks are unknown";
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return;
@@ -178,7 +178,7 @@ void add_summary(const fs::path& file, const std::string& energy, CaseReport& re
         if (slip && duration > 0.0) definition.slip_share = *slip / duration;
         const ReportColumn* force = find(report, definition.force);
         report.summary.push_back(summary_line(node, list->size() > 1, duration,
-                                              force == nullptr ? "" : force->unit, energy));
+                                              force == nullptr ? "" : force->unit, units));
       }
     }
   }
@@ -295,7 +295,7 @@ ReadResult read_result(const std::string& path, const std::string& name) {
   }
   report.units.emplace_back("energy", energy_unit(units));
   use_energy_unit(report, energy_unit(units));
-  add_summary(beside(path, ".json"), energy_unit(units), report);
+  add_summary(beside(path, ".json"), units, report);
   add_events(beside(path, ".events.csv"), report);
 
   std::vector<std::size_t> status;  // of each definition, its column; the number of columns if none

@@ -45,30 +45,8 @@ const char* plural(std::int64_t count) { return count == 1 ? "" : "s"; }
 
 }  // namespace
 
-std::string rounded(double value, int digits) {
-  std::string text = fmt::format("{:.{}g}", value, digits);
-  // "105.0" is a measured quantity, "105" could be a count.
-  if (text.find_first_not_of("-0123456789") == std::string::npos) text += ".0";
-  return text;
-}
-
-std::string with_unit(const std::string& number, const std::string& unit) {
-  return unit.empty() ? number : number + " " + unit;
-}
-
-std::string energy_unit(const UnitSystem& units) {
-  const std::string product = unit_text(kMoment, units);
-  constexpr std::array<std::array<const char*, 2>, 4> kJoules{
-      {{"N mm", "mJ"}, {"N m", "J"}, {"kN mm", "J"}, {"kN m", "kJ"}}};
-  for (const auto& [text, joules] : kJoules) {
-    if (product == text) return joules;
-  }
-  return product;
-}
-
 double DefinitionSummary::energy_gap() const {
-  const double scale = std::max({std::abs(work), std::abs(dissipation), std::abs(stored_energy)});
-  return scale > 0.0 ? (work - dissipation - stored_energy) / scale : 0.0;
+  return largest_energy > 0.0 ? (work - dissipation - stored_energy) / largest_energy : 0.0;
 }
 
 Summary::Summary(const Case& problem)
@@ -76,6 +54,7 @@ Summary::Summary(const Case& problem)
       detector_(problem),
       cycles_(problem),
       coverage_(problem),
+      plausibility_(problem),
       since_(problem.definitions.size()),
       stick_start_(problem.definitions.size()) {
   for (Column& column : result_columns(problem)) {
@@ -99,6 +78,7 @@ void Summary::add(const Row& row) {
   add_events(row);
   cycles_.add(row);
   coverage_.add(row);
+  plausibility_.add(row);
   for (std::size_t d = 0; d < definitions_.size(); ++d) {
     const DefinitionRow& here = row.definitions[d];
     const law::FrictionUpdate& update = here.update;
@@ -131,6 +111,7 @@ void Summary::add(const Row& row) {
     sum.dissipation = here.dissipation;
     sum.stored_energy = update.stored_energy;
     sum.work = here.work;
+    sum.largest_energy = plausibility_.definitions()[d].largest_energy;
   }
 }
 
@@ -246,18 +227,28 @@ void Summary::add_creep(const DefinitionRow& here, std::size_t index) {
   start.regime = now.regime;
 }
 
+/// Why there was no friction all along: only a contact force of 0 is no contact.
+std::string Summary::open_text(std::size_t index) const {
+  const DefinitionExtremes& all = plausibility_.definitions()[index];
+  if (!all.open_under_force) return "never in contact";
+  const bool rotational = is_rotational(case_->definitions[index].law);
+  return fmt::format("no friction all along: its {} 0 (pressed by up to {})",
+                     all.highest_mu > 0.0 ? "limit is" : "coefficient is",
+                     with_unit(rounded(all.highest_normal_force),
+                               unit_text(rotational ? kMoment : kForce, case_->units)));
+}
+
 std::string Summary::definition_text(const DefinitionSummary& sum, std::size_t index) const {
   const CaseDefinition& definition = case_->definitions[index];
   const UnitSystem& units = case_->units;
   const bool rotational = is_rotational(definition.law);
   const std::string force = unit_text(rotational ? kMoment : kForce, units);
-  const std::string energy = energy_unit(units);
   const std::string name = definitions_.size() > 1 ? definition.name + ": " : "";
   const double duration = end_time_ - start_time_;
   std::string text = "  " + name;
   if (!sum.first_slip) {
     constexpr double kAll = 1.0 - 1e-9;  // a sum of many increments has its rounding
-    text += duration > 0.0 && sum.open_time >= kAll * duration ? "never in contact" : "never slips";
+    text += duration > 0.0 && sum.open_time >= kAll * duration ? open_text(index) : "never slips";
   } else {
     const Event& first = *sum.first_slip;
     std::string reversals;
@@ -276,14 +267,17 @@ std::string Summary::definition_text(const DefinitionSummary& sum, std::size_t i
     text += fmt::format(" ({}) at {}", where, with_unit(rounded(std::abs(first.force)), force));
   }
   if (sum.first_slip && sum.open_time > 0.0) {
-    text += fmt::format(", open {} of the time", percent(sum.open_time, duration));
+    text += fmt::format(
+        ", {} {} of the time",
+        plausibility_.definitions()[index].open_under_force ? "with a limit of 0 for" : "open",
+        percent(sum.open_time, duration));
   }
-  text += fmt::format(
-      "\n  {}friction {} {} .. {}, dissipated {}, stored {}, energy balance {}\n", name,
-      rotational ? "moment" : "force", rounded(sum.lowest_force),
-      with_unit(rounded(sum.highest_force), force), with_unit(rounded(sum.dissipation, 3), energy),
-      with_unit(rounded(sum.stored_energy, 3), energy),
-      fmt::format("{:.1g}{}", std::abs(sum.energy_gap()), energy_note(definition.law)));
+  text +=
+      fmt::format("\n  {}friction {} {} .. {}, dissipated {}, stored {}, energy balance {}\n", name,
+                  rotational ? "moment" : "force", rounded(sum.lowest_force),
+                  with_unit(rounded(sum.highest_force), force), energy_text(sum.dissipation, units),
+                  energy_text(sum.stored_energy, units),
+                  fmt::format("{:.1g}{}", std::abs(sum.energy_gap()), energy_note(definition.law)));
   return text + why_text(sum, index);
 }
 
@@ -294,14 +288,14 @@ std::string Summary::why_text(const DefinitionSummary& sum, std::size_t index) c
       unit_text(is_rotational(definition.law) ? kAngle : kLength, case_->units);
   std::string text;
   if (sum.largest_creep > 0.0) {
-    text = "creeps up to " + with_unit(rounded(sum.largest_creep, 3), slip) +
-           (is_viscous(definition.law) ? " below its limit" : " while it sticks");
+    const std::string length = with_unit(rounded(sum.largest_creep, 3), slip);
+    text = is_viscous(definition.law) ? "creeps up to " + length + " below its limit"
+                                      : "elastic displacement while sticking up to " + length;
   }
   const CycleEnergy& cycle = cycles_.energies()[index];
   if (cycle.count > 0 && cycle.highest > 0.0) {
     text += fmt::format("{}dissipates {} in the last of {} cycle{}", text.empty() ? "" : ", ",
-                        with_unit(rounded(cycle.last, 3), energy_unit(case_->units)), cycle.count,
-                        plural(cycle.count));
+                        energy_text(cycle.last, case_->units), cycle.count, plural(cycle.count));
   }
   const auto& formulation = definition.law.formulation;
   if (formulation && law::smooths(*formulation) && sum.largest_use > 1.0 + 1e-9) {
@@ -405,7 +399,7 @@ std::vector<std::string> Summary::formulation_warnings(const DefinitionSummary& 
 }
 
 std::vector<std::string> Summary::warnings(std::span<const MotionJump> jumps) const {
-  std::vector<std::string> all;
+  std::vector<std::string> all = plausibility_.findings();
   const UnitSystem& units = case_->units;
   for (std::size_t d = 0; d < definitions_.size(); ++d) {
     std::string warning = falling_warning(definitions_[d], d);
@@ -420,74 +414,6 @@ std::vector<std::string> Summary::warnings(std::span<const MotionJump> jumps) co
         motion_name(jump.component), with_unit(rounded(jump.size), unit), jump.step,
         rounded(jump.time), jump.time == 0.0 ? "; 'initial:' gives the position before it" : ""));
   }
-  return all;
-}
-
-json::Value Summary::to_json() const {
-  json::Value all;
-  all["increments"] = increments_;
-  all["start_time"] = start_time_;
-  all["end_time"] = end_time_;
-  json::Value list = json::Array{};
-  for (std::size_t d = 0; d < definitions_.size(); ++d) {
-    const DefinitionSummary& sum = definitions_[d];
-    json::Value one;
-    one["name"] = sum.name;
-    one["slip_time"] = sum.slip_time;
-    one["open_time"] = sum.open_time;
-    one["stick_slip_events"] = sum.events;
-    one["reversals"] = sum.reversals;
-    if (sum.first_slip) {
-      json::Value first;
-      first["t"] = sum.first_slip->time;
-      first["force"] = sum.first_slip->force;
-      for (std::size_t p = 0; p < positions_.size(); ++p) {
-        first[positions_[p].name] = sum.first_place[p];
-      }
-      one["first_slip"] = first;
-    } else {
-      one["first_slip"] = nullptr;
-    }
-    one["lowest_force"] = sum.lowest_force;
-    one["highest_force"] = sum.highest_force;
-    one["accumulated_slip"] = sum.accumulated_slip;
-    one["dissipation"] = sum.dissipation;
-    one["stored_energy"] = sum.stored_energy;
-    one["work"] = sum.work;
-    one["energy_balance_residual"] = sum.energy_gap();
-    one["largest_elastic_slip_in_stick"] = sum.largest_elastic_slip;
-    one["largest_creep_in_stick"] = sum.largest_creep;
-    if (const CycleEnergy& energy = cycles_.energies()[d]; energy.count > 0) {
-      json::Value cycles;
-      cycles["found_by"] = cycles_.found_by();
-      cycles["count"] = energy.count;
-      cycles["dissipation_first"] = energy.first;
-      cycles["dissipation_last"] = energy.last;
-      cycles["change_of_last"] =
-          energy.count > 1 ? json::Value(energy.last - energy.before_last) : json::Value(nullptr);
-      cycles["dissipation_lowest"] = energy.lowest;
-      cycles["dissipation_highest"] = energy.highest;
-      one["cycles"] = cycles;
-    } else {
-      one["cycles"] = nullptr;
-    }
-    one["increments_with_several_solutions"] = sum.multiple_roots;
-    one["increments_too_short"] = sum.short_increments;
-    one["increments_clamped"] = sum.clamped;
-    if (case_->definitions[d].law.formulation) {
-      one["largest_limit_use"] = sum.largest_use;
-      one["largest_limit_use_time"] = sum.largest_use_time;
-      one["increments_alpha_limited"] = sum.alpha_limited;
-      one["increments_alpha_above_1"] = sum.alpha_overshoots;
-    }
-    if (sum.short_increments > 0) {
-      one["smooth_increment"] = sum.worst.smooth;
-      one["unique_increment"] = sum.worst.unique;
-    }
-    list.push_back(one);
-  }
-  all["definitions"] = list;
-  all["tables"] = coverage_.to_json();
   return all;
 }
 

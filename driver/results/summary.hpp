@@ -13,6 +13,8 @@
 #include "driver/results/coverage.hpp"
 #include "driver/results/cycles.hpp"
 #include "driver/results/events.hpp"
+#include "driver/results/plausibility.hpp"
+#include "driver/results/readable.hpp"
 #include "driver/simulation.hpp"
 #include "driver/text/json.hpp"
 #include "law/uniqueness.hpp"
@@ -46,6 +48,7 @@ struct DefinitionSummary {
   double dissipation = 0.0;           ///< [F L]
   double stored_energy = 0.0;         ///< at the end [F L]
   double work = 0.0;                  ///< [F L]
+  double largest_energy = 0.0;        ///< of these three, at any time [F L]
   std::int64_t multiple_roots = 0;    ///< increments that may have more than one solution
   std::int64_t short_increments = 0;  ///< increments in which backward Euler may not settle
   /// Of the increment that is shortest against the smooth threshold.
@@ -61,8 +64,8 @@ struct DefinitionSummary {
   double largest_use = 0.0;           ///< of limit_use
   double largest_use_time = 0.0;      ///< total time of that [T]
 
-  /// (work - dissipation - stored energy) over the largest of them: what the time stepping lost.
-  /// 0 where nothing moved.
+  /// (work - dissipation - stored energy) over the largest energy of the run: what the time
+  /// stepping lost. 0 where nothing moved.
   double energy_gap() const;
 };
 
@@ -78,14 +81,16 @@ class Summary {
 
   /// What happened, in lines indented by two blanks, with the case's units. Four digits.
   std::string text() const;
-  /// What the user should change or know, one sentence each: increments too short for a falling
-  /// coefficient (with the thresholds), motions that jump at the start of a step.
+  /// What the user should change or know, one sentence each: what is not plausible, increments too
+  /// short for a falling coefficient (with the thresholds), motions that jump at the start of a
+  /// step.
   std::vector<std::string> warnings(std::span<const MotionJump> jumps) const;
   /// The same numbers, unrounded.
   json::Value to_json() const;
 
  private:
   std::string definition_text(const DefinitionSummary& definition, std::size_t index) const;
+  std::string open_text(std::size_t index) const;
   std::string why_text(const DefinitionSummary& definition, std::size_t index) const;
   void add_start(const Row& row);
   void note_first_slip(const Event& event, const Row& row);
@@ -103,20 +108,12 @@ class Summary {
   EventDetector detector_;
   CycleCounter cycles_;
   Coverage coverage_;
+  Plausibility plausibility_;
   std::vector<double> since_;  ///< fraction of the increment at the last event in it
   std::vector<law::FrictionState> stick_start_;  ///< where the current stick began
   std::int64_t increments_ = 0;
   double start_time_ = 0.0;
   double end_time_ = 0.0;
 };
-
-/// A number for people, of at most `digits` significant digits: "105.0", "0.0143", "1.25e+06".
-std::string rounded(double value, int digits = 4);
-
-/// A number for people with a unit, a blank between them where there is a unit.
-std::string with_unit(const std::string& number, const std::string& unit);
-
-/// The unit of energies, mJ rather than N mm where the case's units make one.
-std::string energy_unit(const UnitSystem& units);
 
 }  // namespace slipbench::driver

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/results/plausibility.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include "driver/case/quantity.hpp"
+#include "driver/results/columns.hpp"
+#include "driver/results/readable.hpp"
+#include "driver/text/diagnostic.hpp"
+#include "law/contact_force.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+constexpr double kOpenBalance = 0.01;
+
+/// The components whose force presses the parts of a definition together.
+law::ComponentSet pressing_components(const CaseDefinition& definition, const Case& problem) {
+  law::ComponentSet pressing;
+  if (std::holds_alternative<law::Capstan>(definition.law.criterion)) {
+    pressing.insert(0);
+    return pressing;
+  }
+  law::Ambient start;
+  start.position = problem.initial;
+  for (int c = 0; c < law::kComponents; ++c) {
+    law::ConnectorForce force;
+    for (const double sense : {1.0, -1.0}) {
+      force[c] = sense;
+      if (evaluate(definition.law.contact_force, force, start) != 0.0) pressing.insert(c);
+    }
+  }
+  return pressing;
+}
+
+bool is_driven(const Case& problem, int quantity) {
+  for (const Step& step : problem.steps) {
+    for (const Drive& drive : step.drives) {
+      if (drive.quantity == quantity) return true;
+    }
+  }
+  return problem.measured &&
+         std::any_of(problem.measured->columns.begin(), problem.measured->columns.end(),
+                     [&](const auto& column) {
+                       return column.quantity == static_cast<std::size_t>(quantity);
+                     });
+}
+
+/// Whether the law of a definition has a stick spring, and moves with prescribed motions alone.
+bool is_measured_by_its_spring(const CaseDefinition& definition, const Case& problem) {
+  const law::FrictionDefinition& law = definition.law;
+  if (law.formulation || definition.dead_zone || problem.belt) return false;
+  for (int i = 0; i < law.slip.dimension; ++i) {
+    const int component = law.slip.component[static_cast<std::size_t>(i)];
+    if (problem.force_driven.contains(component)) return false;
+    if (problem.dynamics && problem.dynamics->component == component) return false;
+  }
+  return true;
+}
+
+std::string whose(const CaseDefinition& definition) {
+  return fmt::format("friction '{}': ", definition.name);
+}
+
+std::string percent(double part) { return fmt::format("{:.2g} %", 100.0 * part); }
+
+}  // namespace
+
+Plausibility::Plausibility(const Case& problem)
+    : case_(&problem),
+      definitions_(problem.definitions.size()),
+      springs_(problem.definitions.size()) {}
+
+void Plausibility::add(const Row& row) {
+  for (std::size_t d = 0; d < definitions_.size(); ++d) {
+    const law::FrictionDefinition& law = case_->definitions[d].law;
+    const DefinitionRow& here = row.definitions[d];
+    const law::FrictionUpdate& update = here.update;
+    DefinitionExtremes& all = definitions_[d];
+    for (std::size_t i = 0; i < static_cast<std::size_t>(law.slip.dimension); ++i) {
+      const auto component = static_cast<std::size_t>(law.slip.component[i]);
+      const double s = law.slip.scale[i] * row.quantities[kFirstMotion + component];
+      all.lowest_motion[i] = row.index == 0 ? s : std::min(all.lowest_motion[i], s);
+      all.highest_motion[i] = row.index == 0 ? s : std::max(all.highest_motion[i], s);
+    }
+    all.highest_normal_force = std::max(all.highest_normal_force, update.normal_force);
+    all.highest_mu = std::max(all.highest_mu, update.mu);
+    all.slips = all.slips || update.state.regime == law::Regime::kSlip;
+    const bool open = update.state.regime == law::Regime::kOpen;
+    all.opens = all.opens || open;
+    all.open_under_force = all.open_under_force || (open && update.normal_force > 0.0);
+    all.falls = all.falls || here.thresholds.smooth > 0.0;
+    all.work = here.work;
+    all.dissipation = here.dissipation;
+    all.stored = update.stored_energy;
+    all.largest_energy =
+        std::max({all.largest_energy, std::abs(all.work), all.dissipation, all.stored});
+    if (!law.formulation) add_spring(update, d);
+  }
+}
+
+void Plausibility::add_spring(const law::FrictionUpdate& update, std::size_t index) {
+  double force = 0.0;
+  double stretch = 0.0;
+  for (std::size_t i = 0; i < update.state.force.size(); ++i) {
+    force += update.state.force[i] * update.state.force[i];
+    stretch += update.state.elastic_slip[i] * update.state.elastic_slip[i];
+  }
+  Spring& before = springs_[index];
+  const Spring now{stretch > 0.0 ? std::sqrt(force / stretch) : 0.0, stretch};
+  DefinitionExtremes& all = definitions_[index];
+  if (before.stretch > 0.0 && now.stretch > 0.0) {
+    all.stiffening += 0.25 * (before.stretch + now.stretch) * (now.stiffness - before.stiffness);
+  }
+  before = now;
+  const double equivalent = update.phi + update.limit;
+  if (update.state.regime != law::Regime::kStick || !(stretch > 0.0 && equivalent > 0.0)) return;
+  const double at_limit = std::sqrt(stretch) * update.limit / equivalent;
+  all.smallest_elastic_slip =
+      all.smallest_elastic_slip > 0.0 ? std::min(all.smallest_elastic_slip, at_limit) : at_limit;
+}
+
+std::string Plausibility::no_pressure(std::size_t index) const {
+  const CaseDefinition& definition = case_->definitions[index];
+  if (definitions_[index].highest_normal_force > 0.0) return {};
+  const law::ComponentSet pressing = pressing_components(definition, *case_);
+  std::vector<std::string> all;
+  std::vector<std::string> driven;
+  for (int c = 0; c < law::kComponents; ++c) {
+    if (!pressing.contains(c)) continue;
+    all.push_back(force_name(c));
+    if (is_driven(*case_, kFirstForce + c) || case_->behavior[static_cast<std::size_t>(c)].any()) {
+      driven.push_back(force_name(c));
+    }
+  }
+  std::string text = whose(definition) +
+                     "nothing ever presses: its contact force is 0 all along, "
+                     "and so is its friction; ";
+  if (all.empty()) {
+    return text + "it has no 'contact_force' that could be driven, and no 'internal_contact_force'";
+  }
+  const auto words = [](const std::vector<std::string>& names) {
+    return in_words(std::vector<std::string_view>(names.begin(), names.end()), "and");
+  };
+  if (!driven.empty()) {
+    return text + fmt::format("look at the size and the sign of {} in the history", words(driven));
+  }
+  return text + fmt::format(
+                    "the history never drives {}: a step takes it, for example 'force: "
+                    "{{{}: 100}}'",
+                    words(all), all.front());
+}
+
+std::string Plausibility::mere_spring(std::size_t index) const {
+  const CaseDefinition& definition = case_->definitions[index];
+  const DefinitionExtremes& all = definitions_[index];
+  if (all.slips || all.smallest_elastic_slip == 0.0) return {};
+  if (!is_measured_by_its_spring(definition, *case_)) return {};
+  double range = 0.0;
+  for (std::size_t i = 0; i < all.lowest_motion.size(); ++i) {
+    range = std::hypot(range, all.highest_motion[i] - all.lowest_motion[i]);
+  }
+  if (range >= all.smallest_elastic_slip) return {};
+  const std::string unit =
+      unit_text(is_rotational(definition.law) ? kAngle : kLength, case_->units);
+  const bool fixed = definition.law.stick.mode == law::StickStiffness::Mode::kElasticSlip;
+  return whose(definition) +
+         fmt::format(
+             "its motion, {} in all, is less than the elastic slip that comes before any "
+             "slip, {}: it never slips, and its force is that of the stick spring; move "
+             "farther, or {}",
+             with_unit(rounded(range, 3), unit),
+             with_unit(rounded(all.smallest_elastic_slip, 3), unit),
+             fixed ? "take a smaller elastic slip under 'stick'"
+                   : "raise the 'stiffness' under 'stick'");
+}
+
+std::string Plausibility::open_balance(std::size_t index) const {
+  const CaseDefinition& definition = case_->definitions[index];
+  const DefinitionExtremes& all = definitions_[index];
+  // The force behind a filter, and a penalty as a program has it, keep no balance; a lost contact
+  // and a force that drops from static to kinetic lose what no increments bring back.
+  if (definition.law.formulation || definition.dead_zone || all.opens || all.falls) return {};
+  if (!(all.largest_energy > 0.0)) return {};
+  const double gap = (all.work - all.dissipation - all.stored) / all.largest_energy;
+  const double of_stepping = gap + all.stiffening / all.largest_energy;
+  if (std::abs(gap) <= kOpenBalance) return {};
+  const std::string energies = fmt::format(
+      "the energy balance is open by {} (work {}, dissipated {}, stored {}): ",
+      percent(std::abs(gap)), energy_text(all.work, case_->units),
+      energy_text(all.dissipation, case_->units), energy_text(all.stored, case_->units));
+  if (std::abs(of_stepping) <= kOpenBalance) {
+    return whose(definition) + energies +
+           "the stick stiffness changes while its spring is stretched, which no work of the "
+           "friction pays for; a constant 'stick: {stiffness: ..}' and longer motions make it less";
+  }
+  return whose(definition) + energies +
+         "too much changes within an increment; take more 'increments', as many as it needs for "
+         "this to go below 1 % ('run --converge' tells what they change)";
+}
+
+std::vector<std::string> Plausibility::findings() const {
+  std::vector<std::string> all;
+  const auto add = [&](std::string text) {
+    if (!text.empty()) all.push_back(std::move(text));
+  };
+  for (std::size_t d = 0; d < definitions_.size(); ++d) {
+    add(no_pressure(d));
+    add(mere_spring(d));
+    add(open_balance(d));
+  }
+  return all;
+}
+
+}  // namespace slipbench::driver

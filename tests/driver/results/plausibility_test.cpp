@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/results/plausibility.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/driver/simulation/example_cases.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+std::vector<std::string> findings_of(const Case& problem) {
+  Plausibility plausibility(problem);
+  for (const Row& row : rows_of(problem)) plausibility.add(row);
+  return plausibility.findings();
+}
+
+/// A slider pressed by its constraint force f3 alone.
+Case pressed_slider(std::vector<Step> steps) {
+  Case problem = slider_case(std::move(steps));
+  problem.definitions[0].law.internal_contact_force = 0.0;
+  problem.definitions[0].law.contact_force = law::ComponentContactForce{2};
+  return problem;
+}
+
+TEST_CASE("a contact force that is never driven is told with the force to drive") {
+  Case problem = pressed_slider({step("out", 3, 0, LinearTo{6.0})});
+  problem.steps[0].drives.push_back({kFirstForce + 1, Constant{100.0}});
+  CHECK(findings_of(problem) ==
+        std::vector<std::string>{
+            "friction 'sleeve': nothing ever presses: its contact force is 0 all along, and so is "
+            "its friction; the history never drives f3: a step takes it, for example 'force: {f3: "
+            "100}'"});
+}
+
+TEST_CASE("a contact force that is driven, and stays 0, is told apart") {
+  Case problem = pressed_slider({step("out", 3, 0, LinearTo{6.0})});
+  problem.steps[0].drives.push_back({kFirstForce + 2, Constant{0.0}});
+  CHECK(findings_of(problem) ==
+        std::vector<std::string>{
+            "friction 'sleeve': nothing ever presses: its contact force is 0 all along, and so is "
+            "its friction; look at the size and the sign of f3 in the history"});
+}
+
+TEST_CASE("a definition with nothing that could press says what it lacks") {
+  Case problem = slider_case({step("out", 3, 0, LinearTo{6.0})});
+  problem.definitions[0].law.internal_contact_force = 0.0;
+  CHECK(findings_of(problem) ==
+        std::vector<std::string>{
+            "friction 'sleeve': nothing ever presses: its contact force is 0 all along, and so is "
+            "its friction; it has no 'contact_force' that could be driven, and no "
+            "'internal_contact_force'"});
+}
+
+TEST_CASE("a contact that is lost for a while is nobody's mistake") {
+  Case problem = pressed_slider({step("out", 30, 0, LinearTo{6.0})});
+  problem.steps[0].drives.push_back(
+      {kFirstForce + 2, Tabular{{0.0, 0.4, 0.5, 1.0}, {100.0, 100.0, 0.0, 0.0}}});
+  CHECK(findings_of(problem).empty());
+}
+
+TEST_CASE("a motion within the elastic slip measures the stick spring") {
+  Case problem =
+      slider_case({step("out", 3, 0, LinearTo{0.005}), step("back", 3, 0, LinearTo{-0.005})});
+  CHECK(findings_of(problem) ==
+        std::vector<std::string>{
+            "friction 'sleeve': its motion, 0.01 mm in all, is less than the elastic slip that "
+            "comes before any slip, 0.02 mm: it never slips, and its force is that of the stick "
+            "spring; move farther, or raise the 'stiffness' under 'stick'"});
+  problem.definitions[0].law.stick = {law::StickStiffness::Mode::kElasticSlip, 0.5};
+  CHECK(findings_of(problem) ==
+        std::vector<std::string>{
+            "friction 'sleeve': its motion, 0.01 mm in all, is less than the elastic slip that "
+            "comes before any slip, 0.5 mm: it never slips, and its force is that of the stick "
+            "spring; move farther, or take a smaller elastic slip under 'stick'"});
+  // What the advice says helps.
+  problem.definitions[0].law.stick.value = 1e-4;
+  CHECK(findings_of(problem).empty());
+}
+
+TEST_CASE("a load below the limit is no motion within the elastic slip") {
+  Case problem = slider_case({step("press", 10, kFirstForce + 0, LinearTo{10.0})});
+  problem.force_driven.insert(0);
+  CHECK(findings_of(problem).empty());
+}
+
+/// Slip while the contact force falls from 100 to 10 N.
+Case falling_force(int increments) {
+  Case problem = pressed_slider({step("out", increments, 0, LinearTo{6.0})});
+  problem.steps[0].drives.push_back({kFirstForce + 2, Tabular{{0.0, 1.0}, {100.0, 10.0}}});
+  return problem;
+}
+
+TEST_CASE("an energy balance that is open by more than 1 % is told, with what closes it") {
+  CHECK(findings_of(falling_force(10)) ==
+        std::vector<std::string>{
+            "friction 'sleeve': the energy balance is open by 7.5 % (work 65.3 mJ, dissipated 60.4 "
+            "mJ, stored 2.0 uJ): too much changes within an increment; take more 'increments', as "
+            "many as it needs for this to go below 1 % ('run --converge' tells what they change)"});
+  // What the advice says helps.
+  CHECK(findings_of(falling_force(100)).empty());
+}
+
+TEST_CASE("a stick stiffness that follows the limit opens the balance, whatever the increments") {
+  const auto stuck = [](int increments) {
+    // 0.5 of the elastic slip, then pressed twice as hard.
+    Case problem = pressed_slider({step("out", increments, 0, LinearTo{0.05}),
+                                   step("press", increments, kFirstForce + 2, LinearTo{200.0}),
+                                   step("on", increments, 0, LinearTo{0.15})});
+    problem.steps[0].drives.push_back({kFirstForce + 2, Constant{100.0}});
+    problem.definitions[0].law.stick = {law::StickStiffness::Mode::kElasticSlip, 0.1};
+    return problem;
+  };
+  const std::string told =
+      "friction 'sleeve': the energy balance is open by 6.7 % (work 3.75 mJ, dissipated 2.0 mJ, "
+      "stored 2.0 mJ): the stick stiffness changes while its spring is stretched, which no work of "
+      "the friction pays for; a constant 'stick: {stiffness: ..}' and longer motions make it less";
+  CHECK(findings_of(stuck(10)) == std::vector<std::string>{told});
+  CHECK(findings_of(stuck(1000)) == std::vector<std::string>{told});
+  Case constant = stuck(1000);
+  constant.definitions[0].law.stick = {law::StickStiffness::Mode::kStiffness, 200.0};
+  CHECK(findings_of(constant).empty());
+}
+
+}  // namespace
+}  // namespace slipbench::driver
