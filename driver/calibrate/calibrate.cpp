@@ -16,6 +16,7 @@
 #include "driver/calibrate/fitted_values.hpp"
 #include "driver/calibrate/identifiability.hpp"
 #include "driver/calibrate/least_squares/loss.hpp"
+#include "driver/calibrate/outlier_notes.hpp"
 #include "driver/calibrate/residuals.hpp"
 #include "driver/calibrate/varied_case.hpp"
 #include "driver/results/coverage.hpp"
@@ -62,6 +63,7 @@ void describe_unknowns(const Fit& fit, std::span<const VariedOrdinates> ordinate
     fitted.index = here.table;
     fitted.first_unknown = here.first_unknown;
     fitted.count = here.count;
+    fitted.shape = varied.shape;
     for (const law::Independent& independent : function.independents()) {
       fitted.columns.push_back(independent_name(independent));
     }
@@ -322,11 +324,10 @@ tl::expected<Calibration, CalibrationFailure> calibrate(const Fit& fit,
   }
   calibration.notes = calibration_notes(fit, calibration);
   if (has_optimum) {
-    for (std::string& note : error_notes(fit, calibration)) {
-      calibration.notes.push_back(std::move(note));
-    }
-    for (std::string& note : identifiability_notes(fit, calibration)) {
-      calibration.notes.push_back(std::move(note));
+    *stage = "outliers";
+    for (const auto& notes : {outlier_notes(fit, calibration), error_notes(fit, calibration),
+                              identifiability_notes(fit, calibration)}) {
+      calibration.notes.insert(calibration.notes.end(), notes.begin(), notes.end());
     }
   }
   calibration.seconds =

@@ -9,6 +9,7 @@
 #include "driver/calibrate/fit.hpp"
 #include "driver/calibrate/least_squares/problem.hpp"
 #include "driver/calibrate/least_squares/statistics.hpp"
+#include "driver/calibrate/outliers.hpp"
 
 namespace slipbench::driver {
 
@@ -25,9 +26,12 @@ struct FittedResponse {
   std::vector<double> after;   ///< and at the optimum
   double rmse_before = 0.0;    ///< in the quantity's unit
   double rmse_after = 0.0;
-  double range = 0.0;            ///< of the measured values
-  double mean_error = 0.0;       ///< of `after`: a bias
-  double autocorrelation = 0.0;  ///< of the residual from one point to the next: near 0 is noise
+  double range = 0.0;       ///< of the measured values
+  double mean_error = 0.0;  ///< of `after`: a bias
+  /// Of the residual from one point to the next, outliers left out: near 0 is noise.
+  double autocorrelation = 0.0;
+  Outliers outliers;               ///< of `after`
+  std::vector<std::size_t> lines;  ///< of the data file, as many as outliers; empty if not known
   /// For the picture of a loop where the comparison is over time: a result column with the motion
   /// of the force, and the model's values of it at the compared points; empty if there is none.
   std::string position;
@@ -49,7 +53,7 @@ struct FittedExperiment {
 enum class Identifiability : std::uint8_t {
   kGood,
   kWeak,         ///< the interval is wider than the value, or its bounds; or lost in a combination
-  kNeverVisited  ///< no compared point depends on it: kept at its start, or known by smoothness
+  kNeverVisited  ///< no compared point depends on it: kept at its start, or moved by others
 };
 
 /// One unknown: a parameter, or an ordinate of a table.
@@ -59,9 +63,12 @@ struct FittedUnknown {
   UnknownRange range;
   double value = 0.0;
   Identifiability identifiability = Identifiability::kGood;
-  std::string why;                 ///< a sentence where it is not kGood
-  std::int64_t visits = 0;         ///< compared points that depend on it
-  bool tied = false;               ///< to others by smoothness
+  std::string why;          ///< a sentence where it is not kGood
+  std::int64_t visits = 0;  ///< compared points that depend on it
+  bool tied = false;        ///< to others by smoothness
+  std::string moved_by;     ///< without any data: "`monotone: decreasing`"; empty if it was not
+  std::string
+      held_by;  ///< against the data: the shape that leaves it no room; empty if it has some
   double distance_to_lower = 0.0;  ///< as a part of the range of the bounds; infinite without one
   double distance_to_upper = 0.0;
 };
@@ -71,6 +78,7 @@ struct FittedTable {
   std::size_t index = 0;          ///< in Fit::tables
   std::size_t first_unknown = 0;  ///< its ordinates are consecutive unknowns, in the rows' order
   std::size_t count = 0;
+  Shape shape = {};                         ///< that its blocks are to have
   std::vector<std::string> columns;         ///< independents' names, fastest first
   std::vector<std::string> units = {};      ///< theirs; empty texts where none is stated
   std::vector<std::vector<double>> points;  ///< independents of each row

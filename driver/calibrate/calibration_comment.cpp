@@ -40,6 +40,7 @@ std::string estimate(const Calibration& calibration, std::size_t u, double confi
   if (u < calibration.fit.at_upper.size() && calibration.fit.at_upper[u] != 0) {
     text += ", at its upper bound";
   }
+  if (!unknown.held_by.empty()) text += ", held by " + unknown.held_by;
   text += ", start " + format_number(unknown.range.start);
   if (unknown.identifiability == Identifiability::kWeak) text += "; " + unknown.why;
   return text;

@@ -185,6 +185,8 @@ json::Value unknown_of(const Calibration& calibration, std::size_t u) {
   value["distance_to_upper"] = unknown.distance_to_upper;
   value["identifiability"] = word_of(unknown.identifiability);
   value["why"] = unknown.why;
+  value["moved_by"] = unknown.moved_by;
+  value["held_by"] = unknown.held_by;
   value["points"] = unknown.visits;
   value["frozen"] = holds(calibration.fit.frozen, u);
   if (calibration.bootstrap.done > 0) {
@@ -250,6 +252,23 @@ json::Value some_of(const std::vector<double>& values, const std::vector<std::si
   return array;
 }
 
+/// The points that do not belong to the noise of the others.
+json::Value outliers_of(const FittedResponse& response) {
+  const Outliers& outliers = response.outliers;
+  json::Value points = json::Array{};
+  for (std::size_t i = 0; i < outliers.points.size(); ++i) {
+    const std::size_t point = outliers.points[i];
+    json::Value one;
+    one["time"] = response.time[point];
+    one["line"] = i < response.lines.size() ? json::Value(response.lines[i]) : json::Value();
+    one["measured"] = response.measured[point];
+    one["after"] = response.after[point];
+    one["sigmas"] = (response.after[point] - response.measured[point]) / outliers.scale;
+    points.push_back(one);
+  }
+  return points;
+}
+
 json::Value experiment_of(const Fit& fit, const FittedExperiment& fitted) {
   const ExperimentFit& experiment = fit.experiments[fitted.index];
   json::Value value;
@@ -270,8 +289,11 @@ json::Value experiment_of(const Fit& fit, const FittedExperiment& fitted) {
     one["rmse_before"] = response.rmse_before;
     one["rmse_after"] = response.rmse_after;
     one["range"] = response.range;
+    one["robust_scale"] = response.outliers.scale;
     one["mean_error"] = response.mean_error;
     one["autocorrelation"] = response.autocorrelation;
+    one["outlier_limit"] = response.outliers.limit;
+    one["outliers"] = outliers_of(response);
     const std::vector<std::size_t> told = told_points(response.measured.size());
     one["points_told"] = told.size();
     one["time"] = some_of(response.time, told);

@@ -8,16 +8,11 @@
 #include <optional>
 #include <string_view>
 
+#include "driver/calibrate/outliers.hpp"
 #include "driver/calibrate/residuals.hpp"
 
 namespace slipbench::driver {
 namespace {
-
-double median(std::vector<double> numbers) {
-  const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
-  std::nth_element(numbers.begin(), middle, numbers.end());
-  return *middle;
-}
 
 bool has_residuals(const Calibration& calibration) {
   const std::size_t data = calibration.problem.data_rows;
@@ -51,7 +46,7 @@ void note_freedom(const Fit& fit, const Calibration& calibration, std::vector<st
       asked ? fmt::format(" ({} left out)", what_was_asked(fit)) : std::string()));
 }
 
-/// What is left of a response without sigma, as a typical size.
+/// What is left of a response, as a typical size.
 struct Left {
   std::string name;
   std::string unit;
@@ -68,14 +63,7 @@ std::optional<Left> left_of(const ExperimentFit& experiment, const ResponseFit& 
   const std::size_t count = response.measured.size();
   if (asked.sigma || rounding || count < kFewest || response.after.size() != count) return {};
   Left left{experiment.name + ", " + response.quantity, response.unit, response.rmse_after, 0.0};
-  if (robust) {
-    constexpr double kNormal = 1.4826;  // standard deviation over median magnitude
-    std::vector<double> sizes(count);
-    for (std::size_t i = 0; i < count; ++i) {
-      sizes[i] = std::abs(response.after[i] - response.measured[i]);
-    }
-    left.size = kNormal * median(std::move(sizes));
-  }
+  if (robust || !response.outliers.points.empty()) left.size = response.outliers.scale;
   left.residual = residual_factor(experiment, asked) * left.size;
   if (!(left.residual > 0.0)) return {};
   return left;
@@ -111,9 +99,6 @@ void note_noises(const Fit& fit, const Calibration& calibration, std::vector<std
 void note_threshold(const Fit& fit, const Calibration& calibration,
                     std::vector<std::string>& notes) {
   constexpr double kFewest = 0.2;  // of the points within the threshold
-  // Points of normal noise within 1.345 standard deviations keep their weight: Huber's choice, that
-  // loses 5 % where there are no outliers.
-  constexpr double kUsual = 1.345 * 1.4826;
   if (fit.loss.kind == Loss::Kind::kSquares || !has_residuals(calibration)) return;
   std::vector<double> sizes(calibration.problem.data_rows);
   std::transform(calibration.fit.residuals.begin(),
@@ -129,7 +114,7 @@ void note_threshold(const Fit& fit, const Calibration& calibration,
       "the threshold {:.3g} of the robust loss is far below the noise (half of the residuals "
       "exceed {:.3g}; {} of {} are within it): errors are not to be trusted; raise it to about "
       "{:.2g}, or give sigma",
-      threshold, typical, within, count, kUsual * typical));
+      threshold, typical, within, count, kUsualThreshold * kNormalOverMedian * typical));
 }
 
 void note_bootstrap(const Calibration& calibration, std::vector<std::string>& notes) {

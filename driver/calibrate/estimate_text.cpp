@@ -85,9 +85,13 @@ EstimateText estimate_text(const Calibration& calibration, std::size_t u) {
   if (holds(calibration.fit.at_upper)) text.remark = "at its upper bound";
   if (unknown.identifiability == Identifiability::kNeverVisited) {
     text.interval = "-";
-    text.remark = unknown.tied ? "never visited, smoothed" : "never visited, kept";
+    text.remark = "never visited, " +
+                  (unknown.moved_by.empty() ? std::string("kept") : "moved by " + unknown.moved_by);
   } else if (unknown.identifiability == Identifiability::kWeak) {
     text.remark += text.remark.empty() ? "weak" : ", weak";
+  }
+  if (!unknown.held_by.empty()) {
+    text.remark += (text.remark.empty() ? "held by " : ", held by ") + unknown.held_by;
   }
   return text;
 }

@@ -136,6 +136,7 @@ tl::expected<void, ExperimentModel::Failure> ExperimentModel::prepare() {
     keep(compared.measured.time, found.kept);
     keep(compared.measured.value, found.kept);
     keep(compared.measured.over, found.kept);
+    keep(compared.measured.line, found.kept);
     const RunTrace::Response& trace = traced->responses[r];
     if (!trace.position.empty()) {
       compared.position = positions[r];

@@ -281,10 +281,16 @@ std::string ordinates_table(const Fit& fit, const Calibration& calibration,
   return text;
 }
 
+/// The size of what is left without regard to outliers; blank if it is not known.
+std::string robust_text(const FittedResponse& response) {
+  const double scale = response.outliers.scale;
+  return std::isfinite(scale) ? short_number(scale) : std::string();
+}
+
 std::string experiments_table(const Fit& fit, const Calibration& calibration) {
   if (calibration.experiments.empty()) return {};
   TextTable table;
-  table.add({"experiment", "", "quantity", "points", "RMSE before", "after", "range", ""});
+  table.add({"experiment", "", "quantity", "points", "before", "RMSE", "robust", "range", ""});
   for (const FittedExperiment& fitted : calibration.experiments) {
     const ExperimentFit& experiment = fit.experiments[fitted.index];
     for (std::size_t r = 0; r < fitted.responses.size(); ++r) {
@@ -294,7 +300,8 @@ std::string experiments_table(const Fit& fit, const Calibration& calibration) {
                  r == 0 && experiment.held_out ? "hold-out" : "",
                  with_unit(response.quantity, response.unit),
                  fmt::format("{}", response.measured.size()), short_number(response.rmse_before),
-                 short_number(response.rmse_after), short_number(response.range),
+                 short_number(response.rmse_after), robust_text(response),
+                 short_number(response.range),
                  response.range > 0.0 ? fmt::format("{:.2g} %", 100.0 * part) : ""});
     }
   }

@@ -13,6 +13,9 @@
 namespace slipbench::driver {
 namespace {
 
+/// Of the range measured: what is left of data without noise is rounding.
+constexpr double kRounding = 1e-9;
+
 double root_mean_square(std::span<const double> numbers) {
   double sum = 0.0;
   for (const double number : numbers) sum += number * number;
@@ -65,18 +68,27 @@ void note_starts(const Calibration& calibration, std::vector<std::string>& notes
 void note_trends(const Fit& fit, const Calibration& calibration, std::vector<std::string>& notes) {
   constexpr double kTrend = 0.5;
   constexpr std::size_t kFewest = 20;
+  bool confined = false;
+  for (std::size_t u = 0; u < calibration.unknowns.size(); ++u) {
+    const auto ended = [&](const std::vector<char>& at) { return u < at.size() && at[u] != 0; };
+    confined = confined || !calibration.unknowns[u].held_by.empty() ||
+               ended(calibration.fit.at_lower) || ended(calibration.fit.at_upper);
+  }
   for (const FittedExperiment& experiment : calibration.experiments) {
     if (fit.experiments[experiment.index].held_out) continue;
     for (const FittedResponse& response : experiment.responses) {
       // What is left of data without noise is rounding, and that may look like anything.
-      const bool rounding = !(response.rmse_after > 1e-9 * response.range);
+      const bool rounding = !(response.rmse_after > kRounding * response.range);
       if (response.measured.size() < kFewest || rounding) continue;
-      if (!(response.autocorrelation > kTrend)) continue;
+      // Outliers bend a fit by squares until what is left of the others looks like a trend.
+      const bool bent = fit.loss.kind == Loss::Kind::kSquares && !response.outliers.points.empty();
+      if (bent || !(response.autocorrelation > kTrend)) continue;
       notes.push_back(fmt::format(
           "{}, {}: what is left ({} rms) is a trend, not noise (autocorrelation {:.2f} from one "
-          "point to the next): the model lacks something, and standard errors are too small",
+          "point to the next): the model{} lacks something, and standard errors are too small",
           fit.experiments[experiment.index].name, response.quantity,
-          with_unit(response.rmse_after, response.unit), response.autocorrelation));
+          with_unit(response.rmse_after, response.unit), response.autocorrelation,
+          confined ? ", as far as bounds and shapes allow it," : ""));
     }
   }
 }
@@ -122,7 +134,6 @@ std::optional<FittedError> fitted_error(const Fit& fit, const Calibration& calib
 void note_hold_outs(const Fit& fit, const Calibration& calibration,
                     std::vector<std::string>& notes) {
   constexpr double kMuchWorse = 1.5;
-  constexpr double kRounding = 1e-9;
   for (const FittedExperiment& experiment : calibration.experiments) {
     const ExperimentFit& asked = fit.experiments[experiment.index];
     if (!asked.held_out) continue;
@@ -244,7 +255,12 @@ FittedExperiment fitted_experiment(const ExperimentModel& model, std::size_t ind
         std::minmax_element(response.measured.begin(), response.measured.end());
     response.range = *most - *least;
     for (const double residual : left) response.mean_error += residual / static_cast<double>(count);
-    response.autocorrelation = lag_one_autocorrelation(left);
+    response.outliers = find_outliers(left, kRounding * response.range);
+    response.autocorrelation = lag_one_autocorrelation(other_residuals(left, response.outliers));
+    for (const std::size_t point : response.outliers.points) {
+      if (compared.measured.line.empty()) break;
+      response.lines.push_back(static_cast<std::size_t>(compared.measured.line[point]));
+    }
     if (!compared.position.empty()) {
       response.position = compared.position;
       const bool angle = compared.position.starts_with("CPR");

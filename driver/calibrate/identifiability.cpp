@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <numeric>
 #include <string_view>
 
@@ -83,6 +84,85 @@ std::vector<Sight> sights(const Calibration& calibration) {
   return result;
 }
 
+/// What holds ordinates to their neighbours, in the words of a fit file.
+std::string shape_words(const Shape& shape) {
+  std::string words;
+  if (shape.monotone != Shape::Monotone::kFree) {
+    words = shape.monotone == Shape::Monotone::kIncreasing ? "`monotone: increasing`"
+                                                           : "`monotone: decreasing`";
+  }
+  if (shape.curvature != Shape::Curvature::kFree) {
+    words += words.empty() ? "" : " and ";
+    words += shape.curvature == Shape::Curvature::kConvex ? "`shape: convex`" : "`shape: concave`";
+  }
+  return words;
+}
+
+/// What moves an unknown that no compared point depends on.
+/// \param shape of its block; that of a parameter is free
+std::string mover_of(const FittedUnknown& unknown, const Shape& shape) {
+  std::string words = unknown.tied ? "`smoothness`" : "";
+  if (!shape.any()) return words.empty() ? "its bounds" : words;
+  return words.empty() ? shape_words(shape) : words + " within " + shape_words(shape);
+}
+
+void judge_unseen(std::string_view because, const Shape& shape, FittedUnknown& unknown) {
+  unknown.identifiability = Identifiability::kNeverVisited;
+  const std::string start = fmt::format("{:.6g}", unknown.range.start);
+  const std::string value = fmt::format("{:.6g}", unknown.value);
+  unknown.moved_by = value == start ? "" : mover_of(unknown, shape);
+  unknown.why = fmt::format("{}: ", because);
+  unknown.why += value == start
+                     ? "kept at its start"
+                     : fmt::format("moved from {} to {} by {}", start, value, unknown.moved_by);
+}
+
+/// Marks ordinates that the data tell and that have no room in their shape: equal to a neighbour,
+/// or on a straight line with both.
+void mark_held(const FittedTable& table, std::vector<FittedUnknown>& unknowns) {
+  constexpr double kRounding = 1e-12;
+  const auto at = [&](std::size_t r) -> FittedUnknown& {
+    return unknowns[table.first_unknown + r];
+  };
+  const auto seen = [&](std::size_t r) { return at(r).visits > 0; };
+  const auto same_block = [&](std::size_t r, std::size_t s) {
+    const std::vector<double>& a = table.points[r];
+    const std::vector<double>& b = table.points[s];
+    return std::equal(a.begin() + 1, a.end(), b.begin() + 1, b.end());
+  };
+  const std::string words = shape_words(table.shape);
+  for (std::size_t r = 0; r < table.count; ++r) at(r).held_by.clear();
+  for (std::size_t r = 1; r < table.points.size(); ++r) {
+    if (!same_block(r, r - 1) || !seen(r) || !seen(r - 1)) continue;
+    const double size = kRounding * std::abs(at(r).value);
+    const double step = at(r).value - at(r - 1).value;
+    if (table.shape.monotone != Shape::Monotone::kFree && std::abs(step) <= size) {
+      at(r).held_by = at(r - 1).held_by = words;
+    }
+    if (table.shape.curvature == Shape::Curvature::kFree || r + 1 == table.points.size()) continue;
+    if (!same_block(r, r + 1) || !seen(r + 1)) continue;
+    const double next = at(r + 1).value - at(r).value;
+    const double ratio = (table.points[r + 1][0] - table.points[r][0]) /
+                         (table.points[r][0] - table.points[r - 1][0]);
+    if (std::abs(next - ratio * step) <= (1.0 + ratio) * size) at(r).held_by = words;
+  }
+}
+
+/// "table 'sleeve.coefficient': `monotone: increasing` holds ..".
+void note_held(const Fit& fit, const Calibration& calibration, const FittedTable& table,
+               std::vector<std::string>& notes) {
+  std::size_t held = 0;
+  for (std::size_t r = 0; r < table.count; ++r) {
+    held += calibration.unknowns[table.first_unknown + r].held_by.empty() ? 0 : 1;
+  }
+  if (held == 0) return;
+  notes.push_back(
+      fmt::format("table '{}': {} leaves {} of {} ordinates no room: the data ask for another "
+                  "shape, or leave it "
+                  "open; their errors are those without it",
+                  fit.tables[table.index].name, shape_words(table.shape), held, table.count));
+}
+
 /// Why an interval says little, or nothing.
 std::string width_fault(const FittedUnknown& unknown, double lower, double upper) {
   if (!std::isfinite(lower) || !std::isfinite(upper)) return {};
@@ -130,9 +210,7 @@ void judge_one(const Calibration& calibration, std::size_t u, const Sight& sight
           start, unknown.value);
       return;
     }
-    unknown.identifiability = Identifiability::kNeverVisited;
-    unknown.why = sight.tied ? "no compared point depends on it: known only by smoothness"
-                             : "no compared point depends on it: kept at its start";
+    judge_unseen("no compared point depends on it", {}, unknown);
     return;
   }
   if (u < statistics.identifiable.size() && statistics.identifiable[u] == 0) {
@@ -172,24 +250,23 @@ std::vector<std::string> table_notes(const Fit& fit, const Calibration& calibrat
                                      const FittedTable& table) {
   const std::string name = "table '" + fit.tables[table.index].name + "'";
   std::size_t unseen = 0;
-  std::size_t tied = 0;
+  std::map<std::string, std::size_t> moved;  ///< by what, and how many
   for (std::size_t r = 0; r < table.count; ++r) {
     const FittedUnknown& unknown = calibration.unknowns[table.first_unknown + r];
     if (unknown.identifiability != Identifiability::kNeverVisited) continue;
     ++unseen;
-    if (unknown.tied) ++tied;
+    ++moved[unknown.moved_by];
   }
   const std::string ranges = unvisited_ranges(table);
   std::vector<std::string> notes;
   if (unseen == 0 && ranges.empty()) return notes;
   std::string fate;
-  if (unseen == 0) {
-    fate = "all ordinates are seen from the cells beside";
-  } else {
-    fate = fmt::format("{} of {} ordinates {}", unseen, table.count,
-                       tied == unseen ? "known only by smoothness" : "kept at their start");
-    if (tied > 0 && tied < unseen) fate += fmt::format(", {} of them tied by smoothness", tied);
+  for (const auto& [mover, count] : moved) {
+    fate += fate.empty() ? fmt::format("{} of {} ordinates", count, table.count)
+                         : fmt::format(", {}", count);
+    fate += mover.empty() ? " kept at their start" : " moved by " + mover;
   }
+  if (unseen == 0) fate = "all ordinates are seen from the cells beside";
   if (ranges.empty()) {
     notes.push_back(name + ": no compared point depends on some of it; " + fate);
   } else {
@@ -287,13 +364,12 @@ void judge_identifiability(Calibration* calibration) {
       seen[r] = unknown.visits > 0 ? 1 : 0;
       if (unknown.identifiability != Identifiability::kNeverVisited) continue;
       const auto around = visits_around(table, r);
-      if (!around) continue;
-      const std::string fate = unknown.tied ? "known only by smoothness" : "kept at its start";
-      unknown.why = (*around == 0 ? "its cells were never visited: "
-                                  : "no compared point lies inside the cells beside it: ") +
-                    fate;
+      judge_unseen(around && *around == 0 ? "its cells were never visited"
+                                          : "no compared point depends on it",
+                   table.shape, unknown);
     }
     mark_edge_cells(seen, &table);
+    mark_held(table, calibration->unknowns);
   }
 }
 
@@ -308,6 +384,7 @@ std::vector<std::string> identifiability_notes(const Fit& fit, const Calibration
   }
   for (const FittedTable& table : calibration.tables) {
     for (std::string& note : table_notes(fit, calibration, table)) notes.push_back(std::move(note));
+    note_held(fit, calibration, table, notes);
   }
   for (const UnseenCombination& combination : unseen_combinations(calibration)) {
     notes.push_back(combination.sentence + "; set one of them, or add data that tell them apart");

@@ -96,7 +96,7 @@ class Cleaner {
     auto reader = CsvReader::open(experiment_.data_path, names, experiment_.data_file);
     if (!reader) return tl::unexpected(std::move(reader.error()));
 
-    rows_.columns.resize(columns_.size() - 1);
+    rows_.columns.resize(columns_.size());
     std::vector<double> row(columns_.size());
     double raw_before = 0.0;
     long line_before = 0;
@@ -127,7 +127,8 @@ class Cleaner {
       raw_before = raw;
       line_before = reader->line();
       rows_.time.push_back(row.front());
-      for (std::size_t c = 1; c < columns_.size(); ++c) rows_.columns[c - 1].push_back(row[c]);
+      rows_.columns.front().push_back(static_cast<double>(line_before));
+      for (std::size_t c = 1; c < columns_.size(); ++c) rows_.columns[c].push_back(row[c]);
     }
   }
 
@@ -197,7 +198,7 @@ class Cleaner {
       return {};
     }
     std::string scatter;
-    std::size_t column = 0;
+    std::size_t column = 1;
     for (const ResponseFit& response : experiment_.responses) {
       if (!scatter.empty()) scatter += ", ";
       if (experiment_.responses.size() > 1) scatter += response.quantity_text + " by ";
@@ -229,7 +230,7 @@ class Cleaner {
   }
 
   tl::expected<Measurements, HistoryError> split() {
-    std::size_t column = 0;
+    std::size_t column = 1;
     for (const ResponseFit& response : experiment_.responses) {
       MeasuredSeries& series = result_.responses.emplace_back();
       const auto begin = std::lower_bound(rows_.time.begin(), rows_.time.end(),
@@ -243,6 +244,8 @@ class Cleaner {
       series.time = part(rows_.time);
       series.value = part(rows_.columns[column++]);
       if (response.over) series.over = part(rows_.columns[column++]);
+      const bool made = experiment_.average_cycles || experiment_.resample;
+      if (!made) series.line = part(rows_.columns.front());
       result_.rows_used = std::max(result_.rows_used, series.time.size());
       if (!response.from && !response.to) continue;
       const std::string range = range_words(response.from, response.to, units_);
@@ -264,7 +267,7 @@ class Cleaner {
   const ExperimentFit& experiment_;
   const UnitSystem& units_;
   std::vector<const DataColumn*> columns_;  ///< the time first
-  DataRows rows_;
+  DataRows rows_;                           ///< its first column is the line of the file
   Span in_file_;
   Span in_range_;
   Measurements result_;

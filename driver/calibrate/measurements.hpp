@@ -17,6 +17,7 @@ struct MeasuredSeries {
   std::vector<double> time;   ///< [T], ascending
   std::vector<double> value;  ///< as many
   std::vector<double> over;   ///< the abscissa of loops, as many; empty over time
+  std::vector<double> line;   ///< of the file, as many; empty where a row is made of several
 };
 
 struct Measurements {

@@ -86,7 +86,7 @@ class Drawing {
     this.tint(line);
     const value = make("span", {class: "value"});
     const button = make("button", {type: "button", "aria-pressed": String(!line.off), title: "Show or hide", onclick: () => this.toggle(i, button)}, swatch, quoted(line.label), value);
-    if (!this.panel.view) value.remove();
+    if (!this.panel.view || line.told === false) value.remove();
     this.legend.append(make("li", {}, button));
     return value;
   }
@@ -249,6 +249,7 @@ class Drawing {
       parts.push(makeSvg("line", {x1: x, x2: x, y1: area.top, y2: area.bottom, class: "cursor-line"}));
     }
     lines.forEach((line, i) => {
+      if (line.told === false) return;
       const [x, y] = [line.x[view.at], line.y[view.at]];
       if (this.values[i]) this.values[i].textContent = withUnit(y, line.unit, 5);
       if (!isNumber(x) || !isNumber(y) || line.off) return;
@@ -333,6 +334,7 @@ function unknownsPart() {
 function seenWords(one) {
   const words = [];
   if (one.at_lower || one.at_upper) words.push(`at its ${one.at_lower ? "lower" : "upper"} bound`);
+  if (one.held_by) words.push(`held by ${one.held_by}`);
   if (one.why) words.push(one.why);
   return [make("span", {class: "badge " + {good: "passed", weak: "doubt", never_visited: "failed"}[one.seen]}, kSeen[one.seen]), quoted(words.join("; "))];
 }
@@ -373,7 +375,7 @@ function interval(one, next) {
   }
   if (isNumber(one.bootstrap_low) && isNumber(one.bootstrap_high)) line(place(one.bootstrap_low), place(one.bootstrap_high), 82, 82, "resampled");
   svg.append(diamond(place(one.start)));
-  if (!one.frozen) svg.append(makeSvg("circle", {cx: place(one.value) + "%", cy: "50%", r: 5, class: "dot"}));
+  if (!one.frozen || one.value !== one.start) svg.append(makeSvg("circle", {cx: place(one.value) + "%", cy: "50%", r: 5, class: "dot"}));
   const end = (value, is, words) => make("span", {}, is ? number(value) : words);
   return make("div", {class: "unknown"}, make("div", {class: "name"}, nameOf(one)),
       make("div", {class: "track"}, svg, sameTrack(one, next) ? null : make("div", {class: "ends"}, end(one.lower, bounded[0], "\u2190 no bound"), logarithmic ? make("span", {}, "logarithmic") : null, end(one.upper, bounded[1], "no bound \u2192"))));
@@ -422,6 +424,7 @@ function errorsPart() {
         make("td", {class: "number"}, String(response.points)),
         make("td", {class: "number"}, number(response.rmse_before)),
         make("td", {class: "number"}, make("b", {}, number(response.rmse_after))),
+        make("td", {class: "number"}, number(response.robust)),
         make("td", {class: "number"}, response.range > 0 ? percent(response.rmse_after / response.range) : "\u2013"),
         make("td", {}, make("span", {class: "pair", "aria-hidden": "true"}, bar(response.rmse_before, "before"), bar(response.rmse_after, "after"))),
         make("td", {class: "number"}, number(response.mean_error, 2)),
@@ -431,7 +434,7 @@ function errorsPart() {
   return part("errors", "Before and after",
       make("p", {class: "soft"}, "Root mean square of model minus measurement, at the start values and at the optimum" + (experiments.some((one) => one.held_out) ? ". Held out experiments were scored, never fitted: they tell whether the fit holds elsewhere." : ".")),
       inScroll(make("table", {class: "plain", id: "error-table"}, make("caption", {class: "hidden"}, "Errors before and after"),
-          head([["Experiment"], ["Quantity"], ["Points", true], ["RMSE before", true], ["RMSE after", true], ["of the range", true, "RMSE after, as a part of the measured range"], ["Before over after"],
+          head([["Experiment"], ["Quantity"], ["Points", true], ["RMSE before", true], ["RMSE after", true], ["robust", true, "1.4826 times the median distance from the median: the standard deviation of noise, whatever outliers there are"], ["of the range", true, "RMSE after, as a part of the measured range"], ["Before over after"],
                 ["Mean error", true, "Of model minus measurement"], ["Next-point correlation", true, "Near 0 is noise, near 1 a trend"], ["Part of the cost", true]]),
           make("tbody", {}, rows))));
 }
@@ -482,8 +485,10 @@ function responseBlock(one, response, several) {
   const loop = response.position ? new Drawing({...common, key: "loop", title: `${response.quantity} over ${response.position}`, loop: true, xName: response.position, xUnit: response.position_unit, lines: curves(response.positions)}, "loop") : null;
   panels.push(new Drawing({...common, key: "history", title: `${response.quantity} over time`, ...time, lines: curves(response.time)}, "trace"));
   const after = residual(response.after);
+  const strays = left.outliers.length === 0 ? [] : [{label: plural(left.outliers.length, "outlier"), colour: "limit", pointsOnly: true, point: "circle", radius: 5, hollow: true, told: false,
+                                                     x: left.outliers.map((one) => one.time), y: left.outliers.map((one) => one.residual)}];
   panels.push(new Drawing({...common, key: "residuals", title: "Model minus measurement", ...time,
-                           lines: [{label: "after", x: response.time, y: after, unit, width: 1.4}, {label: "before", colour: "soft", dash: [5, 3], width: 1, x: response.time, y: residual(response.before), unit, off: true}]}, "history"));
+                           lines: [{label: "after", x: response.time, y: after, unit, width: 1.4}, {label: "before", colour: "soft", dash: [5, 3], width: 1, x: response.time, y: residual(response.before), unit, off: true}, ...strays]}, "history"));
   view.pictures = [loop, ...panels].filter(Boolean);
   const block = make("div", {class: "response"}, several ? make("h4", {}, quoted(labelled(response.quantity, unit))) : null,
       make("p", {class: left.trend ? "note words" : "words soft"}, left.trend ? make("b", {}, "What is left: ") : "What is left: ", quoted(left.words)),
@@ -614,7 +619,7 @@ function ordinates(table, own) {
   const cell = (one) => {
     const never = one.seen === "never_visited";
     const weight = 0.08 + 0.4 * (high > low ? (one.value - low) / (high - low) : 0.5);
-    const told = one.frozen ? "as at the start" : never ? "only by smoothness" : isNumber(one.error) ? "\u00b1\u00a0" + number((one.high - one.low) / 2, 2) : "no error";
+    const told = one.moved_by ? "moved by " + one.moved_by.replaceAll("`", "") : never || one.frozen ? "as at the start" : isNumber(one.error) ? "\u00b1\u00a0" + number((one.high - one.low) / 2, 2) : "no error";
     return make("td", {class: never ? "never" : "seen", style: never ? null : `background: rgba(var(--cell), ${weight.toFixed(3)})`, title: `${one.name}: ${number(one.start)} before, ${number(one.value)} after; ${plural(one.visits, "point")} depend on it`},
                 make("span", {}, one.frozen ? number(one.value) : measured(one.value, one.error)), make("small", {}, make("span", {}, told)));
   };
@@ -708,7 +713,7 @@ function searchPart() {
   const best = Math.min(...searches.map((one) => (isNumber(one.cost) ? one.cost : Infinity)));
   const near = searches.filter((one) => one.found).length;
   const block = part("search", "How it was found",
-      make("p", {class: "soft"}, quoted([figures.derivatives, `${figures.runs} evaluations of the residuals and ${figures.derivative_runs} of their derivatives.`].filter(Boolean).join(" "))));
+      make("p", {class: "soft"}, quoted([figures.derivatives && figures.derivatives.charAt(0).toUpperCase() + figures.derivatives.slice(1) + ".", `${figures.runs} evaluations of the residuals and ${figures.derivative_runs} of their derivatives.`].filter(Boolean).join(" "))));
   if (searches.length > 1) {
     block.append(make("p", {class: near === 1 ? "note words" : "words"}, near === 1 ? make("b", {}, "Look at: ") : "", figures.starts + "." + (near === 1 && searches.some((one) => !one.found && isNumber(one.cost)) ? " Others ended elsewhere: there may be a lower one still; ask for more starts." : "")));
     block.append(waterfall().element);

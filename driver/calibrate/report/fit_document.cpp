@@ -108,6 +108,8 @@ void write_unknown(JsonText& json, const Calibration& calibration, std::size_t i
   }
   json.member("seen", word_of(unknown.identifiability));
   json.member_if("why", unknown.why);
+  json.member_if("moved_by", unknown.moved_by);
+  json.member_if("held_by", unknown.held_by);
   json.member("visits", unknown.visits);
   json.member("to_lower", unknown.distance_to_lower);
   json.member("to_upper", unknown.distance_to_upper);
@@ -178,6 +180,7 @@ void write_response(JsonText& json, const FittedResponse& response, std::size_t 
   json.member("position_unit", axis.unit);
   json.member("rmse_before", response.rmse_before);
   json.member("rmse_after", response.rmse_after);
+  json.member("robust", response.outliers.scale);
   json.member("range", response.range);
   json.member("mean_error", response.mean_error);
   json.member("autocorrelation", response.autocorrelation);
@@ -191,6 +194,15 @@ void write_response(JsonText& json, const FittedResponse& response, std::size_t 
   json.key("left");
   json.begin_object();
   json.member("words", left.words);
+  json.key("outliers");
+  json.begin_array();
+  for (const std::size_t point : left.outliers.points) {
+    json.begin_object();
+    json.member("time", response.time[point]);
+    json.member("residual", left.residuals[point]);
+    json.end_object();
+  }
+  json.end_array();
   json.member("trend", left.trend);
   json.member("mean", left.mean);
   json.member("deviation", left.deviation);

@@ -84,29 +84,38 @@ void judge(ResidualView& view, const FittedResponse& response, std::size_t point
     return;
   }
   // Adding 0 takes the sign from a rounded -0.
+  const std::size_t strays = view.outliers.points.size();
+  if (strays > 0) {
+    view.words = fmt::format("{} of {} points {}, farther than {:.2g} robust sigma from the rest. ",
+                             strays, points + strays,
+                             strays == 1 ? "is an outlier" : "are outliers", view.outliers.limit);
+  }
   const double next = std::round(100.0 * view.autocorrelation.front()) / 100.0 + 0.0;
   const std::string figures = fmt::format(
       "correlation from one point to the next {:.2f}, of noise "
       "within \u00b1{:.2f}",
       next, view.noise_band);
   if (std::abs(next) <= kBeyondBand * view.noise_band) {
-    view.words = "Looks like noise: " + figures + ".";
+    view.words +=
+        (strays > 0 ? "The rest looks like noise: " : "Looks like noise: ") + figures + ".";
   } else if (next < 0.0) {
     view.trend = true;
-    view.words = "Neighbouring residuals differ in sign (" + figures +
-                 "): look for a filter, a delay or a resampling of the data.";
+    view.words += "Neighbouring residuals differ in sign (" + figures +
+                  "): look for a filter, a delay or a resampling of the data.";
   } else if (next < kStrong) {
     view.trend = true;
-    view.words = "Neighbouring residuals are a little alike (" + figures +
-                 "): mostly noise; a small part is something that the model does not have.";
+    view.words += "Neighbouring residuals are a little alike (" + figures +
+                  "): mostly noise; a small part is something that the model does not have.";
   } else {
     view.trend = true;
-    view.words = "A trend, no noise: neighbouring residuals are alike (" + figures +
-                 "). The data have something that the model does not, and the standard errors "
-                 "are too small.";
+    view.words += "A trend, no noise: neighbouring residuals are alike (" + figures +
+                  "). The data have something that the model does not, and the standard errors "
+                  "are too small.";
   }
   const std::string bias = bias_words(view, response.unit, points);
-  view.trend = view.trend || !bias.empty();
+  // A fit by squares goes out of the way of outliers.
+  if (strays > 0 && view.trend) view.words += " That may be the outliers' doing: mend them first.";
+  view.trend = view.trend || strays > 0 || !bias.empty();
   view.words += bias;
 }
 
@@ -120,16 +129,18 @@ ResidualView residual_view(const FittedResponse& response, std::span<const doubl
     view.residuals.push_back(model[i] - response.measured[i]);
     if (std::isfinite(view.residuals.back())) finite.push_back(view.residuals.back());
   }
-  if (!finite.empty()) {
-    const auto n = static_cast<double>(finite.size());
-    for (const double value : finite) view.mean += value / n;
+  view.outliers = find_outliers(view.residuals, kRounding * response.range);
+  const std::vector<double> others = other_residuals(view.residuals, view.outliers);
+  if (!others.empty()) {
+    const auto n = static_cast<double>(others.size());
+    for (const double value : others) view.mean += value / n;
     double squares = 0.0;
-    for (const double value : finite) squares += (value - view.mean) * (value - view.mean);
-    view.deviation = finite.size() > 1 ? std::sqrt(squares / (n - 1.0)) : 0.0;
+    for (const double value : others) squares += (value - view.mean) * (value - view.mean);
+    view.deviation = others.size() > 1 ? std::sqrt(squares / (n - 1.0)) : 0.0;
   }
   count_bins(view, finite);
-  correlate(view, finite);
-  judge(view, response, finite.size());
+  correlate(view, others);
+  judge(view, response, others.size());
   return view;
 }
 

@@ -28,6 +28,7 @@ FittedExperiment fitted(std::size_t index, double before, double after) {
   response.rmse_before = before;
   response.rmse_after = after;
   response.range = 6200.0;
+  response.outliers.scale = 1.01 * after;
   experiment.responses.push_back(response);
   return experiment;
 }
@@ -67,10 +68,10 @@ TEST_CASE("a summary tells verdict, errors and estimates with the digits that ar
         "  k [N/mm]   4213      50      4113 .. 4313      1\n"
         "  strongest correlation: mu and k 0.31\n"
         "\n"
-        "  experiment            quantity  points  RMSE before  after  range\n"
-        "  loop                  CSF1 [N]  400     812          70     6200   1.1 %\n"
-        "  slow                  CSF1 [N]  400     790          72     6200   1.2 %\n"
-        "  rig2        hold-out  CSF1 [N]  400     801          74.1   6200   1.2 %\n");
+        "  experiment            quantity  points  before  RMSE  robust  range\n"
+        "  loop                  CSF1 [N]  400     812     70    70.7    6200   1.1 %\n"
+        "  slow                  CSF1 [N]  400     790     72    72.72   6200   1.2 %\n"
+        "  rig2        hold-out  CSF1 [N]  400     801     74.1  74.84   6200   1.2 %\n");
 }
 
 TEST_CASE("a search that did not converge says so first") {

@@ -42,11 +42,13 @@ TEST_CASE("what no compared point depends on is never visited, even if smoothnes
                                                                          0.0, 0.0, 1.0});
   c.problem.data_rows = 2;
   c.fit.frozen = {0, 1, 0};
+  c.unknowns[2].range.start = 0.9;
   judge_identifiability(&c);
   CHECK(c.unknowns[1].identifiability == Identifiability::kNeverVisited);
   CHECK(c.unknowns[1].why == "no compared point depends on it: kept at its start");
   CHECK(c.unknowns[2].identifiability == Identifiability::kNeverVisited);
-  CHECK(c.unknowns[2].why == "no compared point depends on it: known only by smoothness");
+  CHECK(c.unknowns[2].why ==
+        "no compared point depends on it: moved from 0.9 to 1 by `smoothness`");
   const auto notes = identifiability_notes(fit_of({"mu", "a", "b"}), c);
   CHECK(any_contains(notes, "a is not identifiable: no compared point depends on it"));
 }
@@ -212,15 +214,22 @@ TEST_CASE("a note on a table names what was never visited and what became of its
   Fit fit = fit_of({});
   fit.tables.emplace_back();
   fit.tables[0].name = "sleeve.coefficient";
+  for (FittedUnknown& unknown : c.unknowns) unknown.range.start = 0.2;
   judge_identifiability(&c);
   CHECK(c.unknowns[5].why == "its cells were never visited: kept at its start");
   CHECK(any_contains(identifiability_notes(fit, c),
                      "table 'sleeve.coefficient': never visited with temperature above 80 degC; 2 "
                      "of 6 ordinates kept at their start; measure there to know them"));
-  // Ordinates that are tied by smoothness are not kept.
-  c.unknowns[4].tied = c.unknowns[5].tied = true;
-  CHECK(any_contains(identifiability_notes(fit, c), "2 of 6 ordinates known only by smoothness"));
-  CHECK(estimate_text(c, 5).remark == "never visited, smoothed");
+  CHECK(estimate_text(c, 5).remark == "never visited, kept");
+  // An ordinate that gave way to its neighbour is not kept.
+  c.unknowns[5].range.start = 0.3;
+  c.tables[0].shape.monotone = Shape::Monotone::kDecreasing;
+  judge_identifiability(&c);
+  CHECK(c.unknowns[5].why ==
+        "its cells were never visited: moved from 0.3 to 0.2 by `monotone: decreasing`");
+  CHECK(any_contains(identifiability_notes(fit, c),
+                     "1 of 6 ordinates kept at their start, 1 moved by `monotone: decreasing`; "
+                     "measure there to know them"));
 }
 
 TEST_CASE("the increments of runs are added up over the cells of a table") {
