@@ -18,7 +18,7 @@ do for [i=1:DEFINITIONS] {
   column_left = ((i - 1) % in_row) * width
   group_foot = 1.0 - head - ((i - 1) / in_row + 1) * group
   set lmargin at screen column_left + 0.1
-  set rmargin at screen column_left + width - 0.1
+  set rmargin at screen column_left + width - 0.11
   set xrange [BEGIN:END_TIME]
   set xtics rotate by 0
   set ylabel font ",12"

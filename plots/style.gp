@@ -53,6 +53,25 @@ SHADES = '$SPANS using (0.5 * (edge(i, 2, $3) + $4)):(0.5 * (low + high)):3:4:(l
   keyentry with boxes fillstyle empty linecolor rgb "#888888" title (shades_told ? "stick" : "")'
 shades_told = 1
 
+# Loop c of n: from light to dark, of one only as dark as text; in a dark picture from dark to light.
+mix(from, to, part) = int(from + (to - from) * part + 0.5)
+mixed(part) = DARK ? sprintf("#%02x%02x%02x", mix(63, 240, part), mix(95, 246, part), mix(133, 252, part)) \
+  : sprintf("#%02x%02x%02x", mix(157, 0, part), mix(199, 16, part), mix(232, 52, part))
+shade(c, n) = n > 1 ? mixed((c - 1.0) / (n - 1.0)) : ink
+# Of a plot of loops of definition i: all of them, column `up` over column `across`, and the limit of
+# the last one if it is asked for.
+last_loop(i) = FIRST_LOOP[i] + LOOPS[i] - 1
+LOOP_LINES = 'for [c=1:LOOPS[i]] $LOOP_ROWS index (FIRST_LOOP[i] + c - 1) using (number(across)):(column(up)) with lines \
+  linewidth (c == LOOPS[i] ? 2.2 : 1.5) linecolor rgb shade(c, LOOPS[i]) title (loops_told ? word(LOOP_NAMES[i], c) : "")'
+LOOP_LIMIT = '$LOOP_ROWS index (last_loop(i)) using (number(across)):(with_limit ? column(LIMIT[i]) : NaN) with lines \
+  linewidth 2 dashtype 2 linecolor rgb limit_colour title (with_limit && loops_told ? LIMIT_NAME[i] : ""), \
+  $LOOP_ROWS index (last_loop(i)) using (number(across)):(with_limit ? below(i) : NaN) with lines \
+  linewidth 2 dashtype 2 linecolor rgb limit_colour notitle'
+loops_told = 1
+# Their names stand to the right of the panels, which end at this part of the width.
+loops_end = 0.855
+loops_legend = 'set key at screen loops_end + 0.008, screen bottom + 0.83 * height left top vertical Left reverse maxrows 15 samplen 2 width 0 font ",12"'
+
 # Parts of the picture's height: of the title, and of what stands below the axis of a panel.
 head = HEAD / HEIGHT
 foot = 80.0 / HEIGHT

@@ -26,7 +26,8 @@ std::array<double, 2> limit_axes(const PlotData& data, const PlotDefinition& def
           magnitude_of(data, definition.coefficients[1]) * normal};
 }
 
-/// Rows as gnuplot reads them.
+}  // namespace
+
 std::string rows_text(const PlotData& data, const std::vector<double>& rows) {
   const std::size_t columns = data.columns.size();
   std::vector<int> digits;
@@ -46,8 +47,6 @@ std::string rows_text(const PlotData& data, const std::vector<double>& rows) {
   return text;
 }
 
-}  // namespace
-
 std::size_t drawn_definitions(const PlotData& data) {
   return std::min(kMostDefinitions, data.definitions.size());
 }
@@ -61,20 +60,6 @@ std::string drawn_title(const PlotData& data) {
 
 const PlotColumn& column_of(const PlotData& data, int number) {
   return data.columns[static_cast<std::size_t>(number)];
-}
-
-std::string drawn_rows_note(const PlotData& data) {
-  if (!data.thinned()) return {};
-  const std::size_t count = drawn_definitions(data);
-  const auto cycled = static_cast<std::size_t>(std::count_if(
-      data.definitions.begin(), data.definitions.begin() + static_cast<std::ptrdiff_t>(count),
-      [](const PlotDefinition& definition) { return !definition.cycle.empty(); }));
-  std::string note =
-      fmt::format("loops: {} of {} rows, as points", data.row_count(), data.rows_in_all);
-  if (cycled == count) note += ", and all rows of the last full cycle";
-  if (cycled > 0 && cycled < count)
-    note += ", and all rows of a last full cycle where there is one";
-  return note;
 }
 
 double magnitude_of(const PlotData& data, int number) {
@@ -143,6 +128,7 @@ double top_of(const PlotData& data, const PlotDefinition& definition) {
 void tell_time(PlotScript& script, const std::string& unit, double begin, double end) {
   script.set("TIME_LABEL", axis_label("time", {"t", unit}));
   script.set("TIME_FORMAT", tic_format(begin, end));
+  script.set("TIME_STEP", wide_tic_step(begin, end, 6.0));
   script.set("BEGIN", begin);
   script.set("END_TIME", end > begin ? end : begin + 1.0);
 }
@@ -164,22 +150,6 @@ void tell_rows(PlotScript& script, const PlotData& data) {
   }
   script.block("SPANS", std::move(spans));
   script.block("DATA", rows_text(data, data.rows));
-}
-
-void tell_cycles(PlotScript& script, const PlotData& data) {
-  std::string cycles;
-  for (std::size_t i = 0; i < drawn_definitions(data); ++i) {
-    const std::vector<double>& cycle = data.definitions[i].cycle;
-    script.add("CYCLED", cycle.empty() ? 0 : 1);
-    // A row that shows nothing: an index without rows would not count.
-    cycles += cycle.empty()
-                  ? rows_text(data, std::vector<double>(data.columns.size(), std::nan("")))
-                  : rows_text(data, cycle);
-    cycles += "\n\n";
-  }
-  script.block("CYCLE", std::move(cycles));
-  script.set("THINNED", data.thinned() ? 1 : 0);
-  script.set("NOTE", drawn_rows_note(data));
 }
 
 void tell_force(PlotScript& script, const PlotData& data, const PlotDefinition& definition) {

@@ -19,8 +19,8 @@ inline constexpr std::size_t kMostDefinitions = 4;
 std::size_t drawn_definitions(const PlotData& data);
 /// "Title (the first 4 of 6 definitions)" where not all are drawn.
 std::string drawn_title(const PlotData& data);
-/// Of a picture with loops, what of a long run it shows; empty if all of it.
-std::string drawn_rows_note(const PlotData& data);
+/// Rows as gnuplot reads them.
+std::string rows_text(const PlotData& data, const std::vector<double>& rows);
 
 const PlotColumn& column_of(const PlotData& data, int number);
 /// The largest magnitude a column has; 0 for none.
@@ -43,15 +43,13 @@ std::vector<std::size_t> translations_of(const PlotData& data, const PlotDefinit
 /// The entry of `components` whose loop is drawn: the first that moves, or the first.
 std::size_t shown_component(const PlotData& data, const PlotDefinition& definition);
 
-/// The axis of time: TIME_LABEL, TIME_FORMAT, BEGIN and END_TIME, which is later.
+/// The axis of time: TIME_LABEL, TIME_FORMAT, TIME_STEP, BEGIN and END_TIME, which is later.
 void tell_time(PlotScript& script, const std::string& unit, double begin, double end);
 /// The number of a span's status in $SPANS: 0 open, 1 stick, 2 slip, 3 slip and others in turn,
 /// 4 no contact and others in turn, each too short to be drawn.
 int drawn_status(const RegimeSpan& span);
 /// $DATA, $SPANS, and the axis of time.
 void tell_rows(PlotScript& script, const PlotData& data);
-/// $CYCLE, an index for each drawn definition, with CYCLED; THINNED, NOTE.
-void tell_cycles(PlotScript& script, const PlotData& data);
 /// Force and limit of a definition, and what stands around its panels: NAME, FORCE, FORCE_NAME,
 /// FORCE_LABEL, SIGNED, BESIDE, BESIDE_NAMES, LIMIT, LIMIT_BELOW, TOP, SLIPS, OPENS,
 /// TURNS.

@@ -4,6 +4,7 @@
 #include "driver/plot/definition.hpp"
 #include "driver/plot/input.hpp"
 #include "driver/plot/kinds.hpp"
+#include "driver/plot/loops.hpp"
 #include "driver/plot/numbers.hpp"
 #include "driver/text/tics.hpp"
 
@@ -46,13 +47,13 @@ tl::expected<void, PlotFailure> draw_friction(const PlotOptions& options,
                                               const std::filesystem::path& picture) {
   auto begun = begin_picture(picture, options.input, "friction.gp", options.look);
   if (!begun) return tl::unexpected(std::move(begun.error()));
-  const auto data = result_for_plot(options, picture, PlotDetail::kForces, FullCycles::kYes);
+  const auto data = result_for_plot(options, picture, PlotDetail::kForces, WithLoops::kYes);
   if (!data) return tl::unexpected(data.error());
   PlotScript script;
   const std::size_t count = drawn_definitions(*data);
   script.set("DEFINITIONS", static_cast<int>(count));
   tell_rows(script, *data);
-  tell_cycles(script, *data);
+  tell_loops(script, *data);
   for (std::size_t i = 0; i < count; ++i) {
     tell_force(script, *data, data->definitions[i]);
     tell_loop(script, *data, data->definitions[i]);

@@ -8,6 +8,7 @@
 #include "driver/plot/definition.hpp"
 #include "driver/plot/input.hpp"
 #include "driver/plot/kinds.hpp"
+#include "driver/plot/loops.hpp"
 #include "driver/plot/numbers.hpp"
 #include "driver/text/tics.hpp"
 
@@ -15,10 +16,11 @@ namespace slipbench::driver {
 namespace {
 
 constexpr std::size_t kMostLoops = 3;
-/// What a column gains from the first of some rows to the last.
-double gain(const PlotData& data, const std::vector<double>& rows, int column) {
+
+/// What a column gains from the first row to the last.
+double gain(const PlotData& data, int column) {
   const auto k = static_cast<std::size_t>(column);
-  return rows[rows.size() - data.columns.size() + k] - rows[k];
+  return data.rows[data.rows.size() - data.columns.size() + k] - data.rows[k];
 }
 
 /// "dissipated 27.4 J, 7.76 J in the last full cycle".
@@ -29,10 +31,8 @@ std::string energy_text(const PlotData& data, const PlotDefinition& definition) 
   const auto with = [&](double value) {
     return fmt::format("{:.4g}{}{}", value, unit.empty() ? "" : " ", unit);
   };
-  std::string text = "dissipated " + with(gain(data, data.rows, dissipation));
-  if (!definition.cycle.empty()) {
-    text += ", " + with(gain(data, definition.cycle, dissipation)) + " in the last full cycle";
-  }
+  std::string text = "dissipated " + with(gain(data, dissipation));
+  if (definition.energy) text += ", " + with(*definition.energy) + " in the last full cycle";
   return text;
 }
 
@@ -59,7 +59,7 @@ class Panels {
     }
     const bool planar = translations.size() >= 2;
     script_.add("PLANAR", planar ? 1 : 0);
-    script_.add("LOOPS", static_cast<int>(shown.size()));
+    script_.add("PANELS", static_cast<int>(shown.size()));
     script_.add("ENERGY", energy_text(data_, definition_));
     const double parts = shown.size() > 2 ? 3.0 : 5.0;
     for (std::size_t p = 0; p < kMostLoops; ++p)
@@ -95,7 +95,8 @@ class Panels {
     script_.add("MOTION_" + number + "_LABEL", motion_label(data_, position));
     script_.add("MOTION_" + number + "_FROM", data_.lowest[p] - 0.04 * wide);
     script_.add("MOTION_" + number + "_TO", data_.highest[p] + 0.04 * wide);
-    script_.add("MOTION_" + number + "_STEP", tic_step(data_.highest[p] - data_.lowest[p], parts));
+    script_.add("MOTION_" + number + "_STEP",
+                wide_tic_step(data_.lowest[p], data_.highest[p], parts));
   }
 
   PlotScript& script_;
@@ -109,13 +110,13 @@ tl::expected<void, PlotFailure> draw_hysteresis(const PlotOptions& options,
                                                 const std::filesystem::path& picture) {
   auto begun = begin_picture(picture, options.input, "hysteresis.gp", options.look);
   if (!begun) return tl::unexpected(std::move(begun.error()));
-  const auto data = result_for_plot(options, picture, PlotDetail::kState, FullCycles::kYes);
+  const auto data = result_for_plot(options, picture, PlotDetail::kState, WithLoops::kYes);
   if (!data) return tl::unexpected(data.error());
   PlotScript script;
   const std::size_t count = drawn_definitions(*data);
   script.set("DEFINITIONS", static_cast<int>(count));
   tell_rows(script, *data);
-  tell_cycles(script, *data);
+  tell_loops(script, *data);
   for (std::size_t i = 0; i < count; ++i) Panels(script, *data, data->definitions[i]).tell();
   return draw(script, drawn_title(*data), 60 + 460 * count, *begun);
 }

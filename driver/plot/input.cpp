@@ -8,7 +8,7 @@
 
 #include "driver/commands/shared.hpp"
 #include "driver/plot/case_regimes.hpp"
-#include "driver/plot/full_cycle.hpp"
+#include "driver/plot/loops.hpp"
 #include "driver/plot/result_regimes.hpp"
 #include "driver/results/csv_writer.hpp"
 #include "driver/results/output_file.hpp"
@@ -79,7 +79,7 @@ std::string picture_title(const Case& problem) {
 
 tl::expected<PlotData, PlotFailure> result_for_plot(const PlotOptions& options,
                                                     const fs::path& picture, PlotDetail detail,
-                                                    FullCycles cycles) {
+                                                    WithLoops loops) {
   fs::path result = options.input;
   std::optional<OutputFile> rows;
   std::optional<Case> problem;
@@ -94,15 +94,15 @@ tl::expected<PlotData, PlotFailure> result_for_plot(const PlotOptions& options,
     }
     result = rows->temporary();
   }
-  auto data = read_plot_data(result, options.input, kDrawnRows, detail);
+  auto data = read_plot_data(result, options.input, detail);
   if (!data) return unreadable(options, data.error());
   if (regimes) {
     regimes->finish(*data);
   } else {
     take_events_beside(result, *data);
   }
-  if (cycles == FullCycles::kYes) {
-    if (auto added = add_full_cycles(*data, result, options.input); !added) {
+  if (loops == WithLoops::kYes) {
+    if (auto added = add_loops(*data, result, options.input); !added) {
       return unreadable(options, added.error());
     }
   }

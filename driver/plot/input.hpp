@@ -28,8 +28,8 @@ tl::expected<void, PlotFailure> follow_for_plot(const Case& problem,
 /// What a picture of a case is called: its title, or the file's stem.
 std::string picture_title(const Case& problem);
 
-/// Whether a picture needs the rows of the last full cycles (PlotDefinition::cycle).
-enum class FullCycles : std::uint8_t { kNo, kYes };
+/// Whether a picture needs loops (PlotDefinition::loops).
+enum class WithLoops : std::uint8_t { kNo, kYes };
 
 /// The result that is drawn: the one given, or that of the case, which is run for it. Its title is
 /// never empty. Its regimes are those of the events, of a result without a file of events beside it
@@ -37,6 +37,6 @@ enum class FullCycles : std::uint8_t { kNo, kYes };
 tl::expected<PlotData, PlotFailure> result_for_plot(const PlotOptions& options,
                                                     const std::filesystem::path& picture,
                                                     PlotDetail detail,
-                                                    FullCycles cycles = FullCycles::kNo);
+                                                    WithLoops loops = WithLoops::kNo);
 
 }  // namespace slipbench::driver

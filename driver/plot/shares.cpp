@@ -16,7 +16,7 @@
 #include "driver/plot/text_lines.hpp"
 #include "driver/results/columns.hpp"
 #include "driver/results/normal_shares.hpp"
-#include "driver/results/thinning.hpp"
+#include "driver/results/pixel_columns.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -45,20 +45,17 @@ std::vector<std::vector<NormalShare>> shares_of(const Case& problem, const Simul
   return all;
 }
 
-/// Parts above and below zero are stacked apart from each other: the edges of each part at a row.
-void append_edges(std::string& text, std::span<const double> shares) {
-  double up = 0.0;
-  double down = 0.0;
-  for (const double share : shares) {
-    double& end = share < 0.0 ? down : up;
-    text += fmt::format(" {:.9g}", end);
-    end += share;
-    text += fmt::format(" {:.9g}", end);
+/// When a run without interruption ends.
+double end_time(const Case& problem) {
+  double end = 0.0;
+  for (const Step& step : problem.steps) {
+    end += step.duration * std::max(1, step.repeat);
   }
+  return end;
 }
 
-/// The rows of a run with the parts of all normal forces: time, then of each definition its parts
-/// and F_N.
+/// The rows of a run with the parts of all normal forces: time, then of each definition F_N and the
+/// two edges of each part. Parts above and below zero are stacked apart from each other.
 class ShareRows {
  public:
   ShareRows(const Case& problem, std::size_t definitions)
@@ -66,32 +63,37 @@ class ShareRows {
 
   void add(const Simulation& simulation) {
     const auto all = shares_of(problem_, simulation, definitions_);
-    if (names_.empty()) {
-      std::size_t columns = 1;
+    row_.assign(1, simulation.row().time);
+    for (std::size_t d = 0; d < definitions_; ++d) {
+      row_.push_back(simulation.row().definitions[d].update.normal_force);
+      double up = 0.0;
+      double down = 0.0;
+      for (const NormalShare& share : all[d]) {
+        double& end = share.value < 0.0 ? down : up;
+        row_.push_back(end);
+        end += share.value;
+        row_.push_back(end);
+      }
+    }
+    if (!columns_) {
       for (const auto& shares : all) {
-        columns += shares.size() + 1;
         names_.emplace_back();
         for (const NormalShare& share : shares) names_.back().push_back(share.name);
       }
-      thinner_.emplace(columns, kDrawnRows);
+      columns_.emplace(row_.size(), row_[0], end_time(problem_), kDrawnPixels);
     }
-    row_.assign(1, simulation.row().time);
-    for (std::size_t d = 0; d < definitions_; ++d) {
-      for (const NormalShare& share : all[d]) row_.push_back(share.value);
-      row_.push_back(simulation.row().definitions[d].update.normal_force);
-    }
-    thinner_->add(row_);
+    columns_->add(row_);
   }
 
   std::size_t columns() const { return row_.size(); }
-  std::vector<double> rows() const { return thinner_->rows(); }
+  std::vector<double> finish() { return columns_->finish(); }
   const std::vector<std::string>& names(std::size_t definition) const { return names_[definition]; }
 
  private:
   const Case& problem_;
   std::size_t definitions_;
   std::vector<std::vector<std::string>> names_;
-  std::optional<RowThinner> thinner_;
+  std::optional<PixelColumns> columns_;
   std::vector<double> row_;
 };
 
@@ -107,19 +109,15 @@ void tell(PlotScript& script, const Case& problem, std::size_t definition, const
   std::vector<bool> used(names.size());
   const int time_digits = drawn_digits(rows.front(), rows[rows.size() - table.columns()]);
   for (std::size_t at = 0; at < rows.size(); at += table.columns()) {
-    const std::span<const double> shares(rows.data() + at + first, names.size());
-    const double normal = rows[at + first + names.size()];
-    double up = 0.0;
-    double down = 0.0;
-    for (std::size_t k = 0; k < shares.size(); ++k) {
-      (shares[k] < 0.0 ? down : up) += shares[k];
-      if (shares[k] != 0.0) used[k] = true;
-    }
-    low = std::min(low, down);
-    high = std::max({high, up, normal});
-    text += fmt::format("{:.{}g} {:.9g}", rows[at], time_digits, normal);
-    append_edges(text, shares);
+    const std::span<const double> numbers(rows.data() + at + first, 1 + 2 * names.size());
+    low = std::min(low, *std::min_element(numbers.begin(), numbers.end()));
+    high = std::max(high, *std::max_element(numbers.begin(), numbers.end()));
+    text += fmt::format("{:.{}g}", rows[at], time_digits);
+    for (const double value : numbers) text += fmt::format(" {:.9g}", value);
     text += '\n';
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      if (numbers[1 + 2 * k] != numbers[2 + 2 * k]) used[k] = true;
+    }
   }
   script.block("SHARES" + number, std::move(text));
   script.add("NAME", problem.definitions.size() > 1
@@ -163,7 +161,7 @@ tl::expected<void, PlotFailure> draw_shares(const PlotOptions& options,
   if (!followed) return followed;
 
   PlotScript script;
-  const std::vector<double> rows = table.rows();
+  const std::vector<double> rows = table.finish();
   const double begin = rows.front();
   const double end = rows[rows.size() - table.columns()];
   script.set("DEFINITIONS", static_cast<int>(count));
@@ -171,7 +169,7 @@ tl::expected<void, PlotFailure> draw_shares(const PlotOptions& options,
   std::size_t first = 1;
   for (std::size_t d = 0; d < count; ++d) {
     tell(script, *problem, d, table, rows, first);
-    first += table.names(d).size() + 1;
+    first += 1 + 2 * table.names(d).size();
   }
   std::string title = picture_title(*problem);
   if (count < problem->definitions.size()) {

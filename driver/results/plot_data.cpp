@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "driver/case/quantity.hpp"
 #include "driver/history/csv_reader.hpp"
-#include "driver/results/thinning.hpp"
+#include "driver/results/pixel_columns.hpp"
 #include "law/notation.hpp"
 
 namespace slipbench::driver {
@@ -95,9 +96,24 @@ PlotData select_plot_columns(const ResultLayout& layout, PlotDetail detail) {
   return data;
 }
 
+tl::expected<void, HistoryError> each_row(
+    const std::filesystem::path& file, const std::string& shown_name,
+    const std::vector<std::string>& columns,
+    const std::function<void(std::span<const double>, std::int64_t)>& take) {
+  auto reader = CsvReader::open(file, columns, shown_name);
+  if (!reader) return tl::unexpected(std::move(reader.error()));
+  std::vector<double> row(columns.size());
+  for (std::int64_t index = 0;; ++index) {
+    auto more = reader->next(row);
+    if (!more) return tl::unexpected(std::move(more.error()));
+    if (!*more) return {};
+    take(row, index);
+  }
+}
+
 tl::expected<PlotData, HistoryError> read_plot_data(const std::filesystem::path& file,
                                                     const std::string& shown_name,
-                                                    std::size_t most_rows, PlotDetail detail) {
+                                                    PlotDetail detail, std::size_t pixels) {
   auto opened = CsvReader::open(file, std::vector<std::string>{"t"}, shown_name);
   if (!opened) return tl::unexpected(std::move(opened.error()));
   PlotData data = select_plot_columns(read_layout(file, opened->header()), detail);
@@ -108,20 +124,13 @@ tl::expected<PlotData, HistoryError> read_plot_data(const std::filesystem::path&
   }
   std::vector<std::string> names;
   for (const PlotColumn& column : data.columns) names.push_back(column.name);
-  auto reader = CsvReader::open(file, names, shown_name);
-  if (!reader) return tl::unexpected(std::move(reader.error()));
 
-  std::vector<double> row(names.size());
   data.lowest.assign(names.size(), std::numeric_limits<double>::infinity());
   data.highest.assign(names.size(), -std::numeric_limits<double>::infinity());
-  RowThinner thinner(names.size(), most_rows);
   std::vector<RegimeRecorder> regimes(data.definitions.size());
   std::vector<int> now(data.definitions.size());
   double before = 0.0;
-  while (true) {
-    auto more = reader->next(row);
-    if (!more) return tl::unexpected(std::move(more.error()));
-    if (!*more) break;
+  auto read = each_row(file, shown_name, names, [&](std::span<const double> row, std::int64_t at) {
     for (std::size_t k = 0; k < row.size(); ++k) {
       data.lowest[k] = std::min(data.lowest[k], row[k]);
       data.highest[k] = std::max(data.highest[k], row[k]);
@@ -131,18 +140,22 @@ tl::expected<PlotData, HistoryError> read_plot_data(const std::filesystem::path&
       if (status < 0) continue;
       // A row tells the regime of the increment that it ends.
       const int regime = static_cast<int>(std::lround(row[static_cast<std::size_t>(status)]));
-      if (thinner.count() == 0) regimes[d].begin(regime, row[0]);
-      if (thinner.count() > 0 && regime != now[d]) regimes[d].change(regime, before);
+      if (at == 0) regimes[d].begin(regime, row[0]);
+      if (at > 0 && regime != now[d]) regimes[d].change(regime, before);
       now[d] = regime;
     }
     before = row[0];
-    thinner.add(row);
-  }
-  data.rows = thinner.rows();
-  data.rows_in_all = thinner.count();
+    data.rows_in_all = at + 1;
+  });
+  if (!read) return tl::unexpected(std::move(read.error()));
   for (std::size_t d = 0; d < regimes.size(); ++d) {
     data.definitions[d].regimes = regimes[d].end(before);
   }
+  PixelColumns columns(names.size(), data.lowest[0], data.highest[0], pixels);
+  read = each_row(file, shown_name, names,
+                  [&](std::span<const double> row, std::int64_t) { columns.add(row); });
+  if (!read) return tl::unexpected(std::move(read.error()));
+  data.rows = columns.finish();
   return data;
 }
 

@@ -4,6 +4,9 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -18,6 +21,12 @@ namespace slipbench::driver {
 struct PlotColumn {
   std::string name;
   std::string unit;  ///< empty if there is none, or the result does not state it
+};
+
+/// A path whose rows are drawn as they follow one another.
+struct DrawnLoop {
+  std::int64_t cycle = 0;    ///< its number, from 1; 0: of a run without cycles, the run
+  std::vector<double> rows;  ///< row after row, as many numbers as columns
 };
 
 /// One friction definition as it is drawn. Numbers count `PlotData::columns`; -1: not in the
@@ -39,9 +48,11 @@ struct PlotDefinition {
   int stored_energy = -1;
   int work = -1;
   RegimeHistory regimes;
-  /// Rows of the last full cycle of its motion, none left out; empty if there is none, or nobody
-  /// asked for it.
-  std::vector<double> cycle;
+  /// Of pictures with loops: those that are drawn, in their order.
+  std::vector<DrawnLoop> loops;
+  std::int64_t cycles = 0;       ///< in all; 0 of a run without cycles
+  std::int64_t loop_rows = 0;    ///< of a run without cycles, the rows that its loop goes on for
+  std::optional<double> energy;  ///< dissipated in the last full cycle
 };
 
 /// What is drawn of each definition.
@@ -50,34 +61,39 @@ enum class PlotDetail : std::uint8_t {
   kState    ///< normal force, coefficient and energies, too
 };
 
-/// A result, thinned for drawing.
+/// A result for drawing.
 struct PlotData {
   std::string title;
   std::vector<PlotColumn> columns;  ///< the first is t
   std::vector<PlotDefinition> definitions;
-  std::vector<double> rows;    ///< row after row, as many numbers as columns
+  std::vector<double> rows;    ///< for drawing over time (PixelColumns), row after row
   std::vector<double> lowest;  ///< of each column, over all rows of the result
   std::vector<double> highest;
   std::int64_t rows_in_all = 0;  ///< of the result
-
-  std::size_t row_count() const { return columns.empty() ? 0 : rows.size() / columns.size(); }
-  bool thinned() const { return rows_in_all > static_cast<std::int64_t>(row_count()); }
 };
 
-/// As many rows of a long result show all that a picture can.
-inline constexpr std::size_t kDrawnRows = 3000;
+/// Columns of pixels that a time axis has at the most.
+inline constexpr std::size_t kDrawnPixels = 2000;
 
 /// The columns of a result that are drawn, and what they are of each definition; no rows.
 PlotData select_plot_columns(const ResultLayout& layout, PlotDetail detail = PlotDetail::kForces);
 
-/// Reads a result of `slipbench run` for drawing. A long one is thinned to `most_rows`
-/// (RowThinner): what is drawn over time looks the same, and the picture stays small. Regimes are
-/// as the rows tell them: one from row to row. The memory does not grow with the result.
+/// Reads a result of `slipbench run` for drawing over a time axis of so many `pixels`
+/// (PixelColumns). Regimes are as the rows tell them: one from row to row. The memory does not grow
+/// with the result.
 ///
 /// Errors: those of CsvReader; a file without friction columns.
 tl::expected<PlotData, HistoryError> read_plot_data(const std::filesystem::path& file,
                                                     const std::string& shown_name,
-                                                    std::size_t most_rows = kDrawnRows,
-                                                    PlotDetail detail = PlotDetail::kForces);
+                                                    PlotDetail detail = PlotDetail::kForces,
+                                                    std::size_t pixels = kDrawnPixels);
+
+/// Gives `take` the rows of a CSV file, of these columns, with the number of rows before each.
+///
+/// Errors: those of CsvReader.
+tl::expected<void, HistoryError> each_row(
+    const std::filesystem::path& file, const std::string& shown_name,
+    const std::vector<std::string>& columns,
+    const std::function<void(std::span<const double>, std::int64_t)>& take);
 
 }  // namespace slipbench::driver

@@ -87,7 +87,7 @@ TEST_CASE("a picture of a case: loops, history, bands, shares and residuals") {
   const std::string loops = picture(folder, file, "hysteresis");
   CHECK(contains(loops, "friction force CSF1 [N]"));
   CHECK(contains(loops, "position CP1 [mm]"));
-  CHECK(contains(loops, "last full cycle"));
+  CHECK(contains(loops, ">cycle 2<"));
   // 4 x 20 N x (0.1 - 0.02) mm a cycle; first a quarter with 1.6, at the end another.
   CHECK(contains(loops, "dissipated 12.4 N mm, 6.4 N mm in the last full cycle"));
 
@@ -202,26 +202,51 @@ TEST_CASE("slip within an increment begins where its event is, also in the shade
         Approx(0.1 / (0.5 * std::sin(2.5 * std::numbers::pi / 12.0)) / 12.0));
 }
 
-TEST_CASE("a long run's loops show whole cycles and single rows, and say so") {
+TEST_CASE("a cyclic run's loops are whole cycles, told by their numbers") {
   if (no_gnuplot()) return;
   const TemporaryFolder folder;
-  std::string text = kCoarse;
-  text.replace(text.find("duration: 1.0, increments: 12"), 29, "duration: 100, increments: 8000");
-  const auto file = folder.write("long.yaml", text);
+  const auto cycles = [&](const std::string& length, const std::string& increments) {
+    std::string text = kCoarse;
+    text.replace(text.find("duration: 1.0, increments: 12"), 29,
+                 "duration: " + length + ", increments: " + increments);
+    return folder.write("cyclic.yaml", text);
+  };
   PlotOptions options;
-  options.input = file.string();
+  options.input = cycles("100", "8000").string();
   const auto data =
-      result_for_plot(options, folder.path() / "a.svg", PlotDetail::kState, FullCycles::kYes);
+      result_for_plot(options, folder.path() / "a.svg", PlotDetail::kState, WithLoops::kYes);
   REQUIRE(data);
-  // Periods of 0.8 s are 64 increments; turning points lie on rows.
-  CHECK(data->definitions[0].cycle.size() == 65 * data->columns.size());
-  for (const char* kind : {"hysteresis", ""}) {
-    const std::string loops = picture(folder, file, kind);
-    CHECK(contains(loops, "of 8001 rows, as points, and all rows of the last full cycle"));
-    CHECK(contains(loops, "before and after"));
+  const PlotDefinition& definition = data->definitions[0];
+  // Periods of 0.8 s are 64 increments; turning points lie on rows: after 3/4, 7/4 and so on.
+  CHECK(definition.cycles == 125);
+  std::vector<std::int64_t> numbers;
+  for (const DrawnLoop& loop : definition.loops) numbers.push_back(loop.cycle);
+  CHECK(numbers == std::vector<std::int64_t>{1, 2, 5, 10, 20, 50, 100, 125});
+  const std::size_t columns = data->columns.size();
+  const std::vector<double>& second = definition.loops[1].rows;
+  CHECK(second.front() == Approx(0.75 * 0.8));
+  CHECK(second[second.size() - columns] == Approx(1.75 * 0.8));
+  // No row between is missing, as far as one could see it: the motion goes on in steps of an
+  // increment at the most.
+  const auto motion = static_cast<std::size_t>(definition.positions[0]);
+  for (std::size_t at = columns; at < second.size(); at += columns) {
+    CHECK(std::abs(second[at + motion] - second[at - columns + motion]) <
+          0.5 * 2.0 * std::numbers::pi / 64.0);
   }
-  CHECK_FALSE(
-      contains(picture(folder, folder.write("coarse.yaml", kCoarse), "hysteresis"), "as points"));
+  for (const char* kind : {"hysteresis", ""}) {
+    const std::string loops = picture(folder, options.input, kind);
+    for (const char* text : {">cycle 1<", ">cycle 50<", ">cycle 125<", "loops: 8 of 125 cycles"}) {
+      INFO(kind << " " << text);
+      CHECK(contains(loops, text));
+    }
+    CHECK_FALSE(contains(loops, ">cycle 3<"));
+  }
+  // Of three cycles all are drawn, and nothing is told to be left out.
+  const std::string three = picture(folder, cycles("2.4", "192"), "hysteresis");
+  for (const char* text : {">cycle 1<", ">cycle 2<", ">cycle 3<", ">limit, cycle 3<"}) {
+    CHECK(contains(three, text));
+  }
+  CHECK_FALSE(contains(three, "loops:"));
 }
 
 TEST_CASE("what does not move is a point that says so") {
