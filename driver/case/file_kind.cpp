@@ -24,6 +24,11 @@ std::optional<Node> key_among(const Node& root, std::span<const std::string_view
 
 }  // namespace
 
+bool has_case_ending(const std::filesystem::path& file) {
+  return std::find(kCaseEndings.begin(), kCaseEndings.end(), file.extension()) !=
+         kCaseEndings.end();
+}
+
 std::optional<Node> key_of_fit(const Node& root) {
   if (key_among(root, kCaseKeys)) return std::nullopt;
   return key_among(root, std::span(&kFitKey, 1));

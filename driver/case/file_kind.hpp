@@ -2,12 +2,20 @@
 // What a file of slipbench is: a case, or a fit of cases to measurements.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
+#include <string_view>
 
 #include "driver/yaml/node.hpp"
 
 namespace slipbench::driver {
+
+/// What the names of cases and fits end with; the first where there are two.
+inline constexpr std::array<std::string_view, 2> kCaseEndings{".yaml", ".yml"};
+
+/// True for a name with one of these endings.
+bool has_case_ending(const std::filesystem::path& file);
 
 /// The key `calibrate` of a file that is a fit and no case; nothing of any other file.
 std::optional<Node> key_of_fit(const Node& root);

@@ -18,10 +18,12 @@
 #include "driver/report/report.hpp"
 #include "driver/suite/annotations.hpp"
 #include "driver/suite/candidates.hpp"
+#include "driver/suite/job_summary.hpp"
 #include "driver/suite/junit.hpp"
 #include "driver/suite/label_filter.hpp"
 #include "driver/suite/last_failed.hpp"
 #include "driver/suite/run_suite.hpp"
+#include "driver/suite/slowest_cases.hpp"
 #include "driver/suite/suite_files.hpp"
 #include "driver/suite/suite_json.hpp"
 #include "driver/suite/trailing_notes.hpp"
@@ -37,6 +39,12 @@ std::string nothing_matches(const CheckOptions& options, std::size_t count) {
   const std::vector<std::string_view> words(quoted.begin(), quoted.end());
   return fmt::format("no case matches --filter {}; {}", in_words(words),
                      count == 1 ? "there is 1 case" : fmt::format("there are {} cases", count));
+}
+
+/// The file that a job of GitHub Actions shows at its end; empty elsewhere.
+std::string job_summary_file() {
+  const char* file = std::getenv("GITHUB_STEP_SUMMARY");
+  return file == nullptr ? "" : file;
 }
 
 std::string github_root() {
@@ -67,6 +75,8 @@ struct Told {
   std::optional<JunitReport> junit;
   std::optional<SuiteJson> json;
   std::optional<Annotations> annotations;
+  std::optional<JobSummary> summary;
+  SlowestCases slowest{0};
   std::optional<LastFailed> memory;
   std::size_t cases = 0;
   std::string overwritten;  ///< which input a file of verdicts would replace, in a sentence
@@ -79,6 +89,8 @@ struct Told {
     if (junit) junit->add(place, candidate, outcome);
     if (json) json->add(place, candidate, outcome);
     if (annotations) annotations->add(candidate, outcome);
+    if (summary) summary->add(candidate, outcome);
+    slowest.add(candidate, outcome);
     if (memory) memory->note(candidate, outcome.well());
   }
 };
@@ -93,7 +105,8 @@ int check_command(const CheckOptions& options) {
   for (const std::string& fault : found.faults) refuse(kExitEnvironment, fault);
   const int search_code = found.faults.empty() ? kExitOk : kExitEnvironment;
   if (found.cases.empty()) {
-    return worse(search_code, refuse(kExitBadInput, "no case (*.yaml) found; nothing was checked"));
+    return worse(search_code,
+                 refuse(kExitBadInput, "no case (*.yaml, *.yml) found; nothing was checked"));
   }
   Told told;
   if (found.cases.size() > 1) told.memory.emplace(options.paths);
@@ -110,6 +123,11 @@ int check_command(const CheckOptions& options) {
   if (!options.junit.empty()) told.junit.emplace();
   if (!options.json.empty()) told.json.emplace();
   if (in_github_actions()) told.annotations.emplace(github_root());
+  if (!job_summary_file().empty()) told.summary.emplace();
+  if (options.durations) {
+    told.slowest = SlowestCases(
+        *options.durations > 0 ? static_cast<std::size_t>(*options.durations) : cases.size());
+  }
   std::optional<ReportCollection> pages;
   if (!options.report.empty()) pages.emplace(cases.size());
 
@@ -159,8 +177,13 @@ int check_command(const CheckOptions& options) {
   const std::size_t not_reached = cases.size() - told.cases;
   told.totals.not_run += not_reached;
   print(table_totals(told.totals, !checks, std::chrono::steady_clock::now() - start));
+  print(told.slowest.text());
   print_error(told.annotations ? without_commands(told.notes.text()) : told.notes.text());
   if (told.annotations) print(told.annotations->text());
+  if (told.summary) {
+    const std::string fault = told.summary->append_to(job_summary_file(), told.totals);
+    if (!fault.empty()) print_error("slipbench: warning: " + fault + "\n");
+  }
   if (told.memory) told.memory->write(found.cases);
   int code = worse(told.totals.code, search_code);
   if (!told.overwritten.empty()) return worse(code, refuse(kExitEnvironment, told.overwritten));

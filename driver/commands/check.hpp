@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct CheckOptions {
   bool failed_first = false;         ///< begin with those that did not pass last time
   bool fail_fast = false;            ///< stop at the first that does not pass
   bool quiet = false;                ///< of the table, only what does not pass
+  std::optional<int> durations;      ///< also tell so many of the slowest cases; 0 for all
   std::string junit;                 ///< files to write; empty for none
   std::string json;
   std::string report;
@@ -25,9 +27,9 @@ struct CheckOptions {
 /// but the memory for `failed_first`, which is kept of every suite of more than one case (see
 /// LastFailed): of the cases that were run, those that did not pass are added and those that passed
 /// are removed. The output does not depend on the number of threads, and the files but for the page
-/// not on the order in which the cases are run. Folders are searched recursively for *.yaml files,
-/// except for hidden ones and in folders that are hidden or named `bad`. Returns the exit code:
-/// that of the worst case, or of a file that could not be written.
+/// not on the order in which the cases are run. Folders are searched recursively for *.yaml and
+/// *.yml files, except for hidden ones and in folders that are hidden or named `bad`. Returns the
+/// exit code: that of the worst case, or of a file that could not be written.
 int check_command(const CheckOptions& options);
 
 }  // namespace slipbench::driver

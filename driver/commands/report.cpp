@@ -105,7 +105,7 @@ int report_command(const ReportOptions& options) {
   const std::vector<Source> sources = find_sources(options.inputs, faults);
   for (const std::string& fault : faults) refuse(kExitEnvironment, fault);
   if (sources.empty()) {
-    refuse(kExitBadInput, "no case (*.yaml) found; there is nothing to report");
+    refuse(kExitBadInput, "no case (*.yaml, *.yml) found; there is nothing to report");
     return faults.empty() ? kExitBadInput : kExitEnvironment;
   }
   // Before the work: a page that cannot be written is known at once.

@@ -12,6 +12,7 @@
 #include <utility>
 #include <variant>
 
+#include "driver/case/file_kind.hpp"
 #include "driver/text/diagnostic.hpp"
 #include "driver/text/number.hpp"
 
@@ -68,8 +69,18 @@ int refuse(int code, std::string_view message) {
 std::string named_case(const std::string& path) {
   std::error_code error;
   if (fs::exists(fs::symlink_status(path, error))) return path;
-  const std::string with_ending = path + ".yaml";
-  return fs::is_regular_file(with_ending, error) ? with_ending : path;
+  std::string found;
+  for (const std::string_view ending : kCaseEndings) {
+    const std::string file = path + std::string(ending);
+    if (!fs::is_regular_file(file, error)) continue;
+    if (found.empty()) {
+      found = file;
+    } else {
+      print_error(fmt::format("slipbench: warning: there are {0} and {1}; {0} is taken\n",
+                              printable(found), printable(file)));
+    }
+  }
+  return found.empty() ? path : found;
 }
 
 int finish_output(int code) {
@@ -83,10 +94,15 @@ int finish_output(int code) {
 }
 
 bool colour_wanted(int descriptor) {
-  const char* no_colour = std::getenv("NO_COLOR");
-  const char* terminal = std::getenv("TERM");
-  const bool dumb = terminal == nullptr || std::string_view(terminal) == "dumb";
-  return isatty(descriptor) == 1 && (no_colour == nullptr || *no_colour == '\0') && !dumb;
+  const auto value = [](const char* name) {
+    const char* text = std::getenv(name);
+    return std::string_view(text == nullptr ? "" : text);
+  };
+  const auto forced = [&](const char* name) { return !value(name).empty() && value(name) != "0"; };
+  if (!value("NO_COLOR").empty()) return false;
+  if (forced("FORCE_COLOR") || forced("CLICOLOR_FORCE")) return true;
+  if (value("CLICOLOR") == "0") return false;
+  return isatty(descriptor) == 1 && !value("TERM").empty() && value("TERM") != "dumb";
 }
 
 std::string elapsed_text(std::chrono::steady_clock::duration elapsed) {

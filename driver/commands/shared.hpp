@@ -36,15 +36,16 @@ void print_error(std::string_view text);
 int refuse(int code, std::string_view message);
 
 /// The case that somebody names: the path as it is, or, if there is nothing of that name, the file
-/// that is called so with .yaml, as tables show it.
+/// that is called so with .yaml or .yml, as tables show it; with a warning if both are there.
 std::string named_case(const std::string& path);
 
 /// Flushes standard output. If something did not arrive (a closed or full one), says so on
 /// standard error and returns the worse of `code` and kExitEnvironment.
 int finish_output(int code);
 
-/// Whether a stream is a terminal where colour is wanted: NO_COLOR is unset or empty and TERM is
-/// not "dumb".
+/// True if colour is wanted on a stream. The first of these decides: NO_COLOR that is not empty
+/// forbids it, FORCE_COLOR or CLICOLOR_FORCE that is neither empty nor 0 demands it, CLICOLOR=0
+/// forbids it; else a terminal whose TERM is neither empty nor "dumb" has it.
 bool colour_wanted(int descriptor);
 
 /// "12 ms", "0.21 s", "3.4 s".

@@ -41,7 +41,7 @@ void search(const fs::path& top, std::vector<fs::path>& found, std::vector<std::
       std::error_code ignored;
       if (it->is_directory(ignored)) {
         if (!it->is_symlink(ignored) && is_searched(it->path())) folders.push_back(it->path());
-      } else if (it->path().extension() == ".yaml" && !is_hidden(it->path())) {
+      } else if (has_case_ending(it->path()) && !is_hidden(it->path())) {
         found.push_back(it->path());
       }
     }

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "driver/suite/xml_text.hpp"
@@ -10,10 +12,25 @@
 namespace slipbench::driver {
 namespace {
 
-std::string folder_of(const std::string& label) {
-  const std::size_t slash = label.rfind('/');
-  if (slash == std::string::npos) return ".";
-  return label.substr(0, slash == 0 ? 1 : slash);
+namespace fs = std::filesystem;
+
+/// The folder of a case as its label has it; else the name of the folder that it is in.
+std::string suite_of(const Candidate& candidate) {
+  const std::size_t slash = candidate.label.rfind('/');
+  if (slash != std::string::npos) return candidate.label.substr(0, slash == 0 ? 1 : slash);
+  std::error_code ignored;
+  const fs::path folder =
+      fs::absolute(candidate.path, ignored).lexically_normal().parent_path().filename();
+  return folder.empty() ? "/" : folder.string();
+}
+
+/// The file of a case as the readers want it, from the current folder.
+std::string file_of(const Candidate& candidate) {
+  std::error_code ignored;
+  const fs::path path = fs::path(candidate.path).lexically_normal();
+  const fs::path relative =
+      path.is_absolute() ? path.lexically_relative(fs::current_path(ignored)) : path;
+  return relative.empty() || *relative.begin() == ".." ? path.string() : relative.string();
 }
 
 const char* word_for_code(int code) {
@@ -29,11 +46,14 @@ const char* word_for_code(int code) {
   }
 }
 
-/// <testcase> with what it contains, if anything.
-std::string test_case(const std::string& class_name, const std::string& name, double seconds,
+/// <testcase> with what it contains, if anything. Line 0 leaves the line out.
+std::string test_case(const Candidate& candidate, const std::string& name, int line, double seconds,
                       const std::string& content) {
-  std::string text = fmt::format(R"(    <testcase classname="{}" name="{}" time="{:.6f}")",
-                                 xml_attribute(class_name), xml_attribute(name), seconds);
+  std::string text = fmt::format(R"(    <testcase classname="{}" name="{}" file="{}")",
+                                 xml_attribute(candidate.label), xml_attribute(name),
+                                 xml_attribute(file_of(candidate)));
+  if (line > 0) text += fmt::format(R"( line="{}")", line);
+  text += fmt::format(R"( time="{:.6f}")", seconds);
   text += content.empty() ? "/>\n" : ">\n" + content + "    </testcase>\n";
   return text;
 }
@@ -58,27 +78,30 @@ std::string content_of(const CheckOutcome& check) {
 }  // namespace
 
 void JunitReport::add(std::size_t place, const Candidate& candidate, const CaseOutcome& outcome) {
-  Suite& suite = suites_[folder_of(candidate.label)];
+  Suite& suite = suites_[suite_of(candidate)];
   Counts& counts = suite.counts;
   counts.seconds += outcome.seconds;
-  const auto add_one = [&](const std::string& name, double seconds, const std::string& content) {
+  const auto add_one = [&](const std::string& name, int line, double seconds,
+                           const std::string& content) {
     ++counts.tests;
-    suite.cases[place] += test_case(candidate.label, name, seconds, content);
+    suite.cases[place] += test_case(candidate, name, line, seconds, content);
   };
   if (outcome.kind == CaseOutcome::Kind::kNotRun) {
     ++counts.errors;
-    add_one("case", outcome.seconds,
+    // A fault may be that of a data file, whose lines are not the case's.
+    const CaseFault& fault = outcome.fault;
+    add_one("case", fault.file == candidate.path ? fault.where.line : 0, outcome.seconds,
             fmt::format("      <error type=\"{}\" message=\"{}\">{}</error>\n",
-                        word_for_code(outcome.code), xml_attribute(outcome.fault.message),
+                        word_for_code(outcome.code), xml_attribute(fault.message),
                         xml_text(outcome.messages)));
   } else if (outcome.kind == CaseOutcome::Kind::kNoChecks) {
     ++counts.skipped;
-    add_one("case", outcome.seconds, "      <skipped message=\"the case has no checks\"/>\n");
+    add_one("case", 0, outcome.seconds, "      <skipped message=\"the case has no checks\"/>\n");
   } else {
     counts.failures += outcome.failed;
     for (const CheckOutcome& check : outcome.verdicts) {
-      add_one(check.verdict.name, outcome.seconds / static_cast<double>(outcome.verdicts.size()),
-              content_of(check));
+      add_one(check.verdict.name, check.where.line,
+              outcome.seconds / static_cast<double>(outcome.verdicts.size()), content_of(check));
     }
   }
 }

@@ -330,7 +330,7 @@ def suite_junit(folder):
         sums = sum(float(test.get("time")) for test in element.findall(".//testcase"))
         # Each of the times is rounded to a microsecond.
         expect(abs(float(element.get("time")) - sums) < 1e-5, f"JUnit: {element.get('name')}: times do not add up")
-    expect([suite.get("name") for suite in root] == ["a & b", "."], "JUnit: not one suite a folder")
+    expect([suite.get("name") for suite in root] == ["a & b", "cases"], "JUnit: not one suite a folder")
     expect(all(float(test.get("time")) > 0 for test in tests), "JUnit: a case took no time")
     expect("timestamp" not in root[0].attrib and "hostname" not in root[0].attrib, "JUnit: has a date or machine")
     expect("\n::error" not in text and "\x07" not in text and "\x1b" not in text, f"a name broke the table:\n{text!r}")

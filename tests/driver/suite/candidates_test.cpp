@@ -27,13 +27,14 @@ TEST_CASE(
   }
   for (const char* name :
        {"b/deep/two.yaml", "b/one.yaml", "a/z.yaml", "bad/x.yaml", ".hidden/x.yaml", "a/bad/x.yaml",
-        "a/notes.txt", "top.yaml", "._top.yaml"}) {
+        "a/notes.txt", "top.yaml", "._top.yaml", "top.yml", "only.yml"}) {
     folder.write(name, "");
   }
   // The lock of an editor, beside the case that is being edited.
   fs::create_symlink("user@machine.1234", folder.path() / ".#top.yaml");
   const Candidates found = find_candidates(std::vector{folder.path().string()});
-  CHECK(labels(found) == std::vector<std::string>{"a/z", "b/deep/two", "b/one", "top"});
+  CHECK(labels(found) ==
+        std::vector<std::string>{"a/z", "b/deep/two", "b/one", "only.yml", "top", "top.yml"});
   CHECK(found.cases[0].path == (folder.path() / "a/z.yaml").string());
   CHECK(found.faults.empty());
 }

@@ -2,6 +2,7 @@
 #include "driver/suite/junit.hpp"
 
 #include <catch2/catch.hpp>
+#include <filesystem>
 
 #include "driver/suite/xml_text.hpp"
 #include "tests/driver/suite/outcomes_for_test.hpp"
@@ -13,27 +14,42 @@ TEST_CASE("each folder is a suite, each check a test, and the counts and times a
   JunitReport report;
   report.add(0, {"a/belt.yaml", "a/belt"},
              outcome_of(passed_check("limit"), failed_check("pull", "CSF2 off by 3.1 N")));
-  report.add(1, {"top.yaml", "top"}, outcome_of());
+  report.add(1, {"cases/./top.yaml", "top"}, outcome_of());
   report.add(2, {"a/broken.yaml", "a/broken"}, outcome_not_run(kExitBadInput, "unknown key"));
   CHECK(report.text() == R"(<?xml version="1.0" encoding="UTF-8"?>
 <testsuites name="slipbench" tests="4" failures="1" errors="1" time="1.250000">
   <testsuite name="a" tests="3" failures="1" errors="1" time="0.750000" skipped="0">
-    <testcase classname="a/belt" name="limit" time="0.250000"/>
-    <testcase classname="a/belt" name="pull" time="0.250000">
+    <testcase classname="a/belt" name="limit" file="a/belt.yaml" line="7" time="0.250000"/>
+    <testcase classname="a/belt" name="pull" file="a/belt.yaml" line="7" time="0.250000">
       <failure type="check failed" message="CSF2 off by 3.1 N">check 'pull': CSF2 off by 3.1 N</failure>
     </testcase>
-    <testcase classname="a/broken" name="case" time="0.250000">
+    <testcase classname="a/broken" name="case" file="a/broken.yaml" line="3" time="0.250000">
       <error type="bad input" message="unknown key">a/broken.yaml:3:9: error: unknown key
 </error>
     </testcase>
   </testsuite>
-  <testsuite name="." tests="1" failures="0" errors="0" time="0.500000" skipped="1">
-    <testcase classname="top" name="case" time="0.500000">
+  <testsuite name="cases" tests="1" failures="0" errors="0" time="0.500000" skipped="1">
+    <testcase classname="top" name="case" file="cases/top.yaml" time="0.500000">
       <skipped message="the case has no checks"/>
     </testcase>
   </testsuite>
 </testsuites>
 )");
+}
+
+TEST_CASE("a file is named from the current folder, and its line is no line of a data file") {
+  JunitReport report;
+  const std::string here = std::filesystem::current_path().string();
+  report.add(0, {here + "/a/x.yaml", here + "/a/x"}, outcome_of(passed_check("limit")));
+  report.add(1, {"/elsewhere/y.yaml", "/elsewhere/y"}, outcome_of(passed_check("limit")));
+  report.add(2, {"z.yaml", "z"}, outcome_not_run(kExitBadInput, "a/broken.yaml is the data's"));
+  const std::string text = report.text();
+  CHECK(text.find(" file=\"a/x.yaml\" line=\"7\"") != std::string::npos);
+  CHECK(text.find(" file=\"/elsewhere/y.yaml\" line=\"7\"") != std::string::npos);
+  CHECK(text.find(" file=\"z.yaml\" time=") != std::string::npos);
+  // A case in the current folder is in a suite of that folder's name.
+  CHECK(text.find("<testsuite name=\"" + std::filesystem::current_path().filename().string()) !=
+        std::string::npos);
 }
 
 TEST_CASE("doubts about a check that passed are in its output") {
