@@ -14,10 +14,10 @@
 #include <vector>
 
 #include "driver/command_line/declare.hpp"
+#include "driver/command_line/faults.hpp"
 #include "driver/commands/shared.hpp"
 #include "driver/results/interruption.hpp"
 #include "driver/results/provenance.hpp"
-#include "driver/text/diagnostic.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -30,20 +30,6 @@ void fill_closed_streams() {
     // The lowest free number is the closed stream's, since those below it are open by now.
     if (open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) return;
   }
-}
-
-/// What is wrong with the command's name, if it is there and unknown; else empty.
-std::string unknown_command(const CLI::App& app, int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') return {};
-  const std::string_view word = argv[1];
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands(nullptr)) names.push_back(command->get_name());
-  const std::vector<std::string_view> candidates(names.begin(), names.end());
-  if (std::find(candidates.begin(), candidates.end(), word) != candidates.end()) return {};
-  const auto near = nearest_name(word, candidates);
-  return fmt::format(
-      "unknown command '{}'; {}", printable(word),
-      near ? fmt::format("did you mean '{}'?", *near) : "there are " + in_words(candidates, "and"));
 }
 
 int run(int argc, char** argv) {
@@ -77,7 +63,13 @@ int run(int argc, char** argv) {
   declare_describe(app, command);
   declare_schema(app, command);
 
-  if (const std::string fault = unknown_command(app, argc, argv); !fault.empty()) {
+  for (CLI::App* declared : app.get_subcommands(nullptr)) {
+    for (CLI::Option* option : declared->get_options()) {
+      if (option->get_expected_max() == 0) option->disable_flag_override();
+    }
+  }
+  const std::vector<std::string_view> words(argv + std::min(argc, 1), argv + argc);
+  if (const std::string fault = fault_of_command(app, words); !fault.empty()) {
     print_error("slipbench: error: " + fault + "\n");
     return kExitBadInput;
   }
@@ -90,8 +82,7 @@ int run(int argc, char** argv) {
       print(out.str());
       return kExitOk;
     }
-    print_error(fmt::format("slipbench: error: {}\nRun 'slipbench --help' for what there is.\n",
-                            error.what()));
+    print_error(fault_of_options(app, error));
     return kExitBadInput;
   }
   return command();

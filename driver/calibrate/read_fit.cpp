@@ -13,6 +13,7 @@
 #include "driver/calibrate/resolve_experiment.hpp"
 #include "driver/calibrate/resolve_varied.hpp"
 #include "driver/case/file_kind.hpp"
+#include "driver/text/suggestions.hpp"
 #include "driver/yaml/parse.hpp"
 
 namespace slipbench::driver {
@@ -231,7 +232,7 @@ class FitReader {
                  std::find(known.begin(), known.end(), override.name) == known.end()) {
         say("no case has a parameter " + in_quotes(override.name),
             nearest_or(override.name, names,
-                       known.empty() ? "" : "parameters there are: " + in_words(names, "and")));
+                       known.empty() ? "" : "parameters there are: " + few_in_words(names)));
       }
     }
   }

@@ -14,6 +14,7 @@
 #include "driver/history/csv_reader.hpp"
 #include "driver/results/columns.hpp"
 #include "driver/text/format_number.hpp"
+#include "driver/text/suggestions.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -223,9 +224,9 @@ void ExperimentReader::read_data(const ExperimentText& text, ExperimentFit& fit)
       wanted.push_back(name);
       continue;
     }
-    binder_.error(
-        *use->node, use->path, printable(fit.data_file) + " has no column " + in_quotes(name),
-        nearest_or(name, views(names), "its columns are: " + in_words(views(names), "and")));
+    binder_.error(*use->node, use->path,
+                  printable(fit.data_file) + " has no column " + in_quotes(name),
+                  nearest_or(name, views(names), "its columns are: " + few_in_words(views(names))));
   }
   if (const auto chosen = CsvReader::open(fit.data_path, wanted, fit.data_file); !chosen) {
     fail(chosen.error());

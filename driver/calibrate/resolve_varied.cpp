@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "driver/text/format_number.hpp"
+#include "driver/text/suggestions.hpp"
 #include "law/friction/tabular_coefficient.hpp"
 
 namespace slipbench::driver {
@@ -79,7 +80,7 @@ bool start_in_range(double start, const UnknownRange& range, Say say) {
 /// Names of a list, for messages.
 std::string list_of(const std::vector<std::string>& names) {
   const std::vector<std::string_view> views(names.begin(), names.end());
-  return in_words(views, "and");
+  return few_in_words(views);
 }
 
 void add_once(std::vector<std::string>& names, const std::string& name) {

@@ -8,6 +8,7 @@
 #include "driver/history/data_path.hpp"
 #include "driver/text/format_number.hpp"
 #include "driver/text/number.hpp"
+#include "driver/text/suggestions.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -87,7 +88,7 @@ std::optional<std::string_view> Binder::unknown_key(const Node& key, const Path&
   } else if (hint.empty()) {
     const std::string places =
         in_case ? slipbench::driver::places_of_key(key.text()) : words_.places_of_key(key.text());
-    hint = places.empty() ? "known here: " + slipbench::driver::in_words(allowed, "and")
+    hint = places.empty() ? "known here: " + few_in_words(allowed)
                           : in_quotes(key.text()) + " belongs to " + places;
   }
   error(key, path, "unknown key", std::move(hint));

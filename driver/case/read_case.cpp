@@ -13,6 +13,7 @@
 #include "driver/case/resolve.hpp"
 #include "driver/case/resolve_formulation.hpp"
 #include "driver/text/number.hpp"
+#include "driver/text/suggestions.hpp"
 #include "driver/yaml/parse.hpp"
 
 namespace slipbench::driver {
@@ -46,7 +47,7 @@ void report(Binder& binder, const Node& root, Diagnostics& out, const Definition
   if (!wanted.empty()) {
     hint = nearest_or(wanted, known,
                       known.empty() ? "this case has no parameters"
-                                    : "parameters of this case: " + in_words(known, "and"));
+                                    : "parameters of this case: " + few_in_words(known));
   }
   out.error(root.source().name(), {}, "--set " + definition.text.name, error.error.message,
             std::move(hint));

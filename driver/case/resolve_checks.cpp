@@ -14,6 +14,7 @@
 #include "driver/compare/curve_series.hpp"
 #include "driver/results/columns.hpp"
 #include "driver/text/format_number.hpp"
+#include "driver/text/suggestions.hpp"
 #include "reference/catalogue.hpp"
 
 namespace slipbench::driver {
@@ -130,7 +131,7 @@ std::optional<ExpressionReference> input_of(Binder& binder, const AgainstText& t
     const std::vector<std::string_view> names(variables.begin(), variables.end());
     binder.error(*given->node, given->path, "no result column '" + printable(given->value) + "'",
                  column_hint(given->value, names,
-                             "an expression begins with '='; known: " + in_words(names, "and")));
+                             "an expression begins with '='; known: " + few_in_words(names)));
   }
   return std::nullopt;
 }
@@ -142,9 +143,10 @@ std::optional<ClosedFormReference> closed_form(Binder& binder, const AgainstText
   if (form == nullptr) {
     std::vector<std::string_view> names;
     for (const auto& known : reference::catalogue()) names.push_back(known.name);
-    binder.error(*text.closed_form.node, text.closed_form.path,
-                 "unknown closed form '" + printable(text.closed_form.value) + "'",
-                 nearest_or(text.closed_form.value, names, "known: " + in_words(names, "and")));
+    binder.error(
+        *text.closed_form.node, text.closed_form.path,
+        "unknown closed form '" + printable(text.closed_form.value) + "'",
+        did_you_mean(text.closed_form.value, names, "'slipbench list closed-forms' shows all"));
     return std::nullopt;
   }
   ClosedFormReference result;
@@ -449,7 +451,7 @@ void resolve_output_and_checks(Binder& binder, const CaseText& text, Case& out, 
       out.output_columns.push_back(column.value);
     } else if (!binder.unknown_names_excused()) {
       binder.error(*column.node, column.path, "no result column '" + printable(column.value) + "'",
-                   column_hint(column.value, columns, "known: " + in_words(columns, "and")));
+                   column_hint(column.value, columns, "known: " + few_in_words(columns)));
     }
   }
   const StepNames steps = step_names(text);

@@ -5,6 +5,7 @@
 #include "driver/case/key_index.hpp"
 #include "driver/case/quantity.hpp"
 #include "driver/case/resolve.hpp"
+#include "driver/text/suggestions.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -36,7 +37,7 @@ std::optional<law::Connection> one_type(Binder& binder, const At<std::string>& n
   law::for_each_connection_type(
       [&]<class Type>(std::type_identity<Type>) { known.push_back(Type::kInfo.name); });
   binder.error(*name.node, name.path, "unknown connection type '" + printable(name.value) + "'",
-               nearest_or(name.value, known, "known: " + in_words(known, "and")));
+               did_you_mean(name.value, known, "'slipbench list connections' shows all"));
   return std::nullopt;
 }
 

@@ -10,6 +10,7 @@
 #include "driver/case/resolve_formulation.hpp"
 #include "driver/case/resolve_potential.hpp"
 #include "driver/text/format_number.hpp"
+#include "driver/text/suggestions.hpp"
 #include "law/uniqueness.hpp"
 
 namespace slipbench::driver {
@@ -595,7 +596,7 @@ class Resolver {
                   "unknown derived component '" + printable(name.value) + "'",
                   nearest_or(name.value, names,
                              names.empty() ? "define it under 'derived_components:'"
-                                           : "known: " + in_words(names, "and")));
+                                           : "known: " + few_in_words(names)));
     return nullptr;
   }
 

@@ -10,6 +10,7 @@
 #include "driver/case/resolve.hpp"
 #include "driver/case/resolve_definition.hpp"
 #include "driver/text/format_number.hpp"
+#include "driver/text/suggestions.hpp"
 #include "law/component.hpp"
 
 namespace slipbench::driver {
@@ -100,7 +101,7 @@ class Changes {
     if (meant.empty() && known_) {
       binder_.error(*change.key, change.path,
                     "unknown friction definition '" + printable(change.name) + "'",
-                    nearest_or(change.name, names, "known: " + in_words(names, "and")));
+                    nearest_or(change.name, names, "known: " + few_in_words(names)));
     }
     std::vector<std::size_t> once;
     for (const std::size_t i : meant) {

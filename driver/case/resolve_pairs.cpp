@@ -13,6 +13,7 @@
 #include "driver/case/case_codecs.hpp"
 #include "driver/case/resolve.hpp"
 #include "driver/case/resolve_definition.hpp"
+#include "driver/text/suggestions.hpp"
 #include "law/part_pairs.hpp"
 
 namespace slipbench::driver {
@@ -152,7 +153,7 @@ class PairTable {
     binder_.error(*at.node, at.path, "unknown group '" + printable(name) + "'",
                   nearest_or(name, names,
                              names.empty() ? "name its parts under friction_pairs.groups"
-                                           : "known: " + in_words(names, "and")));
+                                           : "known: " + few_in_words(names)));
     return false;
   }
 

@@ -7,6 +7,7 @@
 #include "driver/case/resolve.hpp"
 #include "driver/history/csv_reader.hpp"
 #include "driver/text/format_number.hpp"
+#include "driver/text/suggestions.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -228,7 +229,7 @@ std::optional<law::TableFunction> table_function(Binder& binder, const TableText
       const auto known = independents_of(use);
       binder.error(*column.node, column.path,
                    std::string(use.what) + " cannot depend on '" + printable(column.value) + "'",
-                   nearest_or(column.value, known, "known: " + in_words(known, "and")));
+                   nearest_or(column.value, known, "known: " + few_in_words(known)));
       good = false;
       continue;
     }

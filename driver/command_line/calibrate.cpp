@@ -22,7 +22,7 @@ void declare_calibrate(CLI::App& app, Command& command) {
       ->add_option("--bootstrap", options->bootstrap,
                    "Also errors by so many resamplings of the residuals")
       ->type_name("N")
-      ->check(CLI::Range(1, 100000));
+      ->check(whole_number(1, 100000));
   declared->add_flag("--profile", options->profile,
                      "Also the profile likelihood of every parameter");
   declared

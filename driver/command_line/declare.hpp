@@ -8,7 +8,8 @@
 
 namespace CLI {
 class App;
-}
+class Validator;
+}  // namespace CLI
 
 namespace slipbench::driver {
 
@@ -30,6 +31,12 @@ void declare_schema(CLI::App& app, Command& command);
 
 /// Adds the options that every command with cases has, '--set' and '--allow-outside'.
 void declare_settings(CLI::App& command, std::vector<std::string>& settings, bool& allow_outside);
+
+/// Refuses a value that is no whole number from `first` to `last`, one that is no number, and one
+/// that is none of the words, each in a sentence.
+CLI::Validator whole_number(int first, int last);
+CLI::Validator any_number();
+CLI::Validator one_of(std::vector<std::string> words);
 
 /// Completes names of cases that were given without their ending.
 void name_cases(std::vector<std::string>& paths);

@@ -14,6 +14,7 @@ void declare_describe(CLI::App& app, Command& command) {
       "describe",
       "Describe a connection type, law, key, closed form, curve, criterion or quantity");
   declared->add_option("NAME", *name, "A name that 'slipbench list' shows")->required();
+  declared->footer("Example: slipbench describe CYLINDRICAL");
   declared->callback([name, &command] { command = [name] { return describe_command(*name); }; });
 }
 

@@ -16,7 +16,8 @@ void declare_import(CLI::App& app, Command& command) {
   declared->add_option("-o,--output", options->output, "The case file; default: the terminal")
       ->type_name("FILE");
   declared->add_option("--id", options->id, "The /FRICTION to take, if there are several")
-      ->type_name("ID");
+      ->type_name("ID")
+      ->check(whole_number(1, 2147483647));
   declared
       ->add_option("--units", options->units,
                    "Length, force and time the deck is in; default: those of /BEGIN")

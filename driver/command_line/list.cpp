@@ -13,8 +13,9 @@ void declare_list(CLI::App& app, Command& command) {
   CLI::App* declared = app.add_subcommand("list", "List what a case may use");
   declared->add_option("WHAT", *what, "One kind only")
       ->type_name("connections|laws|keys|closed-forms|curves|criteria|quantities")
-      ->check(CLI::IsMember(
+      ->check(one_of(
           {"connections", "laws", "keys", "closed-forms", "curves", "criteria", "quantities"}));
+  declared->footer("Example: slipbench list connections");
   declared->callback([what, &command] { command = [what] { return list_command(*what); }; });
 }
 

@@ -24,7 +24,7 @@ void declare_plot(CLI::App& app, Command& command) {
       ->add_option("--as", options->kind,
                    "One picture only: hysteresis, history, bands, shares, mu_map, residuals")
       ->type_name("KIND")
-      ->check(CLI::IsMember(plot_kinds()));
+      ->check(one_of(plot_kinds()));
   declared->add_flag("--law", options->law,
                      "Draw the coefficients of a case over slip rate and pressure");
   declare_settings(*declared, options->settings, options->allow_outside);

@@ -19,18 +19,19 @@ void declare_run(CLI::App& app, Command& command) {
   declare_settings(*declared, options->settings, options->allow_outside);
   declared->add_option("--every", options->every, "Write every N-th row, and the last")
       ->type_name("N")
-      ->check(CLI::Range(1, 1000000000));
+      ->check(whole_number(1, 1000000000));
   declared
       ->add_option_function<std::string>(
           "--format", [](const std::string&) {}, "Format of the rows")
       ->type_name("csv")
-      ->check(CLI::IsMember({"csv"}))
+      ->check(one_of({"csv"}))
       ->default_str("csv");
   declared->add_flag("--no-output", options->no_output, "Write no files, only tell what happened");
   declared
       ->add_option("--explain", options->explain,
                    "Only tell why it sticks or slips at this total time; writes nothing")
-      ->type_name("TIME");
+      ->type_name("TIME")
+      ->check(any_number());
   declared->add_flag("--solver-report", options->solver_report,
                      "Also judge what an implicit solver has to expect; writes <case>.solver.csv");
   declared->add_flag("--compare-integration", options->compare_integration,

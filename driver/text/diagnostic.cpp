@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "driver/text/source_text.hpp"
+#include "driver/text/suggestions.hpp"
 #include "driver/text/utf8.hpp"
 
 namespace slipbench::driver {
@@ -77,32 +78,6 @@ Excerpt excerpt_of(std::string_view line, const SourcePosition& where) {
     if (end < rest.size()) result.text += "...";
   }
   return result;
-}
-
-char folded(char c) {
-  if (c >= 'A' && c <= 'Z') return static_cast<char>(c - 'A' + 'a');
-  return c == '-' || c == ' ' ? '_' : c;
-}
-
-// Optimal string alignment distance, three rows at a time.
-std::size_t distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> two_back(b.size() + 1);
-  std::vector<std::size_t> last(b.size() + 1);
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const bool same = folded(a[i - 1]) == folded(b[j - 1]);
-      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (same ? 0U : 1U)});
-      const bool swapped = i > 1 && j > 1 && folded(a[i - 1]) == folded(b[j - 2]) &&
-                           folded(a[i - 2]) == folded(b[j - 1]);
-      if (swapped) row[j] = std::min(row[j], two_back[j - 2] + 1);
-    }
-    std::swap(two_back, last);
-    std::swap(last, row);
-  }
-  return last[b.size()];
 }
 
 }  // namespace
@@ -225,7 +200,7 @@ std::optional<std::string_view> nearest_name(std::string_view word,
   std::optional<std::string_view> nearest;
   std::size_t least = 0;
   for (const std::string_view candidate : candidates) {
-    const std::size_t d = distance(word, candidate);
+    const std::size_t d = name_distance(word, candidate);
     const std::size_t allowed = std::max(word.size(), candidate.size()) / 3;
     if (d <= allowed && (!nearest || d < least)) {
       nearest = candidate;

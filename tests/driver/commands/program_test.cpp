@@ -147,7 +147,7 @@ TEST_CASE("a wrong command line is exit code 2, help and version are 0") {
   CHECK(slipbench(folder, "run x.yaml --set mu").code == 2);
   const Ended unknown = slipbench(folder, "chek");
   CHECK(unknown.code == 2);
-  CHECK(unknown.output == "slipbench: error: unknown command 'chek'; did you mean 'check'?\n");
+  CHECK(unknown.output == "slipbench: error: no command 'chek'; did you mean 'check'?\n");
   CHECK(slipbench(folder, "--version").output.find("slipbench ") == 0);
   CHECK(slipbench(folder, "--help").code == 0);
   CHECK(contains(slipbench(folder, "run --help").output, "--set"));

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is wrong with a command line, in words that say what to type.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace CLI {
+class App;
+class ParseError;
+}  // namespace CLI
+
+namespace slipbench::driver {
+
+/// The fault of words after the program's name that do not begin with a command or an option of
+/// the program; empty if they do.
+std::string fault_of_command(const CLI::App& app, std::span<const std::string_view> words);
+
+/// What parsing refused, and with which command's help to go on: two lines.
+std::string fault_of_options(const CLI::App& app, const CLI::ParseError& error);
+
+}  // namespace slipbench::driver
