@@ -141,7 +141,7 @@ int report_command(const ReportOptions& options) {
     for_each_index(sources.size(), threads, [&](std::size_t place) {
       const auto& [candidate, is_result] = sources[place];
       if (is_result) {
-        ReadResult result = read_result(candidate.path, candidate.label);
+        ReadResult result = read_result(candidate.path, candidate.label, most_rows(sources.size()));
         codes[place] = result.code;
         messages[place] = result.report.message;
         collection.put(place, std::move(result.report));
@@ -155,6 +155,7 @@ int report_command(const ReportOptions& options) {
         progress.tick();
         return false;
       };
+      check_options.report_rows = most_rows(sources.size());
       check_options.report = [&](CaseReport&& report) { collection.put(place, std::move(report)); };
       const auto outcome = check_case(candidate, reading, check_options);
       // A failed check is the page's matter, not this command's.

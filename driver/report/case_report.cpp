@@ -24,22 +24,11 @@ std::vector<ReportEvent> ReportEvents::take() {
   return all;
 }
 
-void CaseReport::put_rows(DrawnRows drawn) {
-  rows = std::move(drawn.rows.numbers);
-  row_index = std::move(drawn.rows.index);
-  thinned = drawn.thinned;
-  beginning = drawn.beginning;
-  last_cycle = drawn.cycle;
-}
-
 void CaseReport::drop_details() {
   has_details = false;
-  thinned = false;
   columns = {};
-  rows = {};
-  row_index = {};
-  beginning.reset();
-  last_cycle.reset();
+  drawn = {};
+  run = {};
   definitions = {};
   events = {};
   energies = {};
@@ -48,6 +37,7 @@ void CaseReport::drop_details() {
   for (ReportCheck& check : checks) {
     check.value = {};
     check.reference = {};
+    check.difference = {};
     check.verdict.measures = {};
   }
 }

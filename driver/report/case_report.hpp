@@ -3,13 +3,13 @@
 
 #include <cstdint>
 #include <deque>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "driver/compare/check.hpp"
 #include "driver/report/row_choice.hpp"
+#include "driver/report/what_was_run.hpp"
 #include "driver/results/plot_data.hpp"
 
 namespace slipbench::driver {
@@ -67,10 +67,14 @@ struct ReportTable {
   bool coarser = false;  ///< neighbouring cells were taken together
 };
 
-/// A curve of at most a few hundred points.
+/// A curve of a check.
 struct ReportCurve {
+  std::vector<std::int64_t> index;  ///< of each point: how many came before it
   std::vector<double> x;
   std::vector<double> y;
+  std::int64_t piece = 1;    ///< points of a piece of a thinned curve
+  std::vector<double> low;   ///< the smallest y of each
+  std::vector<double> high;  ///< the largest
 };
 
 /// A check, with its quantity and reference as curves.
@@ -83,8 +87,9 @@ struct ReportCheck {
   std::string abscissa_unit;
   ReportCurve value;
   ReportCurve reference;
-  double tube = -1.0;    ///< half width about the reference; negative for none
-  bool thinned = false;  ///< whether points of the curves were left out
+  ReportCurve difference;  ///< of both, where they have the same abscissae
+  double tube = -1.0;      ///< half width about the reference; negative for none
+  bool thinned = false;    ///< whether points of the curves were left out
 };
 
 enum class ReportStatus : std::uint8_t { kPassed, kFailed, kNoChecks, kNotRun };
@@ -105,7 +110,7 @@ class ReportEvents {
   std::int64_t total_ = 0;
 };
 
-/// What the page tells about one case or result: numbers thinned, so that its size has a bound.
+/// The tale of one case or result for the page: numbers thinned, so that its size has a bound.
 struct CaseReport {
   std::string name;
   std::string title;
@@ -114,15 +119,13 @@ struct CaseReport {
   std::string message;  ///< of a case that was not run
   std::vector<std::pair<std::string, std::string>> units;
   std::vector<std::pair<std::string, double>> parameters;
+  WhatWasRun run;
   std::vector<std::string> summary;
   std::vector<std::string> warnings;
   std::int64_t increments = 0;
-  bool thinned = false;
+  std::int64_t rows_total = 0;  ///< of the run, or of the file that it was read from
   std::vector<ReportColumn> columns;
-  std::vector<double> rows;                ///< row after row
-  std::vector<std::int64_t> row_index;     ///< of each row: how many rows of the run came before it
-  std::optional<DrawnStretch> beginning;   ///< of a thinned run with cycles: up to the first turn
-  std::optional<DrawnStretch> last_cycle;  ///< of such a run
+  DrawnRows drawn;
   std::vector<ReportDefinition> definitions;
   std::vector<ReportEvent> events;  ///< as ReportEvents chooses them
   std::int64_t events_total = 0;
@@ -131,11 +134,9 @@ struct CaseReport {
   std::vector<ReportCheck> checks;
   bool has_details = true;  ///< false once drop_details was called
 
-  std::size_t row_count() const { return columns.empty() ? 0 : rows.size() / columns.size(); }
+  std::size_t row_count() const { return drawn.rows.size(); }
   /// Keeps what the table of verdicts needs: rows, curves, events and coverage go.
   void drop_details();
-  /// Takes the rows of a page in.
-  void put_rows(DrawnRows drawn);
 };
 
 }  // namespace slipbench::driver

@@ -48,12 +48,12 @@ std::vector<std::string> lines_of(std::string_view text) {
 }  // namespace
 
 struct CaseCollector::State {
-  explicit State(const Case& the_case)
+  State(const Case& the_case, std::size_t most_rows)
       : problem(the_case),
         columns(result_columns(the_case)),
         layout(layout_of(the_case, columns)),
         drawn(drawn_columns(layout)),
-        rows(drawn.names.size(), most_rows(drawn.names.size()), drawn.watched, drawn.motions),
+        rows(drawn.names.size(), most_rows, drawn.motions),
         detector(the_case),
         summary(the_case),
         coverage(the_case),
@@ -159,7 +159,8 @@ IndexedRows CaseCollector::State::rows_at(std::vector<double> times) const {
   return wanted.rows();
 }
 
-CaseCollector::CaseCollector(const Case& problem) : state_(std::make_unique<State>(problem)) {}
+CaseCollector::CaseCollector(const Case& problem, std::size_t most_rows)
+    : state_(std::make_unique<State>(problem, most_rows)) {}
 CaseCollector::CaseCollector(CaseCollector&&) noexcept = default;
 CaseCollector::~CaseCollector() = default;
 
@@ -174,6 +175,7 @@ CaseReport CaseCollector::finish(const std::string& name, std::span<const CheckP
   CaseReport report;
   report.name = name;
   report.title = problem.title;
+  report.run = what_was_run(problem);
   report.units = state.layout.units;
   report.units.emplace_back("energy", energy_unit(problem.units));
   report.parameters.assign(problem.parameters.begin(), problem.parameters.end());
@@ -224,7 +226,8 @@ CaseReport CaseCollector::finish(const std::string& name, std::span<const CheckP
   }
   IndexedRows worst;
   if (state.rows.thinned() && !report.checks.empty()) worst = state.rows_at(worst_times(report));
-  report.put_rows(state.rows.finish(worst));
+  report.rows_total = state.rows.count();
+  report.drawn = state.rows.finish(worst);
   return report;
 }
 

@@ -26,7 +26,8 @@ namespace slipbench::driver {
 class CaseCollector {
  public:
   /// `problem` must outlive it.
-  explicit CaseCollector(const Case& problem);
+  /// \param most_rows of a run that is not thinned (RowChoice)
+  explicit CaseCollector(const Case& problem, std::size_t most_rows = kMostRows);
   CaseCollector(CaseCollector&&) noexcept;
   ~CaseCollector();
 

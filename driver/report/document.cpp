@@ -7,6 +7,7 @@
 #include <set>
 
 #include "driver/report/json_text.hpp"
+#include "driver/report/packed_numbers.hpp"
 #include "driver/report/report.hpp"
 #include "driver/report/series_digits.hpp"
 #include "driver/results/provenance.hpp"
@@ -38,14 +39,17 @@ void write_column(JsonText& json, std::string_view name, const std::string& colu
   }
 }
 
-/// Writes times, all of a case with the same resolution, so that equal ones stay equal.
+/// Writes times, all of a case with the same decimals, so that equal ones stay equal.
 class TimeText {
  public:
-  explicit TimeText(double resolution) : resolution_(resolution) {}
-
-  void value(JsonText& json, double time) const {
-    json.value(time, resolution_ > 0.0 ? digits_within(time, resolution_) : JsonText::kDigits);
+  explicit TimeText(std::span<const double> times) {
+    // Events lie within an increment: a hundred thousand parts of the shortest tell them apart.
+    const double resolution = 1e-2 * time_resolution(times);
+    const double largest = times.empty() ? 0.0 : std::max(-times.front(), times.back());
+    decimals_ = decimals_within(resolution > 0.0 ? resolution : 1e-9 * largest, largest);
   }
+
+  void value(JsonText& json, double time) const { json.exact(to_decimals(time, decimals_)); }
   void member(JsonText& json, std::string_view name, double time) const {
     json.key(name);
     value(json, time);
@@ -53,48 +57,56 @@ class TimeText {
   void member_if(JsonText& json, std::string_view name, const std::optional<double>& time) const {
     if (time) member(json, name, *time);
   }
+  int decimals() const { return decimals_; }
 
  private:
-  double resolution_;
+  int decimals_ = 0;
 };
 
-std::vector<double> column_of(const CaseReport& one, std::size_t column) {
+/// A column of numbers that lie row after row.
+std::vector<double> column_of(std::span<const double> rows, std::size_t columns, std::size_t c) {
   std::vector<double> numbers;
-  for (std::size_t i = column; i < one.rows.size(); i += one.columns.size()) {
-    numbers.push_back(one.rows[i]);
-  }
+  numbers.reserve(columns == 0 ? 0 : rows.size() / columns);
+  for (std::size_t i = c; i < rows.size(); i += columns) numbers.push_back(rows[i]);
   return numbers;
 }
-
-void write_stretch(JsonText& json, std::string_view name,
-                   const std::optional<DrawnStretch>& stretch) {
-  if (!stretch) return;
-  json.key(name);
-  json.begin_object();
-  json.member("first", static_cast<std::int64_t>(stretch->first));
-  json.member("last", static_cast<std::int64_t>(stretch->last));
-  json.member("rows", stretch->rows);
-  json.end_object();
+std::vector<double> column_of(const CaseReport& one, std::size_t c) {
+  return column_of(one.drawn.rows.numbers, one.columns.size(), c);
 }
 
-/// Of the run's events the first and the last ones beside which no row was left out.
-void write_resolved_events(JsonText& json, const CaseReport& one) {
-  const std::vector<double> times = column_of(one, 0);
-  const auto resolved = [&](const ReportEvent& event) {
-    const double slack = 1e-12 * std::abs(event.time);
-    const auto behind = std::lower_bound(times.begin(), times.end(), event.time - slack);
-    const auto at = static_cast<std::size_t>(behind - times.begin());
-    if (at == times.size()) return false;
-    return times[at] <= event.time + slack || at == 0 ||
-           one.row_index[at] == one.row_index[at - 1] + 1;
-  };
-  const auto until = [&](auto begin, auto end) {
-    return static_cast<std::int64_t>(
-        std::find_if(begin, end, [&](const ReportEvent& event) { return !resolved(event); }) -
-        begin);
-  };
-  json.member("events_first", until(one.events.begin(), one.events.end()));
-  json.member("events_last", until(one.events.rbegin(), one.events.rend()));
+/// Of a thinned run: which rows there are, the extremes of its pieces, and its cycles.
+void write_thinning(JsonText& json, const CaseReport& one) {
+  const DrawnRows& drawn = one.drawn;
+  const std::vector<double> index(drawn.rows.index.begin(), drawn.rows.index.end());
+  json.member("index", packed_numbers(index, 0));
+  json.key("pieces");
+  json.begin_object();
+  json.member("rows", drawn.piece);
+  for (const auto& [name, rows] : {std::pair{"low", &drawn.low}, std::pair{"high", &drawn.high}}) {
+    json.key(name);
+    json.begin_array();
+    for (std::size_t c = 0; c < one.columns.size(); ++c) {
+      json.value(packed_series(column_of(*rows, one.columns.size(), c)));
+    }
+    json.end_array();
+  }
+  json.end_object();
+  if (drawn.cycles.empty()) return;
+  json.key("cycles");
+  json.begin_object();
+  json.member("of", one.columns[drawn.motion].name);
+  json.member("total", drawn.cycles_total);
+  json.key("drawn");
+  json.begin_array();
+  for (const DrawnCycle& cycle : drawn.cycles) {
+    json.begin_array();
+    json.value(cycle.number);
+    json.value(static_cast<std::int64_t>(cycle.first));
+    json.value(static_cast<std::int64_t>(cycle.last));
+    json.end_array();
+  }
+  json.end_array();
+  json.end_object();
 }
 
 void write_rows(JsonText& json, const CaseReport& one, const TimeText& time) {
@@ -111,13 +123,8 @@ void write_rows(JsonText& json, const CaseReport& one, const TimeText& time) {
   json.key("rows");
   json.begin_array();
   for (std::size_t c = 0; c < one.columns.size(); ++c) {
-    if (c == 0) {
-      json.begin_array();
-      for (const double t : column_of(one, c)) time.value(json, t);
-      json.end_array();
-    } else {
-      json.series(column_of(one, c));
-    }
+    const std::vector<double> numbers = column_of(one, c);
+    json.value(c == 0 ? packed_numbers(numbers, time.decimals()) : packed_series(numbers));
   }
   json.end_array();
 }
@@ -220,20 +227,20 @@ void write_table(JsonText& json, const ReportTable& table) {
 }
 
 /// \param over_time whether x are times
+/// \param thinned whether points were left out
 void write_curve(JsonText& json, std::string_view name, const ReportCurve& curve, bool over_time,
-                 const TimeText& time) {
+                 bool thinned, const TimeText& time) {
   json.key(name);
   json.begin_object();
-  json.key("x");
-  if (over_time) {
-    json.begin_array();
-    for (const double x : curve.x) time.value(json, x);
-    json.end_array();
-  } else {
-    json.series(curve.x);
+  json.member("x", over_time ? packed_numbers(curve.x, time.decimals()) : packed_series(curve.x));
+  json.member("y", packed_series(curve.y));
+  if (thinned) {
+    const std::vector<double> index(curve.index.begin(), curve.index.end());
+    json.member("index", packed_numbers(index, 0));
+    json.member("piece", curve.piece);
+    json.member("low", packed_series(curve.low));
+    json.member("high", packed_series(curve.high));
   }
-  json.key("y");
-  json.series(curve.y);
   json.end_object();
 }
 
@@ -302,8 +309,12 @@ void write_check(JsonText& json, const ReportCheck& check, const TimeText& time)
     json.member("abscissa", check.abscissa);
     json.member("abscissa_unit", check.abscissa_unit);
     const bool over_time = check.abscissa == "t";
-    write_curve(json, "value", check.value, over_time, time);
-    write_curve(json, "reference", check.reference, over_time, time);
+    write_curve(json, "value", check.value, over_time, check.thinned, time);
+    write_curve(json, "reference", check.reference, over_time, check.thinned, time);
+    if (check.thinned && !check.difference.low.empty()) {
+      json.member("difference_low", packed_series(check.difference.low));
+      json.member("difference_high", packed_series(check.difference.high));
+    }
     if (check.tube > 0.0) json.member("tube", check.tube);
     json.member("thinned", check.thinned);
     json.end_object();
@@ -311,8 +322,42 @@ void write_check(JsonText& json, const ReportCheck& check, const TimeText& time)
   json.end_object();
 }
 
+void write_run(JsonText& json, const WhatWasRun& run) {
+  json.key("run");
+  json.begin_object();
+  json.key("facts");
+  json.begin_array();
+  for (const auto& [name, words] : run.facts) {
+    json.begin_array();
+    json.value(name);
+    json.value(words);
+    json.end_array();
+  }
+  json.end_array();
+  json.key("tables");
+  json.begin_array();
+  for (const TextTable& table : run.tables) {
+    json.begin_object();
+    json.member("title", table.title);
+    json.member_texts("head", table.head);
+    json.key("rows");
+    json.begin_array();
+    for (const std::vector<std::string>& row : table.rows) {
+      json.begin_array();
+      for (const std::string& cell : row) json.value(cell);
+      json.end_array();
+    }
+    json.end_array();
+    json.member("left_out", static_cast<std::int64_t>(table.left_out));
+    json.end_object();
+  }
+  json.end_array();
+  json.member_if("text", run.text);
+  json.end_object();
+}
+
 void write_case(JsonText& json, const CaseReport& one, const std::string& id) {
-  const TimeText time(time_resolution(column_of(one, 0)));
+  const TimeText time(column_of(one, 0));
   json.begin_object();
   json.member("id", id);
   json.member("name", one.name);
@@ -328,19 +373,17 @@ void write_case(JsonText& json, const CaseReport& one, const std::string& id) {
   json.begin_object();
   for (const auto& [name, number] : one.parameters) json.member(name, number);
   json.end_object();
+  if (!one.run.facts.empty()) write_run(json, one.run);
   json.member_texts("summary", one.summary);
   json.member_texts("warnings", one.warnings);
   json.member("increments", one.increments);
   json.member("details", one.has_details && !one.columns.empty());
   if (one.has_details && !one.columns.empty()) {
     json.member("rows_shown", static_cast<std::int64_t>(one.row_count()));
-    json.member("thinned", one.thinned);
-    if (one.thinned) {
-      write_stretch(json, "beginning", one.beginning);
-      write_stretch(json, "cycle", one.last_cycle);
-      write_resolved_events(json, one);
-    }
+    json.member("rows_total", one.rows_total);
+    json.member("thinned", one.drawn.thinned);
     write_rows(json, one, time);
+    if (one.drawn.thinned) write_thinning(json, one);
     json.key("definitions");
     json.begin_array();
     for (const ReportDefinition& definition : one.definitions)

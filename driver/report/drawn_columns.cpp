@@ -10,8 +10,6 @@ namespace {
 
 /// More columns than these are not drawn.
 constexpr std::size_t kMostColumns = 24;
-/// What a case may take of the page, for fifty of them to stay below 5 MB: 50 kB of usual numbers.
-constexpr std::size_t kMostNumbers = 7000;
 
 class Choice {
  public:
@@ -26,9 +24,6 @@ class Choice {
     const auto name = [&](int column) {
       return column < 0 ? std::string() : plot.columns[static_cast<std::size_t>(column)].name;
     };
-    const auto watch = [&](int column) {
-      if (column >= 0) drawn_.watched.push_back(static_cast<std::size_t>(column));
-    };
     for (const PlotDefinition& definition : plot.definitions) {
       ReportDefinition one;
       one.name = definition.name;
@@ -39,11 +34,6 @@ class Choice {
       one.limit_below = name(definition.limit_below);
       one.status = name(definition.status);
       drawn_.definitions.push_back(std::move(one));
-      watch(definition.total);
-      for (const int force : definition.components) watch(force);
-      for (const int position : definition.positions) watch(position);
-      watch(definition.limit);
-      watch(definition.limit_below);
       if (drawn_.definitions.size() == 1) {
         for (const int position : definition.positions) {
           if (position >= 0) drawn_.motions.push_back(static_cast<std::size_t>(position));
@@ -54,9 +44,6 @@ class Choice {
     for (ReportDefinition& definition : drawn_.definitions) {
       definition.filtered = has_column("ALPHA" + suffix_of(definition));
     }
-    std::sort(drawn_.watched.begin(), drawn_.watched.end());
-    drawn_.watched.erase(std::unique(drawn_.watched.begin(), drawn_.watched.end()),
-                         drawn_.watched.end());
   }
 
   void take_energies() {
@@ -131,12 +118,6 @@ void use_energy_unit(CaseReport& report, const std::string& unit) {
       if (one_of_them && !column.unit.empty()) column.unit = unit;
     }
   }
-}
-
-std::size_t most_rows(std::size_t columns) {
-  constexpr std::size_t kFewest = 200;
-  constexpr std::size_t kMost = 520;
-  return std::clamp(kMostNumbers / std::max<std::size_t>(columns, 1), kFewest, kMost);
 }
 
 }  // namespace slipbench::driver

@@ -14,7 +14,6 @@ namespace slipbench::driver {
 /// The columns of a result that a page draws, and what they mean.
 struct DrawnColumns {
   std::vector<std::string> names;    ///< the first is t
-  std::vector<std::size_t> watched;  ///< of them, those whose extremes are drawn piece by piece
   std::vector<std::size_t> motions;  ///< of them, the positions of the first definition
   std::vector<ReportDefinition> definitions;
   std::vector<std::pair<std::string, std::vector<std::string>>> energies;  ///< kind, columns
@@ -27,9 +26,5 @@ DrawnColumns drawn_columns(const ResultLayout& layout);
 /// Gives the columns of energies the unit that the summary of a run tells its energies in: mJ, and
 /// not N mm beside it.
 void use_energy_unit(CaseReport& report, const std::string& unit);
-
-/// How many rows of so many columns a page holds of a run that is not thinned; of others some more
-/// may be added (RowChoice).
-std::size_t most_rows(std::size_t columns);
 
 }  // namespace slipbench::driver

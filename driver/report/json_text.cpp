@@ -67,6 +67,15 @@ void JsonText::value(double number, int digits) {
   }
 }
 
+void JsonText::exact(double number) {
+  separate();
+  if (std::isfinite(number)) {
+    fmt::format_to(std::back_inserter(text_), "{}", number);
+  } else {
+    text_ += "null";
+  }
+}
+
 void JsonText::value(std::int64_t number_value) {
   separate();
   fmt::format_to(std::back_inserter(text_), "{}", number_value);

@@ -26,6 +26,8 @@ class JsonText {
   void value(double number) { value(number, kDigits); }
   void value(double number, int digits);
   void value(std::int64_t number);
+  /// A number with as many digits as tell it from any other.
+  void exact(double number);
   void value(bool flag);
   void null();
   /// An array of numbers, with the digits that keep its shape (SeriesDigits).

@@ -74,12 +74,14 @@ std::string fill(std::string_view layout, std::span<const Part> parts) {
 std::string report_page(std::string_view json_document, std::string_view title) {
   const std::string document = escape_json(json_document);
   const std::string heading = escape_html(title);
-  const std::array<Part, 6> parts{{
+  const std::array<Part, 8> parts{{
       {"title", heading},
       {"style", page_part::style_css()},
       {"document", document},
       {"chart", page_part::chart_js()},
       {"tools", page_part::tools_js()},
+      {"curves", page_part::curves_js()},
+      {"picture_tools", page_part::picture_tools_js()},
       {"script", page_part::page_js()},
   }};
   return fill(page_part::page_html(), parts);

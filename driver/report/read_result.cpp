@@ -259,7 +259,7 @@ ReadResult unreadable(const std::string& name, const HistoryError& error) {
 
 }  // namespace
 
-ReadResult read_result(const std::string& path, const std::string& name) {
+ReadResult read_result(const std::string& path, const std::string& name, std::size_t most_rows) {
   auto opened = CsvReader::open(path, std::vector<std::string>{"t"});
   if (!opened) return unreadable(name, opened.error());
   const ResultLayout layout = read_layout(path, opened->header());
@@ -304,7 +304,7 @@ ReadResult read_result(const std::string& path, const std::string& name) {
         std::find(drawn.names.begin(), drawn.names.end(), definition.status) -
         drawn.names.begin()));
   }
-  RowChoice rows(drawn.names.size(), most_rows(drawn.names.size()), drawn.watched, drawn.motions);
+  RowChoice rows(drawn.names.size(), most_rows, drawn.motions);
   RowsAtTimes worst(worst_times(report));
   std::vector<RegimeSpans> spans(report.definitions.size());
   std::vector<double> row(drawn.names.size());
@@ -329,7 +329,8 @@ ReadResult read_result(const std::string& path, const std::string& name) {
     }
     before = row;
   }
-  report.put_rows(rows.finish(worst.rows()));
+  report.rows_total = rows.count();
+  report.drawn = rows.finish(worst.rows());
   if (report.increments == 0) report.increments = std::max<std::int64_t>(rows.count() - 1, 0);
   for (std::size_t d = 0; d < spans.size(); ++d) report.definitions[d].spans = spans[d].spans();
   return result;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "driver/exit_code.hpp"
@@ -18,6 +19,8 @@ struct ReadResult {
 /// the .json and .events.csv beside it, if they are there. What cannot be read becomes a report
 /// that says so.
 /// \param name what the result is called on the page
-ReadResult read_result(const std::string& path, const std::string& name);
+/// \param most_rows of a result that is not thinned (RowChoice)
+ReadResult read_result(const std::string& path, const std::string& name,
+                       std::size_t most_rows = kMostRows);
 
 }  // namespace slipbench::driver

@@ -1,32 +1,51 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "driver/results/thinning.hpp"
+#include "driver/report/piece_extremes.hpp"
 
 namespace slipbench::driver {
 
-using IndexedRows = RowThinner::Rows;
+/// Rows of a case that are all on its page; of a run with more RowChoice chooses.
+inline constexpr std::size_t kMostRows = 50000;
+/// The same of each of so many cases: together no more than ten long ones.
+constexpr std::size_t most_rows(std::size_t cases) {
+  constexpr std::size_t kFewest = 2500;
+  return std::clamp(10 * kMostRows / std::max<std::size_t>(cases, 1), kFewest, kMostRows);
+}
 
-/// A stretch of a run within the rows of a page.
-struct DrawnStretch {
-  std::size_t first = 0;  ///< row of the page
+/// Rows with their numbers, in their order.
+struct IndexedRows {
+  std::vector<std::int64_t> index;  ///< how many rows of the run came before each
+  std::vector<double> numbers;      ///< row after row
+
+  std::size_t size() const { return index.size(); }
+};
+
+/// A cycle of a run that is on its page with all its rows.
+struct DrawnCycle {
+  std::int64_t number = 0;  ///< from 1; 0: the rest behind the last whole one
+  std::size_t first = 0;    ///< row of the page
   std::size_t last = 0;
-  std::int64_t rows = 0;  ///< of the run, in this stretch
 };
 
 /// The rows of a run that a page draws.
 struct DrawnRows {
   IndexedRows rows;
   bool thinned = false;
-  std::optional<DrawnStretch> beginning;  ///< up to the first turn; of thinned runs with cycles
-  std::optional<DrawnStretch> cycle;      ///< the last whole one
+  // Of a thinned run:
+  std::int64_t piece = 1;          ///< rows of a piece; the first and the last of each are there
+  std::vector<double> low;         ///< piece after piece, the smallest number of every column
+  std::vector<double> high;        ///< the largest
+  std::vector<DrawnCycle> cycles;  ///< of those that are whole some, in their order
+  std::int64_t cycles_total = 0;   ///< whole ones of the run
+  std::size_t motion = 0;          ///< the column that they are cycles of
 };
 
 /// Divides a motion to and fro into cycles: one ends where the motion, on its way up, is half of
@@ -50,50 +69,52 @@ class CycleFinder {
 
 /// Chooses the rows of a page while they come, however many there will be.
 ///
-/// Of up to `limit` rows all stay. Of more: as many as RowThinner chooses, or two thirds of them
-/// where there are cycles; the
-/// wanted rows (before and after an event), as long as there are few, else the first and the last
-/// limit/8 of them; and, where a motion goes to and fro, its beginning up to the first turn (at
-/// most limit/8 rows) and its last whole cycle with all its rows, or limit/2 of them. Of several
-/// motions the one with the longest cycle counts. The memory does not grow with the run.
+/// Of up to `limit` rows all stay. Of more: the first and the last row of limit/8 to limit/4 pieces
+/// of equal length, and the extremes of all columns in each (PieceExtremes); the wanted rows
+/// (before and after an event), the first and the last limit/16 of them; and, where a motion goes
+/// to and fro, whole cycles with all their rows, as far as one has at most limit/4: the first, the
+/// last, and between them the 2nd, 5th, 10th, 20th and so on, as many as limit/2 rows allow. Of
+/// several motions the one with the longest cycle counts. The memory does not grow with the run.
 class RowChoice {
  public:
   /// \param columns of a row
-  /// \param watched as in RowThinner
   /// \param motions columns that may go to and fro
-  RowChoice(std::size_t columns, std::size_t limit, std::span<const std::size_t> watched,
-            std::span<const std::size_t> motions);
+  RowChoice(std::size_t columns, std::size_t limit, std::span<const std::size_t> motions);
 
   void add(std::span<const double> row, bool wanted);
 
-  std::int64_t count() const { return base_.count(); }
-  bool thinned() const { return base_.thinned(); }
+  std::int64_t count() const { return count_; }
+  bool thinned() const { return count_ > static_cast<std::int64_t>(limit_); }
   /// What was chosen, and `more` rows of the same run.
   DrawnRows finish(const IndexedRows& more = {}) const;
 
  private:
   struct Cycle {
-    std::int64_t begin = 0;  ///< place of its first row
-    RowThinner rows;
+    std::int64_t number = 1;
+    IndexedRows rows;
+    double low = 0.0;  ///< of the motion
+    double high = 0.0;
+    bool whole = true;  ///< no row was left out
   };
   struct Motion {
     std::size_t column = 0;
     CycleFinder finder;
-    RowThinner beginning;
-    bool began = false;  ///< the beginning is over
-    std::optional<Cycle> current;
-    std::optional<Cycle> last;
+    Cycle current;
+    std::deque<Cycle> kept;
+    std::int64_t longest = 0;  ///< rows of the last whole cycle
   };
 
-  bool has_cycle(const Motion& motion) const;
-  void follow(Motion& motion, std::span<const double> row, bool wanted);
+  static bool is_small(const Cycle& cycle, const Motion& motion);
+  void take(Cycle& cycle, const Motion& motion, std::span<const double> row) const;
+  void follow(Motion& motion, std::span<const double> row) const;
   void want(std::span<const double> row);
-  RowThinner cycle_thinner() const { return {columns_, limit_ / 2, watched_}; }
+  const Motion* slowest() const;
 
   std::size_t columns_;
   std::size_t limit_;
-  std::vector<std::size_t> watched_;
-  RowThinner base_;
+  std::int64_t count_ = 0;
+  std::vector<double> all_;  ///< row after row, as long as all stay
+  PieceExtremes pieces_;
   std::vector<Motion> motions_;
   IndexedRows first_wanted_;
   IndexedRows last_wanted_;  ///< a ring, once it is full

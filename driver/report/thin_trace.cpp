@@ -5,19 +5,20 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <span>
+#include <utility>
 
-#include "driver/results/thinning.hpp"
+#include "driver/report/row_choice.hpp"
 
 namespace slipbench::driver {
 namespace {
 
-constexpr std::size_t kPointsOfFailed = 300;
-constexpr std::size_t kPointsOfPassed = 120;
+constexpr std::size_t kPointsOfFailed = 10000;
+constexpr std::size_t kPointsOfPassed = 1000;
 /// Points of all checks of a case together, as long as each has those around its worst one.
-constexpr std::size_t kPointsOfCase = 3000;
-constexpr std::size_t kFewestPoints = 72;
-/// Points on each side of the worst one that are never left out.
+constexpr std::size_t kPointsOfCase = 20000;
+constexpr std::size_t kFewestPoints = 300;
+/// Points on each side of the worst one that are never left out: RowChoice keeps so many wanted
+/// ones.
 constexpr std::size_t kNeighbours = 8;
 
 /// The point nearest to the worst deviation: by its time where the series has times.
@@ -36,19 +37,35 @@ bool near_worst(std::size_t i, std::size_t worst) {
   return i + kNeighbours >= worst && i <= worst + kNeighbours;
 }
 
-ReportCurve thin(const Series& series, const Deviation& worst, std::size_t limit) {
-  RowThinner thinner(2, limit);
-  const std::size_t place = nearest(series, worst);
-  for (std::size_t i = 0; i < series.size(); ++i) {
-    thinner.add(std::array{series.abscissa[i], series.value[i]}, near_worst(i, place));
+/// The chosen points of a table whose first column is the abscissa, and those columns as curves.
+template <std::size_t kColumns, class RowAt>
+std::array<ReportCurve, kColumns - 1> chosen(std::size_t count, std::size_t limit,
+                                             std::size_t worst, bool& thinned, RowAt row_at) {
+  RowChoice choice(kColumns, limit, {});
+  for (std::size_t i = 0; i < count; ++i) choice.add(row_at(i), near_worst(i, worst));
+  const DrawnRows drawn = choice.finish();
+  thinned = thinned || drawn.thinned;
+  std::array<ReportCurve, kColumns - 1> curves;
+  for (std::size_t c = 1; c < kColumns; ++c) {
+    ReportCurve& curve = curves[c - 1];
+    curve.index = drawn.rows.index;
+    curve.piece = drawn.piece;
+    for (std::size_t i = 0; i < drawn.rows.numbers.size(); i += kColumns) {
+      curve.x.push_back(drawn.rows.numbers[i]);
+      curve.y.push_back(drawn.rows.numbers[i + c]);
+    }
+    for (std::size_t i = c; i < drawn.low.size(); i += kColumns) {
+      curve.low.push_back(drawn.low[i]);
+      curve.high.push_back(drawn.high[i]);
+    }
   }
-  ReportCurve curve;
-  const std::vector<double> rows = thinner.rows();
-  for (std::size_t i = 0; i < rows.size(); i += 2) {
-    curve.x.push_back(rows[i]);
-    curve.y.push_back(rows[i + 1]);
-  }
-  return curve;
+  return curves;
+}
+
+ReportCurve thin(const Series& series, const Deviation& worst, std::size_t limit, bool& thinned) {
+  return chosen<2>(series.size(), limit, nearest(series, worst), thinned, [&](std::size_t i) {
+    return std::array{series.abscissa[i], series.value[i]};
+  })[0];
 }
 
 }  // namespace
@@ -62,30 +79,20 @@ void put_trace(ReportCheck& check, const CheckTrace& trace, std::size_t checks) 
                  check.verdict.passed ? kPointsOfPassed : kPointsOfFailed);
   const Deviation& worst = check.verdict.worst;
   if (trace.value.abscissa != trace.reference.abscissa) {
-    check.value = thin(trace.value, worst, limit);
-    check.reference = thin(trace.reference, worst, limit);
-    check.thinned = check.value.x.size() < trace.value.size() ||
-                    check.reference.x.size() < trace.reference.size();
+    check.value = thin(trace.value, worst, limit, check.thinned);
+    check.reference = thin(trace.reference, worst, limit, check.thinned);
     return;
   }
   // Point against point: the same points of both stay, so that their difference can be seen.
-  constexpr std::array<std::size_t, 3> kWatched{1, 2, 3};
-  RowThinner thinner(4, limit, kWatched);
-  const std::size_t place = nearest(trace.value, worst);
-  for (std::size_t i = 0; i < trace.value.size(); ++i) {
-    const double value = trace.value.value[i];
-    const double reference = trace.reference.value[i];
-    thinner.add(std::array{trace.value.abscissa[i], value, reference, value - reference},
-                near_worst(i, place));
-  }
-  const std::vector<double> rows = thinner.rows();
-  for (std::size_t i = 0; i < rows.size(); i += 4) {
-    check.value.x.push_back(rows[i]);
-    check.value.y.push_back(rows[i + 1]);
-    check.reference.y.push_back(rows[i + 2]);
-  }
-  check.reference.x = check.value.x;
-  check.thinned = thinner.thinned();
+  auto curves = chosen<4>(
+      trace.value.size(), limit, nearest(trace.value, worst), check.thinned, [&](std::size_t i) {
+        const double value = trace.value.value[i];
+        const double reference = trace.reference.value[i];
+        return std::array{trace.value.abscissa[i], value, reference, value - reference};
+      });
+  check.value = std::move(curves[0]);
+  check.reference = std::move(curves[1]);
+  check.difference = std::move(curves[2]);
 }
 
 }  // namespace slipbench::driver

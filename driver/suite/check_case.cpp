@@ -70,8 +70,9 @@ CaseOutcome refused(const std::string& path, const ReadCase& read) {
   return outcome;
 }
 
-CaseOutcome run_and_judge(const Case& problem, const std::string& label, const Diagnostics& remarks,
+CaseOutcome run_and_judge(const ReadCase& read, const std::string& label,
                           const CheckCaseOptions& options) {
+  const Case& problem = *read.value;
   CaseOutcome outcome;
   outcome.checks = problem.checks.size();
   std::vector<CheckProgress> checks;
@@ -80,7 +81,7 @@ CaseOutcome run_and_judge(const Case& problem, const std::string& label, const D
     checks.emplace_back(problem, check, options.report ? Trace::kKeep : Trace::kNone);
   }
   std::optional<CaseCollector> collector;
-  if (options.report) collector.emplace(problem);
+  if (options.report) collector.emplace(problem, options.report_rows);
   const auto ended = run_case(problem, [&](const Row& row) {
     if (options.stopped && options.stopped()) throw GivenUp{};
     for (CheckProgress& check : checks) check.add(row);
@@ -112,7 +113,8 @@ CaseOutcome run_and_judge(const Case& problem, const std::string& label, const D
   }
   if (collector) {
     CaseReport report = collector->finish(label, checks, *ended);
-    add_remarks(report, remarks);
+    add_remarks(report, read.diagnostics);
+    report.run.text = read.sources.front().text();
     options.report(std::move(report));
   }
   return outcome;
@@ -166,8 +168,7 @@ std::optional<CaseOutcome> check_case(const Candidate& candidate, const Reading&
     auto outcome = guarded(candidate.path, [&] {
       if (!reading.read) return reading.failure;
       if (!can_run(*reading.read)) return refused(candidate.path, *reading.read);
-      return run_and_judge(*reading.read->value, candidate.label, reading.read->diagnostics,
-                           options);
+      return run_and_judge(*reading.read, candidate.label, options);
     });
     CaseOutcome result = outcome ? std::move(*outcome) : std::move(outcome.error());
     result.inputs = reading.inputs();

@@ -108,6 +108,7 @@ void run_suite(std::span<const Candidate> cases, std::vector<Reading> readings,
                                              : std::exchange(readings[i], Reading{});
     CheckCaseOptions one{options.keep_passing, stopped, {}};
     if (options.report) {
+      one.report_rows = most_rows(cases.size());
       one.report = [&, i](CaseReport&& report) { options.report(i, std::move(report)); };
     }
     auto outcome = check_case(cases[i], reading, one);

@@ -21,11 +21,7 @@ function fraction(value) {
   return value > 1 ? number(value, 2) + "\u00d7" : number(value, 2);
 }
 
-function columnOf(one, name) {
-  const at = (one.columns || []).findIndex((column) => column.name === name);
-  return at < 0 ? null : {...one.columns[at], values: one.rows[at]};
-}
-const timeOf = (one) => columnOf(one, "t") || {name: "t", unit: (one.units || {}).time || "", values: (one.rows || [[]])[0]};
+const timeOf = (one) => columnOf(one, "t") || {name: "t", unit: (one.units || {}).time || "", values: []};
 
 function largestFraction(one) {
   const known = (one.checks || []).map((check) => check.worst_fraction);
@@ -79,12 +75,17 @@ function stepsOf(values) {
   if (!knownSteps.has(values)) {
     const size = values.reduce((largest, value) => (isNumber(value) ? Math.max(largest, Math.abs(value)) : largest), 0);
     const steps = [];
+    let least = Infinity;
+    // Of very many steps a thousand tell what is usual.
+    const stride = Math.ceil(values.length / 1000);
     for (let i = 1; i < values.length; ++i) {
       const step = Math.abs(values[i] - values[i - 1]);
-      if (step > 1e-9 * size) steps.push(step);
+      if (!(step > 1e-9 * size)) continue;
+      if (step < least) least = step;
+      if (i % stride === 0) steps.push(step);
     }
     steps.sort((a, b) => a - b);
-    knownSteps.set(values, {usual: steps[steps.length >> 1] || 0, least: steps[0] || 0});
+    knownSteps.set(values, {usual: steps[steps.length >> 1] || 0, least: least < Infinity ? least : 0});
   }
   return knownSteps.get(values);
 }
@@ -98,8 +99,9 @@ const timeText = (one, t, more = 0) => number(t, isNumber(t) ? digitsFor(t, step
 
 // -------------------------------------------------------------------------------- panels of a case
 
-const series = (label, column, x, more = {}) => ({label, unit: column.unit || "", column: column.name, x, y: column.values, ...more});
-const negative = (values) => values.map((value) => (isNumber(value) ? -value : null));
+const series = (label, column, x, more = {}) => ({label, unit: column.unit || "", column: column.name, x, y: column.values, low: column.low, high: column.high, ...more});
+const negated = (values) => values && values.map((value) => -value);
+const negative = (column) => ({...column, values: negated(column.values), low: negated(column.high), high: negated(column.low)});
 
 /** Definition of `one` that belongs to `definition` of another run: of that name, else the first. */
 function sameDefinition(one, definition) {
@@ -187,7 +189,7 @@ function forcePanels(one, definition, time) {
     lines.push(series(limit.name, limit, time.values, {colour: "limit", dash: [6, 4]}));
     const signed = [main, ...parts].some((part) => part.unit === limit.unit && part.values.some((value) => value < 0));
     if (below) lines.push(series(below.name, below, time.values, {colour: "limit", dash: [6, 4]}));
-    else if (signed) lines.push(series("\u2212" + limit.name, {...limit, values: negative(limit.values)}, time.values, {colour: "limit", dash: [6, 4], silent: true, mirrored: true}));
+    else if (signed) lines.push(series("\u2212" + limit.name, negative(limit), time.values, {colour: "limit", dash: [6, 4], silent: true, mirrored: true}));
   }
   panels.push({key: "force", title: main.name.startsWith("CSM") ? "Friction moment and limit" : "Friction force and limit", unit: main.unit, lines});
   const others = parts.filter((part) => part.unit !== main.unit);
@@ -218,7 +220,9 @@ function energyLines(one, time) {
     if (columns.length === 0) continue;
     const sum = columns[0].values.map((value, i) => columns.reduce((total, column) => total + (isNumber(column.values[i]) ? column.values[i] : NaN), 0));
     const style = styles[key] || {colour: 4 + (lines.length % 3), dash: [[12, 4], [8, 3, 2, 3], [4, 2]][lines.length % 3]};
-    lines.push(series(words[key] || key.replace(/_/g, " "), {...columns[0], name: "", values: sum}, time.values, style));
+    // Of a sum nobody knows the extremes, only its rows.
+    const whole = columns.length > 1 ? {low: null, high: null} : {};
+    lines.push(series(words[key] || key.replace(/_/g, " "), {...columns[0], ...whole, name: "", values: sum}, time.values, style));
   }
   return lines;
 }
@@ -253,13 +257,6 @@ function columnPanel(one, name) {
                     lines: [series(name, column, time.values, {main: true})]};
 }
 
-/** Of a thinned run with cycles: which rows end a stretch of a loop that is drawn lightly, since rows beside it are left out. */
-function faintRows(one) {
-  if (!one.thinned || !one.cycle) return null;
-  const whole = [one.beginning, one.cycle].filter(Boolean);
-  return (one.rows[0] || []).map((_, row) => !whole.some(({first, last}) => row > first && row <= last));
-}
-
 /** A limit that stays is drawn once, not at every pass: dashes upon dashes are no dashes. */
 function once(line) {
   const x = range(line.x);
@@ -276,7 +273,7 @@ function loops(one, definition) {
   const below = definition.limit_below ? columnOf(one, definition.limit_below) : null;
   const path = (key, title, first, second, more = {}) => ({
     key, kind: "loop", title, unit: second.unit, yName: second.name, xName: first.name, xUnit: first.unit,
-    lines: [{label: second.name, unit: second.unit, column: second.name, x: first.values, y: second.values, main: true, status: status && status.values, faint: faintRows(one)}], ...more
+    lines: [{label: second.name, unit: second.unit, column: second.name, x: first.values, y: second.values, main: true, status: status && status.values}], ...more
   });
   const planar = forces[0] && forces[1] && positions[0] && positions[1] && forces[0].unit === forces[1].unit && varies(positions[0].values) && varies(positions[1].values);
   const panels = [];
@@ -294,7 +291,7 @@ function loops(one, definition) {
     if (limit && forces.length === 1 && limit.unit === force.unit && isCalm(limit.values)) {
       const style = {colour: "limit", dash: [6, 4]};
       panel.lines.push({label: limit.name, unit: limit.unit, column: limit.name, x: position.values, y: limit.values, ...style},
-                       {label: below ? below.name : "\u2212" + limit.name, unit: limit.unit, column: (below || limit).name, x: position.values, y: below ? below.values : negative(limit.values), ...style, silent: !below, mirrored: !below});
+                       {label: below ? below.name : "\u2212" + limit.name, unit: limit.unit, column: (below || limit).name, x: position.values, y: below ? below.values : negated(limit.values), ...style, silent: !below, mirrored: !below});
     }
     panels.push(panel);
   }
@@ -302,8 +299,11 @@ function loops(one, definition) {
   return panels;
 }
 
-const allPanels = (one, definition, added) =>
-    [...loops(one, definition), ...histories(one, definition), ...added.map((name) => columnPanel(one, name)).filter(Boolean)];
+function allPanels(one, definition, added) {
+  const panels = [...loops(one, definition), ...histories(one, definition), ...added.map((name) => columnPanel(one, name)).filter(Boolean)];
+  for (const panel of panels) for (const line of panel.lines) line.rows = rowsOf(one);
+  return panels;
+}
 
 /** Dashes of the runs laid over the first; colours go along with them. */
 const kRunDashes = [[8, 3], [2, 2], [8, 3, 2, 3], [12, 4], [4, 2], [1, 3]];
@@ -323,6 +323,14 @@ function layOver(panel, others) {
 
 // ----------------------------------------------------------------------------------------- pictures
 
+/** Limits of an axis about numbers from low to high, with a part of their range as air. */
+function airy(low, high, air) {
+  const size = Math.max(Math.abs(low), Math.abs(high));
+  // Rounding is no range.
+  if (high - low <= 1e-9 * size || size === 0) return [low - (0.05 * size || 1), high + (0.05 * size || 1)];
+  return [low - air * (high - low), high + air * (high - low)];
+}
+
 /** A panel as a Chart.js chart with a layer of marks and a legend that tells values. */
 class Picture {
   constructor(panel, height) {
@@ -334,7 +342,8 @@ class Picture {
     this.values = [];
     const title = panel.kind === "loop" ? `${labelled(panel.yName, panel.unit)} over ${panel.xName}` : labelled(panel.title, panel.unit);
     this.element = make("figure", {class: "panel", "data-panel": panel.key},
-                        make("div", {class: "panel-head"}, make("h4", {}, panel.kind === "loop" && panel.title ? `${panel.title}: ` : "", quoted(title)), this.legend));
+                        make("div", {class: "panel-head"}, make("h4", {}, panel.kind === "loop" && panel.title ? `${panel.title}: ` : "", quoted(title)), this.legend,
+                             make("button", {type: "button", class: "save", "aria-label": `Save the picture: ${title}`, title: "Save this picture (PNG)", onclick: () => savePicture(this)}, "PNG")));
     this.element.append(this.plot);
     this.buildLegend();
   }
@@ -344,21 +353,21 @@ class Picture {
     const {panel} = this;
     this.chart = new Chart(this.canvas, {
       type: "line",
-      data: {datasets: panel.lines.map((line) => this.dataset(line))},
+      // Axes are the library's, curves our own: they are many.
+      data: {datasets: []},
       options: {
         animation: false, responsive: true, maintainAspectRatio: false, events: [], normalized: false,
         layout: {padding: {top: kTop, right: kRight, left: 0, bottom: 0}},
-        elements: {point: {radius: 0, hoverRadius: 0}, line: {tension: 0, borderJoinStyle: "round"}},
         plugins: {legend: {display: false}, tooltip: {enabled: false}, filler: false},
         scales: {
-          x: axisOptions({title: panel.kind === "history" && !panel.last ? null : labelled(panel.xName, panel.xUnit), limits: panel.xLimits || this.span("x", panel.kind === "history" ? 0 : 0.04)}),
-          y: axisOptions({limits: panel.yLimits || this.span("y", 0.06), upright: true})
+          x: axisOptions({title: panel.kind === "history" && !panel.last ? null : labelled(panel.xName, panel.xUnit), limits: this.limits("x")}),
+          y: axisOptions({limits: this.limits("y"), upright: true})
         }
       },
       plugins: [{
         id: "house",
         resize: (chart, {size}) => this.equalise(chart.options.scales, size),
-        beforeDatasetsDraw: (chart) => this.shade(chart),
+        beforeDatasetsDraw: (chart) => { this.shade(chart); this.drawLines(chart); },
         afterDraw: (chart) => { this.chart = chart; this.placeMarks(); }
       }]
     });
@@ -366,40 +375,51 @@ class Picture {
       this.equalise(this.chart.options.scales, {width: this.plot.clientWidth, height: this.plot.clientHeight});
       this.chart.update("none");
     }
-    for (const event of ["pointermove", "pointerdown"]) this.plot.addEventListener(event, (what) => this.pointed(what));
+    this.chart.picture = this;
+    listenTo(this);
   }
 
-  dataset(line) {
-    const {x: xs, y: ys} = line.drawn || line;
-    const slips = line.status && (line.drawn ? line.drawn.status : line.status);
-    const rowOf = (i) => (line.drawn ? line.drawn.row[i] : i);
-    const faint = (i) => line.faint && line.faint[rowOf(i)];
-    const width = line.thin ? 1.3 : 1.7;
-    return {
-      data: xs.map((x, i) => ({x, y: ys[i]})),
-      borderColor: colourOf(line), borderDash: line.dash || [], borderWidth: width, hidden: line.off || false,
-      pointRadius: line.x.length < 3 ? 3 : 0, pointBackgroundColor: colourOf(line),
-      // In a loop, where nothing can be shaded, slip is drawn bolder than stick.
-      segment: slips ? {
-        borderWidth: ({p1DataIndex: i}) => (faint(i) ? 0.7 : slips[i] === 2 ? 2.6 : 1.1),
-        borderColor: ({p1DataIndex: i}) => (faint(i) ? colours.faint : undefined)
-      } : undefined
-    };
+  drawLines(chart) {
+    const {ctx: pen, chartArea: area} = chart;
+    pen.save();
+    pen.beginPath();
+    // A line on the border keeps its width.
+    pen.rect(area.left - 2, area.top - 2, area.right - area.left + 4, area.bottom - area.top + 4);
+    pen.clip();
+    for (const line of this.panel.lines) if (!line.off) drawLine(pen, chart, this.panel, line);
+    pen.restore();
   }
 
-  /** From the smallest to the largest value drawn, and a part of that as air. */
+  /** The limits of a scale that show everything, or those of a place that is zoomed to. */
+  limits(key) {
+    if (this.zoomed) return this.zoomed[key];
+    const {panel} = this;
+    const whole = key === "x" ? panel.xLimits || this.span("x", panel.kind === "history" ? 0 : 0.04) : panel.yLimits || this.span("y", 0.06);
+    if (!panel.windowed || !view.window) return whole;
+    if (key === "x") return view.window;
+    const seen = panel.lines.filter((line) => !line.off).map((line) => visibleRange(line, ...view.window)).filter(Boolean);
+    return seen.length > 0 ? airy(Math.min(...seen.map(({low}) => low)), Math.max(...seen.map(({high}) => high)), 0.06) : whole;
+  }
+
+  /** Draws anew where it is zoomed to now. */
+  rescale() {
+    const {scales} = this.chart.options;
+    for (const key of ["x", "y"]) [scales[key].min, scales[key].max] = this.limits(key);
+    if (!this.zoomed) this.equalise(scales, {width: this.plot.clientWidth, height: this.plot.clientHeight});
+    this.chart.update("none");
+  }
+
+  /** From the smallest to the largest value of the whole run, and a part of that as air. */
   span(key, air) {
-    const {low, high} = range(this.panel.lines.flatMap((line) => (line.drawn || line)[key])) || {low: -1, high: 1};
-    const size = Math.max(Math.abs(low), Math.abs(high));
-    // Rounding is no range.
-    if (high - low <= 1e-9 * size || size === 0) return [low - (0.05 * size || 1), high + (0.05 * size || 1)];
-    return [low - air * (high - low), high + air * (high - low)];
+    const ranges = this.panel.lines.map((line) => (key === "x" ? range((line.drawn || line).x) : wholeRange({...line, ...line.drawn}))).filter(Boolean);
+    if (ranges.length === 0) return [-1, 1];
+    return airy(Math.min(...ranges.map(({low}) => low)), Math.max(...ranges.map(({high}) => high)), air);
   }
 
   /** One scale in both directions, for paths. */
   equalise(scales, size) {
     const {panel} = this;
-    if (!panel.equal) return;
+    if (!panel.equal || this.zoomed) return;
     const joined = (key) => panel.lines.map((line) => range((line.drawn || line)[key])).filter(Boolean).reduce((a, b) => ({low: Math.min(a.low, b.low), high: Math.max(a.high, b.high)}));
     let x = joined("x");
     let y = joined("y");
@@ -463,12 +483,14 @@ class Picture {
   }
 
   drawTube(chart, pen) {
-    const {x, y, half, sorted} = this.panel.tube;
+    const {x, y, index, half, sorted} = this.panel.tube;
     const along = (sign, backwards) => {
       for (let i = 0; i < x.length; ++i) {
         const k = backwards ? x.length - 1 - i : i;
         if (!isNumber(x[k]) || !isNumber(y[k])) continue;
-        pen.lineTo(chart.scales.x.getPixelForValue(x[k]), chart.scales.y.getPixelForValue(y[k] + sign * half));
+        // Not between points that are no neighbours.
+        const gap = index && k > 0 && index[k] - index[k - 1] > 1;
+        (gap ? pen.moveTo : pen.lineTo).call(pen, chart.scales.x.getPixelForValue(x[k]), chart.scales.y.getPixelForValue(y[k] + sign * half));
       }
     };
     pen.fillStyle = colours.tube;
@@ -506,22 +528,14 @@ class Picture {
     const off = !lines[at].off;
     lines[at].off = off;
     button.setAttribute("aria-pressed", String(!off));
-    this.chart.setDatasetVisibility(at, !off);
     // The mirrored limit goes with the limit.
-    if (lines[at + 1] && lines[at + 1].silent) {
-      lines[at + 1].off = off;
-      this.chart.setDatasetVisibility(at + 1, !off);
-    }
-    this.chart.update("none");
+    if (lines[at + 1] && lines[at + 1].silent) lines[at + 1].off = off;
+    this.rescale();
   }
 
   recolour() {
     if (!this.chart) return;
-    this.panel.lines.forEach((line, i) => {
-      const dataset = this.chart.data.datasets[i];
-      dataset.borderColor = dataset.pointBackgroundColor = colourOf(line);
-      if (line.swatch) line.swatch.setAttribute("stroke", colourOf(line));
-    });
+    for (const line of this.panel.lines) if (line.swatch) line.swatch.setAttribute("stroke", colourOf(line));
     recolourAxes(this.chart);
   }
 
@@ -557,6 +571,10 @@ class Picture {
         const at = pixel(x, y);
         if (inside(at)) parts.push(makeSvg("circle", {cx: at[0], cy: at[1], r: one.main ? 5 : 3.5, fill: colourOf(one), class: "cursor-dot"}));
       });
+    }
+    if (this.selection) {
+      const {left, right, top, bottom} = this.selection;
+      parts.push(makeSvg("rect", {x: left, y: top, width: right - left, height: bottom - top, class: "selection"}));
     }
     this.layer.replaceChildren(...parts);
     if (this.panel.worst) this.markWorst(pixel, inside, line, parts, area);
@@ -657,6 +675,8 @@ class View {
     this.places = [0];
     /** The event that is chosen, if one is. */
     this.event = null;
+    /** What the histories show; null: all. */
+    this.window = null;
     this.setTimes();
     const {event, t} = this.firstInstant();
     this.event = event;
@@ -688,6 +708,7 @@ class View {
     if (!times || times.length === 0) return;
     this.event = event;
     this.setPlaces(Math.min(Math.max(row, 0), times.length - 1));
+    followInstant();
     showInstant();
     if (!quietly) keepAddress();
   }
@@ -803,7 +824,7 @@ function show(one) {
     openChecks();
   }
   if ((one.rows || []).length > 0) {
-    main.append(...[runSection(one), eventSection(one), coverageSection(one)].filter(Boolean));
+    main.append(...[runSection(one), eventSection(one), coverageSection(one), settingSection(one)].filter(Boolean));
     showInstant();
   }
   document.title = `${one.title || one.name} \u2013 ${page.title || "report"}`;
@@ -824,6 +845,7 @@ function header(one) {
   if ((one.warnings || []).length > 0) {
     block.append(make("ul", {class: "notes"}, [...new Set(one.warnings)].map((line) => make("li", {class: "note"}, make("b", {}, "Note: "), quoted(line)))));
   }
+  if (one.rows_total > 0 && one.rows_total !== one.increments + 1) block.append(make("p", {class: "facts soft", id: "part"}, partWords(one)));
   if (one.thinned) block.append(make("p", {class: "facts soft", id: "thinned"}, thinnedWords(one)));
   if (one.details === false && one.status !== "not_run") {
     block.append(make("p", {class: "facts soft"}, "The curves of this case are left out to keep the page small; a report of this case alone draws them."));
@@ -835,20 +857,21 @@ function header(one) {
 
 /** What is drawn of a thinned run, so that nobody takes the rest for a curve. */
 function thinnedWords(one) {
-  const time = timeOf(one);
-  const kept = ["the first and the last", "those of the smallest and the largest number of every column"];
-  const [first, last, total] = [one.events_first || 0, one.events_last || 0, one.events_total || 0];
-  if (total > 0 && first >= total) kept.push("those beside every event");
-  else if (first + last > 0) kept.push(`those beside the first ${first} and the last ${last} of ${total} events`);
-  if (one.kind !== "result" || (one.checks || []).length > 0) kept.push("those where a check is worst");
-  const whole = ({rows, first: from, last: to}) => (to - from + 1 === rows ? `with all ${rows} rows` : `with ${to - from + 1} of its ${rows} rows`);
-  if (one.cycle) {
-    const [from, to] = [one.cycle.first, one.cycle.last].map((row) => timeText(one, time.values[row]));
-    kept.push(`the last whole cycle (t = ${from} to ${to}) ${whole(one.cycle)}`);
-    if (one.beginning) kept.push(`the beginning ${whole(one.beginning)}`);
-  }
-  return `Drawn are ${one.rows_shown} of ${one.increments + 1} rows: ${kept.join(", ")}; of the rest the smallest and largest of each stretch. ` +
-      "Between drawn rows a line is no curve of the run" + (one.cycle ? "; in loops it is light." : ".");
+  const {piece, drawn} = rowsOf(one);
+  const loops = () => {
+    if (!one.cycles) return `In loops every row that the page has (${one.rows_shown}) is a dot.`;
+    const whole = drawn.map(([cycle]) => cycle).filter((cycle) => cycle > 0);
+    const rest = drawn.some(([cycle]) => cycle === 0) ? ", and what comes after them" : "";
+    return `In loops ${whole.length === 1 ? "cycle" : "the cycles"} ${whole.join(", ")} of ${one.cycles.total} (of ${one.cycles.of}) ${whole.length === 1 ? "is" : "are"} drawn with all rows${rest}; the first one light, the last one dark.`;
+  };
+  return `The run has ${one.rows_total} rows. Histories show the first, the last, the smallest and the largest value of every ${piece} rows, and every row about the first and last events. ` +
+      `${loops()} Nothing is drawn between rows that are not neighbours.`;
+}
+
+/** What of the run a result has: a line then joins rows that are neighbours in the file. */
+function partWords(one) {
+  const step = Math.round(one.increments / Math.max(one.rows_total - 1, 1));
+  return `The result has ${one.rows_total} of the run's ${one.increments + 1} rows` + (step > 1 ? `, one in ${step}` : "") + "; lines join those.";
 }
 
 function definitionTabs(one) {
@@ -913,7 +936,8 @@ function toEvent(step) {
 function pictureSection() {
   return make("section", {"aria-labelledby": "pictures-title"},
       make("h3", {id: "pictures-title", class: "hidden"}, "Pictures"),
-      make("div", {class: "row-of-tools"}, make("div", {class: "shades", id: "shades"}), compareBox()),
+      make("div", {class: "row-of-tools"}, make("div", {class: "shades", id: "shades"}), compareBox(), windowTools()),
+      make("p", {class: "soft", id: "shown"}),
       make("div", {class: "pictures", id: "pictures"}),
       addHistory());
 }
@@ -930,7 +954,7 @@ function drawPictures() {
   const shown = panels.filter((panel) => panel.kind === "history");
   const times = view.times.map((values) => range(values)).filter(Boolean);
   const limits = times.length > 0 ? [Math.min(...times.map((time) => time.low)), Math.max(...times.map((time) => time.high))] : undefined;
-  shown.forEach((panel, i) => Object.assign(panel, {xLimits: limits && limits[0] < limits[1] ? limits : undefined, spans: definition ? definition.spans : null, last: i === shown.length - 1}));
+  shown.forEach((panel, i) => Object.assign(panel, {xLimits: limits && limits[0] < limits[1] ? limits : undefined, spans: definition ? definition.spans : null, last: i === shown.length - 1, windowed: true}));
   if (shown.length > 0 && !shown[0].last) shown[0].last = shown.length < 2;
   const made = panels.map((panel) => new Picture({...panel, linked: true}, panel.kind === "loop" ? "loop" : panel.last ? "history last" : "history"));
   const left = make("div", {class: "column"}, made.filter((picture) => picture.panel.kind === "loop").map((picture) => picture.element));
@@ -941,6 +965,7 @@ function drawPictures() {
   pictures.push(...made);
   for (const picture of made) picture.draw();
   showShades();
+  tellShown();
 }
 
 function showShades() {
@@ -955,7 +980,7 @@ function showShades() {
     make("span", {}, make("i", {class: "state-box slip"}), "slip" + share),
     open ? make("span", {}, make("i", {class: "state-box open"}), "no contact") : null,
     ...mixed.map((status) => make("span", {}, make("i", {class: "state-box mixed"}), status === 2 ? "stick and slip, too fast to draw" : "contact lost and found, too fast to draw")),
-    make("span", {}, "in loops, slip is the bolder line" + (one.cycle ? ", and light what is thinned" : "")),
+    make("span", {}, "in loops, slip is the bolder line"),
     view.others.length > 0 ? make("span", {id: "shaded-run"}, "shades, state and limit are those of ", quoted(one.name)) : null
   ].filter(Boolean) : []));
 }
@@ -1022,7 +1047,7 @@ function runSection(one) {
   if (definition) {
     const names = [...new Set([definition.force, ...(definition.forces || []), definition.limit, definition.limit_below, definition.normal_force, definition.mu, ...(definition.positions || [])].filter(Boolean))];
     const rows = names.map((name) => columnOf(one, name)).filter(Boolean).map((column) => {
-      const found = range(column.values) || {};
+      const found = wholeRange(column) || {};
       const size = Math.max(Math.abs(found.low), Math.abs(found.high));
       // What rounding left of a number that returns to 0.
       const told = (value) => number(Math.abs(value) < 1e-12 * size ? 0 : value, 5);
@@ -1108,6 +1133,31 @@ function eventSection(one) {
           make("table", {"aria-describedby": "events-caption"}, make("caption", {class: "hidden"}, "Events"),
               make("thead", {}, make("tr", {}, column(labelled("t", time.unit)), several ? column("Definition", false) : null, column("Change", false), column("Force"), column("Limit"), positions.map((name) => column(name)))),
               make("tbody", {}, lines))));
+}
+
+// ------------------------------------------------------------------------------------ what was run
+
+/** The setting of a case: connection and friction in words, units, parameters, tables, history, and its file. */
+function settingSection(one) {
+  const units = Object.entries(one.units || {}).filter(([name]) => name !== "energy");
+  const parameters = Object.entries(one.parameters || {});
+  const said = [...((one.run || {}).facts || []),
+                ["units", units.map(([name, unit]) => `${name} ${unit}`).join(", ") || "not stated"],
+                ["parameters", parameters.map(([name, value]) => `${name} = ${isNumber(value) ? number(value, 10) : value}`).join(", ")],
+                ["program", page.generator || ""]].filter(([, words]) => words);
+  const facts = make("dl", {class: "setting"}, said.map(([name, words]) => make("div", {}, make("dt", {}, quoted(name)), make("dd", {}, quoted(words)))));
+  const tables = ((one.run || {}).tables || []).map(({title, head, rows, left_out}) => {
+    const numeric = head.map((_, c) => rows.every((row) => row[c] !== "" && Number.isFinite(Number(row[c]))));
+    const style = (c) => (numeric[c] ? "number" : "");
+    const caption = title + (left_out > 0 ? `; ${plural(left_out, "more row")} in the file` : "");
+    return inScroll(make("table", {class: "plain"}, make("caption", {}, quoted(caption)),
+        make("thead", {}, make("tr", {}, head.map((word, c) => make("th", {scope: "col", class: style(c)}, quoted(word))))),
+        make("tbody", {}, rows.map((row) => make("tr", {}, row.map((cell, c) => make("td", {class: style(c)}, quoted(cell))))))));
+  });
+  const text = (one.run || {}).text;
+  return make("section", {id: "setting", "aria-labelledby": "setting-title"}, make("h3", {id: "setting-title"}, "What was run"), facts,
+      tables.length > 0 ? make("div", {class: "beside"}, tables) : null,
+      text ? make("details", {class: "file"}, make("summary", {}, "The case file"), make("pre", {tabindex: 0, "aria-label": "The case file"}, text)) : null);
 }
 
 // ------------------------------------------------------------------------------- coverage of tables
@@ -1260,6 +1310,7 @@ function deviations(trace) {
   if (!value || !reference || !rising(value.x) || !rising(reference.x)) return null;
   const x = [];
   const y = [];
+  const index = [];
   reference.x.forEach((at, i) => {
     if (!isNumber(at) || !isNumber(reference.y[i]) || at < value.x[0] || at > value.x[value.x.length - 1]) return;
     // Two rows at one abscissa are the two sides of a jump: each is compared with its own.
@@ -1267,24 +1318,31 @@ function deviations(trace) {
     if (!isNumber(twin)) return;
     x.push(at);
     y.push(twin - reference.y[i]);
+    index.push(reference.index ? reference.index[i] : i);
   });
-  return x.length > 1 ? {x, y} : null;
+  const extremes = trace.difference_low ? {piece: reference.piece, low: unpack(trace.difference_low), high: unpack(trace.difference_high)} : {};
+  return x.length > 1 ? {x, y, index, ...extremes} : null;
 }
+
+const largestSize = (values) => values.reduce((largest, value) => Math.max(largest, Math.abs(value)), 0);
 
 /** True if the drawn points resolve the deviation: they have their digits and may be thinned. */
 function resolves(check, differences, worst) {
   const size = Math.max(...Object.values(range(check.trace.reference.y) || {low: 0, high: 0}).map(Math.abs));
   const known = worst && isNumber(worst.value) && isNumber(worst.reference) ? Math.abs(worst.value - worst.reference) : null;
   if (!(Math.max(check.trace.tube, known || 0) > 2e-5 * size)) return false;
-  return known === null || Math.max(...differences.y.map(Math.abs)) <= 1.02 * known + 2e-6 * size;
+  return known === null || largestSize(differences.y) <= 1.02 * known + 2e-6 * size;
 }
 
 function tracePictures(check, worst) {
   const {trace} = check;
   const overTime = ["t", "time", "T"].includes(trace.abscissa);
+  for (const curve of [trace.value, trace.reference].filter(Boolean)) {
+    for (const key of ["x", "y", "index", "low", "high"]) if (typeof curve[key] === "string") curve[key] = unpack(curve[key]);
+  }
   const lines = [];
-  if (trace.reference) lines.push({label: "reference", unit: check.unit, x: trace.reference.x, y: trace.reference.y, colour: 1, dash: [7, 3]});
-  if (trace.value) lines.push({label: "value", unit: check.unit, x: trace.value.x, y: trace.value.y, main: true});
+  if (trace.reference) lines.push({label: "reference", unit: check.unit, ...trace.reference, colour: 1, dash: [7, 3]});
+  if (trace.value) lines.push({label: "value", unit: check.unit, ...trace.value, main: true});
   if (lines.length === 0) return [];
   const forwards = lines.every((line) => rising(line.x));
   const common = {xName: trace.abscissa, xUnit: trace.abscissa_unit, unit: check.unit, last: true, linked: overTime};
@@ -1292,12 +1350,12 @@ function tracePictures(check, worst) {
   const measure = worstMeasure(check);
   const panels = [{
     ...common, key: "trace", title: overTime ? check.quantity || "Value" : "", kind: overTime ? "history" : "loop", yName: check.quantity || "Value", lines,
-    tube: isNumber(trace.tube) && trace.reference ? {...trace.reference, half: trace.tube, sorted: forwards} : null,
+    tube: isNumber(trace.tube) && trace.reference ? {...trace.reference, half: trace.tube, sorted: forwards && !check.trace.thinned} : null,
     worst: mark ? {x: worst.abscissa, y: worst.value, reference: measure ? null : worst.reference,
                    text: measure ? `worst: ${measure.name}` : `worst: ${withUnit(worst.value, check.unit)}` + (isNumber(worst.reference) ? ` against ${number(worst.reference)}` : "")} : null
   }];
   if (panels[0].tube) {
-    const {low, high} = range([...lines.flatMap((line) => line.y)]) || {low: 0, high: 0};
+    const {low, high} = range(lines.flatMap((line) => [...line.y, ...(line.low || []), ...(line.high || [])])) || {low: 0, high: 0};
     const wanted = range(trace.reference.y) || {low, high};
     const [bottom, top] = [Math.min(low, wanted.low - trace.tube), Math.max(high, wanted.high + trace.tube)];
     if (top > bottom) panels[0].yLimits = [bottom - 0.06 * (top - bottom), top + 0.06 * (top - bottom)];
@@ -1305,7 +1363,7 @@ function tracePictures(check, worst) {
   const differences = deviations(trace);
   if (differences && isNumber(trace.tube) && resolves(check, differences, worst)) {
     const off = mark && !measure && isNumber(worst.reference) ? worst.value - worst.reference : null;
-    const largest = Math.max(trace.tube, ...differences.y.map(Math.abs), Math.abs(off || 0));
+    const largest = Math.max(trace.tube, largestSize(differences.y), Math.abs(off || 0));
     panels.push({
       ...common, key: "deviation", title: "Value minus reference, and the tolerance", kind: "history", lines: [{label: "deviation", unit: check.unit, ...differences, main: true}],
       linked: overTime, yLimits: largest > 0 ? [-1.15 * largest, 1.15 * largest] : undefined,
@@ -1338,21 +1396,17 @@ function zoomTo(entry, worst, button) {
   button.setAttribute("aria-pressed", String(on));
   button.textContent = on ? "Show all" : "Zoom in on it";
   for (const picture of entry.pictures) {
-    const {x, y} = picture.chart.options.scales;
     const whole = range(picture.panel.lines.flatMap((line) => line.x));
     const half = zoomHalf(entry.check, whole, worst.abscissa);
-    const [first, last] = picture.panel.xLimits || picture.span("x", picture.panel.kind === "history" ? 0 : 0.04);
-    x.min = on ? worst.abscissa - half : first;
-    x.max = on ? worst.abscissa + half : last;
+    picture.zoomed = null;
+    const limits = {x: [worst.abscissa - half, worst.abscissa + half], y: picture.limits("y")};
     if (picture.panel.key === "trace") {
       const near = range(picture.panel.lines.flatMap((line) => line.y.filter((_, i) => Math.abs(line.x[i] - worst.abscissa) <= half)));
       const tube = picture.panel.tube ? picture.panel.tube.half : 0;
       const room = near ? 0.1 * (near.high - near.low) + 1.2 * tube : 0;
-      const [bottom, top] = picture.panel.yLimits || picture.span("y", 0.06);
-      y.min = on && near && room > 0 ? near.low - room : bottom;
-      y.max = on && near && room > 0 ? near.high + room : top;
+      if (near && room > 0) limits.y = [near.low - room, near.high + room];
     }
-    picture.chart.update("none");
+    zoomPicture(picture, on ? limits : null);
   }
 }
 
@@ -1546,7 +1600,9 @@ function onKey(event) {
     j: () => stepCase(1, inList), k: () => stepCase(-1, inList),
     n: () => view && toEvent(1), p: () => view && toEvent(-1), w: nextWorst, t: nextTheme,
     f: () => { find("failures").checked = !find("failures").checked; applyFilter(); },
-    "/": () => find("filter").focus(), "?": () => find("help").showModal()
+    "/": () => find("filter").focus(), "?": () => find("help").showModal(),
+    "+": () => view && zoomWindow(0.5), "=": () => view && zoomWindow(0.5), "-": () => view && zoomWindow(2),
+    0: () => view && setWindow(null), ",": () => panWindow(-0.5), ".": () => panWindow(0.5)
   };
   if (inList) Object.assign(actions, {ArrowDown: () => stepCase(1, true), ArrowUp: () => stepCase(-1, true)});
   // A slider without Shift moves by itself.
@@ -1557,7 +1613,7 @@ function onKey(event) {
     });
   }
   const action = actions[key];
-  if (!action || (event.shiftKey && key.length === 1 && key !== "?" && key !== "/")) return;
+  if (!action || (event.shiftKey && key.length === 1 && !"?/+".includes(key))) return;
   event.preventDefault();
   action();
 }

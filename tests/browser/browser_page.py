@@ -4,6 +4,7 @@
 The needs beyond python3 itself are python3-selenium, chromium and chromium-driver.
 """
 
+import base64
 import json
 import math
 import re
@@ -57,6 +58,53 @@ def browser(folder, width=1280, height=900, dark=False):
 def screen(driver, width=1280, height=900, dark=False):
     driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
     driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": [{"name": "prefers-color-scheme", "value": "dark" if dark else "light"}]})
+
+
+def unpack(text):
+    """The numbers of a packed series (driver/report/packed_numbers.hpp); None where the run had none."""
+    data = iter(base64.b64decode(text))
+    numbers = []
+    decimals = 0
+    known = [(0, 0.0), (0, 0.0)]
+
+    def following():
+        number = shift = 0
+        for byte in data:
+            number |= (byte & 127) << shift
+            shift += 7
+            if byte < 128:
+                return number
+        return None
+
+    def unfold(n):
+        return -(n + 1) // 2 if n % 2 else n // 2
+
+    def put(off):
+        k = 2 * known[0][0] - known[1][0] + off
+        known[1] = known[0]
+        known[0] = (k, k * float(f"1e{-decimals}") if decimals < 0 else k / float(f"1e{decimals}"))
+        numbers.append(known[0][1])
+
+    begun = -1
+    while True:
+        token = following()
+        if token is None:
+            return numbers
+        if len(numbers) % 64 == 0 and begun != len(numbers):
+            begun = len(numbers)
+            change = unfold(token)
+            decimals += change
+            for i in range(2 if change else 0):
+                units = known[i][1] / float(f"1e{-decimals}") if decimals < 0 else known[i][1] * float(f"1e{decimals}")
+                known[i] = (math.floor(units + 0.5) if abs(units) < 1e15 else 0, known[i][1])
+            continue
+        if token == 0:
+            for _ in range(following()):
+                put(0)
+        elif token == 1:
+            numbers.append(None)
+        else:
+            put(unfold(token - 1))
 
 
 class BrowserPage:

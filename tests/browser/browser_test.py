@@ -15,11 +15,19 @@ TEST is one of
   print      the printed page has the verdicts and the pictures, on white, and the screen is as before
   hostile    titles, names and messages that look like HTML stay text
   large      fifty cases: less than 5 MB, there in less than a second; the next case in less than 200 ms
+  press      a press fit of 100 cycles and 10001 rows: all of them, and 100 cycles in the pictures, in less than 1 MB
+  squeal     a steady squeal has constant peaks at every zoom, however many rows
+  zoom       dragging, wheel, fingers, keys and buttons zoom and pan; the instant takes the window along
+  save       the picture on white, and the rows
+  setting    the page says what was run: connection, laws, tables, history, the file; no folder of the machine
+  part       a result of every tenth row says so
+  long       size and time of loading at 10001 and 1000001 rows
 The needs beyond python3 itself are python3-selenium, chromium and chromium-driver.
 """
 
 import argparse
 import base64
+import bisect
 import csv
 import json
 import pathlib
@@ -27,8 +35,9 @@ import re
 import subprocess
 import sys
 import tempfile
+import time
 
-from browser_page import ActionChains, BrowserPage, Keys, as_number, close, expect, failures, finish, first_number, screen
+from browser_page import ActionChains, BrowserPage, Keys, as_number, close, expect, failures, finish, first_number, screen, unpack
 
 
 def program_run(*arguments, wanted=0):
@@ -58,6 +67,9 @@ class Page(BrowserPage):
     def __init__(self, path, address="", **how):
         super().__init__(path, **how)
         self.cases = {case["id"]: case for case in self.document["cases"]}
+        for case in self.cases.values():
+            case["rows"] = [unpack(column) for column in case.get("rows", [])]
+            case["index"] = [int(i) for i in unpack(case["index"])] if "index" in case else None
         self.go(address)
 
     def instant(self):
@@ -83,6 +95,22 @@ class Page(BrowserPage):
     def column(self, case, name):
         names = [column["name"] for column in case["columns"]]
         return case["rows"][names.index(name)]
+
+    def painted(self, panel, line=0):
+        """What is drawn of a line of a panel, in its own units: strokes and bands."""
+        return self.run("""const {strokes, bands, dots} = Chart.getChart(document.querySelector(`figure[data-panel="${arguments[0]}"] canvas`)).picture.panel.lines[arguments[1]].painted;
+                           return {strokes: strokes.map((one) => one.points || one), bands: bands || [], dots: dots || []};""", panel, line)
+
+    def main_line(self, panel):
+        return self.run("""return Chart.getChart(document.querySelector(`figure[data-panel="${arguments[0]}"] canvas`)).picture.panel.lines.findIndex((line) => line.main)""", panel)
+
+    def points(self, panel, line=0):
+        """The points of the strokes of a line."""
+        strokes = self.painted(panel, line)["strokes"]
+        return [(x, y) for stroke in strokes for x, y in zip(stroke[::2], stroke[1::2])]
+
+    def window(self):
+        return self.run("""const {min, max} = Chart.getChart(document.querySelector('figure[data-panel="force"] canvas')).scales.x; return [min, max]""")
 
     def hover(self, panel, part):
         """Points at the middle of a plot's height, at a part of its width."""
@@ -110,7 +138,8 @@ class Result:
 
     def place(self, t):
         """The row at a time that the page tells; None if there is none."""
-        row = min(range(len(self.times)), key=lambda i: abs(self.times[i] - t))
+        behind = bisect.bisect_left(self.times, t)
+        row = min((i for i in (behind - 1, behind) if 0 <= i < len(self.times)), key=lambda i: abs(self.times[i] - t))
         step = min(abs(self.times[i] - self.times[row]) for i in (row - 1, row + 1) if 0 <= i < len(self.times))
         return row if abs(self.times[row] - t) < 0.2 * step else None
 
@@ -387,8 +416,7 @@ def rows():
         expect(re.search(r"smallest value \S+ N, wanted is \S+ N", peak), f"a peak is told as '{peak}'")
         expect("against" not in page.texts(".worst-label")[-1], f"a peak is set against '{page.texts('.worst-label')[-1]}'")
         # The corner of the first slip is drawn: the loop has points that are no rows.
-        drawn = page.run("""const chart = Chart.getChart(document.querySelector('figure[data-panel^="loop"] canvas'));
-                            return chart.data.datasets[0].data.map(({x, y}) => [x, y]);""")
+        drawn = page.points(page.run("return document.querySelector('figure[data-panel^=\"loop\"]').dataset.panel"))
         corner = [float(results["coarse"].events[0][name]) for name in ("CP1", "force")]
         expect(any(close(x, corner[0], 5) and close(y, corner[1], 5) for x, y in drawn), f"the loop has no corner at {corner}")
         units = set(re.findall(r"mJ|N mm", page.text("#run .beside").replace("\u00a0", " ") + page.text(".summary")))
@@ -415,22 +443,61 @@ def thinned():
             page.hover("force", part)
             check_row(page, result, "thinned")
         # What is said of the thinning is so.
-        numbers = re.search(r"Drawn are (\d+) of (\d+) rows: .*beside the first (\d+) and the last (\d+) of (\d+) events", said)
+        numbers = re.search(r"The run has (\d+) rows. Histories show .* of every (\d+) rows", said)
         expect(numbers, f"the thinning is told as '{said}'")
-        shown, rows_in_all, first, last, events = map(int, numbers.groups())
-        expect((shown, rows_in_all, events) == (len(places), len(result.rows), len(result.events)), f"'{said}' of {len(places)} of {len(result.rows)} rows, {len(result.events)} events")
-        expect(first >= 20 and last >= 20, f"only {first} and {last} events are whole")
+        rows_in_all, piece = map(int, numbers.groups())
+        expect(rows_in_all == len(result.rows), f"'{said}' of {len(result.rows)} rows")
+        expect(places == case["index"], "the page counts its rows differently")
         drawn = set(places)
-        for event in result.events[:first] + result.events[-last:]:
-            t = float(event["t"])
-            after = next(i for i, time_of in enumerate(result.times) if time_of >= t * (1 - 1e-12))
-            expect(after in drawn and (after - 1 in drawn or close(result.times[after], t, 10)), f"the rows beside the event at {t} are left out")
-        cycle = re.search(r"the last whole cycle \(t = (\S+) to (\S+)\) with all (\d+) rows", said)
-        expect(cycle, f"no whole cycle in '{said}'")
-        from_row, to_row = (result.place(float(t)) for t in cycle.groups()[:2])
-        expect(set(range(from_row, to_row + 1)) <= drawn and to_row - from_row + 1 == int(cycle[3]), "the last cycle is not whole")
-        expect(abs(result.times[to_row] - result.times[from_row] - 0.2) < 0.0035, f"the last cycle lasts from row {from_row} to {to_row}")
-        expect(result.times[to_row] > 199.5, f"the last whole cycle ends at {result.times[to_row]}")
+        for begin in range(0, len(result.rows), piece):
+            expect({begin, min(begin + piece, len(result.rows)) - 1} <= drawn, f"an end of the piece at {begin} is missing")
+        cycles = re.search(r"the cycles ([\d, ]+) of (\d+) \(of CP1\)", said)
+        expect(cycles and int(cycles[2]) == 1000, f"no 1000 cycles in '{said}'")
+        named = [int(number) for number in cycles[1].split(",")]
+        expect(named[0] == 1 and named[-1] == 1000 and 10 in named and 100 in named, f"cycles {named}")
+        for number in named:
+            from_row, to_row = 60 * (number - 1), 60 * number
+            expect(set(range(from_row, to_row + 1)) <= drawn, f"cycle {number} is not whole")
+        # A loop is drawn in whole cycles, and nothing between rows that are not neighbours.
+        force, motion = ([float(row[name]) for row in result.rows] for name in ("CSF1", "CP1"))
+        loop = page.run("return document.querySelector('figure[data-panel^=\"loop\"]').dataset.panel")
+        shown = page.painted(loop)
+        expect(len(shown["dots"]) == 0, "dots beside whole cycles")
+        longest = max(abs(a - b) for a, b in zip(motion, motion[1:]))
+        for stroke in shown["strokes"]:
+            steps = [abs(b - a) for a, b in zip(stroke[:-2:2], stroke[2::2])]
+            expect(max(steps) <= 1.001 * longest, f"a loop jumps by {max(steps)}, a row by {longest}")
+        ways = sum(abs(b - a) for stroke in shown["strokes"] for a, b in zip(stroke[:-2:2], stroke[2::2]))
+        cycle_way = 4 * 0.5
+        expect(abs(ways / cycle_way - len(named)) < 0.2, f"the loops go {ways / cycle_way} cycles, named are {len(named)}")
+        # Of each column of pixels the picture has the extremes, at any zoom.
+        for window in ([0, 200], [60.2, 61.7], [100, 104]):
+            page.run("location.hash = arguments[0]", f"#endless@{sum(window) / 2}")
+            page.wait(f"return Math.abs(parseFloat(document.querySelector('.instant output').textContent.split(' ')[2]) - {sum(window) / 2}) < 1", "the address does not lead on")
+            page.press("0")
+            while page.window()[1] - page.window()[0] > 1.9 * (window[1] - window[0]):
+                page.press("+")
+            begin, end = page.window()
+            painted = page.painted("force", page.main_line("force"))
+            cells = 20
+            for cell in range(cells):
+                left, right = begin + cell * (end - begin) / cells, begin + (cell + 1) * (end - begin) / cells
+                rows_in = [f for t, f in zip(result.times, force) if left <= t <= right]
+                seen = [y for stroke in painted["strokes"] for x, y in zip(stroke[::2], stroke[1::2]) if left <= x <= right]
+                seen += [y for x, until, low, high in painted["bands"] if x <= right and until >= left for y in (low, high)]
+                # What a piece or a column of pixels has beside the border may be drawn, too.
+                beside = max(piece * 200 / 60000, (end - begin) / 300)
+                rows_about = [f for t, f in zip(result.times, force) if left - beside <= t <= right + beside]
+                for name, pick, sign in (("smallest", min, -1), ("largest", max, 1)):
+                    drawn_one = sign * pick(seen)
+                    expect(sign * pick(rows_in) - 1e-3 <= drawn_one <= sign * pick(rows_about) + 1e-3,
+                           f"t = {left} to {right}: the {name} force drawn is {pick(seen)}, that of the rows {pick(rows_in)}")
+            for stroke in painted["strokes"]:
+                times = stroke[::2]
+                for one, other in zip(times, times[1:]):
+                    gap = abs(other - one) > 1.5 * (200 / 60000) and abs(other - one) > 1.5 * (end - begin) / 300
+                    expect(not gap, f"a line joins t = {one} and {other}, which are no neighbours")
+        page.press("0")
         # Merged spans are no slip, and the part of slip is the summary's.
         percent = re.search(r"slips (\d+) % of the time", page.text(".summary"))[1]
         expect(f"slip {percent} % of the time" in page.text("#shades"), f"the summary says {percent} %, the page '{page.text('#shades')}'")
@@ -454,12 +521,6 @@ def thinned():
             check_event(page, result, other, "thinned, beside " + str(number))
         page.go(f"#endless@event{total}")
         expect(page.run("return [...document.querySelectorAll('.steps button')].map((one) => one.disabled)") == [False, True], "behind the last event there is another")
-        # In the loop the rest is light.
-        light = page.run("""const chart = Chart.getChart(document.querySelector('figure[data-panel^="loop"] canvas'));
-            const {segment, data} = chart.data.datasets[0];
-            const of = (i) => segment.borderColor({p1DataIndex: i}) !== undefined;
-            return [data.length, data.filter((_, i) => !of(i)).length];""")
-        expect(light[0] > light[1] >= int(cycle[3]) - 1, f"{light[1]} of {light[0]} stretches are drawn in full")
         page.go("#endless")
         page.find(".detail-tools button:last-child").click()
         limits = page.run("""const {min, max} = Chart.getChart(document.querySelector('figure[data-panel="trace"] canvas')).scales.x; return [min, max];""")
@@ -639,6 +700,253 @@ def hostile():
         expect(page.run("return window.broken") is None, "a title was run as a script")
 
 
+def press_fit_cycles(cycles, rows):
+    """The press fit of the examples, to and fro by 0.5 mm."""
+    text = (source / "cases/examples/press_fit.yaml").read_text()
+    head = text[:text.index("history:")]
+    (folder / "cycles.yaml").write_text(head + f"""history:
+  - step: cycles
+    duration: {cycles}
+    increments: {rows - 1}
+    motion: {{CP1: {{sine: {{amplitude: 0.5, frequency: 1}}}}}}
+""")
+    return "cycles.yaml"
+
+
+def turns(points, part=0.5):
+    """How often a curve turns downwards, by at least a part of its range."""
+    values = [y for _, y in points]
+    swing = part * (max(values) - min(values))
+    count, extreme, up = 0, values[0], True
+    for value in values:
+        if (value > extreme) == up and value != extreme:
+            extreme = value
+        elif abs(value - extreme) >= swing:
+            count += up
+            extreme, up = value, not up
+    return count
+
+
+def press():
+    page_file = report(press_fit_cycles(100, 10001))
+    size = page_file.stat().st_size
+    print(f"10001 rows: {size / 1e6:.2f} MB")
+    expect(size < 1e6, f"10001 rows are {size / 1e6:.2f} MB")
+    result = Result("cycles.yaml")
+    with Page(page_file) as page:
+        case = page.cases["cycles"]
+        expect(case["rows_shown"] == len(result.rows) == 10001 and not case["thinned"], f"{case['rows_shown']} of {len(result.rows)} rows")
+        for name in ("CSF1", "CP1", "FN", "DISS"):
+            values = [float(row[name]) for row in result.rows]
+            size = max(values) - min(values)
+            wrong = max(abs(a - b) for a, b in zip(values, page.column(case, name)))
+            expect(wrong <= 1e-6 * size, f"{name} is off by {wrong} of {size}")
+        motion = page.run("return [...document.querySelectorAll('#pictures figure')].map((one) => one.dataset.panel).find((one) => one.startsWith('motion'))")
+        for panel in (motion, "force"):
+            points = page.points(panel, 0)
+            expect(turns(points) == 100, f"{panel} turns {turns(points)} times, the press fit 100 times")
+        # Zoomed in: as many as there are in the window.
+        page.press(Keys.HOME)
+        for _ in range(40):
+            page.press(Keys.ARROW_RIGHT)
+        for _ in range(3):
+            page.press("+")
+            begin, end = page.window()
+            points = [(x, y) for x, y in page.points(motion, 0) if begin <= x <= end]
+            wanted = sum(begin <= k + 0.25 <= end for k in range(100)) - sum(end - 0.4 < k + 0.25 <= end for k in range(100))
+            expect(abs(turns(points) - wanted) <= 1, f"from t = {begin} to {end} the motion turns {turns(points)} times, wanted is {wanted}")
+        # The loops: all of them.
+        loop = page.run("return document.querySelector('figure[data-panel^=\"loop\"]').dataset.panel")
+        points = page.points(loop, 0)
+        expect(turns([(y, x) for x, y in points]) == 100, f"the loop turns {turns([(y, x) for x, y in points])} times")
+
+
+def squeal():
+    text = (source / "cases/examples/stick_slip_belt.yaml").read_text()
+    head = text[:text.index("history:")]
+    (folder / "squeal.yaml").write_text(head + """history:
+  - {step: load, duration: 1, increments: 500, force: {f2: {to: 40}}}
+  - {step: squeal, duration: 20, increments: 120000}
+""")
+    result = Result("squeal.yaml")
+    motion = [float(row["CP1"]) for row in result.rows]
+    steady = [value for t, value in zip(result.times, motion) if t > 5]
+    top, bottom = max(steady), min(steady)
+    with Page(report("squeal.yaml")) as page:
+        expect(page.cases["squeal"]["thinned"], "a run of 120000 rows is not thinned")
+        panel = page.run("return [...document.querySelectorAll('#pictures figure')].map((one) => one.dataset.panel).find((one) => one.startsWith('motion'))")
+        page.run("location.hash = '#squeal@12'")
+        page.wait("return document.querySelector('.instant output').textContent.startsWith('t = 1')", "the address does not lead on")
+        for zoom in range(7):
+            begin, end = page.window()
+            painted = page.painted(panel, 0)
+            peaks = []
+            # Cells longer than a period of about a tenth of a second each have a peak.
+            cell = max((end - begin) / 40, 0.25)
+            left = max(begin, 5.0)
+            while left + cell <= end:
+                seen = [y for stroke in painted["strokes"] for x, y in zip(stroke[::2], stroke[1::2]) if left <= x <= left + cell]
+                seen += [y for x, until, low, high in painted["bands"] if left <= x and until <= left + cell for y in (low, high)]
+                peaks.append((max(seen), min(seen)))
+                left += cell
+            expect(peaks, f"zoom {zoom}: nothing to look at")
+            off = max(max(abs(high - top), abs(low - bottom)) for high, low in peaks)
+            expect(off < 0.01 * (top - bottom), f"zoom {zoom}, t = {begin} to {end}: the peaks of a steady squeal differ by {off} of {top - bottom}")
+            page.press("+")
+
+
+def zoom():
+    with Page(report(example("shock_absorber"), example("puck"))) as page:
+        whole = page.window()
+        plot = page.find('figure[data-panel="force"] .plot')
+        page.run("arguments[0].scrollIntoView({block: 'center'})", plot)
+        width = plot.size["width"]
+
+        def drag(element, begin, end, shift=False):
+            actions = ActionChains(page.driver)
+            if shift:
+                actions.key_down(Keys.SHIFT)
+            actions.move_to_element_with_offset(element, *begin).click_and_hold().move_by_offset((end[0] - begin[0]) // 2, (end[1] - begin[1]) // 2)
+            actions.move_by_offset(end[0] - begin[0] - (end[0] - begin[0]) // 2, end[1] - begin[1] - (end[1] - begin[1]) // 2).release()
+            if shift:
+                actions.key_up(Keys.SHIFT)
+            actions.perform()
+
+        drag(plot, (0, 0), (int(0.2 * width), 10))
+        near = page.window()
+        length = near[1] - near[0]
+        expect(abs(length / (whole[1] - whole[0]) - 0.2 * width / (width - 72)) < 0.01, f"a fifth of {whole} dragged over shows {near}")
+        limits = page.run("return [...document.querySelectorAll('#pictures figure')].filter((one) => !/^(loop|path)/.test(one.dataset.panel)).map((one) => { const {min, max} = Chart.getChart(one.querySelector('canvas')).scales.x; return [min, max]; })")
+        expect(all(one == near for one in limits), f"the histories show {limits}")
+        expect("t = " in page.text("#shown") and "every row is drawn" in page.text("#shown"), f"the page says '{page.text('#shown')}'")
+        # Shift and dragging to the left shows what comes later.
+        drag(plot, (60, 0), (0, 0), shift=True)
+        later = page.window()
+        expect(later[0] > near[0] and abs(later[1] - later[0] - length) < 1e-9 * length, f"panning leads from {near} to {later}")
+        page.press(",")
+        expect(page.window()[0] < later[0], "the comma does not lead back")
+        page.press("-")
+        expect(abs(page.window()[1] - page.window()[0] - 2 * length) < 1e-6 * length, "minus does not zoom out")
+        # The window goes along with the instant.
+        page.press(Keys.END)
+        expect(abs(page.window()[1] - whole[1]) < 1e-9 * whole[1], f"the last instant is not in {page.window()}")
+        ActionChains(page.driver).double_click(plot).perform()
+        expect(page.window() == whole, "a double click does not show all")
+        page.find("#zoom-in").click()
+        expect(abs((page.window()[1] - page.window()[0]) / (whole[1] - whole[0]) - 0.5) < 1e-6, "the button does not zoom")
+        page.press("0")
+        expect(page.window() == whole, "0 does not show all")
+        # Ctrl and the wheel zoom about the pointer; the wheel alone scrolls the page.
+        wheel = "arguments[0].dispatchEvent(new WheelEvent('wheel', {deltaY: -200, ctrlKey: arguments[1], clientX: arguments[0].getBoundingClientRect().left + 200, clientY: arguments[0].getBoundingClientRect().top + 50, bubbles: true, cancelable: true}))"
+        page.run(wheel, plot, False)
+        expect(page.window() == whole, "the wheel alone zooms")
+        page.run(wheel, plot, True)
+        expect(page.window()[1] - page.window()[0] < 0.8 * (whole[1] - whole[0]), "Ctrl and the wheel do not zoom")
+        page.press("0")
+        # A loop by itself, in both directions.
+        loop = page.find('figure[data-panel^="loop"] .plot')
+        page.run("arguments[0].scrollIntoView({block: 'center'})", loop)
+        scales = "const {x, y} = Chart.getChart(document.querySelector('figure[data-panel^=\"loop\"] canvas')).scales; return [x.max - x.min, y.max - y.min]"
+        before = page.run(scales)
+        drag(loop, (-40, -40), (40, 40))
+        after = page.run(scales)
+        expect(after[0] < 0.5 * before[0] and after[1] < 0.5 * before[1] and page.window() == whole, f"the loop is zoomed from {before} to {after}")
+        page.find("#zoom-all").click()
+        expect(page.run(scales) == before, "the button does not show all of the loop")
+        # Two fingers.
+        page.run("""const plot = document.querySelector('figure[data-panel="force"] .plot');
+            const box = plot.getBoundingClientRect();
+            const send = (name, id, x) => plot.dispatchEvent(new PointerEvent(name, {pointerId: id, pointerType: "touch", clientX: box.left + x, clientY: box.top + 60, bubbles: true}));
+            send("pointerdown", 11, 200); send("pointerdown", 12, 300); send("pointermove", 11, 150); send("pointermove", 12, 350);
+            send("pointerup", 11, 150); send("pointerup", 12, 350);""")
+        expect(abs((page.window()[1] - page.window()[0]) / (whole[1] - whole[0]) - 0.5) < 0.02, f"two fingers zoom to {page.window()} of {whole}")
+
+
+def save():
+    case = example("shock_absorber")
+    result = Result(case)
+    with Page(report(case), dark=True) as page:
+        page.driver.execute_cdp_cmd("Browser.setDownloadBehavior", {"behavior": "allow", "downloadPath": str(folder / "saved")})
+
+        def saved(pattern):
+            for _ in range(200):
+                files = [path for path in (folder / "saved").glob(pattern) if not path.name.endswith(".crdownload")]
+                if files:
+                    return files[0]
+                time.sleep(0.05)
+            sys.exit(f"no {pattern} is saved")
+
+        page.find("#save-rows").click()
+        text = saved("*.csv").read_text()
+        lines = text.splitlines()
+        expect(any(line.startswith("# title: ") for line in lines) and any("t [s]" in line for line in lines), f"the saved rows begin with {lines[:4]}")
+        rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+        expect(len(rows) == len(result.rows), f"{len(rows)} rows are saved of {len(result.rows)}")
+        for name in ("t", "CSF1", "CP1"):
+            values = [float(row[name]) for row in result.rows]
+            off = max(abs(float(row[name]) - value) for row, value in zip(rows, values))
+            expect(off <= 1e-6 * (max(values) - min(values)), f"{name} is saved off by {off}")
+        page.find('figure[data-panel="force"] .save').click()
+        picture = saved("*.png").read_bytes()
+        expect(picture.startswith(b"\x89PNG") and len(picture) > 5000, f"a picture of {len(picture)} bytes")
+        colours = page.driver.execute_async_script("""const done = arguments[1];
+            const image = new Image();
+            image.onload = () => { const sheet = document.createElement("canvas"); [sheet.width, sheet.height] = [image.width, image.height];
+                const pen = sheet.getContext("2d"); pen.drawImage(image, 0, 0);
+                const {data} = pen.getImageData(0, 0, image.width, image.height);
+                let dark = 0; for (let i = 0; i < data.length; i += 4) if (data[i] + data[i + 1] + data[i + 2] < 200) dark++;
+                done([[...data.slice(0, 4)], dark, image.width]); };
+            image.src = "data:image/png;base64," + arguments[0];""", base64.b64encode(picture).decode())
+        expect(colours[0] == [255, 255, 255, 255], f"the picture of a dark page is not on white but {colours[0]}")
+        expect(colours[1] > 1000, f"only {colours[1]} dark pixels: no curve, no title")
+        expect(page.run("return document.documentElement.dataset.theme") == "dark", "saving leaves the page light")
+
+
+def setting():
+    (folder / "deep").mkdir()
+    (folder / "deep/setting.yaml").write_text((source / "cases/examples/press_fit.yaml").read_text())
+    page_file = report("deep/setting.yaml")
+    expect(str(folder) not in page_file.read_text(), "the page names a folder of this machine")
+    with Page(page_file) as page:
+        said = page.text("#setting .setting")
+        for words in ("connectionCYLINDRICAL, free: CP1, CPR1", "Exponential decay from static to kinetic friction: mu = kinetic + (static - kinetic) exp(-decay slip_rate)",
+                      "static 0.25, kinetic 0.1, decay 0.2", "length mm, force kN, time s", "r = 0.24", "slipbench "):
+            expect(words in said, f"'{words}' is not in '{said}'")
+        tables = page.texts("#setting table")
+        expect(any("internal contact force, held at its ends" in text and "-0.7854" in text for text in tables), f"the table is not told: {tables}")
+        expect(any("press" in text and "CP1 to 1" in text and "CPR1 to 5" in text for text in tables), f"the history is not told: {tables}")
+        expect(page.text("#setting pre") == (folder / "deep/setting.yaml").read_text(), "the case file is another")
+
+
+def part():
+    """A result with every tenth row of its run."""
+    (folder / "some").mkdir()
+    program_run("run", example("stick_slip_belt"), "-o", "some", "--every", "10")
+    with Page(report("some/stick_slip_belt.csv")) as page:
+        expect("The result has 301 of the run's 3001 rows, one in 10" in page.text("#part"), f"the page says '{page.text('#part')}'")
+
+
+def load_times(page_file, tries=3):
+    """Until the page is drawn, from its address on: the best of some, since the first load also starts the browser."""
+    with Page(page_file) as page:
+        times = []
+        for _ in range(tries):
+            page.go("")
+            times.append(page.run("return performance.getEntriesByType('navigation')[0].loadEventEnd"))
+        expect(page.all("#pictures canvas"), "no pictures")
+        return min(times)
+
+
+def long():
+    for rows, most_size, most_time in ((10001, 1e6, 2000), (1000001, 8e6, 5000)):
+        page_file = report(press_fit_cycles(100, rows))
+        size = page_file.stat().st_size
+        duration = load_times(page_file)
+        print(f"{rows} rows: {size / 1e6:.2f} MB, loads in {duration:.0f} ms")
+        expect(size < most_size, f"{rows} rows are {size / 1e6:.2f} MB")
+        expect(duration < most_time, f"{rows} rows load in {duration} ms")
+
+
 def large():
     # Fifty different runs of the examples, which have up to 3000 increments.
     names = [path for path in sorted((source / "cases/examples").glob("*.yaml"))]
@@ -672,7 +980,8 @@ def large():
         expect(steps[len(steps) // 2] < 200, f"the next case takes {steps} ms")
 
 
-tests = {f.__name__: f for f in (loads, linked, keyboard, cases, rows, thinned, worst, overlay, looks, hostile, large)}
+tests = {f.__name__: f for f in (loads, linked, keyboard, cases, rows, thinned, worst, overlay, looks, hostile, large,
+                              press, squeal, zoom, save, setting, part, long)}
 tests["print"] = print_page
 parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 parser.add_argument("test", choices=tests)

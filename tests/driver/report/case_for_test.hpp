@@ -2,9 +2,13 @@
 // A case to report on, and the document of a page taken apart again.
 #pragma once
 
+#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -89,8 +93,9 @@ inline Case read_cycles(int cycles, int increments) {
 }
 
 /// The report of a case, run as the commands run it.
-inline CaseReport report_of(const Case& problem, const std::string& name = "case") {
-  CaseCollector collector(problem);
+inline CaseReport report_of(const Case& problem, const std::string& name = "case",
+                            std::size_t most_rows = kMostRows) {
+  CaseCollector collector(problem, most_rows);
   std::vector<CheckProgress> checks;
   for (const Check& check : problem.checks) checks.emplace_back(problem, check, Trace::kKeep);
   auto simulation = Simulation::start(problem);
@@ -105,6 +110,69 @@ inline CaseReport report_of(const Case& problem, const std::string& name = "case
   return collector.finish(name, checks, simulation->jumps());
 }
 
+/// The numbers of a packed series, as a page unpacks them.
+inline std::vector<double> unpacked(std::string_view text) {
+  std::string bytes;
+  std::uint32_t bits = 0;
+  int known = 0;
+  for (const char digit : text) {
+    static const std::string kDigits =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const std::size_t place = kDigits.find(digit);
+    if (place == std::string::npos) continue;
+    bits = bits << 6 | static_cast<std::uint32_t>(place);
+    known += 6;
+    if (known < 8) continue;
+    known -= 8;
+    bytes += static_cast<char>(bits >> known & 255U);
+  }
+  std::size_t at = 0;
+  const auto next = [&] {
+    double number = 0.0;
+    for (double unit = 1.0;; unit *= 128.0) {
+      const auto byte = static_cast<unsigned char>(bytes.at(at++));
+      number += unit * (byte & 127U);
+      if (byte < 128) return number;
+    }
+  };
+  const auto unfold = [](double n) {
+    return std::fmod(n, 2.0) == 1.0 ? -(n + 1.0) / 2.0 : n / 2.0;
+  };
+  std::vector<double> numbers;
+  double decimals = 0.0;
+  double k[2] = {0.0, 0.0};
+  double value[2] = {0.0, 0.0};
+  const auto power = [&] {
+    return std::stod("1e" + std::to_string(std::lround(std::abs(decimals))));
+  };
+  const auto put = [&](double off) {
+    const double here = 2.0 * k[0] - k[1] + off;
+    k[1] = std::exchange(k[0], here);
+    value[1] = std::exchange(value[0], decimals < 0.0 ? here * power() : here / power());
+    numbers.push_back(value[0]);
+  };
+  for (std::size_t begun = 1; at < bytes.size();) {
+    if (numbers.size() % 64 == 0 && begun != numbers.size()) {
+      begun = numbers.size();
+      const double change = unfold(next());
+      decimals += change;
+      for (int i = 0; i < 2 && change != 0.0; ++i) {
+        const double units = decimals < 0.0 ? value[i] / power() : value[i] * power();
+        k[i] = std::abs(units) < 1e15 ? std::floor(units + 0.5) : 0.0;
+      }
+    }
+    const double token = next();
+    if (token == 0.0) {
+      for (double count = next(); count > 0.0; --count) put(0.0);
+    } else if (token == 1.0) {
+      numbers.push_back(std::numeric_limits<double>::quiet_NaN());
+    } else {
+      put(unfold(token - 1.0));
+    }
+  }
+  return numbers;
+}
+
 /// A document as a tree: JSON is YAML.
 inline Tree tree_of(const std::string& document) {
   auto tree = parse_yaml(SourceText("page.json", document));
@@ -115,7 +183,8 @@ inline Tree tree_of(const std::string& document) {
 /// The number of a column in a row of a report.
 inline double number_at(const CaseReport& report, std::size_t row, const std::string& column) {
   for (std::size_t c = 0; c < report.columns.size(); ++c) {
-    if (report.columns[c].name == column) return report.rows[row * report.columns.size() + c];
+    if (report.columns[c].name == column)
+      return report.drawn.rows.numbers[row * report.columns.size() + c];
   }
   throw std::runtime_error("no column " + column);
 }

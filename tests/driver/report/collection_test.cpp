@@ -17,7 +17,7 @@ CaseReport numbered(std::size_t place) {
   report.name = std::to_string(place);
   report.status = place % 10 == 9 ? ReportStatus::kFailed : ReportStatus::kPassed;
   report.columns = {{"t", "s", ""}};
-  report.rows = {0.0};
+  report.drawn.rows = {{0}, {0.0}};
   report.checks.resize(1);
   return report;
 }
@@ -79,7 +79,7 @@ TEST_CASE("cases that turn out not to be run push out nobody's curves, whatever 
 TEST_CASE("a case without its curves still has its verdicts") {
   CaseReport report = numbered(0);
   report.drop_details();
-  CHECK(report.rows.empty());
+  CHECK(report.drawn.rows.numbers.empty());
   CHECK(report.checks.size() == 1);
   CHECK(report.row_count() == 0);
 }

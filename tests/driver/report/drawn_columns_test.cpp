@@ -39,9 +39,6 @@ TEST_CASE("all that a page draws is chosen, each column once") {
   REQUIRE(drawn.energies.size() == 4);
   CHECK(drawn.energies[0].second == std::vector<std::string>{"WORK.d1", "WORK.d2"});
   CHECK(drawn.energies[3].first == "kinetic");
-  // Forces, limits and the position they share are thinned with care.
-  CHECK(drawn.watched.size() == 5);
-  for (const std::size_t column : drawn.watched) CHECK(column < drawn.names.size());
 }
 
 TEST_CASE("of many definitions coefficients go first, forces and regimes never") {
@@ -53,12 +50,6 @@ TEST_CASE("of many definitions coefficients go first, forces and regimes never")
   const DrawnColumns many = drawn_columns(layout_with(30));
   CHECK(many.names.size() == 2 + 3 * 30);
   CHECK(many.energies.empty());
-}
-
-TEST_CASE("a page holds fewer rows of more columns") {
-  CHECK(most_rows(0) == most_rows(1));
-  CHECK(most_rows(5) > most_rows(20));
-  CHECK(most_rows(1000) == 200);
 }
 
 TEST_CASE("a table of no result has nothing to draw") {

@@ -35,7 +35,7 @@ TEST_CASE("a result tells the same as its case, but for the checks' curves") {
   CHECK(report.title == "Slider");
   CHECK(report.status == ReportStatus::kFailed);
   CHECK(report.increments == 20);
-  CHECK(report.rows == of_case.rows);
+  CHECK(report.drawn.rows.numbers == of_case.drawn.rows.numbers);
   CHECK(report.units == of_case.units);
   CHECK(report.parameters == of_case.parameters);
   CHECK(report.energies == of_case.energies);
@@ -107,9 +107,9 @@ TEST_CASE("broken files beside a result do not keep it from being drawn") {
 
 TEST_CASE("a long result is thinned as its case is") {
   const TemporaryFolder folder;
-  const ReadResult result = read_result(run_slider(folder, "0.2", 20000), "slider");
-  CHECK(result.report.thinned);
-  CHECK(result.report.row_count() <= 2 * 520);
+  const ReadResult result = read_result(run_slider(folder, "0.2", 20000), "slider", 2500);
+  CHECK(result.report.drawn.thinned);
+  CHECK(result.report.row_count() <= 2500);
   CHECK(number_at(result.report, result.report.row_count() - 1, "t") == Approx(2.0).epsilon(1e-12));
 }
 
@@ -119,9 +119,9 @@ TEST_CASE("the row where a check of a result is worst stays") {
   options.cases = {folder.write("cycles.yaml", cycles_text(100, 100)).string()};
   options.folder = folder.path().string();
   run_command(options);
-  const ReadResult result = read_result((folder.path() / "cycles.csv").string(), "cycles");
+  const ReadResult result = read_result((folder.path() / "cycles.csv").string(), "cycles", 2500);
   const CaseReport& report = result.report;
-  REQUIRE(report.thinned);
+  REQUIRE(report.drawn.thinned);
   REQUIRE(report.checks.size() == 1);
   const double worst = report.checks[0].verdict.worst.time;
   bool there = false;
@@ -129,7 +129,7 @@ TEST_CASE("the row where a check of a result is worst stays") {
     there = there || number_at(report, i, "t") == worst;
   }
   CHECK(there);
-  CHECK(report.last_cycle);
+  CHECK(report.drawn.cycles_total == 100);
   REQUIRE(report.events.size() == 200);
   CHECK(report.events.back().time > 99.5);
 }

@@ -8,7 +8,7 @@
 namespace slipbench::driver {
 namespace {
 
-constexpr std::size_t kPoints = 5000;
+constexpr std::size_t kPoints = 25000;
 constexpr std::size_t kWorst = 3217;
 
 /// A wave against itself, off by 0.001 at one point: the difference does not show in either curve.
@@ -48,12 +48,14 @@ TEST_CASE("the worst point and its neighbours survive, in both curves at the sam
   CHECK(check.thinned);
   CHECK(check.tube == 1e-4);
   CHECK(check.abscissa == "t");
-  CHECK(check.value.x.size() <= 300);
+  CHECK(check.value.x.size() <= 10000);
   CHECK(check.value.x == check.reference.x);
   double largest = 0.0;
   for (std::size_t i = 0; i < check.value.y.size(); ++i) {
     largest = std::max(largest, std::abs(check.value.y[i] - check.reference.y[i]));
   }
+  CHECK(*std::max_element(check.difference.high.begin(), check.difference.high.end()) ==
+        Approx(0.001).epsilon(1e-9));
   CHECK(largest == Approx(0.001).epsilon(1e-9));  // of numbers about 1: cancellation
   CHECK(count_near(check.value.x, trace.value.abscissa[kWorst], 0.085) == 17);
 }
@@ -64,8 +66,8 @@ TEST_CASE("a passed check has fewer points, one of many fewer still") {
   put_trace(alone, trace, 1);
   ReportCheck one_of_many = check_of(trace, true);
   put_trace(one_of_many, trace, 1000);
-  CHECK(alone.value.x.size() <= 120);
-  CHECK(one_of_many.value.x.size() <= 72);
+  CHECK(alone.value.x.size() <= 1000);
+  CHECK(one_of_many.value.x.size() <= 300);
   CHECK(count_near(one_of_many.value.x, trace.value.abscissa[kWorst], 0.085) == 17);
 }
 
@@ -77,7 +79,7 @@ TEST_CASE("curves with points of their own are thinned each for itself") {
   put_trace(check, trace, 1);
   CHECK(check.reference.x == trace.reference.abscissa);
   CHECK(check.reference.y == trace.reference.value);
-  CHECK(check.value.x.size() <= 300);
+  CHECK(check.value.x.size() <= 10000);
   CHECK(count_near(check.value.x, trace.value.abscissa[kWorst], 0.085) == 17);
   CHECK(check.tube < 0.0);
 }
