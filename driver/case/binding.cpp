@@ -52,16 +52,23 @@ void Binder::note(const Node& at, const Path& path, std::string message, std::st
 void Binder::wrong_kind(const Node& node, const Path& path, std::string_view wanted) {
   std::string found(name_of(node.kind()));
   if (node.is_scalar()) found = in_quotes(printable(node.text()));
-  error(node, path, "wanted " + std::string(wanted) + ", found " + found);
+  std::string hint;
+  if (wanted.starts_with("a list") && node.is_map()) hint = "each item of a list begins with '- '";
+  const bool is_word = node.is_scalar() && !parse_number(node.text());
+  if (wanted == "a map" && (node.is_sequence() || is_word)) hint = "a map is {key: value}";
+  error(node, path, "wanted " + std::string(wanted) + ", found " + found, std::move(hint));
 }
 
 void Binder::missing_key(const Node& map, const Path& path, std::string_view key,
                          std::string_view wanted) {
-  error(map, path, "missing key " + in_quotes(key) + " (" + std::string(wanted) + ")");
+  // Of an empty file this is met first.
+  error(map, path, "missing key " + in_quotes(key) + " (" + std::string(wanted) + ")",
+        key == "slipbench" ? "a case and a fit begin with 'slipbench: 1'" : "");
 }
 
 std::string Binder::other_name(std::string_view key, const Path& path) {
   if (const std::string_view here = key_for_option(key); !here.empty()) return std::string(here);
+  if (key.starts_with('*')) return "a case has keys of its own, such as 'connector' and 'friction'";
   if (key == "Fric" && path.text().ends_with("renard.Fric")) {
     return "Renard's law has no Fric: its coefficient at rest is C1";
   }

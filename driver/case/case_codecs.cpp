@@ -740,6 +740,11 @@ void Codec<MeasuredColumnText>::rows(const std::string& path, std::vector<KeyRow
 bool Codec<HistoryText>::read(Binder& binder, const Node& node, const Path& path,
                               const KeyInfo& info, HistoryText& out) {
   if (node.is_map()) {
+    if (node.find("step") && !node.find("csv")) {
+      binder.error(node, path, "wanted a list of steps, found one step",
+                   "each step begins with '- '");
+      return false;
+    }
     return read_struct(binder, node, path, out.measured.emplace());
   }
   if (!node.is_sequence()) {

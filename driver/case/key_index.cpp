@@ -64,7 +64,7 @@ std::string_view key_for_option(std::string_view option) {
     std::string_view name;
     std::string_view text;
   };
-  static constexpr std::array<Option, 4> kOptions{{
+  static constexpr std::array<Option, 10> kOptions{{
       {"Ifric",
        "the law stands by its name in 'coefficient': Ifric 0 is a number, 1 generalized_viscous, 2 "
        "modified_darmstad, 3 renard, 4 exponential_decay"},
@@ -77,6 +77,14 @@ std::string_view key_for_option(std::string_view option) {
       {"Idir",
        "two directions stand in 'coefficient': Idir 1 is {orthotropic: {direction1: .., "
        "direction2: ..}}"},
+      {"mu", "the coefficient is 'coefficient: 0.2', or '= mu' for a parameter"},
+      {"stick_stiffness", "write 'stick: {stiffness: ..}'"},
+      {"steps", "steps stand under 'history:', each begins with '- step: NAME'"},
+      {"displacement", "what moves stands under 'motion:', as {CP1: {to: 0.1}}"},
+      {"velocity",
+       "a motion is a position over time: 'motion: {CP1: {to: 0.1}}' goes there evenly within the "
+       "step's duration"},
+      {"load", "what is held is loaded under 'force:', as {f2: 100}"},
   }};
   for (const Option& known : kOptions) {
     if (known.name == option) return known.text;

@@ -10,6 +10,7 @@
 
 #include "driver/case/case_codecs.hpp"
 #include "driver/case/file_kind.hpp"
+#include "driver/case/foreign_file.hpp"
 #include "driver/case/resolve.hpp"
 #include "driver/case/resolve_formulation.hpp"
 #include "driver/text/number.hpp"
@@ -203,7 +204,14 @@ bool is_about_friction(std::string_view key) {
 tl::expected<ParsedCase, Diagnostics> ParsedCase::parse(const SourceText& source,
                                                         std::string folder) {
   auto tree = parse_yaml(source);
-  if (!tree) return tl::unexpected(std::move(tree.error()));
+  if (!tree) {
+    // Faults of YAML say nothing to people who gave another kind of file.
+    if (auto foreign = foreign_file(source)) {
+      tree.error() = {};
+      tree.error().add(std::move(*foreign));
+    }
+    return tl::unexpected(std::move(tree.error()));
+  }
   return ParsedCase(std::move(*tree), std::move(folder));
 }
 

@@ -232,7 +232,8 @@ void check_drives(Binder& binder, const Case& out, const Motions& motions, const
       if (component_of_force(other.name) != c) continue;
       binder.error(*other.key, other.path,
                    component_words(*c) + " is driven by its motion " + motion_name(*c) +
-                       " here: it cannot be driven by force at once");
+                       " here: it cannot be driven by force at once",
+                   "leave out one of them");
     }
   }
   for (const auto& entry : forces) {

@@ -228,7 +228,8 @@ std::optional<law::FrictionLaw> coefficient(Binder& binder, const FrictionText& 
   }
   if (text.coefficient.given()) return coefficient_law(binder, text.coefficient, surroundings);
   if (has_unknown_key<FrictionText>(friction)) return std::nullopt;
-  binder.warning(friction, path, "no coefficient: this definition has no effect");
+  binder.warning(friction, path, "no coefficient: this definition has no effect",
+                 "give it a 'coefficient'");
   return law::FrictionLaw(law::ConstantCoefficient{0.0});
 }
 

@@ -98,6 +98,8 @@ tl::expected<std::vector<Mention>, ExpressionError> scan(std::string_view text) 
         return failure("an expression cannot assign with '=' (a comparison is written '==')", i);
       }
       i += comparison ? 2 : 1;
+    } else if (text.substr(i, 2) == "**") {
+      return failure("a power is written '^', not '**'", i);
     } else if (c == '"' || c == '\'') {
       return failure("an expression has no strings", i);
     } else if (c == '(') {

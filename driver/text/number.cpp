@@ -187,6 +187,21 @@ std::optional<std::string> explain_word(std::string_view text) {
   return std::nullopt;
 }
 
+// A number with what ends a statement or begins a comment in another language.
+std::optional<std::string> explain_end(std::string_view text) {
+  const std::size_t end = text.find_last_not_of("0123456789.eE+-");
+  const std::size_t begin = std::min(text.find_first_of(";/!"), text.size());
+  const std::string_view number = text.substr(0, text.find_last_not_of(' ', begin - 1) + 1);
+  if (end == std::string_view::npos || begin == text.size() || !is_number(number)) {
+    return std::nullopt;
+  }
+  if (begin + 1 == text.size() && text[begin] == ';')
+    return fmt::format("{}: nothing stands behind a number; write {}", quoted(text), number);
+  if (text[begin] == '!' || text.substr(begin).starts_with("//"))
+    return fmt::format("{}: a comment begins with ' #'; write {} # ..", quoted(text), number);
+  return std::nullopt;
+}
+
 // What begins like a number and goes on as something else.
 std::optional<std::string> explain_rest(std::string_view text) {
   const std::size_t length = number_prefix(text);
@@ -221,6 +236,7 @@ std::optional<std::string> explain_rest(std::string_view text) {
 std::string explain(std::string_view text) {
   constexpr std::string_view kMinusSign = "\xE2\x88\x92";
   if (auto reason = explain_word(text)) return *reason;
+  if (auto reason = explain_end(text)) return *reason;
   if (auto reason = explain_separator(text)) return *reason;
   if (auto reason = explain_other_base(text)) return *reason;
   if (auto reason = explain_rest(text)) return *reason;

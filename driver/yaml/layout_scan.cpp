@@ -370,7 +370,12 @@ class LayoutScanner {
                       fmt::format("write '{}: {}'", shown(begin, begin + colon),
                                   shown(begin + colon + 1, end)));
     } else {
-      structural_slip(begin, end - begin, fmt::format("missing ':' after '{}'", shown(begin, end)));
+      const std::size_t equals = words.find(" = ");
+      structural_slip(begin, end - begin, fmt::format("missing ':' after '{}'", shown(begin, end)),
+                      equals == std::string_view::npos
+                          ? std::string()
+                          : fmt::format("write '{}: {}'", shown(begin, begin + equals),
+                                        shown(begin + equals + 3, end)));
     }
   }
 
@@ -386,8 +391,9 @@ class LayoutScanner {
         structural_slip(content, trimmed_end(content) - content,
                         fmt::format("'{}' stands below a value and is indented like a part of it",
                                     shown(content, at_)),
-                        fmt::format("line {} already has the value '{}'", line_number(plain_begin_),
-                                    shown(plain_begin_, plain_end_)));
+                        fmt::format("line {} already has the value '{}'; keys of one map stand "
+                                    "in one column, items begin with '- '",
+                                    line_number(plain_begin_), shown(plain_begin_, plain_end_)));
       }
       plain_open_ = false;
       at_ = content;

@@ -9,6 +9,7 @@ TEST is one of
   bad        every file of cases/bad is refused with exit code 2 and a message with file:line:column, and so is every
              fit file of cases/bad/calibration
   semantic   every file of semantic/ is refused with exit code 2, at the place and with the words its first line wants
+  mistakes   each typical mistake of a new user (mistakes.yaml) is answered with its place, its cause and a remedy
   sensitive  checks notice a wrong coefficient or gap: with mu, a direction's coefficient or the width of a dead zone
              raised by 1 % the verification cases fail
   calibration  the fits of cases/calibration find the numbers that their data were made with, within 4 standard errors,
@@ -30,6 +31,7 @@ import os
 import pathlib
 import pty
 import re
+import shlex
 import signal
 import subprocess
 import sys
@@ -141,6 +143,38 @@ def semantic():
         expect(code == 2, f"semantic/{path.name}: ended with {code}, wanted 2")
         said = [line for line in text.splitlines() if f"{path.name}:{place}" in line]
         expect(any(words in line for line in said), f"semantic/{path.name}: wanted '{place} ... {words}', found:\n{text}")
+
+
+def mistakes():
+    document = yaml.safe_load((source / "tests/cases/mistakes.yaml").read_text())
+    commands = {"slider.yaml": "run slider.yaml --no-output", "rig.yaml": "run rig.yaml --no-output",
+                "rig.csv": "run rig.yaml --no-output", "fit.yaml": "calibrate fit.yaml --no-output"}
+    tried = document["mistakes"]
+    accepted = [one["mistake"] for one in tried if "accepted" in one]
+    lacking = [f"{one['mistake']} ({one['lacks']})" for one in tried if "lacks" in one]
+    for mistake in tried:
+        name = mistake["mistake"]
+        with tempfile.TemporaryDirectory() as folder:
+            folder = pathlib.Path(folder) / "work"
+            folder.mkdir()
+            texts = dict(document["files"])
+            changed = mistake.get("in", "slider.yaml")
+            for old, new in [*([mistake["change"]] if "change" in mistake else []), *mistake.get("more", [])]:
+                expect(old == "all" or texts[changed].count(old) == 1, f"{name}: '{old}' is not there once")
+                texts[changed] = new if old == "all" else texts[changed].replace(old, new)
+            for file, text in texts.items():
+                (folder / file).write_text(text)
+            code, said = run(*shlex.split(mistake.get("run", commands[changed])), cwd=folder)
+        if mistake.get("accepted"):
+            expect(code == 0, f"{name}: is no longer accepted; what does it say?\n{said}")
+            continue
+        # Place, cause and remedy stand in one message.
+        answers = [line for line in said.splitlines() if all(re.search(part, line) for part in mistake["says"])]
+        expect(answers, f"{name}: wanted {' ... '.join(mistake['says'])}, found:\n{said}")
+        expect(code in (2, 4) or any("warning" in line or "FAIL" in line for line in answers), f"{name}: ended with {code}:\n{said}")
+    expect(len(tried) >= 109, f"only {len(tried)} mistakes are tried")
+    good = len(tried) - len(accepted) - len(lacking)
+    print(f"{good} of {len(tried)} get place, cause and remedy; accepted: {', '.join(accepted)}; lacking: {', '.join(lacking)}")
 
 
 def sensitive():
@@ -526,7 +560,7 @@ def suite_progress(folder):
     expect(bar.search(on_terminal({"TERM": "xterm"}, stdout=subprocess.PIPE)), "no bar while the table goes to a file")
 
 
-tests = {f.__name__: f for f in (schema, check, bad, semantic, sensitive, calibration, twins, suite, guide)}
+tests = {f.__name__: f for f in (schema, check, bad, semantic, mistakes, sensitive, calibration, twins, suite, guide)}
 parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 parser.add_argument("test", choices=tests)
 parser.add_argument("--slipbench", required=True, help="the program")

@@ -548,7 +548,7 @@ const std::vector<Fault>& faults() {
       {{{"    coefficient: = mu\n", "    coefficient: = mu\n    R: 3\n"}},
        {"17:5: error: friction[0].R: unknown key; 'R' belongs to friction[].predefined"}},
       {{{"    coefficient: = mu\n", "    coefficient: = mu\n    mu: 3\n"}},
-       {"17:5: error: friction[0].mu: unknown key; known here: name, predefined, component,"}},
+       {"17:5: error: friction[0].mu: unknown key; the coefficient is 'coefficient: 0.2'"}},
       {{{"    coefficient: = mu\n", "    coefficient: = mu\n    slip_tolerance: 3\n"}},
        {"17:5: error: friction[0].slip_tolerance: unknown key; 'slip_tolerance' belongs to"}},
       {{{"    increments", "    CP1: {to: 3}\n    increments"}},

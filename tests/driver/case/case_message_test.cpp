@@ -128,7 +128,8 @@ TEST_CASE("A stick without a length notes the length it takes") {
 
 TEST_CASE("A definition without a coefficient is warned of") {
   CHECK(complaint(changed({{"    coefficient: = mu\n", ""}})) ==
-        "c.yaml:12:5: warning: friction[0]: no coefficient: this definition has no effect\n"
+        "c.yaml:12:5: warning: friction[0]: no coefficient: this definition has no effect; "
+        "give it a 'coefficient'\n"
         "   12 |   - name: sleeve\n"
         "      |     ^\n");
 }
@@ -214,9 +215,10 @@ TEST_CASE("Empty lists are no lists of steps, definitions or types") {
                                  "history {csv: ...}, found nothing"});
   CHECK(messages(cut("friction:", "friction: []\nhistory: [{step: a, increments: 1}]\n")) ==
         std::vector<std::string>{"11:11: error: friction: needs at least one definition"});
-  CHECK(
-      messages(cut("checks:", "checks: {name: a}\n")) ==
-      std::vector<std::string>{"23:9: error: checks: wanted a list, each item a map, found a map"});
+  CHECK(messages(cut("checks:", "checks: {name: a}\n")) ==
+        std::vector<std::string>{
+            "23:9: error: checks: wanted a list, each item a map, found a map; each "
+            "item of a list begins with '- '"});
 }
 
 TEST_CASE("Steps, checks and definitions have names of their own") {

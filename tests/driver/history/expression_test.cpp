@@ -123,6 +123,7 @@ TEST_CASE("a syntax error is reported at its position") {
   CHECK(compile_error("2 * * 3").offset == 4);
   CHECK(compile_error("= 2 mu").offset == 4);
   CHECK(compile_error("(1 + 2").message == "a ')' is missing");
+  CHECK(compile_error("2**3").message == "a power is written '^', not '**'");
   CHECK(compile_error("1 + 2)").offset == 5);
   CHECK(compile_error("1 +").message == "the expression ends too early");
   CHECK(compile_error("min()").message.find("too few arguments") == 0);

@@ -40,6 +40,9 @@ TEST_CASE("Numbers in decimal notation are read to the nearest double") {
 TEST_CASE("What is no number is refused with a reason and, if it can be guessed, what to write") {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"", "nothing where a number is wanted"},
+      {"1.0;", "'1.0;': nothing stands behind a number; write 1.0"},
+      {"1.0 // s", "'1.0 // s': a comment begins with ' #'; write 1.0 # .."},
+      {"2 ! s", "'2 ! s': a comment begins with ' #'; write 2 # .."},
       {".nan", "'.nan': a finite number is wanted"},
       {"NaN", "'NaN': a finite number is wanted"},
       {".inf", "'.inf': a finite number is wanted"},

@@ -310,7 +310,8 @@ TEST_CASE("Indentation that cannot be meant is an error at its line") {
              {"a: 1\n  b: 2\n",
               "c.yaml:2:3: error: 'b' stands below a value and is indented like a part of it; line "
               "1 already "
-              "has the value '1'\n    2 |   b: 2\n      |   ^\n"},
+              "has the value '1'; keys of one map stand in one column, items begin with '- '\n    "
+              "2 |   b: 2\n      |   ^\n"},
              {"a:\n    b: 1\n  c: 2\n",
               "c.yaml:3:3: error: this does not continue what stands above; check the indentation\n"
               "    3 |   c: 2\n      |   ^\n"},
