@@ -239,6 +239,7 @@ ReadCase ParsedCase::resolve(const ReadOptions& options) const {
   resolve_history(binder, text, problem);
   finish_belt(binder, text, problem);
   finish_forces(binder, text, problem);
+  tell_oscillator(binder, text, problem);
   check_formulations(binder, text, problem);
   resolve_bench_options(binder, text, problem);
   const bool history_known = text.history.sound && binder.errors() == errors;

@@ -36,6 +36,9 @@ bool resolve_friction(Binder& binder, const CaseText& text, bool derived_known, 
 void resolve_forces(Binder& binder, const CaseText& text, Case& out);
 /// What of them can only be judged with the history: components driven by force and by motion.
 void finish_forces(Binder& binder, const CaseText& text, Case& out);
+/// Notes the natural frequency of a mass on its spring, and warns if no row shows it; goes after
+/// the history.
+void tell_oscillator(Binder& binder, const CaseText& text, const Case& problem);
 void resolve_history(Binder& binder, const CaseText& text, Case& out);
 /// Dead zones, and the rules of a coefficient for each direction; goes after the history.
 void resolve_bench_options(Binder& binder, const CaseText& text, Case& out);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "driver/case/degrees.hpp"
 #include "driver/case/key_index.hpp"
 #include "driver/case/quantity.hpp"
 #include "driver/case/resolve.hpp"
@@ -56,6 +57,9 @@ void read_positions(Binder& binder, const NamedMap<double>& text, const Case& pr
                    connector_words(problem.connection) + " has no component " +
                        std::to_string(*component + 1) + "; it has " + motion_names(measured));
     } else if (entry.sound) {
+      if (law::is_rotation(*component)) {
+        doubt_angle(binder, *entry.node, entry.path, AngleUse::kSwing);
+      }
       out[*component] = entry.value;
     }
   }

@@ -5,6 +5,7 @@
 #include <map>
 #include <string_view>
 
+#include "driver/case/degrees.hpp"
 #include "driver/case/quantity.hpp"
 #include "driver/case/resolve.hpp"
 #include "driver/history/profile_cursor.hpp"
@@ -140,6 +141,7 @@ std::optional<UnitConversion> conversion(Binder& binder, const At<std::string>& 
 std::optional<Profile> finish(Binder& binder, const Case& problem, const ProfileText& text,
                               const Node& node, const Path& path, int quantity,
                               const StepStart& start) {
+  doubt_angles_of_profile(binder, node, path, quantity < kFirstForce && law::is_rotation(quantity));
   Profile profile = text.profile;
   if (std::holds_alternative<Constant>(profile) && quantity < kFirstForce) {
     binder.error(node, path, "a motion needs a profile, found a number",

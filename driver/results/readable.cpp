@@ -3,38 +3,21 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
-#include <optional>
-#include <span>
 #include <string_view>
+
+#include "driver/history/derived_units.hpp"
 
 namespace slipbench::driver {
 namespace {
 
-struct Power {
+struct Joules {
   std::string_view name;
   int exponent = 0;  ///< of ten
 };
-constexpr Power kForces[] = {{"mN", -3}, {"N", 0}, {"daN", 1}, {"kN", 3}, {"MN", 6}};
-constexpr Power kLengths[] = {{"um", -6}, {"mm", -3}, {"cm", -2}, {"m", 0}, {"km", 3}};
-constexpr Power kJoules[] = {{"nJ", -9}, {"uJ", -6}, {"mJ", -3}, {"J", 0},
-                             {"kJ", 3},  {"MJ", 6},  {"GJ", 9}};
-
-std::optional<int> exponent_of(std::span<const Power> powers, std::string_view name) {
-  const auto found = std::find_if(powers.begin(), powers.end(),
-                                  [&](const Power& power) { return power.name == name; });
-  return found == powers.end() ? std::nullopt : std::optional(found->exponent);
-}
-
-/// The power of ten that makes joules of the case's energies.
-std::optional<int> joule_exponent(const UnitSystem& units) {
-  const auto force = exponent_of(kForces, units.force);
-  const auto length = exponent_of(kLengths, units.length);
-  return force && length ? std::optional(*force + *length) : std::nullopt;
-}
+constexpr Joules kJoules[] = {{"nJ", -9}, {"uJ", -6}, {"mJ", -3}, {"J", 0},
+                              {"kJ", 3},  {"MJ", 6},  {"GJ", 9}};
 
 }  // namespace
 
@@ -51,7 +34,7 @@ std::string with_unit(const std::string& number, const std::string& unit) {
 
 std::string energy_unit(const UnitSystem& units) {
   if (const auto exponent = joule_exponent(units)) {
-    for (const Power& unit : kJoules) {
+    for (const Joules& unit : kJoules) {
       if (unit.exponent == *exponent) return std::string(unit.name);
     }
   }
