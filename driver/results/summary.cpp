@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "driver/history/derived_units.hpp"
 #include "driver/results/csv_writer.hpp"
 #include "law/penalty_predictor.hpp"
 #include "law/penalty_update.hpp"
@@ -65,6 +66,7 @@ Summary::Summary(const Case& problem)
   for (const CaseDefinition& definition : problem.definitions) {
     definitions_.push_back({});
     definitions_.back().name = definition.name;
+    stick_slip_.emplace_back(problem, stick_slip_.size());
   }
 }
 
@@ -83,6 +85,8 @@ void Summary::add(const Row& row) {
     const DefinitionRow& here = row.definitions[d];
     const law::FrictionUpdate& update = here.update;
     DefinitionSummary& sum = definitions_[d];
+    stick_slip_[d].add(row);
+    sum.stick_slip = stick_slip_[d].cycles();
     add_creep(here, d);
     if (update.state.regime == law::Regime::kSlip) {
       sum.slip_time += (1.0 - since_[d]) * row.duration;
@@ -184,6 +188,7 @@ void Summary::add_events(const Row& row) {
   std::fill(since_.begin(), since_.end(), 0.0);
   for (const Event& event : detector_.take(row)) {
     DefinitionSummary& sum = definitions_[event.definition];
+    stick_slip_[event.definition].add(event, row);
     const double before = std::exchange(since_[event.definition], event.fraction);
     // Slip that turns to the opposite sense has stuck on the way, but where the turn was located.
     const bool located = row.definitions[event.definition].changes.count > 0;
@@ -278,7 +283,46 @@ std::string Summary::definition_text(const DefinitionSummary& sum, std::size_t i
                   with_unit(rounded(sum.highest_force), force), energy_text(sum.dissipation, units),
                   energy_text(sum.stored_energy, units),
                   fmt::format("{:.1g}{}", std::abs(sum.energy_gap()), energy_note(definition.law)));
-  return text + why_text(sum, index);
+  return text + stick_slip_text(sum, index) + why_text(sum, index);
+}
+
+std::string Summary::stick_slip_text(const DefinitionSummary& sum, std::size_t index) const {
+  // One cycle may be any motion that stops once.
+  constexpr std::int64_t kFewest = 2;
+  const StickSlip& all = sum.stick_slip;
+  if (all.cycles < kFewest) return {};
+  const UnitSystem& units = case_->units;
+  const bool rotational = is_rotational(case_->definitions[index].law);
+  // A steady vibration has one period, apart from where its rows lie.
+  constexpr double kSteady = 0.01;
+  const double mean = all.time / static_cast<double>(all.cycles);
+  const std::string period =
+      all.period.highest - all.period.lowest <= kSteady * mean
+          ? rounded(mean)
+          : rounded(all.period.lowest, 3) + " .. " + rounded(all.period.highest, 3);
+  const std::string over =
+      fmt::format("(period {} over {} cycles, t = {} .. {})", with_unit(period, units.time),
+                  all.cycles, rounded(all.first), with_unit(rounded(all.last), units.time));
+  std::string text = definitions_.size() > 1 ? "  " + sum.name + ": " : "  ";
+  // Of bursts a mean frequency says nothing.
+  if (all.period.highest > 2.0 * all.period.lowest) {
+    text += "irregular stick-slip " + over;
+  } else {
+    const std::string hertz = frequency_name(units);
+    const std::string frequency = rounded(all.frequency());
+    text += fmt::format(
+        "stick-slip at {} {}",
+        hertz.empty() ? frequency + " cycles a unit of time" : with_unit(frequency, hertz), over);
+  }
+  if (all.place.highest > all.place.lowest) {
+    text += ", amplitude " + with_unit(rounded(0.5 * (all.place.highest - all.place.lowest), 3),
+                                       unit_text(rotational ? kAngle : kLength, units));
+  }
+  return text + fmt::format(", {} {} .. {}, slips {} of a cycle\n", rotational ? "moment" : "force",
+                            rounded(all.force.lowest),
+                            with_unit(rounded(all.force.highest),
+                                      unit_text(rotational ? kMoment : kForce, units)),
+                            percent(all.slip_time, all.time));
 }
 
 std::string Summary::why_text(const DefinitionSummary& sum, std::size_t index) const {

@@ -15,6 +15,7 @@
 #include "driver/results/events.hpp"
 #include "driver/results/plausibility.hpp"
 #include "driver/results/readable.hpp"
+#include "driver/results/stick_slip.hpp"
 #include "driver/simulation.hpp"
 #include "driver/text/json.hpp"
 #include "law/uniqueness.hpp"
@@ -64,6 +65,8 @@ struct DefinitionSummary {
   double largest_use = 0.0;           ///< of limit_use
   double largest_use_time = 0.0;      ///< total time of that [T]
 
+  StickSlip stick_slip;  ///< its cycles, if it vibrates
+
   /// (work - dissipation - stored energy) over the largest energy of the run: what the time
   /// stepping lost. 0 where nothing moved.
   double energy_gap() const;
@@ -90,7 +93,9 @@ class Summary {
 
  private:
   std::string definition_text(const DefinitionSummary& definition, std::size_t index) const;
+  json::Value to_json(const StickSlip& cycles, bool rotational) const;
   std::string open_text(std::size_t index) const;
+  std::string stick_slip_text(const DefinitionSummary& definition, std::size_t index) const;
   std::string why_text(const DefinitionSummary& definition, std::size_t index) const;
   void add_start(const Row& row);
   void note_first_slip(const Event& event, const Row& row);
@@ -109,6 +114,7 @@ class Summary {
   CycleCounter cycles_;
   Coverage coverage_;
   Plausibility plausibility_;
+  std::vector<StickSlipCounter> stick_slip_;
   std::vector<double> since_;  ///< fraction of the increment at the last event in it
   std::vector<law::FrictionState> stick_start_;  ///< where the current stick began
   std::int64_t increments_ = 0;

@@ -1,7 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "driver/history/derived_units.hpp"
 #include "driver/results/summary.hpp"
 
 namespace slipbench::driver {
+
+json::Value Summary::to_json(const StickSlip& all, bool rotational) const {
+  const UnitSystem& units = case_->units;
+  const auto range = [](const Extremes& of, const std::string& unit) {
+    json::Value value;
+    value["lowest"] = of.lowest;
+    value["highest"] = of.highest;
+    value["unit"] = unit;
+    return value;
+  };
+  json::Value value;
+  value["cycles"] = all.cycles;
+  value["first"] = all.first;
+  value["last"] = all.last;
+  value["frequency"] = all.frequency();
+  value["frequency_unit"] = frequency_name(units);
+  value["period"] = range(all.period, units.time);
+  value["force"] = range(all.force, unit_text(rotational ? kMoment : kForce, units));
+  if (all.place.highest > all.place.lowest) {
+    const std::string unit = unit_text(rotational ? kAngle : kLength, units);
+    value["place"] = range(all.place, unit);
+    value["amplitude"] = 0.5 * (all.place.highest - all.place.lowest);
+    value["amplitude_unit"] = unit;
+  }
+  value["slip_share"] = all.slip_time / all.time;
+  return value;
+}
 
 json::Value Summary::to_json() const {
   json::Value all;
@@ -50,6 +78,9 @@ json::Value Summary::to_json() const {
       one["cycles"] = cycles;
     } else {
       one["cycles"] = nullptr;
+    }
+    if (sum.stick_slip.cycles > 1) {
+      one["stick_slip"] = to_json(sum.stick_slip, is_rotational(case_->definitions[d].law));
     }
     one["increments_with_several_solutions"] = sum.multiple_roots;
     one["increments_too_short"] = sum.short_increments;
