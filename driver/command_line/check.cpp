@@ -36,6 +36,7 @@ void declare_check(CLI::App& app, Command& command) {
                    "Also tell the N slowest cases and their times; 0 for all")
       ->type_name("N")
       ->check(whole_number(0, 1000000000));
+  declared->add_flag("--strict", options->strict, "A case with a warning fails");
   declared->add_option("--junit", options->junit, "Also write the verdicts as JUnit XML")
       ->type_name("FILE");
   declared->add_option("--json", options->json, "Also write the verdicts as JSON")

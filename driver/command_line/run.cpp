@@ -38,6 +38,9 @@ void declare_run(CLI::App& app, Command& command) {
                      "Only tell how far backward Euler is from exact integration; writes nothing");
   declared->add_flag("--converge", options->converge,
                      "Only tell what half and quarter increments change; writes nothing");
+  declared->add_flag("--strict", options->strict,
+                     "Warnings count as errors: of reading a case nothing is run (exit code 2), of "
+                     "its run the exit code is 1");
   declared->footer(
       "Writes <case>.csv (a row an increment), <case>.events.csv (every change between stick and\n"
       "slip) and <case>.json (the summary). Prints what happened and the case's own checks.\n"

@@ -136,6 +136,7 @@ int check_command(const CheckOptions& options) {
   suite.threads = options.jobs > 0 ? static_cast<unsigned>(options.jobs) : core_count();
   suite.fail_fast = options.fail_fast;
   suite.keep_passing = told.junit || told.json;
+  suite.strict = options.strict;
   if (pages) {
     suite.report = [&](std::size_t i, CaseReport&& page) { pages->put(i, std::move(page)); };
   }

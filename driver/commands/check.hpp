@@ -17,6 +17,7 @@ struct CheckOptions {
   bool fail_fast = false;            ///< stop at the first that does not pass
   bool quiet = false;                ///< of the table, only what does not pass
   std::optional<int> durations;      ///< also tell so many of the slowest cases; 0 for all
+  bool strict = false;               ///< a warning fails its case
   std::string junit;                 ///< files to write; empty for none
   std::string json;
   std::string report;

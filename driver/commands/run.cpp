@@ -16,14 +16,17 @@
 #include "driver/commands/compare_integration.hpp"
 #include "driver/commands/converge.hpp"
 #include "driver/commands/explain.hpp"
+#include "driver/commands/outlook.hpp"
 #include "driver/commands/shared.hpp"
 #include "driver/commands/solver_report.hpp"
+#include "driver/compare/kept_rows.hpp"
 #include "driver/results/csv_writer.hpp"
 #include "driver/results/events.hpp"
 #include "driver/results/provenance.hpp"
 #include "driver/results/reproducer.hpp"
 #include "driver/results/summary.hpp"
 #include "driver/text/json.hpp"
+#include "driver/text/one_line.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -63,10 +66,8 @@ std::string shown(const fs::path& path) { return path.lexically_normal().string(
 
 std::string notes_text(const Diagnostics& diagnostics) {
   std::string text;
-  for (const Diagnostic& diagnostic : diagnostics.sorted()) {
-    if (diagnostic.severity != Severity::kNote) continue;
-    text += "  note: " + diagnostic.path + (diagnostic.path.empty() ? "" : ": ") +
-            diagnostic.message + (diagnostic.hint.empty() ? "" : "; " + diagnostic.hint) + "\n";
+  for (const std::string& note : lines_of(diagnostics, Severity::kNote)) {
+    text += "  note: " + note + "\n";
   }
   return text;
 }
@@ -112,6 +113,9 @@ int run_one(const ReadCase& read, const RunOptions& options, std::span<const std
   const Case& problem = *read.value;
   const int every = options.every.value_or(problem.output_every);
 
+  if (const std::string fault = memory_fault(problem); !fault.empty()) {
+    return refuse(kExitEnvironment, case_stem(problem) + ": " + fault);
+  }
   std::optional<ResultFiles> files;
   std::optional<CsvWriter> rows;
   std::optional<EventWriter> events;
@@ -131,7 +135,8 @@ int run_one(const ReadCase& read, const RunOptions& options, std::span<const std
   for (const Check& check : problem.checks) checks.emplace_back(problem, check);
 
   Row last;
-  const auto ended = [&] {
+  Outlook outlook(problem, options.folder);
+  const auto follow = [&] {
     Progress progress(case_stem(problem));
     return follow_case(problem, [&](const Simulation& simulation) {
       const Row& row = simulation.row();
@@ -146,8 +151,15 @@ int run_one(const ReadCase& read, const RunOptions& options, std::span<const std
           last = row;
         }
       }
-      progress.step(row);
+      outlook.look(row, files ? &files->rows : nullptr, progress);
     });
+  };
+  const auto ended = [&]() -> decltype(follow()) {
+    try {
+      return follow();
+    } catch (const NoRoom& full) {
+      return tl::unexpected(SimulationFailure{SimulationFailure::Kind::kEnvironment, full.message});
+    }
   }();
   if (!ended) {
     print_error(failure_text(problem, ended.error()));
@@ -170,6 +182,9 @@ int run_one(const ReadCase& read, const RunOptions& options, std::span<const std
     document["provenance"] = provenance(problem);
     document["summary"] = summary.to_json();
     json::Value warning_list = json::Array{};
+    for (std::string& warning : lines_of(read.diagnostics, Severity::kWarning)) {
+      warning_list.push_back(std::move(warning));
+    }
     for (const std::string& warning : warnings) warning_list.push_back(warning);
     document["warnings"] = warning_list;
     json::Value check_list = json::Array{};
@@ -191,8 +206,10 @@ int run_one(const ReadCase& read, const RunOptions& options, std::span<const std
   text += summary.text();
   if (solver) text += solver->text();
   text += notes_text(read.diagnostics);
+  std::size_t doubts = warnings.size();
   for (const std::string& warning : warnings) text += "  warning: " + warning + "\n";
   for (const Verdict& verdict : verdicts) {
+    doubts += verdict.warnings.size();
     for (const std::string& warning : verdict.warnings) {
       text += fmt::format("  warning: check '{}': {}\n", verdict.name, warning);
     }
@@ -202,6 +219,10 @@ int run_one(const ReadCase& read, const RunOptions& options, std::span<const std
     failed = failed || !verdicts[i].passed;
     text += fmt::format("  {}  {}\n", verdicts[i].passed ? "PASS" : "FAIL",
                         verdict_text(problem.checks[i], verdicts[i]));
+  }
+  if (options.strict && doubts > 0) {
+    failed = true;
+    text += fmt::format("  FAIL  {} warning{} under --strict\n", doubts, doubts == 1 ? "" : "s");
   }
   print(text + written);
   return failed ? kExitCheckFailed : kExitOk;
@@ -291,6 +312,11 @@ int run_command(const RunOptions& options) {
   if (code != kExitOk) {
     print_error(driver::summary(all) + ", nothing was run\n");
     return code;
+  }
+  if (const std::size_t warnings = all.count(Severity::kWarning); options.strict && warnings > 0) {
+    print_error(fmt::format("{} warning{} under --strict, nothing was run\n", warnings,
+                            warnings == 1 ? "" : "s"));
+    return kExitBadInput;
   }
   std::vector<std::string> inputs;
   for (const ReadCase& read : cases) {

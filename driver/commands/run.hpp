@@ -17,6 +17,7 @@ struct RunOptions {
   bool solver_report = false;         ///< --solver-report: what a solver has to expect
   bool compare_integration = false;   ///< --compare-integration: backward Euler against exact
   bool converge = false;              ///< --converge: dt, dt/2, dt/4
+  bool strict = false;                ///< --strict: a warning fails the case
   bool allow_outside = false;
 };
 

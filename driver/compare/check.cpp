@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "driver/compare/curve_series.hpp"
+#include "driver/compare/kept_rows.hpp"
 #include "driver/results/columns.hpp"
 #include "driver/results/summary.hpp"
 
@@ -16,8 +17,8 @@ namespace slipbench::driver {
 CheckProgress::CheckProgress(const Case& problem, const Check& check, Trace trace)
     : case_(&problem), check_(&check), judge_(check.tolerance) {
   const bool against_curve = std::holds_alternative<CurveReference>(check.against);
-  streamed_ = check.criterion == Criterion::kPointwise && !against_curve;
-  kept_ = !streamed_ || trace == Trace::kKeep;
+  streamed_ = !keeps_rows(check, Trace::kNone);
+  kept_ = keeps_rows(check, trace);
   const std::vector<Column> columns = result_columns(problem);
   definition_ = friction_of(problem, columns, check);
   const auto make = [&](const Expression& expression, const std::vector<std::string>& variables,

@@ -13,6 +13,7 @@
 #include "driver/commands/shared.hpp"
 #include "driver/compare/check.hpp"
 #include "driver/compare/criteria/pointwise.hpp"
+#include "driver/compare/kept_rows.hpp"
 #include "driver/plot/definition.hpp"
 #include "driver/plot/input.hpp"
 #include "driver/plot/kinds.hpp"
@@ -149,6 +150,9 @@ tl::expected<void, PlotFailure> draw_residuals(const PlotOptions& options,
   if (!problem) return tl::unexpected(problem.error());
   if (problem->checks.empty()) {
     return failed(kExitBadInput, options.input + ": has no checks, so there are no residuals");
+  }
+  if (const std::string fault = memory_fault(*problem, Trace::kKeep); !fault.empty()) {
+    return failed(kExitEnvironment, options.input + ": " + fault);
   }
   std::vector<CheckProgress> checks;
   for (const Check& check : problem->checks) checks.emplace_back(*problem, check, Trace::kKeep);

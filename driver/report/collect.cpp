@@ -17,6 +17,7 @@
 #include "driver/results/events.hpp"
 #include "driver/results/result_layout.hpp"
 #include "driver/results/summary.hpp"
+#include "driver/text/one_line.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -33,7 +34,7 @@ std::string reference_text(const Check& check) {
 }
 
 /// The lines of a text without the blanks they are indented by.
-std::vector<std::string> lines_of(std::string_view text) {
+std::vector<std::string> unindented_lines(std::string_view text) {
   std::vector<std::string> lines;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
@@ -179,7 +180,7 @@ CaseReport CaseCollector::finish(const std::string& name, std::span<const CheckP
   report.units = state.layout.units;
   report.units.emplace_back("energy", energy_unit(problem.units));
   report.parameters.assign(problem.parameters.begin(), problem.parameters.end());
-  report.summary = lines_of(state.summary.text());
+  report.summary = unindented_lines(state.summary.text());
   report.warnings = state.summary.warnings(jumps);
   report.increments = state.summary.increments();
   for (const Column& column : state.shown) {
@@ -243,16 +244,11 @@ std::vector<double> worst_times(const CaseReport& report) {
 }
 
 void add_remarks(CaseReport& report, const Diagnostics& diagnostics) {
-  for (const Diagnostic& diagnostic : diagnostics.sorted()) {
-    if (diagnostic.severity == Severity::kError) continue;
-    const std::string text = (diagnostic.path.empty() ? "" : diagnostic.path + ": ") +
-                             diagnostic.message +
-                             (diagnostic.hint.empty() ? "" : "; " + diagnostic.hint);
-    if (diagnostic.severity == Severity::kNote) {
-      report.summary.push_back("note: " + text);
-    } else {
-      report.warnings.push_back(text);
-    }
+  for (const std::string& note : lines_of(diagnostics, Severity::kNote)) {
+    report.summary.push_back("note: " + note);
+  }
+  for (std::string& warning : lines_of(diagnostics, Severity::kWarning)) {
+    report.warnings.push_back(std::move(warning));
   }
 }
 

@@ -74,6 +74,10 @@ void Annotations::add(const Candidate& candidate, const CaseOutcome& outcome) {
     text_ += annotation("error", from_root(outcome.fault.file), outcome.fault.where,
                         candidate.label, outcome.fault.message);
   }
+  for (const std::string& warning : outcome.warnings) {
+    if (warnings_++ >= kMost) break;
+    text_ += annotation("warning", from_root(candidate.path), {}, candidate.label, warning);
+  }
   for (const CheckOutcome& check : outcome.verdicts) {
     const auto add_one = [&](const char* level, const std::string& message) {
       text_ += annotation(level, from_root(candidate.path), check.where,

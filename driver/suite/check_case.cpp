@@ -12,7 +12,10 @@
 
 #include "driver/commands/shared.hpp"
 #include "driver/compare/check.hpp"
+#include "driver/compare/kept_rows.hpp"
 #include "driver/report/collect.hpp"
+#include "driver/results/plausibility.hpp"
+#include "driver/text/one_line.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -63,28 +66,60 @@ CaseOutcome refused(const std::string& path, const ReadCase& read) {
     outcome.fault = {path, {}, "cannot be read"};
     return outcome;
   }
-  std::string message = first->path.empty() ? "" : first->path + ": ";
-  message += first->message;
-  if (!first->hint.empty()) message += "; " + first->hint;
-  outcome.fault = {first->file.empty() ? path : first->file, first->where, std::move(message)};
+  outcome.fault = {first->file.empty() ? path : first->file, first->where, one_line(*first)};
   return outcome;
+}
+
+/// A warning as the failed check that '--strict' makes of it.
+CheckOutcome failed_by(const std::string& warning, std::size_t number) {
+  CheckOutcome outcome;
+  outcome.verdict.name = fmt::format("warning {}", number);
+  outcome.verdict.message = warning;
+  outcome.text = "warning: " + warning;
+  return outcome;
+}
+
+/// Tells the warnings of a case. Checks that pass have judged its numbers: what is not plausible in
+/// them is told only where none do, or if warnings count.
+void take_warnings(CaseOutcome& outcome, std::vector<std::string> warnings, bool strict) {
+  if (!strict) {
+    if (outcome.kind != CaseOutcome::Kind::kPassed) outcome.warnings = std::move(warnings);
+    return;
+  }
+  for (const CheckOutcome& check : outcome.verdicts) {
+    for (const std::string& warning : check.verdict.warnings) {
+      warnings.push_back(fmt::format("check '{}': {}", check.verdict.name, warning));
+    }
+  }
+  for (std::size_t i = 0; i < warnings.size(); ++i) {
+    outcome.verdicts.push_back(failed_by(warnings[i], i + 1));
+    outcome.kind = CaseOutcome::Kind::kFailed;
+    outcome.code = kExitCheckFailed;
+    ++outcome.failed;
+  }
 }
 
 CaseOutcome run_and_judge(const ReadCase& read, const std::string& label,
                           const CheckCaseOptions& options) {
   const Case& problem = *read.value;
+  const Trace trace = options.report ? Trace::kKeep : Trace::kNone;
+  if (const std::string fault = memory_fault(problem, trace); !fault.empty()) {
+    return failure(problem.file, kExitEnvironment, "error", fault);
+  }
   CaseOutcome outcome;
   outcome.checks = problem.checks.size();
   std::vector<CheckProgress> checks;
   checks.reserve(problem.checks.size());
   for (const Check& check : problem.checks) {
-    checks.emplace_back(problem, check, options.report ? Trace::kKeep : Trace::kNone);
+    checks.emplace_back(problem, check, trace);
   }
   std::optional<CaseCollector> collector;
   if (options.report) collector.emplace(problem, options.report_rows);
+  Plausibility plausibility(problem);
   const auto ended = run_case(problem, [&](const Row& row) {
     if (options.stopped && options.stopped()) throw GivenUp{};
     for (CheckProgress& check : checks) check.add(row);
+    plausibility.add(row);
     if (collector) collector->add(row);
   });
   if (!ended) {
@@ -111,6 +146,9 @@ CaseOutcome run_and_judge(const ReadCase& read, const std::string& label,
       outcome.verdicts.push_back({std::move(verdict), std::move(text), check.where});
     }
   }
+  std::vector<std::string> warnings = lines_of(read.diagnostics, Severity::kWarning);
+  for (std::string& finding : plausibility.findings()) warnings.push_back(std::move(finding));
+  take_warnings(outcome, std::move(warnings), options.strict);
   if (collector) {
     CaseReport report = collector->finish(label, checks, *ended);
     add_remarks(report, read.diagnostics);

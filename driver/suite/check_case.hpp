@@ -33,6 +33,7 @@ struct CheckCaseOptions {
   /// Takes what a page of the case needs, if there is one.
   std::function<void(CaseReport&&)> report = {};
   std::size_t report_rows = kMostRows;  ///< of a run that is not thinned
+  bool strict = false;                  ///< a warning fails the case
 };
 
 /// Reads a case. Nothing is thrown: a case that needs more memory than there is, or that trips

@@ -39,9 +39,10 @@ struct CaseOutcome {
   std::string remark;      ///< beside a passed case: its worst check
   /// Those that failed or are doubtful; those that passed too if they are wanted.
   std::vector<CheckOutcome> verdicts;
-  std::string messages;             ///< of a case that was not run, as printed: one or more lines
-  CaseFault fault;                  ///< of a case that was not run
-  std::vector<std::string> inputs;  ///< files it was read from
+  std::vector<std::string> warnings;  ///< of a case that was run, unless all its checks passed
+  std::string messages;               ///< of a case that was not run, as printed: one or more lines
+  CaseFault fault;                    ///< of a case that was not run
+  std::vector<std::string> inputs;    ///< files it was read from
 
   bool well() const { return kind == Kind::kPassed || kind == Kind::kNoChecks; }
 };

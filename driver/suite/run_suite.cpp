@@ -107,6 +107,7 @@ void run_suite(std::span<const Candidate> cases, std::vector<Reading> readings,
     const Reading reading = readings.empty() ? read_candidate(cases[i].path, options.read)
                                              : std::exchange(readings[i], Reading{});
     CheckCaseOptions one{options.keep_passing, stopped, {}};
+    one.strict = options.strict;
     if (options.report) {
       one.report_rows = most_rows(cases.size());
       one.report = [&, i](CaseReport&& report) { options.report(i, std::move(report)); };

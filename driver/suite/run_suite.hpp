@@ -24,6 +24,7 @@ struct SuiteOptions {
   unsigned threads = 1;
   bool fail_fast = false;     ///< end with the first case that does not pass
   bool keep_passing = false;  ///< the verdicts of checks that passed, too
+  bool strict = false;        ///< a warning fails its case
   /// Takes what a page needs of the case of that index, if there is one; called by any thread, in
   /// any order, and with `fail_fast` also for cases that are not told.
   std::function<void(std::size_t, CaseReport&&)> report = {};

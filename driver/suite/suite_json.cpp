@@ -21,6 +21,9 @@ void SuiteJson::add(std::size_t place, const Candidate& candidate, const CaseOut
       one["column"] = outcome.fault.where.column;
     }
   }
+  if (!outcome.warnings.empty()) {
+    one["warnings"] = json::Array(outcome.warnings.begin(), outcome.warnings.end());
+  }
   json::Array checks;
   for (const CheckOutcome& check : outcome.verdicts) checks.push_back(to_json(check.verdict));
   one["checks"] = std::move(checks);

@@ -8,11 +8,14 @@
 namespace slipbench::driver {
 
 void TrailingNotes::add(const Candidate& candidate, const CaseOutcome& outcome) {
+  const auto add_one = [&](const std::string& text) {
+    if (++warning_count_ > kMostWarnings) return;
+    warnings_ += fmt::format("  warning: {}  {}\n", printable(candidate.label), printable(text));
+  };
+  for (const std::string& warning : outcome.warnings) add_one(warning);
   for (const CheckOutcome& check : outcome.verdicts) {
     for (const std::string& warning : check.verdict.warnings) {
-      if (++warning_count_ > kMostWarnings) continue;
-      warnings_ += fmt::format("  warning: {}  check '{}': {}\n", printable(candidate.label),
-                               printable(check.verdict.name), printable(warning));
+      add_one(fmt::format("check '{}': {}", check.verdict.name, warning));
     }
   }
   if (!outcome.messages.empty() && ++message_count_ <= kMostCases) messages_ += outcome.messages;

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/commands/outlook.hpp"
+
+#include <fmt/format.h>
+
+#include <system_error>
+#include <utility>
+
+#include "driver/commands/progress.hpp"
+#include "driver/commands/shared.hpp"
+#include "driver/results/provenance.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kGigabyte = 1e9;
+constexpr double kPatience = 30.0;        ///< without a word [s]
+constexpr double kLargeFile = kGigabyte;  ///< likewise [bytes]
+
+std::string size_words(double bytes) {
+  return bytes < kGigabyte ? fmt::format("{:.2g} MB", 1e-6 * bytes)
+                           : fmt::format("{:.3g} GB", bytes / kGigabyte);
+}
+
+}  // namespace
+
+std::string duration_words(double seconds) {
+  constexpr double kMinute = 60.0;
+  constexpr double kHour = 3600.0;
+  if (seconds < kMinute) return fmt::format("{:.0f} s", seconds);
+  if (seconds < kHour) return fmt::format("{:.0f} min", seconds / kMinute);
+  return fmt::format("{:.1f} h", seconds / kHour);
+}
+
+std::string run_progress_text(std::int64_t increments, double done, double seconds) {
+  std::string text = fmt::format("{:.0f} %, {} increments", 100.0 * done, increments);
+  if (done > 0.0) text += fmt::format(", {} left", duration_words(seconds / done * (1.0 - done)));
+  return text;
+}
+
+Outlook::Outlook(const Case& problem, std::filesystem::path folder)
+    : case_(&problem), length_(problem), folder_(std::move(folder)), start_(Clock::now()) {}
+
+void Outlook::judge(const Row& row, OutputFile* rows) {
+  const double done = length_.done(row);
+  if (done <= 0.0) return;
+  std::error_code error;
+  double written = 0.0;
+  if (rows != nullptr) {
+    const auto size = std::filesystem::file_size(rows->temporary(), error);
+    written =
+        static_cast<double>(rows->buffer().size()) + (error ? 0.0 : static_cast<double>(size));
+  }
+  const double bytes = written / done;
+  const double whole = seconds() / done;
+  const double increments = static_cast<double>(row.index) / done;
+  const std::string name = case_stem(*case_);
+  const std::filesystem::path here = folder_.empty() ? "." : folder_;
+  const auto space = std::filesystem::space(here, error);
+  if (!error && rows != nullptr && bytes - written > static_cast<double>(space.available)) {
+    throw NoRoom{fmt::format(
+        "{}.csv would take some {}, and {} are free in {}; write fewer rows ('output: {{every: "
+        "N}}' or '--every N'), fewer columns ('output: {{columns: [..]}}') or '--no-output'",
+        name, size_words(bytes), size_words(static_cast<double>(space.available)), here.string())};
+  }
+  if (whole < kPatience && bytes < kLargeFile) return;
+  std::string text =
+      fmt::format("{}: {:.3g} increments take some {}", name, increments, duration_words(whole));
+  if (rows != nullptr) text += fmt::format(" and {} of rows", size_words(bytes));
+  print_error(text + " ('output: {every: N}' writes fewer rows, Ctrl-C leaves nothing behind)\n");
+}
+
+double Outlook::seconds() const {
+  return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+void Outlook::show(const Row& row, Progress& progress) const {
+  if (length_.increments() > 0.0) {
+    progress.say(run_progress_text(row.index, length_.done(row), seconds()));
+  } else {
+    progress.say(fmt::format("{} increments, t = {:.4g}", row.index, row.time));
+  }
+}
+
+}  // namespace slipbench::driver

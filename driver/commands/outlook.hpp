@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "driver/case/case.hpp"
+#include "driver/commands/progress.hpp"
+#include "driver/results/output_file.hpp"
+#include "driver/run_length.hpp"
+#include "driver/simulation.hpp"
+
+namespace slipbench::driver {
+
+/// Thrown from within a run that is going to fill the disk.
+struct NoRoom {
+  std::string message;
+};
+
+/// "12 s", "3 min", "1.5 h".
+std::string duration_words(double seconds);
+
+/// "45 %, 900000 increments, 12 s left", the last only once some of it is done.
+std::string run_progress_text(std::int64_t increments, double done, double seconds);
+
+/// Foresees from its first rows what a long run will take, once, and tells it on standard error if
+/// that is more than anybody waits for without a word; then shows how far it is.
+class Outlook {
+ public:
+  /// \param folder where the result goes
+  Outlook(const Case& problem, std::filesystem::path folder);
+
+  /// Cheap enough to be called for every row. Throws NoRoom if the disk has less room than the rows
+  /// need. \param rows the file they are written to; null for none
+  /// \param progress shows how far the run is
+  void look(const Row& row, OutputFile* rows, Progress& progress) {
+    if ((row.index & (kFirst - 1)) != 0 || row.index == 0) return;
+    if (row.index == kFirst) judge(row, rows);
+    show(row, progress);
+  }
+
+ private:
+  static constexpr std::int64_t kFirst = std::int64_t{1} << 16U;
+  void judge(const Row& row, OutputFile* rows);
+  void show(const Row& row, Progress& progress) const;
+  double seconds() const;
+
+  const Case* case_;
+  RunLength length_;
+  std::filesystem::path folder_;
+  std::chrono::steady_clock::time_point start_;
+};
+
+}  // namespace slipbench::driver
