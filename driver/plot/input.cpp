@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "driver/commands/shared.hpp"
-#include "driver/plot/case_regimes.hpp"
 #include "driver/plot/loops.hpp"
 #include "driver/plot/result_regimes.hpp"
 #include "driver/results/csv_writer.hpp"
@@ -34,14 +33,14 @@ tl::expected<void, PlotFailure> write_rows(const Case& problem, const fs::path& 
   return {};
 }
 
-tl::unexpected<PlotFailure> unreadable(const PlotOptions& options, const HistoryError& error) {
+}  // namespace
+
+tl::unexpected<PlotFailure> unreadable(const std::string& shown_name, const HistoryError& error) {
   const bool input = error.kind == HistoryError::Kind::kInput;
   const std::string line = error.line > 0 ? fmt::format(":{}", error.line) : "";
   return failed(input ? kExitBadInput : kExitEnvironment,
-                fmt::format("{}{}: {}", options.input, line, error.message));
+                fmt::format("{}{}: {}", shown_name, line, error.message));
 }
-
-}  // namespace
 
 bool is_result(const PlotOptions& options) { return fs::path(options.input).extension() == ".csv"; }
 
@@ -77,37 +76,42 @@ std::string picture_title(const Case& problem) {
   return problem.title.empty() ? case_stem(problem) : problem.title;
 }
 
+tl::expected<ResultRows, PlotFailure> rows_for_plot(const PlotOptions& options,
+                                                    const fs::path& picture) {
+  ResultRows rows;
+  rows.file = options.input;
+  rows.shown_name = options.input;
+  if (is_result(options)) return rows;
+  auto read = read_for_plot(options);
+  if (!read) return tl::unexpected(std::move(read.error()));
+  rows.problem = std::make_unique<Case>(std::move(*read));
+  rows.regimes = std::make_unique<CaseRegimes>(*rows.problem);
+  if (auto written = write_rows(*rows.problem, picture, rows.temporary, *rows.regimes); !written) {
+    return tl::unexpected(std::move(written.error()));
+  }
+  rows.file = rows.temporary->temporary();
+  return rows;
+}
+
 tl::expected<PlotData, PlotFailure> result_for_plot(const PlotOptions& options,
                                                     const fs::path& picture, PlotDetail detail,
                                                     WithLoops loops) {
-  fs::path result = options.input;
-  std::optional<OutputFile> rows;
-  std::optional<Case> problem;
-  std::optional<CaseRegimes> regimes;
-  if (!is_result(options)) {
-    auto read = read_for_plot(options);
-    if (!read) return tl::unexpected(std::move(read.error()));
-    problem.emplace(std::move(*read));
-    regimes.emplace(*problem);
-    if (auto written = write_rows(*problem, picture, rows, *regimes); !written) {
-      return tl::unexpected(std::move(written.error()));
-    }
-    result = rows->temporary();
-  }
-  auto data = read_plot_data(result, options.input, detail);
-  if (!data) return unreadable(options, data.error());
-  if (regimes) {
-    regimes->finish(*data);
+  const auto rows = rows_for_plot(options, picture);
+  if (!rows) return tl::unexpected(rows.error());
+  auto data = read_plot_data(rows->file, options.input, detail);
+  if (!data) return unreadable(options.input, data.error());
+  if (rows->regimes) {
+    rows->regimes->finish(*data);
   } else {
-    take_events_beside(result, *data);
+    take_events_beside(rows->file, *data);
   }
   if (loops == WithLoops::kYes) {
-    if (auto added = add_loops(*data, result, options.input); !added) {
-      return unreadable(options, added.error());
+    if (auto added = add_loops(*data, rows->file, options.input); !added) {
+      return unreadable(options.input, added.error());
     }
   }
-  if (problem) data->title = picture_title(*problem);
-  if (data->title.empty()) data->title = result.stem().string();
+  if (rows->problem) data->title = picture_title(*rows->problem);
+  if (data->title.empty()) data->title = rows->file.stem().string();
   return std::move(*data);
 }
 

@@ -4,12 +4,16 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <tl/expected.hpp>
 
 #include "driver/case/case.hpp"
+#include "driver/plot/case_regimes.hpp"
 #include "driver/plot/gnuplot.hpp"
 #include "driver/plot/options.hpp"
+#include "driver/results/output_file.hpp"
 #include "driver/results/plot_data.hpp"
 #include "driver/simulation.hpp"
 
@@ -20,6 +24,22 @@ bool is_result(const PlotOptions& options);
 
 /// The case of `options`, or its faults as they are told to the user.
 tl::expected<Case, PlotFailure> read_for_plot(const PlotOptions& options);
+
+/// A result of `run`, and of a case what it was written from: then the file is gone with it.
+struct ResultRows {
+  std::filesystem::path file;
+  std::string shown_name;
+  std::optional<OutputFile> temporary;
+  std::unique_ptr<Case> problem;
+  std::unique_ptr<CaseRegimes> regimes;
+};
+
+/// The rows of one input: a result as it is, or those of a case, which is run for them.
+tl::expected<ResultRows, PlotFailure> rows_for_plot(const PlotOptions& options,
+                                                    const std::filesystem::path& picture);
+
+/// A result that cannot be read, as it is told to the user.
+tl::unexpected<PlotFailure> unreadable(const std::string& shown_name, const HistoryError& error);
 
 /// Runs a case to its end: `take` sees every row, row 0 first.
 tl::expected<void, PlotFailure> follow_for_plot(const Case& problem,

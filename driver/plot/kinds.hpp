@@ -46,6 +46,16 @@ tl::expected<void, PlotFailure> draw_shares(const PlotOptions& options,
 /// (plots/mu_map.gp). A result does not say its law: a case is needed.
 tl::expected<void, PlotFailure> draw_mu_map(const PlotOptions& options,
                                             const std::filesystem::path& picture);
+/// Columns of one or several cases or results over another column, --y over --x
+/// (plots/curves.gp). Exit code 2: a column that an input has not, units that differ.
+tl::expected<void, PlotFailure> draw_curves(const PlotOptions& options,
+                                            const std::filesystem::path& picture);
+/// Velocity over position, from light to dark as time goes on (plots/curves.gp).
+tl::expected<void, PlotFailure> draw_phase_portrait(const PlotOptions& options,
+                                                    const std::filesystem::path& picture);
+/// The amplitudes of a column over frequency, with its highest peak (plots/spectrum.gp).
+tl::expected<void, PlotFailure> draw_spectrum(const PlotOptions& options,
+                                              const std::filesystem::path& picture);
 /// For each check of a case the quantity less its reference, with the tolerance
 /// (plots/residuals.gp). A result has no checks: a case is needed.
 tl::expected<void, PlotFailure> draw_residuals(const PlotOptions& options,

@@ -15,6 +15,9 @@ struct PlotOptions {
   bool allow_outside = false;
   bool law = false;  ///< draw the coefficients of a case, not its forces
   std::string kind;  ///< one of plot_kinds(); empty: force over time and over motion
+  std::vector<std::string> more;  ///< further inputs, drawn into the same picture
+  std::string x;                  ///< a result column; empty: the one that goes with y
+  std::vector<std::string> y;     ///< result columns of one unit; empty: the friction force
   PictureLook look;
 };
 
