@@ -214,6 +214,18 @@ void check_snap_back(Binder& binder, const law::FrictionDefinition& d, const Nod
 
 namespace {
 
+/// Of dry friction nothing is known above it: rubber reaches 2 to 4.
+constexpr double kLargestPlausible = 5.0;
+
+void doubt(Binder& binder, const At<CoefficientText>& text,
+           const std::optional<law::FrictionLaw>& law) {
+  const auto* constant = law ? std::get_if<law::ConstantCoefficient>(&*law) : nullptr;
+  if (constant == nullptr || !(constant->mu > kLargestPlausible)) return;
+  binder.warning(*text.node, text.path,
+                 "a coefficient of " + format_number(constant->mu) + " is beyond dry friction",
+                 "a percentage is written as its fraction: " + format_number(constant->mu / 100.0));
+}
+
 std::optional<law::FrictionLaw> coefficient(Binder& binder, const FrictionText& text,
                                             const Node& friction, const Path& path,
                                             const LawSurroundings& surroundings) {
@@ -226,7 +238,11 @@ std::optional<law::FrictionLaw> coefficient(Binder& binder, const FrictionText& 
     const At<DirectionText>& forward = coefficient.with_direction->forward;
     return coefficient_law(binder, coefficient_of(forward), surroundings);
   }
-  if (text.coefficient.given()) return coefficient_law(binder, text.coefficient, surroundings);
+  if (text.coefficient.given()) {
+    auto law = coefficient_law(binder, text.coefficient, surroundings);
+    doubt(binder, text.coefficient, law);
+    return law;
+  }
   if (has_unknown_key<FrictionText>(friction)) return std::nullopt;
   binder.warning(friction, path, "no coefficient: this definition has no effect",
                  "give it a 'coefficient'");
