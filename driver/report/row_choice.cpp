@@ -109,7 +109,7 @@ void RowChoice::follow(Motion& motion, std::span<const double> row) const {
   if (!motion.kept.back().whole) motion.kept.pop_back();
   std::size_t rows = 0;
   for (const Cycle& cycle : motion.kept) rows += cycle.rows.size();
-  while (rows > limit_ / 2 && motion.kept.size() > 2) {
+  while (rows > limit_ && motion.kept.size() > 2) {
     rows -= motion.kept[1].rows.size();
     motion.kept.erase(motion.kept.begin() + 1);
   }

@@ -73,7 +73,7 @@ class CycleFinder {
 /// of equal length, and the extremes of all columns in each (PieceExtremes); the wanted rows
 /// (before and after an event), the first and the last limit/16 of them; and, where a motion goes
 /// to and fro, whole cycles with all their rows, as far as one has at most limit/4: the first, the
-/// last, and between them the 2nd, 5th, 10th, 20th and so on, as many as limit/2 rows allow. Of
+/// last, and between them the 2nd, 5th, 10th, 20th and so on, as many as `limit` rows allow. Of
 /// several motions the one with the longest cycle counts. The memory does not grow with the run.
 class RowChoice {
  public:

@@ -139,6 +139,14 @@ class Teller {
         one.law);
     if (definition.backward) law(name, "coefficient backward", *definition.backward);
     if (two) law(name, "coefficient along 2", one.formulation->orthotropy->second);
+    std::vector<std::string> along;
+    for (int k = 0; k < one.slip.dimension; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      const double scale = one.slip.scale[i];
+      along.push_back(motion_name(one.slip.component[i]) +
+                      (scale == 1.0 ? "" : fmt::format(" on radius {}", digits(scale))));
+    }
+    fact(name + ": acts along", fmt::format("{}", fmt::join(along, ", ")));
     if (!problem_.belt) fact(name + ": contact force", contact_words(one.contact_force));
     if (const auto* inside = std::get_if<law::TableFunction>(&one.internal_contact_force)) {
       fact(name + ": internal contact force", arguments_of(*inside));

@@ -217,14 +217,28 @@ function loopStrokes(line) {
   return {strokes, dots, cycles};
 }
 
+/** Whether some line that varies has more rows in a chart than it has columns of pixels. */
+function isCrowded(lines, chart) {
+  const {min, max} = chart.scales.x;
+  const pixels = chart.chartArea.right - chart.chartArea.left;
+  const one = lines.find((line) => line.main) || lines[0];
+  if (!one || firstFrom(one.x, max) - firstFrom(one.x, min) < 2 * pixels) return false;
+  // A way to and fro that is longer than the picture is wide, many times over.
+  const {strokes} = reduceHistory(one, min, max, pixels);
+  const height = chart.scales.y.max - chart.scales.y.min;
+  let way = 0;
+  for (const stroke of strokes) for (let i = 3; i < stroke.length; i += 2) way += Math.abs(stroke[i] - stroke[i - 2]);
+  return way > 20 * height;
+}
+
 /** Draws one line of a panel into the area of a chart. What was drawn stays with the line, for those who look it up. */
-function drawLine(pen, chart, panel, line) {
+function drawLine(pen, chart, panel, line, crowded = false) {
   const {x: xScale, y: yScale} = chart.scales;
   const xOf = (value) => xScale.getPixelForValue(value);
   const yOf = (value) => yScale.getPixelForValue(value);
   pen.strokeStyle = pen.fillStyle = colourOf(line);
   pen.lineJoin = "round";
-  pen.setLineDash(line.dash || []);
+  pen.setLineDash(crowded ? [] : line.dash || []);
   const way = (points, path) => {
     let [px, py] = [xOf(points[0]), yOf(points[1])];
     path.moveTo(px, py);
@@ -241,10 +255,13 @@ function drawLine(pen, chart, panel, line) {
     const drawn = reduceHistory(line, xScale.min, xScale.max, chart.chartArea.right - chart.chartArea.left);
     line.painted = drawn;
     pen.lineWidth = line.thin ? 1.3 : 1.7;
-    pen.globalAlpha = 0.45;
     for (const [from, to, low, high] of drawn.bands) {
-      const top = yOf(high);
-      pen.fillRect(xOf(from), top - 0.6, xOf(to) - xOf(from), yOf(low) - top + 1.2);
+      const [top, bottom] = [yOf(high), yOf(low)];
+      // A band that is no higher than a line is one.
+      const flat = bottom - top < pen.lineWidth;
+      const middle = (top + bottom) / 2;
+      pen.globalAlpha = flat ? 1 : 0.45;
+      pen.fillRect(xOf(from), flat ? middle - pen.lineWidth / 2 : top, xOf(to) - xOf(from), flat ? pen.lineWidth : bottom - top);
     }
     pen.globalAlpha = 1;
     const path = new Path2D();

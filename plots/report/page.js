@@ -220,11 +220,16 @@ function energyLines(one, time) {
     if (columns.length === 0) continue;
     const sum = columns[0].values.map((value, i) => columns.reduce((total, column) => total + (isNumber(column.values[i]) ? column.values[i] : NaN), 0));
     const style = styles[key] || {colour: 4 + (lines.length % 3), dash: [[12, 4], [8, 3, 2, 3], [4, 2]][lines.length % 3]};
-    // Of a sum nobody knows the extremes, only its rows.
-    const whole = columns.length > 1 ? {low: null, high: null} : {};
-    lines.push(series(words[key] || key.replace(/_/g, " "), {...columns[0], ...whole, name: "", values: sum}, time.values, style));
+    lines.push(series(words[key] || key.replace(/_/g, " "), {...columns[0], name: "", values: sum}, time.values, {...style, parts: columns}));
   }
   return lines;
+}
+
+/** The lines of the energies' picture: of a thinned run the pieces have no extremes of a sum, so that its parts are drawn. */
+function energyCurves(one, time) {
+  return energyLines(one, time).flatMap((line) => (one.thinned && line.parts.length > 1
+      ? line.parts.map((part, i) => ({...line, ...series(`${line.label} (${part.name})`, part, time.values), main: line.main && i === 0, dash: i > 0 ? [3, 1 + 2 * i] : line.dash}))
+      : [line]));
 }
 
 /** The histories of a case: panels over time. */
@@ -243,7 +248,7 @@ function histories(one, definition) {
       panels.push(columnPanel(one, column.name));
     }
   }
-  const energies = energyLines(one, time);
+  const energies = energyCurves(one, time);
   if (energies.length > 0) panels.push({key: "energy", title: "Energy", unit: energies[0].unit, lines: energies});
   for (const panel of panels) Object.assign(panel, {kind: "history", xName: time.name, xUnit: time.unit});
   return definition ? panels.map((panel) => cornered(one, definition, panel)) : panels;
@@ -386,7 +391,10 @@ class Picture {
     // A line on the border keeps its width.
     pen.rect(area.left - 2, area.top - 2, area.right - area.left + 4, area.bottom - area.top + 4);
     pen.clip();
-    for (const line of this.panel.lines) if (!line.off) drawLine(pen, chart, this.panel, line);
+    const crowded = this.panel.kind === "history" && isCrowded(this.panel.lines, chart);
+    // Where lines fill their place, dashes are no dashes and what matters lies on top.
+    const lines = crowded ? [...this.panel.lines].sort((a, b) => Number(Boolean(a.main)) - Number(Boolean(b.main))) : this.panel.lines;
+    for (const line of lines) if (!line.off) drawLine(pen, chart, this.panel, line, crowded);
     pen.restore();
   }
 
@@ -1156,6 +1164,7 @@ function settingSection(one) {
   });
   const text = (one.run || {}).text;
   return make("section", {id: "setting", "aria-labelledby": "setting-title"}, make("h3", {id: "setting-title"}, "What was run"), facts,
+      one.kind === "result" ? make("p", {class: "soft"}, "A result does not say more of its case; a page of the case itself tells connection, laws and history.") : null,
       tables.length > 0 ? make("div", {class: "beside"}, tables) : null,
       text ? make("details", {class: "file"}, make("summary", {}, "The case file"), make("pre", {tabindex: 0, "aria-label": "The case file"}, text)) : null);
 }
