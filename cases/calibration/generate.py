@@ -91,31 +91,32 @@ def measurements(program):
     rig = [("time", "t", 1.0, 0.0, 4), ("disp", "CP1", 1.0 / MM_PER_INCH, 0.0, 5),
            ("load", "CSF1", 1.0 / NEWTON_PER_LBF, 16.0, 1)]
     truth = TRUTHS["slider_loop_fit"]
-    yield "slider_loop.csv", measurement(program, "slider_loop.yaml", truth, rig, 1, 2)
-    yield "slider_loop_long_stroke.csv", measurement(program, "slider_loop.yaml", {**truth, "stroke": 9.0}, rig, 2, 2)
+    yield "slider_loop_rig.csv", measurement(program, "slider_loop.yaml", truth, rig, 1, 2)
+    yield "slider_loop_rig_long_stroke.csv", measurement(program, "slider_loop.yaml", {**truth, "stroke": 9.0}, rig, 2,
+                                                         2)
 
     plain = [("t", "t", 1.0, 0.0, 4), ("x", "CP1", 1.0, 0.0, 5), ("F", "CSF1", 1.0, 0.5, 3)]
-    yield "exponential_decay.csv", measurement(program, "exponential_decay.yaml", TRUTHS["exponential_decay_fit"],
-                                               plain, 3)
+    yield "exponential_decay_rig.csv", measurement(program, "exponential_decay.yaml", TRUTHS["exponential_decay_fit"],
+                                                   plain, 3)
 
     rates = [0, 5, 20, 60, 120]
     rows = ", ".join(f"[{mu}, {v}, {T}]" for T, values in TABLE.items() for v, mu in zip(rates, values))
     start = ", ".join(f"[0.25, {v}, {T}]" for T in TABLE for v in rates)
     loops = [("t", "t", 1.0, 0.0, 4), ("x", "CP1", 1.0, 0.0, 4), ("T", "temperature", 1.0, 0.0, 1),
              ("F", "CSF1", 1.0, 2.5, 2)]
-    yield "rate_temperature_table.csv", measurement(program, "rate_temperature_table.yaml", {}, loops, 4, 1,
-                                                    [(start, rows)])
+    yield "rate_temperature_table_rig.csv", measurement(program, "rate_temperature_table.yaml", {}, loops, 4, 1,
+                                                        [(start, rows)])
 
     start = ", ".join(f"[2000, {slip}]" for slip in WEAR)
     rows = ", ".join(f"[{force}, {slip}]" for slip, force in WEAR.items())
     wear = [("t", "t", 1.0, 0.0, 3), ("F", "CSF1", 1.0, 4.0, 2)]
-    yield "wear_table.csv", measurement(program, "wear_table.yaml", {}, wear, 5, 1, [(start, rows)])
+    yield "wear_table_rig.csv", measurement(program, "wear_table.yaml", {}, wear, 5, 1, [(start, rows)])
 
     brake = [("t", "t", 1.0, 0.0, 4), ("x", "CP1", 1.0, 0.0, 4), ("F", "CSF1", 1e-3, 0.12, 4)]
     truth = TRUTHS["backlash_brake_fit"]
-    yield "backlash_brake.csv", measurement(program, "backlash_brake.yaml", truth, brake, 6)
-    yield "backlash_brake_short_stroke.csv", measurement(program, "backlash_brake.yaml", {**truth, "stroke": 8.0},
-                                                         brake, 7)
+    yield "backlash_brake_rig.csv", measurement(program, "backlash_brake.yaml", truth, brake, 6)
+    yield "backlash_brake_rig_short_stroke.csv", measurement(program, "backlash_brake.yaml", {**truth, "stroke": 8.0},
+                                                             brake, 7)
 
 
 def main():

@@ -5,7 +5,8 @@
 TEST is one of
   schema     cases/examples and cases/verification validate against `slipbench schema`, cases/bad does not; fit files
              against `slipbench schema --fit`
-  check      `slipbench check cases/` passes, every case has checks, every tolerance says why
+  check      `slipbench check cases/` passes, every case has checks, every tolerance says why, no data have the name
+             of a result
   bad        every file of cases/bad is refused with exit code 2 and a message with file:line:column, and so is every
              fit file of cases/bad/calibration
   semantic   every file of semantic/ is refused with exit code 2, at the place and with the words its first line wants
@@ -110,6 +111,9 @@ def check():
         expect(path.read_text().startswith("# "), f"{path.name}: does not begin with what it shows")
         for one in case.get("checks", []):
             expect(one["tolerance"].get("why"), f"{path.name}: '{one['name']}': the tolerance does not say why")
+    for path in (source / "cases").rglob("*.yaml"):
+        for ending in (".csv", ".events.csv", ".json", ".solver.csv"):
+            expect(not path.with_suffix(ending).exists(), f"{path.name}: 'run' beside it would write {path.stem}{ending}")
 
 
 def bad():
