@@ -11,6 +11,7 @@ enum ExitCode : int {
   kExitNumerical = 3,
   kExitEnvironment = 4,
   kExitInternal = 70,
+  kExitNoReader = 141,  ///< standard output was closed by its reader before its end, as by head
 };
 
 /// Of two outcomes the one to report: the larger number is the worse trouble.

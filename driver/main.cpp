@@ -47,7 +47,7 @@ int run(int argc, char** argv) {
       "  slipbench describe CYLINDRICAL                one of them in detail\n"
       "'slipbench COMMAND --help' tells more about a command.\n"
       "Exit codes: 0 all well, 1 a check failed, 2 bad input, 3 numerical failure,\n"
-      "4 file or environment, 70 internal error, 130/143 interrupted.");
+      "4 file or environment, 70 internal error, 130/143 interrupted, 141 broken pipe.");
   app.set_version_flag("--version", "slipbench " + std::string(program_version()));
   app.require_subcommand(1);
   Command command;

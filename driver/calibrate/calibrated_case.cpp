@@ -369,6 +369,14 @@ std::string with_windows_line_ends(const std::string& text) {
 
 }  // namespace
 
+FileMark calibrated_case_mark(const Fit& fit) {
+  const std::string name = fs::path(fit.file).filename().string();
+  return {.owner = "an unchanged case calibrated by " + name,
+          .start = "# Calibrated by slipbench ",
+          .text = "\n# fit: " + printable(name),
+          .sealed = true};
+}
+
 std::vector<std::string> calibrated_case_names(const Fit& fit) {
   return file_names(fit, groups_of(fit));
 }

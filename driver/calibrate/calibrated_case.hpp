@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "driver/calibrate/calibration.hpp"
+#include "driver/results/file_mark.hpp"
 
 namespace slipbench::driver {
 
@@ -23,6 +24,9 @@ struct CalibratedCases {
   std::vector<CalibratedCase> cases;
   std::vector<std::string> faults;  ///< cases that could not be written: a sentence each
 };
+
+/// The mark of a case that was calibrated by a fit.
+FileMark calibrated_case_mark(const Fit& fit);
 
 /// The names of the files of calibrated_cases.
 std::vector<std::string> calibrated_case_names(const Fit& fit);

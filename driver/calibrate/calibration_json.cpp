@@ -354,4 +354,10 @@ json::Value calibration_json(const Fit& fit, const Calibration& calibration) {
   return document;
 }
 
+FileMark calibration_mark(const Fit& fit) {
+  const std::string name = file_name(fit.file);
+  return {"a result of " + name, "{\n  \"provenance\": {\n    \"program\": \"slipbench\",",
+          "\"fit\": " + json::Value(name).dump() + ","};
+}
+
 }  // namespace slipbench::driver

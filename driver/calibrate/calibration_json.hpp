@@ -2,6 +2,8 @@
 #pragma once
 
 #include "driver/calibrate/calibration.hpp"
+#include "driver/calibrate/fit.hpp"
+#include "driver/results/file_mark.hpp"
 #include "driver/text/json.hpp"
 
 namespace slipbench::driver {
@@ -30,5 +32,8 @@ namespace slipbench::driver {
 ///   profiles     unknown, value, cost, threshold, interval, open_below, open_above
 ///   notes        sentences
 json::Value calibration_json(const Fit& fit, const Calibration& calibration);
+
+/// The mark of the file of calibration_json.
+FileMark calibration_mark(const Fit& fit);
 
 }  // namespace slipbench::driver

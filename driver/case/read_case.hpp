@@ -59,7 +59,7 @@ class ParsedCase {
   std::string folder_;
 };
 
-/// Reads, binds and checks a case file. All errors of the file are collected.
+/// Reads, binds and checks a case file; "-" is standard input. All errors of it are collected.
 ReadCase read_case(const std::string& path, const ReadOptions& options = {});
 
 /// The same from a text in memory; data files are looked for in `folder`.

@@ -14,7 +14,8 @@ void declare_calibrate(CLI::App& app, Command& command) {
   CLI::App* declared =
       app.add_subcommand("calibrate", "Fit parameters and tables of cases to measured data");
   declared->add_option("FIT", options->file, "A fit file (YAML)")->required();
-  declared->add_option("-o,--output", options->folder, "Folder of the results; must exist")
+  declared
+      ->add_option("-o,--output", options->folder, "Folder of the results, made if it is missing")
       ->type_name("DIR")
       ->capture_default_str();
   declare_settings(*declared, options->settings, options->allow_outside);
@@ -26,10 +27,13 @@ void declare_calibrate(CLI::App& app, Command& command) {
   declared->add_flag("--profile", options->profile,
                      "Also the profile likelihood of every parameter");
   declared
-      ->add_option("--report", options->report,
-                   "The HTML page; default: <fit>.html in the folder of the results")
+      ->add_option(
+          "--report", options->report,
+          "The HTML page, with the pictures beside it; default: <fit>.html in the folder of "
+          "the results")
       ->type_name("FILE");
   declared->add_flag("--no-output", options->no_output, "Write no files, only tell what was found");
+  declare_force(*declared, options->force, "no result of this fit");
   declared->footer(
       "Writes <fit>.json (all figures), <fit>.html and <fit>.*.svg (measured against fitted), and\n"
       "<case>.calibrated.yaml, the case with the values found, ready to run. Exit code 3 if the\n"

@@ -12,9 +12,9 @@ void declare_check(CLI::App& app, Command& command) {
   const auto options = std::make_shared<CheckOptions>();
   CLI::App* declared = app.add_subcommand("check", "Run cases and judge their checks");
   declared
-      ->add_option(
-          "PATH", options->paths,
-          "Case files, or folders that are searched for *.yaml and *.yml; default: this folder")
+      ->add_option("PATH", options->paths,
+                   "Case files, or folders that are searched for *.yaml and *.yml; - is standard "
+                   "input; default: this folder")
       ->expected(0, -1);
   declared->add_option("-j,--jobs", options->jobs, "Threads; default: one a core")
       ->type_name("N")
@@ -43,6 +43,7 @@ void declare_check(CLI::App& app, Command& command) {
       ->type_name("FILE");
   declared->add_option("--report", options->report, "Also write an HTML page of the cases")
       ->type_name("FILE");
+  declare_force(*declared, options->force, "not of its kind");
   declared->footer(
       "Writes the files asked for, and remembers in the user's cache which cases did not pass.\n"
       "Folders named 'bad' and hidden files and folders are not searched.\n"

@@ -38,6 +38,9 @@ CLI::Validator whole_number(int first, int last);
 CLI::Validator any_number();
 CLI::Validator one_of(std::vector<std::string> words);
 
+/// Adds '--force', with which a command replaces a file that is `what`: "no result of its case".
+void declare_force(CLI::App& command, bool& force, const std::string& what);
+
 /// Completes names of cases that were given without their ending.
 void name_cases(std::vector<std::string>& paths);
 

@@ -26,6 +26,7 @@ void declare_import(CLI::App& app, Command& command) {
       ->add_option("--normal", options->normal,
                    "Normal of the contact, to judge the directions of orthotropic friction by")
       ->type_name("\"X Y Z\"");
+  declare_force(*declared, options->force, "there already");
   declared->footer(
       "What a deck has no number for (stiffness, mass, area, load) is a parameter without a value\n"
       "in the case: give it there or with --set. Example:\n"

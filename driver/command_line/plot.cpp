@@ -21,13 +21,16 @@ void declare_plot(CLI::App& app, Command& command) {
   const auto inputs = std::make_shared<std::vector<std::string>>();
   const auto size = std::make_shared<std::string>();
   declared
-      ->add_option("CASE|RESULT.csv", *inputs,
-                   "A case file, or a result of 'run'; several are drawn over each other")
+      ->add_option(
+          "CASE|RESULT.csv", *inputs,
+          "A case file, or a result of 'run'; several are drawn over each other; - is a case "
+          "from standard input")
       ->required();
   declared
       ->add_option(
           "-o,--output", options->output,
-          "The picture; its ending (.svg, .png, .pdf) says what it is. Default: <case>.svg")
+          "The picture, or a folder for it; the ending (.svg, .png, .pdf) says what it is. "
+          "Default: <case>.svg in the current folder")
       ->type_name("FILE");
   declared
       ->add_option("--as", options->kind,
@@ -60,6 +63,7 @@ void declare_plot(CLI::App& app, Command& command) {
       ->check(whole_number(24, 1200));
   declared->add_flag("--dark", options->look.dark, "For a dark background");
   declare_settings(*declared, options->settings, options->allow_outside);
+  declare_force(*declared, options->force, "no picture of this input");
   declared->footer(
       "Friction force against time, with its limit and with slip shaded, and against motion.\n"
       "Several inputs, --x or --y: their curves over each other in one picture.\n"

@@ -60,6 +60,10 @@ CLI::Validator one_of(std::vector<std::string> words) {
           ""};
 }
 
+void declare_force(CLI::App& command, bool& force, const std::string& what) {
+  command.add_flag("--force", force, "Replace a file that is " + what + ", but never an input");
+}
+
 void name_cases(std::vector<std::string>& paths) {
   for (std::string& path : paths) path = named_case(path);
 }

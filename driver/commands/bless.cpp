@@ -24,30 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folders that had to be made for files that are still to come; those that stay empty are
-/// removed again.
-class NewFolders {
- public:
-  NewFolders() = default;
-  ~NewFolders() {
-    std::error_code ignored;
-    for (auto it = made_.rbegin(); it != made_.rend(); ++it) fs::remove(*it, ignored);
-  }
-  NewFolders(const NewFolders&) = delete;
-  NewFolders& operator=(const NewFolders&) = delete;
-
-  /// Makes a folder and those it lies in; what cannot be made is told by who writes there.
-  void make(const fs::path& folder) {
-    std::error_code ignored;
-    if (folder.empty() || fs::exists(folder, ignored)) return;
-    make(folder.parent_path());
-    if (fs::create_directory(folder, ignored)) made_.push_back(folder);
-  }
-
- private:
-  std::vector<fs::path> made_;  ///< the outer ones first
-};
-
 /// A golden curve on its way into its file.
 struct Writing {
   GoldenCurve curve;
@@ -117,7 +93,7 @@ tl::expected<OutputFile, Failure> create_file(const Writing& one,
         Failure{kExitEnvironment, "slipbench: error: " + printable(one.curve.shown_name) +
                                       " is no golden curve any more; it is not overwritten\n"});
   }
-  auto file = OutputFile::create(one.curve.file, inputs);
+  auto file = OutputFile::create(one.curve.file, {}, {inputs, true});
   if (!file) {
     return tl::unexpected(Failure{kExitEnvironment, "slipbench: error: " + file.error() + "\n"});
   }
@@ -211,7 +187,6 @@ int bless_command(const BlessOptions& options) {
   const Case& problem = *read.value;
   auto curves = golden_curves(problem);
   if (!curves) return refuse(kExitBadInput, options.file + ": " + curves.error());
-  NewFolders folders;  // goes after the files in them
   std::vector<Writing> writings = prepare(std::move(*curves));
 
   std::vector<Held> checks;
@@ -232,7 +207,7 @@ int bless_command(const BlessOptions& options) {
   }
   std::vector<fs::path> places;
   for (const Writing& one : writings) {
-    folders.make(one.curve.file.parent_path());
+    make_folders(one.curve.file.parent_path());  // what cannot be made is told below
     places.push_back(one.curve.file);
   }
   const FolderLocks locks(places);

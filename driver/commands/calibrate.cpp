@@ -7,8 +7,6 @@
 #endif
 
 #include <filesystem>
-#include <functional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,6 +22,8 @@
 #include "driver/commands/progress.hpp"
 #include "driver/commands/shared.hpp"
 #include "driver/exit_code.hpp"
+#include "driver/plot/picture_mark.hpp"
+#include "driver/report/page.hpp"
 #include "driver/results/output_file.hpp"
 #include "driver/text/diagnostic.hpp"
 
@@ -43,6 +43,8 @@ void keep_freed_memory() {
 }
 
 std::string stem_of(const Fit& fit) { return fs::path(fit.file).stem().string(); }
+
+std::string file_name(const Fit& fit) { return fs::path(fit.file).filename().string(); }
 
 std::string shown(const fs::path& path) { return path.lexically_normal().string(); }
 
@@ -76,13 +78,13 @@ struct Written {
 tl::expected<Written, std::string> write_results(const Fit& fit, const Calibration& calibration,
                                                  const CalibrateOptions& options,
                                                  const fs::path& page,
-                                                 std::span<const std::string> inputs) {
+                                                 const Overwriting& overwriting) {
   Written written;
   const fs::path folder = options.folder;
   std::vector<OutputFile> files;
-  const auto add = [&](const fs::path& target,
+  const auto add = [&](const fs::path& target, const FileMark& mark,
                        const std::string& text) -> tl::expected<void, std::string> {
-    auto file = OutputFile::create(target, inputs);
+    auto file = OutputFile::create(target, mark, overwriting);
     if (!file) return tl::unexpected(file.error());
     file->append(text);
     files.push_back(std::move(*file));
@@ -90,12 +92,15 @@ tl::expected<Written, std::string> write_results(const Fit& fit, const Calibrati
     return {};
   };
   const json::Value document = calibration_json(fit, calibration);
-  if (auto done = add(folder / (stem_of(fit) + ".json"), document.dump(2) + "\n"); !done) {
+  if (auto done =
+          add(folder / (stem_of(fit) + ".json"), calibration_mark(fit), document.dump(2) + "\n");
+      !done) {
     return tl::unexpected(done.error());
   }
   const CalibratedCases cases = calibrated_cases(fit, calibration, folder);
   for (const CalibratedCase& one : cases.cases) {
-    if (auto done = add(folder / one.file_name, one.text); !done) {
+    if (auto done = add(folder / one.file_name, calibrated_case_mark(fit), sealed(one.text));
+        !done) {
       return tl::unexpected(done.error());
     }
     written.remarks.insert(written.remarks.end(), one.notes.begin(), one.notes.end());
@@ -104,45 +109,42 @@ tl::expected<Written, std::string> write_results(const Fit& fit, const Calibrati
   std::vector<OutputFile*> together;
   for (OutputFile& file : files) together.push_back(&file);
   if (auto committed = commit(together); !committed) return tl::unexpected(committed.error());
-  if (auto size = write_fit_report(fit, calibration, page, inputs); !size) {
+  if (auto size = write_fit_report(fit, calibration, page, overwriting); !size) {
     return tl::unexpected(size.error());
   }
   written.files.push_back(page);
-  const FitPictures pictures = draw_fit_pictures(fit, calibration, folder, stem_of(fit), inputs);
+  const FitPictures pictures =
+      draw_fit_pictures(fit, calibration, page.parent_path(), stem_of(fit), overwriting);
   written.files.insert(written.files.end(), pictures.written.begin(), pictures.written.end());
   written.remarks.insert(written.remarks.end(), pictures.notes.begin(), pictures.notes.end());
   return written;
 }
 
 /// Whether all results can be written, as a sentence where one cannot: that is known before the
-/// work. Pictures are asked only whether they would replace something: without them the page has
-/// the curves.
+/// work.
 std::string fault_of_targets(const Fit& fit, const CalibrateOptions& options, const fs::path& page,
-                             std::span<const std::string> inputs) {
+                             const Overwriting& overwriting) {
   const fs::path folder = options.folder;
-  std::vector<fs::path> texts = {folder / (stem_of(fit) + ".json")};
-  for (const std::string& name : calibrated_case_names(fit)) texts.push_back(folder / name);
-  std::vector<fs::path> pictures;
+  std::vector<std::pair<fs::path, FileMark>> targets = {
+      {folder / (stem_of(fit) + ".json"), calibration_mark(fit)}};
+  for (const std::string& name : calibrated_case_names(fit)) {
+    targets.emplace_back(folder / name, calibrated_case_mark(fit));
+  }
   for (const std::string& name : fit_picture_names(fit, stem_of(fit))) {
-    pictures.push_back(folder / name);
+    targets.emplace_back(page.parent_path() / name, picture_mark(fit.file));
   }
-  for (const auto& others : {std::cref(texts), std::cref(pictures)}) {
-    for (const fs::path& other : others.get()) {
-      std::string fault = input_fault(other.lexically_normal(), inputs);
-      if (!fault.empty()) return fault;
-      if (is_same_file(page, other)) {
-        return fmt::format("--report {}: is another result of this fit; choose another name",
-                           page.string());
-      }
+  for (const auto& [target, mark] : targets) {
+    if (std::string fault = target_fault(target, mark, overwriting); !fault.empty()) return fault;
+    if (is_same_file(page, target)) {
+      return fmt::format("--report {}: is another result of this fit; choose another name",
+                         page.string());
     }
   }
-  texts.push_back(page);
-  for (const fs::path& target : texts) {
-    if (const auto probe = OutputFile::create(target.lexically_normal(), inputs); !probe) {
-      return probe.error();
-    }
-  }
-  return {};
+  // That a folder takes files is known once one is there.
+  const auto page_probe = OutputFile::create(page, fit_page_mark(file_name(fit)), overwriting);
+  if (!page_probe) return page_probe.error();
+  const auto probe = OutputFile::create(targets[0].first, targets[0].second, overwriting);
+  return probe ? "" : probe.error();
 }
 
 }  // namespace
@@ -151,6 +153,9 @@ int calibrate_command(const CalibrateOptions& options) {
   if (options.no_output && !options.report.empty()) {
     return refuse(kExitBadInput,
                   "--no-output writes no files: leave it out, or leave out --report");
+  }
+  if (const std::string fault = folder_fault(options.folder, "fit"); !fault.empty()) {
+    return refuse(kExitBadInput, fault);
   }
   const auto settings = parse_settings(options.settings);
   if (!settings) return refuse(kExitBadInput, settings.error());
@@ -177,12 +182,9 @@ int calibrate_command(const CalibrateOptions& options) {
   }
   const fs::path page = options.report.empty() ? fs::path(options.folder) / (stem_of(fit) + ".html")
                                                : fs::path(options.report);
+  const Overwriting overwriting{inputs, options.force};
   if (!options.no_output) {
-    std::error_code ignored;
-    if (!fs::is_directory(options.folder, ignored)) {
-      return refuse(kExitEnvironment, options.folder + " is no folder that results could go to");
-    }
-    const std::string fault = fault_of_targets(fit, options, page, inputs);
+    const std::string fault = fault_of_targets(fit, options, page, overwriting);
     if (!fault.empty()) return refuse(kExitEnvironment, fault);
   }
 
@@ -203,7 +205,7 @@ int calibrate_command(const CalibrateOptions& options) {
   std::string text = fit_summary(fit, *calibration) + remarks(read.diagnostics);
   int code = calibration->fit.converged ? kExitOk : kExitNumerical;
   if (!options.no_output) {
-    const auto written = write_results(fit, *calibration, options, page, inputs);
+    const auto written = write_results(fit, *calibration, options, page, overwriting);
     if (!written) {
       print(text);
       return refuse(kExitEnvironment, written.error());

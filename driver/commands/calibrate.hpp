@@ -13,6 +13,7 @@ struct CalibrateOptions {
   std::vector<std::string> settings;  ///< --set, for all cases of the fit
   bool allow_outside = false;
   bool no_output = false;        ///< write no files, only tell what was found
+  bool force = false;            ///< --force: replace files that are no results of the fit
   std::optional<int> bootstrap;  ///< resamplings; the fit's choice if absent
   bool profile = false;          ///< profile likelihood, whatever the fit says
   std::string report;            ///< an HTML page; empty: <fit>.html in `folder`

@@ -116,7 +116,7 @@ int check_command(const CheckOptions& options) {
   std::iota(places.begin(), places.end(), std::size_t{0});
   if (options.failed_first && told.memory) places = told.memory->order(in_order);
   const std::vector<Candidate> cases = reordered(in_order, places);
-  const SuiteTargets targets{options.junit, options.json, options.report};
+  const SuiteTargets targets{options.junit, options.json, options.report, options.force};
   auto files = SuiteFiles::create(targets, found.cases);
   if (!files) return refuse(files.error().code, files.error().message);
 
@@ -198,7 +198,7 @@ int check_command(const CheckOptions& options) {
       pages->put(i, not_run_report(cases[i].label, "", "not run: an earlier case did not pass"));
     }
     // That the page replaces nothing that was read was made sure of above.
-    const auto size = write_report(options.report, *pages, "", {});
+    const auto size = write_report(options.report, *pages, "", {.force = options.force});
     if (!size) code = worse(code, refuse(kExitEnvironment, size.error()));
   }
   return code;

@@ -21,6 +21,7 @@ struct CheckOptions {
   std::string junit;                 ///< files to write; empty for none
   std::string json;
   std::string report;
+  bool force = false;  ///< --force: replace files that are no verdicts
 };
 
 /// `slipbench check`: runs all cases and prints a verdict on each as soon as all before it are

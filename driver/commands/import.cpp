@@ -170,12 +170,12 @@ int import_command(const ImportOptions& options) {
     return kExitBadInput;
   }
   const std::string text = skeleton(contents, *friction, skeleton_options);
-  if (options.output.empty()) {
+  if (options.output.empty() || options.output == "-") {
     print(text);
     return kExitOk;
   }
   const std::string inputs[] = {options.deck};
-  auto file = OutputFile::create(options.output, inputs);
+  auto file = OutputFile::create(options.output, {}, {inputs, options.force});
   if (!file) {
     print_error("slipbench: error: " + file.error() + "\n");
     return kExitEnvironment;

@@ -11,6 +11,7 @@ struct ImportOptions {
   std::string output;     ///< empty: standard output
   std::string units;      ///< "mm N s"; empty: those of the deck
   std::string normal;     ///< "0 0 1"; empty: not known
+  bool force = false;     ///< --force: replace a file that is there
   std::optional<int> id;  ///< of the /FRICTION; else there must be only one
 };
 

@@ -7,6 +7,7 @@
 
 #include "driver/commands/shared.hpp"
 #include "driver/plot/kinds.hpp"
+#include "driver/text/standard_input.hpp"
 
 namespace slipbench::driver {
 
@@ -21,11 +22,12 @@ int plot_command(const PlotOptions& asked, const std::string& size) {
     options.look.height = look->height;
   }
   fs::path picture = options.output;
-  if (picture.empty()) {
+  std::error_code ignored;
+  if (!picture.has_filename() || fs::is_directory(picture, ignored)) {
     const std::string kind = options.law ? "law" : options.kind;
-    picture = fs::path(options.input)
-                  .filename()
-                  .replace_extension(kind.empty() ? ".svg" : "." + kind + ".svg");
+    picture /= fs::path(source_name(options.input))
+                   .filename()
+                   .replace_extension(kind.empty() ? ".svg" : "." + kind + ".svg");
   }
   if (options.look.dpi > 0.0 && picture.extension() != ".png") {
     return refuse(kExitBadInput, fmt::format("--dpi is of pictures in pixels, .png; {} is none",

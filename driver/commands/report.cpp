@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "driver/commands/shared.hpp"
+#include "driver/report/page.hpp"
 #include "driver/report/read_result.hpp"
 #include "driver/report/report.hpp"
 #include "driver/results/output_file.hpp"
@@ -110,7 +111,9 @@ int report_command(const ReportOptions& options) {
   }
   // Before the work: a page that cannot be written is known at once.
   const std::vector<std::string> inputs = known_inputs(sources);
-  if (const auto page = OutputFile::create(options.output, inputs); !page) {
+  const Overwriting overwriting{inputs, options.force};
+  if (const auto page = OutputFile::create(options.output, report_page_mark(), overwriting);
+      !page) {
     return refuse(kExitEnvironment, page.error());
   }
   const ReadOptions read_options{*settings, options.allow_outside};
@@ -169,7 +172,7 @@ int report_command(const ReportOptions& options) {
   }
 
   const std::string title = options.title.empty() ? title_of(options.inputs) : options.title;
-  const auto size = write_report(options.output, collection, title, inputs);
+  const auto size = write_report(options.output, collection, title, overwriting);
   if (!size) return refuse(kExitEnvironment, size.error());
   for (const std::string& message : messages) print_error(message);
   const ReportTotals totals = collection.totals();

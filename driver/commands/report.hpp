@@ -9,6 +9,7 @@ namespace slipbench::driver {
 struct ReportOptions {
   std::vector<std::string> inputs;  ///< cases, folders of cases, results (.csv)
   std::string output;               ///< the page
+  bool force = false;               ///< --force: replace a file that is no page of reports
   std::string title;                ///< empty: the name of the only input
   std::vector<std::string> settings;
   bool allow_outside = false;

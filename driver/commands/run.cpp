@@ -5,8 +5,10 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <optional>
 #include <span>
@@ -27,6 +29,7 @@
 #include "driver/results/summary.hpp"
 #include "driver/text/json.hpp"
 #include "driver/text/one_line.hpp"
+#include "driver/text/standard_input.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -36,30 +39,60 @@ namespace fs = std::filesystem;
 /// The files of a result.
 struct ResultFiles {
   OutputFile rows;
-  OutputFile events;
-  OutputFile summary;
+  // Not there if the rows go to standard output.
+  std::optional<OutputFile> events;
+  std::optional<OutputFile> summary;
   std::optional<OutputFile> solver;
 };
 
-tl::expected<ResultFiles, std::string> create_files(const Case& problem, const fs::path& folder,
-                                                    bool with_solver_report,
-                                                    std::span<const std::string> inputs) {
+bool prints_rows(const RunOptions& options) { return options.folder == "-" && !options.no_output; }
+
+/// The file of a result.
+fs::path result_file(const Case& problem, const fs::path& folder, const std::string& extension) {
+  return folder / (case_stem(problem) + extension);
+}
+
+FileMark mark_of(const Case& problem, std::string_view extension) {
+  return result_mark(problem, extension == ".json");
+}
+
+tl::expected<ResultFiles, std::string> create_files(const Case& problem, const RunOptions& options,
+                                                    const Overwriting& overwriting) {
+  if (prints_rows(options)) {
+    auto rows = OutputFile::create(fs::temp_directory_path() / "rows.csv", {}, kNeverNamed);
+    if (!rows) return tl::unexpected(std::move(rows.error()));
+    return ResultFiles{std::move(*rows), {}, {}, {}};
+  }
   const auto create = [&](const char* extension) {
-    return OutputFile::create(folder / (case_stem(problem) + extension), inputs);
+    return OutputFile::create(result_file(problem, options.folder, extension),
+                              mark_of(problem, extension), overwriting);
   };
   auto rows = create(".csv");
   if (!rows) return tl::unexpected(rows.error());
-  auto events = create(".events.csv");
-  if (!events) return tl::unexpected(events.error());
-  auto summary = create(".json");
-  if (!summary) return tl::unexpected(summary.error());
-  ResultFiles files{std::move(*rows), std::move(*events), std::move(*summary), std::nullopt};
-  if (with_solver_report) {
-    auto solver = create(".solver.csv");
-    if (!solver) return tl::unexpected(solver.error());
-    files.solver.emplace(std::move(*solver));
-  }
+  ResultFiles files{std::move(*rows), {}, {}, {}};
+  const auto add = [&](const char* extension,
+                       std::optional<OutputFile>& file) -> tl::expected<void, std::string> {
+    auto created = create(extension);
+    if (!created) return tl::unexpected(std::move(created.error()));
+    file.emplace(std::move(*created));
+    return {};
+  };
+  auto added = add(".events.csv", files.events);
+  if (added) added = add(".json", files.summary);
+  if (added && options.solver_report) added = add(".solver.csv", files.solver);
+  if (!added) return tl::unexpected(std::move(added.error()));
   return files;
+}
+
+/// Prints a file that is complete.
+tl::expected<void, std::string> print_file(OutputFile& file) {
+  if (auto closed = file.close(); !closed) return closed;
+  std::ifstream in(file.temporary(), std::ios::binary);
+  std::array<char, std::size_t{1} << 16U> piece{};
+  while (in.read(piece.data(), piece.size()), in.gcount() > 0) {
+    print({piece.data(), static_cast<std::size_t>(in.gcount())});
+  }
+  return {};
 }
 
 std::string shown(const fs::path& path) { return path.lexically_normal().string(); }
@@ -90,12 +123,12 @@ bool reads_data_elsewhere(const Case& problem, const fs::path& folder) {
 
 /// Writes the smallest case that fails in the same way beside where the result would be.
 int write_reproducer(const ReadCase& read, const SimulationFailure& failure, const fs::path& folder,
-                     std::span<const std::string> inputs) {
+                     const Overwriting& overwriting) {
   const Case& problem = *read.value;
-  const fs::path target = folder / (case_stem(problem) + ".failed.yaml");
-  auto file = OutputFile::create(target, inputs);
+  const fs::path target = result_file(problem, folder, ".failed.yaml");
+  auto file = OutputFile::create(target, reproducer_mark(problem), overwriting);
   if (!file) return refuse(kExitEnvironment, file.error());
-  file->append(reproducer(read.sources.front(), problem, failure));
+  file->append(sealed(reproducer(read.sources.front(), problem, failure)));
   OutputFile* const alone[] = {&*file};
   if (auto committed = commit(alone); !committed) {
     return refuse(kExitEnvironment, committed.error());
@@ -107,8 +140,7 @@ int write_reproducer(const ReadCase& read, const SimulationFailure& failure, con
   return kExitNumerical;
 }
 
-/// \param inputs what all cases of the command are read from
-int run_one(const ReadCase& read, const RunOptions& options, std::span<const std::string> inputs) {
+int run_one(const ReadCase& read, const RunOptions& options, const Overwriting& overwriting) {
   const auto start = std::chrono::steady_clock::now();
   const Case& problem = *read.value;
   const int every = options.every.value_or(problem.output_every);
@@ -120,22 +152,24 @@ int run_one(const ReadCase& read, const RunOptions& options, std::span<const std
   std::optional<CsvWriter> rows;
   std::optional<EventWriter> events;
   if (!options.no_output) {
-    auto created = create_files(problem, options.folder, options.solver_report, inputs);
+    auto created = create_files(problem, options, overwriting);
     if (!created) return refuse(kExitEnvironment, created.error());
     files.emplace(std::move(*created));
     rows.emplace(problem, output_columns(problem), files->rows);
-    events.emplace(problem, files->events);
+    if (files->events) events.emplace(problem, *files->events);
   }
 
   Summary summary(problem);
   std::optional<SolverReport> solver;
-  if (options.solver_report) solver.emplace(problem, files ? &*files->solver : nullptr);
+  if (options.solver_report)
+    solver.emplace(problem, files && files->solver ? &*files->solver : nullptr);
   std::vector<CheckProgress> checks;
   checks.reserve(problem.checks.size());
   for (const Check& check : problem.checks) checks.emplace_back(problem, check);
 
   Row last;
-  Outlook outlook(problem, options.folder);
+  Outlook outlook(problem,
+                  prints_rows(options) ? fs::temp_directory_path() : fs::path(options.folder));
   const auto follow = [&] {
     Progress progress(case_stem(problem));
     return follow_case(problem, [&](const Simulation& simulation) {
@@ -143,8 +177,8 @@ int run_one(const ReadCase& read, const RunOptions& options, std::span<const std
       summary.add(row);
       if (solver) solver->add(simulation);
       for (CheckProgress& check : checks) check.add(row);
+      if (events) events->write(row);
       if (rows) {
-        events->write(row);
         if (row.index % every == 0) {
           rows->write(row);
         } else {
@@ -164,8 +198,8 @@ int run_one(const ReadCase& read, const RunOptions& options, std::span<const std
   if (!ended) {
     print_error(failure_text(problem, ended.error()));
     int code = exit_code(ended.error());
-    if (code == kExitNumerical && !options.no_output) {
-      code = worse(code, write_reproducer(read, ended.error(), options.folder, inputs));
+    if (code == kExitNumerical && files && !prints_rows(options)) {
+      code = worse(code, write_reproducer(read, ended.error(), options.folder, overwriting));
     }
     return code;
   }
@@ -177,7 +211,11 @@ int run_one(const ReadCase& read, const RunOptions& options, std::span<const std
   const std::vector<std::string> warnings = summary.warnings(*ended);
 
   std::string written;
-  if (files) {
+  if (files && prints_rows(options)) {
+    if (auto printed = print_file(files->rows); !printed) {
+      return refuse(kExitEnvironment, printed.error());
+    }
+  } else if (files) {
     json::Value document;
     document["provenance"] = provenance(problem);
     document["summary"] = summary.to_json();
@@ -190,8 +228,8 @@ int run_one(const ReadCase& read, const RunOptions& options, std::span<const std
     json::Value check_list = json::Array{};
     for (const Verdict& verdict : verdicts) check_list.push_back(to_json(verdict));
     document["checks"] = check_list;
-    files->summary.append(document.dump(2) + "\n");
-    std::vector<OutputFile*> together = {&files->rows, &files->events, &files->summary};
+    files->summary->append(document.dump(2) + "\n");
+    std::vector<OutputFile*> together = {&files->rows, &*files->events, &*files->summary};
     if (files->solver) together.push_back(&*files->solver);
     if (auto committed = commit(together); !committed) {
       return refuse(kExitEnvironment, committed.error());
@@ -200,12 +238,7 @@ int run_one(const ReadCase& read, const RunOptions& options, std::span<const std
     written += "\n";
   }
 
-  const auto elapsed = std::chrono::steady_clock::now() - start;
-  std::string text = fmt::format("{}: {} increments, {}\n", case_stem(problem),
-                                 summary.increments(), elapsed_text(elapsed));
-  text += summary.text();
-  if (solver) text += solver->text();
-  text += notes_text(read.diagnostics);
+  std::string text;
   std::size_t doubts = warnings.size();
   for (const std::string& warning : warnings) text += "  warning: " + warning + "\n";
   for (const Verdict& verdict : verdicts) {
@@ -217,6 +250,7 @@ int run_one(const ReadCase& read, const RunOptions& options, std::span<const std
   bool failed = false;
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     failed = failed || !verdicts[i].passed;
+    if (options.quiet && verdicts[i].passed) continue;
     text += fmt::format("  {}  {}\n", verdicts[i].passed ? "PASS" : "FAIL",
                         verdict_text(problem.checks[i], verdicts[i]));
   }
@@ -224,7 +258,20 @@ int run_one(const ReadCase& read, const RunOptions& options, std::span<const std
     failed = true;
     text += fmt::format("  FAIL  {} warning{} under --strict\n", doubts, doubts == 1 ? "" : "s");
   }
-  print(text + written);
+  if (!options.quiet) {
+    const auto elapsed = std::chrono::steady_clock::now() - start;
+    text = fmt::format("{}: {} increments, {}\n", case_stem(problem), summary.increments(),
+                       elapsed_text(elapsed)) +
+           summary.text() + (solver ? solver->text() : "") + notes_text(read.diagnostics) + text +
+           written;
+  } else if (!text.empty()) {
+    text = case_stem(problem) + ":\n" + text;
+  }
+  if (prints_rows(options)) {
+    print_error(text);
+  } else {
+    print(text);
+  }
   return failed ? kExitCheckFailed : kExitOk;
 }
 
@@ -255,7 +302,7 @@ int judge_increments(const Case& problem, const RunOptions& options) {
 std::string collision(const std::vector<std::string>& cases) {
   std::map<std::string, std::string> first;
   for (const std::string& path : cases) {
-    const auto [there, added] = first.emplace(fs::path(path).stem().string(), path);
+    const auto [there, added] = first.emplace(fs::path(source_name(path)).stem().string(), path);
     if (!added) {
       return fmt::format("{} and {} would both write {}.csv; run them into different folders (-o)",
                          there->second, path, there->first);
@@ -264,21 +311,33 @@ std::string collision(const std::vector<std::string>& cases) {
   return {};
 }
 
-/// Whether the command writes results at all.
-bool writes_results(const RunOptions& options) {
-  return !options.no_output && !options.explain && !options.compare_integration &&
-         !options.converge;
+/// Whether the command writes files at all.
+bool writes_files(const RunOptions& options) {
+  return !options.no_output && !prints_rows(options) && !options.explain &&
+         !options.compare_integration && !options.converge;
 }
 
-/// A result that would replace what one of the cases is read from, as a sentence; empty if there is
-/// none.
-std::string overwritten_input(const std::vector<ReadCase>& cases, const RunOptions& options,
-                              std::span<const std::string> inputs) {
+/// What is wrong with where the results are to go, as a sentence; empty if nothing is.
+std::string fault_of_options(const RunOptions& options) {
+  if (prints_rows(options) && options.cases.size() > 1) {
+    return fmt::format(
+        "-o - prints the rows of one case, found {}; run them one by one, or into "
+        "a folder",
+        options.cases.size());
+  }
+  std::string fault = options.folder == "-" ? "" : folder_fault(options.folder, "case");
+  return fault.empty() ? fault : fault + "; '-o - > FILE' writes the rows of one case to any file";
+}
+
+/// A result that cannot be written, for example because it would replace what is no result of the
+/// case, as a sentence; empty if there is none.
+std::string fault_of_targets(const std::vector<ReadCase>& cases, const RunOptions& options,
+                             const Overwriting& overwriting) {
   for (const ReadCase& read : cases) {
     for (const char* extension : {".csv", ".events.csv", ".json", ".solver.csv"}) {
       if (extension == std::string_view(".solver.csv") && !options.solver_report) continue;
-      const fs::path target = fs::path(options.folder) / (case_stem(*read.value) + extension);
-      std::string fault = input_fault(target.lexically_normal(), inputs);
+      std::string fault = target_fault(result_file(*read.value, options.folder, extension),
+                                       mark_of(*read.value, extension), overwriting);
       if (!fault.empty()) return fault;
     }
   }
@@ -291,6 +350,9 @@ int run_command(const RunOptions& options) {
   const auto settings = parse_settings(options.settings);
   if (!settings) return refuse(kExitBadInput, settings.error());
   if (const std::string fault = collision(options.cases); !options.no_output && !fault.empty()) {
+    return refuse(kExitBadInput, fault);
+  }
+  if (const std::string fault = fault_of_options(options); !fault.empty()) {
     return refuse(kExitBadInput, fault);
   }
   std::vector<ReadCase> cases;
@@ -322,8 +384,9 @@ int run_command(const RunOptions& options) {
   for (const ReadCase& read : cases) {
     for (std::string& file : input_files(*read.value)) inputs.push_back(std::move(file));
   }
-  if (writes_results(options)) {
-    const std::string fault = overwritten_input(cases, options, inputs);
+  const Overwriting overwriting{inputs, options.force};
+  if (writes_files(options)) {
+    const std::string fault = fault_of_targets(cases, options, overwriting);
     if (!fault.empty()) return refuse(kExitEnvironment, fault);
   }
   for (const ReadCase& read : cases) {
@@ -332,7 +395,7 @@ int run_command(const RunOptions& options) {
       if (options.compare_integration || options.converge) {
         return judge_increments(*read.value, options);
       }
-      return run_one(read, options, inputs);
+      return run_one(read, options, overwriting);
     };
     code = worse(code, run_it());
   }

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -15,6 +17,7 @@
 #include "driver/case/file_kind.hpp"
 #include "driver/text/diagnostic.hpp"
 #include "driver/text/number.hpp"
+#include "driver/text/standard_input.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -66,8 +69,22 @@ int refuse(int code, std::string_view message) {
   return code;
 }
 
+std::string folder_fault(const std::string& folder, std::string_view whose) {
+  constexpr std::array<std::string_view, 9> kEndings{".csv",  ".json", ".yaml", ".yml", ".txt",
+                                                     ".html", ".svg",  ".png",  ".pdf"};
+  std::error_code ignored;
+  if (fs::is_directory(folder, ignored)) return {};
+  const std::string ending = fs::path(folder).extension().string();
+  if (folder != "-" && std::find(kEndings.begin(), kEndings.end(), ending) == kEndings.end()) {
+    return {};
+  }
+  return fmt::format("-o {}: wanted a folder, not a file: results are called after their {}",
+                     folder, whose);
+}
+
 std::string named_case(const std::string& path) {
   std::error_code error;
+  if (path == kStandardInput) return path;
   if (fs::exists(fs::symlink_status(path, error))) return path;
   std::string found;
   for (const std::string_view ending : kCaseEndings) {
@@ -86,6 +103,7 @@ std::string named_case(const std::string& path) {
 int finish_output(int code) {
   flush_output();
   if (output_error == 0) return code;
+  if (output_error == EPIPE) return code == kExitOk ? kExitNoReader : code;
   static bool told = false;
   if (!std::exchange(told, true))
     print_error(fmt::format("slipbench: error: standard output cannot be written: {}\n",

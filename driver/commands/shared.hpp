@@ -39,8 +39,13 @@ int refuse(int code, std::string_view message);
 /// that is called so with .yaml or .yml, as tables show it; with a warning if both are there.
 std::string named_case(const std::string& path);
 
+/// Why `-o` names no folder: it is a file by its ending, or "-". A sentence, or nothing.
+/// \param whose of what the files in it bear the name: "case"
+std::string folder_fault(const std::string& folder, std::string_view whose);
+
 /// Flushes standard output. If something did not arrive (a closed or full one), says so on
-/// standard error and returns the worse of `code` and kExitEnvironment.
+/// standard error and returns the worse of `code` and kExitEnvironment. A reader that has seen
+/// enough, as head has, is no trouble: nothing is said, and kExitOk becomes kExitNoReader.
 int finish_output(int code);
 
 /// True if colour is wanted on a stream. The first of these decides: NO_COLOR that is not empty

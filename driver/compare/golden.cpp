@@ -194,7 +194,8 @@ GoldenHeader golden_header(const Case& problem, const GoldenCurve& curve, std::s
 }
 
 std::string to_text(const GoldenHeader& header) {
-  std::string text = std::string(kGoldenMark) + "\n";
+  std::string text(kGoldenMark);
+  text += '\n';
   for (const std::string& line : header.origin) text += line + "\n";
   for (const std::string& line : header.blessings) text += line + "\n";
   return text;

@@ -47,7 +47,7 @@ std::string facts(const PlotData& data, const RegimeHistory& regimes, bool all_m
 
 tl::expected<void, PlotFailure> draw_bands(const PlotOptions& options,
                                            const std::filesystem::path& picture) {
-  auto begun = begin_picture(picture, options.input, "bands.gp", options.look);
+  auto begun = begin_picture(picture, options, "bands.gp");
   if (!begun) return tl::unexpected(std::move(begun.error()));
   const auto data = result_for_plot(options, picture, PlotDetail::kForces);
   if (!data) return tl::unexpected(data.error());

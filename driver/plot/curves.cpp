@@ -189,7 +189,7 @@ std::vector<std::string> names_of(const std::vector<std::string>& inputs) {
 
 tl::expected<void, PlotFailure> draw_over_each_other(PlotOptions options, const fs::path& picture,
                                                      bool portrait) {
-  auto begun = begin_picture(picture, options.input, "curves.gp", options.look);
+  auto begun = begin_picture(picture, options, "curves.gp");
   if (!begun) return tl::unexpected(std::move(begun.error()));
   std::vector<std::string> inputs{options.input};
   inputs.insert(inputs.end(), options.more.begin(), options.more.end());

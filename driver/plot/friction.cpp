@@ -45,7 +45,7 @@ void tell_loop(PlotScript& script, const PlotData& data, const PlotDefinition& d
 
 tl::expected<void, PlotFailure> draw_friction(const PlotOptions& options,
                                               const std::filesystem::path& picture) {
-  auto begun = begin_picture(picture, options.input, "friction.gp", options.look);
+  auto begun = begin_picture(picture, options, "friction.gp");
   if (!begun) return tl::unexpected(std::move(begun.error()));
   const auto data = result_for_plot(options, picture, PlotDetail::kForces, WithLoops::kYes);
   if (!data) return tl::unexpected(data.error());

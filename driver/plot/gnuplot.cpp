@@ -16,6 +16,7 @@
 
 #include "driver/exit_code.hpp"
 #include "driver/history/data_path.hpp"
+#include "driver/plot/picture_mark.hpp"
 #include "driver/results/interruption.hpp"
 
 extern char** environ;
@@ -125,7 +126,7 @@ std::string gnuplot_string(std::string_view text) {
 
 tl::expected<void, PlotFailure> draw_script(const std::string& script, const fs::path& picture,
                                             double scale, OutputFile& output) {
-  auto commands = OutputFile::create(fs::path(picture).concat(".gp"));
+  auto commands = OutputFile::create(fs::path(picture).concat(".gp"), {}, kNeverNamed);
   if (!commands) return failed(kExitEnvironment, commands.error());
   commands->append(script);
   if (auto closed = commands->close(); !closed) return failed(kExitEnvironment, closed.error());
@@ -135,6 +136,7 @@ tl::expected<void, PlotFailure> draw_script(const std::string& script, const fs:
     return failed(kExitEnvironment, picture.string() + ": gnuplot wrote no picture");
   }
   if (picture.extension() == ".svg" && scale != 1.0) scale_svg(output.temporary(), scale);
+  write_mark(output.temporary(), picture.extension().string(), output.mark().text);
   OutputFile* const together[] = {&output};
   if (auto committed = commit(together); !committed) {
     return failed(kExitEnvironment, committed.error());

@@ -107,7 +107,7 @@ void tell_state(PlotScript& script, const PlotData& data, const PlotDefinition& 
 
 tl::expected<void, PlotFailure> draw_history(const PlotOptions& options,
                                              const std::filesystem::path& picture) {
-  auto begun = begin_picture(picture, options.input, "history.gp", options.look);
+  auto begun = begin_picture(picture, options, "history.gp");
   if (!begun) return tl::unexpected(std::move(begun.error()));
   const auto data = result_for_plot(options, picture, PlotDetail::kState);
   if (!data) return tl::unexpected(data.error());

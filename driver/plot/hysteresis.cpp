@@ -108,7 +108,7 @@ class Panels {
 
 tl::expected<void, PlotFailure> draw_hysteresis(const PlotOptions& options,
                                                 const std::filesystem::path& picture) {
-  auto begun = begin_picture(picture, options.input, "hysteresis.gp", options.look);
+  auto begun = begin_picture(picture, options, "hysteresis.gp");
   if (!begun) return tl::unexpected(std::move(begun.error()));
   const auto data = result_for_plot(options, picture, PlotDetail::kState, WithLoops::kYes);
   if (!data) return tl::unexpected(data.error());

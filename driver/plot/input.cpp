@@ -20,7 +20,7 @@ namespace {
 /// Runs a case and writes its rows to `rows`.
 tl::expected<void, PlotFailure> write_rows(const Case& problem, const fs::path& picture,
                                            std::optional<OutputFile>& rows, CaseRegimes& regimes) {
-  auto created = OutputFile::create(fs::path(picture).concat(".rows"), input_files(problem));
+  auto created = OutputFile::create(fs::path(picture).concat(".rows"), {}, kNeverNamed);
   if (!created) return failed(kExitEnvironment, created.error());
   rows.emplace(std::move(*created));
   CsvWriter writer(problem, result_columns(problem), *rows);

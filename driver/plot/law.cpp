@@ -226,7 +226,7 @@ tl::expected<void, PlotFailure> draw_laws(const PlotOptions& options, const fs::
     return failed(kExitBadInput,
                   options.input + ": a result does not say its coefficients; give the case");
   }
-  auto begun = begin_picture(picture, options.input, "coefficient.gp", options.look);
+  auto begun = begin_picture(picture, options, "coefficient.gp");
   if (!begun) return tl::unexpected(std::move(begun.error()));
   const auto problem = read_for_plot(options);
   if (!problem) return tl::unexpected(problem.error());

@@ -297,7 +297,7 @@ tl::expected<void, PlotFailure> draw_mu_map(const PlotOptions& options,
     return failed(kExitBadInput,
                   options.input + ": a result does not say its coefficients; give the case");
   }
-  auto begun = begin_picture(picture, options.input, "mu_map.gp", options.look);
+  auto begun = begin_picture(picture, options, "mu_map.gp");
   if (!begun) return tl::unexpected(std::move(begun.error()));
   const auto problem = read_for_plot(options);
   if (!problem) return tl::unexpected(problem.error());

@@ -13,8 +13,9 @@ struct PlotOptions {
   std::string output;  ///< .svg, .png or .pdf; empty: <stem of the input>.svg, .law.svg, .KIND.svg
   std::vector<std::string> settings;  ///< --set, as typed; for a case only
   bool allow_outside = false;
-  bool law = false;  ///< draw the coefficients of a case, not its forces
-  std::string kind;  ///< one of plot_kinds(); empty: force over time and over motion
+  bool force = false;             ///< --force: replace a file that is no picture of the input
+  bool law = false;               ///< draw the coefficients of a case, not its forces
+  std::string kind;               ///< one of plot_kinds(); empty: force over time and over motion
   std::vector<std::string> more;  ///< further inputs, drawn into the same picture
   std::string x;                  ///< a result column; empty: the one that goes with y
   std::vector<std::string> y;     ///< result columns of one unit; empty: the friction force

@@ -144,7 +144,7 @@ tl::expected<void, PlotFailure> draw_residuals(const PlotOptions& options,
   if (is_result(options)) {
     return failed(kExitBadInput, options.input + ": a result has no checks; give the case");
   }
-  auto begun = begin_picture(picture, options.input, "residuals.gp", options.look);
+  auto begun = begin_picture(picture, options, "residuals.gp");
   if (!begun) return tl::unexpected(std::move(begun.error()));
   const auto problem = read_for_plot(options);
   if (!problem) return tl::unexpected(problem.error());

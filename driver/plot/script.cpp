@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <utility>
 
+#include "driver/plot/picture_mark.hpp"
 #include "driver/plot/text_lines.hpp"
 #include "driver/text/format_number.hpp"
 
@@ -40,10 +40,9 @@ std::string gnuplot_number(double number) {
 
 }  // namespace
 
-tl::expected<Picture, PlotFailure> begin_picture(const fs::path& name, const std::string& input,
-                                                 std::string_view pattern,
-                                                 const PictureLook& look) {
-  if (terminal_for(name, {}, look).empty()) {
+tl::expected<Picture, PlotFailure> begin_picture(const fs::path& name, const PlotOptions& options,
+                                                 std::string_view pattern) {
+  if (terminal_for(name, {}, options.look).empty()) {
     return failed(kExitBadInput, fmt::format("{}: wanted a picture that ends in .svg, .png or .pdf",
                                              name.string()));
   }
@@ -53,10 +52,12 @@ tl::expected<Picture, PlotFailure> begin_picture(const fs::path& name, const std
         kExitEnvironment,
         fmt::format("the plot templates plots/{} and plots/style.gp are not installed", pattern));
   }
-  const std::array<std::string, 1> inputs{input};
-  auto output = OutputFile::create(name, inputs);
+  std::vector<std::string> inputs = options.more;
+  inputs.push_back(options.input);
+  const FileMark mark = picture_mark(options.more.empty() ? options.input : "several inputs");
+  auto output = OutputFile::create(name, mark, {inputs, options.force});
   if (!output) return failed(kExitEnvironment, output.error());
-  return Picture{name, std::move(*found), look, std::move(*output)};
+  return Picture{name, std::move(*found), options.look, std::move(*output)};
 }
 
 void PlotScript::set(std::string_view name, std::string_view text) {

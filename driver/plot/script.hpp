@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "driver/plot/gnuplot.hpp"
+#include "driver/plot/options.hpp"
 #include "driver/results/output_file.hpp"
 
 namespace slipbench::driver {
@@ -23,10 +24,11 @@ struct Picture {
 };
 
 /// Errors: an ending that is not .svg, .png or .pdf, a template that is not installed, a picture
-/// that cannot be written or would take the place of `input`.
+/// that cannot be written or would take the place of the input, or of a file that is no picture of
+/// it.
 tl::expected<Picture, PlotFailure> begin_picture(const std::filesystem::path& name,
-                                                 const std::string& input, std::string_view pattern,
-                                                 const PictureLook& look = {});
+                                                 const PlotOptions& options,
+                                                 std::string_view pattern);
 
 /// What a template is told: variables, arrays with an entry for each panel, and blocks of data.
 class PlotScript {

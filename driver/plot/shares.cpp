@@ -147,7 +147,7 @@ tl::expected<void, PlotFailure> draw_shares(const PlotOptions& options,
                                      ": a result does not say what its normal force is made of; "
                                      "give the case");
   }
-  auto begun = begin_picture(picture, options.input, "shares.gp", options.look);
+  auto begun = begin_picture(picture, options, "shares.gp");
   if (!begun) return tl::unexpected(std::move(begun.error()));
   const auto problem = read_for_plot(options);
   if (!problem) return tl::unexpected(problem.error());

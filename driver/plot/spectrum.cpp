@@ -55,7 +55,7 @@ std::string points_of(const Amplitudes& found, double end) {
 
 tl::expected<void, PlotFailure> draw_spectrum(const PlotOptions& options,
                                               const std::filesystem::path& picture) {
-  auto begun = begin_picture(picture, options.input, "spectrum.gp", options.look);
+  auto begun = begin_picture(picture, options, "spectrum.gp");
   if (!begun) return tl::unexpected(std::move(begun.error()));
   if (options.y.size() > 1) return failed(kExitBadInput, "--as spectrum draws one column; one --y");
   const auto rows = rows_for_plot(options, picture);

@@ -23,6 +23,9 @@ std::string escape_html(std::string_view text) {
       case '>':
         escaped += "&gt;";
         break;
+      case '"':
+        escaped += "&quot;";
+        break;
       default:
         escaped += c;
     }
@@ -43,6 +46,10 @@ std::string escape_json(std::string_view json) {
   }
   return escaped;
 }
+
+// As they stand in the layouts.
+constexpr const char* kPageStart = "<!doctype html>\n";
+constexpr const char* kGenerator = "<meta name=\"generator\" content=\"slipbench ";
 
 /// A part of a page and the name of its place in the layout.
 using Part = std::pair<std::string_view, std::string_view>;
@@ -87,11 +94,14 @@ std::string report_page(std::string_view json_document, std::string_view title) 
   return fill(page_part::page_html(), parts);
 }
 
-std::string fit_page(std::string_view json_document, std::string_view title) {
+std::string fit_page(std::string_view json_document, std::string_view title,
+                     std::string_view source) {
   const std::string document = escape_json(json_document);
   const std::string heading = escape_html(title);
-  const std::array<Part, 7> parts{{
+  const std::string name = escape_html(source);
+  const std::array<Part, 8> parts{{
       {"title", heading},
+      {"source", name},
       {"style", page_part::style_css()},
       {"fit_style", page_part::fit_css()},
       {"document", document},
@@ -100,6 +110,15 @@ std::string fit_page(std::string_view json_document, std::string_view title) {
       {"script", page_part::fit_js()},
   }};
   return fill(page_part::fit_html(), parts);
+}
+
+FileMark report_page_mark() {
+  return {"a page of slipbench's reports", kPageStart, kGenerator + std::string("report\">")};
+}
+
+FileMark fit_page_mark(std::string_view source) {
+  return {"the page of " + std::string(source), kPageStart,
+          kGenerator + ("calibrate " + escape_html(source)) + "\">"};
 }
 
 }  // namespace slipbench::driver

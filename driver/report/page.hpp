@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "driver/results/file_mark.hpp"
+
 namespace slipbench::driver {
 
 /// A page that needs nothing else: the report's layout, style and program, the chart library with
@@ -12,6 +14,12 @@ namespace slipbench::driver {
 std::string report_page(std::string_view json_document, std::string_view title);
 
 /// The same of a fit: its layout and program, and the document of fit_document.
-std::string fit_page(std::string_view json_document, std::string_view title);
+/// \param source the name of the fit file
+std::string fit_page(std::string_view json_document, std::string_view title,
+                     std::string_view source);
+
+/// The marks of the pages: of any report, and of the fits of one file name.
+FileMark report_page_mark();
+FileMark fit_page_mark(std::string_view source);
 
 }  // namespace slipbench::driver

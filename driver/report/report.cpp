@@ -62,8 +62,8 @@ ReportTotals ReportCollection::totals() const {
 tl::expected<std::size_t, std::string> write_report(const std::filesystem::path& file,
                                                     const ReportCollection& collection,
                                                     const std::string& title,
-                                                    std::span<const std::string> inputs) {
-  auto out = OutputFile::create(file, inputs);
+                                                    const Overwriting& overwriting) {
+  auto out = OutputFile::create(file, report_page_mark(), overwriting);
   if (!out) return tl::unexpected(out.error());
   const std::string shown = title.empty() ? "slipbench report" : title;
   const std::string page = report_page(report_document(collection, shown), shown);

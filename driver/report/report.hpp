@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "driver/report/case_report.hpp"
+#include "driver/results/output_file.hpp"
 
 namespace slipbench::driver {
 
@@ -60,11 +61,11 @@ std::string report_document(const ReportCollection& collection, const std::strin
 
 /// Writes the page as one file that appears only when it is complete. An empty title becomes
 /// "slipbench report". Returns its size in bytes.
-/// Errors: those of OutputFile, also for a file that is one of `inputs`.
+/// Errors: those of OutputFile.
 tl::expected<std::size_t, std::string> write_report(const std::filesystem::path& file,
                                                     const ReportCollection& collection,
                                                     const std::string& title,
-                                                    std::span<const std::string> inputs);
+                                                    const Overwriting& overwriting);
 
 /// "0.8 MB", "12 kB": the size of a page for people.
 std::string size_text(std::size_t bytes);

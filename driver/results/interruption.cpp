@@ -30,6 +30,7 @@ extern "C" void end_at_once(int signal_number) {
   for (const Place& place : places) {
     if (place.taken.load()) unlink(place.path.data());
   }
+  remove_empty_folders();
   _exit(128 + signal_number);
 }
 
@@ -85,6 +86,13 @@ int register_file(const std::string& path) {
 
 void forget_file(int number) {
   if (number >= 0) places[static_cast<std::size_t>(number)].taken.store(false);
+}
+
+void remove_empty_folders() {
+  // The inner ones, which were made later, first. What is no folder stays.
+  for (std::size_t i = kPlaces; i-- > 0;) {
+    if (places[i].taken.load() && rmdir(places[i].path.data()) == 0) places[i].taken.store(false);
+  }
 }
 
 void register_child(int process) { child.store(process); }

@@ -23,11 +23,14 @@ class InterruptionPause {
   bool already_paused_ = false;
 };
 
-/// A file that an interruption removes, until `forget_file`. Returns its number, or -1 when all
-/// places are taken or the path is too long: such a file may be left behind, under its temporary
-/// name. Call it, like forget_file, under an InterruptionPause.
+/// A file that an interruption removes, or a folder if it is empty, until `forget_file`. Returns
+/// its number, or -1 when all places are taken or the path is too long: such a file may be left
+/// behind, under its temporary name. Call it, like forget_file, under an InterruptionPause.
 int register_file(const std::string& path);
 void forget_file(int number);
+
+/// Removes the registered folders that are empty, and forgets them.
+void remove_empty_folders();
 
 /// The child process an interruption ends; 0 for none. There is one at a time.
 void register_child(int process);

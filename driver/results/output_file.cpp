@@ -50,24 +50,37 @@ tl::expected<fs::path, std::string> behind_links(const fs::path& target) {
   return place;
 }
 
+/// The nearest of a folder and those it lies in that is there.
+fs::path nearest_there(fs::path folder) {
+  std::error_code ignored;
+  while (!fs::exists(folder, ignored) && !folder.empty()) folder = folder.parent_path();
+  return folder.empty() ? fs::path(".") : folder;
+}
+
+/// The file at `place` that must stay, in a sentence, or nothing.
+std::string foreign_fault(const fs::path& target, const fs::path& place, const FileMark& mark,
+                          bool force) {
+  std::error_code ignored;
+  const fs::file_status there = fs::status(place, ignored);
+  if (fs::is_directory(there)) return fmt::format("{}: is a folder", target.string());
+  if (!fs::exists(there)) return {};
+  if (!fs::is_regular_file(there)) return fmt::format("{}: is no regular file", target.string());
+  if (force || fs::file_size(place, ignored) == 0 || carries(place, mark)) return {};
+  return fmt::format(
+      "{}: {}, and is kept; choose another folder or name, or replace it with --force",
+      target.string(),
+      mark.owner.empty() ? "is there already" : "is there already and is not " + mark.owner);
+}
+
 /// What is wrong with writing to `place`, which `target` leads to, or nothing.
-std::string obstacle(const fs::path& target, const fs::path& place,
-                     std::span<const std::string> inputs) {
+std::string obstacle(const fs::path& target, const fs::path& place, const FileMark& mark,
+                     const Overwriting& overwriting) {
   std::error_code error;
-  const fs::path folder = folder_of(place);
-  const fs::file_status where = fs::status(folder, error);
-  if (!fs::exists(where)) {
-    return fmt::format("{}: the folder {} does not exist", target.string(), folder.string());
-  }
-  if (!fs::is_directory(where)) {
+  if (const fs::path folder = nearest_there(folder_of(place)); !fs::is_directory(folder, error)) {
     return fmt::format("{}: {} is not a folder", target.string(), folder.string());
   }
-  const fs::file_status there = fs::status(place, error);
-  if (fs::is_directory(there)) return fmt::format("{}: is a folder", target.string());
-  if (fs::exists(there) && !fs::is_regular_file(there)) {
-    return fmt::format("{}: is no regular file", target.string());
-  }
-  return input_fault(target, inputs);
+  if (std::string fault = input_fault(target, overwriting.inputs); !fault.empty()) return fault;
+  return foreign_fault(target, place, mark, overwriting.force);
 }
 
 }  // namespace
@@ -111,35 +124,59 @@ FolderLocks::~FolderLocks() {
   for (const int descriptor : descriptors_) close(descriptor);
 }
 
-tl::expected<OutputFile, std::string> OutputFile::create(const fs::path& wanted,
-                                                         std::span<const std::string> inputs) {
+std::string target_fault(const fs::path& wanted, const FileMark& mark,
+                         const Overwriting& overwriting) {
   const fs::path target = wanted.lexically_normal();
   const auto place = behind_links(target);
-  if (!place) return tl::unexpected(place.error());
-  if (std::string fault = obstacle(target, *place, inputs); !fault.empty()) {
-    return tl::unexpected(std::move(fault));
-  }
+  return place ? obstacle(target, *place, mark, overwriting) : place.error();
+}
+
+std::string make_folders(const fs::path& folder) {
+  std::error_code error;
+  if (folder.empty() || fs::is_directory(folder, error)) return {};
+  if (std::string fault = make_folders(folder.parent_path()); !fault.empty()) return fault;
+  const InterruptionPause pause;
+  if (fs::create_directory(folder, error)) register_file(folder.string());
+  return error ? fmt::format("{}: cannot be made: {}", folder.string(), error.message()) : "";
+}
+
+tl::expected<OutputFile, std::string> OutputFile::create(const fs::path& wanted,
+                                                         const FileMark& mark,
+                                                         const Overwriting& overwriting) {
   OutputFile file;
-  file.target_ = target;
-  file.place_ = *place;
-  std::string name = (folder_of(*place) / ("." + place->filename().string() + ".XXXXXX")).string();
+  file.target_ = wanted.lexically_normal();
+  auto place = behind_links(file.target_);
+  if (!place) return tl::unexpected(std::move(place.error()));
+  file.place_ = std::move(*place);
+  std::string fault = obstacle(file.target_, file.place_, mark, overwriting);
+  if (fault.empty()) fault = make_folders(folder_of(file.place_));
+  if (!fault.empty()) return tl::unexpected(std::move(fault));
+  file.mark_ = mark;
+  file.force_ = overwriting.force;
+  if (auto begun = file.begin(); !begun) return tl::unexpected(std::move(begun.error()));
+  return file;
+}
+
+/// Creates the file under the name it is written by.
+tl::expected<void, std::string> OutputFile::begin() {
+  std::string name = (folder_of(place_) / ("." + place_.filename().string() + ".XXXXXX")).string();
   {
     const InterruptionPause pause;
-    file.descriptor_ = mkostemp(name.data(), O_CLOEXEC);
-    if (file.descriptor_ < 0) {
+    descriptor_ = mkostemp(name.data(), O_CLOEXEC);
+    if (descriptor_ < 0) {
       return tl::unexpected(
-          fmt::format("{}: cannot be written: {}", target.string(), reason(errno)));
+          fmt::format("{}: cannot be written: {}", target_.string(), reason(errno)));
     }
-    file.temporary_ = name;
-    file.registered_ = register_file(name);
+    temporary_ = name;
+    registered_ = register_file(name);
   }
   // mkostemp lets nobody else read; a result is as readable as any new file.
   const mode_t mask = umask(0);
   umask(mask);
   constexpr mode_t kReadWrite = 0666;
-  fchmod(file.descriptor_, kReadWrite & ~mask);
-  file.buffer_.reserve(kFlushSize + kFlushSize / 4);
-  return file;
+  fchmod(descriptor_, kReadWrite & ~mask);
+  buffer_.reserve(kFlushSize + kFlushSize / 4);
+  return {};
 }
 
 OutputFile::OutputFile(OutputFile&& other) noexcept
@@ -148,6 +185,8 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
       temporary_(std::move(other.temporary_)),
       buffer_(std::move(other.buffer_)),
       error_(std::move(other.error_)),
+      mark_(std::move(other.mark_)),
+      force_(other.force_),
       descriptor_(std::exchange(other.descriptor_, -1)),
       registered_(std::exchange(other.registered_, -1)) {
   other.temporary_.clear();
@@ -157,11 +196,13 @@ OutputFile::~OutputFile() { drop(); }
 
 void OutputFile::drop() {
   if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
-  if (temporary_.empty()) return;
   const InterruptionPause pause;
-  unlink(temporary_.c_str());
-  forget_file(std::exchange(registered_, -1));
-  temporary_.clear();
+  if (!temporary_.empty()) {
+    unlink(temporary_.c_str());
+    forget_file(std::exchange(registered_, -1));
+    temporary_.clear();
+  }
+  remove_empty_folders();
 }
 
 void OutputFile::flush() {
@@ -200,6 +241,10 @@ tl::expected<void, std::string> commit(std::span<OutputFile* const> files,
                                        const FolderLocks& /*locks*/) {
   for (OutputFile* file : files) {
     if (auto closed = file->close(); !closed) return closed;
+  }
+  for (const OutputFile* file : files) {
+    std::string fault = foreign_fault(file->target_, file->place_, file->mark_, file->force_);
+    if (!fault.empty()) return tl::unexpected(std::move(fault));
   }
   const InterruptionPause pause;
   for (OutputFile* file : files) {

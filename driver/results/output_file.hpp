@@ -8,6 +8,8 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "driver/results/file_mark.hpp"
+
 namespace slipbench::driver {
 
 /// Whether two names mean one file, be it there or not; links are followed.
@@ -15,6 +17,25 @@ bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b
 
 /// Why `target` must not be written: it is one of the files that are read. A sentence, or nothing.
 std::string input_fault(const std::filesystem::path& target, std::span<const std::string> inputs);
+
+/// What a new file may take the place of, besides an empty file and one with its own mark.
+struct Overwriting {
+  std::span<const std::string> inputs = {};  ///< never these, by whatever name
+  bool force = false;                        ///< anything else, too
+};
+
+/// Of a file that is read under its temporary name and then dropped.
+inline constexpr Overwriting kNeverNamed{.force = true};
+
+/// Why nothing can be written to `target`, as OutputFile::create would find it; a sentence, or
+/// nothing. Makes nothing and writes nothing.
+std::string target_fault(const std::filesystem::path& target, const FileMark& mark,
+                         const Overwriting& overwriting = {});
+
+/// Makes a folder and those it lies in. Those that are still empty when a file that was to be
+/// written is dropped, or when the program is interrupted, are removed again. A sentence if it
+/// cannot be made, or nothing.
+std::string make_folders(const std::filesystem::path& folder);
 
 /// Makes programs that complete files in the same folders wait for each other, as long as it
 /// exists; where the file system has no locks they do not.
@@ -34,14 +55,16 @@ class FolderLocks {
 /// under a name of its own and renamed by `commit`. A name that is a link stays one: the file that
 /// it leads to is written, beside itself. Dropped before that, interrupted or failed, it leaves
 /// nothing behind. Errors are sentences that name the file and the system's reason; after
-/// the first one, writing does nothing.
+/// the first one, writing does nothing. It takes the place of nothing but what its mark and
+/// Overwriting let it, also if another file has come to that place while it was written.
 class OutputFile {
  public:
-  /// Errors: a folder that is missing, is no folder or cannot be written to; a target that exists
-  /// and is no regular file (a folder, a device, a descriptor such as /dev/stdout); links in a
-  /// circle; a target that is one of `inputs` (by whatever name).
+  /// Makes the folder, too, if it is missing. Errors: a folder that is no folder, or cannot be made
+  /// or written to; a target that exists and is no regular file (a folder, a device, a descriptor
+  /// such as /dev/stdout); links in a circle; a target that is an input or somebody else's file.
   static tl::expected<OutputFile, std::string> create(const std::filesystem::path& target,
-                                                      std::span<const std::string> inputs = {});
+                                                      const FileMark& mark,
+                                                      const Overwriting& overwriting = {});
 
   OutputFile(OutputFile&& other) noexcept;
   OutputFile& operator=(OutputFile&&) = delete;
@@ -62,6 +85,7 @@ class OutputFile {
 
   /// The name it was asked for by.
   const std::filesystem::path& target() const { return target_; }
+  const FileMark& mark() const { return mark_; }
   /// The name under which it is being written.
   const std::filesystem::path& temporary() const { return temporary_; }
 
@@ -73,6 +97,7 @@ class OutputFile {
   static constexpr std::size_t kFlushSize = std::size_t{256} << 10U;
 
   OutputFile() = default;
+  tl::expected<void, std::string> begin();
   void flush();
   void drop();
 
@@ -81,6 +106,8 @@ class OutputFile {
   std::filesystem::path temporary_;
   std::string buffer_;
   std::string error_;
+  FileMark mark_;
+  bool force_ = false;
   int descriptor_ = -1;
   int registered_ = -1;
 };

@@ -66,4 +66,15 @@ json::Value provenance(const Case& problem) {
   return origin;
 }
 
+FileMark result_mark(const Case& problem, bool is_json) {
+  const std::string name = case_name(problem);
+  const std::string owner = "a result of " + name;
+  if (!is_json) {
+    // The origin of a golden curve is told behind a first line of its own.
+    return {owner, "# slipbench ", "\n# case: " + printable(name) + "\n", true};
+  }
+  return {owner, "{\n  \"provenance\": {\n    \"program\": \"slipbench\",",
+          "\"case\": " + json::Value(name).dump() + ","};
+}
+
 }  // namespace slipbench::driver

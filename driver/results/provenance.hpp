@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "driver/case/case.hpp"
+#include "driver/results/file_mark.hpp"
 #include "driver/text/json.hpp"
 
 namespace slipbench::driver {
@@ -24,5 +25,8 @@ std::string provenance_lines(const Case& problem);
 
 /// The same as a JSON object.
 json::Value provenance(const Case& problem);
+
+/// The mark of a file that begins with provenance_lines, or, if it is JSON, with provenance.
+FileMark result_mark(const Case& problem, bool is_json);
 
 }  // namespace slipbench::driver

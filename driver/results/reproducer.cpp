@@ -5,6 +5,7 @@
 #include <cctype>
 #include <string_view>
 
+#include "driver/results/provenance.hpp"
 #include "driver/text/format_number.hpp"
 #include "driver/text/json.hpp"
 #include "driver/yaml/node.hpp"
@@ -12,6 +13,9 @@
 
 namespace slipbench::driver {
 namespace {
+
+constexpr const char* kStart = "# Fails as ";
+constexpr const char* kEndOfName = " did:\n";
 
 /// A text that YAML reads back as it is, wherever it stands.
 std::string scalar(std::string_view text, bool quoted) {
@@ -66,7 +70,7 @@ std::string reproducer(const SourceText& source, const Case& problem,
                        const SimulationFailure& failure) {
   const auto tree = parse_yaml(source);
   if (!tree) return {};
-  std::string out = "# Fails as " + problem.file + " did:\n# " + failure.message + "\n";
+  std::string out = kStart + problem.file + kEndOfName + "# " + failure.message + "\n";
   for (const Entry entry : tree->root().entries()) {
     const std::string_view key = entry.key.text();
     if (key == "checks" || key == "output") continue;
@@ -90,6 +94,13 @@ std::string reproducer(const SourceText& source, const Case& problem,
     }
   }
   return out;
+}
+
+FileMark reproducer_mark(const Case& problem) {
+  return {.owner = "an unchanged case that fails as " + case_name(problem) + " did",
+          .start = kStart,
+          .text = case_name(problem) + kEndOfName,
+          .sealed = true};
 }
 
 }  // namespace slipbench::driver

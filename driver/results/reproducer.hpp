@@ -4,6 +4,7 @@
 #include <string>
 
 #include "driver/case/case.hpp"
+#include "driver/results/file_mark.hpp"
 #include "driver/simulation.hpp"
 #include "driver/text/source_text.hpp"
 
@@ -15,5 +16,8 @@ namespace slipbench::driver {
 /// \param source the case as it was read, without faults
 std::string reproducer(const SourceText& source, const Case& problem,
                        const SimulationFailure& failure);
+
+/// The mark of a reproducer of a case.
+FileMark reproducer_mark(const Case& problem);
 
 }  // namespace slipbench::driver

@@ -10,6 +10,7 @@
 
 #include "driver/case/file_kind.hpp"
 #include "driver/suite/real_files.hpp"
+#include "driver/text/standard_input.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -18,6 +19,7 @@ namespace fs = std::filesystem;
 
 /// Another extension than that of a case stays: two files are not to be called the same.
 std::string label_of(const fs::path& path) {
+  if (path == kStandardInput) return std::string(kStandardInputName);
   const fs::path name = path.extension() == ".yaml" ? path.stem() : path.filename();
   return (path.parent_path() / name).lexically_normal().generic_string();
 }

@@ -14,6 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kStart =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"slipbench\"";
+
 /// The folder of a case as its label has it; else the name of the folder that it is in.
 std::string suite_of(const Candidate& candidate) {
   const std::size_t slash = candidate.label.rfind('/');
@@ -111,6 +114,8 @@ std::string JunitReport::attributes(const Counts& counts) {
                      counts.failures, counts.errors, counts.seconds);
 }
 
+FileMark JunitReport::mark() { return {"a JUnit file of 'slipbench check'", kStart, ""}; }
+
 std::string JunitReport::text() const {
   Counts all;
   using Entry = const std::pair<const std::string, Suite>*;
@@ -123,9 +128,8 @@ std::string JunitReport::text() const {
     all.errors += counts.errors;
     all.seconds += counts.seconds;
   }
-  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
   // The readers' schema knows the number of skipped tests of a suite, but not of all.
-  text += fmt::format("<testsuites name=\"slipbench\" {}>\n", attributes(all));
+  std::string text = fmt::format("{} {}>\n", kStart, attributes(all));
   for (const auto& [place, entry] : in_order) {
     const Suite& suite = entry->second;
     text +=

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "driver/results/file_mark.hpp"
 #include "driver/suite/candidates.hpp"
 #include "driver/suite/outcome.hpp"
 
@@ -24,6 +25,9 @@ class JunitReport {
   void add(std::size_t place, const Candidate& candidate, const CaseOutcome& outcome);
 
   std::string text() const;
+
+  /// The mark of every such file.
+  static FileMark mark();
 
  private:
   struct Counts {

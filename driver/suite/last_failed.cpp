@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -13,6 +12,7 @@
 #include <system_error>
 
 #include "driver/results/output_file.hpp"
+#include "driver/text/hash.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -28,13 +28,6 @@ std::optional<fs::path> cache_folder() {
     return fs::path(home) / ".cache" / "slipbench";
   }
   return std::nullopt;
-}
-
-/// FNV-1a, 64 bit: the same on every machine.
-std::uint64_t hash(std::string_view text) {
-  std::uint64_t h = 14695981039346656037U;
-  for (const char c : text) h = (h ^ static_cast<unsigned char>(c)) * 1099511628211U;
-  return h;
 }
 
 }  // namespace
@@ -88,9 +81,7 @@ void LastFailed::write(std::span<const Candidate> cases) {
   }
   // A suite that never failed leaves no trace.
   if (text == kept_ || (text == head_ && kept_.empty())) return;
-  std::error_code ignored;
-  fs::create_directories(file_->parent_path(), ignored);
-  auto file = OutputFile::create(*file_);
+  auto file = OutputFile::create(*file_, {.start = head_});
   if (!file) return;
   file->append(text);
   OutputFile* const alone[] = {&*file};

@@ -7,6 +7,9 @@
 #include <utility>
 
 #include "driver/exit_code.hpp"
+#include "driver/report/page.hpp"
+#include "driver/suite/junit.hpp"
+#include "driver/suite/suite_json.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -56,7 +59,10 @@ tl::expected<SuiteFiles, SuiteFilesFault> SuiteFiles::create(const SuiteTargets&
   SuiteFiles files;
   for (const auto& [option, target] : wanted) {
     if (target->empty()) continue;
-    auto file = OutputFile::create(*target);
+    const FileMark mark = target == &targets.junit  ? JunitReport::mark()
+                          : target == &targets.json ? SuiteJson::mark()
+                                                    : report_page_mark();
+    auto file = OutputFile::create(*target, mark, {.force = targets.force});
     if (!file) return tl::unexpected(SuiteFilesFault{kExitEnvironment, file.error()});
     if (target == &targets.junit) files.junit.emplace(std::move(*file));
     if (target == &targets.json) files.json.emplace(std::move(*file));

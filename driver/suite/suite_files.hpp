@@ -17,6 +17,7 @@ struct SuiteTargets {
   std::string junit;
   std::string json;
   std::string report;
+  bool force = false;  ///< whether they may take the place of files that are no verdicts
 };
 
 /// The first of the targets that is one of the files that are read, in a sentence, or nothing.

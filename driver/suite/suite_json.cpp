@@ -8,6 +8,14 @@
 
 namespace slipbench::driver {
 
+namespace {
+
+constexpr const char* kStart = "{\"slipbench\": ";
+
+}  // namespace
+
+FileMark SuiteJson::mark() { return {"a JSON file of 'slipbench check'", kStart, ""}; }
+
 void SuiteJson::add(std::size_t place, const Candidate& candidate, const CaseOutcome& outcome) {
   json::Value one;
   one["case"] = candidate.label;
@@ -42,7 +50,7 @@ std::string SuiteJson::text(const SuiteTotals& totals) const {
   sums["exit_code"] = totals.code;
   std::string cases;
   for (const auto& [place, text] : cases_) cases += (cases.empty() ? "\n  " : ",\n  ") + text;
-  return "{\"slipbench\": " + json::Value(program_version()).dump() + ", \"cases\": [" + cases +
+  return kStart + json::Value(program_version()).dump() + ", \"cases\": [" + cases +
          "\n], \"totals\": " + sums.dump() + "}\n";
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "driver/results/file_mark.hpp"
 #include "driver/suite/candidates.hpp"
 #include "driver/suite/outcome.hpp"
 
@@ -20,6 +21,9 @@ class SuiteJson {
   void add(std::size_t place, const Candidate& candidate, const CaseOutcome& outcome);
 
   std::string text(const SuiteTotals& totals) const;
+
+  /// The mark of every such file.
+  static FileMark mark();
 
  private:
   std::map<std::size_t, std::string> cases_;  ///< by their places

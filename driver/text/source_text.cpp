@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "driver/text/standard_input.hpp"
 #include "driver/text/utf8.hpp"
 
 namespace slipbench::driver {
@@ -101,6 +102,32 @@ std::string_view wide_encoding(std::string_view text) {
   return {};
 }
 
+/// Reads what is left of an open file of that expected size.
+tl::expected<SourceText, ReadError> read_all(int file, const std::string& path, std::size_t size,
+                                             std::size_t size_limit) {
+  const auto too_large = [&] {
+    return failed(ReadFailure::kBadInput, path,
+                  fmt::format("is larger than the limit of {}", size_in_words(size_limit)),
+                  "put long tables and histories into a CSV file");
+  };
+  if (size > size_limit) return too_large();
+
+  std::string bytes(size, '\0');
+  std::size_t filled = 0;
+  for (;;) {
+    // One byte more than expected shows a file that grows while it is read.
+    if (filled == bytes.size()) bytes.resize(filled + 1 + filled / 2);
+    const ssize_t got = ::read(file, bytes.data() + filled, bytes.size() - filled);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return failed_with(errno, path);
+    if (got == 0) break;
+    filled += static_cast<std::size_t>(got);
+    if (filled > size_limit) return too_large();
+  }
+  bytes.resize(filled);
+  return SourceText(path, std::move(bytes));
+}
+
 }  // namespace
 
 SourceText::SourceText(std::string name, std::string bytes) {
@@ -170,6 +197,9 @@ SourcePosition SourceText::position(std::size_t offset, std::size_t length) cons
 }
 
 tl::expected<SourceText, ReadError> read_source(const std::string& path, std::size_t size_limit) {
+  if (path == kStandardInput) {
+    return read_all(STDIN_FILENO, source_name(path), 0, size_limit);
+  }
   struct stat status {};
   // Asked before opening: to open a device can already act on it.
   if (::stat(path.c_str(), &status) != 0) return failed_with(errno, path);
@@ -184,28 +214,7 @@ tl::expected<SourceText, ReadError> read_source(const std::string& path, std::si
     return failed(ReadFailure::kEnvironment, path,
                   fmt::format("is {}, not a file", kind_of_file(status.st_mode)));
   }
-  const auto too_large = [&] {
-    return failed(ReadFailure::kBadInput, path,
-                  fmt::format("is larger than the limit of {}", size_in_words(size_limit)),
-                  "put long tables and histories into a CSV file");
-  };
-  const auto size = static_cast<std::size_t>(status.st_size);
-  if (size > size_limit) return too_large();
-
-  std::string bytes(size, '\0');
-  std::size_t filled = 0;
-  for (;;) {
-    // One byte more than expected shows a file that grows while it is read.
-    if (filled == bytes.size()) bytes.resize(filled + 1 + filled / 2);
-    const ssize_t got = ::read(file.get(), bytes.data() + filled, bytes.size() - filled);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return failed_with(errno, path);
-    if (got == 0) break;
-    filled += static_cast<std::size_t>(got);
-    if (filled > size_limit) return too_large();
-  }
-  bytes.resize(filled);
-  return SourceText(path, std::move(bytes));
+  return read_all(file.get(), path, static_cast<std::size_t>(status.st_size), size_limit);
 }
 
 Diagnostics check_text(const SourceText& source) {

@@ -46,9 +46,9 @@ struct ReadError {
 
 inline constexpr std::size_t kDefaultSizeLimit = std::size_t{64} << 20U;
 
-/// Reads a regular file of at most `size_limit` bytes; the limit is compared with the file's size
-/// before anything is read. A directory, a missing or unreadable file, a pipe or a device is an
-/// environment error at once: it never waits for bytes. Too large a file is bad input.
+/// Reads a regular file, or standard input (the path "-"), of at most `size_limit` bytes; a file's
+/// size is compared before anything is read. A directory, a missing or unreadable file, a pipe or a
+/// device is an environment error at once: only "-" is waited for. Too much of it is bad input.
 [[nodiscard]] tl::expected<SourceText, ReadError> read_source(
     const std::string& path, std::size_t size_limit = kDefaultSizeLimit);
 

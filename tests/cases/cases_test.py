@@ -431,7 +431,7 @@ def suite_files(folder):
     case = folder / "a.yaml"
     case.write_text(slider(0.3))
     for option in ("--junit", "--json", "--report"):
-        for target, wanted, words in (("missing/x", 4, "the folder missing does not exist"), (".", 4, "is a folder"),
+        for target, wanted, words in (("a.yaml/x", 4, "a.yaml is not a folder"), (".", 4, "is a folder"),
                                       ("a.yaml", 4, "is an input (a.yaml)"), ("./a.yaml", 4, "is an input (a.yaml)")):
             code, text = run("check", "a.yaml", option, target, cwd=folder)
             expect(code == wanted and words in text, f"{option} {target}: ended with {code}:\n{text}")

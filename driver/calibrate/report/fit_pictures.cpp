@@ -16,6 +16,7 @@
 #include "driver/calibrate/report/table_view.hpp"
 #include "driver/plot/definition.hpp"
 #include "driver/plot/numbers.hpp"
+#include "driver/plot/picture_mark.hpp"
 #include "driver/plot/script.hpp"
 #include "driver/plot/text_lines.hpp"
 #include "driver/results/thinning.hpp"
@@ -326,18 +327,23 @@ class PictureNames {
 /// Draws one picture after the other; after one that gnuplot cannot draw it tries no more.
 class Pictures {
  public:
-  Pictures(fs::path folder, std::span<const std::string> inputs)
-      : folder_(std::move(folder)), inputs_(inputs) {}
+  Pictures(fs::path folder, const std::string& fit, const Overwriting& overwriting)
+      : folder_(std::move(folder)), overwriting_(overwriting) {
+    options_.input = fit;
+    options_.force = overwriting.force;
+  }
 
   /// \param make the drawing, made only if it is to be drawn
   template <class Make>
   void draw(const std::string& file, std::string_view pattern, Make make) {
     if (given_up_) return;
-    if (const std::string fault = input_fault(folder_ / file, inputs_); !fault.empty()) {
+    const std::string fault =
+        target_fault(folder_ / file, picture_mark(options_.input), overwriting_);
+    if (!fault.empty()) {
       found_.notes.push_back("a picture was not drawn: " + fault);
       return;
     }
-    auto picture = begin_picture(folder_ / file, "", pattern);
+    auto picture = begin_picture(folder_ / file, options_, pattern);
     if (!picture) return give_up(picture.error());
     const Drawing drawing = make();
     const auto drawn =
@@ -359,7 +365,8 @@ class Pictures {
   }
 
   fs::path folder_;
-  std::span<const std::string> inputs_;
+  PlotOptions options_;
+  Overwriting overwriting_;
   FitPictures found_;
   bool given_up_ = false;
 };
@@ -379,9 +386,9 @@ std::vector<std::string> fit_picture_names(const Fit& fit, std::string_view stem
 
 FitPictures draw_fit_pictures(const Fit& fit, const Calibration& calibration,
                               const std::filesystem::path& folder, std::string_view stem,
-                              std::span<const std::string> inputs) {
+                              const Overwriting& overwriting) {
   const std::vector<std::string> names = fit_picture_names(fit, stem);
-  Pictures pictures(folder, inputs);
+  Pictures pictures(folder, fit.file, overwriting);
   for (const FittedExperiment& one : calibration.experiments) {
     if (one.responses.empty()) continue;
     pictures.draw(names.at(2 * one.index), "fit_loops.gp", [&] { return loops(fit, one); });

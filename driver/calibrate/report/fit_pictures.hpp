@@ -9,6 +9,7 @@
 
 #include "driver/calibrate/calibration.hpp"
 #include "driver/calibrate/fit.hpp"
+#include "driver/results/output_file.hpp"
 
 namespace slipbench::driver {
 
@@ -28,9 +29,9 @@ std::vector<std::string> fit_picture_names(const Fit& fit, std::string_view stem
 ///   <stem>.<table>.table.svg           ordinates before and after with their intervals
 /// Characters of a name that do not belong into a file's name become '-'. A picture that does not
 /// come about is a note, no failure: the page has the same curves; one that would take the place of
-/// one of `inputs` is not drawn.
+/// what must stay is not drawn.
 FitPictures draw_fit_pictures(const Fit& fit, const Calibration& calibration,
                               const std::filesystem::path& folder, std::string_view stem,
-                              std::span<const std::string> inputs = {});
+                              const Overwriting& overwriting = {});
 
 }  // namespace slipbench::driver

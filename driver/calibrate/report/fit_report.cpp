@@ -9,11 +9,12 @@ namespace slipbench::driver {
 tl::expected<std::size_t, std::string> write_fit_report(const Fit& fit,
                                                         const Calibration& calibration,
                                                         const std::filesystem::path& file,
-                                                        std::span<const std::string> inputs) {
-  auto out = OutputFile::create(file, inputs);
+                                                        const Overwriting& overwriting) {
+  const std::string source = std::filesystem::path(fit.file).filename().string();
+  auto out = OutputFile::create(file, fit_page_mark(source), overwriting);
   if (!out) return tl::unexpected(out.error());
   const std::string page =
-      fit_page(fit_document(fit, calibration), fit.title.empty() ? fit.file : fit.title);
+      fit_page(fit_document(fit, calibration), fit.title.empty() ? fit.file : fit.title, source);
   out->append(page);
   OutputFile* const alone[] = {&*out};
   if (auto committed = commit(alone); !committed) return tl::unexpected(committed.error());

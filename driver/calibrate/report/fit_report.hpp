@@ -9,6 +9,7 @@
 
 #include "driver/calibrate/calibration.hpp"
 #include "driver/calibrate/fit.hpp"
+#include "driver/results/output_file.hpp"
 
 namespace slipbench::driver {
 
@@ -21,10 +22,10 @@ std::string fit_document(const Fit& fit, const Calibration& calibration);
 /// Writes the page of a fit as one file that appears only when it is complete: verdict, unknowns
 /// with their errors, experiments before and after, residuals, tables, how it was found. It needs
 /// nothing else. Returns its size in bytes.
-/// Errors: those of OutputFile, also for a file that is one of `inputs`.
+/// Errors: those of OutputFile.
 tl::expected<std::size_t, std::string> write_fit_report(const Fit& fit,
                                                         const Calibration& calibration,
                                                         const std::filesystem::path& file,
-                                                        std::span<const std::string> inputs = {});
+                                                        const Overwriting& overwriting = {});
 
 }  // namespace slipbench::driver

@@ -271,7 +271,7 @@ TEST_CASE("a short time late in a run has tics and rows of its own") {
   REQUIRE(data);
   PlotScript script;
   tell_rows(script, *data);
-  auto begun = begin_picture(name, options.input, "friction.gp");
+  auto begun = begin_picture(name, options, "friction.gp");
   REQUIRE(begun);
   const std::string told = script.text(*begun, "Late", 300);
   CHECK(contains(told, "TIME_FORMAT = '%.8g'"));
@@ -382,7 +382,9 @@ TEST_CASE("visited states of a long run are thinned, their ranges are not") {
 
 TEST_CASE("a script tells numbers and texts so that gnuplot reads them back") {
   const TemporaryFolder folder;
-  auto begun = begin_picture(folder.path() / "a.pdf", "c.yaml", "bands.gp");
+  PlotOptions options;
+  options.input = "c.yaml";
+  auto begun = begin_picture(folder.path() / "a.pdf", options, "bands.gp");
   REQUIRE(begun);
   PlotScript script;
   script.set("PLAIN", "it's");
@@ -397,7 +399,7 @@ TEST_CASE("a script tells numbers and texts so that gnuplot reads them back") {
   CHECK(contains(text, "array LIST[2]\nLIST[1] = 0.1\nLIST[2] = NaN\n"));
   CHECK(contains(text, "$ROWS << END\n1 2\nEND\n"));
   CHECK(contains(text, "/style.gp'\n"));
-  CHECK_FALSE(begin_picture(folder.path() / "a.gif", "c.yaml", "bands.gp"));
+  CHECK_FALSE(begin_picture(folder.path() / "a.gif", options, "bands.gp"));
 }
 
 }  // namespace

@@ -34,13 +34,15 @@ std::size_t file_count(const TemporaryFolder& folder) {
       std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()));
 }
 
+const FileMark kMark{"a text of this test", "mine", ""};
+
 void complete(OutputFile& file) {
   OutputFile* const files[] = {&file};
   REQUIRE(commit(files));
 }
 
 std::string fault_of(const fs::path& target, const std::vector<std::string>& inputs = {}) {
-  const auto file = OutputFile::create(target, inputs);
+  const auto file = OutputFile::create(target, {}, {.inputs = inputs});
   return file ? "" : file.error();
 }
 
@@ -48,7 +50,7 @@ TEST_CASE("a file has its name only once it is complete") {
   const TemporaryFolder folder;
   const fs::path target = folder.path() / "a.csv";
   {
-    auto file = OutputFile::create(target);
+    auto file = OutputFile::create(target, kMark);
     REQUIRE(file);
     file->append("text\n");
     CHECK_FALSE(fs::exists(target));
@@ -60,34 +62,34 @@ TEST_CASE("a file has its name only once it is complete") {
 
 TEST_CASE("a file that is dropped leaves nothing, and what was there stays") {
   const TemporaryFolder folder;
-  const fs::path target = folder.write("a.csv", "before");
+  const fs::path target = folder.write("a.csv", "mine before");
   {
-    auto file = OutputFile::create(target);
+    auto file = OutputFile::create(target, kMark);
     REQUIRE(file);
     file->append(std::string(1 << 20, 'x'));
   }
-  CHECK(read(target) == "before");
+  CHECK(read(target) == "mine before");
   CHECK(file_count(folder) == 1);
 }
 
 TEST_CASE("two programs may write the same file at once: the last one to end counts, whole") {
   const TemporaryFolder folder;
   const fs::path target = folder.path() / "a.csv";
-  auto first = OutputFile::create(target);
-  auto second = OutputFile::create(target);
+  auto first = OutputFile::create(target, kMark);
+  auto second = OutputFile::create(target, kMark);
   REQUIRE(first);
   REQUIRE(second);
-  first->append("first");
-  second->append("second");
+  first->append("mine, first");
+  second->append("mine, second");
   complete(*second);
   complete(*first);
-  CHECK(read(target) == "first");
+  CHECK(read(target) == "mine, first");
 }
 
 TEST_CASE("a new file is as readable as any other") {
   const TemporaryFolder folder;
   const mode_t before = umask(022);
-  auto file = OutputFile::create(folder.path() / "a.csv");
+  auto file = OutputFile::create(folder.path() / "a.csv", kMark);
   umask(before);
   REQUIRE(file);
   complete(*file);
@@ -100,8 +102,6 @@ TEST_CASE("what cannot be a result file is refused before anything is written") 
   folder.write("plain", "");
   fs::create_directory(folder.path() / "d.csv");
   fs::create_symlink("/dev/full", folder.path() / "full.csv");
-  CHECK(fault_of(folder.path() / "no" / "a.csv") ==
-        base + "/no/a.csv: the folder " + base + "/no does not exist");
   CHECK(fault_of(folder.path() / "plain" / "a.csv") ==
         base + "/plain/a.csv: " + base + "/plain is not a folder");
   CHECK(fault_of(folder.path() / "d.csv") == base + "/d.csv: is a folder");
@@ -122,12 +122,12 @@ TEST_CASE("an input is never overwritten, whatever it is called") {
 TEST_CASE("a name that is a link stays one, and the file it leads to is written") {
   const TemporaryFolder folder;
   fs::create_directory(folder.path() / "store");
-  const fs::path real = folder.write("store/real.csv", "before");
+  const fs::path real = folder.write("store/real.csv", "mine");
   fs::create_symlink("store/real.csv", folder.path() / "link.csv");
   fs::create_symlink("link.csv", folder.path() / "link_to_link.csv");
   fs::create_symlink("store/new.csv", folder.path() / "to_new.csv");
   for (const char* name : {"link_to_link.csv", "to_new.csv"}) {
-    auto file = OutputFile::create(folder.path() / name);
+    auto file = OutputFile::create(folder.path() / name, kMark);
     REQUIRE(file);
     CHECK(file->target() == folder.path() / name);
     CHECK(file->temporary().parent_path() == folder.path() / "store");
@@ -175,7 +175,7 @@ TEST_CASE("two names are one file if they lead to it, be it there or not") {
 
 TEST_CASE("who completes files waits for those that hold the folder") {
   const TemporaryFolder folder;
-  auto file = OutputFile::create(folder.path() / "a.csv");
+  auto file = OutputFile::create(folder.path() / "a.csv", kMark);
   REQUIRE(file);
   const fs::path places[] = {folder.path() / "other.csv"};
   std::atomic<bool> released{false};
@@ -194,8 +194,90 @@ TEST_CASE("who completes files waits for those that hold the folder") {
   CHECK(fs::exists(folder.path() / "a.csv"));
 }
 
+TEST_CASE("a file takes the place of one with its mark or without a byte, and of no other") {
+  const TemporaryFolder folder;
+  const fs::path target = folder.write("a.csv", "rig data\n");
+  const std::string kept = target.string() +
+                           ": is there already and is not a text of this test, and is kept; choose "
+                           "another folder or name, or replace it with --force";
+  CHECK(target_fault(target, kMark) == kept);
+  CHECK(OutputFile::create(target, kMark).error() == kept);
+  CHECK(target_fault(target, {}) ==
+        target.string() +
+            ": is there already, and is kept; choose another folder or name, or "
+            "replace it with --force");
+  CHECK(target_fault(target, kMark, {.force = true}).empty());
+  const std::vector<std::string> inputs = {target.string()};
+  CHECK_FALSE(target_fault(target, kMark, {.inputs = inputs, .force = true}).empty());
+  folder.write("a.csv", "mine");
+  CHECK(target_fault(target, kMark).empty());
+  CHECK_FALSE(target_fault(target, {}).empty());
+  folder.write("a.csv", "");
+  CHECK(target_fault(target, {}).empty());
+  CHECK(file_count(folder) == 1);
+}
+
+TEST_CASE("a mark is looked for at both ends of a file, and nowhere between them") {
+  const TemporaryFolder folder;
+  const std::string filling(10 * kMarkedBytes, 'x');
+  const FileMark mark{"mine", "%PDF", "slipbench picture (a)"};
+  CHECK(carries(folder.write("head", "%PDF" + mark.text + filling), mark));
+  CHECK(carries(folder.write("tail", "%PDF" + filling + mark.text + "\n"), mark));
+  CHECK_FALSE(carries(folder.write("middle", "%PDF" + filling + mark.text + filling), mark));
+  CHECK_FALSE(carries(folder.write("other", "%PNG" + filling + mark.text), mark));
+  CHECK_FALSE(carries(folder.path() / "missing", mark));
+}
+
+TEST_CASE("a sealed text carries its mark only as it was made, whatever its line ends") {
+  const TemporaryFolder folder;
+  const FileMark mark{.owner = "", .start = "# mine", .sealed = true};
+  for (const std::string text : {"# mine\na: 1\n", "# mine\r\na: 1\r\n", "# mine\na: 1"}) {
+    INFO(text);
+    CHECK_FALSE(carries(folder.write("a.yaml", text), mark));
+    CHECK(carries(folder.write("a.yaml", sealed(text)), mark));
+    CHECK(carries(folder.write("a.yaml", sealed(sealed(text))), mark));
+    CHECK_FALSE(carries(folder.write("a.yaml", sealed(text) + "# more\n"), mark));
+    std::string changed = sealed(text);
+    changed[changed.find('1')] = '2';
+    CHECK_FALSE(carries(folder.write("a.yaml", changed), mark));
+  }
+  CHECK(sealed("a: 1\r\n").ends_with("\r\n"));
+}
+
+TEST_CASE("a file that comes while another is written is kept, and so are all that go with it") {
+  const TemporaryFolder folder;
+  auto first = OutputFile::create(folder.path() / "a.csv", kMark);
+  auto second = OutputFile::create(folder.path() / "b.csv", kMark);
+  REQUIRE(first);
+  REQUIRE(second);
+  folder.write("b.csv", "rig data\n");
+  OutputFile* const files[] = {&*first, &*second};
+  CHECK_FALSE(commit(files));
+  CHECK_FALSE(fs::exists(folder.path() / "a.csv"));
+  CHECK(read(folder.path() / "b.csv") == "rig data\n");
+}
+
+TEST_CASE("missing folders are made, and go again with a file that did not come about") {
+  const TemporaryFolder folder;
+  const fs::path target = folder.path() / "new" / "deep" / "a.csv";
+  CHECK(target_fault(target, kMark).empty());
+  CHECK(file_count(folder) == 0);
+  {
+    auto first = OutputFile::create(target, kMark);
+    auto second = OutputFile::create(target.parent_path() / "b.csv", kMark);
+    REQUIRE(second);
+    const auto moved = std::move(first);  // the first goes before the last
+  }
+  CHECK(file_count(folder) == 0);
+  auto file = OutputFile::create(target, kMark);
+  REQUIRE(file);
+  file->append("mine");
+  complete(*file);
+  CHECK(read(target) == "mine");
+}
+
 std::string written_rows(const Case& problem, const fs::path& target) {
-  auto file = OutputFile::create(target);
+  auto file = OutputFile::create(target, kMark);
   REQUIRE(file);
   CsvWriter writer(problem, output_columns(problem), *file);
   for (const Row& row : rows_of(problem)) writer.write(row);
@@ -229,7 +311,7 @@ TEST_CASE("events are the changes of regime, the first slip included") {
   const TemporaryFolder folder;
   const Case problem =
       slider_case({step("out", 4, 0, LinearTo{0.1}), step("back", 8, 0, LinearTo{-0.1})});
-  auto file = OutputFile::create(folder.path() / "a.csv");
+  auto file = OutputFile::create(folder.path() / "a.csv", kMark);
   REQUIRE(file);
   EventWriter writer(problem, *file);
   for (const Row& row : rows_of(problem)) writer.write(row);

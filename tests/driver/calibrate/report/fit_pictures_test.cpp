@@ -105,7 +105,7 @@ TEST_CASE("a picture does not take the place of an input, by whatever name") {
   fs::create_symlink("data.csv", folder.path() / names.at(0));
   const std::vector<std::string> inputs{data.string()};
   const FitPictures pictures =
-      draw_fit_pictures(made.fit, made.calibration, folder.path(), "fit", inputs);
+      draw_fit_pictures(made.fit, made.calibration, folder.path(), "fit", {.inputs = inputs});
   CHECK(read_text(data) == "t,F\n");
   CHECK(pictures.written.size() + 1 == names.size());
   REQUIRE(pictures.notes.size() == 1);
@@ -166,7 +166,7 @@ TEST_CASE("without gnuplot there is a note and no picture") {
 
 TEST_CASE("a folder that cannot be written to is one note, no failure") {
   const FitPictures pictures = draw_fit_pictures(
-      made_slider_fit().fit, made_slider_fit().calibration, "/nowhere/at/all", "fit");
+      made_slider_fit().fit, made_slider_fit().calibration, "/proc/nowhere", "fit");
   CHECK(pictures.written.empty());
   REQUIRE(pictures.notes.size() == 1);
   CHECK(contains(pictures.notes[0], "not all pictures were drawn: "));

@@ -65,7 +65,7 @@ TEST_CASE("a page takes the place of no file that the fit reads") {
   const auto data = folder.write("data.csv", "t,F\n");
   const MadeFit made = made_slider_fit();
   const std::array<std::string, 1> inputs{data.string()};
-  const auto size = write_fit_report(made.fit, made.calibration, data, inputs);
+  const auto size = write_fit_report(made.fit, made.calibration, data, {.inputs = inputs});
   REQUIRE_FALSE(size);
   CHECK(size.error().find("data.csv") != std::string::npos);
   CHECK(read_text(data) == "t,F\n");

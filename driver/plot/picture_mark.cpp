@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/plot/picture_mark.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <cstdint>
+#include <fstream>
+
+#include "driver/text/standard_input.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A name as it can stand in any comment, also in one of XML, where "--" may not.
+std::string plain(std::string_view name) {
+  std::string text;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool kept = byte < 0x80 && (std::isalnum(byte) != 0 || c == '_' || c == '.' || c == ' ');
+    text += kept ? std::string(1, c) : fmt::format("%{:02X}", byte);
+  }
+  return text;
+}
+
+/// Four bytes, the highest first.
+std::string big_endian(std::uint32_t number) {
+  std::string bytes;
+  for (const unsigned shift : {24U, 16U, 8U, 0U}) bytes += static_cast<char>(number >> shift);
+  return bytes;
+}
+
+/// The check sum of a PNG's chunks (CRC-32, polynomial 0xEDB88320).
+std::uint32_t check_sum(std::string_view bytes) {
+  std::uint32_t sum = 0xFFFFFFFFU;
+  for (const char c : bytes) {
+    sum ^= static_cast<unsigned char>(c);
+    for (int bit = 0; bit < 8; ++bit) sum = (sum >> 1U) ^ ((sum & 1U) != 0 ? 0xEDB88320U : 0U);
+  }
+  return ~sum;
+}
+
+std::string png_chunk(const std::string& kind_and_data) {
+  return big_endian(static_cast<std::uint32_t>(kind_and_data.size() - 4)) + kind_and_data +
+         big_endian(check_sum(kind_and_data));
+}
+
+}  // namespace
+
+FileMark picture_mark(const std::string& input) {
+  const std::string name = fs::path(source_name(input)).stem().string();
+  return {"a picture of " + name, "", "slipbench picture (" + plain(name) + ")"};
+}
+
+void write_mark(const fs::path& picture, std::string_view ending, const std::string& text) {
+  std::string end;
+  if (ending == ".svg") end = "<!-- " + text + " -->\n";
+  if (ending == ".pdf") end = "% " + text + "\n";
+  if (ending == ".png") {
+    using namespace std::string_literals;
+    const std::string last = png_chunk("IEND");
+    fs::resize_file(picture, fs::file_size(picture) - last.size());
+    end = png_chunk("tEXtSoftware\0"s + text) + last;
+  }
+  std::ofstream(picture, std::ios::binary | std::ios::app) << end;
+}
+
+}  // namespace slipbench::driver
