@@ -11,7 +11,10 @@
 #include <memory>
 #include <mutex>
 #include <span>
+#include <utility>
+#include <vector>
 
+#include "driver/history/unit_dimension.hpp"
 #include "driver/text/diagnostic.hpp"
 
 namespace slipbench::driver {
@@ -42,6 +45,11 @@ ut_system* database() {
     // UDUNITS-2 knows the degree of angle as "degree" and "°" only.
     const Unit degree(ut_parse(loaded, "degree", UT_UTF8));
     if (degree) ut_map_symbol_to_unit("deg", UT_ASCII, degree.get());
+    // Moments as they are written everywhere.
+    for (const auto& [symbol, product] : {std::pair{"Nm", "N.m"}, std::pair{"Nmm", "N.mm"}}) {
+      const Unit moment(ut_parse(loaded, product, UT_UTF8));
+      if (moment) ut_map_symbol_to_unit(symbol, UT_ASCII, moment.get());
+    }
     return loaded;
   }();
   return system;
@@ -92,29 +100,10 @@ std::span<const BaseUnit> base_units() {
   return units;
 }
 
+constexpr Dimension kMass{.force = 1, .length = -1, .time = 2};
+
 bool is_everyday(const BaseUnit& base, std::string_view unit) {
   return std::find(base.everyday.begin(), base.everyday.end(), unit) != base.everyday.end();
-}
-
-/// The dimension in words: "a force", "a length", "an angle", "force*length^-2".
-std::string dimension_in_words(const Dimension& dimension) {
-  for (const BaseUnit& base : base_units()) {
-    if (dimension == base.dimension) return fmt::format("a {}", base.what);
-  }
-  if (dimension == kAngle) return "an angle";
-  if (dimension == kMoment) return "a moment (force times length)";
-  if (dimension == Dimension{.length = 1, .time = -1}) return "a speed (length per time)";
-  if (dimension == Dimension{}) return "a number without unit";
-  std::string words;
-  const auto add = [&words](const char* what, int exponent) {
-    if (exponent == 0) return;
-    if (!words.empty()) words += '*';
-    words += what;
-    if (exponent != 1) words += fmt::format("^{}", exponent);
-  };
-  for (const BaseUnit& base : base_units()) add(base.what, dimension.*base.exponent);
-  add("angle", dimension.angle);
-  return words;
 }
 
 /// The unit of `dimension` in `system`; null when a name in it is not known.
@@ -162,14 +151,21 @@ std::string unknown_unit_message(std::string_view unit, const Dimension& dimensi
                                      fmt::join(base.everyday, ", "));
     return message;
   }
+  std::vector<std::string_view> known = {"deg", "rad"};
+  for (const BaseUnit& base : base_units()) {
+    known.insert(known.end(), base.everyday.begin(), base.everyday.end());
+  }
+  known.insert(known.end(), {"Hz", "rpm", "kg", "Nm", "Nmm", "MPa"});
+  if (const auto nearest = nearest_name(unit, known)) {
+    return message + fmt::format("; did you mean '{}'?", *nearest);
+  }
   // Units side by side need something between them: "N mm", not "Nmm".
   message += "; a product is written 'N*mm', a power 'mm^2'";
   return message;
 }
 
 std::string wrong_dimension_message(std::string_view unit, const Dimension& dimension) {
-  std::string message =
-      fmt::format("unit '{}' does not measure {}", unit, dimension_in_words(dimension));
+  std::string message = fmt::format("unit '{}' does not measure {}", unit, in_words(dimension));
   if (dimension == kForce && (unit == "lb" || unit == "lbs" || unit == "kg" || unit == "oz")) {
     message += fmt::format("; it is a mass, the force is '{}'",
                            unit == "kg" ? "kgf" : (unit == "oz" ? "ozf" : "lbf"));
@@ -179,7 +175,88 @@ std::string wrong_dimension_message(std::string_view unit, const Dimension& dime
   return message;
 }
 
+/// The powers of a unit's basic units, found by walking it.
+struct Powers {
+  ut_system* db;
+  int kilogram = 0, meter = 0, second = 0, kelvin = 0, radian = 0;
+  bool others = false;
+
+  void multiply(const ut_unit* basic, int power) {
+    const std::array<std::pair<const char*, int*>, 5> known = {{{"kilogram", &kilogram},
+                                                                {"meter", &meter},
+                                                                {"second", &second},
+                                                                {"kelvin", &kelvin},
+                                                                {"radian", &radian}}};
+    for (const auto& [name, count] : known) {
+      const Unit unit(ut_get_unit_by_name(db, name));
+      if (!unit || ut_compare(unit.get(), basic) != 0) continue;
+      *count += power;
+      return;
+    }
+    others = true;
+  }
+};
+
+Powers powers_of(ut_system* db, const ut_unit* unit) {
+  ut_visitor visitor{};
+  visitor.visit_basic = [](const ut_unit* basic, void* to) {
+    static_cast<Powers*>(to)->multiply(basic, 1);
+    return UT_SUCCESS;
+  };
+  visitor.visit_product = [](const ut_unit*, int count, const ut_unit* const* basics,
+                             const int* exponents, void* to) {
+    for (int i = 0; i < count; ++i) static_cast<Powers*>(to)->multiply(basics[i], exponents[i]);
+    return UT_SUCCESS;
+  };
+  visitor.visit_galilean = [](const ut_unit*, double, const ut_unit* underlying, double, void* to) {
+    auto* powers = static_cast<Powers*>(to);
+    const Powers below = powers_of(powers->db, underlying);
+    *powers = below;
+    return UT_SUCCESS;
+  };
+  visitor.visit_timestamp = [](const ut_unit*, const ut_unit*, double, void* to) {
+    static_cast<Powers*>(to)->others = true;
+    return UT_SUCCESS;
+  };
+  visitor.visit_logarithmic = [](const ut_unit*, double, const ut_unit*, void* to) {
+    static_cast<Powers*>(to)->others = true;
+    return UT_SUCCESS;
+  };
+  Powers powers{.db = db};
+  if (ut_accept_visitor(unit, &visitor, &powers) != UT_SUCCESS) powers.others = true;
+  return powers;
+}
+
 }  // namespace
+
+std::string in_words(const Dimension& dimension) {
+  for (const BaseUnit& base : base_units()) {
+    if (dimension == base.dimension) return fmt::format("a {}", base.what);
+  }
+  if (dimension == kAngle) return "an angle";
+  if (dimension == kMoment) return "a moment (force times length)";
+  if (dimension == Dimension{.length = 1, .time = -1}) return "a speed (length per time)";
+  if (dimension == rotated({.length = 1, .time = -1})) return "an angular speed (angle per time)";
+  if (dimension == kFrequency) return "a frequency (cycles per time)";
+  if (dimension == Dimension{.force = 1, .length = -1}) return "a stiffness (force per length)";
+  if (dimension == rotated({.force = 1, .length = -1})) {
+    return "a stiffness of rotation (moment per angle)";
+  }
+  if (dimension == kMass) return "a mass";
+  if (dimension == rotated(kMass)) return "a moment of inertia";
+  if (dimension == Dimension{.length = 2}) return "an area";
+  if (dimension == Dimension{}) return "a number without unit";
+  std::string words;
+  const auto add = [&words](const char* what, int exponent) {
+    if (exponent == 0) return;
+    if (!words.empty()) words += '*';
+    words += what;
+    if (exponent != 1) words += fmt::format("^{}", exponent);
+  };
+  for (const BaseUnit& base : base_units()) add(base.what, dimension.*base.exponent);
+  add("angle", dimension.angle);
+  return words;
+}
 
 std::string unit_text(const Dimension& dimension, const UnitSystem& system) {
   std::string above;
@@ -201,6 +278,41 @@ std::string unit_text(const Dimension& dimension, const UnitSystem& system) {
   add("rad", dimension.angle);
   if (above.empty() && !below.empty()) above = "1";
   return above + below;
+}
+
+tl::expected<Dimension, HistoryError> dimension_of_unit(std::string_view unit) {
+  unit = trimmed(unit);
+  for (const BaseUnit& base : base_units()) {
+    if (is_everyday(base, unit)) return base.dimension;
+  }
+  const std::scoped_lock lock(database_mutex());
+  ut_system* const db = database();
+  if (db == nullptr) return no_database();
+  const Unit parsed = parse(db, unit);
+  if (!parsed) return input_error(unknown_unit_message(unit, {}));
+  const Powers powers = powers_of(db, parsed.get());
+  if (powers.others) {
+    return input_error(fmt::format("unit '{}' measures nothing that a case has", unit));
+  }
+  // A mass is a force times time squared over length.
+  return Dimension{.force = powers.kilogram,
+                   .length = powers.meter - powers.kilogram,
+                   .time = powers.second + 2 * powers.kilogram,
+                   .temperature = powers.kelvin,
+                   .angle = powers.radian};
+}
+
+bool measures(const Dimension& unit, const Dimension& wanted) {
+  Dimension without_angle = wanted;
+  without_angle.angle = 0;
+  return unit == wanted || (unit == without_angle && wanted.force != 0);
+}
+
+std::string wanted_in_words(const Dimension& wanted, const UnitSystem& system) {
+  const std::string unit = wanted == kMass            ? "kg"
+                           : wanted == rotated(kMass) ? "kg.m2"
+                                                      : unit_text(wanted, system);
+  return in_words(wanted) + " is wanted" + (unit.empty() ? "" : ", such as " + unit);
 }
 
 tl::expected<void, HistoryError> check_base_unit(std::string_view unit,

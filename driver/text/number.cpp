@@ -125,22 +125,32 @@ std::string remove_all(std::string_view text, std::string_view characters) {
   return result;
 }
 
-// A text of the form "whole,fraction" or with thousands marked by `mark`.
+// Thousands in groups of three behind the first `mark`: "1,234,567".
+bool are_thousands(std::string_view text, char mark) {
+  for (std::size_t at = text.find(mark); at != std::string_view::npos; at = text.find(mark)) {
+    text.remove_prefix(at + 1);
+    if (count_digits(text) != 3) return false;
+  }
+  return true;
+}
+
+// A text of the form "whole,fraction" or with thousands marked by something.
 std::optional<std::string> explain_separator(std::string_view text) {
   const std::size_t comma = text.find(',');
   if (comma != std::string_view::npos) {
-    std::string with_point(text);
-    with_point[comma] = '.';
+    // "1.234,5" is 1234.5 where the comma is the decimal mark.
+    const bool last = text.find('.') < comma && are_thousands(text.substr(0, comma), '.');
+    std::string with_point = last ? remove_all(text, ".") : std::string(text);
+    with_point[with_point.find(',')] = '.';
     const std::string joined = remove_all(text, ",");
-    const std::string_view after = text.substr(comma + 1);
-    const bool like_thousands = count_digits(after) == 3;
+    const bool like_thousands = are_thousands(text, ',') && is_number(joined) && !last;
     if (is_number(with_point)) {
       return like_thousands
                  ? fmt::format("{}: a number has no ','; write {} or {}", quoted(text), with_point,
                                joined)
                  : fmt::format("{}: the decimal mark is '.'; write {}", quoted(text), with_point);
     }
-    if (is_number(joined))
+    if (like_thousands)
       return fmt::format("{}: a number has no ','; write {}", quoted(text), joined);
   }
   if (text.find(' ') != std::string_view::npos && is_number(remove_all(text, " "))) {
@@ -202,19 +212,27 @@ std::optional<std::string> explain_end(std::string_view text) {
   return std::nullopt;
 }
 
+std::string_view trimmed_left(std::string_view text) {
+  return text.substr(std::min(text.find_first_not_of(' '), text.size()));
+}
+
+// "1d3", which Fortran writes for 1e3; empty if the text is none.
+std::string fortran_exponent(std::string_view number, std::string_view rest) {
+  const bool marked = !rest.empty() && (rest[0] == 'd' || rest[0] == 'D') &&
+                      number.find_first_of("eE") == std::string_view::npos;
+  std::string with_e = marked ? fmt::format("{}e{}", number, rest.substr(1)) : "";
+  return is_number(with_e) ? with_e : "";
+}
+
 // What begins like a number and goes on as something else.
 std::optional<std::string> explain_rest(std::string_view text) {
   const std::size_t length = number_prefix(text);
   if (length == 0) return std::nullopt;
   const std::string_view number = text.substr(0, length);
   const std::string_view rest = text.substr(length);
-  const bool fortran =
-      (rest[0] == 'd' || rest[0] == 'D') && number.find_first_of("eE") == std::string_view::npos;
-  if (fortran) {
-    const std::string with_e = fmt::format("{}e{}", number, rest.substr(1));
-    if (is_number(with_e)) return fmt::format("{}: write {}", quoted(text), with_e);
-  }
-  if (rest == "%") {
+  if (const std::string with_e = fortran_exponent(number, rest); !with_e.empty())
+    return fmt::format("{}: write {}", quoted(text), with_e);
+  if (trimmed_left(rest) == "%") {
     if (const auto value = parse_number(number))
       return fmt::format("{}: write the fraction {}", quoted(text), format_number(*value / 100.0));
   }
@@ -226,10 +244,8 @@ std::optional<std::string> explain_rest(std::string_view text) {
     return fmt::format("{}: an expression begins with '='; write '= {}'", quoted(text), text);
   if (rest[0] == '.' && count_digits(rest.substr(1)) > 0)
     return fmt::format("{} has two decimal points", quoted(text));
-  const std::string_view unit = rest.substr(std::min(rest.find_first_not_of(' '), rest.size()));
-  const bool like_unit = !unit.empty() && (is_letter(unit[0]) || unit[0] == '\xC2');
-  if (like_unit)
-    return fmt::format("{}: a number stands without a unit here; write {}", quoted(text), number);
+  if (split_unit(text))
+    return fmt::format("{}: a number without a unit is wanted here", quoted(text));
   return std::nullopt;
 }
 
@@ -240,6 +256,12 @@ std::string explain(std::string_view text) {
   if (auto reason = explain_separator(text)) return *reason;
   if (auto reason = explain_other_base(text)) return *reason;
   if (auto reason = explain_rest(text)) return *reason;
+  // "1,5 mm": the number in front of the unit is what is wrong.
+  if (const auto blank = text.rfind(' '); blank != std::string_view::npos && blank > 0) {
+    if (is_letter(text[blank + 1 < text.size() ? blank + 1 : blank])) {
+      if (auto reason = explain_separator(text.substr(0, blank))) return *reason;
+    }
+  }
   if (text.starts_with(kMinusSign)) return fmt::format("{}: write the sign as '-'", quoted(text));
   const bool like_name = is_letter(text.front()) && text.find(' ') == std::string_view::npos;
   if (like_name && text.size() < 40)
@@ -248,6 +270,21 @@ std::string explain(std::string_view text) {
 }
 
 }  // namespace
+
+std::optional<NumberAndUnit> split_unit(std::string_view text) {
+  const std::size_t length = number_prefix(text);
+  if (length == 0 || explain_other_base(text)) return std::nullopt;
+  const std::string_view number = text.substr(0, length);
+  const std::string_view rest = text.substr(length);
+  const std::string_view unit = trimmed_left(rest);
+  if (!fortran_exponent(number, rest).empty() || is_one_of(lower(rest), {"e", "e+", "e-"}))
+    return std::nullopt;
+  // The two bytes begin the micro sign and the degree sign.
+  const bool like_unit = !unit.empty() && (is_letter(unit[0]) || unit[0] == '\xC2' ||
+                                           unit[0] == '\xCE' || unit.starts_with("1/"));
+  if (!like_unit) return std::nullopt;
+  return NumberAndUnit{number, unit};
+}
 
 tl::expected<double, std::string> parse_number(std::string_view text) {
   if (!is_number(text)) return wrong(explain(text));

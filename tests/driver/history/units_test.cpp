@@ -7,6 +7,8 @@
 #include <numbers>
 #include <string>
 
+#include "driver/history/unit_dimension.hpp"
+
 namespace slipbench::driver {
 namespace {
 
@@ -53,6 +55,47 @@ TEST_CASE("lengths, forces, moments and times convert by their factor") {
   CHECK(convert("in", kLength).offset == 0.0);
 }
 
+TEST_CASE("a moment is known by its everyday name") {
+  CHECK(convert("Nm", kMoment).scale == Approx(1000.0).epsilon(kTolerance));
+  CHECK(convert("Nmm", kMoment).scale == Approx(1.0).epsilon(kTolerance));
+  CHECK(convert("kNm", kMoment).scale == Approx(1e6).epsilon(kTolerance));
+}
+
+TEST_CASE("a unit has a dimension of its own, with its angle") {
+  const auto of = [](const char* unit) {
+    const auto dimension = dimension_of_unit(unit);
+    INFO(unit);
+    REQUIRE(dimension);
+    return *dimension;
+  };
+  CHECK(of("mm") == kLength);
+  CHECK(of("kN/mm") == Dimension{.force = 1, .length = -1});
+  CHECK(of("kg") == Dimension{.force = 1, .length = -1, .time = 2});
+  CHECK(of("kg.m2") == Dimension{.force = 1, .length = 1, .time = 2});
+  CHECK(of("Nm/rad") == Dimension{.force = 1, .length = 1, .angle = -1});
+  CHECK(of("MPa") == Dimension{.force = 1, .length = -2});
+  CHECK(of("deg") == kAngle);
+  CHECK(of("Hz") == kFrequency);
+  CHECK(of("rad/s") == Dimension{.time = -1, .angle = 1});
+  CHECK(of("rpm") == Dimension{.time = -1, .angle = 1});
+  CHECK(of("degF") == kTemperature);
+  CHECK(of("%") == Dimension{});
+  for (const char* none : {"", "zorkmid", "A", "lg(re 1 mW)", "seconds since 1970-01-01"}) {
+    INFO(none);
+    CHECK_FALSE(dimension_of_unit(none));
+  }
+}
+
+TEST_CASE("a moment per angle may leave out the radian, a frequency is no angular speed") {
+  constexpr Dimension kStiffness{.force = 1, .length = -1};
+  CHECK(rotated(kStiffness) == Dimension{.force = 1, .length = 1, .angle = -1});
+  CHECK(measures(kMoment, rotated(kStiffness)));
+  CHECK(measures(rotated(kStiffness), rotated(kStiffness)));
+  CHECK_FALSE(measures(kStiffness, rotated(kStiffness)));
+  CHECK_FALSE(measures(kFrequency, rotated({.length = 1, .time = -1})));
+  CHECK_FALSE(measures({}, kAngle));
+}
+
 TEST_CASE("angles are radians whatever the system") {
   CHECK(convert("deg", kAngle).scale == Approx(std::numbers::pi / 180.0).epsilon(kTolerance));
   CHECK(convert("degree", kAngle).scale == Approx(std::numbers::pi / 180.0).epsilon(kTolerance));
@@ -97,7 +140,9 @@ TEST_CASE("an unknown unit is refused with the nearest everyday one") {
   CHECK(refusal("furlonk", kLength) ==
         "unknown unit 'furlonk'; everyday units of length are mm, m, cm, km, um, in, ft");
   CHECK(refusal("lbff", kForce) == "unknown unit 'lbff'; did you mean 'lbf'?");
-  CHECK(refusal("Nmm", kMoment).find("unknown unit 'Nmm'") == 0);
+  CHECK(refusal("Nmmm", kMoment) == "unknown unit 'Nmmm'; did you mean 'Nmm'?");
+  CHECK(refusal("zorkmid", kMoment) ==
+        "unknown unit 'zorkmid'; a product is written 'N*mm', a power 'mm^2'");
   CHECK(refusal("", kLength).find("unknown unit ''") == 0);
   CHECK(refusal("0,5 mm", kLength).find("unknown unit") == 0);
 }
