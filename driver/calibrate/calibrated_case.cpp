@@ -16,6 +16,7 @@
 #include "driver/calibrate/calibration_comment.hpp"
 #include "driver/calibrate/file_part.hpp"
 #include "driver/calibrate/text_changes.hpp"
+#include "driver/case/carried_unit.hpp"
 #include "driver/compare/curve_library.hpp"
 #include "driver/history/data_path.hpp"
 #include "driver/text/diagnostic.hpp"
@@ -131,12 +132,14 @@ class CaseWriter {
  private:
   [[nodiscard]] Place root() const { return {tree_.root(), {}, {}}; }
 
-  /// An expression is kept in the comments.
+  /// The new number is one of the case's system and stands bare; an expression, and a number with
+  /// its unit, are kept in the comments.
   void replace(const Place& place, std::string text) {
     const std::string_view old = place.node.text();
-    if (place.node.is_scalar() && old.starts_with('=')) {
-      remarks_.push_back(
-          fmt::format("{} was the expression '{}'", place.path.text(), std::string(old)));
+    if (place.node.is_scalar() && (old.starts_with('=') || carries_unit(old))) {
+      remarks_.push_back(fmt::format("{} was {}'{}'", place.path.text(),
+                                     old.starts_with('=') ? "the expression " : "",
+                                     std::string(old)));
     }
     change_at(changes_, place.way).text = std::move(text);
   }
@@ -156,7 +159,8 @@ class CaseWriter {
         text = format_number(*number);
       } else {
         const std::string& written = std::get<std::string>(setting->value);
-        const bool plain = written.starts_with('=') || parse_number(written).has_value();
+        const bool plain =
+            written.starts_with('=') || parse_number(written).has_value() || carries_unit(written);
         text = yaml_scalar(plain ? written : "= " + written);
       }
       remarks_.push_back(

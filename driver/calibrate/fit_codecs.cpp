@@ -92,7 +92,7 @@ bool Codec<BoundsText>::read(Binder& binder, const Node& node, const Path& path,
   bool good = true;
   const auto side = [&](std::size_t i) -> std::optional<double> {
     if (node[i].is_scalar() && node[i].text() == "none") return std::nullopt;
-    const auto number = binder.number(node[i], path / i);
+    const auto number = binder.number(node[i], path / i, info);
     good = good && number.has_value();
     return number;
   };
@@ -100,12 +100,12 @@ bool Codec<BoundsText>::read(Binder& binder, const Node& node, const Path& path,
   out.upper = side(1);
   return good;
 }
-Json Codec<BoundsText>::schema(const KeyInfo&) {
+Json Codec<BoundsText>::schema(const KeyInfo& info) {
   Json none;
   none["const"] = "none";
   Json schema;
   schema["type"] = "array";
-  schema["items"] = any_of({Codec<double>::schema(KeyInfo{}), std::move(none)});
+  schema["items"] = any_of({Codec<double>::schema(info), std::move(none)});
   schema["minItems"] = 2;
   schema["maxItems"] = 2;
   return schema;

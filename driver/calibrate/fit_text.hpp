@@ -82,11 +82,11 @@ struct CompareText {
     key("from", &CompareText::from,
         KeyInfo{.text = "First time at which it is compared.",
                 .default_text = "the experiment's",
-                .dimension = law::dimension::kTime});
+                .dimension = kTime});
     key("to", &CompareText::to,
         KeyInfo{.text = "Last time at which it is compared.",
                 .default_text = "the experiment's",
-                .dimension = law::dimension::kTime});
+                .dimension = kTime});
     key("over", &CompareText::over,
         KeyInfo{.text = "Compare loops over this position, branch by branch, instead of over time.",
                 .default_text = "time"});
@@ -103,7 +103,7 @@ struct ResampleText {
     key("every", &ResampleText::every,
         KeyInfo{.text = "Time from one row to the next.",
                 .default_text = "from points",
-                .dimension = law::dimension::kTime,
+                .dimension = kTime,
                 .bounds = law::kPositive});
     key("points", &ResampleText::points,
         KeyInfo{.text = "How many rows there are to be.",
@@ -122,7 +122,7 @@ struct AverageCyclesText {
     key("period", &AverageCyclesText::period,
         KeyInfo{.required = true,
                 .text = "Duration of one cycle.",
-                .dimension = law::dimension::kTime,
+                .dimension = kTime,
                 .bounds = law::kPositive});
     key("points", &AverageCyclesText::points,
         KeyInfo{.text = "How many rows the mean cycle has.",
@@ -150,7 +150,8 @@ struct DeadBandText {
                 .text = "Rows with a smaller magnitude of the speed are left out; in the case's "
                         "units.",
                 .dimension = {0, 1, -1},
-                .bounds = law::kPositive});
+                .bounds = law::kPositive,
+                .unit = UnitUse::kNone});
   }
 };
 
@@ -176,7 +177,8 @@ struct ExperimentText {
         KeyInfo{.required = true, .text = "Case file that is to meet the data."});
     key("set", &ExperimentText::set,
         KeyInfo{.text = "Parameters of the case that have another value in this experiment.",
-                .default_text = "none"});
+                .default_text = "none",
+                .unit = UnitUse::kAny});
     key("data", &ExperimentText::data,
         KeyInfo{.required = true, .text = "CSV file of the measurement."});
     key("time", &ExperimentText::time,
@@ -193,11 +195,11 @@ struct ExperimentText {
     key("from", &ExperimentText::from,
         KeyInfo{.text = "Rows before this time are left out.",
                 .default_text = "the start",
-                .dimension = law::dimension::kTime});
+                .dimension = kTime});
     key("to", &ExperimentText::to,
         KeyInfo{.text = "Rows after this time are left out.",
                 .default_text = "the end",
-                .dimension = law::dimension::kTime});
+                .dimension = kTime});
     key("resample", &ExperimentText::resample,
         KeyInfo{.text = "Rows spread evenly in time, in place of the measured ones.",
                 .default_text = "none"});
@@ -234,9 +236,12 @@ struct VaryText {
   template <class V>
   static void declare(V& key) {
     key("start", &VaryText::start,
-        KeyInfo{.text = "Where the search begins.", .default_text = "the case's value"});
+        KeyInfo{.text = "Where the search begins.",
+                .default_text = "the case's value",
+                .unit = UnitUse::kAny});
     key("bounds", &VaryText::bounds,
-        KeyInfo{.text = "Lowest and highest value.", .default_text = "none"});
+        KeyInfo{
+            .text = "Lowest and highest value.", .default_text = "none", .unit = UnitUse::kAny});
     key("scale", &VaryText::scale,
         KeyInfo{.text = "log: searched in the logarithm, for positive numbers of unknown "
                         "magnitude.",

@@ -6,12 +6,14 @@
 #include <filesystem>
 #include <map>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "driver/calibrate/fit_reference.hpp"
 #include "driver/calibrate/fit_text.hpp"
 #include "driver/calibrate/resolve_experiment.hpp"
 #include "driver/calibrate/resolve_varied.hpp"
+#include "driver/case/case_units.hpp"
 #include "driver/case/file_kind.hpp"
 #include "driver/text/suggestions.hpp"
 #include "driver/yaml/parse.hpp"
@@ -76,6 +78,7 @@ class FitReader {
   }
 
   void read() {
+    binder_.set_units(units_of_cases());
     FitText text;
     const bool bound = read_struct(binder_, root_, Path(), text);
     const CalibrateText& calibrate = text.calibrate.value;
@@ -121,6 +124,29 @@ class FitReader {
   }
 
  private:
+  /// The system of units that all cases state, for numbers with a unit; nothing if they differ.
+  [[nodiscard]] std::optional<UnitSystem> units_of_cases() const {
+    std::optional<UnitSystem> units;
+    const auto calibrate = root_.find("calibrate");
+    for (const char* list : {"experiments", "holdout"}) {
+      const auto all = calibrate && calibrate->is_map() ? calibrate->find(list) : std::nullopt;
+      for (std::size_t i = 0; all && all->is_sequence() && i < all->size(); ++i) {
+        const auto file = (*all)[i].is_map() ? (*all)[i].find("case") : std::nullopt;
+        if (!file || !file->is_scalar()) continue;
+        const auto source = read_source((folder_ / fs::path(file->text())).string());
+        const auto tree = source ? parse_yaml(*source) : tl::unexpected(Diagnostics());
+        if (!tree) continue;
+        const UnitSystem here = units_of(tree->root());
+        const auto names = [](const UnitSystem& of) {
+          return std::tie(of.length, of.force, of.time, of.temperature);
+        };
+        if (units && names(*units) != names(here)) return std::nullopt;
+        units = here;
+      }
+    }
+    return units.value_or(UnitSystem{});
+  }
+
   void read_experiments(const CalibrateText& text) {
     for (const At<ExperimentText>& one : text.experiments.value) {
       experiments_.push_back(reader_->read(one.value, *one.node));

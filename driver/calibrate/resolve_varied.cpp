@@ -421,7 +421,10 @@ class TableSearch {
                                       : "is a law";
           continue;
         }
-        found_.push_back({&experiment, table, columns_of(node)});
+        // Sliding and spinning share one table, at a friction radius with its points converted.
+        const bool again = name.use == VariedTable::Use::kCoefficient && entry_name != nullptr &&
+                           *entry_name == owned.entry.name;
+        if (!again) found_.push_back({&experiment, table, columns_of(node)});
         fitted = fitted || !experiment.fit.held_out;
         names.push_back(definition.name);
         entry_name = &owned.entry.name;

@@ -2,8 +2,10 @@
 #include "driver/case/binding.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
+#include "driver/case/carried_unit.hpp"
 #include "driver/case/key_index.hpp"
 #include "driver/history/data_path.hpp"
 #include "driver/text/format_number.hpp"
@@ -27,6 +29,17 @@ std::string_view bare(std::string_view expression) {
 }
 
 std::string in_quotes(std::string_view text) { return "'" + std::string(text) + "'"; }
+
+/// Whether a unit stands behind an expression: "= 2*R mm".
+bool ends_with_unit(std::string_view expression) {
+  const std::size_t blank = expression.find_last_of(' ');
+  const std::size_t before = expression.find_last_not_of(' ', blank);
+  if (blank == std::string_view::npos || before == std::string_view::npos) return false;
+  const char last = expression[before];
+  const bool complete = last == ')' || last == '_' || last == '.' ||
+                        std::isalnum(static_cast<unsigned char>(last)) != 0;
+  return complete && dimension_of_unit(expression.substr(blank + 1)).has_value();
+}
 
 /// The place inside a scalar that an expression's error means, if the scalar stands in one line.
 SourcePosition inside(const Node& node, const ExpressionError& problem) {
@@ -113,7 +126,9 @@ void Binder::expression_error(const Node& node, const Path& path, const Expressi
                               const std::vector<std::string>& variables) {
   if (!problem.unknown_name.empty() && unknown_names_excused_) return;
   std::string hint;
-  if (!problem.unknown_name.empty()) {
+  if (ends_with_unit(node.text())) {
+    hint = "an expression has no unit: its result is in the case's units, angles in radians";
+  } else if (!problem.unknown_name.empty()) {
     std::vector<std::string_view> names(variables.begin(), variables.end());
     for (const auto& [name, value] : parameters_) names.push_back(name);
     names.insert(names.end(), unresolved_.begin(), unresolved_.end());
@@ -147,7 +162,75 @@ std::optional<Expression> Binder::expression(const Node& node, const Path& path,
   return std::move(*Expression::compile(node.text(), variables, parameters_));
 }
 
-std::optional<double> Binder::number(const Node& node, const Path& path) {
+std::optional<double> Binder::number_with_unit(const Node& node, const Path& path,
+                                               const KeyInfo& info) {
+  const bool is_declared = info.unit == UnitUse::kDeclared;
+  if (is_declared && info.dimension == Dimension{}) {
+    error(node, path,
+          in_quotes(printable(node.text())) + ": a number without a unit is wanted here");
+    return std::nullopt;
+  }
+  if (!units_) {
+    error(node, path,
+          in_quotes(printable(node.text())) + ": the cases of this file have different units",
+          "write the number without a unit");
+    return std::nullopt;
+  }
+  const auto read =
+      read_with_unit(node.text(), is_declared ? std::optional(info.dimension) : std::nullopt,
+                     *units_, info.difference);
+  if (!read) {
+    error(node, path, read.error());
+    return std::nullopt;
+  }
+  if (info.unit == UnitUse::kNone) {
+    error(node, path,
+          in_quotes(printable(node.text())) + ": a number without a unit is wanted here",
+          "in the case's units it is " + format_number(read->value));
+    return std::nullopt;
+  }
+  if (info.unit == UnitUse::kSlip || info.unit == UnitUse::kQuantity) {
+    unsettled_.push_back({node, path, read->dimension, info.dimension});
+  }
+  return read->value;
+}
+
+void Binder::settle_units(const Path& below,
+                          const std::function<Dimension(const Dimension&)>& wanted) {
+  std::erase_if(unsettled_, [&](const UnsettledUnit& one) {
+    const std::string_view path = one.path.text();
+    const std::size_t length = below.text().size();
+    const bool inside = path.starts_with(below.text()) &&
+                        (path.size() == length || path[length] == '.' || path[length] == '[');
+    const Dimension fitting = inside ? wanted(one.wanted) : Dimension{};
+    if (inside && !measures(one.dimension, fitting)) {
+      error(one.node, one.path, misfit(one.node.text(), one.dimension, fitting, *units_));
+    }
+    return inside;
+  });
+}
+
+void Binder::settle_units(const Path& below, const Dimension& wanted) {
+  settle_units(below, [&wanted](const Dimension&) { return wanted; });
+}
+
+void Binder::settle_slip_units(const Path& below, bool rotation) {
+  settle_units(below, [rotation](const Dimension& translation) {
+    constexpr Dimension kArea{.length = 2};  // that of a contact, whatever slips
+    return rotation && translation != kArea ? rotated(translation) : translation;
+  });
+}
+
+void Binder::refuse_unsettled_units() {
+  for (const UnsettledUnit& one : unsettled_) {
+    error(one.node, one.path,
+          in_quotes(printable(one.node.text())) +
+              ": a number in the case's units is wanted here, without a unit");
+  }
+  unsettled_.clear();
+}
+
+std::optional<double> Binder::number(const Node& node, const Path& path, const KeyInfo& info) {
   if (!node.is_scalar()) {
     wrong_kind(node, path, "a number");
     return std::nullopt;
@@ -166,12 +249,13 @@ std::optional<double> Binder::number(const Node& node, const Path& path) {
     }
     return *value;
   }
+  const auto value = parse_number(node.text());
+  if (!value && carries_unit(node.text())) return number_with_unit(node, path, info);
   if (node.quoted()) {
     error(node, path, "wanted a number, found the text " + in_quotes(printable(node.text())),
           "a number stands without quotes");
     return std::nullopt;
   }
-  const auto value = parse_number(node.text());
   if (!value) {
     error(node, path, with_wanted("a number", value.error()));
     return std::nullopt;
@@ -250,10 +334,11 @@ Json bounded(std::string_view type, const law::Bounds& bounds) {
   return schema;
 }
 
-Json number_or_expression(std::string_view type, const law::Bounds& bounds) {
+/// \param unit whether a number with its unit will do too
+Json number_or_expression(std::string_view type, const law::Bounds& bounds, bool unit) {
   Json text;
   text["type"] = "string";
-  text["pattern"] = "^ *=";
+  text["pattern"] = unit ? R"(^ *=|^[-+]?[0-9.]+([eE][-+]?[0-9]+)? *([A-Za-z°µ]|1/))" : "^ *=";
   Json either = Json(json::Array{});
   either.push_back(bounded(type, bounds));
   either.push_back(std::move(text));
@@ -266,21 +351,22 @@ Json number_or_expression(std::string_view type, const law::Bounds& bounds) {
 
 bool Codec<double>::read(Binder& binder, const Node& node, const Path& path, const KeyInfo& info,
                          double& out) {
-  const std::optional<double> value = binder.number(node, path);
+  const std::optional<double> value = binder.number(node, path, info);
   if (!value || !binder.in_bounds(*value, node, path, info.bounds)) return false;
   out = *value;
   return true;
 }
 
 Json Codec<double>::schema(const KeyInfo& info) {
-  return number_or_expression("number", info.bounds);
+  const bool pure = info.unit == UnitUse::kDeclared && info.dimension == Dimension{};
+  return number_or_expression("number", info.bounds, !pure && info.unit != UnitUse::kNone);
 }
 
 bool Codec<int>::read(Binder& binder, const Node& node, const Path& path, const KeyInfo& info,
                       int& out) {
   long long integer = 0;
   if (Binder::is_expression(node)) {
-    const std::optional<double> value = binder.number(node, path);
+    const std::optional<double> value = binder.number(node, path, info);
     if (!value) return false;
     if (*value != std::floor(*value) || std::abs(*value) > 1e15) {
       binder.error(node, path, "wanted an integer, found " + format_number(*value));
@@ -315,7 +401,7 @@ bool Codec<int>::read(Binder& binder, const Node& node, const Path& path, const 
 }
 
 Json Codec<int>::schema(const KeyInfo& info) {
-  return number_or_expression("integer", info.bounds);
+  return number_or_expression("integer", info.bounds, false);
 }
 
 bool Codec<bool>::read(Binder& binder, const Node& node, const Path& path, const KeyInfo&,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,6 +17,7 @@
 
 #include "driver/history/expression.hpp"
 #include "driver/history/history_error.hpp"
+#include "driver/history/unit_dimension.hpp"
 #include "driver/text/diagnostic.hpp"
 #include "driver/text/json.hpp"
 #include "driver/yaml/node.hpp"
@@ -26,13 +28,30 @@ namespace slipbench::driver {
 
 using Json = json::Value;
 
+/// Which unit a number may carry: "12 mm" is converted to the case's system.
+enum class UnitUse {
+  kDeclared,  ///< of KeyInfo::dimension; none for a number without dimension
+  kSlip,      ///< of KeyInfo::dimension in a translation, of that rotated() in a rotation: judged
+              ///< by Binder::settle_units once it is known which
+  kQuantity,  ///< of the quantity it is a value of: judged by Binder::settle_units
+  kAny,       ///< any
+  kNone       ///< none: it is in the case's system
+};
+
+/// A dimension as the law room declares it.
+constexpr Dimension declared(const law::Dimension& dimension) {
+  return {dimension.force, dimension.length, dimension.time};
+}
+
 /// What a declaration says of a key besides its type.
 struct KeyInfo {
   bool required = false;
   std::string_view text = {};          ///< one sentence for the user
   std::string_view default_text = {};  ///< the default in words, if the key is optional
-  law::Dimension dimension = {};
+  Dimension dimension = {};
   law::Bounds bounds = {};
+  UnitUse unit = UnitUse::kDeclared;
+  bool difference = false;  ///< of a temperature: a difference, to which 20 degF adds no offset
 };
 
 /// One line of the case reference.
@@ -68,9 +87,23 @@ class Binder {
   void warning(const Node& at, const Path& path, std::string message, std::string hint = {});
   void note(const Node& at, const Path& path, std::string message, std::string hint = {});
 
-  /// A number: a plain scalar, or an expression over the parameters ("= 2/li").
+  /// The system that numbers with a unit are converted to; nothing if there are several.
+  void set_units(std::optional<UnitSystem> units) { units_ = std::move(units); }
+
+  /// A number in the case's system: a plain scalar, one with a unit ("12 mm"), or an expression
+  /// over the parameters ("= 2/li").
   /// \return nothing after reporting an error
-  std::optional<double> number(const Node& node, const Path& path);
+  std::optional<double> number(const Node& node, const Path& path, const KeyInfo& info);
+
+  /// Judges the units of the numbers read at `below` and under it, now that it is known what they
+  /// measure; those of the wrong dimension are reported.
+  /// \param wanted the dimension for one declared with KeyInfo::dimension
+  void settle_units(const Path& below, const std::function<Dimension(const Dimension&)>& wanted);
+  void settle_units(const Path& below, const Dimension& wanted);
+  /// The same for numbers declared as a translation's.
+  void settle_slip_units(const Path& below, bool rotation);
+  /// Reports every number whose unit was never judged.
+  void refuse_unsettled_units();
 
   /// True if the scalar is an expression (starts with '='), quoted or not.
   static bool is_expression(const Node& node);
@@ -116,7 +149,18 @@ class Binder {
  private:
   /// The hint for an unknown key of a case that goes by another name here, or empty.
   static std::string other_name(std::string_view key, const Path& path);
+  std::optional<double> number_with_unit(const Node& node, const Path& path, const KeyInfo& info);
+
+  /// A number whose unit still has to be judged.
+  struct UnsettledUnit {
+    Node node;
+    Path path;
+    Dimension dimension;  ///< of the unit
+    Dimension wanted;     ///< as the key declares it
+  };
   Diagnostics& out_;
+  std::optional<UnitSystem> units_ = UnitSystem{};
+  std::vector<UnsettledUnit> unsettled_;
   FileWords words_;
   const NamedNumbers& parameters_;
   std::vector<std::string> unresolved_;
@@ -214,6 +258,14 @@ constexpr std::string_view default_of_member(Member T::*) {
   return EnumWords<Member>::kWords.front();
 }
 
+/// The coefficients of a law serve translations and rotations; a geometry is what it is.
+template <class T>
+constexpr UnitUse unit_use_of(const law::Dimension& dimension) {
+  const bool pure = dimension == law::dimension::kNone;
+  return requires { T::kFormula; }
+  &&!pure ? UnitUse::kSlip : UnitUse::kDeclared;
+}
+
 template <class T, class Visitor>
 void for_each_key(Visitor&& visitor) {
   if constexpr (Declared<T>) {
@@ -225,8 +277,9 @@ void for_each_key(Visitor&& visitor) {
                    KeyInfo{.required = field.required,
                            .text = field.text,
                            .default_text = default_of_member(field.member),
-                           .dimension = field.dimension,
-                           .bounds = field.bounds}),
+                           .dimension = declared(field.dimension),
+                           .bounds = field.bounds,
+                           .unit = unit_use_of<T>(field.dimension)}),
            ...);
         },
         T::fields());

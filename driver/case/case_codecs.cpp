@@ -427,7 +427,9 @@ struct ToText {
   template <class V>
   static void declare(V& key) {
     key("to", &ToText::to,
-        KeyInfo{.required = true, .text = "Linear from the current value to this."});
+        KeyInfo{.required = true,
+                .text = "Linear from the current value to this.",
+                .unit = UnitUse::kQuantity});
   }
 };
 struct SmoothToText {
@@ -437,7 +439,8 @@ struct SmoothToText {
   static void declare(V& key) {
     key("smooth_to", &SmoothToText::smooth_to,
         KeyInfo{.required = true,
-                .text = "From the current value to this, with zero rate at both ends."});
+                .text = "From the current value to this, with zero rate at both ends.",
+                .unit = UnitUse::kQuantity});
   }
 };
 struct WaveText {
@@ -449,17 +452,28 @@ struct WaveText {
   template <class V>
   static void declare(V& key) {
     key("amplitude", &WaveText::amplitude,
-        KeyInfo{.required = true, .text = "Half the peak-to-peak value."});
+        KeyInfo{.required = true,
+                .text = "Half the peak-to-peak value.",
+                .unit = UnitUse::kQuantity,
+                .difference = true});
     key("frequency", &WaveText::frequency,
-        KeyInfo{.text = "Cycles per time.", .default_text = "period", .bounds = law::kPositive});
+        KeyInfo{.text = "Cycles per time.",
+                .default_text = "period",
+                .dimension = kFrequency,
+                .bounds = law::kPositive});
     key("period", &WaveText::period,
-        KeyInfo{
-            .text = "Length of a cycle.", .default_text = "frequency", .bounds = law::kPositive});
+        KeyInfo{.text = "Length of a cycle.",
+                .default_text = "frequency",
+                .dimension = kTime,
+                .bounds = law::kPositive});
     key("mean", &WaveText::mean,
-        KeyInfo{.text = "Value the wave swings about.", .default_text = "0"});
+        KeyInfo{.text = "Value the wave swings about.",
+                .default_text = "0",
+                .unit = UnitUse::kQuantity});
     key("phase", &WaveText::phase,
         KeyInfo{.text = "Phase in radians: where in its cycle the wave starts.",
-                .default_text = "0"});
+                .default_text = "0",
+                .dimension = kAngle});
   }
 };
 struct CsvProfileText {

@@ -51,7 +51,7 @@ std::string component_list(law::ComponentSet set) {
 
 }  // namespace
 
-std::string dimension_text(const law::Dimension& d) {
+std::string dimension_text(const Dimension& d) {
   std::string text = power("F", d.force) + power("L", d.length) + power("T", d.time);
   if (!text.empty()) text.pop_back();
   return text;

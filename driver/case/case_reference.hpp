@@ -11,7 +11,7 @@
 namespace slipbench::driver {
 
 /// "F L^-2": the symbols of a dimension; empty for a pure number.
-std::string dimension_text(const law::Dimension& dimension);
+std::string dimension_text(const Dimension& dimension);
 
 /// One row for every key of a case file, in the order of the declarations.
 std::vector<KeyRow> case_rows();

@@ -58,15 +58,15 @@ struct NodesText {
     key("a", &NodesText::a,
         KeyInfo{.required = true,
                 .text = "Position [x, y, z] of node a, where the belt comes from.",
-                .dimension = law::dimension::kLength});
+                .dimension = kLength});
     key("b", &NodesText::b,
         KeyInfo{.required = true,
                 .text = "Position [x, y, z] of node b, the ring.",
-                .dimension = law::dimension::kLength});
+                .dimension = kLength});
     key("c", &NodesText::c,
         KeyInfo{.required = true,
                 .text = "Position [x, y, z] of node c, where the belt goes to.",
-                .dimension = law::dimension::kLength});
+                .dimension = kLength});
   }
 };
 
@@ -80,6 +80,7 @@ struct ConnectorText {
   At<NodesText> nodes;
   At<double> initial_strain = default_of(0.0);
   At<double> area;
+  At<double> friction_radius;
   At<std::vector<At<int>>> parts;
 
   template <class V>
@@ -92,14 +93,17 @@ struct ConnectorText {
                 .bounds = {.lower = 2, .upper = 3}});
     key("reference", &ConnectorText::reference,
         KeyInfo{.text = "Constitutive reference positions, {CP1: ..}; angles in radians.",
-                .default_text = "the initial position"});
+                .default_text = "the initial position",
+                .unit = UnitUse::kQuantity});
     key("initial", &ConnectorText::initial,
         KeyInfo{.text = "Initial relative position, {CP1: ..}; angles in radians.",
-                .default_text = "0"});
+                .default_text = "0",
+                .unit = UnitUse::kQuantity});
     key("wrap_angle", &ConnectorText::wrap_angle,
         KeyInfo{.text = "SLIPRING: angle the belt turns by on its ring, in radians, of any size; "
                         "a list for a belt that runs over ring after ring.",
                 .default_text = "from nodes",
+                .dimension = kAngle,
                 .bounds = law::kNotNegative});
     key("nodes", &ConnectorText::nodes,
         KeyInfo{.text =
@@ -115,6 +119,12 @@ struct ConnectorText {
                 .default_text = "that of each coefficient",
                 .dimension = {0, 2, 0},
                 .bounds = law::kPositive});
+    key("friction_radius", &ConnectorText::friction_radius,
+        KeyInfo{.text = "R at which a coefficient that sliding and spinning share sees the "
+                        "spinning: at the speed R w and the force M_N/R.",
+                .default_text = "none: w and M_N as they are",
+                .dimension = kLength,
+                .bounds = law::kPositive});
     key("parts", &ConnectorText::parts,
         KeyInfo{.text = "Ids of the two parts that meet here: pick a record of friction_pairs.",
                 .default_text = "none",
@@ -127,7 +137,8 @@ template <class Text, class V>
 void declare_rows(V& key) {
   key("rows", &Text::rows,
       KeyInfo{.text = "Rows of numbers; the first independent varies fastest, ascending.",
-              .default_text = "from csv"});
+              .default_text = "from csv",
+              .unit = UnitUse::kNone});
   key("csv", &Text::csv,
       KeyInfo{.text = "A CSV file with these columns, in place of rows.",
               .default_text = "from rows"});
@@ -188,7 +199,8 @@ struct DerivedTermText {
     key("weights", &DerivedTermText::weights,
         KeyInfo{.text = "A weight for each component: numbers, or a table over motions CP, CU, "
                         "temperature and fields.",
-                .default_text = "1 each"});
+                .default_text = "1 each",
+                .unit = UnitUse::kNone});
   }
 };
 
@@ -220,9 +232,12 @@ struct PotentialTermText {
         KeyInfo{
             .text = "R of the contribution X = (E - a)/R; a radius turns a moment into a force.",
             .default_text = "1",
-            .bounds = law::kPositive});
+            .bounds = law::kPositive,
+            .unit = UnitUse::kQuantity});
     key("shift", &PotentialTermText::shift,
-        KeyInfo{.text = "a of the contribution, in the unit of E.", .default_text = "0"});
+        KeyInfo{.text = "a of the contribution, in the unit of E.",
+                .default_text = "0",
+                .unit = UnitUse::kQuantity});
     key("of", &PotentialTermText::of,
         KeyInfo{.text = "What of X counts: its absolute value, its positive part (macauley), or X "
                         "itself (none).",
@@ -275,20 +290,23 @@ struct StickText {
     key("characteristic_length", &StickText::characteristic_length,
         KeyInfo{.text = "Length (angle for rotations) the slip tolerance refers to.",
                 .default_text = "1, with a note",
-                .dimension = law::dimension::kLength,
-                .bounds = law::kPositive});
+                .dimension = kLength,
+                .bounds = law::kPositive,
+                .unit = UnitUse::kSlip});
     key("elastic_slip", &StickText::elastic_slip,
         KeyInfo{.text = "Allowable elastic slip g_c, in place of the slip tolerance.",
                 .default_text = "slip_tolerance * characteristic_length",
-                .dimension = law::dimension::kLength,
-                .bounds = law::kPositive});
+                .dimension = kLength,
+                .bounds = law::kPositive,
+                .unit = UnitUse::kSlip});
     key("stiffness", &StickText::stiffness,
         KeyInfo{
             .text =
                 "Constant stick stiffness kappa in the slip space, in place of an elastic slip.",
             .default_text = "limit / elastic slip",
             .dimension = {1, -1, 0},
-            .bounds = law::kPositive});
+            .bounds = law::kPositive,
+            .unit = UnitUse::kSlip});
   }
 };
 
@@ -399,22 +417,26 @@ struct FormulationText {
                         "contact_force, temperature, fields; C = VISF sqrt(2 K m).",
                 .default_text = "C",
                 .dimension = {1, -1, 0},
-                .bounds = law::kNotNegative});
+                .bounds = law::kNotNegative,
+                .unit = UnitUse::kSlip});
     key("m", &FormulationText::mass,
         KeyInfo{.text = "viscous: mass of the contact point.",
                 .default_text = "C",
                 .dimension = {1, -1, 2},
-                .bounds = law::kNotNegative});
+                .bounds = law::kNotNegative,
+                .unit = UnitUse::kSlip});
     key("C", &FormulationText::viscous_coefficient,
         KeyInfo{.text = "viscous: the coefficient itself, in place of VISF, K and m.",
                 .default_text = "VISF sqrt(2 K m)",
                 .dimension = {1, -1, 1},
-                .bounds = law::kPositive});
+                .bounds = law::kPositive,
+                .unit = UnitUse::kSlip});
     key("K_t", &FormulationText::tangential_stiffness,
         KeyInfo{.text = "stiffness: tangential stiffness of the contact.",
                 .default_text = "-",
                 .dimension = {1, -1, 0},
-                .bounds = law::kPositive});
+                .bounds = law::kPositive,
+                .unit = UnitUse::kSlip});
     key("convention", &FormulationText::convention,
         KeyInfo{.text = "Where the published page and the program differ: as the page promises, or "
                         "as OpenRadioss (2026) computes.",
@@ -446,7 +468,7 @@ struct FilterText {
         KeyInfo{.text = "Time T of alpha = 2 pi dt/T (Ifiltr 2); increments longer than T/(2 pi) "
                         "are refused.",
                 .default_text = "another of the four",
-                .dimension = law::dimension::kTime,
+                .dimension = kTime,
                 .bounds = law::kPositive});
     key("frequency", &FilterText::frequency,
         KeyInfo{.text = "Cut-off frequency f of alpha = min(1, 2 pi f dt) (Ifiltr 3); 0 is no "
@@ -516,8 +538,9 @@ struct FrictionText {
         KeyInfo{.text = "F_int: a number, or a table over accumulated_slip, temperature, fields, "
                         "CP and CU.",
                 .default_text = "0",
-                .dimension = law::dimension::kForce,
-                .bounds = law::kNotNegative});
+                .dimension = kForce,
+                .bounds = law::kNotNegative,
+                .unit = UnitUse::kSlip});
     key("coefficient", &FrictionText::coefficient,
         KeyInfo{.text = "Coefficient of friction: a number, a table, or a law by name.",
                 .default_text = "0: no friction",
@@ -525,8 +548,9 @@ struct FrictionText {
     key("force_limit", &FrictionText::force_limit,
         KeyInfo{.text = "Cap f_t^max of the limiting friction force; 0 means none.",
                 .default_text = "none",
-                .dimension = law::dimension::kForce,
-                .bounds = law::kNotNegative});
+                .dimension = kForce,
+                .bounds = law::kNotNegative,
+                .unit = UnitUse::kSlip});
     key("stick", &FrictionText::stick,
         KeyInfo{.text = "How stiff the connector is while it sticks.",
                 .default_text = "slip tolerance 1e-4"});
@@ -668,9 +692,12 @@ struct NodeMotionText {
   static void declare(V& key) {
     constexpr std::string_view kText =
         "Profiles [x, y, z] of the node's coordinates; a number is one that stays.";
-    key("a", &NodeMotionText::a, KeyInfo{.text = kText, .default_text = "unchanged"});
-    key("b", &NodeMotionText::b, KeyInfo{.text = kText, .default_text = "unchanged"});
-    key("c", &NodeMotionText::c, KeyInfo{.text = kText, .default_text = "unchanged"});
+    key("a", &NodeMotionText::a,
+        KeyInfo{.text = kText, .default_text = "unchanged", .unit = UnitUse::kQuantity});
+    key("b", &NodeMotionText::b,
+        KeyInfo{.text = kText, .default_text = "unchanged", .unit = UnitUse::kQuantity});
+    key("c", &NodeMotionText::c,
+        KeyInfo{.text = kText, .default_text = "unchanged", .unit = UnitUse::kQuantity});
   }
 };
 
@@ -707,8 +734,9 @@ struct FrictionChangeText {
         KeyInfo{.text = "New cap of the limiting friction force from the start of the step; 0 "
                         "means none.",
                 .default_text = "unchanged",
-                .dimension = law::dimension::kForce,
-                .bounds = law::kNotNegative});
+                .dimension = kForce,
+                .bounds = law::kNotNegative,
+                .unit = UnitUse::kSlip});
     key("stick", &FrictionChangeText::stick,
         KeyInfo{.text = "New stick stiffness of the same kind.", .default_text = "unchanged"});
     key("reset", &FrictionChangeText::reset,
@@ -736,7 +764,7 @@ struct StepText {
     key("duration", &StepText::duration,
         KeyInfo{.text = "Length of the step in time.",
                 .default_text = "1",
-                .dimension = law::dimension::kTime,
+                .dimension = kTime,
                 .bounds = law::kPositive});
     key("increments", &StepText::increments,
         KeyInfo{.required = true,
@@ -748,18 +776,23 @@ struct StepText {
                 .bounds = {.lower = 1}});
     key("motion", &StepText::motion,
         KeyInfo{.text = "Profiles of free components, {CP1: ..., CPR1: ...}.",
-                .default_text = "unchanged"});
+                .default_text = "unchanged",
+                .unit = UnitUse::kQuantity});
     key("nodes", &StepText::nodes,
         KeyInfo{.text = "SLIPRING with nodes: how they move, {c: [profile, profile, profile]}.",
                 .default_text = "unchanged"});
     key("force", &StepText::force,
         KeyInfo{.text = "Profiles of constraint forces and moments, {f2: ..., m3: ...}.",
-                .default_text = "unchanged"});
+                .default_text = "unchanged",
+                .unit = UnitUse::kQuantity});
     key("temperature", &StepText::temperature,
-        KeyInfo{.text = "Profile of the temperature.", .default_text = "unchanged, at first 0"});
+        KeyInfo{.text = "Profile of the temperature.",
+                .default_text = "unchanged, at first 0",
+                .unit = UnitUse::kQuantity});
     key("fields", &StepText::fields,
         KeyInfo{.text = "Profiles of field variables, {field1: ...}.",
-                .default_text = "unchanged, at first 0"});
+                .default_text = "unchanged, at first 0",
+                .unit = UnitUse::kQuantity});
     key("change_friction", &StepText::change_friction,
         KeyInfo{.text = "New friction of definitions by name, {sleeve: {coefficient: 0.12}}.",
                 .default_text = "unchanged"});
@@ -841,7 +874,9 @@ struct AgainstText {
         KeyInfo{.text = "Name of a closed form (slipbench list closed-forms).",
                 .default_text = "expression or curve"});
     key("with", &AgainstText::with,
-        KeyInfo{.text = "Parameters of the closed form.", .default_text = "its defaults"});
+        KeyInfo{.text = "Parameters of the closed form.",
+                .default_text = "its defaults",
+                .unit = UnitUse::kNone});
     key("inputs", &AgainstText::inputs,
         KeyInfo{.text = "Result columns or expressions over them that drive the closed form, "
                         "{motion: CU1} or {phase: = 2*pi*T}.",
@@ -870,8 +905,10 @@ struct OverText {
 
   template <class V>
   static void declare(V& key) {
-    key("from", &OverText::from, KeyInfo{.text = "First total time.", .default_text = "the start"});
-    key("to", &OverText::to, KeyInfo{.text = "Last total time.", .default_text = "the end"});
+    key("from", &OverText::from,
+        KeyInfo{.text = "First total time.", .default_text = "the start", .dimension = kTime});
+    key("to", &OverText::to,
+        KeyInfo{.text = "Last total time.", .default_text = "the end", .dimension = kTime});
   }
 };
 
@@ -885,7 +922,9 @@ struct ToleranceText {
     key("absolute", &ToleranceText::absolute,
         KeyInfo{.text = "Admissible deviation in the quantity's unit.",
                 .default_text = "relative",
-                .bounds = law::kNotNegative});
+                .bounds = law::kNotNegative,
+                .unit = UnitUse::kQuantity,
+                .difference = true});
     key("relative", &ToleranceText::relative,
         KeyInfo{.text = "Admissible deviation as a part of the reference's range.",
                 .default_text = "absolute",
@@ -894,7 +933,8 @@ struct ToleranceText {
         KeyInfo{.text = "Admissible shift along the abscissa, in its unit, of the points that "
                         "breakaway and reversals compare.",
                 .default_text = "relative, of the abscissa's range",
-                .bounds = law::kNotNegative});
+                .bounds = law::kNotNegative,
+                .unit = UnitUse::kNone});
     key("why", &ToleranceText::why,
         KeyInfo{.text = "Which error this tolerance allows for.", .default_text = "none"});
   }
@@ -961,7 +1001,8 @@ struct ElasticityText {
         KeyInfo{.text = "k of the force k u along the component, u its constitutive displacement.",
                 .default_text = "a table",
                 .dimension = {1, -1, 0},
-                .bounds = law::kPositive});
+                .bounds = law::kPositive,
+                .unit = UnitUse::kSlip});
     key("columns", &ElasticityText::columns,
         KeyInfo{.text = "Columns of a table in place of the stiffness: a name for the force, then "
                         "displacement, temperature, fields.",
@@ -990,7 +1031,8 @@ struct DampingText {
         KeyInfo{.text = "c of the force c v along the component, v its velocity.",
                 .default_text = "a table",
                 .dimension = {1, -1, 1},
-                .bounds = law::kPositive});
+                .bounds = law::kPositive,
+                .unit = UnitUse::kSlip});
     key("columns", &DampingText::columns,
         KeyInfo{.text =
                     "Columns of a table in place of the coefficient: a name for the force, then "
@@ -1012,9 +1054,15 @@ struct StopText {
                 .text = "Number 1-6 of a free component.",
                 .bounds = {.lower = 1, .upper = 6}});
     key("lower", &StopText::lower,
-        KeyInfo{.text = "Lowest position CP of the component.", .default_text = "no stop below"});
+        KeyInfo{.text = "Lowest position CP of the component.",
+                .default_text = "no stop below",
+                .dimension = kLength,
+                .unit = UnitUse::kSlip});
     key("upper", &StopText::upper,
-        KeyInfo{.text = "Highest position CP of the component.", .default_text = "no stop above"});
+        KeyInfo{.text = "Highest position CP of the component.",
+                .default_text = "no stop above",
+                .dimension = kLength,
+                .unit = UnitUse::kSlip});
   }
 };
 
@@ -1044,13 +1092,15 @@ struct DeadZoneText {
     key("width", &DeadZoneText::width,
         KeyInfo{.required = true,
                 .text = "g: free travel without force at every reversal; 0 is none.",
-                .dimension = law::dimension::kLength,
-                .bounds = law::kNotNegative});
+                .dimension = kLength,
+                .bounds = law::kNotNegative,
+                .unit = UnitUse::kSlip});
     key("position", &DeadZoneText::position,
         KeyInfo{.text = "Play at the start: centred, lower (motion to smaller positions meets "
                         "friction at once), upper, or a number from -width/2 to width/2.",
                 .default_text = "centred",
-                .dimension = law::dimension::kLength});
+                .dimension = kLength,
+                .unit = UnitUse::kSlip});
   }
 };
 
@@ -1073,15 +1123,18 @@ struct DynamicsText {
         KeyInfo{.required = true,
                 .text = "Mass, or moment of inertia of a rotation.",
                 .dimension = {1, -1, 2},
-                .bounds = law::kPositive});
+                .bounds = law::kPositive,
+                .unit = UnitUse::kSlip});
     key("belt_velocity", &DynamicsText::belt_velocity,
         KeyInfo{.text = "Constant velocity of the belt the mass rubs on.",
                 .default_text = "0",
-                .dimension = {0, 1, -1}});
+                .dimension = {0, 1, -1},
+                .unit = UnitUse::kSlip});
     key("initial_velocity", &DynamicsText::initial_velocity,
         KeyInfo{.text = "Velocity of the mass at the start.",
                 .default_text = "0",
-                .dimension = {0, 1, -1}});
+                .dimension = {0, 1, -1},
+                .unit = UnitUse::kSlip});
     key("static_coefficient", &DynamicsText::static_coefficient,
         KeyInfo{.text = "Coefficient that holds while the mass sticks.",
                 .default_text = "the coefficient at rate 0",
@@ -1125,7 +1178,8 @@ struct CaseText {
                 .default_text = "none"});
     key("parameters", &CaseText::parameters,
         KeyInfo{.text = "Named numbers for expressions, --set, sweeps and fits.",
-                .default_text = "none"});
+                .default_text = "none",
+                .unit = UnitUse::kAny});
     key("connector", &CaseText::connector, KeyInfo{.required = true, .text = "The connector."});
     key("derived_components", &CaseText::derived_components,
         KeyInfo{.text = "Named contact forces g(f); the terms of a name are added.",

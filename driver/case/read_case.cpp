@@ -8,12 +8,13 @@
 #include <type_traits>
 #include <utility>
 
+#include "driver/case/carried_unit.hpp"
 #include "driver/case/case_codecs.hpp"
+#include "driver/case/case_units.hpp"
 #include "driver/case/file_kind.hpp"
 #include "driver/case/foreign_file.hpp"
 #include "driver/case/resolve.hpp"
 #include "driver/case/resolve_formulation.hpp"
-#include "driver/text/number.hpp"
 #include "driver/text/suggestions.hpp"
 #include "driver/yaml/parse.hpp"
 
@@ -101,8 +102,20 @@ void resolve(Binder& binder, const Node& root, Diagnostics& out, std::vector<Def
   for (const Definition& parameter : parameters) result.unresolved.push_back(parameter.text.name);
 }
 
+/// A setting that carries its unit, as a number of the case's system.
+ParameterText in_case_units(ParameterText setting, const UnitSystem& units, const Node& root,
+                            Diagnostics& out) {
+  const auto* text = std::get_if<std::string>(&setting.value);
+  if (text == nullptr || !carries_unit(*text)) return setting;
+  const auto number = read_with_unit(*text, std::nullopt, units);
+  if (!number) out.error(root.source().name(), {}, "--set " + setting.name, number.error());
+  setting.value = number ? number->value : 0.0;
+  return setting;
+}
+
 /// Parameters come first: every other number of the file may be an expression over them.
-Parameters read_parameters(const Node& root, const ReadOptions& options, Diagnostics& out) {
+Parameters read_parameters(const Node& root, const UnitSystem& units, const ReadOptions& options,
+                           Diagnostics& out) {
   Parameters result;
   const auto map = root.find("parameters");
   std::vector<std::string> names;
@@ -112,6 +125,8 @@ Parameters read_parameters(const Node& root, const ReadOptions& options, Diagnos
   const NamedNumbers none;
   // Knows the names only, for suggestions.
   Binder binder(out, none, names, {}, false);
+  binder.set_units(units);
+  const KeyInfo any_unit{.unit = UnitUse::kAny};
   std::vector<Definition> parameters;
   if (map && map->is_map()) {
     for (const Entry entry : map->entries()) {
@@ -129,7 +144,8 @@ Parameters read_parameters(const Node& root, const ReadOptions& options, Diagnos
         }
       } else if (Binder::is_expression(entry.value)) {
         parameters.push_back({{name, std::string(entry.value.text())}, entry});
-      } else if (const auto number = binder.number(entry.value, Path() / "parameters" / name)) {
+      } else if (const auto number =
+                     binder.number(entry.value, Path() / "parameters" / name, any_unit)) {
         parameters.push_back({{name, *number}, entry});
       } else if (overridden) {
         parameters.push_back({{name, 0.0}, entry});
@@ -139,38 +155,27 @@ Parameters read_parameters(const Node& root, const ReadOptions& options, Diagnos
     }
   }
   std::vector<Definition> overrides;
-  for (const ParameterText& text : options.overrides) overrides.push_back({text, std::nullopt});
+  for (const ParameterText& text : options.overrides) {
+    overrides.push_back({in_case_units(text, units, root, out), std::nullopt});
+  }
   resolve(binder, root, out, std::move(parameters), std::move(overrides), names, result);
   return result;
-}
-
-UnitSystem read_units(Binder& binder, const UnitsText& text) {
-  // A stand-in for a faulty unit keeps the conversions to it from looking wrong as well.
-  const auto read = [&](const At<std::string>& unit, const Dimension& dimension,
-                        const std::string& fallback) {
-    if (!unit.given()) return std::string();
-    if (!unit.sound) return fallback;
-    if (const auto good = check_base_unit(unit.value, dimension); !good) {
-      binder.history_error(*unit.node, unit.path, good.error());
-      return fallback;
-    }
-    return unit.value;
-  };
-  return {read(text.length, kLength, "m"), read(text.force, kForce, "N"),
-          read(text.time, kTime, "s"), read(text.temperature, kTemperature, "K")};
 }
 
 /// What stands between the text of a case and its values: parameters, and a binder that knows them.
 struct Reading {
   Reading(const Node& root, const std::string& folder, const ReadOptions& options, Diagnostics& out)
-      : parameters(read_parameters(root, options, out)),
+      : units(units_of(root)),
+        parameters(read_parameters(root, units, options, out)),
         binder(out, parameters.values, parameters.unresolved, folder, options.allow_outside) {
+    binder.set_units(units);
     // Without parameters, every name in an expression would be unknown.
     const auto map = root.find("parameters");
     binder.excuse_unknown_names((map && !map->is_map()) ||
                                 is_misspelt<CaseText>(root, "parameters"));
   }
 
+  UnitSystem units;
   Parameters parameters;
   Binder binder;
 };
@@ -189,8 +194,12 @@ bool resolve_to_friction(Reading& reading, const Node& root, CaseText& text, Cas
   resolve_belt(binder, text, problem);
   resolve_friction_pairs(binder, text, !is_misspelt<CaseText>(root, "friction_pairs"), problem);
   const bool derived_known = !is_misspelt<CaseText>(root, "derived_components");
-  return resolve_friction(binder, text, derived_known, problem) &&
-         !is_any_connection(problem.connection);
+  const bool columns_known = resolve_friction(binder, text, derived_known, problem);
+  if (text.friction_pairs.given() && !problem.definitions.empty()) {
+    binder.settle_slip_units(text.friction_pairs.path,
+                             law::is_rotational(problem.definitions.front().law.slip));
+  }
+  return columns_known && !is_any_connection(problem.connection);
 }
 
 /// Whether a key of a case has a say in its friction definitions.
@@ -247,6 +256,7 @@ ReadCase ParsedCase::resolve(const ReadOptions& options) const {
   resolve_integration(binder, text, problem);
   resolve_output_and_checks(binder, text, problem, columns_known, history_known,
                             options.curves_may_be_missing);
+  if (bound && !out.has_errors()) binder.refuse_unsettled_units();
   result.environment_failure = binder.environment_failed();
   result.data_files = binder.data_files();
   problem.data_files = binder.data_files();
@@ -277,7 +287,7 @@ tl::expected<std::vector<CaseDefinition>, Diagnostics> ParsedCase::resolve_frict
 tl::expected<NamedNumbers, Diagnostics> ParsedCase::resolve_parameters_only(
     const ReadOptions& options) const {
   Diagnostics out;
-  Parameters parameters = read_parameters(tree_.root(), options, out);
+  Parameters parameters = read_parameters(tree_.root(), units_of(tree_.root()), options, out);
   if (out.has_errors()) return tl::unexpected(std::move(out));
   return std::move(parameters.values);
 }

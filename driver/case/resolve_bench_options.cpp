@@ -83,6 +83,7 @@ void resolve_dead_zone(Binder& binder, const At<DeadZoneText>& at, bool friction
                      motion_names(out.connection.info.available));
     return;
   }
+  binder.settle_slip_units(at.path, law::is_rotation(c));
   for (CaseDefinition& definition : out.definitions) {
     const law::SlipSpace& slip = definition.law.slip;
     const auto begin = slip.component.begin();

@@ -470,6 +470,11 @@ void resolve_output_and_checks(Binder& binder, const CaseText& text, Case& out, 
       }
     }
     read_check(binder, checks[i], variables, steps, curves_may_be_missing, out);
+    const Criterion criterion = checks[i].value.criterion.value;
+    const auto column = find_column(out, all, checks[i].value.quantity.value);
+    if (column && (criterion == Criterion::kPointwise || criterion == Criterion::kPeak)) {
+      binder.settle_units(checks[i].path, column->dimension);
+    }
   }
   binder.excuse_unknown_names(excused);
 }

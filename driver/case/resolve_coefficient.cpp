@@ -6,6 +6,7 @@
 #include "driver/case/case_codecs.hpp"
 #include "driver/case/resolve_definition.hpp"
 #include "driver/text/format_number.hpp"
+#include "law/friction/at_radius.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -127,11 +128,14 @@ std::optional<law::FrictionLaw> coefficient_law(Binder& binder,
 }
 
 bool suit_to_slip(Binder& binder, const At<CoefficientText>& coefficient,
-                  const law::SlipSpace& slip, const UnitSystem& units, law::FrictionLaw& law) {
+                  const law::SlipSpace& slip, const UnitSystem& units, std::optional<double> radius,
+                  law::FrictionLaw& law) {
   if (!coefficient.sound) return true;
-  const bool rotational = law::is_rotational(slip);
+  // At a radius the law goes on seeing the speed and the force that its numbers are of.
+  const bool at_radius = radius && law::is_rotational(slip);
+  const bool rotational = law::is_rotational(slip) && !at_radius;
   const auto [node, path] = below_name(*coefficient.node, coefficient.path);
-  return std::visit(
+  const bool good = std::visit(
       [&, &at = node, &where = path](auto& one) {
         if constexpr (requires { one.speed_unit; }) {
           return complete_speed_unit(binder, one, at, where, rotational, units);
@@ -149,6 +153,8 @@ bool suit_to_slip(Binder& binder, const At<CoefficientText>& coefficient,
         }
       },
       law);
+  if (at_radius) law = law::at_radius(std::move(law), *radius);
+  return good;
 }
 
 }  // namespace slipbench::driver

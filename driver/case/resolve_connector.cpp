@@ -5,6 +5,7 @@
 #include "driver/case/degrees.hpp"
 #include "driver/case/key_index.hpp"
 #include "driver/case/quantity.hpp"
+#include "driver/case/quantity_dimension.hpp"
 #include "driver/case/resolve.hpp"
 #include "driver/text/suggestions.hpp"
 
@@ -60,6 +61,7 @@ void read_positions(Binder& binder, const NamedMap<double>& text, const Case& pr
       if (law::is_rotation(*component)) {
         doubt_angle(binder, *entry.node, entry.path, AngleUse::kSwing);
       }
+      binder.settle_units(entry.path, dimension_of(kFirstMotion + *component));
       out[*component] = entry.value;
     }
   }

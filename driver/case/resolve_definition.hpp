@@ -2,9 +2,12 @@
 // Parts of a friction definition that stand under `friction:` and under `change_friction:` alike.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
 
 #include "driver/case/binding.hpp"
+#include "driver/case/case.hpp"
 #include "driver/case/case_text.hpp"
 #include "driver/history/units.hpp"
 #include "law/friction_definition.hpp"
@@ -30,9 +33,24 @@ std::optional<law::FrictionLaw> coefficient_law(Binder& binder, const Coefficien
 /// Suits a law to the slip space it acts in: gives one whose constants hide a unit of speed its
 /// factor to the case's, and warns where what a law calls a pressure is a moment over an area.
 /// \param coefficient where the law is written
+/// \param radius of a rotation that shares its law with a translation: where the law sees it rub
 /// \return false if there is no such factor, which is reported
 bool suit_to_slip(Binder& binder, const At<CoefficientText>& coefficient,
-                  const law::SlipSpace& slip, const UnitSystem& units, law::FrictionLaw& law);
+                  const law::SlipSpace& slip, const UnitSystem& units, std::optional<double> radius,
+                  law::FrictionLaw& law);
+
+/// Whether some of these definitions slip along lengths and others about angles.
+/// \param group indices in Case::definitions
+bool slip_in_two_units(const Case& problem, std::span<const std::size_t> group);
+
+/// Warns of a coefficient that definitions of both kinds share, or that one definition sees with
+/// lengths and angles mixed, if it depends on the slip rate or on the contact force: without a
+/// radius its numbers mean two things.
+/// \param law before it is suited to a slip space
+/// \param arm typical radius of the contact [L]; 0 if there is none
+/// \return whether it warned
+bool warn_of_two_units(Binder& binder, const At<CoefficientText>& coefficient,
+                       const law::FrictionLaw& law, const UnitSystem& units, double arm);
 
 /// The stick stiffness of a `stick:` map or of its absence, with a note where the length it refers
 /// to is a default.

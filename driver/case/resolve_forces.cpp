@@ -58,6 +58,11 @@ void read_forces(Binder& binder, const At<std::vector<At<Text>>>& list, const Ca
                    component_words(*c) + " already has " + std::string(use.what));
     }
     if (c) seen.insert(*c);
+    if (c && is_belt(problem.connection)) {
+      binder.settle_units(at.path, kForce);  // a tension over a strain
+    } else if (c) {
+      binder.settle_slip_units(at.path, law::is_rotation(*c));
+    }
     const At<double>& linear = text.*number;
     const bool table_given = text.columns.given() || text.rows.given() || text.csv.given();
     if (linear.given() && table_given) {
@@ -118,6 +123,7 @@ void read_stops(Binder& binder, const CaseText& text, Case& out) {
                    component_words(*c) + " already has stops");
     }
     if (c) seen.insert(*c);
+    if (c) binder.settle_slip_units(at.path, law::is_rotation(*c));
     if (!stop.lower.given() && !stop.upper.given()) {
       if (!has_unknown_key<StopText>(*at.node)) {
         binder.error(*at.node, at.path, "needs 'lower', 'upper' or both");
@@ -167,6 +173,7 @@ void read_dynamics(Binder& binder, const CaseText& text, Case& out) {
                      "): 'component' must say which one the mass moves along");
     return;
   }
+  binder.settle_slip_units(path, law::is_rotation(data.component));
   data.mass = dynamics.mass.value;
   data.belt_velocity = dynamics.belt_velocity.value;
   data.initial_velocity = dynamics.initial_velocity.value;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "driver/case/case_codecs.hpp"
@@ -308,6 +309,7 @@ class Resolver {
     } else if (text.potential.given()) {
       outline.form = law::FrictionForm::kPotential;
       potential(text.potential, shared, outline);
+      if (law::depends_on_slip_rate(shared.law)) warn_of_missing_scale(text.potential.value);
       user_defined(friction, shared, true);
     } else if (text.component.given()) {
       if (text.component.sound) {
@@ -319,11 +321,43 @@ class Resolver {
       user_defined(friction, shared, false);
     }
     if (text.coefficient.value.with_direction) add_backward(friction, first);
-    suit_laws(text.coefficient, first);
+    for (std::size_t i = first; i < out_.definitions.size(); ++i) {
+      owner_of_definition_.push_back(&text.coefficient);
+    }
+    // Where sliding and spinning share a number, it is the sliding one's.
+    if (first < out_.definitions.size()) {
+      binder_.settle_slip_units(path, law::is_rotational(out_.definitions[first].law.slip));
+    }
     for (std::size_t i = first; i < out_.definitions.size() && has_formulation(text); ++i) {
       if (!slip_suits_formulation(binder_, friction, out_.definitions[i].law)) break;
     }
     return outline;
+  }
+
+  /// Suits the law of every definition to what it slips in; goes after all of them.
+  void suit_laws() {
+    const At<double>& radius = text_.connector.value.friction_radius;
+    std::vector<std::size_t> all(out_.definitions.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    // A case shares its one coefficient if it is predefined or of the parts that meet.
+    const bool shared = out_.pair || text_.friction.value.front().value.predefined.given();
+    const bool mixed = shared && slip_in_two_units(out_, all);
+    if (radius.sound && !mixed && !is_any_connection(out_.connection)) {
+      binder_.warning(*radius.node, radius.path,
+                      "not used: no coefficient is shared by a translation and a rotation");
+    }
+    if (mixed && !radius.given()) {
+      warn_of_two_units(binder_, *owner_of_definition_.front(), out_.definitions.front().law.law,
+                        out_.units, arm_);
+    }
+    const At<CoefficientText>* faulty = nullptr;
+    for (const std::size_t i : all) {
+      if (owner_of_definition_[i] == faulty) continue;  // the same fault in each of them
+      const bool good =
+          suit_laws(*owner_of_definition_[i], out_.definitions[i],
+                    mixed && radius.sound ? std::optional(radius.value) : std::nullopt);
+      if (!good) faulty = owner_of_definition_[i];
+    }
   }
 
   /// Whether it is known which components slip.
@@ -351,28 +385,27 @@ class Resolver {
       }
     }
   }
-  /// Suits the laws of the definitions from `first` on to what they slip in.
-  void suit_laws(const At<CoefficientText>& coefficient, std::size_t first) {
+  /// \return false after reporting an error
+  bool suit_laws(const At<CoefficientText>& coefficient, CaseDefinition& definition,
+                 std::optional<double> radius) {
     const auto& directions = coefficient.value.orthotropic;
     const auto& senses = coefficient.value.with_direction;
-    for (std::size_t i = first; i < out_.definitions.size(); ++i) {
-      law::FrictionDefinition& d = out_.definitions[i].law;
-      const auto suit = [&](const At<CoefficientText>& at, law::FrictionLaw& law) {
-        return suit_to_slip(binder_, at, d.slip, out_.units, law);
-      };
-      bool good = suit(directions ? coefficient_of(directions->direction1)
-                       : senses   ? coefficient_of(senses->forward)
-                                  : coefficient,
-                       d.law);
-      if (std::optional<law::FrictionLaw>& backward = out_.definitions[i].backward) {
-        good = suit(coefficient_of(senses->backward), *backward) && good;
-      }
-      if (directions && d.formulation && d.formulation->orthotropy) {
-        good =
-            suit(coefficient_of(directions->direction2), d.formulation->orthotropy->second) && good;
-      }
-      if (!good) return;  // the same fault in each of them
+    law::FrictionDefinition& d = definition.law;
+    const auto suit = [&](const At<CoefficientText>& at, law::FrictionLaw& law) {
+      return suit_to_slip(binder_, at, d.slip, out_.units, radius, law);
+    };
+    bool good = suit(directions ? coefficient_of(directions->direction1)
+                     : senses   ? coefficient_of(senses->forward)
+                                : coefficient,
+                     d.law);
+    if (definition.backward) {
+      good = suit(coefficient_of(senses->backward), *definition.backward) && good;
     }
+    if (directions && d.formulation && d.formulation->orthotropy) {
+      good =
+          suit(coefficient_of(directions->direction2), d.formulation->orthotropy->second) && good;
+    }
+    return good;
   }
   /// A number and a table have the columns of every law.
   static bool is_named_law(const At<CoefficientText>& coefficient) {
@@ -496,8 +529,9 @@ class Resolver {
   /// PLANAR checks a force over a length and a moment over an angle with one set of numbers: what
   /// one number means for both depends on the unit of length.
   template <class Type>
-  void warn_mixed_units(const At<FrictionText>& friction, const Type&) {
+  void warn_mixed_units(const At<FrictionText>& friction, [[maybe_unused]] const Type& geometry) {
     if constexpr (std::is_same_v<Type, law::Planar>) {
+      arm_ = 2.0 / 3.0 * geometry.R;
       const FrictionText& text = friction.value;
       const auto warn = [&](const At<double>& number, std::string_view sliding,
                             std::string_view spinning) {
@@ -516,6 +550,28 @@ class Resolver {
            "a moment per angular speed");
       warn(text.stick.value.elastic_slip, "a length", "an angle");
       warn(text.stick.value.characteristic_length, "a length", "an angle");
+    }
+  }
+
+  /// A rotation that slips with translations and has no radius: its rate is added to theirs.
+  void warn_of_missing_scale(const PotentialText& potential) {
+    const auto rotates = [](const At<PotentialTermText>& term) {
+      return law::is_rotation(term.value.component.value - 1);
+    };
+    const auto slides = [&](const At<PotentialTermText>& term) {
+      return term.value.component.sound && !rotates(term);
+    };
+    const auto& terms = potential.terms.value;
+    if (std::none_of(terms.begin(), terms.end(), slides)) return;
+    for (const At<PotentialTermText>& term : terms) {
+      const PotentialTermText& text = term.value;
+      if (!text.component.sound || !rotates(term) || text.scale.given()) continue;
+      binder_.warning(*term.node, term.path,
+                      "component " + std::to_string(text.component.value) +
+                          " is a rotation beside translations: without a 'scale' its rate in rad "
+                          "is added to theirs, and the coefficient depends on the sum",
+                      "'scale' is the radius it rubs at");
+      return;
     }
   }
 
@@ -621,6 +677,8 @@ class Resolver {
   const CaseText& text_;
   Case& out_;
   DerivedComponents derived_;
+  std::vector<const At<CoefficientText>*> owner_of_definition_;  ///< where its law is written
+  double arm_ = 0.0;  ///< mean friction arm of a predefined puck [L]
   bool outlines_known_ = true;
   bool columns_known_ = true;
 };
@@ -721,6 +779,7 @@ bool resolve_friction(Binder& binder, const CaseText& text, bool derived_known, 
   for (const At<FrictionText>& friction : text.friction.value) {
     outlines.push_back(resolver.add(friction));
   }
+  resolver.suit_laws();
   if (outlines.size() > static_cast<std::size_t>(law::kComponents)) {
     binder.error(*text.friction.node, text.friction.path,
                  "has " + std::to_string(outlines.size()) + " definitions: a connector has " +

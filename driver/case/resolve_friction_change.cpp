@@ -46,6 +46,10 @@ class Changes {
       stick = stick_stiffness(binder_, text.stick, *change.node, change.path, false, out_.units);
     }
     warn_mixed_units(change, meant);
+    if (!meant.empty()) {
+      binder_.settle_slip_units(change.path,
+                                law::is_rotational(out_.definitions[meant.front()].law.slip));
+    }
     if (!sound || amplitude == nullptr || (!law && !reset)) return;
     for (const std::size_t definition : meant) {
       FrictionChange result;
@@ -54,7 +58,8 @@ class Changes {
       const law::FrictionDefinition& before = in_force_[definition];
       const law::FrictionDefinition& own = out_.definitions[definition].law;
       result.law = reset ? own.law : *law;
-      if (!reset && !suit_to_slip(binder_, text.coefficient, own.slip, out_.units, result.law)) {
+      if (!reset && !suit_to_slip(binder_, text.coefficient, own.slip, out_.units,
+                                  radius_for(text.coefficient, meant, *law), result.law)) {
         continue;
       }
       result.force_limit = reset ? own.force_limit : before.force_limit;
@@ -144,6 +149,21 @@ class Changes {
       good = false;
     }
     return good;
+  }
+
+  /// The friction radius, if the definitions need one and have it; warns once if they have none.
+  std::optional<double> radius_for(const At<CoefficientText>& coefficient,
+                                   const std::vector<std::size_t>& group,
+                                   const law::FrictionLaw& law) {
+    if (!slip_in_two_units(out_, group)) return std::nullopt;
+    const At<double>& radius = text_.connector.value.friction_radius;
+    if (radius.sound) return radius.value;
+    const law::FrictionLaw& first = out_.definitions[group.front()].law.law;
+    const bool said = law::depends_on_slip_rate(first) || law::depends_on_contact_force(first);
+    if (!radius.given() && !said && !warned_) {
+      warned_ = warn_of_two_units(binder_, coefficient, law, out_.units, 0.0);
+    }
+    return std::nullopt;
   }
 
   /// Null after an error.
@@ -245,6 +265,7 @@ class Changes {
   std::size_t index_ = 0;
   std::vector<law::FrictionDefinition> in_force_;  ///< at the end of the steps so far
   std::vector<bool> ever_changed_;
+  bool warned_ = false;                  ///< of a law that sees two units
   std::vector<std::string> changed_by_;  ///< in this step
 };
 

@@ -7,23 +7,13 @@
 
 #include "driver/case/degrees.hpp"
 #include "driver/case/quantity.hpp"
+#include "driver/case/quantity_dimension.hpp"
 #include "driver/case/resolve.hpp"
 #include "driver/history/profile_cursor.hpp"
 #include "driver/text/format_number.hpp"
 
 namespace slipbench::driver {
 namespace {
-
-Dimension dimension_of(int quantity) {
-  if (quantity < kFirstForce) return law::is_rotation(quantity) ? kAngle : kLength;
-  if (quantity < kTemperatureQuantity) {
-    return law::is_rotation(quantity - kFirstForce) ? kMoment : kForce;
-  }
-  if (quantity == kTemperatureQuantity) return kTemperature;
-  if (quantity == kTensionBehind) return kForce;
-  if (quantity >= kFirstNode) return kLength;
-  return {};
-}
 
 /// A belt is driven by its tension, by that behind its ring, and by its nodes where it has them.
 /// \return nothing if `name` is none of these; the quantity, or -1 after reporting an error
@@ -185,6 +175,7 @@ void read_step(Binder& binder, const StepText& text, Case& out, double start) {
   const bool judge = !text.duration.faulty();
   const auto add = [&](std::optional<int> quantity, const ProfileText& profile, const Node& node,
                        const Path& path, bool sound) {
+    if (quantity) binder.settle_units(path, dimension_of(*quantity));
     if (!quantity || !sound || !judge) return;
     auto finished = finish(binder, out, profile, node, path, *quantity,
                            {.duration = step.duration, .current_value = 0.0, .total_time = start});

@@ -5,7 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "driver/case/quantity.hpp"
+#include "driver/case/quantity_dimension.hpp"
 #include "driver/text/format_number.hpp"
+#include "law/component.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -35,6 +38,9 @@ std::optional<law::PotentialContribution> contribution(
   }
   if (text.component.given()) {
     if (!text.component.sound) return std::nullopt;
+    const int c = text.component.value - 1;
+    binder.settle_units(text.scale.path, law::is_rotation(c) ? kLength : Dimension{});
+    binder.settle_units(text.shift.path, dimension_of(kFirstForce + c));
     result.of = text.component.value - 1;
     return result;
   }

@@ -64,9 +64,9 @@ std::string wrapped(std::string_view text, std::size_t indent) {
 }
 
 /// A dimension as a user names it: "1/pressure".
-std::string_view dimension_words(const law::Dimension& dimension) {
+std::string_view dimension_words(const Dimension& dimension) {
   struct Word {
-    law::Dimension dimension;
+    Dimension dimension;
     std::string_view text;
   };
   static constexpr std::array<Word, 11> kWords{{{{}, "a pure number"},
@@ -86,7 +86,7 @@ std::string_view dimension_words(const law::Dimension& dimension) {
   return "";
 }
 
-std::string dimension_in_words(const law::Dimension& dimension) {
+std::string dimension_in_words(const Dimension& dimension) {
   const std::string symbols = dimension_text(dimension);
   return std::string(dimension_words(dimension)) + (symbols.empty() ? "" : " [" + symbols + "]");
 }
@@ -113,8 +113,8 @@ std::string wanted(const KeyInfo& info) {
 
 template <class Law>
 std::string symbols(const law::FrictionLaw& example) {
-  constexpr law::Dimension kSpeed{0, 1, -1};
-  constexpr law::Dimension kPressure{1, -2, 0};
+  constexpr Dimension kSpeed{0, 1, -1};
+  constexpr Dimension kPressure{1, -2, 0};
   std::string text;
   if (law::depends_on_slip_rate(example)) {
     text += symbol("V", dimension_in_words(kSpeed),
@@ -123,7 +123,7 @@ std::string symbols(const law::FrictionLaw& example) {
   if constexpr (requires(Law law) { law.area; }) {
     text += symbol("p", dimension_in_words(kPressure), "Pressure F_N/area.", "");
   } else if (law::depends_on_contact_force(example)) {
-    text += symbol("F_N", dimension_in_words(law::dimension::kForce), "Normal force.", "");
+    text += symbol("F_N", dimension_in_words(kForce), "Normal force.", "");
   }
   if constexpr (HasFields<Law>) {
     for_each_key<Law>([&](std::string_view key, auto member, const KeyInfo& info) {

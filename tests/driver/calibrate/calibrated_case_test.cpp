@@ -211,6 +211,33 @@ TEST_CASE("expressions that are replaced are kept in the comments") {
   CHECK_FALSE(contains(text, "rows: [[="));
 }
 
+TEST_CASE("a number with its unit gives way to a bare one of the case's system") {
+  const Folder folder;
+  std::string with_units = kSlider;
+  const auto put = [&](const std::string& from, const std::string& to) {
+    with_units.replace(with_units.find(from), from.size(), to);
+  };
+  put("parameters:\n", "units: {length: mm, force: N, time: s, temperature: K}\nparameters:\n");
+  put("T0: 20\n", "T0: 20 degC\n  k: 5 kN/mm\n  press: 100\n");
+  const fs::path path = folder.write("loop.yaml", with_units);
+  const ReadCase read = read_case(path.string());
+  REQUIRE(read.value);
+  CHECK(read.value->parameters.at("k") == Approx(5000.0));
+  Made made;
+  made.add_experiment("cold", path, *read.value,
+                      {{"T0", std::string("30 degC")}, {"press", std::string("0.2 kN")}});
+  made.vary("k", 4321.0);
+  const std::string text = only_text(calibrated_cases(made.fit, made.calibration, folder.path()));
+  CHECK(contains(text, "  k: 4321\n"));
+  CHECK(contains(text, "# parameters.k was '5 kN/mm'\n"));
+  CHECK(contains(text, "30 degC"));
+  const ReadCase back = read_text(text, folder.path());
+  REQUIRE(back.value);
+  CHECK(back.value->parameters.at("k") == 4321.0);
+  CHECK(back.value->parameters.at("T0") == Approx(303.15));
+  CHECK(back.value->parameters.at("press") == Approx(200.0));
+}
+
 TEST_CASE("a search that did not converge is told in the calibrated case") {
   const Folder folder;
   const fs::path path = folder.write("loop.yaml", kSlider);

@@ -61,6 +61,34 @@ TEST_CASE("A short fit file has the defaults that its reference promises") {
   CHECK_FALSE(fit.date.has_value());
 }
 
+TEST_CASE("The numbers of a fit carry units, converted to the system of its cases") {
+  const FitFolder folder;
+  const std::string fit_of_k =
+      "slipbench: 1\n"
+      "calibrate:\n"
+      "  experiments:\n"
+      "    - {case: slider.yaml, set: {mu: 0.2}, data: rig.csv, time: t, compare: {CSF1: load}, "
+      "from: 500 ms}\n"
+      "  vary: {k: {start: 5 kN/mm, bounds: [200 N/mm, 0.1 MN/mm]}}\n";
+  const Fit fit = folder.sound(fit_of_k);
+  CHECK(fit.vary[0].range.start == Approx(5000.0));
+  CHECK(fit.vary[0].range.lower == Approx(200.0));
+  CHECK(fit.vary[0].range.upper == Approx(100000.0));
+  CHECK(fit.experiments[0].from == Approx(0.5));
+  // Cases of two systems leave a number with a unit without a meaning.
+  std::string other = kSliderCase;
+  other.replace(other.find("length: mm"), 10, "length: cm");
+  folder.write("other.yaml", other);
+  std::string two = fit_of_k;
+  two.replace(two.find("  vary"), 0,
+              "    - {case: other.yaml, data: rig.csv, time: t, compare: {CSF1: load}}\n");
+  const ReadFit read = folder.read(two);
+  CHECK_FALSE(read.value.has_value());
+  CHECK(render(read.diagnostics)
+            .find("calibrate.vary.k.start: '5 kN/mm': the cases of this file "
+                  "have different units; write the number without a unit") != std::string::npos);
+}
+
 TEST_CASE("Every key of a fit file arrives") {
   const FitFolder folder;
   const Fit fit = folder.sound(

@@ -55,8 +55,7 @@ const std::vector<Fault>& faults() {
        {"16:18: error: friction[0].coefficient: wanted a number: '1/2': an expression begins "
         "with"}},
       {{{"coefficient: = mu", "coefficient: 1.5mm"}},
-       {"16:18: error: friction[0].coefficient: wanted a number: '1.5mm': a number stands "
-        "without"}},
+       {"16:18: error: friction[0].coefficient: '1.5mm': a number without a unit is wanted"}},
       {{{"coefficient: = mu", "coefficient: \"0.15\""}},
        {"16:18: error: friction[0].coefficient: wanted a number, found the text '0.15'; a number"}},
       {{{"coefficient: = mu", "coefficient: = nu"}},

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/case/quantity_dimension.hpp"
+
+#include "driver/case/quantity.hpp"
+#include "law/component.hpp"
+
+namespace slipbench::driver {
+
+Dimension dimension_of(int quantity) {
+  if (quantity < kFirstForce) return law::is_rotation(quantity) ? kAngle : kLength;
+  if (quantity < kTemperatureQuantity) {
+    return law::is_rotation(quantity - kFirstForce) ? kMoment : kForce;
+  }
+  if (quantity == kTemperatureQuantity) return kTemperature;
+  if (quantity == kTensionBehind) return kForce;
+  if (quantity >= kFirstNode) return kLength;
+  return {};
+}
+
+}  // namespace slipbench::driver
