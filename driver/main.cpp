@@ -43,6 +43,7 @@ int run(int argc, char** argv) {
       "  slipbench run shock.yaml --set mu=0.2 -o out  the same with another parameter value\n"
       "  slipbench check cases/                        run all cases and judge their checks\n"
       "  slipbench plot shock.yaml -o shock.svg        force against time and motion\n"
+      "  slipbench new HINGE -o hinge.yaml             a minimal case to begin with\n"
       "  slipbench list connections                    what a case may use\n"
       "  slipbench describe CYLINDRICAL                one of them in detail\n"
       "'slipbench COMMAND --help' tells more about a command.\n"
@@ -61,6 +62,7 @@ int run(int argc, char** argv) {
   declare_import(app, command);
   declare_list(app, command);
   declare_describe(app, command);
+  declare_new(app, command);
   declare_schema(app, command);
 
   for (CLI::App* declared : app.get_subcommands(nullptr)) {

@@ -27,6 +27,7 @@ void declare_calibrate(CLI::App& app, Command& command);
 void declare_import(CLI::App& app, Command& command);
 void declare_list(CLI::App& app, Command& command);
 void declare_describe(CLI::App& app, Command& command);
+void declare_new(CLI::App& app, Command& command);
 void declare_schema(CLI::App& app, Command& command);
 
 /// Adds the options that every command with cases has, '--set' and '--allow-outside'.

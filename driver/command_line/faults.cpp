@@ -95,7 +95,9 @@ std::string written(const CLI::Option& option) {
 const CLI::Option* option_in(const CLI::App& command, std::string_view message) {
   for (const CLI::Option* option : command.get_options()) {
     const std::string name = option->get_name();
+    // A flag that was given a value is told without its dashes.
     if (message.starts_with(name + ":") || message.starts_with(name + " ") ||
+        message.starts_with(name.substr(std::min<std::size_t>(2, name.size())) + " was given") ||
         message.find(": " + name + " =") != std::string_view::npos) {
       return option;
     }

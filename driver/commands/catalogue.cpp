@@ -12,11 +12,14 @@
 #include "driver/case/criterion.hpp"
 #include "driver/case/quantity.hpp"
 #include "driver/case/resolve.hpp"
+#include "driver/commands/describe_key.hpp"
 #include "driver/commands/describe_law.hpp"
+#include "driver/commands/minimal_case.hpp"
 #include "driver/commands/shared.hpp"
 #include "driver/compare/curve_library.hpp"
 #include "driver/exit_code.hpp"
 #include "driver/results/columns.hpp"
+#include "driver/text/suggestions.hpp"
 #include "reference/catalogue.hpp"
 
 namespace slipbench::driver {
@@ -54,7 +57,11 @@ void list_laws() {
 }
 
 void list_keys() {
-  tell("keys of a contact penalty, told by 'slipbench describe'\n");
+  tell("keys of a case at its top level; 'slipbench describe' tells of each and of those below\n");
+  for_each_key<CaseText>([&](std::string_view key, auto, const KeyInfo& info) {
+    tell("  {:<20} {}\n", key, info.text);
+  });
+  tell("keys of Radioss friction and of backlash\n");
   for (const DescribedKey& key : described_keys()) tell("  {:<20} {}\n", key.name, key.title);
 }
 
@@ -147,15 +154,29 @@ void describe_fields(int indent) {
   });
 }
 
+/// Each line after two blanks.
+std::string indented(const std::string& lines) {
+  std::string text;
+  for (std::size_t begin = 0; begin < lines.size();) {
+    const std::size_t end = lines.find('\n', begin);
+    text += "  " + lines.substr(begin, end - begin) + "\n";
+    begin = end == std::string::npos ? lines.size() : end + 1;
+  }
+  return text;
+}
+
 bool describe_connection(std::string_view name) {
   bool found = false;
   law::for_each_connection_type([&]<class Type>(std::type_identity<Type>) {
     const law::ConnectionInfo& info = Type::kInfo;
     if (info.name != name) return;
     found = true;
-    tell("{} (connection type, {})\n  {}\n", info.name, info.assembly, info.text);
+    tell("{} (connection type, {})\n  {}\n\n{}\n", info.name, info.assembly, info.text,
+         indented(std::string(connection_sketch(info.name))));
     tell("  holds, forces under 'force:'    {}\n", force_names(info.held));
     tell("  frees, motions under 'motion:'  {}\n", motion_names(info.available));
+    tell("  contact force; the limit is mu times it\n{}",
+         indented(indented(contact_force_formulas(info.name))));
     if constexpr (law::HasPredefinedFriction<Type>) {
       if (keys_of<Type>().empty()) {
         tell("  predefined friction without parameters: 'predefined: {{}}'\n");
@@ -166,6 +187,8 @@ bool describe_connection(std::string_view name) {
     } else {
       tell("  no predefined friction: give 'component' or 'potential'\n");
     }
+    tell("\n  a minimal case, as 'slipbench new {}' writes it\n\n{}", info.name,
+         minimal_case(info.name));
   });
   return found;
 }
@@ -222,11 +245,8 @@ bool describe_quantity(std::string_view name) {
 }
 
 int unknown(std::string_view what, std::string_view name, std::span<const std::string_view> known) {
-  std::string hint = "known: " + in_words(known, "and");
-  if (const auto nearest = nearest_name(name, known)) {
-    hint = "did you mean '" + std::string(*nearest) + "'?";
-  }
-  print_error(fmt::format("slipbench: no {} '{}'; {}\n", what, printable(name), hint));
+  print_error(fmt::format("slipbench: no {} '{}'; {}\n", what, printable(name),
+                          did_you_mean(name, known, "'slipbench list' shows what there is")));
   return kExitBadInput;
 }
 
@@ -247,11 +267,15 @@ int list_command(const std::string& what) {
 }
 
 int describe_command(const std::string& name) {
-  if (describe_connection(name) || told(describe_law(name)) || describe_closed_form(name) ||
-      describe_quantity(name) || told(describe_key(name)) || describe_criterion(name) ||
-      told(curve_description(name))) {
-    return kExitOk;
-  }
+  if (describe_connection(name) || told(describe_law(name))) return kExitOk;
+  // Other names may be those of several things.
+  bool known_name = describe_closed_form(name);
+  known_name = describe_quantity(name) || known_name;
+  known_name = told(describe_key(name)) || known_name;
+  known_name = told(describe_entries(name)) || known_name;
+  known_name = describe_criterion(name) || known_name;
+  known_name = told(curve_description(name)) || known_name;
+  if (known_name) return kExitOk;
   std::vector<std::string_view> known;
   law::for_each_connection_type(
       [&]<class Type>(std::type_identity<Type>) { known.push_back(Type::kInfo.name); });
@@ -259,7 +283,8 @@ int describe_command(const std::string& name) {
   for (const reference::ClosedForm& form : reference::catalogue()) known.push_back(form.name);
   const std::vector<Column> columns = all_columns();
   for (const Column& column : columns) known.push_back(column.name);
-  for (const DescribedKey& key : described_keys()) known.push_back(key.name);
+  const std::vector<std::string> keys = key_names();
+  known.insert(known.end(), keys.begin(), keys.end());
   for (const CriterionInfo& info : kCriteria) known.push_back(info.word);
   const std::vector<ShippedCurve> curves = shipped_curves();
   for (const ShippedCurve& curve : curves) known.push_back(curve.name);

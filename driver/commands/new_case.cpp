@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/commands/new_case.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+#include <vector>
+
+#include "driver/commands/minimal_case.hpp"
+#include "driver/commands/shared.hpp"
+#include "driver/exit_code.hpp"
+#include "driver/text/suggestions.hpp"
+#include "law/connection_type.hpp"
+
+namespace slipbench::driver {
+
+int new_command(const NewOptions& options) {
+  const std::string text = minimal_case(options.type);
+  if (text.empty()) {
+    std::vector<std::string_view> known;
+    law::for_each_connection_type(
+        [&]<class Type>(std::type_identity<Type>) { known.push_back(Type::kInfo.name); });
+    return refuse(
+        kExitBadInput,
+        fmt::format("no connection type '{}'; {}", options.type,
+                    did_you_mean(options.type, known, "'slipbench list connections' shows all")));
+  }
+  if (options.output.empty()) {
+    print(text);
+    return kExitOk;
+  }
+  const auto failed = [&] {
+    return refuse(kExitEnvironment,
+                  errno == EEXIST ? options.output +
+                                        ": is there already and is not replaced; choose another "
+                                        "name or remove it"
+                                  : options.output + ": " + std::generic_category().message(errno));
+  };
+  errno = 0;
+  std::FILE* file = std::fopen(options.output.c_str(), "wx");
+  if (file == nullptr) return failed();
+  const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  if (std::fclose(file) != 0 || !written) return failed();
+  print(fmt::format("{0}: a case of {1}; run it with: slipbench run {0}\n", options.output,
+                    options.type));
+  return kExitOk;
+}
+
+}  // namespace slipbench::driver
