@@ -42,7 +42,8 @@ do for [i=1:COEFFICIENTS] {
         linecolor rgb "black" notitle, \
       $STATES index (i-1) using 2:(state(2, $4)) with points pointtype 7 pointsize 0.45 \
         linecolor rgb slip_fill notitle, \
-      $MARKS index (i-1) using 1:2:3 with labels point pointtype 2 pointsize 0.8 offset 0.6,0.8 left \
+      $MARKS index (i-1) using 1:2:3 with labels point pointtype 2 pointsize 0.8 linecolor rgb ink \
+        textcolor rgb ink offset 0.6,0.8 left \
         font ",12" notitle
   }
   unset label 1
@@ -73,13 +74,13 @@ do for [i=1:COEFFICIENTS] {
 
   # The map; its legend tells the marks of all panels.
   set lmargin at screen (both ? 0.68 : 0.60)
-  set rmargin at screen 0.90
+  set rmargin at screen 0.885
   set xrange [0:RATE_END[i]]
   set yrange [0:LOAD_END[i]]
   set cbrange [0:TOP[i]]
-  set colorbox user origin 0.915, bottom + foot size 0.014, 0.67 * height
+  set colorbox user origin 0.90, bottom + foot size 0.014, 0.67 * height
   set cbtics scale 0.3 font ",12"
-  set cblabel "mu" offset -0.5,0
+  set cblabel "mu" offset 0.5,0
   set xlabel RATE_LABEL[i]
   set xtics MAP_STEP[i]
   set ylabel LOAD_LABEL[i]

@@ -90,6 +90,7 @@ DrawnCoefficients::DrawnCoefficients(const Case& problem, bool any) : case_(&pro
     of_definition_.push_back(entries);
   }
   slips_.resize(list_.size());
+  ambient_.fields = fields_;
 }
 
 void DrawnCoefficients::visit(const Simulation& simulation) {

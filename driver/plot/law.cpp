@@ -6,13 +6,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <set>
+#include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "driver/commands/shared.hpp"
 #include "driver/plot/definition.hpp"
 #include "driver/plot/drawn_coefficients.hpp"
 #include "driver/plot/input.hpp"
+#include "driver/plot/law_case.hpp"
 #include "driver/plot/script.hpp"
 #include "driver/results/law_range.hpp"
 #include "driver/text/tics.hpp"
@@ -52,7 +58,9 @@ std::vector<double> levels(double end) {
 /// Writes what the template is told about one coefficient, and its data.
 class Script {
  public:
-  Script(const Case& problem, const law::Ambient& ambient) : problem_(problem), ambient_(ambient) {}
+  /// \param without why there are no states of a run; empty if there are
+  Script(const Case& problem, const law::Ambient& ambient, std::string without)
+      : problem_(problem), ambient_(ambient), without_(std::move(without)) {}
 
   void add(const DrawnCoefficient& coefficient) {
     ++count_;
@@ -90,7 +98,7 @@ class Script {
     script_.add("LOAD_STEP", tic_step(pressure_end, 4.0));
     script_.add("BY_RATE", by_rate ? 1 : 0);
     script_.add("BY_LOAD", by_force ? 1 : 0);
-    std::string cut;
+    std::string cut = without_;
     if (rate.cut)
       cut = fmt::format("the run reaches V = {:.4g}", coefficient.visited.largest_slip_rate());
     if (force.cut) {
@@ -171,7 +179,9 @@ class Script {
     if (table == nullptr) return {};
     std::string text;
     for (const law::Independent& independent : table->table.independents()) {
-      const char* const link = text.empty() ? ", as the run ends: " : ", ";
+      const char* const link = !text.empty()      ? ", "
+                               : without_.empty() ? ", as the run ends: "
+                                                  : ", at ";
       if (independent.kind == law::IndependentKind::kTemperature) {
         text += fmt::format("{}temperature {:.4g}", link, ambient_.temperature);
       } else if (independent.kind == law::IndependentKind::kField) {
@@ -210,6 +220,7 @@ class Script {
 
   const Case& problem_;
   const law::Ambient& ambient_;
+  std::string without_;
   int count_ = 0;
   PlotScript script_;
   std::string over_rate_;
@@ -228,22 +239,50 @@ tl::expected<void, PlotFailure> draw_laws(const PlotOptions& options, const fs::
   }
   auto begun = begin_picture(picture, options, "coefficient.gp");
   if (!begun) return tl::unexpected(std::move(begun.error()));
-  const auto problem = read_for_plot(options);
-  if (!problem) return tl::unexpected(problem.error());
-  DrawnCoefficients all(*problem, false);
-  if (all.list().empty()) {
-    return failed(kExitBadInput,
-                  options.input +
-                      ": no coefficient of this case depends on the slip rate or the "
-                      "normal force: there is nothing to draw");
+  // Why there are no states of a run; empty if there are.
+  std::string without;
+  std::error_code error;
+  std::optional<Case> problem;
+  if (!fs::exists(options.input, error)) problem = case_of_law(options.input);
+  if (problem) {
+    without = "no run: an example";
+  } else if (auto read = read_for_plot(options)) {
+    problem = std::move(*read);
+  } else {
+    problem = case_of_friction(options);
+    if (!problem) return tl::unexpected(std::move(read.error()));
+    without = "no run: the case is not complete";
   }
-  const auto followed =
-      follow_for_plot(*problem, [&](const Simulation& simulation) { all.visit(simulation); });
-  if (!followed) return followed;
-  Script script(*problem, all.ambient());
-  const std::size_t count = std::min(kMostPictures, all.list().size());
-  for (std::size_t i = 0; i < count; ++i) script.add(all.list()[i]);
-  return draw(script.finish(), picture_title(*problem), 60 + 440 * count, *begun);
+  auto all = std::make_unique<DrawnCoefficients>(*problem, false);
+  if (all->list().empty()) {
+    const bool map = !DrawnCoefficients(*problem, true).list().empty();
+    return failed(kExitBadInput,
+                  fmt::format("{}: no coefficient {} depends on the slip rate or the normal force: "
+                              "{}",
+                              options.input, map ? "here" : "of this case",
+                              map ? "'--as mu_map' draws it over what it depends on"
+                                  : "there is nothing to draw"));
+  }
+  if (without.empty()) {
+    const auto followed =
+        follow_for_plot(*problem, [&](const Simulation& simulation) { all->visit(simulation); });
+    if (!followed && followed.error().code != kExitNumerical) return followed;
+    if (!followed) {
+      all = std::make_unique<DrawnCoefficients>(*problem, false);
+      without = "no run: it fails";
+    }
+  }
+  Script script(*problem, all->ambient(), without);
+  const std::size_t count = std::min(kMostPictures, all->list().size());
+  for (std::size_t i = 0; i < count; ++i) script.add(all->list()[i]);
+  auto drawn = draw(script.finish(), picture_title(*problem), 60 + 440 * count, *begun);
+  if (drawn && without != "" && without != "no run: an example") {
+    print_error(fmt::format(
+        "slipbench: note: {} cannot run ('slipbench run' tells why): its coefficients are drawn "
+        "without the states of a run\n",
+        options.input));
+  }
+  return drawn;
 }
 
 }  // namespace slipbench::driver

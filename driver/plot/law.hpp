@@ -14,8 +14,9 @@ namespace slipbench::driver {
 /// of the pressure), mu over these at several slip rates, and mu as a map over both; on all of them
 /// the states that the run visited. Drawn by gnuplot with the template plots/coefficient.gp.
 ///
-/// Tables of temperature and fields are drawn at their values at the end of the run. Errors: a
-/// result in place of a case, a faulty case, a run that fails, no coefficient that depends on the
+/// Tables of temperature and fields are drawn at their values at the end of the run. Of a case that
+/// cannot run, and of the name of a law, they are drawn without states, and the picture says so.
+/// Errors: a result in place of a case, friction that is faulty, no coefficient that depends on the
 /// slip rate or the normal force.
 tl::expected<void, PlotFailure> draw_laws(const PlotOptions& options,
                                           const std::filesystem::path& picture);

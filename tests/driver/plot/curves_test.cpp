@@ -100,6 +100,49 @@ TEST_CASE("curves of other units, and columns that are not there, are told of") 
   CHECK(contains(drawn(folder, options), "'--as mu_map', without --law"));
 }
 
+/// What `mu` and `load` are is written behind it.
+constexpr const char* kLaw = R"(slipbench: 1
+title: Law
+units: {length: mm, force: N, time: s}
+connector: {type: SLOT}
+friction:
+  - predefined: {}
+    coefficient: {exponential_decay: {static: = mu, kinetic: 0.2, decay: 0.05}}
+    stick: {stiffness: 1000}
+)";
+
+TEST_CASE("a law is drawn without a run where the case has none, and says so") {
+  const TemporaryFolder folder;
+  PlotOptions options;
+  options.law = true;
+  const std::string history =
+      "history:\n  - {step: press, duration: 1, increments: 1, force: {f2: = load}}\n";
+  // A history that is missing, and one that lacks a value.
+  for (const std::string& rest :
+       {std::string("parameters: {mu: 0.3}\n"), "parameters: {mu: 0.3, load: }\n" + history}) {
+    options.input = folder.write("law.yaml", kLaw + rest).string();
+    const std::string picture = drawn(folder, options);
+    INFO(rest << picture.substr(0, 300));
+    CHECK(contains(picture, "no run: the case is not complete"));
+    CHECK(contains(picture, "slip rate V [mm/s]"));
+    CHECK_FALSE(contains(picture, "visited in"));
+  }
+  // A value that the law needs is missed as ever.
+  options.input =
+      folder.write("law.yaml", kLaw + ("parameters: {mu: , load: 5}\n" + history)).string();
+  CHECK(contains(drawn(folder, options), "parameters.mu: wanted a number, found nothing"));
+  // A table of the temperature only is one for a map.
+  std::string table = kLaw;
+  const std::string law = "{exponential_decay: {static: = mu, kinetic: 0.2, decay: 0.05}}";
+  table.replace(table.find(law), law.size(),
+                "{columns: [mu, temperature], rows: [[0.3, 20], [0.2, 80]]}");
+  options.input = folder.write("law.yaml", table).string();
+  CHECK(contains(drawn(folder, options),
+                 "depends on the slip rate or the normal force: '--as mu_map' draws it over"));
+  options.input = "exponential_decay";
+  CHECK(contains(drawn(folder, options), "exponential_decay with the parameters of its example"));
+}
+
 TEST_CASE("a spectrum tells amplitude and frequency in the units of the result") {
   const TemporaryFolder folder;
   PlotOptions options;
