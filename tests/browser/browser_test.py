@@ -905,7 +905,8 @@ def save():
 def setting():
     (folder / "deep").mkdir()
     (folder / "deep/setting.yaml").write_text((source / "cases/examples/press_fit.yaml").read_text())
-    page_file = report("deep/setting.yaml")
+    # Also of a case that is named with its whole path.
+    page_file = report(folder / "deep/setting.yaml")
     expect(str(folder) not in page_file.read_text(), "the page names a folder of this machine")
     with Page(page_file) as page:
         said = page.text("#setting .setting")
