@@ -95,7 +95,7 @@ TEST_CASE("an input stays whatever is forced") {
   folder.write("slider.csv", "t,u\n0,0\n1,0.1\n");
   const Ended ended = slipbench(folder, "run slider.yaml --force");
   CHECK(ended.code == 4);
-  CHECK(contains(ended.output, "slider.csv: is an input (slider.csv) and is not overwritten"));
+  CHECK(contains(ended.output, "slider.csv: is an input (./slider.csv) and is not overwritten"));
   CHECK(read(folder.path() / "slider.csv") == "t,u\n0,0\n1,0.1\n");
 }
 
@@ -279,8 +279,8 @@ TEST_CASE("run --quiet tells only what is doubtful or wrong") {
   const Ended failed = slipbench(folder, "run -q slider.yaml --set mu=0.3");
   CHECK(failed.code == 1);
   CHECK(failed.output ==
-        "slider:\n  FAIL  check 'limit': FLIM off by 10 N (limit 2e-11) at t = 0.1, first at 0.1, "
-        "last at 1, 10 of 11 points; looks like a factor: ratio 1.5 everywhere\n");
+        "slider:\n  FAIL  check 'limit': FLIM off by 10 N (limit 2e-11) at t = 0, first at 0, last "
+        "at 1, 11 of 11 points\n");
 }
 
 TEST_CASE("a reader that has seen enough is no error, a full disk is one") {
