@@ -1,312 +1,212 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/history/csv_reader.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
 #include <cstring>
+#include <limits>
+#include <sstream>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
+#include "driver/history/csv_fields.hpp"
+#include "driver/history/csv_guess.hpp"
+#include "driver/history/csv_words.hpp"
+#include "driver/history/line_reader.hpp"
+#include "driver/history/units.hpp"
 #include "driver/text/diagnostic.hpp"
 
 namespace slipbench::driver {
 namespace {
 
-constexpr std::size_t kBlock = std::size_t{1} << 16;
-constexpr std::size_t kLongestLine = std::size_t{1} << 20;
-constexpr int kSkip = -1;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-/// Reads the number at [begin, end) and returns where it stops; null when there is none, or none
-/// in the range of a double. The end of the line must lie before `end`.
-///
-/// Most measured numbers have few digits. Their digits make an integer below 2^53 and their power
-/// of ten is exact, so one correctly rounded operation gives the nearest double (Clinger 1990); the
-/// rest is left to std::from_chars, with the same result.
-const char* read_number(const char* begin, const char* end, double& value) {
-  static constexpr std::array<double, 23> kPowers = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                                     1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-                                                     1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-  constexpr std::uint64_t kExactIntegers = std::uint64_t{1} << 53;
-  constexpr std::ptrdiff_t kDigitsOf64Bits = 19;
-
-  const char* p = begin;
-  const bool negative = *p == '-';
-  if (negative || *p == '+') ++p;
-  const char* const number = p;
-  std::uint64_t digits = 0;
-  while (is_digit(*p)) digits = 10 * digits + static_cast<std::uint64_t>(*p++ - '0');
-  std::ptrdiff_t count = p - number;
-  std::ptrdiff_t decimals = 0;
-  if (*p == '.') {
-    const char* const fraction = ++p;
-    while (is_digit(*p)) digits = 10 * digits + static_cast<std::uint64_t>(*p++ - '0');
-    decimals = p - fraction;
-    count += decimals;
-  }
-  if (count > 0 && count <= kDigitsOf64Bits && digits <= kExactIntegers && decimals <= 22 &&
-      *p != 'e' && *p != 'E') {
-    const double magnitude =
-        static_cast<double>(digits) / kPowers[static_cast<std::size_t>(decimals)];
-    value = negative ? -magnitude : magnitude;
-    return p;
-  }
-  // from_chars has no leading '+', and reads "nan" and "inf" as well.
-  if (*number == '-' || *number == '+') return nullptr;
-  const auto [stop, error] = std::from_chars(number, end, value);
-  if (error != std::errc{} || !std::isfinite(value)) return nullptr;
-  if (negative) value = -value;
-  return stop;
-}
-
-struct Field {
-  std::string_view text;   ///< Without blanks around it and without quotes.
-  std::size_t offset = 0;  ///< Of `text` in the line.
-};
-
-std::vector<Field> split(std::string_view line, char separator) {
-  std::vector<Field> fields;
-  const auto add = [&](std::size_t begin, std::size_t end) {
-    while (begin < end && (line[begin] == ' ' || line[begin] == '\t')) ++begin;
-    while (begin < end && (line[end - 1] == ' ' || line[end - 1] == '\t')) --end;
-    if (end - begin >= 2 && line[begin] == '"' && line[end - 1] == '"') {
-      ++begin;
-      --end;
-    }
-    fields.push_back({line.substr(begin, end - begin), begin});
-  };
-  std::size_t begin = 0;
-  bool is_quoted_field = false;
-  bool quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    // A quote inside a plain field is a character like any other (an inch mark).
-    if (line[i] == '"') {
-      is_quoted_field |=
-          line.substr(begin, i - begin).find_first_not_of(" \t") == std::string_view::npos;
-      quoted ^= is_quoted_field;
-    } else if (line[i] == separator && !quoted) {
-      add(begin, i);
-      begin = i + 1;
-      is_quoted_field = false;
-    }
-  }
-  add(begin, line.size());
-  return fields;
-}
-
-/// The most frequent of the separators in the header, outside quotes.
-char detect_separator(std::string_view header) {
-  constexpr std::string_view kSeparators = "\t;,";
-  std::array<int, kSeparators.size()> counts{};
-  bool quoted = false;
-  for (const char c : header) {
-    if (c == '"') quoted = !quoted;
-    const std::size_t which = kSeparators.find(c);
-    if (!quoted && which != std::string_view::npos) ++counts[which];
-  }
-  const auto most = std::max_element(counts.begin(), counts.end());
-  return *most == 0 ? ',' : kSeparators[static_cast<std::size_t>(most - counts.begin())];
-}
-
-std::string_view separator_name(char separator) {
-  return separator == '\t' ? "tab" : (separator == ';' ? "';'" : "','");
-}
-
-bool is_number(std::string_view text) {
-  const std::string line = std::string(text) + '\n';
-  double value = 0.0;
-  const char* const stop = read_number(line.data(), line.data() + line.size(), value);
-  return stop == line.data() + text.size();
-}
-
-/// A piece of a foreign file, fit for a message.
-std::string quote(std::string_view text) {
-  constexpr std::size_t kLongest = 40;
-  std::string shown = "'";
-  for (const char c : text.substr(0, kLongest)) {
-    shown += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
-  }
-  shown += text.size() > kLongest ? "...'" : "'";
-  return shown;
-}
-
-/// Why `text` is no number.
-std::string not_a_number(std::string_view text) {
-  if (text.empty()) return "is empty";
-  std::string lower(text);
-  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  const std::string_view unsigned_text =
-      std::string_view(lower).substr(lower[0] == '-' || lower[0] == '+' ? 1 : 0);
-  if (unsigned_text.starts_with("nan") || unsigned_text.starts_with("inf")) {
-    return fmt::format("holds {}; a finite number is wanted", quote(text));
-  }
-  if (const std::size_t comma = text.find(','); comma != std::string_view::npos) {
-    std::string with_point(text);
-    with_point[comma] = '.';
-    if (is_number(with_point)) {
-      return fmt::format("holds {} with a decimal comma; the decimal mark is '.'", quote(text));
-    }
-  }
-  double value = 0.0;
-  const auto [stop, error] =
-      std::from_chars(unsigned_text.data(), unsigned_text.data() + unsigned_text.size(), value);
-  if (error == std::errc::result_out_of_range &&
-      stop == unsigned_text.data() + unsigned_text.size()) {
-    return fmt::format("holds {}, which is outside the range of a double", quote(text));
-  }
-  return fmt::format("holds {}, which is not a number", quote(text));
-}
-
-std::string system_message(int error) { return std::generic_category().message(error); }
+constexpr int kUnwanted = -1;
 
 }  // namespace
 
 struct CsvReader::File {
-  std::string name;
-  int descriptor = -1;
-  std::vector<char> buffer;
-  std::size_t begin = 0;      ///< The first byte not yet read.
-  std::size_t lines_end = 0;  ///< Behind the last complete line in the buffer.
-  std::size_t end = 0;        ///< Behind the last byte in the buffer.
-  bool at_end = false;        ///< Whether the file has no more bytes for the buffer.
-  off_t buffer_offset = 0;    ///< Where in the file the buffer's first byte comes from.
-  long next_line = 1;         ///< The line at `begin`.
+  LineReader lines;
   long row_line = 0;
   long blank_line = 0;  ///< The first of the blank lines since the last row; 0 when none.
+  long blank_lines = 0;
   long rows = 0;
 
+  CsvFormat format;
+  MissingSamples missing;
+  std::vector<double> held;  ///< The numbers of the last row, where missing ones are held.
   std::vector<std::string> header;
+  std::vector<std::string> units;  ///< Of the columns, where there is a row of units.
   long header_line = 0;
+  long rows_line = 0;
   off_t rows_offset = 0;
   char separator = ',';
-  std::vector<int> slots;    ///< For each column of the file, where its number goes, or kSkip.
+  char decimal = '.';
+  std::vector<int> slots;    ///< For each column of the file, where its number goes, or kUnwanted.
   std::size_t selected = 0;  ///< How many numbers a row yields.
   std::vector<std::pair<std::size_t, std::size_t>> copies;  ///< Slots of a column asked for twice.
 
-  File() = default;
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
-  ~File() {
-    if (descriptor >= 0) ::close(descriptor);
-  }
-
   tl::unexpected<HistoryError> error(long line, std::size_t offset, std::string message) const {
-    return tl::unexpected(HistoryError{HistoryError::Kind::kInput, name, line,
-                                       static_cast<int>(offset) + 1, std::move(message)});
+    return lines.error(line, offset, std::move(message));
   }
 
-  /// Makes at least one complete line available at `begin`, unless the file has ended: then
-  /// begin == lines_end. The last line gets the line end it may lack.
-  tl::expected<void, HistoryError> fill() {
-    while (begin == lines_end && !at_end) {
-      std::memmove(buffer.data(), buffer.data() + begin, end - begin);
-      buffer_offset += static_cast<off_t>(begin);
-      end -= begin;
-      begin = lines_end = 0;
-      // One byte is kept free for the last line's end.
-      if (end + 1 >= buffer.size()) {
-        if (buffer.size() >= kLongestLine) {
-          return error(next_line, 0, "the line is longer than a megabyte: not a CSV file");
-        }
-        buffer.resize(2 * buffer.size());
-      }
-      const std::size_t old_end = end;
-      const ssize_t count = ::read(descriptor, buffer.data() + end, buffer.size() - 1 - end);
-      if (count < 0) {
-        if (errno == EINTR) continue;
-        return environment_error(name, fmt::format("cannot be read: {}", system_message(errno)));
-      }
-      end += static_cast<std::size_t>(count);
-      if (count == 0) {
-        at_end = true;
-        if (end > 0) buffer[end++] = '\n';
-      }
-      const void* const last = ::memrchr(buffer.data() + old_end, '\n', end - old_end);
-      if (last != nullptr) {
-        lines_end = static_cast<std::size_t>(static_cast<const char*>(last) - buffer.data()) + 1;
-      }
-    }
-    return {};
+  /// The line of text at `begin` with its offset, or nothing at the end of the file; blank lines
+  /// and comments are passed over.
+  tl::expected<std::optional<std::string_view>, HistoryError> next_text();
+
+  /// "; write {file: rig.csv, skip: 4}": the format in which the file's start can be read, if
+  /// another one than this is.
+  std::string remedy(std::span<const std::string> wanted) const;
+  std::string skipping() const;
+  bool rows_end_alike() const;
+  std::string written_as(const CsvFormat& other) const {
+    return "; write " + in_words(lines.name, other);
   }
 
-  /// The line at `begin`, which must be there, without its end; `begin` moves behind it.
-  std::string_view take_line() {
-    const char* const start = buffer.data() + begin;
-    const auto* const stop = static_cast<const char*>(std::memchr(start, '\n', lines_end - begin));
-    std::string_view line(start, static_cast<std::size_t>(stop - start));
-    begin += line.size() + 1;
-    ++next_line;
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    return line;
-  }
-
-  tl::expected<void, HistoryError> read_header();
+  tl::expected<void, HistoryError> read_header(std::span<const std::string> columns);
+  tl::expected<void, HistoryError> read_units(std::span<const std::string> columns);
   tl::expected<void, HistoryError> choose(std::span<const std::string> columns);
   const char* parse_row(const char* p, const char* stop, std::span<double> values,
                         std::span<std::string_view> texts) const;
+  tl::expected<bool, HistoryError> mend(std::string_view line, std::span<double> values,
+                                        std::span<std::string_view> texts);
   tl::unexpected<HistoryError> diagnose(std::string_view line, long number) const;
+  tl::unexpected<HistoryError> diagnose_field(std::size_t column, const Field& field, long number,
+                                              std::span<const std::string> wanted) const;
+  std::vector<std::string> wanted() const;
 };
 
-tl::expected<void, HistoryError> CsvReader::File::read_header() {
-  for (bool first = true;; first = false) {
-    if (auto filled = fill(); !filled) return filled;
-    if (begin == lines_end) {
-      return error(next_line > 1 ? next_line - 1 : 1, 0,
-                   next_line == 1 ? "the file is empty; a header row and rows of numbers are wanted"
-                                  : "there is no header row with the columns' names");
-    }
-    std::string_view line = take_line();
+std::string CsvReader::File::remedy(std::span<const std::string> wanted) const {
+  const auto guess = guess_format(lines.head(), format, wanted);
+  return guess ? written_as(*guess) : "";
+}
+
+/// True if the rows in the file's start end with a separator.
+bool CsvReader::File::rows_end_alike() const {
+  std::istringstream head(lines.head());
+  std::string row;
+  for (long line = 0; std::getline(head, row); ++line) {
+    while (!row.empty() && (row.back() == '\r' || row.back() == ' ')) row.pop_back();
+    const bool cut_off = head.eof();
+    if (line >= header_line && !row.empty() && !cut_off && row.back() != separator) return false;
+  }
+  return true;
+}
+
+std::string CsvReader::File::skipping() const {
+  CsvFormat other = format;
+  other.missing = MissingSample::kSkip;
+  return written_as(other) + " to leave such rows out";
+}
+
+tl::expected<std::optional<std::string_view>, HistoryError> CsvReader::File::next_text() {
+  for (;;) {
+    if (auto filled = lines.fill(); !filled) return tl::unexpected(std::move(filled.error()));
+    if (lines.begin == lines.lines_end) return std::nullopt;
+    const bool first = lines.next_line == 1;
+    std::string_view line = lines.take_line();
     if (first && (line.starts_with("\xff\xfe") || line.starts_with("\xfe\xff"))) {
-      return error(1, 0, "the file is UTF-16; UTF-8 is wanted");
+      return error(1, 0,
+                   "the file is UTF-16; UTF-8 is wanted: iconv -f UTF-16 -t UTF-8 '" + lines.name +
+                       "' > utf8.csv");
     }
     if (first && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
+    if (lines.next_line <= format.skip + 1) continue;
     const std::size_t text = line.find_first_not_of(" \t");
-    if (text == std::string_view::npos || line[text] == '#') continue;
-
-    header_line = row_line = next_line - 1;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-      if (line[i] == '\r') {
-        return error(header_line, i, "lines end with CR only; LF or CRLF is wanted");
-      }
-      if (static_cast<unsigned char>(line[i]) < 0x20 && line[i] != '\t') {
-        return error(header_line, i, "a control character: not a text file");
-      }
-    }
-    separator = detect_separator(line);
-    const std::vector<Field> fields = split(line, separator);
-    if (fields.size() > 1 && fields.back().text.empty()) {
-      return error(header_line, line.size() - 1,
-                   fmt::format("the header ends with a separator ({})", separator_name(separator)));
-    }
-    if (std::all_of(fields.begin(), fields.end(),
-                    [](const Field& field) { return is_number(field.text); })) {
-      return error(header_line, 0,
-                   "numbers where the header row with the columns' names is wanted");
-    }
-    for (const Field& field : fields) header.emplace_back(field.text);
-    rows_offset = buffer_offset + static_cast<off_t>(begin);
-    return {};
+    if (text != std::string_view::npos && line[text] != '#') return line;
   }
 }
 
+tl::expected<void, HistoryError> CsvReader::File::read_header(
+    std::span<const std::string> columns) {
+  const auto text = next_text();
+  if (!text) return tl::unexpected(text.error());
+  const long last_line = std::max(lines.next_line - 1, 1L);
+  if (!*text) {
+    if (lines.next_line == 1) {
+      return error(1, 0, "the file is empty; a header row and rows of numbers are wanted");
+    }
+    if (format.skip > 0) {
+      return error(last_line, 0,
+                   fmt::format("there is no header row: the file has {} line{}, and 'skip' passes "
+                               "over {}{}",
+                               last_line, last_line == 1 ? "" : "s", format.skip, remedy(columns)));
+    }
+    return error(last_line, 0, "there is no header row with the columns' names");
+  }
+  const std::string_view line = **text;
+  header_line = row_line = last_line;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '\r') {
+      return error(header_line, i,
+                   "lines end with CR only; LF or CRLF is wanted: tr '\\r' '\\n' < '" + lines.name +
+                       "' > lf.csv");
+    }
+    if (static_cast<unsigned char>(line[i]) < 0x20 && line[i] != '\t') {
+      return error(header_line, i, "a control character: not a text file");
+    }
+  }
+  decimal = format.decimal;
+  separator = format.separator == '\0' ? detect_separator(line, decimal) : format.separator;
+  header = header_names(line, separator);
+  if (header.size() > 1 && header.back().empty()) {
+    return error(header_line, line.size() - 1,
+                 fmt::format("the header ends with a separator ({}){}", separator_name(separator),
+                             rows_end_alike() ? ", as the rows do" + take_away(separator)
+                                              : ": its last column has no name"));
+  }
+  if (std::all_of(header.begin(), header.end(),
+                  [&](const std::string& one) { return number_in(one, decimal).has_value(); })) {
+    return error(
+        header_line, 0,
+        "numbers where the header row with the columns' names is wanted" + remedy(columns));
+  }
+  if (format.units_row) {
+    if (auto read = read_units(columns); !read) return read;
+  }
+  rows_offset = lines.offset();
+  rows_line = lines.next_line;
+  return {};
+}
+
+tl::expected<void, HistoryError> CsvReader::File::read_units(std::span<const std::string> columns) {
+  const auto text = next_text();
+  if (!text) return tl::unexpected(text.error());
+  if (!*text) return error(header_line, 0, "no row of units follows the header");
+  const std::vector<Field> fields = split(**text, separator);
+  const long line = lines.next_line - 1;
+  const bool numbers = std::any_of(fields.begin(), fields.end(), [&](const Field& field) {
+    return number_in(field.text, decimal).has_value();
+  });
+  if (numbers || fields.size() != header.size()) {
+    return error(line, 0,
+                 (numbers ? std::string("numbers where 'units_row' says the units of the columns "
+                                        "stand")
+                          : fmt::format("{} field{} in the row of units where the header has {} "
+                                        "column{}",
+                                        fields.size(), fields.size() == 1 ? "" : "s", header.size(),
+                                        header.size() == 1 ? "" : "s")) +
+                     remedy(columns));
+  }
+  for (const Field& field : fields) {
+    std::string& unit = units.emplace_back(as_utf8(field.text));
+    const bool in_brackets = unit.size() > 1 && ((unit.front() == '[' && unit.back() == ']') ||
+                                                 (unit.front() == '(' && unit.back() == ')'));
+    if (in_brackets) unit = unit.substr(1, unit.size() - 2);
+  }
+  return {};
+}
+
 tl::expected<void, HistoryError> CsvReader::File::choose(std::span<const std::string> columns) {
-  slots.assign(header.size(), kSkip);
+  slots.assign(header.size(), kUnwanted);
   selected = columns.size();
+  held.assign(selected, std::numeric_limits<double>::quiet_NaN());
   for (std::size_t slot = 0; slot < columns.size(); ++slot) {
-    const auto found = std::find(header.begin(), header.end(), columns[slot]);
-    if (found == header.end()) {
+    const auto found = match_column(header, columns[slot]);
+    if (!found) return error(header_line, 0, found.error());
+    if (!*found) {
       constexpr std::size_t kListed = 20;
       const std::span<const std::string> listed =
           std::span<const std::string>(header).first(std::min(header.size(), kListed));
@@ -314,16 +214,16 @@ tl::expected<void, HistoryError> CsvReader::File::choose(std::span<const std::st
           fmt::format("no column '{}'; the columns are {}{}", columns[slot],
                       fmt::join(listed, ", "), header.size() > kListed ? ", ..." : "");
       const std::vector<std::string_view> names(header.begin(), header.end());
-      if (const auto nearest = nearest_name(columns[slot], names)) {
+      const std::string other_format = remedy(columns);
+      if (!other_format.empty()) {
+        message += other_format;
+      } else if (const auto nearest = nearest_name(columns[slot], names)) {
         message += fmt::format("; did you mean '{}'?", *nearest);
       }
       return error(header_line, 0, std::move(message));
     }
-    if (std::find(found + 1, header.end(), columns[slot]) != header.end()) {
-      return error(header_line, 0, fmt::format("two columns are named '{}'", columns[slot]));
-    }
-    int& target = slots[static_cast<std::size_t>(found - header.begin())];
-    if (target == kSkip) {
+    int& target = slots[**found];
+    if (target == kUnwanted) {
       target = static_cast<int>(slot);
     } else {
       copies.emplace_back(static_cast<std::size_t>(target), slot);
@@ -337,14 +237,15 @@ tl::expected<void, HistoryError> CsvReader::File::choose(std::span<const std::st
 const char* CsvReader::File::parse_row(const char* p, const char* stop, std::span<double> values,
                                        std::span<std::string_view> texts) const {
   const std::size_t columns = slots.size();
-  for (std::size_t column = 0;; ++column, ++p) {
+  const bool by_blanks = separator == ' ';
+  for (std::size_t column = 0;; ++column) {
     while (*p == ' ' || (*p == '\t' && separator != '\t')) ++p;
     const bool quoted = *p == '"';
     if (quoted) ++p;
     const int slot = slots[column];
-    if (slot != kSkip) {
+    if (slot != kUnwanted) {
       const char* const number = p;
-      p = read_number(p, stop, values[static_cast<std::size_t>(slot)]);
+      p = read_number(p, stop, decimal, values[static_cast<std::size_t>(slot)]);
       if (p == nullptr) return nullptr;
       if (!texts.empty()) {
         texts[static_cast<std::size_t>(slot)] = {number, static_cast<std::size_t>(p - number)};
@@ -352,40 +253,105 @@ const char* CsvReader::File::parse_row(const char* p, const char* stop, std::spa
       if (quoted && *p++ != '"') return nullptr;
     } else {
       for (bool inside = quoted; *p != '\n' && (inside || *p != separator); ++p) {
+        if (by_blanks && !inside && *p == '\t') break;
         inside ^= quoted && *p == '"';
       }
     }
+    const char* const field_end = p;
     while (*p == ' ' || *p == '\r' || (*p == '\t' && separator != '\t')) ++p;
     if (column + 1 == columns) return *p == '\n' ? p : nullptr;
-    if (*p != separator) return nullptr;
+    if (by_blanks) {
+      if (p == field_end || *p == '\n') return nullptr;
+    } else if (*p++ != separator) {
+      return nullptr;
+    }
   }
+}
+
+/// Reads a row in which samples may be missing; false if it is left out for that.
+tl::expected<bool, HistoryError> CsvReader::File::mend(std::string_view line,
+                                                       std::span<double> values,
+                                                       std::span<std::string_view> texts) {
+  const std::vector<Field> fields = split(line, separator);
+  if (fields.size() != header.size()) return diagnose(line, lines.next_line);
+  long holes = 0;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (slots[i] == kUnwanted) continue;
+    const auto slot = static_cast<std::size_t>(slots[i]);
+    const auto number = number_in(fields[i].text, decimal);
+    if (!number && !is_missing(fields[i].text)) {
+      return diagnose_field(i, fields[i], lines.next_line, {});
+    }
+    if (!number && format.missing == MissingSample::kHold && rows == 0) {
+      return error(lines.next_line, fields[i].offset,
+                   fmt::format("column '{}' has no value before the first row to hold{}", header[i],
+                               skipping()));
+    }
+    holes += number ? 0 : 1;
+    values[slot] = number.value_or(held[slot]);
+    if (!texts.empty()) texts[slot] = number ? fields[i].text : std::string_view();
+  }
+  if (holes == 0) return diagnose(line, lines.next_line);
+  const bool holds = format.missing == MissingSample::kHold;
+  missing.add(holds ? holes : 1, lines.next_line);
+  return holds;
+}
+
+/// The columns that are read, by the names they have in the file.
+std::vector<std::string> CsvReader::File::wanted() const {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    if (slots[i] != kUnwanted) names.push_back(header[i]);
+  }
+  return names;
 }
 
 tl::unexpected<HistoryError> CsvReader::File::diagnose(std::string_view line, long number) const {
   const std::vector<Field> fields = split(line, separator);
   const std::size_t columns = header.size();
+  const std::vector<std::string> names = rows == 0 ? wanted() : std::vector<std::string>();
   if (fields.size() == columns + 1 && fields.back().text.empty()) {
     return error(number, line.size() - 1,
-                 fmt::format("the row ends with a separator ({})", separator_name(separator)));
+                 fmt::format("the row ends with a separator ({}){}", separator_name(separator),
+                             take_away(separator)));
   }
   if (fields.size() != columns) {
     const bool decimal_commas = separator == ',' && fields.size() > columns &&
                                 std::all_of(fields.begin(), fields.end(), [](const Field& field) {
-                                  return is_number(field.text);
+                                  return number_in(field.text, '.').has_value();
                                 });
-    return error(number, 0,
-                 fmt::format("{} field{} where the header has {} column{}{}", fields.size(),
-                             fields.size() == 1 ? "" : "s", columns, columns == 1 ? "" : "s",
-                             decimal_commas ? " (decimal commas? the decimal mark is '.')" : ""));
+    return error(
+        number, 0,
+        fmt::format("{} field{} where the header has {} column{}{}", fields.size(),
+                    fields.size() == 1 ? "" : "s", columns, columns == 1 ? "" : "s",
+                    decimal_commas ? " (decimal commas between commas: nothing tells them apart; "
+                                     "write the file anew with ';' between its columns)"
+                                   : (rows == 0 ? remedy(names) : "")));
   }
   for (std::size_t i = 0; i < columns; ++i) {
-    if (slots[i] == kSkip || is_number(fields[i].text)) continue;
-    const bool second_header = number == header_line + 1 && !fields[i].text.empty();
-    return error(number, fields[i].offset,
-                 fmt::format("column '{}' {}{}", header[i], not_a_number(fields[i].text),
-                             second_header ? " (one header row is read, numbers follow it)" : ""));
+    if (slots[i] == kUnwanted || number_in(fields[i].text, decimal)) continue;
+    return diagnose_field(i, fields[i], number, names);
   }
   return error(number, 0, "the row cannot be read (an odd quote?)");
+}
+
+tl::unexpected<HistoryError> CsvReader::File::diagnose_field(
+    std::size_t column, const Field& field, long number,
+    std::span<const std::string> wanted) const {
+  std::string message =
+      fmt::format("column '{}' {}", header[column], not_a_number(field.text, decimal));
+  if (is_missing(field.text)) {
+    return error(number, field.offset, message + skipping() + ", or 'hold' for the value before");
+  }
+  std::string better = rows == 0 ? remedy(wanted) : "";
+  if (better.empty() && separator != ',' && number_in(field.text, decimal == '.' ? ',' : '.')) {
+    CsvFormat other = format;
+    other.decimal = decimal == '.' ? ',' : '.';
+    better = written_as(other);
+  }
+  const bool second_header = better.empty() && number == rows_line && !field.text.empty();
+  if (second_header) better = " (one header row is read, numbers follow it)";
+  return error(number, field.offset, message + better);
 }
 
 CsvReader::CsvReader(std::unique_ptr<File> file) : file_(std::move(file)) {}
@@ -396,25 +362,19 @@ CsvReader::~CsvReader() = default;
 tl::expected<CsvReader, HistoryError> CsvReader::open(const std::filesystem::path& file,
                                                       std::span<const std::string> columns,
                                                       std::string shown_name) {
+  return open(DataSource{file, std::move(shown_name), {}}, columns);
+}
+
+tl::expected<CsvReader, HistoryError> CsvReader::open(const DataSource& source,
+                                                      std::span<const std::string> columns) {
   auto opened = std::make_unique<File>();
-  opened->name = shown_name.empty() ? file.string() : std::move(shown_name);
-  // Without O_NONBLOCK, opening a FIFO waits for a writer.
-  opened->descriptor = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-  if (opened->descriptor < 0) {
-    return environment_error(opened->name,
-                             fmt::format("cannot be opened: {}", system_message(errno)));
+  opened->lines.name = source.shown_name.empty() ? source.file.string() : source.shown_name;
+  opened->format = source.format;
+  if (auto found = opened->lines.open(source.file); !found) {
+    return tl::unexpected(std::move(found.error()));
   }
-  struct stat status {};
-  if (::fstat(opened->descriptor, &status) != 0) {
-    return environment_error(opened->name,
-                             fmt::format("cannot be examined: {}", system_message(errno)));
-  }
-  if (!S_ISREG(status.st_mode)) {
-    return environment_error(opened->name,
-                             S_ISDIR(status.st_mode) ? "is a directory" : "is not a regular file");
-  }
-  opened->buffer.resize(kBlock);
-  if (auto read = opened->read_header(); !read) return tl::unexpected(std::move(read.error()));
+  if (auto read = opened->read_header(columns); !read)
+    return tl::unexpected(std::move(read.error()));
   if (auto chosen = opened->choose(columns); !chosen) {
     return tl::unexpected(std::move(chosen.error()));
   }
@@ -428,41 +388,57 @@ tl::expected<bool, HistoryError> CsvReader::next(std::span<double> values) {
 tl::expected<bool, HistoryError> CsvReader::next(std::span<double> values,
                                                  std::span<std::string_view> texts) {
   File& file = *file_;
+  LineReader& lines = file.lines;
   assert(values.size() == file.selected && (texts.empty() || texts.size() == file.selected));
   for (;;) {
-    if (file.begin == file.lines_end) {
-      if (auto filled = file.fill(); !filled) return tl::unexpected(std::move(filled.error()));
-      if (file.begin == file.lines_end) {
-        if (file.rows == 0) return file.error(file.header_line, 0, "no rows follow the header");
-        return false;
+    if (lines.begin == lines.lines_end) {
+      if (auto filled = lines.fill(); !filled) return tl::unexpected(std::move(filled.error()));
+      if (lines.begin == lines.lines_end) {
+        if (file.rows > 0) return false;
+        return file.error(file.header_line, 0,
+                          file.missing.count == 0 ? "no rows follow the header"
+                                                  : "every row lacks a sample, so none is left");
       }
     }
-    const char* const start = file.buffer.data() + file.begin;
-    const char* const stop = file.buffer.data() + file.lines_end;
+    const char* const start = lines.buffer.data() + lines.begin;
+    const char* const stop = lines.buffer.data() + lines.lines_end;
     const char* p = start;
     while (*p == ' ' || *p == '\t') ++p;
     if (*p == '#') {
-      file.take_line();
+      lines.take_line();
       continue;
     }
     if (*p == '\n' || (*p == '\r' && p[1] == '\n')) {
-      if (file.blank_line == 0) file.blank_line = file.next_line;
-      file.take_line();
+      if (file.blank_lines++ == 0) file.blank_line = lines.next_line;
+      lines.take_line();
       continue;
     }
     if (file.blank_line != 0) {
-      return file.error(file.blank_line, 0, "a blank line before the last row");
+      if (file.format.missing != MissingSample::kSkip) {
+        return file.error(file.blank_line, 0, "a blank line before the last row" + file.skipping());
+      }
+      file.missing.add(file.blank_lines, file.blank_line);
+      file.blank_line = file.blank_lines = 0;
     }
-    const char* const line_end = file.parse_row(start, stop, values, texts);
+    const char* line_end = file.parse_row(start, stop, values, texts);
     if (line_end == nullptr) {
-      const auto* const newline = static_cast<const char*>(
+      line_end = static_cast<const char*>(
           std::memchr(start, '\n', static_cast<std::size_t>(stop - start)));
-      std::string_view line(start, static_cast<std::size_t>(newline - start));
+      std::string_view line(start, static_cast<std::size_t>(line_end - start));
       if (line.ends_with('\r')) line.remove_suffix(1);
-      return file.diagnose(line, file.next_line);
+      if (file.format.missing == MissingSample::kError) return file.diagnose(line, lines.next_line);
+      const auto whole = file.mend(line, values, texts);
+      if (!whole) return whole;
+      if (!*whole) {
+        lines.take_line();
+        continue;
+      }
     }
-    file.begin += static_cast<std::size_t>(line_end - start) + 1;
-    file.row_line = file.next_line++;
+    if (file.format.missing == MissingSample::kHold) {
+      std::copy(values.begin(), values.end(), file.held.begin());
+    }
+    lines.begin += static_cast<std::size_t>(line_end - start) + 1;
+    file.row_line = lines.next_line++;
     ++file.rows;
     for (const auto& [from, to] : file.copies) {
       values[to] = values[from];
@@ -474,28 +450,53 @@ tl::expected<bool, HistoryError> CsvReader::next(std::span<double> values,
 
 tl::expected<void, HistoryError> CsvReader::rewind() {
   File& file = *file_;
-  if (::lseek(file.descriptor, file.rows_offset, SEEK_SET) != file.rows_offset) {
-    return environment_error(file.name,
-                             fmt::format("cannot be read again: {}", system_message(errno)));
-  }
-  file.buffer_offset = file.rows_offset;
-  file.begin = file.lines_end = file.end = 0;
-  file.at_end = false;
-  file.next_line = file.header_line + 1;
   file.row_line = file.header_line;
   file.blank_line = 0;
+  file.blank_lines = 0;
   file.rows = 0;
-  return {};
+  file.missing = {};
+  return file.lines.go_back(file.rows_offset, file.rows_line);
 }
 
 long CsvReader::line() const { return file_->row_line; }
 
 std::span<const std::string> CsvReader::header() const { return file_->header; }
 
-const std::string& CsvReader::name() const { return file_->name; }
+std::optional<std::size_t> CsvReader::find(std::string_view column) const {
+  return match_column(file_->header, column).value_or(std::nullopt);
+}
+
+std::string_view CsvReader::unit(std::string_view column) const {
+  const auto found = find(column);
+  if (!found) return {};
+  if (!file_->units.empty() && !file_->units[*found].empty()) return file_->units[*found];
+  const std::string_view unit = split_unit(file_->header[*found]).unit;
+  return is_unit_or_dash(unit) ? unit : std::string_view();
+}
+
+std::string CsvReader::remedy(std::span<const std::string> columns) const {
+  return file_->remedy(columns);
+}
+
+const MissingSamples& CsvReader::missing() const { return file_->missing; }
+
+const std::string& CsvReader::name() const { return file_->lines.name; }
 
 tl::unexpected<HistoryError> CsvReader::error_here(std::string message) const {
   return file_->error(file_->row_line, 0, std::move(message));
+}
+
+tl::expected<std::string, HistoryError> count_missing(const DataSource& source,
+                                                      std::span<const std::string> columns) {
+  if (source.format.missing == MissingSample::kError) return std::string();
+  auto reader = CsvReader::open(source, columns);
+  if (!reader) return tl::unexpected(std::move(reader.error()));
+  std::vector<double> row(columns.size());
+  for (;;) {
+    const auto more = reader->next(row);
+    if (!more) return tl::unexpected(more.error());
+    if (!*more) return in_words(reader->missing(), source.format.missing);
+  }
 }
 
 }  // namespace slipbench::driver

@@ -315,6 +315,11 @@ std::string wanted_in_words(const Dimension& wanted, const UnitSystem& system) {
   return in_words(wanted) + " is wanted" + (unit.empty() ? "" : ", such as " + unit);
 }
 
+bool is_unit(std::string_view text) {
+  const std::string_view word = trimmed(text);
+  return word.find_first_of("0123456789+-.") != 0 && dimension_of_unit(word).has_value();
+}
+
 tl::expected<void, HistoryError> check_base_unit(std::string_view unit,
                                                  const Dimension& dimension) {
   const std::string_view word = trimmed(unit);

@@ -49,6 +49,9 @@ struct UnitConversion {
 /// "rad"; empty when the dimension needs a unit the case does not state, or none at all.
 std::string unit_text(const Dimension& dimension, const UnitSystem& system);
 
+/// True if `text` is the name of a unit that a case may have ("kN", "mm/s", "%"), and no number.
+bool is_unit(std::string_view text);
+
 /// Checks one entry of `units:`; `dimension` is the entry's (kLength, kForce, kTime, kTemperature).
 /// Everyday names (mm, in, kN, lbf, ms, degC, ...) are known by heart, so that a case in those does
 /// not wait for the unit data base. Errors: an unknown unit, a unit of another dimension.

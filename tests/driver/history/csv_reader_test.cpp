@@ -140,7 +140,10 @@ TEST_CASE("a file without rows or without a header is refused") {
   CHECK(error_of("0,1.5\n1,2\n") ==
         "1:1: numbers where the header row with the columns' names is wanted");
   CHECK(error_of("t,x\n[s],[mm]\n0,1\n") ==
-        "2:1: column 't' holds '[s]', which is not a number (one header row is read, numbers "
+        "2:1: column 't' holds '[s]', which is not a number; write {file: rig.csv, units_row: "
+        "true}");
+  CHECK(error_of("t,x\nzero,1\n") ==
+        "2:1: column 't' holds 'zero', which is not a number (one header row is read, numbers "
         "follow it)");
 }
 
@@ -161,42 +164,58 @@ TEST_CASE("a row with too few or too many fields is refused") {
 
 TEST_CASE("decimal commas are refused as such") {
   CHECK(error_of("t,x\n0,5,1,5\n") ==
-        "2:1: 4 fields where the header has 2 columns (decimal commas? the decimal mark is '.')");
+        "2:1: 4 fields where the header has 2 columns (decimal commas between commas: nothing "
+        "tells them apart; write the file anew with ';' between its columns)");
   CHECK(error_of("t;x\n0;1,5\n") ==
-        "2:3: column 'x' holds '1,5' with a decimal comma; the decimal mark is '.' (one header row "
-        "is read, numbers follow it)");
+        "2:3: column 'x' holds '1,5' with a decimal comma; the decimal mark is '.'; write {file: "
+        "rig.csv, decimal: \",\"}");
   CHECK(error_of("t\tx\n0\t1\n1\t1,5\n") ==
-        "3:3: column 'x' holds '1,5' with a decimal comma; the decimal mark is '.'");
+        "3:3: column 'x' holds '1,5' with a decimal comma; the decimal mark is '.'; write {file: "
+        "rig.csv, decimal: \",\"}");
   CHECK(
       error_of("t,x\n0,1\n\"1,5\",2\n").find("3:2: column 't' holds '1,5' with a decimal comma") ==
       0);
 }
 
+const std::string kLeavingOut = "; write {file: rig.csv, missing: skip} to leave such rows out";
+const std::string kMissing = kLeavingOut + ", or 'hold' for the value before";
+
 TEST_CASE("a blank line between rows is refused, also one of blanks") {
-  CHECK(error_of("t,x\n0,1\n\n1,2\n") == "3:1: a blank line before the last row");
-  CHECK(error_of("t,x\n0,1\n \t \r\n\n1,2\n") == "3:1: a blank line before the last row");
-  CHECK(error_of("t,x\n\n0,1\n") == "2:1: a blank line before the last row");
+  const std::string blank = "a blank line before the last row" + kLeavingOut;
+  CHECK(error_of("t,x\n0,1\n\n1,2\n") == "3:1: " + blank);
+  CHECK(error_of("t,x\n0,1\n \t \r\n\n1,2\n") == "3:1: " + blank);
+  CHECK(error_of("t,x\n\n0,1\n") == "2:1: " + blank);
 }
 
 TEST_CASE("a trailing separator is refused, in the header and in a row") {
-  CHECK(error_of("t,x,\n0,1,\n") == "1:4: the header ends with a separator (',')");
-  CHECK(error_of("t;x\n0;1;\n") == "2:4: the row ends with a separator (';')");
-  CHECK(error_of("t,x\n0,1\n1,\n") == "3:3: column 'x' is empty");
+  CHECK(error_of("t,x,\n0,1,\n") ==
+        "1:4: the header ends with a separator (','), as the rows do; to take it away: sed "
+        "'s/,\\r*$//'");
+  CHECK(error_of("t,x,\n0,1,7\n") ==
+        "1:4: the header ends with a separator (','): its last column has no name");
+  CHECK(error_of("t;x\n0;1;\n") ==
+        "2:4: the row ends with a separator (';'); to take it away: sed 's/;\\r*$//'");
+  CHECK(error_of("t,x\n0,1\n1,\n") == "3:3: column 'x' is empty" + kMissing);
 }
 
 TEST_CASE("what is not a finite number is refused with line and column") {
-  CHECK(error_of("t,x\n0,1\n1,nan\n") == "3:3: column 'x' holds 'nan'; a finite number is wanted");
+  CHECK(error_of("t,x\n0,1\n1,nan\n") ==
+        "3:3: column 'x' holds 'nan'; a finite number is wanted" + kMissing);
   CHECK(error_of("t,x\n0,1\n1,-Inf\n") ==
         "3:3: column 'x' holds '-Inf'; a finite number is wanted");
   CHECK(error_of("t,x\n0,1\n1, 1e400\n") ==
         "3:4: column 'x' holds '1e400', which is outside the range of a double");
   CHECK(error_of("t,x\n0,1\n1,-1e-400\n") ==
         "3:3: column 'x' holds '-1e-400', which is outside the range of a double");
-  CHECK(error_of("t,x\n0,1\n1,\n2,3\n") == "3:3: column 'x' is empty");
+  CHECK(error_of("t,x\n0,1\n1,\n2,3\n") == "3:3: column 'x' is empty" + kMissing);
   for (const char* text : {"abc", "1.5mm", "1_000", "1.5D3", "5%", "0x10", "1/2", "--1", "+-1",
-                           "1e", ".", "-", "1.2.3", "#", "1 2"}) {
+                           "1e", ".", "1.2.3", "#", "1 2"}) {
     CHECK(error_of(std::string("t,x\n0,1\n1,") + text + "\n") ==
           fmt::format("3:3: column 'x' holds '{}', which is not a number", text));
+  }
+  for (const char* text : {"-", "---", "NA", "n/a", "#N/A", "null", "1.#QNAN"}) {
+    CHECK(error_of(std::string("t,x\n0,1\n1,") + text + "\n") ==
+          fmt::format("3:3: column 'x' holds '{}', which is not a number{}", text, kMissing));
   }
   CHECK(error_of(std::string("t,x\n0,1\n1,\0002\n", 13)) ==
         "3:3: column 'x' holds '?2', which is not a number");
@@ -207,9 +226,10 @@ TEST_CASE("columns nobody asked for are not looked at") {
 }
 
 TEST_CASE("what is no text file of this kind is refused") {
-  CHECK(error_of("t,x\r0,1\r1,2\r") == "1:4: lines end with CR only; LF or CRLF is wanted");
+  CHECK(error_of("t,x\r0,1\r1,2\r") ==
+        "1:4: lines end with CR only; LF or CRLF is wanted: tr '\\r' '\\n' < 'rig.csv' > lf.csv");
   CHECK(error_of(std::string("\xff\xfet\0,\0x\0\n\0", 10)) ==
-        "1:1: the file is UTF-16; UTF-8 is wanted");
+        "1:1: the file is UTF-16; UTF-8 is wanted: iconv -f UTF-16 -t UTF-8 'rig.csv' > utf8.csv");
   CHECK(error_of(std::string("t,x\0\n0,1\n", 9)) == "1:4: a control character: not a text file");
   CHECK(error_of("t,x\n0,1\n1," + std::string(3'000'000, '1')) ==
         "3:1: the line is longer than a megabyte: not a CSV file");
