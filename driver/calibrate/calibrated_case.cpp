@@ -283,6 +283,12 @@ class CaseWriter {
     return true;
   }
 
+  /// The name of a data source's file.
+  static Place file_in(const Place& source) {
+    const auto file = source.node.is_map() ? source.find("file") : std::nullopt;
+    return file ? *file : source;
+  }
+
   /// A table from a file becomes rows: the case is then complete in itself.
   void write_rows(const Place& csv, const FittedTable& table) {
     Place parent = root();
@@ -297,8 +303,8 @@ class CaseWriter {
       for (const double x : table.points[r]) text += ", " + format_number(x);
       text += "]";
     }
-    remarks_.push_back(
-        fmt::format("{} was the file '{}'", csv.path.text(), std::string(csv.node.text())));
+    remarks_.push_back(fmt::format("{} was the file '{}'", csv.path.text(),
+                                   std::string(file_in(csv).node.text())));
     NodeChange& change = change_at(changes_, csv.way);
     change.key = "rows";
     change.text = text + "]";
@@ -322,15 +328,17 @@ class CaseWriter {
 
   void move_below(const Place& place, const fs::path& old_folder) {
     for (std::size_t i = 0; i < place.node.size(); ++i) {
-      const Place below = place.at(i);
-      if (!place.node.is_map() || !below.node.is_scalar()) {
-        move_below(below, old_folder);
+      const Place source = place.at(i);
+      const std::string_view key = place.node.is_map() ? place.node.entry(i).key.text() : "";
+      const bool is_source = key == "csv" || key == "curve";
+      const Place below = is_source ? file_in(source) : source;
+      if (!is_source || !below.node.is_scalar()) {
+        move_below(source, old_folder);
         continue;
       }
-      const std::string_view key = place.node.entry(i).key.text();
       const std::string_view file = below.node.text();
-      const bool curve = key == "curve" && !is_curve_name(file);
-      if ((key != "csv" && !curve) || became_rows_.contains(below.path.text())) continue;
+      if (file == "-" || (key == "curve" && is_curve_name(file))) continue;
+      if (became_rows_.contains(source.path.text())) continue;
       const fs::path written(file);
       std::string now(file);
       if (!written.is_absolute() && old_folder != new_folder_) {

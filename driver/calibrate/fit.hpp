@@ -11,6 +11,7 @@
 
 #include "driver/calibrate/least_squares/problem.hpp"
 #include "driver/case/case.hpp"
+#include "driver/history/data_source.hpp"
 #include "driver/history/parameters.hpp"
 #include "driver/history/units.hpp"
 
@@ -72,6 +73,7 @@ struct ExperimentFit {
   std::vector<ParameterText> settings;
   std::string data_file;  ///< as the user named it
   std::filesystem::path data_path;
+  CsvFormat data_format = {};
   DataColumn time;
   std::vector<ResponseFit> responses;
   double weight = 1.0;         ///< of all squared residuals of the experiment, >= 0

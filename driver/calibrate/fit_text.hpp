@@ -12,6 +12,7 @@
 #include "driver/calibrate/cleaning/resample.hpp"
 #include "driver/calibrate/least_squares/problem.hpp"
 #include "driver/case/binding.hpp"
+#include "driver/case/data_source_text.hpp"
 
 namespace slipbench::driver {
 
@@ -159,7 +160,7 @@ struct ExperimentText {
   static constexpr bool kIsDeclared = true;
   At<std::string> name, case_file;
   NamedMap<double> set;
-  At<std::string> data;
+  At<DataSourceText> data;
   At<DataColumnText> time;
   At<NamedMap<CompareText>> compare;
   At<double> weight = default_of(1.0);

@@ -93,7 +93,8 @@ class Cleaner {
     if (experiment_.dead_band) columns_.push_back(&experiment_.dead_band->column);
     std::vector<std::string> names;
     for (const DataColumn* column : columns_) names.push_back(column->name);
-    auto reader = CsvReader::open(experiment_.data_path, names, experiment_.data_file);
+    auto reader = CsvReader::open(
+        DataSource{experiment_.data_path, experiment_.data_file, experiment_.data_format}, names);
     if (!reader) return tl::unexpected(std::move(reader.error()));
 
     rows_.columns.resize(columns_.size());
@@ -103,14 +104,15 @@ class Cleaner {
     for (;;) {
       const auto more = reader->next(row);
       if (!more) return tl::unexpected(more.error());
-      if (!*more) return {};
+      if (!*more) break;
       const double raw = row.front();
       // The comparison is made on the file's own numbers, which the user can look up.
       if (!rows_.time.empty() && !(raw > raw_before)) {
         return reader->error_here(
             fmt::format("the time '{}' does not increase: {} after {} in "
-                        "line {}",
-                        experiment_.time.name, raw, raw_before, line_before));
+                        "line {}{}",
+                        experiment_.time.name, raw, raw_before, line_before,
+                        of_held_time(experiment_.data_format, raw, raw_before)));
       }
       bool finite = true;
       for (std::size_t c = 0; c < columns_.size(); ++c) {
@@ -130,6 +132,11 @@ class Cleaner {
       rows_.columns.front().push_back(static_cast<double>(line_before));
       for (std::size_t c = 1; c < columns_.size(); ++c) rows_.columns[c].push_back(row[c]);
     }
+    const MissingSample answer = experiment_.data_format.missing;
+    if (std::string text = in_words(reader->missing(), answer); !text.empty()) {
+      tell(std::move(text));
+    }
+    return {};
   }
 
   void tell_conversions() {

@@ -37,7 +37,7 @@ void name_experiments(std::vector<ReadExperiment>& experiments) {
   for (ReadExperiment& one : experiments) {
     if (!one.fit.name.empty()) continue;
     const std::string by_case = stem(one.fit.case_path);
-    const std::string wanted = of_case[by_case] > 1 ? stem(one.fit.data_path) : by_case;
+    const std::string wanted = of_case[by_case] > 1 ? stem(one.fit.data_file) : by_case;
     std::string name = wanted;
     for (int number = 2; count(name) > 0; ++number) name = wanted + "_" + std::to_string(number);
     one.fit.name = std::move(name);

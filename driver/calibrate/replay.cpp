@@ -75,7 +75,7 @@ bool same(const Profile& a, const Profile& b, const NamedNumbers& parameters,
         } else if constexpr (std::is_same_v<Kind, Tabular>) {
           return one.times == other.times && one.values == other.values;
         } else if constexpr (std::is_same_v<Kind, CsvColumn>) {
-          return one.file == other.file && one.time_column == other.time_column &&
+          return one.data == other.data && one.time_column == other.time_column &&
                  one.time_conversion == other.time_conversion &&
                  one.value_column == other.value_column &&
                  one.value_conversion == other.value_conversion;
@@ -99,7 +99,7 @@ bool same(const Step& a, const Step& b, const NamedNumbers& parameters,
 }
 
 bool same(const MeasuredSource& a, const MeasuredSource& b) {
-  return a.file == b.file && a.time_column == b.time_column &&
+  return a.data == b.data && a.time_column == b.time_column &&
          a.time_conversion == b.time_conversion && a.hold == b.hold &&
          std::equal(a.columns.begin(), a.columns.end(), b.columns.begin(), b.columns.end(),
                     [](const MeasuredColumn& one, const MeasuredColumn& other) {

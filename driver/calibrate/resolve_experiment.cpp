@@ -8,10 +8,11 @@
 #include <string_view>
 #include <utility>
 
+#include "driver/case/column_unit.hpp"
 #include "driver/case/file_kind.hpp"
 #include "driver/case/key_index.hpp"
 #include "driver/case/resolve_expression.hpp"
-#include "driver/history/csv_reader.hpp"
+#include "driver/history/csv_fields.hpp"
 #include "driver/results/columns.hpp"
 #include "driver/text/format_number.hpp"
 #include "driver/text/suggestions.hpp"
@@ -30,40 +31,32 @@ std::vector<std::string_view> views(const std::vector<std::string>& names) {
   return {names.begin(), names.end()};
 }
 
-struct Converted {
-  UnitConversion conversion;
-  Dimension dimension;
-};
-
-/// The change of unit to the first of `dimensions` that the unit has; the identity without a unit.
-std::optional<Converted> conversion(Binder& binder, const At<std::string>& unit,
-                                    std::span<const Dimension> dimensions,
-                                    const UnitSystem& system) {
-  if (!unit.given()) return Converted{{}, dimensions.front()};
-  if (!unit.sound) return std::nullopt;
-  std::optional<HistoryError> first;
-  for (const Dimension& dimension : dimensions) {
-    auto found = conversion_to_case(unit.value, dimension, system);
-    if (found) return Converted{*found, dimension};
-    if (!first) first = std::move(found.error());
-  }
-  binder.history_error(*unit.node, unit.path, *first);
-  return std::nullopt;
-}
-
-/// A data column of one dimension; `text` has unit, factor and offset.
+/// A data column of one dimension, none if it is not known; `text` has unit, factor and offset.
+/// \param name of the column, as the fit gives it
 template <class Text>
-DataColumn data_column(Binder& binder, const Text& text, const std::string& name,
-                       std::span<const Dimension> dimensions, const UnitSystem& system) {
+DataColumn data_column(Binder& binder, const Text& text, const At<std::string>& name,
+                       const CsvReader* file, std::span<const Dimension> dimensions,
+                       const UnitSystem& system) {
   DataColumn result;
-  result.name = name;
+  result.name = name.value;
   result.factor = text.factor.value;
   result.offset = text.offset.value;
   if (text.factor.sound && text.factor.value == 0.0) {
     binder.error(*text.factor.node, text.factor.path, "the factor 0 turns every number into 0");
   }
-  if (const auto found = conversion(binder, text.unit, dimensions, system)) {
-    result.conversion = found->conversion;
+  if (!name.sound) return result;
+  const auto found =
+      column_unit(binder, file, name.value, *name.node, name.path, text.unit, dimensions, system);
+  if (!found) return result;
+  result.conversion = found->conversion;
+  const bool by_file = !text.unit.given() && found->conversion != UnitConversion{};
+  if (by_file && std::abs(result.factor) != 1.0) {
+    const std::string unit = printable(file->unit(name.value));
+    binder.error(*text.factor.node, text.factor.path,
+                 "the file gives column " + in_quotes(name.value) + " in " + unit +
+                     ": is it to be converted before the factor?",
+                 "say so: 'unit: " + unit + "', or 'unit: " + unit_text(found->dimension, system) +
+                     "' for the factor alone");
   }
   return result;
 }
@@ -206,31 +199,39 @@ void ExperimentReader::read_case_file(const ExperimentText& text, ReadExperiment
 }
 
 void ExperimentReader::read_data(const ExperimentText& text, ExperimentFit& fit) {
-  if (!text.data.sound) return;
-  const auto file = binder_.data_file(*text.data.node, text.data.path, text.data.value);
-  if (!file) return;
-  fit.data_file = text.data.value;
-  fit.data_path = file->lexically_normal();
+  data_.reset();
+  const auto source = data_source(binder_, text.data);
+  if (!source) return;
+  fit.data_file = source->shown_name;
+  fit.data_path = source->file.lexically_normal();
+  fit.data_format = source->format;
   const auto fail = [&](const HistoryError& error) {
     binder_.history_error(*text.data.node, text.data.path, error);
   };
-  const auto header = CsvReader::open(fit.data_path, {}, fit.data_file);
+  auto header = CsvReader::open(*source, {});
   if (!header) return fail(header.error());
   const std::vector<std::string> names(header->header().begin(), header->header().end());
   std::vector<std::string> wanted;
+  std::vector<const At<std::string>*> unknown;
   for (const At<std::string>* use : column_uses(text)) {
-    const std::string& name = use->value;
-    if (std::find(names.begin(), names.end(), name) != names.end()) {
-      wanted.push_back(name);
-      continue;
+    // A name that may be two columns' is the reader's to refuse.
+    if (const auto found = match_column(names, use->value); found && !*found) {
+      unknown.push_back(use);
+    } else {
+      wanted.push_back(use->value);
     }
-    binder_.error(*use->node, use->path,
-                  printable(fit.data_file) + " has no column " + in_quotes(name),
-                  nearest_or(name, views(names), "its columns are: " + few_in_words(views(names))));
   }
-  if (const auto chosen = CsvReader::open(fit.data_path, wanted, fit.data_file); !chosen) {
-    fail(chosen.error());
+  std::vector<std::string> all = wanted;
+  for (const At<std::string>* use : unknown) all.push_back(use->value);
+  const std::string remedy = unknown.empty() ? "" : header->remedy(all);
+  const std::string columns = "its columns are: " + few_in_words(views(names));
+  for (const At<std::string>* use : unknown) {
+    binder_.error(
+        *use->node, use->path, printable(fit.data_file) + " has no column " + in_quotes(use->value),
+        remedy.empty() ? nearest_or(use->value, views(names), columns) : columns + remedy);
   }
+  if (const auto chosen = CsvReader::open(*source, wanted); !chosen) return fail(chosen.error());
+  data_ = std::move(*header);
 }
 
 void ExperimentReader::read_responses(const ExperimentText& text, ReadExperiment& result) {
@@ -282,8 +283,8 @@ void ExperimentReader::read_responses(const ExperimentText& text, ReadExperiment
                          .quantity = std::move(compiled->expression),
                          .variables = std::move(compiled->variables)};
     if (column) response.dimension = dimension;
-    response.column =
-        data_column(binder_, value, value.column.value, std::span(&dimension, 1), problem.units);
+    const std::span<const Dimension> known(&dimension, column ? 1 : 0);
+    response.column = data_column(binder_, value, value.column, data(), known, problem.units);
     response.weight = value.weight.value;
     response.sigma = number(value.sigma);
     response.from = number(value.from);
@@ -302,9 +303,9 @@ void ExperimentReader::read_responses(const ExperimentText& text, ReadExperiment
       }
       response.over = name.value;
       response.over_dimension = position->dimension;
-      response.over_column = data_column(
-          binder_, over.value, over.value.column.given() ? over.value.column.value : name.value,
-          std::span(&position->dimension, 1), problem.units);
+      response.over_column =
+          data_column(binder_, over.value, over.value.column.given() ? over.value.column : name,
+                      data(), std::span(&position->dimension, 1), problem.units);
     }
     result.fit.responses.push_back(std::move(response));
   }
@@ -350,7 +351,12 @@ void ExperimentReader::read_cleaning(const ExperimentText& text, const ReadExper
     if (known.read) {
       const std::array<Dimension, 2> dimensions =
           result.of_position ? std::array{kLength, kAngle} : std::array{kSpeed, kAngularSpeed};
-      if (const auto found = conversion(binder_, band.unit, dimensions, known.fit.base.units)) {
+      const At<std::string>& column = result.of_position ? band.position : band.column;
+      const auto found = column.sound
+                             ? column_unit(binder_, data(), column.value, *column.node, column.path,
+                                           band.unit, dimensions, known.fit.base.units)
+                             : std::nullopt;
+      if (found) {
         result.column.conversion = found->conversion;
         if (found->dimension == dimensions[1]) result.speed = kAngularSpeed;
       }
@@ -376,7 +382,7 @@ ReadExperiment ExperimentReader::read(const ExperimentText& text, const Node& no
     const DataColumnText& time = text.time.value;
     if (time.column.sound) {
       fit.time =
-          data_column(binder_, time, time.column.value, std::span(&kTime, 1), fit.base.units);
+          data_column(binder_, time, time.column, data(), std::span(&kTime, 1), fit.base.units);
       if (time.factor.sound && time.factor.value < 0.0) {
         binder_.error(*time.factor.node, time.factor.path,
                       "time cannot run backwards: the factor must be greater than 0, found " +

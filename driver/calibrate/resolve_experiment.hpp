@@ -13,6 +13,7 @@
 #include "driver/calibrate/read_fit.hpp"
 #include "driver/calibrate/resolve_varied.hpp"
 #include "driver/case/read_case.hpp"
+#include "driver/history/csv_reader.hpp"
 
 namespace slipbench::driver {
 
@@ -37,6 +38,7 @@ class ExperimentReader {
   void read_data(const ExperimentText& text, ExperimentFit& fit);
   void read_responses(const ExperimentText& text, ReadExperiment& result);
   void read_cleaning(const ExperimentText& text, const ReadExperiment& known, ExperimentFit& fit);
+  const CsvReader* data() const { return data_ ? &*data_ : nullptr; }
   /// Adds what is said of a case, once.
   void pass_on(const Diagnostics& diagnostics);
 
@@ -45,6 +47,7 @@ class ExperimentReader {
   std::span<const VariedParameter> varied_;
   ReadFit& out_;
   std::map<std::string, Parsed> parsed_;
+  std::optional<CsvReader> data_;  ///< header of the experiment that is read, if it has one
 };
 
 }  // namespace slipbench::driver

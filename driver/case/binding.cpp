@@ -8,6 +8,7 @@
 #include "driver/case/carried_unit.hpp"
 #include "driver/case/key_index.hpp"
 #include "driver/history/data_path.hpp"
+#include "driver/history/standard_input.hpp"
 #include "driver/text/format_number.hpp"
 #include "driver/text/number.hpp"
 #include "driver/text/suggestions.hpp"
@@ -265,11 +266,19 @@ std::optional<double> Binder::number(const Node& node, const Path& path, const K
 
 std::optional<std::filesystem::path> Binder::data_file(const Node& node, const Path& path,
                                                        std::string_view text) {
-  auto file = resolve_data_path(case_folder_, text, allow_outside_);
+  const bool streamed = text == "-";
+  if (streamed && node.source().name() == shown_name("-")) {
+    error(node, path, "standard input is this text itself, and cannot be its data as well",
+          "one of them must be a file");
+    return std::nullopt;
+  }
+  auto file =
+      streamed ? standard_input_file() : resolve_data_path(case_folder_, text, allow_outside_);
   if (!file) {
     history_error(node, path, file.error());
     return std::nullopt;
   }
+  if (streamed) return std::move(*file);
   data_files_.push_back(file->string());
   return std::move(*file);
 }
@@ -454,16 +463,25 @@ bool Codec<law::UnitName>::read(Binder& binder, const Node& node, const Path& pa
 }
 Json Codec<law::UnitName>::schema(const KeyInfo& info) { return Codec<std::string>::schema(info); }
 
+std::string listed(std::span<const std::string_view> words) {
+  std::vector<std::string> quoted;
+  for (const std::string_view word : words) {
+    const bool is_mark = word.size() == 1 && std::ispunct(static_cast<unsigned char>(word[0])) != 0;
+    quoted.push_back(is_mark ? in_quotes(word) : std::string(word));
+  }
+  return in_words(std::vector<std::string_view>(quoted.begin(), quoted.end()));
+}
+
 bool read_word(Binder& binder, const Node& node, const Path& path,
                std::span<const std::string_view> words, std::size_t& index) {
   if (!node.is_scalar()) {
-    binder.wrong_kind(node, path, in_words(words));
+    binder.wrong_kind(node, path, listed(words));
     return false;
   }
   const auto word = std::find(words.begin(), words.end(), node.text());
   if (word == words.end()) {
     binder.error(node, path,
-                 "wanted " + in_words(words) + ", found " + in_quotes(printable(node.text())),
+                 "wanted " + listed(words) + ", found " + in_quotes(printable(node.text())),
                  nearest_or(node.text(), words, ""));
     return false;
   }

@@ -431,6 +431,9 @@ struct Codec<std::string> {
   static void rows(const std::string&, std::vector<KeyRow>&) {}
 };
 
+/// "linear or smooth", as messages and the reference list words; marks stand in quotes.
+std::string listed(std::span<const std::string_view> words);
+
 bool read_word(Binder& binder, const Node& node, const Path& path,
                std::span<const std::string_view> words, std::size_t& index);
 
@@ -450,9 +453,7 @@ struct Codec<E> {
     schema["enum"] = std::move(words);
     return schema;
   }
-  static std::string wanted(const KeyInfo&) {
-    return slipbench::driver::in_words(std::span<const std::string_view>(EnumWords<E>::kWords));
-  }
+  static std::string wanted(const KeyInfo&) { return listed(EnumWords<E>::kWords); }
   static void rows(const std::string&, std::vector<KeyRow>&) {}
 };
 

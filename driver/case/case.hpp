@@ -129,6 +129,7 @@ struct CurveReference {
   CurveColumn column;
   std::shared_ptr<CurveFile> data;  ///< its columns, for all checks of the case that name it
   bool shipped = false;             ///< comes with the program
+  CsvFormat format = {};
 };
 
 /// deviation <= max(absolute, relative * scale); what both are, the criterion says (docs/theory.md,

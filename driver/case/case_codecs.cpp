@@ -478,7 +478,8 @@ struct WaveText {
 };
 struct CsvProfileText {
   static constexpr bool kIsDeclared = true;
-  At<std::string> csv, time, value, unit, time_unit;
+  At<DataSourceText> csv;
+  At<std::string> time, value, unit, time_unit;
   template <class V>
   static void declare(V& key) {
     key("csv", &CsvProfileText::csv,
@@ -629,9 +630,9 @@ bool Codec<ProfileText>::read(Binder& binder, const Node& node, const Path& path
   if (has_key(node, "csv")) {
     CsvProfileText csv;
     if (!read_struct(binder, node, path, csv)) return false;
-    const auto file = binder.data_file(*csv.csv.node, csv.csv.path, csv.csv.value);
-    if (!file) return false;
-    out.profile = CsvColumn{*file, csv.csv.value, csv.time.value, {}, csv.value.value, {}};
+    auto source = data_source(binder, csv.csv);
+    if (!source) return false;
+    out.profile = CsvColumn{std::move(*source), csv.time.value, {}, csv.value.value, {}};
     out.csv = std::move(csv.csv);
     out.unit = std::move(csv.unit);
     out.time_unit = std::move(csv.time_unit);

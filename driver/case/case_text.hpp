@@ -11,6 +11,7 @@
 
 #include "driver/case/binding.hpp"
 #include "driver/case/criterion.hpp"
+#include "driver/case/data_source_text.hpp"
 #include "driver/case/integration.hpp"
 #include "driver/history/profile.hpp"
 #include "law/formulation.hpp"
@@ -152,7 +153,7 @@ struct TableText {
   static constexpr bool kIsDeclared = true;
   At<std::vector<At<std::string>>> columns;
   At<std::vector<std::vector<double>>> rows;
-  At<std::string> csv;
+  At<DataSourceText> csv;
   law::Extrapolation extrapolate = law::Extrapolation::kConstant;
 
   template <class V>
@@ -680,7 +681,8 @@ struct IntegrationText {
 /// A profile of a step, compiled.
 struct ProfileText {
   Profile profile;
-  At<std::string> csv, unit, time_unit;  ///< of a CsvColumn
+  At<DataSourceText> csv;           ///< of a CsvColumn
+  At<std::string> unit, time_unit;  ///< of a CsvColumn
 };
 
 /// How the nodes of a belt move in a step.
@@ -807,7 +809,7 @@ struct MeasuredColumnText {
 
 struct MeasuredText {
   static constexpr bool kIsDeclared = true;
-  At<std::string> csv;
+  At<DataSourceText> csv;
   At<std::string> time;
   At<std::string> time_unit;
   At<NamedMap<MeasuredColumnText>> columns;
@@ -861,7 +863,7 @@ struct AgainstText {
   At<NamedMap<NumberOrList>> with;
   NamedMap<std::string> inputs;
   At<std::string> output;
-  At<std::string> curve;
+  At<DataSourceText> curve;
   At<MeasuredColumnText> abscissa;
   At<MeasuredColumnText> column;
 
@@ -988,7 +990,7 @@ struct ElasticityText {
   At<double> stiffness;
   At<std::vector<At<std::string>>> columns;
   At<std::vector<std::vector<double>>> rows;
-  At<std::string> csv;
+  At<DataSourceText> csv;
   law::Extrapolation extrapolate = law::Extrapolation::kConstant;
 
   template <class V>
@@ -1018,7 +1020,7 @@ struct DampingText {
   At<double> coefficient;
   At<std::vector<At<std::string>>> columns;
   At<std::vector<std::vector<double>>> rows;
-  At<std::string> csv;
+  At<DataSourceText> csv;
   law::Extrapolation extrapolate = law::Extrapolation::kConstant;
 
   template <class V>

@@ -9,10 +9,12 @@
 #include <utility>
 #include <variant>
 
+#include "driver/case/column_unit.hpp"
 #include "driver/case/key_index.hpp"
 #include "driver/case/resolve_expression.hpp"
 #include "driver/compare/curve_file.hpp"
 #include "driver/compare/curve_library.hpp"
+#include "driver/history/standard_input.hpp"
 #include "driver/results/columns.hpp"
 
 namespace slipbench::driver {
@@ -111,33 +113,41 @@ std::optional<AbscissaChoice> own_abscissa(Binder& binder, const CheckText& text
   return std::nullopt;
 }
 
+/// The change of unit of the first column in `names` that the file has.
+/// \param file null if it cannot be read
 std::optional<UnitConversion> conversion(Binder& binder, const At<MeasuredColumnText>& at,
+                                         const CsvReader* file, std::span<const std::string> names,
+                                         const At<DataSourceText>& source,
                                          const std::optional<Dimension>& dimension,
                                          std::string_view what, const UnitSystem& system) {
   const At<std::string>& unit = at.value.unit;
-  if (!unit.given()) return UnitConversion{};
-  if (!unit.sound) return std::nullopt;
+  if (!dimension && !unit.given()) return UnitConversion{};
   if (!dimension) {
-    if (binder.unknown_names_excused()) return std::nullopt;
+    if (!unit.sound || binder.unknown_names_excused()) return std::nullopt;
     binder.error(*unit.node, unit.path,
                  "the unit of an expression is not known, so nothing can be converted to it",
                  "leave out 'unit', and convert in the expression of the " + std::string(what));
     return std::nullopt;
   }
-  auto found = conversion_to_case(unit.value, *dimension, system);
-  if (!found) {
-    binder.history_error(*unit.node, unit.path, found.error());
-    return std::nullopt;
-  }
-  return *found;
+  const auto found = std::find_if(names.begin(), names.end(), [&](const std::string& name) {
+    return file != nullptr && file->find(name);
+  });
+  const std::string column = found != names.end() ? *found : (names.empty() ? "" : names.front());
+  const auto converted =
+      column_unit(binder, file, column, at.given() ? *at.node : *source.node,
+                  at.given() ? at.path : source.path, unit, std::span(&*dimension, 1), system);
+  return converted ? std::optional(converted->conversion) : std::nullopt;
 }
 
 /// The file of `curve:`, a shipped curve or one of the case's folder.
-std::optional<CurveReference> curve_file(Binder& binder, const At<std::string>& at,
+std::optional<CurveReference> curve_file(Binder& binder, const At<DataSourceText>& source,
                                          const Case& problem, bool may_be_missing) {
+  const At<std::string>& at = source.value.file;
+  if (!at.sound) return std::nullopt;
   CurveReference result;
-  result.shown_name = at.value;
-  if (is_curve_name(at.value)) {
+  result.format = format_of(source.value);
+  result.shown_name = shown_name(at.value);
+  if (at.value != "-" && is_curve_name(at.value)) {
     const auto shipped = find_shipped_curve(at.value);
     if (!shipped) {
       const std::vector<ShippedCurve> curves = shipped_curves();
@@ -159,7 +169,7 @@ std::optional<CurveReference> curve_file(Binder& binder, const At<std::string>& 
   }
   for (const Check& check : problem.checks) {
     const auto* other = std::get_if<CurveReference>(&check.against);
-    if (other == nullptr || other->file != result.file) continue;
+    if (other == nullptr || other->file != result.file || other->format != result.format) continue;
     result.data = other->data;
     return result;
   }
@@ -174,7 +184,8 @@ std::optional<CurveReference> curve_file(Binder& binder, const At<std::string>& 
       return std::nullopt;
     }
   }
-  result.data = std::make_shared<CurveFile>(result.file, result.shown_name);
+  result.data =
+      std::make_shared<CurveFile>(DataSource{result.file, result.shown_name, result.format});
   return result;
 }
 
@@ -223,30 +234,36 @@ std::optional<CurveReference> read_curve(Binder& binder, const CheckText& text,
     return std::nullopt;
   }
   auto result = curve_file(binder, against.curve, problem, may_be_missing);
-  const auto over =
-      conversion(binder, against.abscissa, abscissa.dimension, "abscissa", problem.units);
   const auto quantity = column_of_quantity(text.quantity.value, problem);
   std::optional<Dimension> dimension;
   if (quantity) dimension = column_named(problem, *quantity)->dimension;
-  const auto compared = conversion(binder, against.column, dimension, "quantity", problem.units);
-  if (!result || !over || !compared) return std::nullopt;
 
-  result->abscissa.conversion = *over;
-  result->column.conversion = *compared;
-  if (against.abscissa.given()) {
-    result->abscissa.names = {against.abscissa.value.column.value};
-  } else if (!abscissa.columns.empty()) {
-    result->abscissa.names = abscissa.columns;
-  } else {
+  std::vector<std::string> abscissa_names = abscissa.columns;
+  if (against.abscissa.given()) abscissa_names = {against.abscissa.value.column.value};
+  std::vector<std::string> column_names;
+  if (against.column.given()) {
+    column_names = {against.column.value.column.value};
+  } else if (quantity) {
+    column_names = {*quantity};
+  }
+  // What the file holds is judged by the check; here it is asked for its units alone.
+  std::optional<CsvReader> file;
+  if (result) {
+    const DataSource source{result->file, result->shown_name, result->format};
+    if (auto opened = CsvReader::open(source, {})) file = std::move(*opened);
+  }
+  const CsvReader* const header = file ? &*file : nullptr;
+  const auto over = conversion(binder, against.abscissa, header, abscissa_names, against.curve,
+                               abscissa.dimension, "abscissa", problem.units);
+  const auto compared = conversion(binder, against.column, header, column_names, against.curve,
+                                   dimension, "quantity", problem.units);
+  if (!result || !over || !compared) return std::nullopt;
+  if (abscissa_names.empty()) {
     binder.missing_key(*text.against.node, text.against.path, "abscissa",
                        "the curve's column that belongs to '" + printable(abscissa.text) + "'");
     return std::nullopt;
   }
-  if (against.column.given()) {
-    result->column.names = {against.column.value.column.value};
-  } else if (quantity) {
-    result->column.names = {*quantity};
-  } else {
+  if (column_names.empty()) {
     if (!binder.unknown_names_excused() && text.quantity.sound) {
       binder.missing_key(
           *text.against.node, text.against.path, "column",
@@ -254,6 +271,17 @@ std::optional<CurveReference> read_curve(Binder& binder, const CheckText& text,
     }
     return std::nullopt;
   }
+  std::vector<std::string> compared_names;
+  for (const auto& names : {abscissa_names, column_names}) {
+    const auto found = std::find_if(names.begin(), names.end(), [&](const std::string& name) {
+      return header != nullptr && header->find(name);
+    });
+    if (found != names.end()) compared_names.push_back(*found);
+  }
+  note_missing(binder, {result->file, result->shown_name, result->format}, compared_names,
+               *against.curve.node, against.curve.path);
+  result->abscissa = {std::move(abscissa_names), *over};
+  result->column = {std::move(column_names), *compared};
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <string_view>
 
+#include "driver/case/column_unit.hpp"
 #include "driver/case/degrees.hpp"
 #include "driver/case/quantity.hpp"
 #include "driver/case/quantity_dimension.hpp"
@@ -113,16 +114,10 @@ std::optional<int> quantity_of(Binder& binder, const Case& problem, const std::s
   return std::nullopt;
 }
 
-std::optional<UnitConversion> conversion(Binder& binder, const At<std::string>& unit,
-                                         const Dimension& dimension, const UnitSystem& system) {
-  if (!unit.given()) return UnitConversion{};
-  if (!unit.sound) return std::nullopt;
-  auto found = conversion_to_case(unit.value, dimension, system);
-  if (!found) {
-    binder.history_error(*unit.node, unit.path, found.error());
-    return std::nullopt;
-  }
-  return *found;
+/// The dimensions that a unit of a quantity may have: fields have none that is known.
+std::vector<Dimension> dimensions_of(int quantity) {
+  const Dimension dimension = dimension_of(quantity);
+  return dimension == Dimension{} ? std::vector<Dimension>{} : std::vector{dimension};
 }
 
 /// Finishes a profile now that it is known what it drives, and tries its data out.
@@ -148,11 +143,21 @@ std::optional<Profile> finish(Binder& binder, const Case& problem, const Profile
     return std::nullopt;
   }
   if (auto* csv = std::get_if<CsvColumn>(&profile)) {
-    const auto value = conversion(binder, text.unit, dimension_of(quantity), problem.units);
-    const auto time = conversion(binder, text.time_unit, kTime, problem.units);
+    const Node& at = *text.csv.node;
+    const std::array names{csv->time_column, csv->value_column};
+    const auto file = CsvReader::open(csv->data, names);
+    if (!file) {
+      binder.history_error(at, text.csv.path, file.error());
+      return std::nullopt;
+    }
+    const auto value = column_unit(binder, &*file, csv->value_column, at, text.csv.path, text.unit,
+                                   dimensions_of(quantity), problem.units);
+    const auto time = column_unit(binder, &*file, csv->time_column, at, text.csv.path,
+                                  text.time_unit, std::span(&kTime, 1), problem.units);
     if (!value || !time) return std::nullopt;
-    csv->value_conversion = *value;
-    csv->time_conversion = *time;
+    csv->value_conversion = value->conversion;
+    csv->time_conversion = time->conversion;
+    note_missing(binder, csv->data, names, at, text.csv.path);
   }
   auto cursor = ProfileCursor::open(profile);
   const auto begun = cursor ? cursor->begin(start) : tl::unexpected(cursor.error());
@@ -216,17 +221,35 @@ bool names_component(const NamedMap<double>& positions, int component) {
 void read_measured(Binder& binder, const MeasuredText& text, const ConnectorText& connector,
                    Case& out) {
   MeasuredSource source;
-  const auto file = text.csv.sound ? binder.data_file(*text.csv.node, text.csv.path, text.csv.value)
-                                   : std::nullopt;
-  const auto time = conversion(binder, text.time_unit, kTime, out.units);
-  bool good = file.has_value() && time.has_value() && text.time.sound && text.columns.sound;
+  const auto data = data_source(binder, text.csv);
+  std::vector<std::string> names;
+  if (text.time.sound) names.push_back(text.time.value);
+  for (const auto& entry : text.columns.value) {
+    if (entry.sound) names.push_back(entry.value.column.value);
+  }
+  std::optional<CsvReader> file;
+  if (data) {
+    auto opened = CsvReader::open(*data, names);
+    if (opened) {
+      file = std::move(*opened);
+    } else {
+      binder.history_error(*text.csv.node, text.csv.path, opened.error());
+    }
+    source.data = *data;
+  }
+  const CsvReader* const header = file ? &*file : nullptr;
+  bool good = file && text.time.sound && text.columns.sound;
+  std::optional<ColumnUnit> time;
+  if (text.time.sound) {
+    time = column_unit(binder, header, text.time.value, *text.time.node, text.time.path,
+                       text.time_unit, std::span(&kTime, 1), out.units);
+    good = good && time;
+  }
   if (text.columns.sound && text.columns.value.empty()) {
     binder.error(*text.columns.node, text.columns.path, "needs at least one column to drive");
     good = false;
   }
-  if (file) source.file = *file;
-  if (time) source.time_conversion = *time;
-  source.shown_name = text.csv.value;
+  if (time) source.time_conversion = time->conversion;
   source.time_column = text.time.value;
   source.hold = text.hold;
   for (const auto& entry : text.columns.value) {
@@ -236,13 +259,14 @@ void read_measured(Binder& binder, const MeasuredText& text, const ConnectorText
       good = false;
       continue;
     }
-    const auto unit = conversion(binder, entry.value.unit, dimension_of(*quantity), out.units);
+    const At<std::string>& column = entry.value.column;
+    const auto unit = column_unit(binder, header, column.value, *column.node, column.path,
+                                  entry.value.unit, dimensions_of(*quantity), out.units);
     if (!unit) {
       good = false;
       continue;
     }
-    source.columns.push_back(
-        {static_cast<std::size_t>(*quantity), entry.value.column.value, *unit});
+    source.columns.push_back({static_cast<std::size_t>(*quantity), column.value, unit->conversion});
   }
   if (!good) return;
   auto opened = MeasuredHistory::open(source);
@@ -251,6 +275,7 @@ void read_measured(Binder& binder, const MeasuredText& text, const ConnectorText
     binder.history_error(*text.csv.node, text.csv.path, first.error());
     return;
   }
+  note_missing(binder, source.data, names, *text.csv.node, text.csv.path);
   // A measured path starts at its first row: that is the initial position unless the case says so.
   for (std::size_t i = 0; i < source.columns.size(); ++i) {
     const int component = static_cast<int>(source.columns[i].quantity);

@@ -54,7 +54,8 @@ struct Rows {
   std::vector<std::vector<double>> values;
   std::optional<Node> list;  ///< `rows:` of the case
   Path path;
-  std::optional<Node> csv;  ///< the name of the file
+  std::optional<Node> csv;  ///< where the case names the file
+  std::string file;         ///< its name
   std::vector<long> lines;  ///< in the file
 
   /// Reports a fault of row r, item c (-1: the whole row).
@@ -67,8 +68,7 @@ struct Rows {
       binder.error(item ? node[static_cast<std::size_t>(c)] : node, item ? here / c : here,
                    message);
     } else {
-      binder.error(*csv, path,
-                   printable(csv->text()) + ":" + std::to_string(lines[row]) + ": " + message);
+      binder.error(*csv, path, printable(file) + ":" + std::to_string(lines[row]) + ": " + message);
     }
   }
   /// "row 3", or "line 5" of the file.
@@ -99,24 +99,37 @@ std::optional<Rows> rows_of(Binder& binder, const TableText& text, const Node& n
   if (!text.csv.sound) return std::nullopt;
   rows.csv = text.csv.node;
   rows.path = text.csv.path;
-  const auto file = binder.data_file(*text.csv.node, text.csv.path, text.csv.value);
-  if (!file) return std::nullopt;
+  const auto source = data_source(binder, text.csv);
+  if (!source) return std::nullopt;
+  rows.file = source->shown_name;
   std::vector<std::string> columns;
   for (const auto& column : text.columns.value) columns.push_back(column.value);
   const auto fail = [&](const HistoryError& error) {
     binder.history_error(*text.csv.node, text.csv.path, error);
     return std::nullopt;
   };
-  auto reader = CsvReader::open(*file, columns, text.csv.value);
+  auto reader = CsvReader::open(*source, columns);
   if (!reader) return fail(reader.error());
+  for (const auto& column : text.columns.value) {
+    const std::string unit(reader->unit(column.value));
+    if (unit.empty() || unit == "-") continue;
+    binder.error(*column.node, column.path,
+                 rows.file + " states column '" + printable(column.value) + "' in " +
+                     printable(unit) + ", and a table is read in the case's units",
+                 "convert the column, and leave its unit out of the file");
+    return std::nullopt;
+  }
   std::vector<double> row(columns.size());
   while (true) {
     const auto more = reader->next(row);
     if (!more) return fail(more.error());
-    if (!*more) return rows;
+    if (!*more) break;
     rows.values.push_back(row);
     rows.lines.push_back(reader->line());
   }
+  const std::string missing = in_words(reader->missing(), source->format.missing);
+  if (!missing.empty()) binder.note(*rows.csv, rows.path, rows.file + ": " + missing);
+  return rows;
 }
 
 }  // namespace

@@ -169,11 +169,11 @@ std::string failure_text(const Case& problem, const SimulationFailure& failure) 
 
 std::vector<std::string> history_files(const Case& problem) {
   std::vector<std::string> files = {problem.file};
-  if (problem.measured) files.push_back(problem.measured->file.string());
+  if (problem.measured) files.push_back(problem.measured->data.file.string());
   for (const Step& step : problem.steps) {
     for (const Drive& drive : step.drives) {
       if (const auto* csv = std::get_if<CsvColumn>(&drive.profile)) {
-        files.push_back(csv->file.string());
+        files.push_back(csv->data.file.string());
       }
     }
   }

@@ -40,18 +40,22 @@ void CurveFile::want(std::span<const std::string> names) {
 }
 
 void CurveFile::read() const {
-  golden_ = is_golden_curve(path_);
-  auto probe = CsvReader::open(path_, {}, shown_name_);
+  golden_ = is_golden_curve(source_.file);
+  auto probe = CsvReader::open(source_, {});
   if (!probe) {
     fault_ = told(probe.error());
     return;
   }
   header_.assign(probe->header().begin(), probe->header().end());
   for (const std::string& name : wanted_) {
-    if (has(header_, name)) names_.push_back(name);
+    if (probe->find(name)) {
+      names_.push_back(name);
+    } else if (remedy_.empty()) {
+      remedy_ = probe->remedy(std::span(&name, 1));
+    }
   }
   if (names_.empty()) return;
-  auto reader = CsvReader::open(path_, names_, shown_name_);
+  auto reader = CsvReader::open(source_, names_);
   if (!reader) {
     fault_ = told(reader.error());
     return;
@@ -69,7 +73,7 @@ void CurveFile::read() const {
     if (!*more) break;
     for (std::size_t i = 0; i < row.size(); ++i) {
       columns_[i].values.push_back(row[i]);
-      if (!digits[i].exact()) digits[i].add(texts[i]);
+      if (!digits[i].exact() && !texts[i].empty()) digits[i].add(texts[i]);
     }
   }
   // A golden curve has every digit of its doubles, however few some of them need.
@@ -92,9 +96,9 @@ tl::expected<const CurveFile::Column*, std::string> CurveFile::column(
   for (const std::string_view name : wanted) {
     quoted += fmt::format("{}'{}'", quoted.empty() ? "" : " or ", printable(name));
   }
-  std::string message = fmt::format("{}: no column {}; the columns are {}", shown_name_, quoted,
-                                    printable(in_words(there, "and")));
-  if (wanted.size() == 1) {
+  std::string message = fmt::format("{}: no column {}; the columns are {}{}", source_.shown_name,
+                                    quoted, printable(in_words(there, "and")), remedy_);
+  if (wanted.size() == 1 && remedy_.empty()) {
     if (const auto nearest = nearest_name(wanted.front(), there)) {
       message += fmt::format("; did you mean '{}'?", printable(*nearest));
     }

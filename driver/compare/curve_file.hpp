@@ -10,6 +10,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "driver/history/data_source.hpp"
 #include "driver/history/history_error.hpp"
 
 namespace slipbench::driver {
@@ -29,9 +30,7 @@ class CurveFile {
     std::optional<double> resolution;  ///< half a unit of the last printed digit, see PrintedDigits
   };
 
-  /// \param shown_name how messages name the file
-  CurveFile(std::filesystem::path file, std::string shown_name)
-      : path_(std::move(file)), shown_name_(std::move(shown_name)) {}
+  explicit CurveFile(DataSource source) : source_(std::move(source)) {}
 
   /// Says that a column will be asked for: the first of `names` that the file has. Only before the
   /// first `column`.
@@ -44,18 +43,18 @@ class CurveFile {
   /// Whether `slipbench bless` made it.
   bool golden() const;
 
-  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& path() const { return source_.file; }
 
  private:
   void read() const;
 
-  std::filesystem::path path_;
-  std::string shown_name_;
+  DataSource source_;
   std::vector<std::string> wanted_;
   mutable std::once_flag once_;
   mutable bool golden_ = false;
   mutable std::string fault_;
   mutable std::vector<std::string> header_;
+  mutable std::string remedy_;  ///< if nothing of what is wanted was found
   mutable std::vector<std::string> names_;
   mutable std::vector<Column> columns_;  ///< in the order of `names_`
 };

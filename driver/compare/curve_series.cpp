@@ -62,7 +62,8 @@ bool selects_rows(const Check& check) { return check.step || check.from || check
 /// The file that the reader shared out, or one for a check that was built by hand.
 std::shared_ptr<const CurveFile> file_of(const Check& check, const CurveReference& reference) {
   if (reference.data) return reference.data;
-  auto file = std::make_shared<CurveFile>(reference.file, reference.shown_name);
+  auto file = std::make_shared<CurveFile>(
+      DataSource{reference.file, reference.shown_name, reference.format});
   want_columns(*file, check);
   return file;
 }

@@ -22,7 +22,7 @@ MeasuredHistory::MeasuredHistory(MeasuredSource source, CsvReader reader)
 tl::expected<MeasuredHistory, HistoryError> MeasuredHistory::open(MeasuredSource source) {
   std::vector<std::string> names = {source.time_column};
   for (const MeasuredColumn& column : source.columns) names.push_back(column.column);
-  auto reader = CsvReader::open(source.file, names, source.shown_name);
+  auto reader = CsvReader::open(source.data, names);
   if (!reader) return tl::unexpected(std::move(reader.error()));
   return MeasuredHistory(std::move(source), std::move(*reader));
 }
@@ -39,8 +39,9 @@ tl::expected<bool, HistoryError> MeasuredHistory::advance() {
   const double raw_time = row_.front();
   // The comparison is made on the file's own numbers, which the user can look up.
   if (rows_ > 0 && !(raw_time > previous)) {
-    return error_here(fmt::format("the time '{}' does not increase: {} after {} in line {}",
-                                  source_.time_column, raw_time, previous, previous_line));
+    return error_here(fmt::format("the time '{}' does not increase: {} after {} in line {}{}",
+                                  source_.time_column, raw_time, previous, previous_line,
+                                  of_held_time(source_.data.format, raw_time, previous)));
   }
   const double time = source_.time_conversion(raw_time);
   bool finite = std::isfinite(time);

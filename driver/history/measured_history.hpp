@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <span>
 #include <string>
 #include <tl/expected.hpp>
@@ -23,8 +22,7 @@ struct MeasuredColumn {
 
 /// Where a measured history comes from.
 struct MeasuredSource {
-  std::filesystem::path file;
-  std::string shown_name;  ///< How errors name the file; its path when empty.
+  DataSource data;
   std::string time_column;
   UnitConversion time_conversion;
   std::vector<MeasuredColumn> columns;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "driver/history/data_source.hpp"
 #include "driver/history/expression.hpp"
 #include "driver/history/history_error.hpp"
 #include "driver/history/units.hpp"
@@ -58,8 +58,7 @@ struct Tabular {
 
 /// Two columns of a CSV file, linear between its rows, streamed. The rows must cover the step.
 struct CsvColumn {
-  std::filesystem::path file;
-  std::string shown_name;  ///< How errors name the file; its path when empty.
+  DataSource data;
   std::string time_column;
   UnitConversion time_conversion;
   std::string value_column;

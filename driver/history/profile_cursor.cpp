@@ -94,8 +94,7 @@ tl::expected<ProfileCursor, HistoryError> ProfileCursor::open(Profile profile) {
   }
   ProfileCursor cursor(std::move(profile));
   if (const auto* csv = std::get_if<CsvColumn>(&cursor.profile_)) {
-    auto data = MeasuredHistory::open({csv->file,
-                                       csv->shown_name,
+    auto data = MeasuredHistory::open({csv->data,
                                        csv->time_column,
                                        csv->time_conversion,
                                        {{0, csv->value_column, csv->value_conversion}},

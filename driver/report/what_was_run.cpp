@@ -185,7 +185,10 @@ class Teller {
   void history() {
     if (problem_.measured) {
       std::vector<std::string> names;
-      fact("history", fmt::format("the rows of {}", problem_.measured->file.filename().string()));
+      fact("history",
+           fmt::format(
+               "the rows of {}",
+               std::filesystem::path(problem_.measured->data.shown_name).filename().string()));
       return;
     }
     TextTable told{"History", {"Step", "Duration", "Increments", "Prescribed"}, {}, 0};

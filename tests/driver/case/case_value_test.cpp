@@ -370,7 +370,7 @@ TEST_CASE("A profile may be two columns of a CSV file in their own units") {
   folder.write("rig.csv", "ms,disp\n0,0\n1000,1\n");
   const auto csv = std::get<CsvColumn>(
       profile_of("{csv: rig.csv, time: ms, time_unit: ms, value: disp, unit: in}", folder.path()));
-  CHECK(csv.shown_name == "rig.csv");
+  CHECK(csv.data.shown_name == "rig.csv");
   CHECK(csv.time_column == "ms");
   CHECK(csv.value_column == "disp");
   // One rounding in the data base's factors.
@@ -403,7 +403,7 @@ TEST_CASE("A measured history drives a case, and starts it at its first row") {
   const Case problem = sound(text, {}, folder.path());
   CHECK(problem.steps.empty());
   REQUIRE(problem.measured.has_value());
-  CHECK(problem.measured->shown_name == "rig.csv");
+  CHECK(problem.measured->data.shown_name == "rig.csv");
   CHECK(problem.measured->time_column == "ms");
   CHECK(problem.measured->time_conversion(1000.0) == Approx(1.0).epsilon(1e-15));
   CHECK(problem.measured->hold);

@@ -15,8 +15,8 @@ using Names = std::vector<std::string>;
 
 TEST_CASE("a curve gives the columns that were asked for, and how finely they were printed") {
   const TemporaryFolder folder;
-  CurveFile file(folder.write("a.csv", "# rig 7\ntime;note;load\n0;start;1.25\n0.5;end;-12.50\n"),
-                 "a.csv");
+  CurveFile file(
+      {folder.write("a.csv", "# rig 7\ntime;note;load\n0;start;1.25\n0.5;end;-12.50\n"), "a.csv"});
   file.want(Names{"t", "time"});
   file.want(Names{"load"});
   const auto time = file.column(Names{"t", "time"});
@@ -30,7 +30,7 @@ TEST_CASE("a curve gives the columns that were asked for, and how finely they we
 
 TEST_CASE("a column that is not there is told with those that are; the others can be had") {
   const TemporaryFolder folder;
-  CurveFile file(folder.write("a.csv", "time,load\n0,1\n"), "a.csv");
+  CurveFile file({folder.write("a.csv", "time,load\n0,1\n"), "a.csv"});
   file.want(Names{"time"});
   file.want(Names{"loads"});
   CHECK(file.column(Names{"time"}));
@@ -46,7 +46,7 @@ TEST_CASE("a column that is not there is told with those that are; the others ca
 TEST_CASE("what is wrong in a curve is told with its place") {
   const TemporaryFolder folder;
   const auto fault = [&](const std::string& bytes) {
-    CurveFile file(folder.write("a.csv", bytes), "a.csv");
+    CurveFile file({folder.write("a.csv", bytes), "a.csv"});
     file.want(Names{"time"});
     const auto column = file.column(Names{"time"});
     REQUIRE_FALSE(column);
@@ -60,7 +60,7 @@ TEST_CASE("what is wrong in a curve is told with its place") {
 
 TEST_CASE("a curve that is gone is told when it is asked for") {
   const TemporaryFolder folder;
-  CurveFile file(folder.path() / "a.csv", "a.csv");
+  CurveFile file({folder.path() / "a.csv", "a.csv"});
   file.want(Names{"time"});
   const auto column = file.column(Names{"time"});
   REQUIRE_FALSE(column);
@@ -75,7 +75,7 @@ TEST_CASE("a golden curve is known by its first line, and has all digits of its 
   CHECK_FALSE(is_golden_curve(folder.write("d.csv", "time\n1\n")));
   CHECK_FALSE(is_golden_curve(folder.path() / "none.csv"));
 
-  CurveFile golden(folder.path() / "a.csv", "a.csv");
+  CurveFile golden({folder.path() / "a.csv", "a.csv"});
   golden.want(Names{"time"});
   CHECK_FALSE((*golden.column(Names{"time"}))->resolution);
   // What was read once is known: the file is not looked at again.

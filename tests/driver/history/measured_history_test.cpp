@@ -15,7 +15,7 @@ tl::expected<long, HistoryError> rows_of(const std::string& bytes, UnitConversio
                                          UnitConversion value = {}) {
   const TemporaryFolder folder;
   auto history = MeasuredHistory::open(
-      {folder.write("rig.csv", bytes), "rig.csv", "t", time, {{0, "x", value}}, false});
+      {{folder.write("rig.csv", bytes), "rig.csv"}, "t", time, {{0, "x", value}}, false});
   if (!history) return tl::unexpected(history.error());
   long rows = 0;
   for (;; ++rows) {
@@ -28,12 +28,8 @@ tl::expected<long, HistoryError> rows_of(const std::string& bytes, UnitConversio
 TEST_CASE("a measured history yields its rows in the case's units") {
   const TemporaryFolder folder;
   const auto file = folder.write("rig.csv", "ms,load,note,disp\n-100,2,a,1\n0,4,b,2\n500,6,c,3\n");
-  auto history = MeasuredHistory::open({file,
-                                        "",
-                                        "ms",
-                                        {0.001, 0.0},
-                                        {{7, "disp", {25.4, 0.0}}, {3, "load", {1.0, -273.15}}},
-                                        true});
+  auto history = MeasuredHistory::open(
+      {{file}, "ms", {0.001, 0.0}, {{7, "disp", {25.4, 0.0}}, {3, "load", {1.0, -273.15}}}, true});
   REQUIRE(history);
   CHECK(history->source().hold);
   CHECK(history->source().columns[0].quantity == 7);

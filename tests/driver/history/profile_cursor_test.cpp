@@ -41,7 +41,7 @@ std::vector<double> breakpoints(ProfileCursor& cursor, double duration) {
 }
 
 CsvColumn csv(const std::filesystem::path& file, UnitConversion value = {}) {
-  return {file, "rig.csv", "t", {}, "x", value};
+  return {{file, "rig.csv"}, "t", {}, "x", value};
 }
 
 TEST_CASE("a constant has its value from the step's start on") {

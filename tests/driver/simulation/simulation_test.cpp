@@ -148,12 +148,12 @@ TEST_CASE("a motion that does not start where the connector is, is noted") {
 TEST_CASE("a measured history drives the case row by row from its first row on") {
   const TemporaryFolder folder;
   Case problem = slider_case({});
-  problem.measured = MeasuredSource{folder.write("rig.csv", "time,disp\n1,0.5\n2,0.51\n4,0.6\n"),
-                                    "rig.csv",
-                                    "time",
-                                    {},
-                                    {{0, "disp", {}}},
-                                    false};
+  problem.measured =
+      MeasuredSource{{folder.write("rig.csv", "time,disp\n1,0.5\n2,0.51\n4,0.6\n"), "rig.csv"},
+                     "time",
+                     {},
+                     {{0, "disp", {}}},
+                     false};
   const std::vector<Row> rows = rows_of(problem);
   REQUIRE(rows.size() == 3);
   CHECK(rows[0].time == 1.0);
@@ -168,8 +168,7 @@ TEST_CASE("a measured history drives the case row by row from its first row on")
 TEST_CASE("faulty data end the run and name their line") {
   const TemporaryFolder folder;
   Case problem = slider_case({});
-  problem.measured = MeasuredSource{folder.write("rig.csv", "time,disp\n1,0.5\n2,x\n"),
-                                    "rig.csv",
+  problem.measured = MeasuredSource{{folder.write("rig.csv", "time,disp\n1,0.5\n2,x\n"), "rig.csv"},
                                     "time",
                                     {},
                                     {{0, "disp", {}}},
@@ -184,7 +183,7 @@ TEST_CASE("faulty data end the run and name their line") {
 
 TEST_CASE("a file that is missing is a failure of the environment") {
   Case problem = slider_case({});
-  problem.measured = MeasuredSource{"missing.csv", "missing.csv", "t", {}, {{0, "u", {}}}, false};
+  problem.measured = MeasuredSource{{"missing.csv", "missing.csv"}, "t", {}, {{0, "u", {}}}, false};
   const auto simulation = Simulation::start(problem);
   REQUIRE_FALSE(simulation);
   CHECK(simulation.error().kind == SimulationFailure::Kind::kEnvironment);
