@@ -11,6 +11,7 @@
 #include "driver/history/standard_input.hpp"
 #include "driver/text/format_number.hpp"
 #include "driver/text/number.hpp"
+#include "driver/text/standard_input.hpp"
 #include "driver/text/suggestions.hpp"
 
 namespace slipbench::driver {
@@ -266,8 +267,8 @@ std::optional<double> Binder::number(const Node& node, const Path& path, const K
 
 std::optional<std::filesystem::path> Binder::data_file(const Node& node, const Path& path,
                                                        std::string_view text) {
-  const bool streamed = text == "-";
-  if (streamed && node.source().name() == shown_name("-")) {
+  const bool streamed = text == kStandardInput;
+  if (streamed && node.source().name() == kStandardInputName) {
     error(node, path, "standard input is this text itself, and cannot be its data as well",
           "one of them must be a file");
     return std::nullopt;

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "driver/history/standard_input.hpp"
+#include "driver/text/standard_input.hpp"
 
 namespace slipbench::driver {
 
@@ -60,7 +60,7 @@ std::optional<DataSource> data_source(Binder& binder, const At<DataSourceText>& 
   if (!text.sound || !name.sound) return std::nullopt;
   const auto file = binder.data_file(*name.node, name.path, name.value);
   if (!file) return std::nullopt;
-  return DataSource{*file, shown_name(name.value), format_of(text.value)};
+  return DataSource{*file, source_name(name.value), format_of(text.value)};
 }
 
 }  // namespace slipbench::driver

@@ -14,8 +14,8 @@
 #include "driver/case/resolve_expression.hpp"
 #include "driver/compare/curve_file.hpp"
 #include "driver/compare/curve_library.hpp"
-#include "driver/history/standard_input.hpp"
 #include "driver/results/columns.hpp"
+#include "driver/text/standard_input.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -146,8 +146,8 @@ std::optional<CurveReference> curve_file(Binder& binder, const At<DataSourceText
   if (!at.sound) return std::nullopt;
   CurveReference result;
   result.format = format_of(source.value);
-  result.shown_name = shown_name(at.value);
-  if (at.value != "-" && is_curve_name(at.value)) {
+  result.shown_name = source_name(at.value);
+  if (at.value != kStandardInput && is_curve_name(at.value)) {
     const auto shipped = find_shipped_curve(at.value);
     if (!shipped) {
       const std::vector<ShippedCurve> curves = shipped_curves();

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "driver/text/standard_input.hpp"
+
 namespace slipbench::driver {
 namespace {
 
@@ -29,7 +31,7 @@ std::string_view of_held_time(const CsvFormat& format, double time, double befor
 }
 
 std::string in_words(std::string_view name, const CsvFormat& format) {
-  std::string text = "{file: " + scalar(name == "stdin" ? "-" : name);
+  std::string text = "{file: " + scalar(name == kStandardInputName ? kStandardInput : name);
   if (format.decimal != '.') text += fmt::format(", decimal: \"{}\"", format.decimal);
   if (format.separator == '\t' || format.separator == ' ') {
     text += format.separator == ' ' ? ", separator: space" : ", separator: tab";

@@ -7,8 +7,11 @@
 
 #include <cerrno>
 #include <cstddef>
+#include <string>
 #include <system_error>
 #include <vector>
+
+#include "driver/text/standard_input.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -45,7 +48,5 @@ tl::expected<std::filesystem::path, HistoryError> standard_input_file() {
   static const auto file = copy_to_memory();
   return file;
 }
-
-std::string shown_name(std::string_view file) { return file == "-" ? "stdin" : std::string(file); }
 
 }  // namespace slipbench::driver

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
-#include <string_view>
 #include <tl/expected.hpp>
 
 #include "driver/history/history_error.hpp"
@@ -14,8 +12,5 @@ namespace slipbench::driver {
 /// a file's start first, and a step that repeats reads it anew. It is read to its end, into memory,
 /// by the first call; safe for threads. Errors are of the kind kEnvironment.
 tl::expected<std::filesystem::path, HistoryError> standard_input_file();
-
-/// How messages name a data file: as the user does, "stdin" for "-".
-std::string shown_name(std::string_view file);
 
 }  // namespace slipbench::driver
