@@ -17,7 +17,7 @@ namespace slipbench::driver {
 namespace {
 
 tl::unexpected<HistoryError> failed(const char* what) {
-  return environment_error("stdin",
+  return environment_error(std::string(kStandardInputName),
                            fmt::format("{}: {}", what, std::generic_category().message(errno)));
 }
 
