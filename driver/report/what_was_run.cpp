@@ -228,7 +228,7 @@ class Teller {
               [](const Tabular& one) { return fmt::format("by {} points", one.times.size()); },
               [](const CsvColumn& one) {
                 return fmt::format("by column {} of {}", one.value_column,
-                                   one.file.filename().string());
+                                   std::filesystem::path(one.data.shown_name).filename().string());
               },
               [](const ExpressionProfile& one) { return "= " + one.expression.text(); }},
         profile);
