@@ -35,7 +35,7 @@ std::optional<ColumnUnit> from_file(Binder& binder, const CsvReader& file,
   const std::string own = unit_text(dimensions.front(), system);
   const bool has_dimension = dimensions.front() != Dimension{};
   if (unit.empty()) {
-    const std::string bracket(split_unit(name).unit);
+    const std::string bracket(split_column_name(name).unit);
     if (!bracket.empty() && has_dimension && !own.empty()) {
       binder.note(
           at, path,

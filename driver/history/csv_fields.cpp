@@ -129,7 +129,7 @@ std::vector<std::string> header_names(std::string_view header, char separator) {
   std::vector<std::string> names;
   for (const Field& field : split(header, separator)) {
     const bool unit_alone = separator == ' ' && !names.empty() && field.text.size() > 2 &&
-                            split_unit("x " + std::string(field.text)).unit.size() > 0 &&
+                            split_column_name("x " + std::string(field.text)).unit.size() > 0 &&
                             (field.text.front() == '(' || field.text.front() == '[');
     if (unit_alone) {
       names.back() += ' ' + as_utf8(field.text);
@@ -140,7 +140,7 @@ std::vector<std::string> header_names(std::string_view header, char separator) {
   return names;
 }
 
-NameAndUnit split_unit(std::string_view column) {
+NameAndUnit split_column_name(std::string_view column) {
   const std::string_view text = trimmed(column);
   if (text.empty()) return {text, {}};
   if (text.back() == ')' || text.back() == ']') {
@@ -167,7 +167,7 @@ tl::expected<std::optional<std::size_t>, std::string> match_column(
   }
   std::optional<std::size_t> match;
   for (std::size_t i = 0; i < header.size(); ++i) {
-    const NameAndUnit parts = split_unit(header[i]);
+    const NameAndUnit parts = split_column_name(header[i]);
     if (parts.name != name || !is_unit_or_dash(parts.unit)) continue;
     if (match) {
       return tl::unexpected(fmt::format("'{}' may be '{}' or '{}': write one of them", name,

@@ -101,7 +101,7 @@ struct NameAndUnit {
   std::string_view name;
   std::string_view unit;  ///< empty if there is none; whether it is a unit is not judged
 };
-NameAndUnit split_unit(std::string_view column);
+NameAndUnit split_column_name(std::string_view column);
 
 /// True for a unit, and for the dash that says there is none.
 bool is_unit_or_dash(std::string_view text);

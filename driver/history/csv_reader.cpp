@@ -470,7 +470,7 @@ std::string_view CsvReader::unit(std::string_view column) const {
   const auto found = find(column);
   if (!found) return {};
   if (!file_->units.empty() && !file_->units[*found].empty()) return file_->units[*found];
-  const std::string_view unit = split_unit(file_->header[*found]).unit;
+  const std::string_view unit = split_column_name(file_->header[*found]).unit;
   return is_unit_or_dash(unit) ? unit : std::string_view();
 }
 
