@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "driver/report/json_text.hpp"
@@ -14,6 +16,8 @@
 
 namespace slipbench::driver {
 namespace {
+
+namespace fs = std::filesystem;
 
 std::string_view word_of(ReportStatus status) {
   switch (status) {
@@ -356,11 +360,12 @@ void write_run(JsonText& json, const WhatWasRun& run) {
   json.end_object();
 }
 
-void write_case(JsonText& json, const CaseReport& one, const std::string& id) {
+void write_case(JsonText& json, const CaseReport& one, const std::string& name,
+                const std::string& id) {
   const TimeText time(column_of(one, 0));
   json.begin_object();
   json.member("id", id);
-  json.member("name", one.name);
+  json.member("name", name);
   json.member_if("title", one.title);
   json.member("kind", one.is_result ? "result" : "case");
   json.member("status", word_of(one.status));
@@ -413,16 +418,36 @@ void write_case(JsonText& json, const CaseReport& one, const std::string& id) {
   json.end_object();
 }
 
-/// The names of the cases, each followed by a number where several have it.
-std::vector<std::string> unique_ids(std::span<const CaseReport> cases) {
-  std::vector<std::string> ids;
-  std::set<std::string> taken;
-  for (const CaseReport& one : cases) taken.insert(one.name);
-  std::set<std::string> given;
+/// Returns the cases' names for the page. It goes to other machines, so names that are whole paths
+/// lose the folders they share.
+std::vector<std::string> shown_names(std::span<const CaseReport> cases) {
+  std::optional<fs::path> shared;
   for (const CaseReport& one : cases) {
-    std::string id = one.name;
+    if (!fs::path(one.name).is_absolute()) continue;
+    const fs::path folder = fs::path(one.name).parent_path();
+    if (!shared) shared = folder;
+    while (folder.lexically_relative(*shared).native().starts_with("..")) {
+      shared = shared->parent_path();
+    }
+  }
+  std::vector<std::string> names;
+  for (const CaseReport& one : cases) {
+    const fs::path path = one.name;
+    names.push_back(path.is_absolute() ? path.lexically_relative(*shared).generic_string()
+                                       : one.name);
+  }
+  return names;
+}
+
+/// Returns the names, each followed by a number where several cases have it.
+std::vector<std::string> unique_ids(std::span<const std::string> names) {
+  std::vector<std::string> ids;
+  const std::set<std::string> taken(names.begin(), names.end());
+  std::set<std::string> given;
+  for (const std::string& name : names) {
+    std::string id = name;
     for (int n = 2; given.contains(id) || (n > 2 && taken.contains(id)); ++n) {
-      id = fmt::format("{} ({})", one.name, n);
+      id = fmt::format("{} ({})", name, n);
     }
     given.insert(id);
     ids.push_back(std::move(id));
@@ -460,7 +485,8 @@ std::vector<std::vector<std::string>> compared_groups(std::span<const CaseReport
 
 std::string report_document(const ReportCollection& collection, const std::string& title) {
   const std::span<const CaseReport> cases = collection.cases();
-  const std::vector<std::string> ids = unique_ids(cases);
+  const std::vector<std::string> names = shown_names(cases);
+  const std::vector<std::string> ids = unique_ids(names);
   const ReportTotals totals = collection.totals();
   JsonText json;
   json.begin_object();
@@ -478,7 +504,7 @@ std::string report_document(const ReportCollection& collection, const std::strin
   json.end_object();
   json.key("cases");
   json.begin_array();
-  for (std::size_t i = 0; i < cases.size(); ++i) write_case(json, cases[i], ids[i]);
+  for (std::size_t i = 0; i < cases.size(); ++i) write_case(json, cases[i], names[i], ids[i]);
   json.end_array();
   json.key("compare");
   json.begin_array();

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <iterator>
 #include <utility>
 
@@ -14,10 +13,6 @@ namespace slipbench::driver {
 
 void ReportCollection::put(std::size_t place, CaseReport report) {
   const std::scoped_lock lock(mutex_);
-  // A page goes to other machines: of a case that is named with its whole path the file stays.
-  if (const std::filesystem::path path = report.name; path.is_absolute()) {
-    report.name = path.filename().string();
-  }
   failed_.erase(place);
   others_.erase(place);
   cases_[place] = std::move(report);

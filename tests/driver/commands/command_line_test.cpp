@@ -56,20 +56,21 @@ TEST_CASE("an option that a command does not have is answered by the nearest one
 }
 
 TEST_CASE("a missing, extra or wrong value is told with what is wanted") {
-  check_all({{"run",
-              "run: CASE is missing (Case files (YAML)), for example: slipbench run shock.yaml "
-              "hinge.yaml -o out --set mu=0.2 --every 10"},
-             {"run shock.yaml --every", "run: --every wants a value: --every N"},
-             {"run shock.yaml --every 0",
-              "run: --every: wanted a whole number from 1 to 1000000000, found '0'"},
-             {"run shock.yaml --every 2.5",
-              "run: --every: wanted a whole number from 1 to 1000000000, found '2.5'"},
-             {"run shock.yaml --every 2 --every 3", "run: --every is given more than once"},
-             {"run shock.yaml --explain soon", "run: --explain: wanted a number, found 'soon'"},
-             {"run shock.yaml --format vtk", "run: --format: unknown word 'vtk'; known: csv"},
-             {"run shock.yaml --no-output=3", "run: --no-output takes no value"},
-             {"run shock.yaml --set", "run: --set wants a value: --set NAME=VALUE"}},
-            "See 'slipbench run --help'.\n");
+  check_all(
+      {{"run",
+        "run: CASE is missing (Case files (YAML); - is standard input), for example: slipbench "
+        "run shock.yaml hinge.yaml -o out --set mu=0.2 --every 10"},
+       {"run shock.yaml --every", "run: --every wants a value: --every N"},
+       {"run shock.yaml --every 0",
+        "run: --every: wanted a whole number from 1 to 1000000000, found '0'"},
+       {"run shock.yaml --every 2.5",
+        "run: --every: wanted a whole number from 1 to 1000000000, found '2.5'"},
+       {"run shock.yaml --every 2 --every 3", "run: --every is given more than once"},
+       {"run shock.yaml --explain soon", "run: --explain: wanted a number, found 'soon'"},
+       {"run shock.yaml --format vtk", "run: --format: unknown word 'vtk'; known: csv"},
+       {"run shock.yaml --no-output=3", "run: --no-output takes no value"},
+       {"run shock.yaml --set", "run: --set wants a value: --set NAME=VALUE"}},
+      "See 'slipbench run --help'.\n");
   check_all(
       {{"list connection", "list: WHAT: unknown word 'connection'; did you mean 'connections'?"},
        {"list laws curves", "list: 'curves' is one argument too many"}},

@@ -43,7 +43,7 @@ TEST_CASE("a title and a document stay text, whatever they look like") {
   CHECK(count(page, "</script>") == count(plain, "</script>"));
   CHECK(count(page, "</title>") == 1);
   CHECK(page.find("<title>&lt;/script&gt;&lt;/title&gt;&lt;script&gt;x()&lt;/script&gt;{{script}} "
-                  "&amp; \"</title>") != std::string::npos);
+                  "&amp; &quot;</title>") != std::string::npos);
   CHECK(page.find(R"({"title":"\u003c/script>\u003c/title>)") != std::string::npos);
 }
 
