@@ -48,6 +48,7 @@ constexpr std::array kExamples{
     Example{"columns", "[mu, slip_rate]"},
     Example{"rows", "[[0.3, 0], [0.2, 100]]"},
     Example{"csv", "rig.csv"},
+    Example{"file", "rig.csv"},
     Example{"coefficient", "0.2"},
     Example{"internal_contact_force", "50"},
     Example{"internal_contact_moment", "500"},

@@ -161,7 +161,8 @@ TEST_CASE("A fault of a data file names the file, the line and the key that name
   CHECK(complaint(changed({{"{to: 0.45}", "{csv: nan.csv, time: t, value: x}"}}), {},
                   folder.path()) ==
         "c.yaml:21:25: error: history[0].motion.CP1.csv: nan.csv:3:3: column 'x' holds 'nan'; a "
-        "finite number is wanted\n"
+        "finite number is wanted; write {file: nan.csv, missing: skip} to leave such rows out, or "
+        "'hold' for the value before\n"
         "   21 |     motion: {CP1: {csv: nan.csv, time: t, value: x}}\n"
         "      |                         ^~~~~~~\n");
   CHECK(complaint(changed({{"coefficient: = mu",
