@@ -60,7 +60,8 @@ std::string memory_fault(const Case& problem, Trace trace) {
   if (first == nullptr || need <= free) return {};
   return fmt::format(
       "check '{}' keeps the rows it compares: {:.3g} rows need at least {:.2g} GB of memory, and "
-      "{:.2g} GB are free; compare fewer ('over: {{step: .., from: .., to: ..}}') or take fewer "
+      "{:.2g} GB are free; compare fewer ('step: ..' or 'over: {{from: .., to: ..}}') or take "
+      "fewer "
       "increments",
       first->name, rows, need / kGigabyte, free / kGigabyte);
 }

@@ -74,7 +74,7 @@ TEST_CASE("checks that keep more rows than there is memory for are refused befor
                                  "w}}\n"));
   const std::string told =
       "check 'loop' keeps the rows it compares: 1e+09 rows need at least 33 GB of memory, and 1 GB "
-      "are free; compare fewer ('over: {step: .., from: .., to: ..}') or take fewer increments\n";
+      "are free; compare fewer ('step: ..' or 'over: {from: .., to: ..}') or take fewer increments\n";
   for (const char* command : {"run --no-output", "check", "plot --as residuals -o c.svg"}) {
     const Ended ended =
         shell(folder, "ulimit -v 1000000 && '" + kProgram + "' " + command + " c.yaml");
