@@ -68,6 +68,15 @@ std::string whose(const CaseDefinition& definition) {
   return fmt::format("friction '{}': ", definition.name);
 }
 
+/// Returns the length of the way through the slip space that holds all motions [L].
+double motion_range(const DefinitionExtremes& all) {
+  double range = 0.0;
+  for (std::size_t i = 0; i < all.lowest_motion.size(); ++i) {
+    range = std::hypot(range, all.highest_motion[i] - all.lowest_motion[i]);
+  }
+  return range;
+}
+
 std::string percent(double part) { return fmt::format("{:.2g} %", 100.0 * part); }
 
 }  // namespace
@@ -157,15 +166,36 @@ std::string Plausibility::no_pressure(std::size_t index) const {
                     words(all), all.front());
 }
 
+std::string Plausibility::no_motion() const {
+  law::ComponentSet slipping;
+  for (std::size_t d = 0; d < definitions_.size(); ++d) {
+    const CaseDefinition& definition = case_->definitions[d];
+    if (!is_measured_by_its_spring(definition, *case_) || motion_range(definitions_[d]) > 0.0) {
+      return {};
+    }
+    const law::SlipSpace& slip = definition.law.slip;
+    for (int i = 0; i < slip.dimension; ++i) {
+      slipping.insert(slip.component[static_cast<std::size_t>(i)]);
+    }
+  }
+  if (slipping.empty()) return {};
+  std::vector<std::string> names;
+  for (int c = 0; c < law::kComponents; ++c) {
+    if (slipping.contains(c)) names.push_back(motion_name(c));
+  }
+  return fmt::format(
+      "history: nothing moves: {} never changes, so nothing can slip; a step moves it, for example "
+      "'motion: "
+      "{{{}: {{to: 1}}}}'",
+      in_words(std::vector<std::string_view>(names.begin(), names.end()), "and"), names.front());
+}
+
 std::string Plausibility::mere_spring(std::size_t index) const {
   const CaseDefinition& definition = case_->definitions[index];
   const DefinitionExtremes& all = definitions_[index];
   if (all.slips || all.smallest_elastic_slip == 0.0) return {};
   if (!is_measured_by_its_spring(definition, *case_)) return {};
-  double range = 0.0;
-  for (std::size_t i = 0; i < all.lowest_motion.size(); ++i) {
-    range = std::hypot(range, all.highest_motion[i] - all.lowest_motion[i]);
-  }
+  const double range = motion_range(all);
   if (range >= all.smallest_elastic_slip) return {};
   const std::string unit =
       unit_text(is_rotational(definition.law) ? kAngle : kLength, case_->units);
@@ -210,6 +240,7 @@ std::vector<std::string> Plausibility::findings() const {
   const auto add = [&](std::string text) {
     if (!text.empty()) all.push_back(std::move(text));
   };
+  add(no_motion());
   for (std::size_t d = 0; d < definitions_.size(); ++d) {
     add(no_pressure(d));
     add(mere_spring(d));

@@ -37,8 +37,8 @@ class Plausibility {
   /// In the order of the case's definitions.
   const std::vector<DefinitionExtremes>& definitions() const { return definitions_; }
 
-  /// What is found, one sentence each with its numbers and what helps: nothing that ever presses,
-  /// an elastic slip above the motion, an energy balance that is open by more than 1 %.
+  /// What is found, one sentence each with its numbers and what helps: nothing that ever moves or
+  /// presses, an elastic slip above the motion, an energy balance that is open by more than 1 %.
   std::vector<std::string> findings() const;
 
  private:
@@ -47,6 +47,7 @@ class Plausibility {
     double stretch = 0.0;    ///< |s_el|^2 [L^2]
   };
   void add_spring(const law::FrictionUpdate& update, std::size_t index);
+  std::string no_motion() const;
   std::string no_pressure(std::size_t index) const;
   std::string mere_spring(std::size_t index) const;
   std::string open_balance(std::size_t index) const;

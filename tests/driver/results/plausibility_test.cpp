@@ -60,6 +60,14 @@ TEST_CASE("a contact that is lost for a while is nobody's mistake") {
   CHECK(findings_of(problem).empty());
 }
 
+TEST_CASE("a case in which nothing moves says what would") {
+  const Case still = slider_case({step("rest", 3, 0, LinearTo{0.0})});
+  CHECK(findings_of(still) ==
+        std::vector<std::string>{
+            "history: nothing moves: CP1 never changes, so nothing can slip; a step "
+            "moves it, for example 'motion: {CP1: {to: 1}}'"});
+}
+
 TEST_CASE("a motion within the elastic slip measures the stick spring") {
   Case problem =
       slider_case({step("out", 3, 0, LinearTo{0.005}), step("back", 3, 0, LinearTo{-0.005})});
