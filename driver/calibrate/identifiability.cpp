@@ -84,7 +84,7 @@ std::vector<Sight> sights(const Calibration& calibration) {
   return result;
 }
 
-/// What holds ordinates to their neighbours, in the words of a fit file.
+/// Returns what holds ordinates to their neighbours, in the words of a fit file.
 std::string shape_words(const Shape& shape) {
   std::string words;
   if (shape.monotone != Shape::Monotone::kFree) {
@@ -98,7 +98,7 @@ std::string shape_words(const Shape& shape) {
   return words;
 }
 
-/// What moves an unknown that no compared point depends on.
+/// Returns what moves an unknown that no compared point depends on.
 /// \param shape of its block; that of a parameter is free
 std::string mover_of(const FittedUnknown& unknown, const Shape& shape) {
   std::string words = unknown.tied ? "`smoothness`" : "";

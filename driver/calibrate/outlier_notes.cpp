@@ -35,13 +35,14 @@ std::string outlier_text(const FittedResponse& response, const std::string& time
                             sigmas < 10.0 ? 1 : 0, above > 0.0 ? "above" : "below");
 }
 
-/// What residuals of normal noise may be before they count less, to two digits: as it is told.
+/// Returns what residuals of normal noise may be before they count less, to two digits: as it is
+/// told.
 double usual_threshold(std::span<const double> residuals) {
   const double usual = kUsualThreshold * robust_scale(residuals);
   return usual > 0.0 ? std::stod(fmt::format("{:.2g}", usual)) : 0.0;
 }
 
-/// Whether residuals of the responses are so alike that one threshold serves them all.
+/// Returns whether residuals of the responses are so alike that one threshold serves them all.
 bool alike(const Fit& fit, const Calibration& calibration) {
   constexpr double kAlike = 3.0;
   double least = std::numeric_limits<double>::infinity();
@@ -75,9 +76,10 @@ std::string move_text(const Calibration& calibration, const LeastSquaresFit& men
   return text;
 }
 
-/// How outliers are made to count little, in the words of a fit file, and what that changes; empty
-/// if the loss that was asked for does it. The threshold is that of the noise which is left when it
-/// is followed: squares go out of the way of outliers until all of the others are off.
+/// Returns how outliers are made to count little, in the words of a fit file, and what that
+/// changes; empty if the loss that was asked for does it. The threshold is that of the noise which
+/// is left when it is followed: squares go out of the way of outliers until all of the others are
+/// off.
 std::string remedy(const Fit& fit, const Calibration& calibration) {
   constexpr double kNear = 3.0;
   constexpr int kMostRounds = 5;

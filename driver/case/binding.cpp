@@ -32,7 +32,7 @@ std::string_view bare(std::string_view expression) {
 
 std::string in_quotes(std::string_view text) { return "'" + std::string(text) + "'"; }
 
-/// Whether a unit stands behind an expression: "= 2*R mm".
+/// Returns whether a unit stands behind an expression: "= 2*R mm".
 bool ends_with_unit(std::string_view expression) {
   const std::size_t blank = expression.find_last_of(' ');
   const std::size_t before = expression.find_last_not_of(' ', blank);

@@ -17,7 +17,7 @@ struct CarriedUnit {
   Dimension dimension;  ///< of the unit
 };
 
-/// Whether a text is a number with something behind it that may be a unit.
+/// Returns whether a text is a number with something behind it that may be a unit.
 [[nodiscard]] bool carries_unit(std::string_view text);
 
 /// Reads a number with its unit. Errors, as a sentence that quotes the text: an unknown unit, one

@@ -26,7 +26,7 @@ bool is_capital(std::string_view text, std::size_t at) {
   return at < text.size() && std::isupper(static_cast<unsigned char>(text[at])) != 0;
 }
 
-/// Whether a line has numbers only, in columns.
+/// Returns whether a line has numbers only, in columns.
 bool has_numbers_only(std::string_view line) {
   return line.find_first_of(",;\t") != std::string_view::npos &&
          line.find_first_of("0123456789") != std::string_view::npos &&

@@ -8,9 +8,9 @@
 
 namespace slipbench::driver {
 
-/// What a file is that was given as a case and is none by its first lines: a Radioss deck, an
-/// Abaqus input file, or numbers in columns, such as a result; with what to do instead. Nothing if
-/// it may be a case.
+/// Returns what a file is that was given as a case and is none by its first lines: a Radioss deck,
+/// an Abaqus input file, or numbers in columns, such as a result; with what to do instead. Nothing
+/// if it may be a case.
 std::optional<Diagnostic> foreign_file(const SourceText& source);
 
 }  // namespace slipbench::driver

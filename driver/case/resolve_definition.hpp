@@ -39,7 +39,7 @@ bool suit_to_slip(Binder& binder, const At<CoefficientText>& coefficient,
                   const law::SlipSpace& slip, const UnitSystem& units, std::optional<double> radius,
                   law::FrictionLaw& law);
 
-/// Whether some of these definitions slip along lengths and others about angles.
+/// Returns whether some of these definitions slip along lengths and others about angles.
 /// \param group indices in Case::definitions
 bool slip_in_two_units(const Case& problem, std::span<const std::size_t> group);
 

@@ -17,7 +17,7 @@ namespace slipbench::driver {
 /// the program; empty if they do.
 std::string fault_of_command(const CLI::App& app, std::span<const std::string_view> words);
 
-/// What parsing refused, and with which command's help to go on: two lines.
+/// Returns what parsing refused, and with which command's help to go on: two lines.
 std::string fault_of_options(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace slipbench::driver

@@ -311,13 +311,13 @@ std::string collision(const std::vector<std::string>& cases) {
   return {};
 }
 
-/// Whether the command writes files at all.
+/// Returns whether the command writes files at all.
 bool writes_files(const RunOptions& options) {
   return !options.no_output && !prints_rows(options) && !options.explain &&
          !options.compare_integration && !options.converge;
 }
 
-/// What is wrong with where the results are to go, as a sentence; empty if nothing is.
+/// Returns what is wrong with where the results are to go, as a sentence; empty if nothing is.
 std::string fault_of_options(const RunOptions& options) {
   if (prints_rows(options) && options.cases.size() > 1) {
     return fmt::format(

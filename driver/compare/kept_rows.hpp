@@ -8,7 +8,7 @@
 
 namespace slipbench::driver {
 
-/// Whether a check keeps the rows that it compares until the end of the run.
+/// Returns whether a check keeps the rows that it compares until the end of the run.
 bool keeps_rows(const Check& check, Trace trace);
 
 /// Why the checks of a case cannot be judged: those that keep the rows they compare need more

@@ -43,7 +43,7 @@ struct LineReader {
   /// The line at `begin`, which must be there, without its end; `begin` moves behind it.
   std::string_view take_line();
 
-  /// Where in the file the line at `begin` starts.
+  /// Returns where in the file the line at `begin` starts.
   off_t offset() const { return buffer_offset + static_cast<off_t>(begin); }
 
   /// Goes back to where line `line` starts. Error: the file cannot be read again.

@@ -26,8 +26,8 @@ tl::expected<Dimension, HistoryError> dimension_of_unit(std::string_view unit);
 /// The dimension in words: "a force", "a length", "an angle", "force*length^-2".
 std::string in_words(const Dimension& dimension);
 
-/// Whether a unit of dimension `unit` may stand where `wanted` is measured: a moment per angle may
-/// leave out the radian.
+/// Returns whether a unit of dimension `unit` may stand where `wanted` is measured: a moment per
+/// angle may leave out the radian.
 bool measures(const Dimension& unit, const Dimension& wanted);
 
 /// "a length is wanted, such as mm": the dimension and the case's unit for it, as far as stated.

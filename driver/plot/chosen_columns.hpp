@@ -13,7 +13,7 @@
 
 namespace slipbench::driver {
 
-/// What the header and the heading of an input's rows say. Errors: those of CsvReader.
+/// Returns what the header and the heading of an input's rows say. Errors: those of CsvReader.
 tl::expected<ResultLayout, PlotFailure> layout_for_plot(const ResultRows& rows);
 
 /// A column that an input must have. The error names the nearest ones, and where all are listed.

@@ -135,7 +135,7 @@ class Curves {
   }
 
  private:
-  /// Whether the input has the columns, in the units of those before it.
+  /// Returns whether the input has the columns, in the units of those before it.
   tl::expected<void, PlotFailure> judge(const ResultRows& rows, const ResultLayout& layout) {
     const auto agrees = [&](const std::string& name,
                             PlotColumn& known) -> tl::expected<void, PlotFailure> {
@@ -179,7 +179,8 @@ class Curves {
   PlotScript script_;
 };
 
-/// What the legend calls inputs: their stems, or if two of them are alike the inputs as typed.
+/// Returns what the legend calls inputs: their stems, or if two of them are alike the inputs as
+/// typed.
 std::vector<std::string> names_of(const std::vector<std::string>& inputs) {
   std::vector<std::string> stems;
   for (const std::string& input : inputs) stems.push_back(fs::path(input).stem().string());

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kMostLoops = 3;
 
-/// What a column gains from the first row to the last.
+/// Returns what a column gains from the first row to the last.
 double gain(const PlotData& data, int column) {
   const auto k = static_cast<std::size_t>(column);
   return data.rows[data.rows.size() - data.columns.size() + k] - data.rows[k];

@@ -35,7 +35,7 @@ struct Loops {
   std::optional<std::array<std::int64_t, 2>> full;
 };
 
-/// What a definition's loops are drawn over and up.
+/// Returns what a definition's loops are drawn over and up.
 std::vector<PathRows::Column> path_columns(const PlotData& data, const PlotDefinition& definition) {
   std::vector<int> numbers = definition.positions;
   numbers.insert(numbers.end(), definition.components.begin(), definition.components.end());

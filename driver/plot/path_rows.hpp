@@ -42,7 +42,7 @@ class PathRows {
     keep_waiting();
     return std::move(rows_);
   }
-  /// How many rows came before it took no more.
+  /// Returns how many rows came before it took no more.
   std::int64_t taken() const { return taken_; }
 
  private:

@@ -35,7 +35,7 @@ std::string with_unit(double value, const std::string& unit) {
   return fmt::format("{:.3g}{}{}", value, unit.empty() ? "" : " ", unit);
 }
 
-/// What is drawn of the amplitudes, as gnuplot reads it.
+/// Returns what is drawn of the amplitudes, as gnuplot reads it.
 std::string points_of(const Amplitudes& found, double end) {
   PathRows path({{0, end}, {1, found.peak}}, found.values.size());
   for (std::size_t k = 0; k < found.values.size(); ++k) {

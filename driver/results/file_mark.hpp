@@ -22,8 +22,8 @@ inline constexpr std::size_t kMarkedBytes = 4096;
 /// changed since: only an unchanged one carries a mark that is sealed.
 std::string sealed(std::string text);
 
-/// Whether a file carries a mark; a mark without bytes is carried by none, nor is one carried by a
-/// file that cannot be read.
+/// Returns whether a file carries a mark; a mark without bytes is carried by none, nor is one
+/// carried by a file that cannot be read.
 bool carries(const std::filesystem::path& file, const FileMark& mark);
 
 }  // namespace slipbench::driver

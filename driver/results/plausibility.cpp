@@ -52,7 +52,8 @@ bool is_driven(const Case& problem, int quantity) {
                      });
 }
 
-/// Whether the law of a definition has a stick spring, and moves with prescribed motions alone.
+/// Returns whether the law of a definition has a stick spring, and moves with prescribed motions
+/// alone.
 bool is_measured_by_its_spring(const CaseDefinition& definition, const Case& problem) {
   const law::FrictionDefinition& law = definition.law;
   if (law.formulation || definition.dead_zone || problem.belt) return false;

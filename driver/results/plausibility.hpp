@@ -37,8 +37,9 @@ class Plausibility {
   /// In the order of the case's definitions.
   const std::vector<DefinitionExtremes>& definitions() const { return definitions_; }
 
-  /// What is found, one sentence each with its numbers and what helps: nothing that ever moves or
-  /// presses, an elastic slip above the motion, an energy balance that is open by more than 1 %.
+  /// Returns what is found, one sentence each with its numbers and what helps: nothing that ever
+  /// moves or presses, an elastic slip above the motion, an energy balance that is open by more
+  /// than 1 %.
   std::vector<std::string> findings() const;
 
  private:

@@ -9,7 +9,7 @@
 namespace slipbench::driver {
 namespace {
 
-/// Where a motion turns within an increment, as far as the cubic through its ends tells.
+/// Returns where a motion turns within an increment, as far as the cubic through its ends tells.
 void add_turns(double begin, double begin_velocity, double end, double end_velocity,
                double duration, Extremes& places) {
   const double a = duration * begin_velocity;

@@ -84,9 +84,9 @@ class Summary {
 
   /// What happened, in lines indented by two blanks, with the case's units. Four digits.
   std::string text() const;
-  /// What the user should change or know, one sentence each: what is not plausible, increments too
-  /// short for a falling coefficient (with the thresholds), motions that jump at the start of a
-  /// step.
+  /// Returns what the user should change or know, one sentence each: what is not plausible,
+  /// increments too short for a falling coefficient (with the thresholds), motions that jump at the
+  /// start of a step.
   std::vector<std::string> warnings(std::span<const MotionJump> jumps) const;
   /// The same numbers, unrounded.
   json::Value to_json() const;

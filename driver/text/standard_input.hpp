@@ -10,7 +10,7 @@ namespace slipbench::driver {
 inline constexpr std::string_view kStandardInput = "-";
 inline constexpr std::string_view kStandardInputName = "stdin";
 
-/// What the text of a path is called, in messages and in the names of results.
+/// Returns what the text of a path is called, in messages and in the names of results.
 inline std::string source_name(const std::string& path) {
   return path == kStandardInput ? std::string(kStandardInputName) : path;
 }

@@ -31,7 +31,7 @@ std::vector<double> residuals_at(const Calibration& calibration, const std::vect
   return residuals;
 }
 
-/// Whether some compared value changes when one unknown moves a little either way.
+/// Returns whether some compared value changes when one unknown moves a little either way.
 bool data_depend_on(const Calibration& calibration, std::size_t u) {
   const std::vector<double> here = residuals_at(calibration, calibration.fit.x);
   for (const double part : {-1e-3, 1e-3}) {

@@ -12,7 +12,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-/// What reading says of a shaft in a sleeve whose history has this step.
+/// Returns what reading says of a shaft in a sleeve whose history has this step.
 Lines told(const std::string& motion, const std::string& initial = "",
            const std::string& force = "f2: 10") {
   const std::string text =

@@ -9,7 +9,7 @@
 namespace slipbench::driver {
 namespace {
 
-/// What is said of a text that is given as a case, without the lines that are quoted.
+/// Returns what is said of a text that is given as a case, without the lines that are quoted.
 std::string said_of(const std::string& name, const std::string& text) {
   const SourceText source(name, text);
   const ReadCase read = read_case_text(source, ".");

@@ -10,7 +10,7 @@
 namespace slipbench::driver {
 namespace {
 
-/// What reading says of a mass on a spring.
+/// Returns what reading says of a mass on a spring.
 std::vector<std::string> told(const std::string& units, const std::string& mass, Severity severity,
                               const std::string& type = "SLOT", int component = 1,
                               int increments = 1000) {

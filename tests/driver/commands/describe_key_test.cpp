@@ -122,7 +122,7 @@ Reader reader_of(const Readers& readers, const std::string& path) {
   return nullptr;
 }
 
-/// What the reader says of an example; empty if nothing.
+/// Returns what the reader says of an example; empty if nothing.
 std::string faults_of_example(const Reader& reader, const std::string& example) {
   const SourceText source("c.yaml", "value: " + example + "\n");
   const auto tree = parse_yaml(source);

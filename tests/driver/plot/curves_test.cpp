@@ -100,7 +100,7 @@ TEST_CASE("curves of other units, and columns that are not there, are told of") 
   CHECK(contains(drawn(folder, options), "'--as mu_map', without --law"));
 }
 
-/// What `mu` and `load` are is written behind it.
+/// Returns what `mu` and `load` are is written behind it.
 constexpr const char* kLaw = R"(slipbench: 1
 title: Law
 units: {length: mm, force: N, time: s}
