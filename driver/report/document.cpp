@@ -360,12 +360,12 @@ void write_run(JsonText& json, const WhatWasRun& run) {
   json.end_object();
 }
 
-void write_case(JsonText& json, const CaseReport& one, const std::string& name,
+void write_case(JsonText& json, const CaseReport& one, const std::string& shown,
                 const std::string& id) {
   const TimeText time(column_of(one, 0));
   json.begin_object();
   json.member("id", id);
-  json.member("name", name);
+  json.member("name", shown);
   json.member_if("title", one.title);
   json.member("kind", one.is_result ? "result" : "case");
   json.member("status", word_of(one.status));
