@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # slipbench_add_cases(DIR [PREFIX prefix] [LABELS label...] [ARGUMENTS argument...])
 #
-# Makes a CTest test of every case (*.yaml) below DIR, but for hidden ones and those in folders that are hidden or named
+# Makes a CTest test of every case (*.yaml, *.yml) below DIR, but for hidden ones and those in folders that are hidden or named
 # `bad`; the test passes if all checks of the case do. It fails if a check fails as well as if the case cannot be run.
 # Cases that are added later are found by the next build. A file name may hold blanks, but no semicolon, quote,
 # backslash, line feed or `$<`: CMake has no way to pass them on, which is an error that says so.
@@ -9,7 +9,7 @@
 #
 #   DIR        folder of cases, relative to the current source folder
 #   PREFIX     what test names begin with, followed by '/'; default: the name of DIR. The rest is the case's path
-#              below DIR without its extension: friction/belt_guide
+#              below DIR without .yaml: friction/belt_guide
 #   LABELS     labels of the tests, for ctest -L
 #   ARGUMENTS  passed on to `slipbench check`: --set mu=0.2
 #
@@ -34,10 +34,11 @@ function(slipbench_add_cases dir)
     cmake_path(GET top FILENAME arg_PREFIX)
   endif()
 
-  file(GLOB_RECURSE cases CONFIGURE_DEPENDS LIST_DIRECTORIES FALSE RELATIVE "${top}" "${top}/*.yaml")
+  file(GLOB_RECURSE cases CONFIGURE_DEPENDS LIST_DIRECTORIES FALSE RELATIVE "${top}"
+       "${top}/*.yaml" "${top}/*.yml")
   list(FILTER cases EXCLUDE REGEX "(^|/)(bad/|\\.)")
   if(NOT cases)
-    message(FATAL_ERROR "slipbench_add_cases: there is no case (*.yaml) in ${top}")
+    message(FATAL_ERROR "slipbench_add_cases: there is no case (*.yaml, *.yml) in ${top}")
   endif()
   foreach(case IN LISTS cases)
     # A semicolon makes two names of one, neither of which is there; a link to nowhere is there.
