@@ -28,7 +28,7 @@ struct FittedResponse {
   double rmse_after = 0.0;
   double range = 0.0;       ///< of the measured values
   double mean_error = 0.0;  ///< of `after`: a bias
-  /// Of the residual from one point to the next, outliers left out: near 0 is noise.
+  /// Correlation of the residual from one point to the next, without outliers; near 0 is noise.
   double autocorrelation = 0.0;
   Outliers outliers;               ///< of `after`
   std::vector<std::size_t> lines;  ///< of the data file, as many as outliers; empty if not known

@@ -46,7 +46,7 @@ void note_freedom(const Fit& fit, const Calibration& calibration, std::vector<st
       asked ? fmt::format(" ({} left out)", what_was_asked(fit)) : std::string()));
 }
 
-/// What is left of a response, as a typical size.
+/// Residual of a response, as a typical size.
 struct Left {
   std::string name;
   std::string unit;

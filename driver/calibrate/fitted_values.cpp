@@ -13,7 +13,7 @@
 namespace slipbench::driver {
 namespace {
 
-/// Of the range measured: what is left of data without noise is rounding.
+/// Part of the measured range below which residuals are rounding, as of data without noise.
 constexpr double kRounding = 1e-9;
 
 double root_mean_square(std::span<const double> numbers) {

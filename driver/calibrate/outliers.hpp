@@ -11,8 +11,8 @@ namespace slipbench::driver {
 
 /// Standard deviations over the median magnitude of normal noise.
 inline constexpr double kNormalOverMedian = 1.4826;
-/// Of normal noise, points within so many standard deviations keep their weight: Huber's choice,
-/// that loses 5 % where there are no outliers.
+/// Standard deviations within which points keep their weight: Huber's choice, that loses 5 % under
+/// normal noise without outliers.
 inline constexpr double kUsualThreshold = 1.345;
 
 /// The middle value; the upper one of the two of an even count. NaN of none.

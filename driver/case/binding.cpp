@@ -76,7 +76,7 @@ void Binder::wrong_kind(const Node& node, const Path& path, std::string_view wan
 
 void Binder::missing_key(const Node& map, const Path& path, std::string_view key,
                          std::string_view wanted) {
-  // Of an empty file this is met first.
+  // The first error that an empty file leads to.
   error(map, path, "missing key " + in_quotes(key) + " (" + std::string(wanted) + ")",
         key == "slipbench" ? "a case and a fit begin with 'slipbench: 1'" : "");
 }

@@ -26,7 +26,7 @@ bool looks_like_degrees(double value, AngleUse use) {
     case AngleUse::kSwing:
       return is_multiple(size, 2.5);
     case AngleUse::kWay:
-      // Who means radians counts in tens and hundreds, or multiples of pi.
+      // Angles in radians are usually given as tens, hundreds or multiples of pi.
       return is_multiple(size, 15.0) && size <= 720.0;
   }
   return false;

@@ -6,7 +6,7 @@
 
 namespace slipbench::driver {
 
-/// What an angle is for decides which numbers of radians nobody means.
+/// Use of an angle, which decides the numbers of radians that are doubted.
 enum class AngleUse {
   kPhase,  ///< any beyond a full turn
   kSwing,  ///< of an oscillation, or a place: multiples of 2.5 beyond a full turn

@@ -11,7 +11,7 @@
 
 namespace slipbench::driver {
 
-/// What the names of cases and fits end with; the first where there are two.
+/// Endings of the names of cases and fits; the first wins where both files exist.
 inline constexpr std::array<std::string_view, 2> kCaseEndings{".yaml", ".yml"};
 
 /// True for a name with one of these endings.

@@ -246,7 +246,7 @@ std::optional<CurveReference> read_curve(Binder& binder, const CheckText& text,
   } else if (quantity) {
     column_names = {*quantity};
   }
-  // What the file holds is judged by the check; here it is asked for its units alone.
+  // Only the units are read here; the check judges the rows.
   std::optional<CsvReader> file;
   if (result) {
     const DataSource source{result->file, result->shown_name, result->format};

@@ -215,7 +215,7 @@ void check_snap_back(Binder& binder, const law::FrictionDefinition& d, const Nod
 
 namespace {
 
-/// Of dry friction nothing is known above it: rubber reaches 2 to 4.
+/// Largest coefficient taken without doubt: dry rubber reaches 2 to 4.
 constexpr double kLargestPlausible = 5.0;
 
 void doubt(Binder& binder, const At<CoefficientText>& text,

@@ -16,7 +16,7 @@ constexpr std::size_t kMostLags = 40;
 constexpr double kBeyondBand = 1.5;
 /// Correlation of neighbours from which the errors of a fit are told to be too small.
 constexpr double kStrong = 0.3;
-/// Of the range measured: what is left below this is rounding.
+/// Part of the measured range below which residuals are rounding.
 constexpr double kRounding = 1e-9;
 
 /// Bins by Freedman and Diaconis' rule, between 8 and 40 of them.
