@@ -8,6 +8,7 @@
 #include "law/first_root.hpp"
 #include "law/limit_function.hpp"
 #include "law/potential_projection.hpp"
+#include "law/snap_back.hpp"
 
 namespace slipbench::law {
 namespace {
@@ -355,6 +356,22 @@ FrictionUpdate update_potential(const FrictionDefinition& definition,
   result.stored_energy = 0.5 * dot(y, s_elastic);
   result.work = slips ? split_work(potential, old.force, y_trial, y, ds, l.force, &result.onset)
                       : 0.5 * (dot(old.force, ds) + dot(y, ds));
+  if (opens) {
+    result.onset = fixed ? meets_limit(potential, old.force, scaled(ds, stick), at_rest.force)
+                         : meets_limit(potential, old.elastic_slip, ds, stick);
+  }
+  // Along the normal of the end the spring has the stiffness |m|^2 kappa.
+  const double along = stick * dot(m, m);
+  if (slips && along > 0.0 && may_snap_back(definition)) {
+    result.snap_back = largest_snap_back(limit, along, slip);
+    if (result.snap_back >= 1.0) {
+      const double start_force = value(potential, old.force);
+      SnapBackPath path = snap_back_path(limit, along, slip, start_force, opens);
+      if (!opens) path.friction_work -= (l.force - dot(y, m)) * slip;  // with shifts y . m is not P
+      book_jumps(path, start_force, value(potential, trial), 0.5 * dot(old.force, old.elastic_slip),
+                 &result);
+    }
+  }
   result.phi = value(potential, y) - l.force;
   const double square = slips || dot(y, y) > 0.0 ? dot(m, m) : 0.0;
   if (square > 0.0) result.direction = scaled(m, 1.0 / square);

@@ -12,6 +12,7 @@
 #include "law/penalty_update.hpp"
 #include "law/potential_return.hpp"
 #include "law/slip_vector.hpp"
+#include "law/snap_back.hpp"
 #include "law/split_work.hpp"
 
 namespace slipbench::law {
@@ -134,6 +135,11 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
     s_elastic.setZero();
   }
 
+  // 4d. Wear that the spring cannot follow: has the force jumped on its way (theory 11.4)?
+  if (slips && may_snap_back(definition)) {
+    result.snap_back = largest_snap_back(limit, kappa_or_g, slip);
+  }
+
   // 5. The new state, bookkeeping and energy (section 10.8).
   report(l);
   store<D>(y, &result.state.force);
@@ -147,6 +153,16 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
     result.stored_energy = 0.5 * y.dot(s_elastic);
     result.work = slips ? split_work<D>(y_old, y_trial, y, ds, l.force, &result.onset)
                         : 0.5 * (y_old + y).dot(ds);
+    // Nothing holds at the end: what slipped on the way began at the limit before it.
+    if (opens) {
+      result.onset = fixed ? limit_fraction<D>(y_old, y_trial, at_rest.force)
+                           : limit_fraction<D>(elastic, s_trial, kappa_or_g);
+    }
+    if (result.snap_back >= 1.0) {
+      const double start = y_old.dot(n);
+      book_jumps(snap_back_path(limit, kappa_or_g, slip, start, opens), start, trial,
+                 0.5 * y_old.squaredNorm() / kappa_or_g, &result);
+    }
     result.phi = (slips && fixed && !opens ? trial - kappa_or_g * slip : p) - l.force;
     if (motion > 0.0) store<D>(ds / motion, &result.motion_direction);
   }

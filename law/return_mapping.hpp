@@ -46,9 +46,19 @@ struct FrictionUpdate {
   double work = 0.0;            ///< of y over ds, split at the stick-slip point [F L]
   /// Of an increment that ends in slip: the part of it that is over when the trial force meets the
   /// limit of its end, 0 where it slips from the start; exact in one dimension at a constant limit.
+  /// Of one whose slip wears the limit away, or makes the force jump: the limit without slip.
   double onset = 0.0;
   /// Of an orthotropic law: the predictor along its axes [F], which its tangent is made of.
   std::array<double, 2> trial{};
+  /// Largest beta = |dF_lim/d(slip)| / kappa of wear on the way of the increment's slip (theory
+  /// 11.4); from 1 on the force has jumped at constant motion (snap-back). 0 where nothing wears,
+  /// with an elastic slip, and where the limit sees the accumulated slip of the start.
+  double snap_back = 0.0;
+  /// Spring energy that such jumps lost: neither friction work nor stored [F L]. With a jump,
+  /// `dissipation` is the integral of F_lim over the slip, and `work` all three together.
+  double lost = 0.0;
+  double jump_onset = 0.0;      ///< the part of the increment that is over at the first jump
+  int jumps = 0;                ///< of the force in this increment
   bool multiple_roots = false;  ///< the limit falls too fast for one certain solution
   bool converged = true;        ///< false: a return to a potential found no solution
 };
@@ -70,7 +80,8 @@ FrictionUpdate update(const FrictionDefinition& definition, const ConnectorIncre
                       const FrictionState& old) noexcept;
 
 /// The same without what only tells of the increment: energies, work, onset, phi, direction of the
-/// motion and further roots stay as they are by default where a definition has the Euclidean norm.
+/// motion, jumps and further roots stay as they are by default where a definition has the Euclidean
+/// norm.
 /// For those who run a history many times over; state and `tangent` are those of update(), bit by
 /// bit. Not for connector_tangent(), which needs the direction of the motion.
 FrictionUpdate update_force(const FrictionDefinition& definition,
