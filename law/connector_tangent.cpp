@@ -8,6 +8,21 @@
 
 namespace slipbench::law {
 
+Eigen::Matrix<double, kComponents, kComponents> kinetic_slopes(
+    const KineticBehavior& behavior, const ConnectorIncrement& increment) noexcept {
+  Eigen::Matrix<double, kComponents, kComponents> slopes;
+  slopes.setZero();
+  for (int c = 0; c < kComponents; ++c) {
+    if (!behavior.pressing.contains(c)) continue;
+    const ElasticForce elastic = elastic_force(behavior, c, increment.end);
+    for (int j = 0; j < kComponents; ++j) slopes(c, j) = elastic.slope[static_cast<std::size_t>(j)];
+    if (!(increment.duration > 0.0)) continue;
+    slopes(c, c) += viscous_force(behavior, c, mean_velocity(increment, c), increment.end).slope /
+                    increment.duration;
+  }
+  return slopes;
+}
+
 ConnectorTangent connector_tangent(const FrictionDefinition& definition,
                                    const ConnectorIncrement& increment,
                                    const FrictionUpdate& update) {

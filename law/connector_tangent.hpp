@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "law/kinetic_force.hpp"
 #include "law/return_mapping.hpp"
 
 namespace slipbench::law {
@@ -18,5 +19,12 @@ struct ConnectorTangent {
 ConnectorTangent connector_tangent(const FrictionDefinition& definition,
                                    const ConnectorIncrement& increment,
                                    const FrictionUpdate& update);
+
+/// The slopes dF_c/du_j of the kinetic forces that press (`behavior.pressing`, of components driven
+/// by their motion) to the motion at the end of the increment: stiffness, and damping over the
+/// duration. Rows of other components are 0. With them the tangent to the motion is
+/// to_motion + to_force * slopes.
+Eigen::Matrix<double, kComponents, kComponents> kinetic_slopes(
+    const KineticBehavior& behavior, const ConnectorIncrement& increment) noexcept;
 
 }  // namespace slipbench::law

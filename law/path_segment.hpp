@@ -9,6 +9,7 @@
 #include "law/capstan_limit.hpp"
 #include "law/friction_definition.hpp"
 #include "law/increment.hpp"
+#include "law/kinetic_force.hpp"
 #include "law/limit_function.hpp"
 
 namespace slipbench::law {
@@ -22,6 +23,11 @@ struct PathSegment {
   CoefficientBlend begin_blend;   ///< of the definition, at the begin
   double begin_stick = 1.0;       ///< StickStiffness::value at the begin
   double begin_wrap_angle = 0.0;  ///< of a Capstan, at the begin
+  /// Of a definition whose contact force names free components (`kinetic->pressing`), else null:
+  /// what presses there. Their forces do not go straight: `begin_force` and `increment.force` are
+  /// but those of the ends. The velocity is that of the segment; tables over the displacement turn
+  /// at their knots.
+  const KineticBehavior* kinetic = nullptr;
 };
 
 /// A segment on which nothing of the definition changes: begin_* are those of `definition`.
@@ -34,7 +40,8 @@ inline PathSegment path_segment(const FrictionDefinition& definition,
           begin_force,
           definition.blend,
           definition.stick.value,
-          belt != nullptr ? belt->wrap_angle : 0.0};
+          belt != nullptr ? belt->wrap_angle : 0.0,
+          nullptr};
 }
 
 /// The points of a segment at the fraction tau in [0, 1]; refers to `definition` and `segment`, and
@@ -67,6 +74,7 @@ class SegmentPoints {
     for (std::size_t i = 0; i < to.end.fields.size(); ++i) {
       fields_[i] = mix(segment_.begin.fields[i], to.end.fields[i]);
     }
+    if (segment_.kinetic != nullptr) press();
     return here_;
   }
 
@@ -94,6 +102,15 @@ class SegmentPoints {
   double stick(double tau) const { return mix(tau, segment_.begin_stick, definition_.stick.value); }
 
  private:
+  /// The forces of the free components that press, at the point: CEF of its displacements, and CVF
+  /// of the velocity of the whole segment.
+  void press() noexcept {
+    for (int c = 0; c < kComponents; ++c) {
+      if (!segment_.kinetic->pressing.contains(c)) continue;
+      const double velocity = mean_velocity(segment_.increment, c);
+      here_.force[c] = kinetic_force(*segment_.kinetic, c, velocity, here_.end);
+    }
+  }
   static double mix(double tau, double a, double b) {
     return a == b ? b : (1.0 - tau) * a + tau * b;
   }
