@@ -12,6 +12,11 @@ bool is_translational(const Connection& connection) {
   return !((connection.info.held | connection.info.available) & kTranslations).empty();
 }
 
+bool has_predefined_friction(const Connection& connection) {
+  return std::visit([]<class Type>(const Type&) { return HasPredefinedFriction<Type>; },
+                    *connection.type);
+}
+
 }  // namespace
 
 std::optional<Connection> find_connection(std::string_view name, int dimension) {
@@ -38,8 +43,12 @@ std::optional<Connection> assemble(const Connection& first, const Connection& se
                 .assembly = "pair of basic types",
                 .held = first.info.held | second.info.held,
                 .available = first.info.available | second.info.available};
-  // An assembled type is recognised by what it holds and frees; a pair that no type matches, such
-  // as JOIN + CARDAN, has user-defined friction only.
+  // A pair that makes no assembled type rubs as its part that has predefined friction does: SLOT +
+  // CARDAN as SLOT. Without such a part, as in JOIN + CARDAN, there is user-defined friction only.
+  for (const Connection* part : {&first, &second}) {
+    if (has_predefined_friction(*part)) whole.type = part->type;
+  }
+  // An assembled type is recognised by what it holds and frees.
   for_each_connection_type([&]<class Type>(std::type_identity<Type>) {
     if (Type::kInfo.held == whole.info.held && Type::kInfo.available == whole.info.available) {
       whole = Connection{Type::kInfo, Type{}};

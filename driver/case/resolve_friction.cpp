@@ -498,13 +498,18 @@ class Resolver {
     if (!found) {
       outlines_known_ = false;
       std::vector<std::string_view> with;
+      std::vector<std::string_view> in_pairs;
       law::for_each_connection_type([&]<class Type>(std::type_identity<Type>) {
-        if constexpr (law::HasPredefinedFriction<Type>) with.push_back(Type::kInfo.name);
+        if constexpr (law::HasPredefinedFriction<Type>) {
+          with.push_back(Type::kInfo.name);
+          if (Type::kInfo.assembly == "basic") in_pairs.push_back(Type::kInfo.name);
+        }
       });
-      binder_.error(
-          map, text.predefined.path,
-          connector_words(out_.connection) + " has no predefined friction",
-          "those that have: " + in_words(with, "and") + "; here give 'component' or 'potential'");
+      binder_.error(map, text.predefined.path,
+                    connector_words(out_.connection) + " has no predefined friction",
+                    "those that have: " + in_words(with, "and") + ", and " +
+                        in_words(in_pairs, "and") +
+                        " in a pair with any rotation; here give 'component' or 'potential'");
     }
   }
 

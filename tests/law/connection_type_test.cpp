@@ -172,6 +172,22 @@ TEST_CASE("a pair without a name of its own holds and frees what both do") {
   CHECK(ball->info.available == ComponentSet::of(4, 5, 6));
 }
 
+TEST_CASE("a pair that is no assembled type has the predefined friction of its part that has one") {
+  for (const char* rotation : {"REVOLUTE", "ALIGN", "UNIVERSAL", "CARDAN", "ROTATION"}) {
+    for (const char* translation : {"SLOT", "SLIDE-PLANE", "JOIN", "CARTESIAN"}) {
+      const auto alone = find_connection(translation);
+      for (const auto& pair : {assemble(*alone, *find_connection(rotation)),
+                               assemble(*find_connection(rotation), *alone)}) {
+        REQUIRE(pair);
+        if (!pair->info.name.empty()) continue;
+        const bool has = alone->type->index() < 2;  // SLOT and SLIDE-PLANE
+        CHECK(pair->type.has_value() == has);
+        if (has) CHECK(pair->type->index() == alone->type->index());
+      }
+    }
+  }
+}
+
 TEST_CASE("two types of one kind of motion, or an assembled one, make no pair") {
   CHECK_FALSE(assemble(*find_connection("SLOT"), *find_connection("JOIN")));
   CHECK_FALSE(assemble(*find_connection("CARDAN"), *find_connection("REVOLUTE")));

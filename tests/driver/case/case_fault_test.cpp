@@ -366,7 +366,11 @@ const std::vector<Fault>& faults() {
         {"    potential:\n      terms: [{component: 1}, {component: 4, scale: = r}]\n    "
          "contact_force: normal\n",
          "    predefined: {}\n"}},
-       {"13:17: error: friction[0].predefined: this connector has no predefined friction; those"}},
+       {"13:17: error: friction[0].predefined: this connector has no predefined friction; those "
+        "that have: SLOT, SLIDE-PLANE, CYLINDRICAL, TRANSLATOR, HINGE, PLANAR, UJOINT, SLIPRING "
+        "and "
+        "CONTACT, and SLOT and SLIDE-PLANE in a pair with any rotation; here give 'component' or "
+        "'potential'"}},
       {{{"    potential:\n      terms: [{component: 1}, {component: 4, scale: = r}]\n    "
          "contact_force: normal\n",
          "    predefined: {L: 2}\n"}},
