@@ -392,13 +392,28 @@ bool slip_suits_formulation(Binder& binder, const At<FrictionText>& friction,
   }
   if (!definition.formulation || !definition.formulation->orthotropy) return true;
   const law::SlipSpace& slip = definition.slip;
-  const bool plane = slip.dimension == 2 && slip.scale[0] == slip.scale[1] &&
-                     law::is_rotation(slip.component[0]) == law::is_rotation(slip.component[1]);
-  if (plane) return true;
+  const std::string wanted = "an orthotropic coefficient needs two components that slip together";
+  if (slip.dimension != 2) {
+    binder.error(*text.coefficient.node, text.coefficient.path,
+                 wanted + (slip.dimension == 1 ? ", here one slips"
+                                               : fmt::format(", here {} slip", slip.dimension)),
+                 "predefined CONTACT, SLIDE-PLANE and CYLINDRICAL have two, and so has a "
+                 "'potential' of two terms; the spinning of a PLANAR is 'component: 4' beside it");
+    return false;
+  }
+  // With a radius a rotation is a length along the surface; without one it is an angle.
+  const auto is_angle = [&](std::size_t i) {
+    const int c = slip.component[i];
+    const auto& terms = text.potential.value.terms.value;
+    return law::is_rotation(c) && slip.scale[i] == 1.0 && !text.predefined.given() &&
+           std::none_of(terms.begin(), terms.end(), [&](const At<PotentialTermText>& term) {
+             return term.value.component.value == c + 1 && term.value.scale.given();
+           });
+  };
+  if (is_angle(0) == is_angle(1)) return true;
   binder.error(*text.coefficient.node, text.coefficient.path,
-               "an orthotropic coefficient needs two components of one kind that slip together" +
-                   std::string(slip.dimension == 1 ? ", here one slips" : ""),
-               "CONTACT and SLIDE-PLANE have 2 and 3");
+               wanted + " in one unit: here one is an angle beside a length",
+               "the 'scale' of the rotation is the radius it rubs at");
   return false;
 }
 

@@ -275,10 +275,38 @@ TEST_CASE("orthotropic friction is refused where it has no meaning") {
   check_error(one("{direction1: 0.3, direction2: {orthotropic: {direction1: 1, direction2: 1}}}"),
               "cannot be orthotropic itself");
   check_error(changed({{"type: CONTACT", "type: CONTACT, dimension: 2"}}, contact(kTwo + form)),
-              "needs two components of one kind that slip together, here one slips");
+              "needs two components that slip together, here one slips");
   check_error(contact(kTwo + ", formulation: {penalty: viscous, C: 3, convention: as_coded}"),
               "points the wrong way");
-  CHECK(messages(contact(kTwo + ", formulation: {penalty: viscous, C: 3}")).empty());
+  // Two units, and two definitions with one coefficient.
+  const std::string shaft =
+      "slipbench: 1\n"
+      "connector: {type: CYLINDRICAL}\n"
+      "friction:\n"
+      "  - {potential: {terms: [{component: 1}, {component: 4, scale: 1}]}, "
+      "internal_contact_force: 5, " +
+      kTwo + form +
+      "}\n"
+      "history: [{step: go, increments: 1, motion: {CP1: {to: 1}}}]\n";
+  CHECK(messages(shaft).empty());
+  const auto complains = [](const std::string& text, const std::string& words) {
+    const std::string all = complaint(text);
+    INFO(all);
+    CHECK(all.find(words) != std::string::npos);
+  };
+  complains(changed({{", scale: 1", ""}}, shaft),
+            "error: friction[0].coefficient: an orthotropic coefficient needs two components that "
+            "slip together in one unit: here one is an angle beside a length; the 'scale' of the "
+            "rotation is the radius it rubs at");
+  complains(changed({{"CONTACT", "PLANAR"}}, contact(kTwo + form)),
+            "needs two components that slip together, here one slips; predefined CONTACT, "
+            "SLIDE-PLANE and CYLINDRICAL have two, and so has a 'potential' of two terms; the "
+            "spinning of a PLANAR is 'component: 4' beside it");
+  complains(changed({{"CYLINDRICAL", "CARTESIAN"},
+                     {"[{component: 1}, {component: 4, scale: 1}]",
+                      "[{component: 1}, {component: 2}, {component: 3}]"}},
+                    shaft),
+            "slip together, here 3 slip");
 }
 
 TEST_CASE("a formulation is refused where it cannot hold") {

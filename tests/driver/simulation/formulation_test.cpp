@@ -214,6 +214,48 @@ TEST_CASE("the arithmetic of a formulation is told") {
   CHECK(plain->find("mu1 0.3") != std::string::npos);
 }
 
+TEST_CASE("two equal coefficients at right angles are one, whatever the connector") {
+  struct Connector {
+    std::string type, friction, drives;
+  };
+  const std::vector<Connector> all = {
+      {"CYLINDRICAL", "predefined: {R: 8}",
+       "force: {f2: 30, f3: 40}, motion: {CP1: {to: 3}, CPR1: "},
+      {"SLIDE-PLANE", "predefined: {}", "force: {f1: 50}, motion: {CP3: {to: 3}, CP2: "},
+      {"[SLIDE-PLANE, CARDAN]", "predefined: {}", "force: {f1: 50}, motion: {CP3: {to: 3}, CP2: "},
+      {"PLANAR", "potential: {terms: [{component: 2}, {component: 3}]}, contact_force: 1",
+       "force: {f1: 50}, motion: {CP3: {to: 3}, CP2: "},
+      {"CARTESIAN",
+       "potential: {terms: [{component: 1}, {component: 3}]}, internal_contact_force: 50",
+       "motion: {CP1: {to: 3}, CP3: "},
+      {"[JOIN, CARDAN]",
+       "potential: {terms: [{component: 4, scale: 2}, {component: 6, scale: 5}]}, contact_force: 2",
+       "force: {f2: 50}, motion: {CPR1: {to: 3}, CPR3: "}};
+  for (const Connector& one : all) {
+    const auto rows = [&](const std::string& coefficient) {
+      return rows_of(
+          read("slipbench: 1\nconnector: {type: " + one.type + "}\nfriction:\n  - {" +
+               one.friction + ", coefficient: " + coefficient +
+               ", formulation: {penalty: stiffness, K_t: 500}}\nhistory:\n  - {step: go, "
+               "increments: 40, " +
+               one.drives + "{sine: {amplitude: 0.5, period: 0.4}}}}\n"));
+    };
+    INFO(one.type);
+    const std::vector<Row> plain = rows("0.2");
+    const std::vector<Row> two = rows("{orthotropic: {direction1: 0.2, direction2: 0.2}}");
+    REQUIRE(plain.size() == two.size());
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+      const law::FrictionUpdate& a = plain[i].definitions[0].update;
+      const law::FrictionUpdate& b = two[i].definitions[0].update;
+      for (std::size_t k = 0; k < 2; ++k) {
+        CHECK(std::abs(a.state.force[k] - b.state.force[k]) <= 1e-14 * 10.0);  // the limit is 10
+      }
+      CHECK(std::abs(a.slip_increment - b.slip_increment) <= 1e-14);
+    }
+    CHECK(plain.back().definitions[0].update.state.accumulated_slip > 1.0);
+  }
+}
+
 /// Two directions of which the second holds nothing: its coefficient is below 0 from 10 mm/s on.
 const std::string kDeadAxis =
     "coefficient: {orthotropic: {direction1: 0.3, direction2: {generalized_viscous: {Fric: 0.1, "
