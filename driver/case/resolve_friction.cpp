@@ -309,7 +309,7 @@ class Resolver {
     } else if (text.potential.given()) {
       outline.form = law::FrictionForm::kPotential;
       potential(text.potential, shared, outline);
-      if (law::depends_on_slip_rate(shared.law)) warn_of_missing_scale(text.potential.value);
+      warn_of_missing_scale(text.potential.value, law::depends_on_slip_rate(shared.law));
       user_defined(friction, shared, true);
     } else if (text.component.given()) {
       if (text.component.sound) {
@@ -343,8 +343,16 @@ class Resolver {
     const bool shared = out_.pair || text_.friction.value.front().value.predefined.given();
     const bool mixed = shared && slip_in_two_units(out_, all);
     if (radius.sound && !mixed && !is_any_connection(out_.connection)) {
-      binder_.warning(*radius.node, radius.path,
-                      "not used: no coefficient is shared by a translation and a rotation");
+      const auto together = std::find_if(all.begin(), all.end(), [&](std::size_t i) {
+        return radius_of_rotation(out_.definitions[i].law.slip).has_value();
+      });
+      binder_.warning(
+          *radius.node, radius.path,
+          together == all.end()
+              ? "not used: no coefficient is shared by a translation and a rotation"
+              : "not used: translation and rotation slip together, at the radius " +
+                    format_number(*radius_of_rotation(out_.definitions[*together].law.slip)) +
+                    " of the rotation's 'scale' or of 'predefined'");
     }
     if (mixed && !radius.given()) {
       warn_of_two_units(binder_, *owner_of_definition_.front(), out_.definitions.front().law.law,
@@ -558,8 +566,22 @@ class Resolver {
     }
   }
 
+  /// The radius at which a rotation slips together with translations; nothing where none does.
+  static std::optional<double> radius_of_rotation(const law::SlipSpace& slip) {
+    bool slides = false;
+    std::optional<double> radius;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(slip.dimension); ++i) {
+      if (law::is_rotation(slip.component[i])) {
+        radius = slip.scale[i];
+      } else {
+        slides = true;
+      }
+    }
+    return slides ? radius : std::nullopt;
+  }
+
   /// A rotation that slips with translations and has no radius: its rate is added to theirs.
-  void warn_of_missing_scale(const PotentialText& potential) {
+  void warn_of_missing_scale(const PotentialText& potential, bool rate) {
     const auto rotates = [](const At<PotentialTermText>& term) {
       return law::is_rotation(term.value.component.value - 1);
     };
@@ -573,8 +595,10 @@ class Resolver {
       if (!text.component.sound || !rotates(term) || text.scale.given()) continue;
       binder_.warning(*term.node, term.path,
                       "component " + std::to_string(text.component.value) +
-                          " is a rotation beside translations: without a 'scale' its rate in rad "
-                          "is added to theirs, and the coefficient depends on the sum",
+                          " is a rotation beside translations: without a 'scale' its " +
+                          (rate ? "rate in rad is added to theirs, and the coefficient depends on "
+                                  "the sum"
+                                : "moment counts like their forces, as at the radius 1"),
                       "'scale' is the radius it rubs at");
       return;
     }

@@ -125,11 +125,23 @@ TEST_CASE("a change of friction is converted at the friction radius too, and war
 
 TEST_CASE("a friction radius that nothing needs is pointed out") {
   const std::vector<std::string> found =
-      warnings({{"type: CYLINDRICAL", "type: CYLINDRICAL\n  friction_radius: 8"}}, kSoundCase);
+      warnings({{"type: PLANAR", "type: SLIDE-PLANE, friction_radius: 8"}, {"R: 12, ", ""}});
   REQUIRE(found.size() == 1);
   CHECK(found[0] ==
-        "7:20: warning: connector.friction_radius: not used: no coefficient is shared by a "
+        "3:48: warning: connector.friction_radius: not used: no coefficient is shared by a "
         "translation and a rotation");
+  // The shaft's coefficient is shared, and its rotation has a radius of its own.
+  const std::string own =
+      "connector.friction_radius: not used: translation and rotation slip together, at the radius "
+      "0.24 of the rotation's 'scale' or of 'predefined'";
+  const Change shaft{"type: CYLINDRICAL", "type: CYLINDRICAL\n  friction_radius: 8"};
+  CHECK(warnings({shaft}, kSoundCase) == std::vector<std::string>{"7:20: warning: " + own});
+  const Change predefined{
+      "potential:\n      terms: [{component: 1}, {component: 4, scale: = r}]\n    contact_force: "
+      "normal\n",
+      "predefined: {R: = r}\n"};
+  CHECK(warnings({shaft, predefined}, kSoundCase) ==
+        std::vector<std::string>{"7:20: warning: " + own});
 }
 
 TEST_CASE("parts that meet share one coefficient among all definitions") {
@@ -166,6 +178,29 @@ TEST_CASE("a rotation without a radius in a potential of translations is said to
         "translations: without a 'scale' its rate in rad is added to theirs, and the coefficient "
         "depends on the sum; 'scale' is the radius it rubs at");
   CHECK(warnings({law}, kSoundCase).empty());
+  // A constant coefficient compares forces with moments.
+  CHECK(warnings({{", scale: = r", ""}}, kSoundCase) ==
+        std::vector<std::string>{
+            "14:31: warning: friction[0].potential.terms[1]: component 4 is a rotation beside "
+            "translations: without a 'scale' its moment counts like their forces, as at the radius "
+            "1; 'scale' is the radius it rubs at"});
+}
+
+TEST_CASE("one coefficient of a shaft's translation and rotation is looked up at its surface") {
+  const std::string shaft =
+      "slipbench: 1\n"
+      "units: {length: mm, force: N, time: s}\n"
+      "connector: {type: CYLINDRICAL}\n"
+      "friction:\n"
+      "  - predefined: {R: 8}\n"
+      "    coefficient: {columns: [mu, slip_rate], rows: [[0.3, 0], [0.1, 50]]}\n"
+      "    stick: {elastic_slip: 1.0e-4}\n"
+      "history:\n"
+      "  - {step: go, increments: 2, motion: {CP1: {to: 1}}}\n";
+  CHECK(warnings({}, shaft).empty());
+  const Case problem = sound(shaft);
+  REQUIRE(problem.definitions.size() == 1);
+  CHECK(problem.definitions[0].law.slip.scale[1] == 8.0);
 }
 
 }  // namespace
