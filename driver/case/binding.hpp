@@ -22,6 +22,7 @@
 #include "driver/text/json.hpp"
 #include "driver/yaml/node.hpp"
 #include "law/field.hpp"
+#include "law/table.hpp"
 #include "law/unit_name.hpp"
 
 namespace slipbench::driver {
@@ -89,6 +90,10 @@ class Binder {
 
   /// The system that numbers with a unit are converted to; nothing if there are several.
   void set_units(std::optional<UnitSystem> units) { units_ = std::move(units); }
+
+  /// Returns how the tables of the connector's behaviour are prolonged that do not say it.
+  [[nodiscard]] law::Extrapolation extrapolation() const { return extrapolation_; }
+  void set_extrapolation(law::Extrapolation extrapolation) { extrapolation_ = extrapolation; }
 
   /// A number in the case's system: a plain scalar, one with a unit ("12 mm"), or an expression
   /// over the parameters ("= 2/li").
@@ -160,6 +165,7 @@ class Binder {
   };
   Diagnostics& out_;
   std::optional<UnitSystem> units_ = UnitSystem{};
+  law::Extrapolation extrapolation_ = law::Extrapolation::kConstant;
   std::vector<UnsettledUnit> unsettled_;
   FileWords words_;
   const NamedNumbers& parameters_;

@@ -537,12 +537,12 @@ std::optional<Tabular> read_tabular(Binder& binder, const Node& node, const Path
                      std::string(column.empty() ? "value" : column) + ", t]");
     return std::nullopt;
   }
-  if (text.extrapolate != law::Extrapolation::kConstant) {
-    binder.error(*node.find("extrapolate"), path / "extrapolate",
+  if (text.extrapolate.value != law::Extrapolation::kConstant) {
+    binder.error(*text.extrapolate.node, text.extrapolate.path,
                  std::string(what) + " must cover its step; it is not extrapolated");
     return std::nullopt;
   }
-  const auto built = table(binder, text, node, path, 1, 1, false);
+  const auto built = table(binder, text, node, path, 1, 1, false, text.extrapolate.value);
   if (!built) return std::nullopt;
   Tabular tabular;
   for (const double t : built->knots(0)) {

@@ -51,20 +51,25 @@ struct TableUse {
   bool not_negative = true;  ///< ordinates must not be negative
   bool displacement = false;
   bool velocity = false;
+  bool of_behavior = false;  ///< prolonged as the case's 'extrapolation' says
 };
-inline constexpr TableUse kInternalForceTable{
-    .what = "an internal contact force", .accumulated_slip = true, .motion = true};
+inline constexpr TableUse kInternalForceTable{.what = "an internal contact force",
+                                              .accumulated_slip = true,
+                                              .motion = true,
+                                              .of_behavior = true};
 inline constexpr TableUse kCoefficientTable{
     .what = "a coefficient of friction", .slip_rate = true, .contact_force = true};
 inline constexpr TableUse kNormalStiffnessTable{.what = "a normal stiffness",
                                                 .contact_force = true};
-inline constexpr TableUse kWeightTable{
-    .what = "weights of a derived component", .motion = true, .not_negative = false};
+inline constexpr TableUse kWeightTable{.what = "weights of a derived component",
+                                       .motion = true,
+                                       .not_negative = false,
+                                       .of_behavior = true};
 
 inline constexpr TableUse kElasticityTable{
-    .what = "an elasticity", .not_negative = false, .displacement = true};
+    .what = "an elasticity", .not_negative = false, .displacement = true, .of_behavior = true};
 inline constexpr TableUse kDampingTable{
-    .what = "a damping", .not_negative = false, .velocity = true};
+    .what = "a damping", .not_negative = false, .velocity = true, .of_behavior = true};
 
 /// Builds a table function with `dependents` leading columns; every fault is reported at its row.
 std::optional<law::TableFunction> table_function(Binder& binder, const TableText& text,
@@ -74,6 +79,6 @@ std::optional<law::TableFunction> table_function(Binder& binder, const TableText
 /// Builds a bare table of `dependents` columns over `independents`.
 std::optional<law::Table> table(Binder& binder, const TableText& text, const Node& node,
                                 const Path& path, int dependents, int independents,
-                                bool not_negative);
+                                bool not_negative, law::Extrapolation extrapolation);
 
 }  // namespace slipbench::driver

@@ -145,7 +145,7 @@ void declare_rows(V& key) {
               .default_text = "from rows"});
   key("extrapolate", &Text::extrapolate,
       KeyInfo{.text = "Outside the table: the end value, or the end slope.",
-              .default_text = "constant"});
+              .default_text = "constant, or 'extrapolation' for the tables it is for"});
 }
 
 /// A table: `columns` names the dependents first, then the independents.
@@ -154,7 +154,7 @@ struct TableText {
   At<std::vector<At<std::string>>> columns;
   At<std::vector<std::vector<double>>> rows;
   At<DataSourceText> csv;
-  law::Extrapolation extrapolate = law::Extrapolation::kConstant;
+  At<law::Extrapolation> extrapolate = default_of(law::Extrapolation::kConstant);
 
   template <class V>
   static void declare(V& key) {
@@ -991,7 +991,7 @@ struct ElasticityText {
   At<std::vector<At<std::string>>> columns;
   At<std::vector<std::vector<double>>> rows;
   At<DataSourceText> csv;
-  law::Extrapolation extrapolate = law::Extrapolation::kConstant;
+  At<law::Extrapolation> extrapolate = default_of(law::Extrapolation::kConstant);
 
   template <class V>
   static void declare(V& key) {
@@ -1021,7 +1021,7 @@ struct DampingText {
   At<std::vector<At<std::string>>> columns;
   At<std::vector<std::vector<double>>> rows;
   At<DataSourceText> csv;
-  law::Extrapolation extrapolate = law::Extrapolation::kConstant;
+  At<law::Extrapolation> extrapolate = default_of(law::Extrapolation::kConstant);
 
   template <class V>
   static void declare(V& key) {
@@ -1157,6 +1157,7 @@ struct CaseText {
   At<NamedMap<std::vector<At<DerivedTermText>>>> derived_components;
   At<std::vector<At<FrictionText>>> friction;
   At<FrictionPairsText> friction_pairs;
+  At<law::Extrapolation> extrapolation = default_of(law::Extrapolation::kConstant);
   At<std::vector<At<ElasticityText>>> elasticity;
   At<std::vector<At<DampingText>>> damping;
   At<std::vector<At<StopText>>> stops;
@@ -1192,6 +1193,11 @@ struct CaseText {
     key("friction_pairs", &CaseText::friction_pairs,
         KeyInfo{.text = "Coefficients by the parts that meet; connector.parts picks one.",
                 .default_text = "none: each definition has its own coefficient"});
+    key("extrapolation", &CaseText::extrapolation,
+        KeyInfo{.text = "Of the tables of elasticity, damping, weights and internal contact force "
+                        "that have no 'extrapolate': the end value, or the end slope. Coefficients "
+                        "have their own.",
+                .default_text = "constant"});
     key("elasticity", &CaseText::elasticity,
         KeyInfo{.text = "Springs along free components, in parallel with friction.",
                 .default_text = "none"});

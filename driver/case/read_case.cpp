@@ -190,6 +190,7 @@ bool resolve_to_friction(Reading& reading, const Node& root, CaseText& text, Cas
       text.title.empty() ? std::filesystem::path(problem.file).stem().string() : text.title;
   problem.parameters = reading.parameters.values;
   problem.units = read_units(binder, text.units);
+  if (text.extrapolation.sound) binder.set_extrapolation(text.extrapolation.value);
   resolve_connector(binder, text, problem);
   resolve_belt(binder, text, problem);
   resolve_friction_pairs(binder, text, !is_misspelt<CaseText>(root, "friction_pairs"), problem);

@@ -136,7 +136,7 @@ std::optional<Rows> rows_of(Binder& binder, const TableText& text, const Node& n
 
 std::optional<law::Table> table(Binder& binder, const TableText& text, const Node& node,
                                 const Path& path, int dependents, int independents,
-                                bool not_negative) {
+                                bool not_negative, law::Extrapolation extrapolation) {
   const std::optional<Rows> rows = rows_of(binder, text, node, path);
   if (!rows) return std::nullopt;
   const auto column = [&](int c) {
@@ -166,8 +166,7 @@ std::optional<law::Table> table(Binder& binder, const TableText& text, const Nod
   if (!good) return std::nullopt;
   law::Table result;
   law::TableError error;
-  if (law::Table::build(rows->values, dependents, independents, text.extrapolate, &result,
-                        &error)) {
+  if (law::Table::build(rows->values, dependents, independents, extrapolation, &result, &error)) {
     return result;
   }
   using Kind = law::TableError::Kind;
@@ -253,7 +252,11 @@ std::optional<law::TableFunction> table_function(Binder& binder, const TableText
     independents.push_back(*found);
   }
   // The rows are judged even so: their faults are their own.
-  auto built = table(binder, text, node, path, dependents, columns - dependents, use.not_negative);
+  const law::Extrapolation extrapolation = use.of_behavior && !text.extrapolate.given()
+                                               ? binder.extrapolation()
+                                               : text.extrapolate.value;
+  auto built = table(binder, text, node, path, dependents, columns - dependents, use.not_negative,
+                     extrapolation);
   if (!good || !built) return std::nullopt;
   return law::TableFunction(std::move(*built), std::move(independents));
 }
@@ -318,7 +321,7 @@ bool Codec<law::Table>::read(Binder& binder, const Node& node, const Path& path,
                  "wanted the columns [k_ax, t_ax, k_tw, t_tw, slenderness]");
     return false;
   }
-  auto built = table(binder, text, node, path, 4, 1, true);
+  auto built = table(binder, text, node, path, 4, 1, true, text.extrapolate.value);
   if (!built) return false;
   out = std::move(*built);
   return true;
