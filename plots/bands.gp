@@ -36,7 +36,7 @@ plot \
   for [d=1:DEFINITIONS] $SPANS using (0.5 * (edge(d, 2, $3) + $4)):(0.5 * (base(d) + top(d))):3:4:(base(d)):(top(d)) \
     with boxxyerror fillstyle solid noborder fillcolor rgb slip_band title (d == 1 ? "slip" : ""), \
   for [d=1:DEFINITIONS] $SPANS using (0.5 * (edge(d, 0, $3) + $4)):(0.5 * (base(d) + top(d))):3:4:(base(d)):(top(d)) \
-    with boxxyerror fillstyle pattern 5 border linecolor rgb open_band fillcolor rgb open_band title (d == 1 && OPENS ? "no contact" : ""), \
+    with boxxyerror fillstyle pattern 5 border linecolor rgb open_band fillcolor rgb open_band title (d == 1 && OPENS ? "no friction" : ""), \
   for [d=1:DEFINITIONS] $SPANS using (0.5 * (edge(d, 3, $3) + $4)):(0.5 * (base(d) + top(d))):3:4:(base(d)):(top(d)) \
     with boxxyerror fillstyle pattern 4 noborder fillcolor rgb slip_band title (d == 1 && TURNS ? "in turn" : ""), \
   for [d=1:DEFINITIONS] $SPANS using (0.5 * (edge(d, 4, $3) + $4)):(0.5 * (base(d) + top(d))):3:4:(base(d)):(top(d)) \

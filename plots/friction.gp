@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # A friction result in panels, one row of them for each friction definition: force against time with
-# its limit and with stick (white), slip (light) and no contact (dark) shaded; then force against
+# its limit and with stick (white), slip (light) and no friction (dark) shaded; then force against
 # motion, or, for motion in a plane, the paths of the motion and of the force. Of many cycles some are
 # drawn, whole, from light to dark.
 # `slipbench plot` sets the variables and data blocks used here and loads this file.

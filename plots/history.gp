@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # A friction result over time, a column of panels for each friction definition, two in a row: its
 # motions, its force with the limit, normal force and coefficient, and energies, all over one time
-# axis with stick (white), slip (light) and no contact (dark) shaded, and hatched where they take
+# axis with stick (white), slip (light) and no friction (dark) shaded, and hatched where they take
 # turns too fast to be drawn.
 # `slipbench plot --as history` sets the variables and data blocks used here and loads this file.
 load STYLE

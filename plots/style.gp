@@ -45,7 +45,7 @@ number(k) = k > 0 ? column(k) : NaN
 SHADES = '$SPANS using (0.5 * (edge(i, 2, $3) + $4)):(0.5 * (low + high)):3:4:(low):(high) \
   with boxxyerror fillstyle solid noborder fillcolor rgb slip_shade title (shades_told && SLIPS[i] ? "slip" : ""), \
   $SPANS using (0.5 * (edge(i, 0, $3) + $4)):(0.5 * (low + high)):3:4:(low):(high) \
-  with boxxyerror fillstyle solid noborder fillcolor rgb open_shade title (shades_told && OPENS[i] ? "no contact" : ""), \
+  with boxxyerror fillstyle solid noborder fillcolor rgb open_shade title (shades_told && OPENS[i] ? "no friction" : ""), \
   $SPANS using (0.5 * (edge(i, 3, $3) + $4)):(0.5 * (low + high)):3:4:(low):(high) \
   with boxxyerror fillstyle transparent pattern 4 noborder fillcolor rgb turns_shade title (shades_told && TURNS[i] ? "stick and slip in turn" : ""), \
   $SPANS using (0.5 * (edge(i, 4, $3) + $4)):(0.5 * (low + high)):3:4:(low):(high) \

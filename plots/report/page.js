@@ -448,7 +448,7 @@ class Picture {
     set(scales.y, y, height);
   }
 
-  /** Behind the curves: slip light, no contact dark and hatched; the tube of a check. */
+  /** Behind the curves: slip light, no friction dark and hatched; the tube of a check. */
   shade(chart) {
     const {ctx: pen, chartArea: area} = chart;
     pen.save();
@@ -725,7 +725,7 @@ class View {
   choose(event, quietly) { this.moveTo(rowFrom(this.times[0], event.t), quietly, event); }
 
   statusNow() {
-    const words = {0: "no contact", 1: "stick", 2: "slip"};
+    const words = {0: "no friction", 1: "stick", 2: "slip"};
     if (!this.definition) return "";
     if (this.sameDefinition()) return this.event.to === "open" ? words[0] : this.event.to;
     const column = this.definition.status ? columnOf(this.one, this.definition.status) : null;
@@ -781,7 +781,7 @@ function showInstant() {
       ? `event ${eventNumber(view.one, event)} of ${total}` + (row !== event.t ? `, between two rows: other numbers are those at t = ${timeText(view.one, row)}` : "") : "";
   for (const [button, step] of instantParts.steps) button.disabled = !nextEvent(step);
   const status = view.statusNow();
-  state.className = "state-box " + {slip: "slip", "no contact": "open", stick: "stick"}[status];
+  state.className = "state-box " + {slip: "slip", "no friction": "open", stick: "stick"}[status];
   word.textContent = status;
   slider.value = String(view.places[0]);
   slider.setAttribute("aria-valuetext", `${output.textContent}, ${status}`);
@@ -986,8 +986,8 @@ function showShades() {
   find("shades").replaceChildren(...(definition ? [
     make("span", {}, make("i", {class: "state-box"}), "stick"),
     make("span", {}, make("i", {class: "state-box slip"}), "slip" + share),
-    open ? make("span", {}, make("i", {class: "state-box open"}), "no contact") : null,
-    ...mixed.map((status) => make("span", {}, make("i", {class: "state-box mixed"}), status === 2 ? "stick and slip, too fast to draw" : "contact lost and found, too fast to draw")),
+    open ? make("span", {}, make("i", {class: "state-box open"}), "no friction") : null,
+    ...mixed.map((status) => make("span", {}, make("i", {class: "state-box mixed"}), status === 2 ? "stick and slip, too fast to draw" : "friction lost and found, too fast to draw")),
     make("span", {}, "in loops, slip is the bolder line"),
     view.others.length > 0 ? make("span", {id: "shaded-run"}, "shades, state and limit are those of ", quoted(one.name)) : null
   ].filter(Boolean) : []));

@@ -134,7 +134,7 @@ function readColours() {
   colours.mixed = hatch(colours.slip, colours["mixed-line"], true);
 }
 
-/** The pattern of "no contact"; upright, that of regimes in turn. */
+/** The pattern of "no friction"; upright, that of regimes in turn. */
 function hatch(back, line, upright) {
   const tile = document.createElement("canvas");
   tile.width = tile.height = 8;

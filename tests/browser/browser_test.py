@@ -144,7 +144,7 @@ class Result:
         return row if abs(self.times[row] - t) < 0.2 * step else None
 
 
-kRegimes = {"0": "no contact", "1": "stick", "2": "slip"}
+kRegimes = {"0": "no friction", "1": "stick", "2": "slip"}
 
 
 def check_row(page, result, what, status="STATUS"):
@@ -166,7 +166,7 @@ def check_event(page, result, number, what):
     wanted = result.events[number - 1]
     expect(close(page.instant(), float(wanted["t"]), 5), f"{what}: event {number} is at t = {wanted['t']}, shown is {page.instant()}")
     expect(f"event {number} of {len(result.events)}" in page.text(".event-note"), f"{what}: event {number} is told as '{page.text('.event-note')}'")
-    expect(page.text(".instant .state") == {"open": "no contact"}.get(wanted["to"], wanted["to"]), f"{what}: event {number} ends in {wanted['to']}, the bar says {page.text('.instant .state')}")
+    expect(page.text(".instant .state") == {"open": "no friction"}.get(wanted["to"], wanted["to"]), f"{what}: event {number} ends in {wanted['to']}, the bar says {page.text('.instant .state')}")
     force = page.values("force")
     for name, column in (("CSF1", "force"), ("FLIM", "limit")):
         expect(close(first_number(force[name]), float(wanted[column]), 4), f"{what}: event {number} has {column} {wanted[column]}, shown is {force[name]}")
@@ -374,7 +374,7 @@ def cases():
         expect(close(page.instant(), events[2]["t"], 5), f"the third event is at {events[2]['t']}, shown is {page.instant()}")
         page.press(Keys.ARROW_DOWN)
         expect(close(page.instant(), events[3]["t"], 5), f"the fourth event is at {events[3]['t']}, shown is {page.instant()}")
-        expect("no contact" in page.text("#shades"), "lift-off without a word of no contact")
+        expect("no friction" in page.text("#shades"), "lift-off without a word of no friction")
 
 
 def rows():
