@@ -260,16 +260,23 @@ void Equilibrium::accept(double from, double to, Row& row) {
     DefinitionRow& here = row.definitions[d];
     here.dissipation += updates_[d].dissipation;
     here.work += updates_[d].work;
+    here.lost += updates_[d].lost;
+    here.jumps += updates_[d].jumps;
     old_[d] = updates_[d].state;
     const law::FrictionUpdate before = here.update;
     here.update = updates_[d];
     here.update.onset = from + updates_[d].onset * (to - from);
+    here.update.jump_onset = from + updates_[d].jump_onset * (to - from);
     if (first) continue;
     here.update.slip_increment += before.slip_increment;
     here.update.dissipation += before.dissipation;
     here.update.work += before.work;
     if (before.state.regime == law::Regime::kSlip) here.update.onset = before.onset;
     here.update.multiple_roots = here.update.multiple_roots || before.multiple_roots;
+    here.update.snap_back = std::max(here.update.snap_back, before.snap_back);
+    here.update.lost += before.lost;
+    here.update.jumps += before.jumps;
+    if (before.jumps > 0) here.update.jump_onset = before.jump_onset;
   }
   take_springs_and_dampers(*case_, increment_, row.forces);
   increment_.begin_position = increment_.end.position;

@@ -175,6 +175,8 @@ tl::expected<Simulation, SimulationFailure> Simulation::resume(const Case& probl
     definition.update.state = state.definitions[i].friction;
     definition.dissipation = state.definitions[i].dissipation;
     definition.work = state.definitions[i].work;
+    definition.lost = state.definitions[i].lost;
+    definition.jumps = state.definitions[i].jumps;
     definition.update.mu = state.definitions[i].mu;
     definition.play = state.definitions[i].play;
     // The walk knew no coefficients, so not what a change of friction in progress set out from.
@@ -216,8 +218,8 @@ SimulationState Simulation::state() const {
   for (std::size_t i = 0; i < row_.definitions.size(); ++i) {
     const DefinitionRow& definition = row_.definitions[i];
     state.definitions.push_back({definition.update.state, definition.dissipation, definition.work,
-                                 definition.update.mu, definitions_[i].blend.start,
-                                 definition.play});
+                                 definition.lost, definition.jumps, definition.update.mu,
+                                 definitions_[i].blend.start, definition.play});
   }
   return state;
 }
@@ -593,6 +595,10 @@ tl::expected<void, SimulationFailure> Simulation::update_definitions() {
                        : integrate(i, increment, old));
     here.dissipation += here.update.dissipation;
     here.work += here.update.work;
+    if (here.update.jumps > 0) {
+      here.lost += here.update.lost;
+      here.jumps += here.update.jumps;
+    }
     if (auto judged = judge(i); !judged) return judged;
     // The next ring of a belt meets the tension that this one leaves.
     if (case_->belt) increment.force[0] = law::tension_behind(here.update);
@@ -630,7 +636,28 @@ tl::expected<void, SimulationFailure> Simulation::judge(std::size_t definition) 
     return tl::unexpected(numerical_failure(
         definition, "the return to the limit surface of its potential found no solution"));
   }
+  if (row.update.snap_back >= 1.0 && case_->integration.snap_back == SnapBackAction::kStop) {
+    return tl::unexpected(snap_back_failure(definition));
+  }
   return {};
+}
+
+SimulationFailure Simulation::snap_back_failure(std::size_t definition) const {
+  const law::FrictionDefinition& in_force = definitions_[definition];
+  const double beta = row_.definitions[definition].update.snap_back;
+  const std::string unit =
+      unit_text(law::is_rotational(in_force.slip) ? kMoment : Dimension{.force = 1, .length = -1},
+                case_->units);
+  const std::string enough = fmt::format("{:.6g}", beta * in_force.stick.value);
+  return numerical_failure(
+      definition,
+      fmt::format(
+          "the force would jump at constant motion (snap-back): its wear falls faster than "
+          "the stick stiffness can follow, mu |F'| / k = {} in this increment where it must "
+          "stay below 1; a stick.stiffness above {} follows it here, so does a flatter "
+          "table; 'integration: {{snap_back: jump}}' goes on behind the jump and books the "
+          "energy lost in it",
+          fmt::format("{:.6g}", beta), unit.empty() ? enough : enough + " " + unit));
 }
 
 /// Behind the update, and only for the laws concerned: the others cost nothing more.

@@ -38,6 +38,8 @@ struct DefinitionRow {
   law::FrictionUpdate update;
   double dissipation = 0.0;  ///< since the start [F L]
   double work = 0.0;         ///< of the friction force over the motion, since the start [F L]
+  double lost = 0.0;         ///< in jumps of the force at constant motion, since the start [F L]
+  std::int64_t jumps = 0;    ///< so far
   /// What the increment should be longer than; 0 where that does not matter.
   law::IncrementThresholds thresholds;
   /// Changes of regime within the increment, where the integration locates them.
@@ -75,6 +77,8 @@ struct SimulationState {
     law::FrictionState friction;
     double dissipation = 0.0;
     double work = 0.0;
+    double lost = 0.0;
+    std::int64_t jumps = 0;
     double mu = 0.0;        ///< coefficient of the last increment
     double mu_start = 0.0;  ///< that a change of friction in progress sets out from
     double play = 0.0;      ///< of a dead zone
@@ -162,6 +166,8 @@ class Simulation {
                                              const law::FrictionState& old);
   /// Whether the update of a definition can be used; else why not.
   tl::expected<void, SimulationFailure> judge(std::size_t definition) const;
+  /// That the force of a definition would jump in this increment, and what helps.
+  SimulationFailure snap_back_failure(std::size_t definition) const;
   void note_raw_coefficients();
   void take_measured_row();
   /// Who is driven by force from now on, and with what load it starts.

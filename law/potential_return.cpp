@@ -367,7 +367,8 @@ FrictionUpdate update_potential(const FrictionDefinition& definition,
     if (result.snap_back >= 1.0) {
       const double start_force = value(potential, old.force);
       SnapBackPath path = snap_back_path(limit, along, slip, start_force, opens);
-      if (!opens) path.friction_work -= (l.force - dot(y, m)) * slip;  // with shifts y . m is not P
+      // With shifts y . m is not P.
+      if (!opens) path.friction_work -= std::min((l.force - dot(y, m)) * slip, path.friction_work);
       book_jumps(path, start_force, value(potential, trial), 0.5 * dot(old.force, old.elastic_slip),
                  &result);
     }

@@ -51,12 +51,6 @@ double turn(double low, double high, IsLow is_low) noexcept {
 
 }  // namespace
 
-bool may_snap_back(const FrictionDefinition& definition) noexcept {
-  return definition.stick.mode == StickStiffness::Mode::kStiffness &&
-         definition.accumulated_slip == AccumulatedSlipTiming::kEnd &&
-         depends_on_accumulated_slip(definition.internal_contact_force);
-}
-
 double largest_snap_back(const LimitFunction& limit, double kappa, double slip) noexcept {
   double largest = 0.0;
   for_each_piece(limit, slip, [&](double low, double high) {

@@ -10,7 +10,11 @@ namespace slipbench::law {
 
 /// Whether slip within an increment can meet a fold of the path of roots at all: the limit sees the
 /// slip of the increment through wear, and a spring of constant stiffness pulls.
-bool may_snap_back(const FrictionDefinition& definition) noexcept;
+inline bool may_snap_back(const FrictionDefinition& definition) noexcept {
+  return definition.stick.mode == StickStiffness::Mode::kStiffness &&
+         definition.accumulated_slip == AccumulatedSlipTiming::kEnd &&
+         depends_on_accumulated_slip(definition.internal_contact_force);
+}
 
 /// Largest beta = -dF_lim/d(dL) / kappa of wear on the way from 0 to `slip`, at least 0. A
 /// coefficient that rises with the slip rate helps the spring: its slope counts with kappa; one

@@ -266,24 +266,29 @@ void Table::for_each_knot(int column, Visit visit) const {
   }
 }
 
-double Table::steepest_fall(int k, int column) const {
+double Table::steepest_fall(int k, int column, double* knot) const {
   double steepest = 0.0;
-  for_each_knot(column, [&](const auto&, double, const auto& slopes) {
-    steepest = std::min(steepest, slopes[at(k)]);
+  for_each_knot(column, [&](const auto& x, double, const auto& slopes) {
+    if (!(slopes[at(k)] < steepest)) return;
+    steepest = slopes[at(k)];
+    if (knot != nullptr) *knot = x[at(k)];
   });
   return steepest;
 }
 
-double Table::largest_growth(int k, int column) const {
+double Table::largest_growth(int k, int column, double* knot) const {
   double growth = 0.0;
   const std::vector<double>& knots = levels_[at(k)].knots;
   for_each_knot(column, [&](const auto& x, double y, const auto& slopes) {
     const double slope = slopes[at(k)];
     const double here = x[at(k)];
     // Within a cell y + x dy/dx is linear in x: its extremes are at the ends of the cell.
-    growth = std::max({growth, y, y + here * slope});
+    double largest = std::max(y, y + here * slope);
     const auto next = std::upper_bound(knots.begin(), knots.end(), here);
-    if (next != knots.end()) growth = std::max(growth, y + (2.0 * *next - here) * slope);
+    if (next != knots.end()) largest = std::max(largest, y + (2.0 * *next - here) * slope);
+    if (!(largest > growth)) return;
+    growth = largest;
+    if (knot != nullptr) *knot = here;
   });
   return growth;
 }

@@ -117,11 +117,13 @@ class Table {
   double largest(int column = 0) const;
 
   /// The most negative slope to independent `k` between neighbouring grid points (0 if none falls).
-  double steepest_fall(int k, int column = 0) const;
+  /// \param[out] knot coordinate `k` of the cell's begin, if asked for and if something falls
+  double steepest_fall(int k, int column = 0, double* knot = nullptr) const;
 
   /// The largest slope of y x_k to x_k, i.e. of y + x_k dy/dx_k, over all cells and at x_k = 0..:
   /// with y = mu and x_k = F_N, how fast a limiting force can grow with its normal force.
-  double largest_growth(int k, int column = 0) const;
+  /// \param[out] knot coordinate `k` of the cell's begin, if asked for
+  double largest_growth(int k, int column = 0, double* knot = nullptr) const;
 
   /// The cell that `value` takes its result from; for reading, not for the update path.
   TableCell cell(std::span<const double> x) const noexcept;

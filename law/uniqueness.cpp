@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+
+#include "law/snap_back.hpp"
 
 namespace slipbench::law {
 namespace {
@@ -27,24 +30,37 @@ double stick_stiffness(const FrictionDefinition& definition, double limit) {
                                                                    : limit / definition.stick.value;
 }
 
-SnapBack snap_back(const FrictionDefinition& definition) {
-  const auto* wear = std::get_if<TableFunction>(&definition.internal_contact_force);
-  if (wear == nullptr || definition.stick.mode != StickStiffness::Mode::kStiffness) return {};
-  const int column = wear->column_of(IndependentKind::kAccumulatedSlip);
-  if (column < 0) return {};
-  SnapBack result{largest_growth(definition.law), -wear->table().steepest_fall(column), 0.0};
-  result.judged = std::isfinite(result.growth);
-  if (result.judged) result.ratio = result.growth * result.fall / definition.stick.value;
-  return result;
+namespace {
+
+CellRange cell_from(const Table& table, int independent, double begin) {
+  const std::span<const double> knots = table.knots(independent);
+  const auto next = std::upper_bound(knots.begin(), knots.end(), begin);
+  return {begin, next == knots.end() ? begin : *next};
 }
 
-bool may_be_negative(const ContactForce& contact) {
-  if (std::holds_alternative<ComponentContactForce>(contact)) return true;
-  const auto* derived = std::get_if<DerivedComponent>(&contact);
-  return derived != nullptr &&
-         std::any_of(derived->begin(), derived->end(), [](const DerivedTerm& term) {
-           return term.combine == TermOperator::kSum || term.sign < 0.0;
-         });
+}  // namespace
+
+SnapBack snap_back(const FrictionDefinition& definition) {
+  if (definition.formulation || !may_snap_back(definition)) return {};
+  SnapBack result;
+  const auto& wear = std::get<TableFunction>(definition.internal_contact_force);
+  const int column = wear.column_of(IndependentKind::kAccumulatedSlip);
+  double slip = 0.0;
+  result.fall = -wear.table().steepest_fall(column, 0, &slip);
+  result.slip = cell_from(wear.table(), column, slip);
+  result.growth = largest_growth(definition.law);
+  if (const auto* law = std::get_if<TabularCoefficient>(&definition.law)) {
+    const int contact = law->table.column_of(IndependentKind::kContactForce);
+    if (contact >= 0) {
+      double force = 0.0;
+      law->table.table().largest_growth(contact, 0, &force);
+      result.contact = cell_from(law->table.table(), contact, force);
+    }
+  }
+  if (std::isfinite(result.growth)) {
+    result.ratio = result.growth * result.fall / definition.stick.value;
+  }
+  return result;
 }
 
 bool has_increment_thresholds(const FrictionDefinition& definition) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// When the return mapping with a constant stick stiffness has one solution (theory 11.4): judged for
-// a definition or behind an increment, not on the update path.
+// When the return mapping with a constant stick stiffness has one solution (theory 11.4): judged
+// for a definition or behind an increment, not on the update path.
 #pragma once
+
+#include <optional>
 
 #include "law/friction_definition.hpp"
 
@@ -10,20 +12,23 @@ namespace slipbench::law {
 /// kappa [F/L] of a definition at the limit F_lim [F] of one increment.
 double stick_stiffness(const FrictionDefinition& definition, double limit);
 
+/// The ends of one cell of a table along one independent.
+struct CellRange {
+  double begin = 0.0;
+  double end = 0.0;
+};
 /// Wear against stick stiffness: beta = growth fall / kappa, the beta = mu c / k of reference case
-/// W1 with the worst of the tables. At beta >= 1 the force drops at constant motion (snap-back).
-/// Where the coefficient grows with the contact force without bound there is no worst: then it is
-/// not judged, and FrictionUpdate::multiple_roots tells in the run.
+/// W1 with the worst of the tables. At beta >= 1 the force drops at constant motion (snap-back),
+/// if a run gets there: FrictionUpdate::snap_back tells of that. Where the coefficient grows with
+/// the contact force without bound there is no worst, and `ratio` is 0.
 struct SnapBack {
-  double growth = 0.0;  ///< largest d(mu F_N)/dF_N [1]
-  double fall = 0.0;    ///< steepest -dF_int/d(accumulated slip) [F/L]
-  double ratio = 0.0;   ///< beta; 0 without wear, where kappa follows the limit, or not judged
-  bool judged = true;
+  double growth = 0.0;               ///< largest d(mu F_N)/dF_N [1]
+  double fall = 0.0;                 ///< steepest -dF_int/d(accumulated slip) [F/L]
+  double ratio = 0.0;                ///< beta; 0 where none can be met (may_snap_back)
+  CellRange slip;                    ///< where it falls so [L]
+  std::optional<CellRange> contact;  ///< where it grows so [F], of a table over the contact force
 };
 SnapBack snap_back(const FrictionDefinition& definition);
-
-/// Whether F_C may be negative: a falling internal contact force then may raise F_N.
-bool may_be_negative(const ContactForce& contact);
 
 /// The increments that decide what backward Euler makes of a coefficient that falls with the slip
 /// rate (theory 11.4, reference cases K3 and K5). Both are 0 where they decide nothing: where the

@@ -117,6 +117,7 @@ tl::expected<Replay, std::string> Replay::record(const Case& problem,
   if (auto why = obstacle(problem)) return tl::unexpected(*std::move(why));
   Replay replay;
   replay.parameters_ = problem.parameters;
+  replay.jumps_ = problem.integration.snap_back == SnapBackAction::kJump;
   replay.initial_ = problem.initial;
   replay.reference_ = problem.reference;
   replay.steps_ = problem.steps;
@@ -217,7 +218,8 @@ class Replay::Increments {
 namespace {
 
 /// Whether the forces of an increment can be used; Simulation asks the same of its energies.
-inline bool is_sound(const law::FrictionUpdate& update) {
+inline bool is_sound(const law::FrictionUpdate& update, bool jumps) {
+  if (update.snap_back >= 1.0 && !jumps) return false;
   // One infinity or NaN spoils the sum: the single numbers are only looked at when it happened.
   const auto& y = update.state.force;
   const double sum = (update.limit + update.normal_force + update.mu) +
@@ -415,7 +417,7 @@ bool Replay::run_all(std::span<const law::FrictionDefinition> definitions,
       static_assert(std::is_trivially_destructible_v<law::FrictionUpdate>);
       const law::FrictionUpdate& update = *::new (&run.updates[now]) law::FrictionUpdate(
           law::update_force(*run.definition, increment, old));
-      if (!is_sound(update)) return false;
+      if (!is_sound(update, jumps_)) return false;
       if constexpr (kSlopes) {
         if (run.slopes) run.slopes->advance(increment, old, update);
       }
@@ -434,7 +436,7 @@ bool Replay::show(std::span<const law::FrictionDefinition> definitions, const Wa
     const law::ConnectorIncrement& increment = increments.next();
     for (std::size_t d = 0; d < definitions.size(); ++d) {
       updates[d] = law::update_force(definitions[d], increment, updates[d].state);
-      if (!is_sound(updates[d])) return false;
+      if (!is_sound(updates[d], jumps_)) return false;
     }
     if (watch) watch(increment.end, updates);
   }

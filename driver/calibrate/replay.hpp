@@ -97,6 +97,7 @@ class Replay {
   std::array<double, kQuantities> first_{};  ///< all quantities of row 0
   std::vector<double> increments_;           ///< row-major: duration, motions, others
   std::vector<double> times_;
+  bool jumps_ = false;  ///< a run goes through jumps of the force (snap-back); else it ends there
 
   // What the history was made of.
   NamedNumbers parameters_;

@@ -7,7 +7,6 @@
 
 #include "driver/calibrate/resolve_varied.hpp"
 #include "driver/text/diagnostic.hpp"
-#include "law/uniqueness.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -106,28 +105,19 @@ ReadOptions VariedCase::options_at(std::span<const double> x) const {
   return options;
 }
 
-tl::expected<void, std::string> VariedCase::set_ordinates(
-    std::span<const double> x, std::size_t index, law::FrictionDefinition& definition) const {
-  bool changed = false;
+void VariedCase::set_ordinates(std::span<const double> x, std::size_t index,
+                               law::FrictionDefinition& definition) const {
   for (std::size_t k = 0; k < ordinates_.size(); ++k) {
     const VariedOrdinates& ordinates = ordinates_[k];
     if (std::find(ordinates.definitions.begin(), ordinates.definitions.end(), index) ==
         ordinates.definitions.end()) {
       continue;
     }
-    changed = true;
     law::Table& table = varied_table(definition, uses_[k])->table();
     for (std::size_t row = 0; row < ordinates.count; ++row) {
       table.set_ordinate(row, ordinates.column, x[ordinates.first_unknown + row]);
     }
   }
-  // What the reader would refuse is no place for a fit to end.
-  if (changed && law::snap_back(definition).ratio >= 1.0 &&
-      !law::may_be_negative(definition.contact_force)) {
-    return tl::unexpected(
-        std::string("wear falls faster than the stick stiffness can follow (snap-back)"));
-  }
-  return {};
 }
 
 tl::expected<std::vector<law::FrictionDefinition>, std::string> VariedCase::definitions_at(
@@ -142,7 +132,7 @@ tl::expected<std::vector<law::FrictionDefinition>, std::string> VariedCase::defi
     for (CaseDefinition& definition : *resolved) definitions.push_back(std::move(definition.law));
   }
   for (std::size_t i = 0; i < definitions.size(); ++i) {
-    if (auto set = set_ordinates(x, i, definitions[i]); !set) return tl::unexpected(set.error());
+    set_ordinates(x, i, definitions[i]);
   }
   return definitions;
 }
@@ -154,9 +144,7 @@ tl::expected<Case, std::string> VariedCase::case_at(std::span<const double> x) c
   ReadCase read = parsed_.resolve(options);
   if (!read.value) return tl::unexpected(first_error(read.diagnostics));
   for (std::size_t i = 0; i < read.value->definitions.size(); ++i) {
-    if (auto set = set_ordinates(x, i, read.value->definitions[i].law); !set) {
-      return tl::unexpected(set.error());
-    }
+    set_ordinates(x, i, read.value->definitions[i].law);
   }
   return std::move(*read.value);
 }

@@ -74,9 +74,9 @@ class VariedCase {
   explicit VariedCase(ParsedCase parsed) : parsed_(std::move(parsed)) {}
 
   ReadOptions options_at(std::span<const double> x) const;
-  /// Puts ordinates into the tables. Error: a limit that snaps back.
-  tl::expected<void, std::string> set_ordinates(std::span<const double> x, std::size_t index,
-                                                law::FrictionDefinition& definition) const;
+  /// Puts ordinates into the tables.
+  void set_ordinates(std::span<const double> x, std::size_t index,
+                     law::FrictionDefinition& definition) const;
 
   ParsedCase parsed_;
   std::vector<ParameterText> settings_;

@@ -642,6 +642,10 @@ struct EnumWords<IntegrationMethod> {
   static constexpr std::array<std::string_view, 2> kWords{"backward_euler", "exact"};
 };
 template <>
+struct EnumWords<SnapBackAction> {
+  static constexpr std::array<std::string_view, 2> kWords{"stop", "jump"};
+};
+template <>
 struct EnumWords<law::AccumulatedSlipTiming> {
   static constexpr std::array<std::string_view, 2> kWords{"end", "start"};
 };
@@ -656,6 +660,7 @@ struct IntegrationText {
   At<double> tolerance = default_of(Integration{}.tolerance);
   At<law::AccumulatedSlipTiming> accumulated_slip = default_of(law::AccumulatedSlipTiming::kEnd);
   At<law::SlipRateMeasure> slip_rate = default_of(law::SlipRateMeasure::kSlip);
+  At<SnapBackAction> snap_back = default_of(SnapBackAction::kStop);
 
   template <class V>
   static void declare(V& key) {
@@ -675,6 +680,10 @@ struct IntegrationText {
     key("slip_rate", &IntegrationText::slip_rate,
         KeyInfo{.text = "Rate that the coefficient sees: of the slip, or of the whole motion.",
                 .default_text = "slip"});
+    key("snap_back", &IntegrationText::snap_back,
+        KeyInfo{.text = "Where wear takes the limit away faster than the stick spring follows: end "
+                        "the run, or jump to the next equilibrium and book the energy lost.",
+                .default_text = "stop"});
   }
 };
 

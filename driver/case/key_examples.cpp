@@ -71,6 +71,7 @@ constexpr std::array kExamples{
     Example{"dead_zone[].position", "lower"},
     Example{"integration", "{method: exact}"},
     Example{"integration.tolerance", "1.0e-9"},
+    Example{"integration.snap_back", "jump"},
     Example{"extrapolation", "linear"},
     Example{"history", "[{step: push, increments: 100, motion: {CP1: {to: 1}}}]"},
     Example{"history[].step", "push"},

@@ -60,10 +60,10 @@ law::StickStiffness stick_stiffness(Binder& binder, const At<StickText>& text, c
                                     const Path& parent_path, bool parent_misspelt,
                                     const UnitSystem& units);
 
-/// A limit that falls faster with slip than the stick stiffness unloads snaps back: the force drops
-/// at constant motion, and no increment can follow it (reference case W1, beta >= 1). The bound
-/// takes the worst of the tables; where F_C may turn the sign it only warns.
-void check_snap_back(Binder& binder, const law::FrictionDefinition& definition, const Node& node,
-                     const Path& path);
+/// Warns where the worst of the tables gives a limit that may fall faster with slip than the stick
+/// stiffness unloads (reference case W1, beta >= 1). What the run meets is judged there; a case
+/// that asks for jumps knows.
+void warn_of_snap_back(Binder& binder, const law::FrictionDefinition& definition,
+                       const CaseText& text, const Node& node, const Path& path);
 
 }  // namespace slipbench::driver

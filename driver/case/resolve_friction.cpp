@@ -196,21 +196,24 @@ law::StickStiffness stick_stiffness(Binder& binder, const At<StickText>& text, c
   return {Mode::kElasticSlip, elastic_slip};
 }
 
-void check_snap_back(Binder& binder, const law::FrictionDefinition& d, const Node& node,
-                     const Path& path) {
+void warn_of_snap_back(Binder& binder, const law::FrictionDefinition& d, const CaseText& text,
+                       const Node& node, const Path& path) {
   const law::SnapBack snap = law::snap_back(d);
-  if (snap.ratio < 1.0) return;
+  if (snap.ratio < 1.0 || text.integration.snap_back.value == SnapBackAction::kJump) return;
+  const auto cell = [](const law::CellRange& range) {
+    return format_number(range.begin) + " .. " + format_number(range.end);
+  };
   std::string message =
-      "wear falls faster than the stick stiffness can follow (snap-back): mu |F'| / k = " +
+      "wear may fall faster than the stick stiffness can follow (snap-back): mu |F'| / k = " +
       format_number(snap.growth) + " * " + format_number(snap.fall) + " / " +
-      format_number(d.stick.value) + " = " + format_number(snap.ratio) + ", it must be below 1";
+      format_number(d.stick.value) + " = " + format_number(snap.ratio) +
+      " in the cell accumulated_slip = " + cell(snap.slip);
+  if (snap.contact) message += " at contact_force = " + cell(*snap.contact);
   if (law::depends_on_contact_force(d.law)) message += "; mu stands for d(mu F_N)/dF_N";
-  std::string hint = "raise stick.stiffness or flatten the table";
-  if (law::may_be_negative(d.contact_force)) {
-    binder.warning(node, path, std::move(message), std::move(hint));
-  } else {
-    binder.error(node, path, std::move(message), std::move(hint));
-  }
+  binder.warning(node, path, message + "; a run that meets 1 or more ends there",
+                 "a stick.stiffness above " + format_number(snap.growth * snap.fall) +
+                     " or a flatter table follows everywhere, 'integration: {snap_back: jump}' "
+                     "goes on behind the jump");
 }
 
 namespace {
@@ -386,7 +389,7 @@ class Resolver {
       definition.backward = *law;
       law::FrictionDefinition other = definition.law;
       other.law = *law;
-      check_snap_back(binder_, other, *text.node, text.path);
+      warn_of_snap_back(binder_, other, text_, *text.node, text.path);
       if (law::exponential_decay(*law) && !law::exponential_decay(definition.law.law) &&
           other.force_limit != law::kNoForceLimit) {
         binder_.error(*cap.node, cap.path, "exponential decay takes no force limit");
@@ -491,7 +494,7 @@ class Resolver {
                 for (int i = 0; i < d.slip.dimension; ++i) {
                   outline.components.insert(d.slip.component[static_cast<std::size_t>(i)]);
                 }
-                check_snap_back(binder_, d, map, text.predefined.path);
+                warn_of_snap_back(binder_, d, text_, map, text.predefined.path);
                 std::string name = text.name.value;
                 if (!check.suffix.empty()) {
                   name = (name.empty() ? "" : name + ".") + std::string(check.suffix) +
@@ -644,8 +647,8 @@ class Resolver {
                                                *text.internal_contact_force.node,
                                                text.internal_contact_force.path)) {
           d.internal_contact_force = std::move(*function);
-          check_snap_back(binder_, d, *text.internal_contact_force.node,
-                          text.internal_contact_force.path);
+          warn_of_snap_back(binder_, d, text_, *text.internal_contact_force.node,
+                            text.internal_contact_force.path);
         }
       } else {
         d.internal_contact_force = std::get<double>(text.internal_contact_force.value);

@@ -15,6 +15,7 @@ void resolve_integration(Binder& binder, const CaseText& text, Case& out) {
                    "write method: exact, or leave it out");
     }
   }
+  if (integration.snap_back.sound) out.integration.snap_back = integration.snap_back.value;
   if (out.integration.method != IntegrationMethod::kExact) return;
   if (auto refusal = refuse_exact(out)) {
     binder.error(*integration.method.node, integration.method.path, std::move(refusal->message),

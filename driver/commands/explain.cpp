@@ -373,7 +373,7 @@ void append_events(std::string& text, const Instant& instant, std::size_t d, boo
   const auto one = [&](const Event& event) {
     return fmt::format("t = {} {} -> {}{} (force {}, accumulated slip {})",
                        with_unit(digits(event.time), time_unit), regime_name(event.from),
-                       regime_name(event.to), event.reversal ? ", reversed" : "",
+                       goal_name(event), event.reversal ? ", reversed" : "",
                        with_unit(digits(event.force), unit), digits(event.accumulated_slip));
   };
   const std::string now = regime_name(instant.row.definitions[d].update.state.regime);

@@ -15,6 +15,7 @@
 #include "driver/text/format_number.hpp"
 #include "law/capstan_update.hpp"
 #include "law/connector_tangent.hpp"
+#include "law/snap_back.hpp"
 #include "law/uniqueness.hpp"
 
 namespace slipbench::driver {
@@ -82,7 +83,7 @@ SolverDemand solver_demand(const law::FrictionDefinition& definition,
   demand.by_position = moves ? asymmetry(tangent - rate, stick) : 0.0;
 
   const auto* wear = std::get_if<law::TableFunction>(&definition.internal_contact_force);
-  if (wear != nullptr && definition.stick.mode == law::StickStiffness::Mode::kStiffness) {
+  if (wear != nullptr && law::may_snap_back(definition)) {
     const double slope =
         law::evaluate(*wear, increment.end, update.state.accumulated_slip).to_accumulated_slip;
     const double side = update.contact_force < 0.0 ? -1.0 : 1.0;

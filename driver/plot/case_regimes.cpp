@@ -18,6 +18,7 @@ void CaseRegimes::add(const Row& row) {
     }
   }
   for (const Event& event : events) {
+    if (event.jump) continue;
     RegimeRecorder& regimes = regimes_[event.definition];
     const bool turns = event.from == law::Regime::kSlip && event.to == law::Regime::kSlip;
     // Slip that turns to the opposite sense has stuck on the way, but where the turn was located.

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "driver/results/events.hpp"
 #include "driver/text/number.hpp"
 #include "driver/text/source_text.hpp"
 #include "driver/yaml/parse.hpp"
@@ -85,6 +86,7 @@ std::optional<std::vector<RegimeHistory>> read_events(const fs::path& file, cons
       header = true;
       continue;
     }
+    if (line.find(std::string(",slip,") + kJumpWord + ",") != std::string::npos) continue;
     const auto event = read_event(line);
     if (!event || event->time < before || event->time > end) return std::nullopt;
     before = event->time;

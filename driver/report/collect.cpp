@@ -101,13 +101,15 @@ struct CaseCollector::State {
 };
 
 void CaseCollector::State::note(const Event& event, const Row& row) {
-  Since& since = regimes[event.definition];
-  spans[event.definition].add(since.status, since.time, event.time);
-  since = {static_cast<int>(event.to), event.time};
+  if (!event.jump) {
+    Since& since = regimes[event.definition];
+    spans[event.definition].add(since.status, since.time, event.time);
+    since = {static_cast<int>(event.to), event.time};
+  }
   ReportEvent one{event.time,
                   problem.definitions[event.definition].name,
                   regime_name(event.from),
-                  regime_name(event.to),
+                  goal_name(event),
                   event.reversal,
                   event.force,
                   event.limit,

@@ -52,6 +52,7 @@ class Choice {
       take_energy("work", "WORK" + suffix);
       take_energy("dissipated", "DISS" + suffix);
       take_energy("stored", "STRAIN_E" + suffix);
+      take_energy("lost", "LOST" + suffix);
     }
     take_energy("dissipated", "VISCOUS_DISS");
     take_energy("stored", "ELASTIC_E");

@@ -378,6 +378,11 @@ void add_definition(const Case& problem, int d, std::vector<Column>& columns) {
   add("STRAIN_E" + suffix, kEnergy, "Energy stored in the stick stiffness.",
       ColumnSource::kStoredEnergy);
   add("WORK" + suffix, kEnergy, "Work of the friction force since the start.", ColumnSource::kWork);
+  if (problem.integration.snap_back == SnapBackAction::kJump) {
+    add("LOST" + suffix, kEnergy,
+        "Energy since the start that the stick spring lost in jumps at constant motion.",
+        ColumnSource::kLost);
+  }
   if (definition.law.formulation) add_formulation(problem, d, suffix, columns);
 }
 
@@ -593,6 +598,8 @@ double column_value(const Column& column, const Case& problem, const Row& row) {
       return law::equivalent_elastic_slip(problem.definitions[d].law, here.update.state);
     case ColumnSource::kDissipation:
       return here.dissipation;
+    case ColumnSource::kLost:
+      return here.lost;
     case ColumnSource::kStoredEnergy:
       return here.update.stored_energy;
     case ColumnSource::kPressure:

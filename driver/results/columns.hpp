@@ -44,6 +44,7 @@ enum class ColumnSource : std::uint8_t {
   kElasticSlip,
   kPlay,  ///< of a dead zone
   kDissipation,
+  kLost,  ///< in jumps of the force
   kStoredEnergy,
   kWork,
   kQuantity,         ///< temperature or a field

@@ -16,6 +16,8 @@ const char* regime_name(law::Regime regime) {
   return regime == law::Regime::kStick ? "stick" : "slip";
 }
 
+const char* goal_name(const Event& event) { return event.jump ? kJumpWord : regime_name(event.to); }
+
 double position_at(const Event& event, const Row& row, int component) {
   const auto c = static_cast<std::size_t>(component);
   const double begin = row.begin.values[c];
@@ -25,7 +27,7 @@ double position_at(const Event& event, const Row& row, int component) {
 
 EventDetector::EventDetector(const Case& problem)
     : case_(&problem), memory_(problem.definitions.size()) {
-  events_.reserve(problem.definitions.size() * (law::RegimeChanges{}.at.size() + 1));
+  events_.reserve(problem.definitions.size() * (law::RegimeChanges{}.at.size() + 2));
 }
 
 std::span<const Event> EventDetector::take(const Row& row) {
@@ -34,6 +36,11 @@ std::span<const Event> EventDetector::take(const Row& row) {
     const DefinitionRow& here = row.definitions[d];
     Memory& memory = memory_[d];
     if (row.index > 0) judge(row, d);
+    if (here.update.jumps > 0) {
+      events_.push_back({0.0, here.update.jump_onset, d, law::Regime::kSlip, law::Regime::kSlip,
+                         false, limited_force(case_->definitions[d], here), here.update.limit,
+                         here.update.state.accumulated_slip, true});
+    }
     memory.regime = here.update.state.regime;
     memory.force = limited_force(case_->definitions[d], here);
     memory.limit = here.update.limit;
@@ -74,9 +81,20 @@ void EventDetector::judge(const Row& row, std::size_t definition) {
       case_->integration.method == IntegrationMethod::kExact && memory.regime == law::Regime::kSlip;
   const bool reversal = slips && !goes_on && turns(definition, here);
   if (memory.regime == to && !reversal) return;
-  Event event{0.0,           0.0, definition,
-              memory.regime, to,  reversal,
-              0.0,           0.0, update.state.accumulated_slip - update.slip_increment};
+  const double slip_before = update.state.accumulated_slip - update.slip_increment;
+  Event event{0.0, 0.0, definition, memory.regime, to, reversal, 0.0, 0.0, slip_before};
+  if (memory.regime == law::Regime::kStick &&
+      (slips ? update.jumps > 0 : to == law::Regime::kOpen && update.slip_increment > 0.0)) {
+    // It slipped at the limit before, until the force jumped or nothing held it any more.
+    const bool signed_force = !case_->definitions[definition].coupled &&
+                              case_->definitions[definition].law.slip.dimension == 1;
+    const double sense = signed_force ? update.direction[0] : 1.0;
+    events_.push_back({0.0, update.onset, definition, memory.regime, law::Regime::kSlip,
+                       turns(definition, here), std::copysign(memory.limit, sense), memory.limit,
+                       slip_before});
+    if (slips) return;
+    event.from = law::Regime::kSlip;
+  }
   if (slips || to == law::Regime::kOpen) {
     event.fraction = slips ? update.onset : 1.0;
     event.force = limited_force(case_->definitions[definition], here);
@@ -139,7 +157,7 @@ void EventWriter::write(const Row& row) {
     std::string& text = file_->buffer();
     append_number(text, event.time);
     text.append(",").append(case_->definitions[event.definition].name).append(",");
-    text.append(regime_name(event.from)).append(",").append(regime_name(event.to));
+    text.append(regime_name(event.from)).append(",").append(goal_name(event));
     for (const double number : {event.force, event.limit, event.accumulated_slip}) {
       text += ',';
       append_number(text, number);

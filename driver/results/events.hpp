@@ -11,7 +11,8 @@
 
 namespace slipbench::driver {
 
-/// A change between open, stick and slip, or slip that turns to the opposite sense (slip to slip).
+/// A change between open, stick and slip, slip that turns to the opposite sense (slip to slip), or
+/// a jump of the force at constant motion while it slips.
 struct Event {
   double time = 0.0;      ///< total time [T]
   double fraction = 0.0;  ///< of the increment that is over
@@ -22,6 +23,7 @@ struct Event {
   double force = 0.0;             ///< as of limited_force [F]
   double limit = 0.0;             ///< F_lim [F]
   double accumulated_slip = 0.0;  ///< [L]
+  bool jump = false;              ///< the force jumps (snap-back), the regime does not change
 };
 
 /// Where within its increment a position stood at the event; the motion is straight within it.
@@ -35,7 +37,9 @@ double position_at(const Event& event, const Row& row, int component);
 ///   - stick begins where the increment begins that ends in stick, with the force and limit there:
 ///     exact for a motion that turns at a breakpoint, late or early by at most an increment else;
 ///   - contact is lost at the end of the increment that ends open, and found at the begin of the
-///     one that does not.
+///     one that does not; where slip within the increment wore it away, that slip begins where the
+///     trial force meets the limit before it;
+///   - the force jumps where the trial force meets the fold of its limit.
 /// Nothing grows with the number of rows.
 class EventDetector {
  public:
@@ -77,5 +81,8 @@ class EventWriter {
 
 /// "open", "stick" or "slip".
 const char* regime_name(law::Regime regime);
+/// The same of the regime that an event leads to, or kJumpWord.
+const char* goal_name(const Event& event);
+inline constexpr const char* kJumpWord = "jump";
 
 }  // namespace slipbench::driver

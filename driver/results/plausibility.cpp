@@ -108,6 +108,7 @@ void Plausibility::add(const Row& row) {
     all.falls = all.falls || here.thresholds.smooth > 0.0;
     all.work = here.work;
     all.dissipation = here.dissipation;
+    all.lost = here.lost;
     all.stored = update.stored_energy;
     all.largest_energy =
         std::max({all.largest_energy, std::abs(all.work), all.dissipation, all.stored});
@@ -219,7 +220,7 @@ std::string Plausibility::open_balance(std::size_t index) const {
   // and a force that drops from static to kinetic lose what no increments bring back.
   if (definition.law.formulation || definition.dead_zone || all.opens || all.falls) return {};
   if (!(all.largest_energy > 0.0)) return {};
-  const double gap = (all.work - all.dissipation - all.stored) / all.largest_energy;
+  const double gap = (all.work - all.dissipation - all.lost - all.stored) / all.largest_energy;
   const double of_stepping = gap + all.stiffening / all.largest_energy;
   if (std::abs(gap) <= kOpenBalance) return {};
   const std::string energies = fmt::format(

@@ -23,6 +23,7 @@ struct DefinitionExtremes {
   bool open_under_force = false;  ///< the limit was 0 somewhere although something pressed
   bool falls = false;             ///< the coefficient falls with the slip rate
   double work = 0.0, dissipation = 0.0, stored = 0.0;  ///< at the end [F L]
+  double lost = 0.0;                                   ///< in jumps, at the end [F L]
   double largest_energy = 0.0;                         ///< of these three, of all rows [F L]
   /// Energy that came into the stick spring because its stiffness changed [F L].
   double stiffening = 0.0;

@@ -47,7 +47,7 @@ const char* plural(std::int64_t count) { return count == 1 ? "" : "s"; }
 }  // namespace
 
 double DefinitionSummary::energy_gap() const {
-  return largest_energy > 0.0 ? (work - dissipation - stored_energy) / largest_energy : 0.0;
+  return largest_energy > 0.0 ? (work - dissipation - lost - stored_energy) / largest_energy : 0.0;
 }
 
 Summary::Summary(const Case& problem)
@@ -115,6 +115,8 @@ void Summary::add(const Row& row) {
     sum.dissipation = here.dissipation;
     sum.stored_energy = update.stored_energy;
     sum.work = here.work;
+    sum.lost = here.lost;
+    sum.jumps = here.jumps;
     sum.largest_energy = plausibility_.definitions()[d].largest_energy;
   }
 }
@@ -188,6 +190,10 @@ void Summary::add_events(const Row& row) {
   std::fill(since_.begin(), since_.end(), 0.0);
   for (const Event& event : detector_.take(row)) {
     DefinitionSummary& sum = definitions_[event.definition];
+    if (event.jump) {
+      if (sum.jumps == 0) sum.first_jump = event.time;
+      continue;
+    }
     stick_slip_[event.definition].add(event, row);
     const double before = std::exchange(since_[event.definition], event.fraction);
     // Slip that turns to the opposite sense has stuck on the way, but where the turn was located.
@@ -283,6 +289,11 @@ std::string Summary::definition_text(const DefinitionSummary& sum, std::size_t i
                   with_unit(rounded(sum.highest_force), force), energy_text(sum.dissipation, units),
                   energy_text(sum.stored_energy, units),
                   fmt::format("{:.1g}{}", std::abs(sum.energy_gap()), energy_note(definition.law)));
+  if (sum.jumps > 0) {
+    text += fmt::format("  {}{} were lost in {} jump{} (snap-back), the first at t = {}\n", name,
+                        energy_text(sum.lost, units), sum.jumps, plural(sum.jumps),
+                        with_unit(rounded(sum.first_jump), units.time));
+  }
   return text + stick_slip_text(sum, index) + why_text(sum, index);
 }
 
@@ -370,17 +381,17 @@ std::string Summary::falling_warning(const DefinitionSummary& sum, std::size_t i
   };
   // Who never slips has no falling coefficient to follow.
   const bool jumps = sum.short_increments > 0 && sum.first_slip;
-  if (!jumps && sum.multiple_roots == 0) return {};
+  // With a coefficient that does not fall the roots are those of wear, and the first of them is
+  // where the force arrives.
+  if (!jumps && (sum.multiple_roots == 0 || sum.unique == 0.0)) return {};
   if (!jumps) {
     std::string text = fmt::format(
         "friction '{}': {} increment{} may have more than one solution, because the coefficient "
         "falls with the slip rate faster than the stick stiffness follows; the one of least slip "
         "was taken",
         sum.name, sum.multiple_roots, plural(sum.multiple_roots));
-    if (sum.unique > 0.0) {
-      text += fmt::format("; with increments longer than {} there is one only", time(sum.unique));
-    }
-    return text;
+    return text +
+           fmt::format("; with increments longer than {} there is one only", time(sum.unique));
   }
   const std::string force =
       unit_text(is_rotational(case_->definitions[index].law) ? kMoment : kForce, units);

@@ -45,10 +45,13 @@ struct DefinitionSummary {
   double largest_creep = 0.0;
   double lowest_force = 0.0;  ///< of representative_force [F]
   double highest_force = 0.0;
-  double accumulated_slip = 0.0;      ///< [L]
-  double dissipation = 0.0;           ///< [F L]
-  double stored_energy = 0.0;         ///< at the end [F L]
-  double work = 0.0;                  ///< [F L]
+  double accumulated_slip = 0.0;  ///< [L]
+  double dissipation = 0.0;       ///< [F L]
+  double stored_energy = 0.0;     ///< at the end [F L]
+  double work = 0.0;              ///< [F L]
+  double lost = 0.0;              ///< in jumps at constant motion [F L]
+  std::int64_t jumps = 0;
+  double first_jump = 0.0;            ///< total time of it [T]
   double largest_energy = 0.0;        ///< of these three, at any time [F L]
   std::int64_t multiple_roots = 0;    ///< increments that may have more than one solution
   std::int64_t short_increments = 0;  ///< increments in which backward Euler may not settle
@@ -67,8 +70,8 @@ struct DefinitionSummary {
 
   StickSlip stick_slip;  ///< its cycles, if it vibrates
 
-  /// (work - dissipation - stored energy) over the largest energy of the run: what the time
-  /// stepping lost. 0 where nothing moved.
+  /// (work - dissipation - what jumps lost - stored energy) over the largest energy of the run:
+  /// what the time stepping lost. 0 where nothing moved.
   double energy_gap() const;
 };
 

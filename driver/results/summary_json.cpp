@@ -62,6 +62,10 @@ json::Value Summary::to_json() const {
     one["dissipation"] = sum.dissipation;
     one["stored_energy"] = sum.stored_energy;
     one["work"] = sum.work;
+    if (case_->integration.snap_back == SnapBackAction::kJump) {
+      one["lost_in_jumps"] = sum.lost;
+      one["jumps"] = sum.jumps;
+    }
     one["energy_balance_residual"] = sum.energy_gap();
     one["largest_elastic_slip_in_stick"] = sum.largest_elastic_slip;
     one["largest_creep_in_stick"] = sum.largest_creep;

@@ -212,7 +212,7 @@ function motionPanels(one, definition, time) {
 }
 
 function energyLines(one, time) {
-  const words = {work: "work", dissipated: "dissipated", stored: "stored", kinetic: "of motion", external: "put in from outside"};
+  const words = {work: "work", dissipated: "dissipated", stored: "stored", lost: "lost in jumps", kinetic: "of motion", external: "put in from outside"};
   const styles = {work: {colour: 1, dash: [7, 2, 2, 2]}, dissipated: {main: true}, stored: {colour: 3, dash: [2, 2]}};
   const lines = [];
   for (const [key, names] of Object.entries((one.energy || {}).columns || {})) {
@@ -727,7 +727,7 @@ class View {
   statusNow() {
     const words = {0: "no friction", 1: "stick", 2: "slip"};
     if (!this.definition) return "";
-    if (this.sameDefinition()) return this.event.to === "open" ? words[0] : this.event.to;
+    if (this.sameDefinition()) return {open: words[0], jump: words[2]}[this.event.to] || this.event.to;
     const column = this.definition.status ? columnOf(this.one, this.definition.status) : null;
     if (column) return words[column.values[this.places[0]]] || "";
     const now = this.time();
@@ -1082,11 +1082,11 @@ function energyTable(one, lines) {
     return make("tr", {}, make("th", {scope: "row"}, line.label), cell, make("td", {class: "number"}, withUnit(last(line), line.unit, 5)));
   });
   const named = (name) => lines.find((line) => line.label === name);
-  const [work, dissipated, stored] = ["work", "dissipated", "stored"].map(named);
+  const [work, dissipated, stored, lost] = ["work", "dissipated", "stored", "lost in jumps"].map(named);
   // The work of friction alone says nothing about springs, dampers and masses.
   const alone = (one.energy.columns.dissipated || []).concat(one.energy.columns.stored || []).every((name) => /^(DISS|STRAIN_E)(\.|$)/.test(name));
-  if (work && dissipated && stored && alone && lines.length === 3) {
-    const rest = work.y.map((value, i) => value - dissipated.y[i] - stored.y[i]);
+  if (work && dissipated && stored && alone && lines.length === (lost ? 4 : 3)) {
+    const rest = work.y.map((value, i) => value - dissipated.y[i] - stored.y[i] - (lost ? lost.y[i] : 0));
     const line = {y: rest, unit: work.unit};
     const scale = Math.max(...[work, dissipated, stored].map((part) => Math.abs(last(part))));
     const cell = make("td", {class: "number"});

@@ -27,6 +27,9 @@ TEST_CASE("the snap-back ratio is beta = mu c / k of linear wear") {
   CHECK(snap.growth == 0.2);
   CHECK(snap.fall == 50.0);
   CHECK(snap.ratio == Approx(0.01).epsilon(1e-15));  // reference case W1
+  CHECK(snap.slip.begin == 0.0);
+  CHECK(snap.slip.end == 1.0);
+  CHECK_FALSE(snap.contact);
 }
 
 TEST_CASE("without wear, or with a stiffness that follows the limit, nothing snaps back") {
@@ -98,15 +101,6 @@ TEST_CASE("a belt's thresholds are those of its larger limit") {
   const IncrementThresholds t = increment_thresholds(definition, Ambient{}, 100.0, 1.0);
   // d(T (exp(mu alpha) - 1))/dmu = T alpha exp(mu alpha), mu(1) = 0.295122942450071.
   CHECK(t.smooth == Approx(9.51229424500714e-4 * 1.5 * std::exp(1.5 * 0.295122942450071)));
-}
-
-TEST_CASE("signed components and sums may turn the contact force, norms may not") {
-  CHECK_FALSE(may_be_negative(NoContactForce{}));
-  CHECK_FALSE(may_be_negative(DerivedComponent{norm_term({2, 3}, 1.0)}));
-  CHECK(may_be_negative(ComponentContactForce{1}));
-  DerivedTerm sum = norm_term({2}, 1.0);
-  sum.combine = TermOperator::kSum;
-  CHECK(may_be_negative(DerivedComponent{sum}));
 }
 
 }  // namespace

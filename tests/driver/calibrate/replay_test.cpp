@@ -54,6 +54,19 @@ std::uint64_t bits(double x) {
   return result;
 }
 
+TEST_CASE("a force that jumps ends a replay as it ends a run, unless the case goes through") {
+  Case problem = slider_case({step("out", 4, 0, LinearTo{2.0})});
+  law::Table table;
+  law::TableError error;
+  REQUIRE(law::Table::build(std::vector<std::vector<double>>{{6000, 0}, {0, 1}}, 1, 1,
+                            law::Extrapolation::kConstant, &table, &error));
+  problem.definitions[0].law.internal_contact_force =
+      law::TableFunction(table, {{law::IndependentKind::kAccumulatedSlip}});
+  CHECK_FALSE(recorded(problem).show(laws_of(problem)));
+  problem.integration.snap_back = SnapBackAction::kJump;
+  CHECK(recorded(problem).show(laws_of(problem)));
+}
+
 TEST_CASE("every shipped case is replayed bit by bit, or says why not") {
   const std::filesystem::path root = test::source_dir();
   int replayed = 0;

@@ -336,11 +336,6 @@ const std::vector<Fault>& faults() {
       {{{"    contact_force: normal\n",
          "    contact_force: normal\n    internal_contact_force: {columns: [], rows: [[1]]}\n"}},
        {"16:39: error: friction[0].internal_contact_force.columns: wanted 1 dependent column"}},
-      {{{"    contact_force: normal\n",
-         "    contact_force: normal\n    internal_contact_force: {columns: [force, "
-         "accumulated_slip], rows: [[100, 0], [0, 1]]}\n"},
-        {"elastic_slip: 1.0e-4", "stiffness: 10"}},
-       {"16:29: error: friction[0].internal_contact_force: wear falls faster than the stick"}},
       {{{"    coefficient: = mu\n    stick", "    coefficient: = mu\n    stick"},
         {"history:",
          "  - component: 1\n    contact_force: normal\n    coefficient: 0.1\n    stick: "

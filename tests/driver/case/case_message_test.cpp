@@ -77,20 +77,6 @@ TEST_CASE("A fault in a table names its row and points at the number") {
         "      |                ^\n");
 }
 
-TEST_CASE("Wear that snaps back says the number") {
-  CHECK(
-      complaint(changed({{"    contact_force: normal\n",
-                          "    contact_force: normal\n"
-                          "    internal_contact_force:\n"
-                          "      {columns: [force, accumulated_slip], rows: [[100, 0], [0, 1]]}\n"},
-                         {"elastic_slip: 1.0e-4", "stiffness: 10"}})) ==
-      "c.yaml:17:7: error: friction[0].internal_contact_force: wear falls faster than the stick "
-      "stiffness can follow (snap-back): mu |F'| / k = 0.15 * 100 / 10 = 1.5, it must be below "
-      "1; raise stick.stiffness or flatten the table\n"
-      "   17 |       {columns: [force, accumulated_slip], rows: [[100, 0], [0, 1]]}\n"
-      "      |       ^\n");
-}
-
 TEST_CASE("A unit of another dimension is refused") {
   CHECK(complaint(changed({{"length: mm", "length: N"}})) ==
         "c.yaml:3:17: error: units.length: unit 'N' does not measure a length\n"

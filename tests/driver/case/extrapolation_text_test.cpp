@@ -43,7 +43,7 @@ TEST_CASE("tables of the behaviour follow the case's extrapolation, unless they 
 TEST_CASE("an extrapolation that there is none of is refused with those there are") {
   const auto found = messages(fitted("extrapolation: spline\n", ""));
   REQUIRE(found.size() == 1);
-  CHECK(found[0] == "3:16: error: extrapolation: wanted 'constant' or 'linear', found 'spline'");
+  CHECK(found[0] == "3:16: error: extrapolation: wanted constant or linear, found 'spline'");
 }
 
 }  // namespace
