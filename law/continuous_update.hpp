@@ -27,8 +27,8 @@ enum class ContinuousMethod {
 };
 ContinuousMethod continuous_method(const FrictionDefinition& definition);
 
-/// `update` for a whole straight segment (specification section 10, theory 11.9). Changes between
-/// stick, slip and open are located inside of it. Where the slip radius R (F_lim/kappa, or g_c) is
+/// `update` for a whole straight segment (theory 11.9). Changes between stick, slip and open, and
+/// all corners of the limit, are located inside of it. Where the slip radius R (F_lim/kappa, or g_c) is
 /// constant the geometry is closed (exact_segment.hpp); where it changes, slip obeys
 ///   d(psi)/dr = -sin(psi)/R,   dL = cos(psi) dr - dR,
 /// which an embedded Runge-Kutta pair follows to `tolerance`; in one dimension that is a quadrature
@@ -37,7 +37,8 @@ ContinuousMethod continuous_method(const FrictionDefinition& definition);
 /// by `extrapolated_update`.
 ///
 /// The tangent is that of `update` over the same increment. `dissipation` is the integral of F_lim
-/// over the slip, `onset` the fraction at which the last slip began.
+/// over the slip, `onset` the fraction at which the last slip began. Snap-back is gone through, with
+/// `snap_back`, `jumps` and `lost`.
 /// \param tolerance of the force as a part of the limit, > 0; other results alike
 /// \param[out] changes of regime inside the segment, if wanted; what was there is forgotten
 /// \pre no_continuous_solution(definition) is empty

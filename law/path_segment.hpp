@@ -98,6 +98,17 @@ class SegmentPoints {
     return limit.at(0.0, rate(limit.rate(0.0), slip_rate), blend);
   }
 
+  /// Returns the force of `limit` before the cap [F].
+  double uncapped(const Limit& limit, double tau, double sense) const {
+    if (!std::holds_alternative<Capstan>(definition_.criterion)) {
+      return limit.mu * limit.normal_force;
+    }
+    const double wrap_angle = mix(tau, segment_.begin_wrap_angle, end_wrap_angle_);
+    return limit.normal_force * capstan_limit(limit.mu * wrap_angle, sense < 0.0
+                                                                         ? FlowSense::kBackward
+                                                                         : FlowSense::kForward);
+  }
+
   /// StickStiffness::value at tau.
   double stick(double tau) const { return mix(tau, segment_.begin_stick, definition_.stick.value); }
 

@@ -84,6 +84,12 @@ double evaluate(const UniversalJointContact& contact, const ConnectorForce& forc
   return 2.0 * (t.face + contact.R_p * (t.radial + t.bending));
 }
 
+double pin_force(const UniversalJointContact& contact, const ConnectorForce& force,
+                 const RelativePosition& position) noexcept {
+  const Load load = split(force, position);
+  return contact.axis == 1 ? load.along_1 : load.along_3;
+}
+
 void add_gradient(const UniversalJointContact& contact, const ConnectorForce& force,
                   const RelativePosition& position, ConnectorForce* to_force,
                   RelativePosition* to_position) noexcept {

@@ -41,6 +41,10 @@ UniversalJointTerms terms(const UniversalJointContact& contact, const ConnectorF
 double evaluate(const UniversalJointContact& contact, const ConnectorForce& force,
                 const RelativePosition& position) noexcept;
 
+/// The axial force of the pin [F], whose magnitude counts.
+double pin_force(const UniversalJointContact& contact, const ConnectorForce& force,
+                 const RelativePosition& position) noexcept;
+
 /// Adds the slopes of evaluate() to forces and angles; at corners the slope taken is 0.
 void add_gradient(const UniversalJointContact& contact, const ConnectorForce& force,
                   const RelativePosition& position, ConnectorForce* to_force,

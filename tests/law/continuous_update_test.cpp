@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "law/continuous_update.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -211,6 +212,52 @@ TEST_CASE("slip that wears the limit away opens where it does") {
     CHECK(run.friction(1) == 0.0);
     // mu integral F_int ds = 0.2 * 100 * 0.5 / 2
     CHECK(run.dissipation == Approx(5.0).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("a limit that wears faster than the spring lets the force jump, with its energy booked") {
+  // 3000 N on 1000 N/mm; between 0.5 and 1.5 mm of slip the limit falls by 3000 N/mm: beta = 3.
+  for (const int count : {1, 3, 10}) {
+    FrictionDefinition definition = slider(0.5, 0.0, fixed_stiffness(1000.0));
+    definition.contact_force = NoContactForce{};
+    definition.internal_contact_force =
+        make_function({{6000, 0}, {6000, 0.5}, {0, 1.5}}, {{IndependentKind::kAccumulatedSlip, 0}});
+    ExactRun run(definition);
+    double lost = 0.0;
+    double snap_back = 0.0;
+    int jumps = 0;
+    for (int i = 1; i <= count; ++i) {
+      run.go(at(6.0 * i / count));
+      lost += run.last.lost;
+      snap_back = std::max(snap_back, run.last.snap_back);
+      jumps += run.last.jumps;
+      if (run.last.jumps > 0) {
+        // At 3.5 mm of motion.
+        CHECK((i - 1 + run.last.jump_onset) / count == Approx(3.5 / 6.0));
+      }
+    }
+    CHECK(jumps == 1);
+    CHECK(snap_back == Approx(3.0));
+    // It meets the limit again where nothing is left: the spring has relaxed by 3 mm.
+    CHECK(run.state.accumulated_slip == Approx(3.5).epsilon(1e-12));
+    CHECK(run.dissipation == Approx(3000.0 * 0.5 + 1500.0 * 1.0).epsilon(1e-12));
+    CHECK(lost == Approx(4500.0 - 1500.0).epsilon(1e-12));
+    CHECK(run.work == Approx(run.dissipation + lost).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("slip that wears off as much as presses keeps the contact force at 0") {
+  // F_C + F_int = 50 + 50 u - 100 L: worn to 0 at u = 1, then L = 0.5 + 0.5 u without force.
+  for (const int count : {1, 7, 50}) {
+    FrictionDefinition definition = slider(0.5, 0.0, fixed_stiffness(1000.0));
+    definition.contact_force = ComponentContactForce{2};
+    definition.internal_contact_force =
+        make_function({{150, 0}, {0, 1.5}}, {{IndependentKind::kAccumulatedSlip, 0}});
+    ExactRun run(definition, at(0.0, -100.0));
+    run.go(at(1.8, -10.0), count);
+    CHECK(run.state.accumulated_slip == Approx(1.4).epsilon(1e-11));
+    CHECK(run.friction(1) == 0.0);
+    CHECK(run.work == Approx(run.dissipation).epsilon(1e-12));
   }
 }
 
