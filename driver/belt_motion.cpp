@@ -52,7 +52,7 @@ std::optional<std::string> move_belt(const Case& problem, Row& row) {
     }
     row.belt.reference_length = length;
     row.belt.strain = law::strain(distance, length);
-    if (const auto& elasticity = problem.behavior[0].elasticity) {
+    if (const auto& elasticity = problem.kinetic.elasticity[0]) {
       q[kFirstForce] = elasticity->value(row.belt.strain, ambient_of(q, problem.reference)).force;
     }
   }

@@ -14,29 +14,28 @@ namespace slipbench::driver {
 
 bool has_component_forces(const Case& problem) {
   if (problem.belt) return false;
-  return problem.dynamics || !problem.force_driven.empty() ||
-         std::any_of(problem.behavior.begin(), problem.behavior.end(),
-                     [](const ComponentBehavior& behavior) { return behavior.any(); });
+  if (problem.dynamics || !problem.force_driven.empty()) return true;
+  for (int c = 0; c < law::kComponents; ++c) {
+    if (acts_beside_friction(problem, c)) return true;
+  }
+  return false;
 }
 
 void take_springs_and_dampers(const Case& problem, const law::ConnectorIncrement& increment,
-                              ConnectorForces& forces, int except) {
+                              ConnectorForces& forces, int mass) {
+  const law::KineticBehavior& kinetic = problem.kinetic;
   forces.elastic_energy = 0.0;
   for (int c = 0; c < law::kComponents; ++c) {
-    if (c == except) continue;
-    const auto i = static_cast<std::size_t>(c);
-    const ComponentBehavior& behavior = problem.behavior[i];
-    ComponentForces& here = forces.component[i];
-    if (behavior.elasticity) {
-      const double u = increment.end.motion[c];
-      here.elastic = behavior.elasticity->value(u, increment.end).force;
-      forces.elastic_energy += behavior.elasticity->energy(u, increment.end);
+    ComponentForces& here = forces.component[static_cast<std::size_t>(c)];
+    if (kinetic.is_elastic(c)) {
+      if (c != mass) here.elastic = law::elastic_force(kinetic, c, increment.end).force;
+      forces.elastic_energy += law::elastic_energy(kinetic, c, increment.end);
     }
-    if (behavior.damping) {
-      const double motion = increment.end.position[c] - increment.begin_position[c];
-      const double velocity = increment.duration > 0.0 ? motion / increment.duration : 0.0;
-      here.viscous = behavior.damping->value(velocity, increment.end).force;
-      forces.viscous_dissipation += here.viscous * motion;
+    if (kinetic.is_damped(c) && c != mass) {
+      const double velocity = law::mean_velocity(increment, c);
+      here.viscous = law::viscous_force(kinetic, c, velocity, increment.end).force;
+      forces.viscous_dissipation +=
+          here.viscous * (increment.end.position[c] - increment.begin_position[c]);
     }
   }
 }
@@ -44,7 +43,7 @@ void take_springs_and_dampers(const Case& problem, const law::ConnectorIncrement
 std::optional<std::string> beyond_stop(const Case& problem, law::ComponentSet solved,
                                        const law::RelativePosition& position) {
   for (int c = 0; c < law::kComponents; ++c) {
-    const auto& stop = problem.behavior[static_cast<std::size_t>(c)].stop;
+    const auto& stop = problem.stop[static_cast<std::size_t>(c)];
     if (!stop || solved.contains(c)) continue;
     const double at = position[c];
     const double rounding = 16.0 * std::numeric_limits<double>::epsilon() * std::abs(at);

@@ -28,6 +28,9 @@ struct ConnectorForces {
   double kinetic_energy = 0.0;       ///< of the mass of a dynamic case [F L]
   double external_work = 0.0;        ///< of belt and load of a dynamic case, since the start [F L]
   double velocity = 0.0;             ///< of its mass [L/T]
+  /// Kinetic forces of the free components that a contact force names (Case::kinetic.pressing):
+  /// CEF + CVF + CRF - CCF, which in equilibrium is minus the friction of the component.
+  law::ConnectorForce pressing;
 };
 
 /// Whether a case has such forces at all.
@@ -36,9 +39,10 @@ bool has_component_forces(const Case& problem);
 /// Springs and dampers at the end of an increment: sets CEF and CVF of every component, and the
 /// elastic energy; adds the viscous dissipation, the force at the end over the motion of the
 /// increment. Not for a SLIPRING, whose tension is its spring's.
-/// \param except a component that is left out, -1 for none
+/// \param mass the component of a dynamic case, whose forces the dynamics know: of it only the
+///        elastic energy is taken; -1 for none
 void take_springs_and_dampers(const Case& problem, const law::ConnectorIncrement& increment,
-                              ConnectorForces& forces, int except = -1);
+                              ConnectorForces& forces, int mass = -1);
 
 /// "CP1 = 0.3 is beyond the upper stop of component 1 at 0.25" for the first component that is
 /// driven by its motion, that is not `solved`, beyond a stop by more than rounding.

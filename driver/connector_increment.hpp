@@ -21,8 +21,8 @@ inline law::Ambient ambient_of(const Quantities& quantities,
   return ambient;
 }
 
-/// What the law was given for the increment of a row; refers to the row's fields. Of a belt, the
-/// first ring's.
+/// What the law was given for the increment of a row, kinetic forces that press included; refers to
+/// the row's fields. Of a belt, the first ring's.
 inline law::ConnectorIncrement connector_increment(const Case& problem, const Row& row) {
   law::ConnectorIncrement increment;
   increment.duration = row.duration;
@@ -30,6 +30,11 @@ inline law::ConnectorIncrement connector_increment(const Case& problem, const Ro
   increment.end = ambient_of(row.quantities, problem.reference);
   std::copy_n(row.quantities.begin() + kFirstForce, law::kComponents,
               increment.force.values.begin());
+  if (!problem.kinetic.pressing.empty()) {
+    for (int c = 0; c < law::kComponents; ++c) {
+      if (problem.kinetic.pressing.contains(c)) increment.force[c] = row.forces.pressing[c];
+    }
+  }
   return increment;
 }
 

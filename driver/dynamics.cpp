@@ -91,19 +91,33 @@ law::ConnectorIncrement Dynamics::conditions(double time, double motion) const {
 
 Dynamics::Forces Dynamics::forces(double time, double motion, double velocity) const {
   const law::ConnectorIncrement here = conditions(time, motion);
-  const ComponentBehavior& behavior = case_->behavior[static_cast<std::size_t>(data_.component)];
+  const law::KineticBehavior& kinetic = case_->kinetic;
   Forces forces;
   forces.load = here.force[data_.component];
-  if (behavior.elasticity) {
-    forces.elastic = behavior.elasticity->value(here.end.motion[data_.component], here.end).force;
-  }
-  if (behavior.damping) forces.viscous = behavior.damping->value(velocity, here.end).force;
+  forces.elastic = law::elastic_force(kinetic, data_.component, here.end).force;
+  forces.viscous = law::viscous_force(kinetic, data_.component, velocity, here.end).force;
   return forces;
+}
+
+void Dynamics::press(double velocity, law::ConnectorIncrement& here) const {
+  const law::KineticBehavior& kinetic = case_->kinetic;
+  for (int c = 0; c < law::kComponents; ++c) {
+    if (!kinetic.pressing.contains(c)) continue;
+    if (c == data_.component) {
+      here.force[c] = law::kinetic_force(kinetic, c, velocity, here.end) - here.force[c];
+    } else {
+      const auto i = static_cast<std::size_t>(c);
+      const double motion = (*end_)[i] - (*begin_)[i];
+      const double mean = duration_ > 0.0 ? motion / duration_ : 0.0;
+      here.force[c] = law::kinetic_force(kinetic, c, mean, here.end);
+    }
+  }
 }
 
 law::Limit Dynamics::limit(double time, const State& state, double rate) const {
   if (friction_ == nullptr) return {};
-  const law::ConnectorIncrement here = conditions(time, state[kMotion]);
+  law::ConnectorIncrement here = conditions(time, state[kMotion]);
+  if (!case_->kinetic.pressing.empty()) press(state[kRelative] + data_.belt_velocity, here);
   law::FrictionState old;
   old.accumulated_slip = state[kSlip];
   return law::LimitFunction(*friction_, here, old, 0.0).at(0.0, rate);
@@ -156,13 +170,10 @@ Dynamics::State Dynamics::step_from(double time, const State& state, double size
 void Dynamics::choose_scales(double time) {
   const double x = state_[kMotion];
   const Forces f = forces(time, x, state_[kRelative] + data_.belt_velocity);
-  const ComponentBehavior& behavior = case_->behavior[static_cast<std::size_t>(data_.component)];
   double period = duration_;
-  if (behavior.elasticity) {
-    const law::ConnectorIncrement here = conditions(time, x);
-    const double k = behavior.elasticity->value(here.end.motion[data_.component], here.end).slope;
-    if (k > 0.0) period = std::sqrt(data_.mass / k);
-  }
+  const double k = law::elastic_force(case_->kinetic, data_.component, conditions(time, x).end)
+                       .slope[static_cast<std::size_t>(data_.component)];
+  if (k > 0.0) period = std::sqrt(data_.mass / k);
   // A load that sets out from 0 has its size at the end of the increment.
   const double load = std::max(std::abs(f.load), std::abs(forces(duration_, x, 0.0).load));
   const double limit =
@@ -269,12 +280,12 @@ double Dynamics::stick(double time) {
       at_a = at_b;
     }
   }
-  // The load is linear in time, so that Simpson's rule is exact; the damper's force changes at most
-  // with temperature and fields. The work of the spring is the energy it takes up; where that
-  // depends on temperature or fields too, many pieces have to do.
-  const ComponentBehavior& behavior = case_->behavior[static_cast<std::size_t>(data_.component)];
-  const auto* table = behavior.elasticity ? behavior.elasticity->table() : nullptr;
-  const bool by_energy = table == nullptr || table->independents().size() == 1;
+  // Load and coupled springs are linear in time, so that Simpson's rule is exact; the damper's
+  // force changes at most with temperature and fields. The work of a spring of its own is the
+  // energy it takes up; where that depends on temperature or fields too, many pieces have to do.
+  const auto& own = case_->kinetic.elasticity[static_cast<std::size_t>(data_.component)];
+  const bool by_more = own && own->table() != nullptr && own->table()->independents().size() > 1;
+  const bool by_energy = own && !by_more;
   const auto powers = [&](double t) {
     const Forces f = forces(t, before[kMotion] + velocity * (t - time), velocity);
     const double spring = by_energy ? 0.0 : f.elastic;
@@ -282,15 +293,14 @@ double Dynamics::stick(double time) {
                                  f.viscous * velocity};
   };
   const auto spring_energy = [&](double t) {
-    if (!by_energy || !behavior.elasticity) return 0.0;
-    const law::ConnectorIncrement here = conditions(t, state_[kMotion]);
-    return behavior.elasticity->energy(here.end.motion[data_.component], here.end);
+    if (!by_energy) return 0.0;
+    return law::elastic_energy(case_->kinetic, data_.component, conditions(t, state_[kMotion]).end);
   };
   const double energy_before = spring_energy(time);
   state_ = moved(end);
   if (velocity != 0.0) {
     state_[kBeltWork] += spring_energy(end) - energy_before;
-    const int pieces = by_energy ? 1 : 64;
+    const int pieces = by_more ? 64 : 1;
     const double h = (end - time) / pieces;
     for (int i = 0; i < pieces; ++i) {
       const double t = time + h * i;
@@ -350,12 +360,6 @@ void Dynamics::report(double time, Row& row) {
   row.forces.velocity = velocity;
   row.forces.kinetic_energy = 0.5 * data_.mass * velocity * velocity;
   row.forces.external_work = state_[kLoadWork] + state_[kBeltWork];
-  const ComponentBehavior& behavior = case_->behavior[c];
-  if (behavior.elasticity) {
-    const law::ConnectorIncrement here = conditions(time, state_[kMotion]);
-    row.forces.elastic_energy +=
-        behavior.elasticity->energy(here.end.motion[data_.component], here.end);
-  }
   row.forces.viscous_dissipation += state_[kViscous] - reported_viscous_;
   reported_viscous_ = state_[kViscous];
   if (definition_ < 0) return;

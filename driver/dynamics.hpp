@@ -41,7 +41,7 @@ class Dynamics {
   void start(const law::FrictionDefinition* friction, Row& row);
 
   /// One increment: sets the position of the mass in the row, the update, sums and changes of its
-  /// friction, and its component forces; adds its spring and damper to the row's energies.
+  /// friction, and its component forces; adds its damper to the row's energies.
   /// \param begin all quantities where the increment begins, behind any jump
   /// \param friction the definition in force; null without friction
   tl::expected<void, DynamicsFailure> advance(const Quantities& begin,
@@ -67,6 +67,8 @@ class Dynamics {
   };
 
   law::ConnectorIncrement conditions(double time, double motion) const;
+  /// Sets the kinetic forces of `here` that press, with the velocity of the mass.
+  void press(double velocity, law::ConnectorIncrement& here) const;
   Forces forces(double time, double motion, double velocity) const;
   /// The limit at a slip rate; of stick at rate 0.
   law::Limit limit(double time, const State& state, double rate) const;

@@ -26,6 +26,51 @@ constexpr double kSmallestPiece = 1.0 / 4096.0;
 Equilibrium::Equilibrium(const Case& problem)
     : case_(&problem), old_(problem.definitions.size()), updates_(problem.definitions.size()) {
   component_.fill(0);
+  pressing_slopes_.setZero();
+  // A case whose definitions wait for each other is refused when it is read.
+  order_ = order_of_evaluation(problem).value_or(std::vector<std::size_t>());
+}
+
+tl::expected<std::vector<std::size_t>, std::vector<std::size_t>> order_of_evaluation(
+    const Case& problem) {
+  const std::size_t count = problem.definitions.size();
+  const law::ComponentSet balanced = problem.kinetic.pressing & problem.force_driven;
+  // The definition that has to come before `d` and is not in `order`; `count` if there is none.
+  const auto awaited = [&](std::size_t d, const std::vector<std::size_t>& order) {
+    const law::ComponentSet named =
+        law::components_of(problem.definitions[d].law.contact_force) & balanced;
+    for (std::size_t other = 0; other < count; ++other) {
+      if (std::find(order.begin(), order.end(), other) != order.end()) continue;
+      const law::SlipSpace& slip = problem.definitions[other].law.slip;
+      for (int k = 0; k < slip.dimension; ++k) {
+        if (named.contains(slip.component[static_cast<std::size_t>(k)])) return other;
+      }
+    }
+    return count;
+  };
+  std::vector<std::size_t> order;
+  while (order.size() < count) {
+    std::size_t next = 0;
+    while (next < count && (std::find(order.begin(), order.end(), next) != order.end() ||
+                            awaited(next, order) < count)) {
+      ++next;
+    }
+    if (next < count) {
+      order.push_back(next);
+      continue;
+    }
+    // All that are left wait: following what they wait for comes round.
+    std::vector<std::size_t> chain;
+    std::size_t at = 0;
+    while (std::find(order.begin(), order.end(), at) != order.end()) ++at;
+    while (std::find(chain.begin(), chain.end(), at) == chain.end()) {
+      chain.push_back(at);
+      at = awaited(at, order);
+    }
+    chain.erase(chain.begin(), std::find(chain.begin(), chain.end(), at));
+    return tl::unexpected(std::move(chain));
+  }
+  return order;
 }
 
 /// Everything prescribed at the end of the piece from `from` to `to` of the increment.
@@ -53,6 +98,19 @@ void Equilibrium::prepare(double from, double to, const Quantities& begin, const
   std::copy_n(end_.begin() + kFirstForce, kSize, increment_.force.values.begin());
 }
 
+void Equilibrium::press() {
+  const law::KineticBehavior& kinetic = case_->kinetic;
+  if (kinetic.pressing.empty()) return;
+  law::set_kinetic_forces(kinetic, kinetic.pressing, &increment_);
+  pressing_slopes_ = law::kinetic_slopes(kinetic, increment_);
+  for (int k = 0; k < count_; ++k) {
+    const int c = component_[static_cast<std::size_t>(k)];
+    if (!kinetic.pressing.contains(c)) continue;
+    increment_.force[c] = 0.0;
+    pressing_slopes_.row(c).setZero();
+  }
+}
+
 void Equilibrium::evaluate(Trial& trial) {
   for (int k = 0; k < count_; ++k) {
     const auto i = static_cast<std::size_t>(k);
@@ -63,11 +121,14 @@ void Equilibrium::evaluate(Trial& trial) {
     trial.tolerance[i] = std::abs(load_[i]);
     trial.tangent[i].fill(0.0);
   }
-  for (std::size_t d = 0; d < updates_.size(); ++d) {
+  press();
+  for (const std::size_t d : order_) {
     updates_[d] = (*integrate_)(d, increment_, old_[d]);
     const law::ConnectorForce force = law::friction_force(definitions_[d], updates_[d].state);
-    const law::ConnectorTangent tangent =
+    law::ConnectorTangent tangent =
         law::connector_tangent(definitions_[d], increment_, updates_[d]);
+    const law::ComponentSet pressing = case_->kinetic.pressing;
+    if (!pressing.empty()) tangent.to_motion += tangent.to_force * pressing_slopes_;
     for (int k = 0; k < count_; ++k) {
       const auto i = static_cast<std::size_t>(k);
       const double friction = force[component_[i]];
@@ -77,25 +138,29 @@ void Equilibrium::evaluate(Trial& trial) {
         const auto j = static_cast<std::size_t>(l);
         trial.tangent[i][j] += tangent.to_motion(component_[i], component_[j]);
       }
+      if (!pressing.contains(component_[i])) continue;
+      increment_.force[component_[i]] -= friction;
+      pressing_slopes_.row(component_[i]) -= tangent.to_motion.row(component_[i]);
     }
   }
   for (int k = 0; k < count_; ++k) {
     const auto i = static_cast<std::size_t>(k);
     const int c = component_[i];
-    const ComponentBehavior& behavior = case_->behavior[static_cast<std::size_t>(c)];
-    const auto add = [&](const law::ForcePoint& point, double slope) {
-      trial.imbalance[i] += point.force;
-      trial.tolerance[i] += std::abs(point.force);
-      trial.tangent[i][i] += slope;
+    const auto add = [&](double force) {
+      trial.imbalance[i] += force;
+      trial.tolerance[i] += std::abs(force);
     };
-    if (behavior.elasticity) {
-      const auto point = behavior.elasticity->value(increment_.end.motion[c], increment_.end);
-      add(point, point.slope);
+    const law::ElasticForce elastic = law::elastic_force(case_->kinetic, c, increment_.end);
+    add(elastic.force);
+    for (int l = 0; l < count_; ++l) {
+      const auto j = static_cast<std::size_t>(l);
+      trial.tangent[i][j] += elastic.slope[static_cast<std::size_t>(component_[j])];
     }
-    if (behavior.damping && increment_.duration > 0.0) {
-      const double motion = trial.q[i] - increment_.begin_position[c];
-      const auto point = behavior.damping->value(motion / increment_.duration, increment_.end);
-      add(point, point.slope / increment_.duration);
+    if (increment_.duration > 0.0) {
+      const auto viscous =
+          law::viscous_force(case_->kinetic, c, law::mean_velocity(increment_, c), increment_.end);
+      add(viscous.force);
+      trial.tangent[i][i] += viscous.slope / increment_.duration;
     }
     scale_[i] = std::max(scale_[i], trial.tolerance[i]);
     // A position cannot be told apart from its neighbour: the slopes times that are noise. So is
@@ -279,6 +344,7 @@ void Equilibrium::accept(double from, double to, Row& row) {
     if (before.jumps > 0) here.update.jump_onset = before.jump_onset;
   }
   take_springs_and_dampers(*case_, increment_, row.forces);
+  row.forces.pressing = increment_.force;
   increment_.begin_position = increment_.end.position;
 }
 
@@ -332,7 +398,7 @@ tl::expected<void, NoEquilibrium> Equilibrium::solve(
     if (!unknown.contains(c)) continue;
     const auto i = static_cast<std::size_t>(count_++);
     component_[i] = c;
-    const law::Stop stop = case_->behavior[static_cast<std::size_t>(c)].stop.value_or(law::Stop{});
+    const law::Stop stop = case_->stop[static_cast<std::size_t>(c)].value_or(law::Stop{});
     lower_[i] = stop.lower;
     upper_[i] = stop.upper;
     trial.q[i] = std::clamp(row.begin[c], stop.lower, stop.upper);

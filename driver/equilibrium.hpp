@@ -2,6 +2,7 @@
 // The static equilibrium of components that are driven by force.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <functional>
 #include <span>
@@ -26,6 +27,13 @@ struct NoEquilibrium {
   std::string message;    ///< names components, loads and what holds against them
 };
 
+/// An order in which the definitions of a case can be evaluated: where a contact force names a
+/// component that is driven by force, which in equilibrium is minus the friction of that component,
+/// after the definition that slips there. As they stand where nothing asks for another order.
+/// Fails with definitions that wait for each other, or for themselves, in the order of waiting.
+tl::expected<std::vector<std::size_t>, std::vector<std::size_t>> order_of_evaluation(
+    const Case& problem);
+
 /// Finds the positions q of all components that are driven by force, together, at the end of an
 /// increment (theory, force-driven components):
 ///   CEF_i(q) + CVF_i((q - q_n)/dt) + CSF_i(q) + CRF_i = CCF_i,
@@ -34,6 +42,10 @@ struct NoEquilibrium {
 /// search along one component after the other, which finds the answer beyond a jump too. Where that
 /// fails, the increment is cut in halves, down to 2^-12 of it: everything prescribed then goes
 /// linearly through the increment.
+///
+/// Where a contact force names a component that is driven by its motion, its kinetic force follows
+/// the unknown positions through coupled springs; of an unknown component it is -CSF_i, by (13.4)
+/// at whatever holds the load. Both are in the tangent.
 ///
 /// Solving allocates nothing.
 class Equilibrium {
@@ -63,6 +75,9 @@ class Equilibrium {
 
   void prepare(double from, double to, const Quantities& begin, const Row& row);
   void evaluate(Trial& trial);
+  /// Sets the forces of a contact force's components that no definition has a part in, and the
+  /// slopes of all forces that press to the unknowns.
+  void press();
   bool solve_piece(Trial& trial);
   bool newton(Trial& trial);
   bool search_along(int k, Trial& trial);
@@ -84,8 +99,11 @@ class Equilibrium {
   Vector held_{};                     ///< the most that held against a load in the last search
   bool jumped_ = false;               ///< the last search ended at a jump
 
-  Quantities end_{};  ///< of the piece of the increment that is being solved
+  std::vector<std::size_t> order_;  ///< of the definitions
+  Quantities end_{};                ///< of the piece of the increment that is being solved
   law::ConnectorIncrement increment_;
+  /// Slopes dF_c/du_j of the forces that press.
+  Eigen::Matrix<double, kSize, kSize> pressing_slopes_;
   std::vector<law::FrictionState> old_;       ///< at its begin
   std::vector<law::FrictionUpdate> updates_;  ///< at the last trial
 };

@@ -65,6 +65,15 @@ law::FrictionUpdate ExactIntegration::update(std::size_t index,
   segment.begin.motion = law::constitutive_motion(increment.begin_position, case_->reference);
   std::copy_n(quantities_.begin() + kFirstForce, law::kComponents,
               segment.begin_force.values.begin());
+  const law::ComponentSet named = law::components_of(definition.contact_force);
+  if (const auto& kinetic = case_->kinetic; !(kinetic.pressing & named).empty()) {
+    segment.kinetic = &kinetic;
+    for (int c = 0; c < law::kComponents; ++c) {
+      if (!kinetic.pressing.contains(c)) continue;
+      segment.begin_force[c] =
+          law::kinetic_force(kinetic, c, law::mean_velocity(increment, c), segment.begin);
+    }
+  }
   segment.begin_blend = definitions_[index].blend;
   segment.begin_stick = definitions_[index].stick;
   segment.begin_wrap_angle = definitions_[index].wrap_angle;

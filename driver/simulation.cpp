@@ -541,20 +541,34 @@ tl::expected<void, SimulationFailure> Simulation::advance_mass(bool start) {
   const int definition = dynamics_->definition();
   const law::FrictionDefinition* friction =
       definition < 0 ? nullptr : &definitions_[static_cast<std::size_t>(definition)];
-  take_springs_and_dampers(*case_, connector_increment(*case_, row_), row_.forces,
-                           dynamics_->component());
   if (start) {
     dynamics_->start(friction, row_);
-    return {};
-  }
-  if (const auto done = dynamics_->advance(begin_, friction, row_); !done) {
+  } else if (const auto done = dynamics_->advance(begin_, friction, row_); !done) {
     return tl::unexpected(SimulationFailure{
         SimulationFailure::Kind::kNumerical,
         fmt::format("{}: {}", place((1.0 - done.error().fraction) * row_.duration),
                     done.error().message)});
   }
-  if (definition < 0) return {};
+  // Coupled springs follow the position of the mass.
+  take_springs_and_dampers(*case_, connector_increment(*case_, row_), row_.forces,
+                           dynamics_->component());
+  if (start || definition < 0) return {};
   return judge(static_cast<std::size_t>(definition));
+}
+
+void Simulation::press() {
+  const law::ComponentSet pressing = case_->kinetic.pressing;
+  if (pressing.empty()) return;
+  law::ConnectorIncrement increment = connector_increment(*case_, row_);
+  law::set_kinetic_forces(case_->kinetic, pressing, &increment);
+  row_.forces.pressing = increment.force;
+  for (int c = 0; c < law::kComponents; ++c) {
+    // Before the first increment is solved nothing has rubbed.
+    if (force_driven_.contains(c)) row_.forces.pressing[c] = 0.0;
+    if (!dynamics_ || c != dynamics_->component()) continue;
+    const ComponentForces& mass = row_.forces.component[static_cast<std::size_t>(c)];
+    row_.forces.pressing[c] = mass.elastic + mass.viscous - mass.applied;
+  }
 }
 
 tl::expected<void, SimulationFailure> Simulation::take_forces() {
@@ -578,6 +592,7 @@ tl::expected<void, SimulationFailure> Simulation::update_definitions() {
   if (dynamics_) {
     if (auto moved = advance_mass(row_.index == 0); !moved) return moved;
   }
+  press();
   law::ConnectorIncrement increment = connector_increment(*case_, row_);
   if (case_->belt) prepare_belt(*case_, row_, increment, definitions_);
   if (exact_ && row_.index == 0) exact_->begin(row_.quantities, definitions_);

@@ -174,6 +174,8 @@ class Simulation {
   void choose_force_driven(const Step& step);
   tl::expected<void, SimulationFailure> solve_equilibrium();
   tl::expected<void, SimulationFailure> advance_mass(bool start);
+  /// Sets the kinetic forces that press, of an increment whose motions are known.
+  void press();
   /// Springs, dampers and stops at the end of an increment whose motions are known.
   tl::expected<void, SimulationFailure> take_forces();
   double carried_force(int component) const;

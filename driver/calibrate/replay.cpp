@@ -24,6 +24,7 @@ std::optional<std::string> obstacle(const Case& problem) {
   if (problem.dynamics) return "it has a mass";
   if (!problem.force_driven.empty()) return "it has a component that is driven by force";
   if (problem.belt) return "it has a belt";
+  if (!problem.kinetic.pressing.empty()) return "a free component presses";
   if (problem.integration.method == IntegrationMethod::kExact) return "it is integrated exactly";
   for (const CaseDefinition& definition : problem.definitions) {
     if (definition.law.formulation) return "its friction is a contact penalty";

@@ -21,8 +21,7 @@
 #include "driver/text/diagnostic.hpp"
 #include "law/belt.hpp"
 #include "law/connector.hpp"
-#include "law/damping.hpp"
-#include "law/elasticity.hpp"
+#include "law/kinetic_force.hpp"
 #include "law/stop.hpp"
 
 namespace slipbench::driver {
@@ -60,15 +59,6 @@ struct Belt {
 inline bool is_belt(const law::Connection& connection) {
   return connection.type && std::holds_alternative<law::SlipRing>(*connection.type);
 }
-
-/// What acts along one free component beside friction.
-struct ComponentBehavior {
-  std::optional<law::Elasticity> elasticity;
-  std::optional<law::Damping> damping;
-  std::optional<law::Stop> stop;
-
-  bool any() const { return elasticity || damping || stop; }
-};
 
 /// One free component as a mass on a belt of constant velocity.
 struct DynamicsData {
@@ -172,7 +162,8 @@ struct Case {
   std::vector<CaseDefinition> definitions;
   std::optional<PickedPair> pair;  ///< of a case with a table of part pairs
   Integration integration;
-  std::array<ComponentBehavior, law::kComponents> behavior;
+  law::KineticBehavior kinetic;  ///< springs and dampers along free components
+  std::array<std::optional<law::Stop>, law::kComponents> stop;  ///< of each component
   std::optional<DynamicsData> dynamics;
   law::ComponentSet force_driven;  ///< free components that are driven by force at some time
   std::vector<Step> steps;         ///< empty if `measured`
@@ -182,5 +173,25 @@ struct Case {
   std::vector<std::string> output_columns;  ///< empty: all
   std::vector<Check> checks;
 };
+
+/// Returns whether the history prescribes a quantity (quantity.hpp) at some time.
+inline bool is_driven(const Case& problem, int quantity) {
+  for (const Step& step : problem.steps) {
+    for (const Drive& drive : step.drives) {
+      if (drive.quantity == quantity) return true;
+    }
+  }
+  if (!problem.measured) return false;
+  for (const MeasuredColumn& column : problem.measured->columns) {
+    if (column.quantity == static_cast<std::size_t>(quantity)) return true;
+  }
+  return false;
+}
+
+/// Returns whether a spring, a damper or a stop acts along a component beside its friction.
+inline bool acts_beside_friction(const Case& problem, int component) {
+  return problem.kinetic.is_elastic(component) || problem.kinetic.is_damped(component) ||
+         problem.stop[static_cast<std::size_t>(component)].has_value();
+}
 
 }  // namespace slipbench::driver

@@ -116,6 +116,33 @@ void Codec<NumberOrTable>::rows(const std::string& path, std::vector<KeyRow>& ro
   struct_rows<TableText>(path, rows);
 }
 
+bool Codec<NumberOrMatrix>::read(Binder& binder, const Node& node, const Path& path,
+                                 const KeyInfo& info, NumberOrMatrix& out) {
+  if (node.is_scalar()) {
+    double number = 0.0;
+    if (!Codec<double>::read(binder, node, path, info, number)) return false;
+    out = number;
+    return true;
+  }
+  if (!node.is_sequence()) {
+    binder.wrong_kind(node, path, wanted(info));
+    return false;
+  }
+  KeyInfo entry = info;
+  entry.bounds = {};
+  std::vector<std::vector<double>> rows;
+  if (!Codec<std::vector<std::vector<double>>>::read(binder, node, path, entry, rows)) return false;
+  out = std::move(rows);
+  return true;
+}
+Json Codec<NumberOrMatrix>::schema(const KeyInfo& info) {
+  return any_of({Codec<double>::schema(info), Codec<std::vector<std::vector<double>>>::schema({})});
+}
+std::string Codec<NumberOrMatrix>::wanted(const KeyInfo&) {
+  return "a number, or a matrix as a list of its rows";
+}
+void Codec<NumberOrMatrix>::rows(const std::string&, std::vector<KeyRow>&) {}
+
 bool Codec<WeightsText>::read(Binder& binder, const Node& node, const Path& path,
                               const KeyInfo& info, WeightsText& out) {
   if (node.is_map()) {

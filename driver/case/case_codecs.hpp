@@ -23,6 +23,7 @@ namespace slipbench::driver {
 
 SLIPBENCH_DECLARE_CODEC(TypeNames);
 SLIPBENCH_DECLARE_CODEC(NumberOrTable);
+SLIPBENCH_DECLARE_CODEC(NumberOrMatrix);
 SLIPBENCH_DECLARE_CODEC(WeightsText);
 SLIPBENCH_DECLARE_CODEC(CoefficientText);
 SLIPBENCH_DECLARE_CODEC(DirectionText);

@@ -173,6 +173,7 @@ struct EnumWords<law::Extrapolation> {
 };
 
 using NumberOrTable = std::variant<double, TableText>;
+using NumberOrMatrix = std::variant<double, std::vector<std::vector<double>>>;
 using WeightsText = std::variant<std::vector<double>, TableText>;
 
 template <>
@@ -533,7 +534,9 @@ struct FrictionText {
         KeyInfo{.text = "Several free components that slip together.",
                 .default_text = "predefined or component"});
     key("contact_force", &FrictionText::contact_force,
-        KeyInfo{.text = "F_C: the name of a derived component, or a component number 1-6 (signed).",
+        KeyInfo{.text = "F_C: the name of a derived component, or a component number 1-6 (signed). "
+                        "Of a held component the constraint force counts, of a free one its "
+                        "spring, damper, stop and load, CEF + CVF + CRF - CCF.",
                 .default_text = "none"});
     key("internal_contact_force", &FrictionText::internal_contact_force,
         KeyInfo{.text = "F_int: a number, or a table over accumulated_slip, temperature, fields, "
@@ -992,11 +995,13 @@ struct CheckText {
   }
 };
 
-/// A spring along a component: linear, or a table whose keys stand beside the component.
+/// A spring along a component: linear, or a table whose keys stand beside the component; or linear
+/// springs that join several components.
 struct ElasticityText {
   static constexpr bool kIsDeclared = true;
   At<int> component;
-  At<double> stiffness;
+  At<std::vector<At<int>>> components;
+  At<NumberOrMatrix> stiffness;
   At<std::vector<At<std::string>>> columns;
   At<std::vector<std::vector<double>>> rows;
   At<DataSourceText> csv;
@@ -1005,11 +1010,17 @@ struct ElasticityText {
   template <class V>
   static void declare(V& key) {
     key("component", &ElasticityText::component,
-        KeyInfo{.required = true,
-                .text = "Number 1-6 of a free component.",
+        KeyInfo{.text = "Number 1-6 of a free component.",
+                .default_text = "components",
+                .bounds = {.lower = 1, .upper = 6}});
+    key("components", &ElasticityText::components,
+        KeyInfo{.text = "Numbers 1-6 of two or more free components that a stiffness matrix joins.",
+                .default_text = "component",
                 .bounds = {.lower = 1, .upper = 6}});
     key("stiffness", &ElasticityText::stiffness,
-        KeyInfo{.text = "k of the force k u along the component, u its constitutive displacement.",
+        KeyInfo{.text = "k of the force k u along the component, u its constitutive displacement; "
+                        "of several components the matrix K of the forces K u, row by row, "
+                        "symmetric and positive semidefinite.",
                 .default_text = "a table",
                 .dimension = {1, -1, 0},
                 .bounds = law::kPositive,

@@ -21,11 +21,12 @@ std::string amount(double value, const std::string& unit) {
 
 /// The slope of the spring where the mass starts [F/L]; 0 where it depends on more than the place.
 double spring_stiffness(const Case& problem, int component) {
-  const auto& spring = problem.behavior[static_cast<std::size_t>(component)].elasticity;
-  if (!spring || (spring->table() != nullptr && spring->table()->independents().size() > 1)) {
-    return 0.0;
-  }
-  return spring->value(problem.initial[component] - problem.reference[component], {}).slope;
+  const auto i = static_cast<std::size_t>(component);
+  const auto& own = problem.kinetic.elasticity[i];
+  if (own && own->table() != nullptr && own->table()->independents().size() > 1) return 0.0;
+  law::Ambient start;
+  start.motion = law::constitutive_motion(problem.initial, problem.reference);
+  return law::elastic_force(problem.kinetic, component, start).slope[i];
 }
 
 /// "0.3 t (300 kg; N s^2/mm is t)", as far as its unit has a name.

@@ -249,6 +249,7 @@ ReadCase ParsedCase::resolve(const ReadOptions& options) const {
   resolve_history(binder, text, problem);
   finish_belt(binder, text, problem);
   finish_forces(binder, text, problem);
+  finish_contact_forces(binder, text, problem);
   tell_oscillator(binder, text, problem);
   check_formulations(binder, text, problem);
   resolve_bench_options(binder, text, problem);

@@ -36,6 +36,10 @@ bool resolve_friction(Binder& binder, const CaseText& text, bool derived_known, 
 void resolve_forces(Binder& binder, const CaseText& text, Case& out);
 /// What of them can only be judged with the history: components driven by force and by motion.
 void finish_forces(Binder& binder, const CaseText& text, Case& out);
+/// The free components whose kinetic force some contact force sees (docs/theory.md, section 6), and
+/// what is to be said of contact forces that nothing or only a load drives; goes after
+/// finish_forces().
+void finish_contact_forces(Binder& binder, const CaseText& text, Case& out);
 /// Notes the natural frequency of a mass on its spring, and warns if no row shows it; goes after
 /// the history.
 void tell_oscillator(Binder& binder, const CaseText& text, const Case& problem);

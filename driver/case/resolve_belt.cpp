@@ -226,7 +226,7 @@ void finish_belt(Binder& binder, const CaseText& text, Case& out) {
       const auto [node, path] = place_of(text, &StepText::motion, "CP1");
       binder.error(node, path, "the distance at the start is not known", hint);
     }
-    if (out.behavior[0].elasticity) {
+    if (out.kinetic.elasticity[0]) {
       binder.error(*text.elasticity.node, text.elasticity.path,
                    "the strain of the belt is not known, and so its tension", hint);
     }
@@ -244,7 +244,7 @@ void finish_belt(Binder& binder, const CaseText& text, Case& out) {
                    "or CP2");
     }
   }
-  const bool elastic = out.behavior[0].elasticity.has_value();
+  const bool elastic = out.kinetic.elasticity[0].has_value();
   if (elastic && drives(out, kTension)) {
     const auto [node, path] = place_of(text, &StepText::force, "f1");
     binder.error(node, path,

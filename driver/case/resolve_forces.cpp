@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Springs, dampers and stops along free components, the mass of a dynamic case, and which
 // components are driven by force.
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -41,29 +42,148 @@ bool refused_by_a_belt(Binder& binder, const Case& problem, const Node& node, co
   return true;
 }
 
+/// Returns the index of a free component that an entry of a list names, unless it is faulty or
+/// another entry has named it, which is reported.
+std::optional<int> new_component(Binder& binder, const At<int>& at, const Case& problem,
+                                 std::string_view what, law::ComponentSet& seen) {
+  const auto c = free_component(binder, at, problem, what);
+  if (c && seen.contains(*c)) {
+    binder.error(*at.node, at.path, component_words(*c) + " already has " + std::string(what));
+    return std::nullopt;
+  }
+  if (c) seen.insert(*c);
+  return c;
+}
+
+const At<double>& linear_form(const At<double>& number) { return number; }
+/// The number of a spring along one component; a matrix is none, which is reported.
+At<double> linear_form(const At<NumberOrMatrix>& text) {
+  const double* number = std::get_if<double>(&text.value);
+  return {number != nullptr ? *number : 0.0, text.node, text.path, text.sound && number != nullptr};
+}
+
+/// Reports what keeps a matrix from being the stiffness of springs between `count` components.
+bool is_stiffness(Binder& binder, const At<NumberOrMatrix>& at, std::size_t count) {
+  const auto* rows = std::get_if<std::vector<std::vector<double>>>(&at.value);
+  const std::string size = std::to_string(count);
+  if (rows == nullptr || rows->size() != count ||
+      std::any_of(rows->begin(), rows->end(),
+                  [&](const auto& row) { return row.size() != count; })) {
+    binder.error(*at.node, at.path,
+                 "wanted a matrix of " + size + " rows of " + size +
+                     " numbers, one for each of the 'components'");
+    return false;
+  }
+  const auto n = static_cast<Eigen::Index>(count);
+  Eigen::MatrixXd scaled(n, n);  // to the size 1 of its diagonal, so that units do not matter
+  const auto entry = [&](Eigen::Index i, Eigen::Index j) {
+    return (*rows)[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+  };
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = 0; j < n; ++j) {
+      if (j < i && entry(i, j) != entry(j, i)) {
+        binder.error(*at.node, at.path / static_cast<std::size_t>(i) / static_cast<std::size_t>(j),
+                     "a stiffness matrix is symmetric: " + format_number(entry(i, j)) +
+                         " here and " + format_number(entry(j, i)) + " across the diagonal");
+        return false;
+      }
+      const double size_i = entry(i, i) > 0.0 ? std::sqrt(entry(i, i)) : 1.0;
+      const double size_j = entry(j, j) > 0.0 ? std::sqrt(entry(j, j)) : 1.0;
+      scaled(i, j) = entry(i, j) / size_i / size_j;
+    }
+  }
+  constexpr double kRounding = 1e-12;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled, Eigen::EigenvaluesOnly);
+  if (eigen.info() == Eigen::Success && eigen.eigenvalues()[0] >= -kRounding) return true;
+  binder.error(*at.node, at.path,
+               "a stiffness matrix is positive semidefinite: along some displacement these springs "
+               "would give away energy that nothing has put in",
+               "for two components, stiffness[0][1]^2 must not be above stiffness[0][0] times "
+               "stiffness[1][1]");
+  return false;
+}
+
+/// Springs that join several components.
+void read_coupled(Binder& binder, const At<ElasticityText>& at, law::ComponentSet& seen,
+                  Case& out) {
+  const ElasticityText& text = at.value;
+  const auto& list = text.components;
+  if (refused_by_a_belt(binder, out, *list.node, list.path, "coupled springs")) return;
+  for (const auto& [given, node, path] :
+       {std::tuple{text.component.given(), text.component.node, text.component.path},
+        std::tuple{text.columns.given(), text.columns.node, text.columns.path}}) {
+    if (!given) continue;
+    binder.error(*node, path, "several components take a 'stiffness' matrix, and nothing beside it",
+                 "leave out 'components', or this");
+    return;
+  }
+  if (!list.sound || text.stiffness.faulty()) return;
+  if (list.value.size() < 2) {
+    binder.error(*list.node, list.path, "joins two or more components",
+                 "a spring along one component is '{component: .., stiffness: ..}'");
+    return;
+  }
+  std::vector<int> components;
+  law::ComponentSet rotations;
+  for (const At<int>& one : list.value) {
+    const auto c = new_component(binder, one, out, kElasticityTable.what, seen);
+    if (!c) continue;
+    components.push_back(*c);
+    if (law::is_rotation(*c)) rotations.insert(*c);
+  }
+  if (!text.stiffness.given()) {
+    if (has_unknown_key<ElasticityText>(*at.node)) return;
+    binder.error(*at.node, at.path, "needs 'stiffness', the matrix of these components");
+    return;
+  }
+  if (!is_stiffness(binder, text.stiffness, list.value.size())) return;
+  if (components.size() < list.value.size()) return;
+  // Where lengths and angles are mixed, the entries have several units: none may be carried.
+  const bool mixed = !rotations.empty() && rotations.size() < static_cast<int>(components.size());
+  if (!mixed) binder.settle_slip_units(at.path, !rotations.empty());
+  const auto& rows = std::get<std::vector<std::vector<double>>>(text.stiffness.value);
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const auto row = static_cast<std::size_t>(components[i]);
+    out.kinetic.coupled.components.insert(components[i]);
+    for (std::size_t j = 0; j < components.size(); ++j) {
+      out.kinetic.coupled.stiffness[row][static_cast<std::size_t>(components[j])] = rows[i][j];
+    }
+  }
+}
+
 /// A list of springs or of dampers: one number or one table each.
 /// \param number the linear form's key in words: "stiffness"
 /// \param store takes the component and the number or table
-template <class Text, class Store>
-void read_forces(Binder& binder, const At<std::vector<At<Text>>>& list, const Case& problem,
-                 const TableUse& use, std::string_view number_key, At<double> Text::*number,
+template <class Text, class Number, class Store>
+void read_forces(Binder& binder, const At<std::vector<At<Text>>>& list, Case& problem,
+                 const TableUse& use, std::string_view number_key, Number Text::*number,
                  Store store) {
   law::ComponentSet seen;
   for (const At<Text>& at : list.value) {
     if (!at.given() || !at.node->is_map()) continue;
     const Text& text = at.value;
-    const auto c = free_component(binder, text.component, problem, use.what);
-    if (c && seen.contains(*c)) {
-      binder.error(*text.component.node, text.component.path,
-                   component_words(*c) + " already has " + std::string(use.what));
+    if constexpr (std::is_same_v<Text, ElasticityText>) {
+      if (text.components.given()) {
+        read_coupled(binder, at, seen, problem);
+        continue;
+      }
+      if (text.stiffness.sound && text.stiffness.value.index() == 1) {
+        binder.error(*text.stiffness.node, text.stiffness.path,
+                     "a matrix is the stiffness of several components",
+                     "name them with 'components: [..]', or write one number");
+        continue;
+      }
+      if (!text.component.given() && !has_unknown_key<Text>(*at.node)) {
+        binder.error(*at.node, at.path, "needs 'component', or 'components' and their matrix");
+      }
     }
-    if (c) seen.insert(*c);
+    const auto c = new_component(binder, text.component, problem, use.what, seen);
     if (c && is_belt(problem.connection)) {
       binder.settle_units(at.path, kForce);  // a tension over a strain
     } else if (c) {
       binder.settle_slip_units(at.path, law::is_rotation(*c));
     }
-    const At<double>& linear = text.*number;
+    const auto& linear = linear_form(text.*number);
     const bool table_given = text.columns.given() || text.rows.given() || text.csv.given();
     if (linear.given() && table_given) {
       binder.error(*linear.node, linear.path,
@@ -147,7 +267,7 @@ void read_stops(Binder& binder, const CaseText& text, Case& out) {
                    "the initial position " + motion_name(*c) + " = " + format_number(start) +
                        " lies beyond a stop");
     }
-    out.behavior[static_cast<std::size_t>(*c)].stop = value;
+    out.stop[static_cast<std::size_t>(*c)] = value;
   }
 }
 
@@ -214,7 +334,7 @@ void read_dynamics(Binder& binder, const CaseText& text, Case& out) {
                   "sticking is rigid in dynamics: the stick stiffness is not used");
     }
   }
-  if (out.behavior[static_cast<std::size_t>(data.component)].stop) {
+  if (out.stop[static_cast<std::size_t>(data.component)]) {
     binder.error(node, path,
                  component_words(data.component) +
                      " has stops: the impact of a mass on a stop is not modelled");
@@ -262,16 +382,7 @@ void explain_arguments(Binder& binder, const Case& out, const law::TableFunction
     const bool is_field = one.kind == law::IndependentKind::kField;
     if (!is_field && one.kind != law::IndependentKind::kTemperature) continue;
     const int quantity = is_field ? kFirstField + one.index : kTemperatureQuantity;
-    bool driven = false;
-    for (const Step& step : out.steps) {
-      for (const Drive& drive : step.drives) driven = driven || drive.quantity == quantity;
-    }
-    if (out.measured) {
-      for (const MeasuredColumn& column : out.measured->columns) {
-        driven = driven || column.quantity == static_cast<std::size_t>(quantity);
-      }
-    }
-    if (!driven) {
+    if (!is_driven(out, quantity)) {
       binder.warning(node, path,
                      std::string(what) + " depends on " + quantity_name(quantity) +
                          ", which the history never gives: it is 0");
@@ -296,7 +407,7 @@ void resolve_forces(Binder& binder, const CaseText& text, Case& out) {
                                "over its strain");
                   return;
                 }
-                out.behavior[static_cast<std::size_t>(c)].elasticity.emplace(std::move(value));
+                out.kinetic.elasticity[static_cast<std::size_t>(c)].emplace(std::move(value));
               });
   read_forces(binder, text.damping, out, kDampingTable, "coefficient", &DampingText::coefficient,
               [&](int c, const At<DampingText>& at, auto value) {
@@ -314,7 +425,7 @@ void resolve_forces(Binder& binder, const CaseText& text, Case& out) {
                     return;
                   }
                 }
-                out.behavior[static_cast<std::size_t>(c)].damping.emplace(std::move(value));
+                out.kinetic.damping[static_cast<std::size_t>(c)].emplace(std::move(value));
               });
   if (text.stops.given() &&
       !refused_by_a_belt(binder, out, *text.stops.node, text.stops.path, "stops")) {
@@ -332,30 +443,24 @@ void finish_forces(Binder& binder, const CaseText& text, Case& out) {
   if (history.measured) {
     check_drives(binder, out, history.measured->columns.value, history.measured->columns.value);
   }
-  const auto drives = [&](int quantity) {
-    const int c = quantity - kFirstForce;
-    if (c < 0 || c >= law::kComponents || !out.connection.info.available.contains(c)) return;
-    if (!out.dynamics) out.force_driven.insert(c);
-  };
-  for (const Step& step : out.steps) {
-    for (const Drive& drive : step.drives) drives(drive.quantity);
-  }
-  if (out.measured) {
-    for (const MeasuredColumn& column : out.measured->columns) {
-      drives(static_cast<int>(column.quantity));
+  for (int c = 0; c < law::kComponents && !out.dynamics; ++c) {
+    if (out.connection.info.available.contains(c) && is_driven(out, kFirstForce + c)) {
+      out.force_driven.insert(c);
     }
   }
   for (const At<ElasticityText>& at : text.elasticity.value) {
     if (!at.value.component.sound) continue;
-    const auto& spring = out.behavior[static_cast<std::size_t>(at.value.component.value - 1)];
-    explain_arguments(binder, out, spring.elasticity ? spring.elasticity->table() : nullptr,
-                      *at.node, at.path, kElasticityTable.what);
+    const auto& spring =
+        out.kinetic.elasticity[static_cast<std::size_t>(at.value.component.value - 1)];
+    explain_arguments(binder, out, spring ? spring->table() : nullptr, *at.node, at.path,
+                      kElasticityTable.what);
   }
   for (const At<DampingText>& at : text.damping.value) {
     if (!at.value.component.sound) continue;
-    const auto& damper = out.behavior[static_cast<std::size_t>(at.value.component.value - 1)];
-    explain_arguments(binder, out, damper.damping ? damper.damping->table() : nullptr, *at.node,
-                      at.path, kDampingTable.what);
+    const auto& damper =
+        out.kinetic.damping[static_cast<std::size_t>(at.value.component.value - 1)];
+    explain_arguments(binder, out, damper ? damper->table() : nullptr, *at.node, at.path,
+                      kDampingTable.what);
   }
 }
 

@@ -21,8 +21,7 @@ using law::ComponentSet;
 
 constexpr double kDefaultSlipTolerance = 1.0e-4;  // the connector default of section 9
 
-/// Which forces a derived component may use depends on what it is used for; those of components
-/// that the connection does not have are of no use.
+/// Reports a force of a component that the connection does not have.
 bool has_component(Binder& binder, const law::Connection& connection, int component, const Node& at,
                    const Path& path) {
   const ComponentSet all = connection.info.held | connection.info.available;
@@ -30,20 +29,6 @@ bool has_component(Binder& binder, const law::Connection& connection, int compon
   binder.error(at, path,
                connector_words(connection) + " has no component " + std::to_string(component + 1) +
                    ", it has the forces " + force_names(all));
-  return false;
-}
-
-/// A contact force comes from constraint forces: those are prescribed.
-bool usable_force(Binder& binder, const law::Connection& connection, int component, const Node& at,
-                  const Path& path) {
-  if (connection.info.held.contains(component)) return true;
-  const std::string number = std::to_string(component + 1);
-  const std::string what = connection.info.available.contains(component)
-                               ? "component " + number + " of " + connector_words(connection) +
-                                     " is free: a contact force comes from its constraint forces"
-                               : connector_words(connection) + " has no component " + number +
-                                     ": a contact force comes from its constraint forces";
-  binder.error(at, path, what + " (" + force_names(connection.info.held) + ")");
   return false;
 }
 
@@ -665,7 +650,7 @@ class Resolver {
       if (type && std::holds_alternative<law::Contact>(*type) && *number == 1) {
         d.contact_force = law::Contact::pressing();
       }
-      usable_force(binder_, out_.connection, *number - 1, *contact.node, contact.path);
+      has_component(binder_, out_.connection, *number - 1, *contact.node, contact.path);
       return;
     }
     At<std::string> name;
@@ -674,14 +659,6 @@ class Resolver {
     name.path = contact.path;
     const law::DerivedComponent* component = derived(name);
     if (component == nullptr) return;
-    ComponentSet seen;
-    for (const law::DerivedTerm& term : *component) {
-      for (std::size_t j = 0; j < static_cast<std::size_t>(term.count); ++j) {
-        const int c = term.component[j];
-        if (!seen.contains(c)) usable_force(binder_, out_.connection, c, *name.node, name.path);
-        seen.insert(c);
-      }
-    }
     d.contact_force = *component;
   }
 

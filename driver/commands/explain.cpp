@@ -104,6 +104,32 @@ std::string term_text(const law::DerivedTerm& term, const law::ConnectorForce& f
   return text;
 }
 
+/// What the force of each free component that a contact force names is made of, a line each.
+std::vector<std::string> kinetic_lines(const Case& problem, const Row& row,
+                                       const law::ContactForce& contact) {
+  std::vector<std::string> lines;
+  const law::ComponentSet named = law::components_of(contact) & problem.kinetic.pressing;
+  for (int c = 0; c < law::kComponents; ++c) {
+    if (!named.contains(c)) continue;
+    const ComponentForces& f = row.forces.component[static_cast<std::size_t>(c)];
+    std::string sum;
+    const auto add = [&](const char* sign, const char* prefix, double force, bool there) {
+      if (!there) return;
+      if (!sum.empty() || *sign == '-') sum += fmt::format("{}{} ", sum.empty() ? "" : " ", sign);
+      sum += fmt::format("{} {}", force_column(prefix, c), digits(force));
+    };
+    add("+", "CEF", f.elastic, problem.kinetic.is_elastic(c));
+    add("+", "CVF", f.viscous, problem.kinetic.is_damped(c));
+    add("+", "CRF", f.reaction, problem.stop[static_cast<std::size_t>(c)].has_value());
+    const bool mass = problem.dynamics && problem.dynamics->component == c;
+    add("-", "CCF", f.applied, mass || problem.force_driven.contains(c));
+    lines.push_back(fmt::format("{} {} = {}   component {} is free{}", force_name(c),
+                                digits(row.forces.pressing[c]), sum.empty() ? "0" : sum, c + 1,
+                                sum.empty() ? ", and nothing acts along it" : ""));
+  }
+  return lines;
+}
+
 /// The contact force: its value, and a line for each of its terms.
 std::vector<std::string> contact_lines(const law::ContactForce& contact,
                                        const law::ConnectorIncrement& increment) {
@@ -448,6 +474,9 @@ std::string definition_text(const Case& problem, const Instant& instant, std::si
                         digits(internal));
     const auto lines = contact_lines(definition.contact_force, increment);
     for (const std::string& line : lines) text += "     contact:  " + line + "\n";
+    for (const std::string& line : kinetic_lines(problem, instant.row, definition.contact_force)) {
+      text += "               " + line + "\n";
+    }
     if (lines.empty()) text += "     contact:  none, only the internal contact force acts\n";
     if (const auto* table = std::get_if<law::TableFunction>(&definition.internal_contact_force)) {
       const law::SlipArguments arguments{.accumulated_slip = slip};

@@ -41,14 +41,16 @@ constexpr std::string_view kColumns[] = {"asymmetry",        "by_position",     
 
 SolverDemand solver_demand(const law::FrictionDefinition& definition,
                            const law::ConnectorIncrement& increment,
-                           const law::FrictionUpdate& update) {
+                           const law::FrictionUpdate& update, const law::KineticBehavior& kinetic) {
   SolverDemand demand;
   if (update.state.regime == law::Regime::kOpen) return demand;
   const law::SlipSpace& slip = definition.slip;
   const law::SlipTangent& t = update.tangent;
 
   // f = R y and s = R u: to slip space by 1/R on both sides.
-  Square tangent = law::connector_tangent(definition, increment, update).to_motion;
+  const law::ConnectorTangent whole = law::connector_tangent(definition, increment, update);
+  const Square through_springs = whole.to_force * law::kinetic_slopes(kinetic, increment);
+  Square tangent = whole.to_motion + through_springs;
   Square rate = Square::Zero();
   const bool potential = std::holds_alternative<law::Potential>(definition.criterion);
   for (int i = 0; i < slip.dimension; ++i) {
@@ -69,14 +71,17 @@ SolverDemand solver_demand(const law::FrictionDefinition& definition,
   law::RelativePosition to_position;
   law::add_gradient(definition.contact_force, increment.force, increment.end, &to_force,
                     &to_position);
-  const bool follows = std::any_of(to_force.values.begin(), to_force.values.end(),
-                                   [](double slope) { return slope != 0.0; });
+  bool follows = false;
+  for (int c = 0; c < law::kComponents; ++c) {
+    follows = follows || (to_force[c] != 0.0 && !kinetic.pressing.contains(c));
+  }
   if (follows) demand.force_coupling = std::abs(t.contact);
 
   // What is left of the asymmetry comes with the position. A potential mixes the two; it has the
   // position in it or not.
   const auto* internal = std::get_if<law::TableFunction>(&definition.internal_contact_force);
   const bool moves = (internal != nullptr && internal->depends_on_motion()) ||
+                     !through_springs.isZero(0.0) ||
                      std::any_of(to_position.values.begin(), to_position.values.end(),
                                  [](double slope) { return slope != 0.0; });
   demand.by_rate = asymmetry(potential && !moves ? tangent : rate, stick);
@@ -129,7 +134,7 @@ void SolverReport::add(const Simulation& simulation) {
   for (std::size_t d = 0; d < worst_.size(); ++d) {
     const DefinitionRow& here = row.definitions[d];
     const law::FrictionDefinition& definition = simulation.definition(d);
-    const SolverDemand demand = solver_demand(definition, increment, here.update);
+    const SolverDemand demand = solver_demand(definition, increment, here.update, case_->kinetic);
     Worst& worst = worst_[d];
     const auto raise = [&](double value, double& largest, double* time) {
       if (!(value > largest)) return;

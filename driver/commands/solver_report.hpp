@@ -24,9 +24,10 @@ struct SolverDemand {
 };
 
 /// \param increment what the law was given, with the definition in force
+/// \param kinetic what presses in free components: such a contact force follows the position
 SolverDemand solver_demand(const law::FrictionDefinition& definition,
                            const law::ConnectorIncrement& increment,
-                           const law::FrictionUpdate& update);
+                           const law::FrictionUpdate& update, const law::KineticBehavior& kinetic);
 
 /// Collects `SolverDemand` over a run, writes it as CSV row by row, and judges it.
 class SolverReport {

@@ -168,10 +168,11 @@ class Teller {
   void forces() {
     std::vector<std::string> words;
     for (int c = 0; c < law::kComponents; ++c) {
-      const ComponentBehavior& beside = problem_.behavior[static_cast<std::size_t>(c)];
-      for (const auto& [there, word] : {std::pair{beside.elasticity.has_value(), "elasticity"},
-                                        std::pair{beside.damping.has_value(), "damping"},
-                                        std::pair{beside.stop.has_value(), "stop"}}) {
+      const law::KineticBehavior& kinetic = problem_.kinetic;
+      const bool stopped = problem_.stop[static_cast<std::size_t>(c)].has_value();
+      for (const auto& [there, word] :
+           {std::pair{kinetic.is_elastic(c), "elasticity"},
+            std::pair{kinetic.is_damped(c), "damping"}, std::pair{stopped, "stop"}}) {
         if (there) words.push_back(fmt::format("{} along {}", word, motion_name(c)));
       }
     }

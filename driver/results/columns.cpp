@@ -105,16 +105,16 @@ void add_forces(const Case& problem, int c, std::vector<Column>& columns) {
   const Owner owner = owner_of(problem, c);
   const ColumnSource source =
       owner.definition < 0 ? ColumnSource::kNoFriction : ColumnSource::kFrictionForce;
-  const ComponentBehavior& behavior = problem.behavior[static_cast<std::size_t>(c)];
+  const bool stopped = problem.stop[static_cast<std::size_t>(c)].has_value();
   const bool mass = problem.dynamics && problem.dynamics->component == c;
   const bool loaded = mass || problem.force_driven.contains(c);
   const auto add = [&](const char* prefix, std::string text, ColumnSource from) {
     columns.push_back({force_column(prefix, c), dimension, std::move(text), from, c});
   };
-  if (behavior.elasticity) {
+  if (problem.kinetic.is_elastic(c)) {
     add("CEF", std::string("Elastic ") + what + where + ".", ColumnSource::kElasticForce);
   }
-  if (behavior.damping) {
+  if (problem.kinetic.is_damped(c)) {
     add("CVF", std::string("Viscous ") + what + where + ".", ColumnSource::kViscousForce);
   }
   columns.push_back({force_column("CSF", c), dimension,
@@ -123,9 +123,9 @@ void add_forces(const Case& problem, int c, std::vector<Column>& columns) {
   columns.push_back({force_column("CTF", c), dimension,
                      std::string("Total ") + what + where + ": friction only.", source, owner.entry,
                      owner.definition});
-  if (!behavior.any() && !loaded) return;
+  if (!acts_beside_friction(problem, c) && !loaded) return;
   columns.pop_back();
-  if (behavior.stop) {
+  if (stopped) {
     add("CRF", std::string("Reaction ") + what + where + " of a stop.", ColumnSource::kReaction);
   }
   if (loaded) {
@@ -136,7 +136,7 @@ void add_forces(const Case& problem, int c, std::vector<Column>& columns) {
           (mass ? ", CEF + CVF + CSF - CCF: what accelerates the mass, reversed."
                 : ", CEF + CVF + CSF + CRF - CCF."),
       ColumnSource::kTotalForce);
-  if (behavior.stop) {
+  if (stopped) {
     columns.push_back({"CSLST" + component_suffix(c), kNumber,
                        "1 at the upper stop " + where + ", -1 at the lower one, else 0.",
                        ColumnSource::kStopFlag, c});
@@ -148,14 +148,16 @@ void add_energies(const Case& problem, std::vector<Column>& columns) {
   const auto add = [&](const char* name, const char* text, ColumnSource source) {
     columns.push_back({name, kEnergy, text, source});
   };
-  const auto any = [&](auto member) {
-    return std::any_of(problem.behavior.begin(), problem.behavior.end(),
-                       [&](const ComponentBehavior& b) { return (b.*member).has_value(); });
-  };
-  if (any(&ComponentBehavior::elasticity)) {
+  bool elastic = false;
+  bool damped = false;
+  for (int c = 0; c < law::kComponents; ++c) {
+    elastic = elastic || problem.kinetic.is_elastic(c);
+    damped = damped || problem.kinetic.is_damped(c);
+  }
+  if (elastic) {
     add("ELASTIC_E", "Energy in the springs of all components.", ColumnSource::kElasticEnergy);
   }
-  if (any(&ComponentBehavior::damping)) {
+  if (damped) {
     add("VISCOUS_DISS", "Energy dissipated by all dampers since the start.",
         ColumnSource::kViscousDissipation);
   }
@@ -195,7 +197,7 @@ void add_belt(const Case& problem, std::vector<Column>& columns) {
   }
   add("CTF1", kForce, "Tension f_ab of the segment between a and b.",
       ColumnSource::kConstraintForce, 0);
-  if (problem.behavior[0].elasticity) {
+  if (problem.kinetic.elasticity[0]) {
     add("CEF1", kForce, "Tension of the segment from the elasticity of the belt.",
         ColumnSource::kConstraintForce, 0);
   }
@@ -537,7 +539,7 @@ double column_value(const Column& column, const Case& problem, const Row& row) {
     case ColumnSource::kTotalForce:
       return total_force(problem, row, column.index);
     case ColumnSource::kStopFlag:
-      return problem.behavior[index].stop->flag(row.quantities[kFirstMotion + index]);
+      return problem.stop[index]->flag(row.quantities[kFirstMotion + index]);
     case ColumnSource::kMassVelocity:
       return row.forces.velocity;
     case ColumnSource::kElasticEnergy:

@@ -37,9 +37,9 @@ std::string term_words(const law::DerivedTerm& term) {
   }
   if (set == law::ComponentSet::of(2, 3)) return "forces across axis 1";
   if (set == law::ComponentSet::of(5, 6)) return "bending moments across axis 1";
-  if ((set & law::ComponentSet::of(4, 5, 6)).empty()) return "constraint forces";
-  if ((set & law::ComponentSet::of(1, 2, 3)).empty()) return "constraint moments";
-  return "constraint forces and moments";
+  if ((set & law::ComponentSet::of(4, 5, 6)).empty()) return "forces";
+  if ((set & law::ComponentSet::of(1, 2, 3)).empty()) return "moments";
+  return "forces and moments";
 }
 
 double term_value(const law::DerivedTerm& term, const law::ConnectorForce& force,

@@ -39,19 +39,6 @@ law::ComponentSet pressing_components(const CaseDefinition& definition, const Ca
   return pressing;
 }
 
-bool is_driven(const Case& problem, int quantity) {
-  for (const Step& step : problem.steps) {
-    for (const Drive& drive : step.drives) {
-      if (drive.quantity == quantity) return true;
-    }
-  }
-  return problem.measured &&
-         std::any_of(problem.measured->columns.begin(), problem.measured->columns.end(),
-                     [&](const auto& column) {
-                       return column.quantity == static_cast<std::size_t>(quantity);
-                     });
-}
-
 /// Returns whether the law of a definition has a stick spring, and moves with prescribed motions
 /// alone.
 bool is_measured_by_its_spring(const CaseDefinition& definition, const Case& problem) {
@@ -146,10 +133,13 @@ std::string Plausibility::no_pressure(std::size_t index) const {
   for (int c = 0; c < law::kComponents; ++c) {
     if (!pressing.contains(c)) continue;
     all.push_back(force_name(c));
-    if (is_driven(*case_, kFirstForce + c) || case_->behavior[static_cast<std::size_t>(c)].any()) {
+    if (is_driven(*case_, kFirstForce + c) || acts_beside_friction(*case_, c)) {
       driven.push_back(force_name(c));
     }
   }
+  // That nothing drives it is said when the case is read.
+  const bool constant = std::holds_alternative<double>(definition.law.internal_contact_force);
+  if (!all.empty() && driven.empty() && constant) return {};
   std::string text = whose(definition) +
                      "nothing ever presses: its contact force is 0 all along, "
                      "and so is its friction; ";
@@ -159,13 +149,8 @@ std::string Plausibility::no_pressure(std::size_t index) const {
   const auto words = [](const std::vector<std::string>& names) {
     return in_words(std::vector<std::string_view>(names.begin(), names.end()), "and");
   };
-  if (!driven.empty()) {
-    return text + fmt::format("look at the size and the sign of {} in the history", words(driven));
-  }
-  return text + fmt::format(
-                    "the history never drives {}: a step takes it, for example 'force: "
-                    "{{{}: 100}}'",
-                    words(all), all.front());
+  return text + fmt::format("look at the size and the sign of {} in the history",
+                            words(driven.empty() ? all : driven));
 }
 
 std::string Plausibility::no_motion() const {

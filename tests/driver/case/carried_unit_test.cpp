@@ -88,8 +88,8 @@ TEST_CASE("A mass follows from force, length and time") {
   CHECK(problem.dynamics->mass == Approx(3.0));
   CHECK(problem.dynamics->belt_velocity == Approx(0.2));
   CHECK(problem.dynamics->initial_velocity == Approx(1.0));
-  CHECK(problem.behavior[0].elasticity->value(1.0, {}).force == Approx(40.0));
-  CHECK(problem.behavior[0].damping->value(1.0, {}).force == Approx(0.07));
+  CHECK(problem.kinetic.elasticity[0]->value(1.0, {}).force == Approx(40.0));
+  CHECK(problem.kinetic.damping[0]->value(1.0, {}).force == Approx(0.07));
 }
 
 TEST_CASE("A wave carries units in each of its numbers, and the quantity decides of what") {
@@ -119,8 +119,8 @@ TEST_CASE("A rotation takes moments and angles where a translation takes forces 
               kHinge));
   CHECK(std::get<double>(first(problem).internal_contact_force) == Approx(2000.0));
   CHECK(first(problem).stick.value == Approx(5.0e6));
-  CHECK(problem.behavior[3].elasticity->value(1.0, {}).force == Approx(4000.0));
-  CHECK(problem.behavior[3].stop->upper == Approx(130.0 * pi / 180.0));
+  CHECK(problem.kinetic.elasticity[3]->value(1.0, {}).force == Approx(4000.0));
+  CHECK(problem.stop[3]->upper == Approx(130.0 * pi / 180.0));
 }
 
 TEST_CASE("The numbers of a law are converted by their dimensions") {

@@ -23,7 +23,7 @@ std::string report_of(const Case& problem) {
 SolverDemand last_demand(const Case& problem) {
   const std::vector<Row> rows = rows_of(problem);
   return solver_demand(problem.definitions[0].law, connector_increment(problem, rows.back()),
-                       rows.back().definitions[0].update);
+                       rows.back().definitions[0].update, problem.kinetic);
 }
 
 bool contains(const std::string& text, const std::string& part) {

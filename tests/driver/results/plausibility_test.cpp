@@ -24,14 +24,10 @@ Case pressed_slider(std::vector<Step> steps) {
   return problem;
 }
 
-TEST_CASE("a contact force that is never driven is told with the force to drive") {
+TEST_CASE("a contact force that is never driven was told when the case was read") {
   Case problem = pressed_slider({step("out", 3, 0, LinearTo{6.0})});
   problem.steps[0].drives.push_back({kFirstForce + 1, Constant{100.0}});
-  CHECK(findings_of(problem) ==
-        std::vector<std::string>{
-            "friction 'sleeve': nothing ever presses: its contact force is 0 all along, and so is "
-            "its friction; the history never drives f3: a step takes it, for example 'force: {f3: "
-            "100}'"});
+  CHECK(findings_of(problem).empty());
 }
 
 TEST_CASE("a contact force that is driven, and stays 0, is told apart") {

@@ -22,7 +22,7 @@ Case belt_case(int increments, double end = 12.0) {
   Case problem = slider_case({{"run", end, increments, 1, {}}});
   problem.definitions[0].law.internal_contact_force = 10.0;
   problem.definitions[0].law.law = law::ConstantCoefficient{0.3};
-  problem.behavior[0].elasticity.emplace(100.0);
+  problem.kinetic.elasticity[0].emplace(100.0);
   problem.dynamics = DynamicsData{0, 1.0, 0.05, 0.05, 0.4};
   return problem;
 }

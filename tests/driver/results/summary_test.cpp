@@ -146,7 +146,7 @@ TEST_CASE("a mass that moves against its belt slips from the start, without an e
 TEST_CASE("a mass that turns slips all the time, up to and beyond its turn") {
   // Spring 1000 N/mm, 20 N, mass 1 thrown with 3 mm/s: it turns far beyond where it could stick.
   Case problem = slider_case({step("run", 1, kFirstForce, LinearTo{0.0}, 0.06)});
-  problem.behavior[0].elasticity.emplace(1000.0);
+  problem.kinetic.elasticity[0].emplace(1000.0);
   problem.dynamics = DynamicsData{0, 1.0, 0.0, 3.0, std::nullopt};
   const Summary summary = summary_of(problem);
   const DefinitionSummary& sum = summary.definitions()[0];

@@ -18,7 +18,7 @@ Case belt_case(std::vector<Step> steps) {
   Case problem = slider_case(std::move(steps));
   problem.definitions[0].law.internal_contact_force = 10.0;
   problem.definitions[0].law.law = law::ConstantCoefficient{0.3};
-  problem.behavior[0].elasticity.emplace(100.0);
+  problem.kinetic.elasticity[0].emplace(100.0);
   problem.dynamics = DynamicsData{0, 1.0, 0.05, 0.05, 0.4};
   return problem;
 }
@@ -75,7 +75,7 @@ TEST_CASE("motion and heat do not depend on the increments") {
 
 TEST_CASE("work of belt and load goes into heat, spring, damper and motion") {
   Case problem = belt_case({rest("free", 10, 1.0)});
-  problem.behavior[0].damping.emplace(0.7);
+  problem.kinetic.damping[0].emplace(0.7);
   problem.definitions[0].law.law = law::ExponentialDecay{0.4, 0.25, 8.0};
   problem.dynamics->static_coefficient.reset();
   Step loaded = rest("loaded", 60, 3.0);
@@ -118,8 +118,8 @@ TEST_CASE("a damped mass without friction swings like the textbook's") {
   Case problem = slider_case({rest("swing", 40, 4.0)});
   problem.definitions.clear();
   problem.initial[0] = 1.0;
-  problem.behavior[0].elasticity.emplace(50.0);
-  problem.behavior[0].damping.emplace(3.0);
+  problem.kinetic.elasticity[0].emplace(50.0);
+  problem.kinetic.damping[0].emplace(3.0);
   problem.dynamics = DynamicsData{0, 2.0, 0.0, 0.0, {}};
   const double d = 3.0 / 4.0, w = std::sqrt(25.0 - d * d);
   const std::vector<Row> rows = rows_of(problem);
@@ -134,7 +134,7 @@ TEST_CASE("a damped mass without friction swings like the textbook's") {
 TEST_CASE("a resting mass breaks loose when the load or the lost grip says so, at that instant") {
   // No spring: the mass rests until f1 = 4 t exceeds mu_s N = 4, at t = 1.
   Case problem = belt_case({});
-  problem.behavior[0].elasticity.reset();
+  problem.kinetic.elasticity[0].reset();
   problem.dynamics->belt_velocity = problem.dynamics->initial_velocity = 0.0;
   problem.steps = {step("pull", 7, kFirstForce, LinearTo{12.0}, 3.0)};
   const std::vector<Row> rows = rows_of(problem);

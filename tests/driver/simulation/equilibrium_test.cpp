@@ -19,7 +19,7 @@ constexpr double kForceError = 1e-10;
 Case loaded_case(std::vector<Step> steps, double spring = 0.0) {
   Case problem = slider_case(std::move(steps));
   problem.force_driven.insert(0);
-  if (spring > 0.0) problem.behavior[0].elasticity.emplace(spring);
+  if (spring > 0.0) problem.kinetic.elasticity[0].emplace(spring);
   return problem;
 }
 
@@ -127,7 +127,7 @@ TEST_CASE("a load that a falling coefficient lets go jumps to where the spring h
 TEST_CASE("a stop holds what friction and spring do not") {
   Case problem = loaded_case(
       {step("out", 10, kFirstForce, LinearTo{50.0}), step("in", 10, kFirstForce, LinearTo{-50.0})});
-  problem.behavior[0].stop = law::Stop{-0.1, 0.25};
+  problem.stop[0] = law::Stop{-0.1, 0.25};
   for (const Row& row : rows_of(problem)) {
     const ComponentForces& forces = row.forces.component[0];
     CHECK(motion(row) <= 0.25);
@@ -142,7 +142,7 @@ TEST_CASE("a stop holds what friction and spring do not") {
 
 TEST_CASE("a prescribed motion beyond a stop is an error that names it") {
   Case problem = slider_case({step("out", 10, 0, LinearTo{0.3})});
-  problem.behavior[0].stop = law::Stop{-0.1, 0.25};
+  problem.stop[0] = law::Stop{-0.1, 0.25};
   auto simulation = Simulation::start(problem);
   REQUIRE(simulation);
   for (int i = 0; i < 8; ++i) REQUIRE(simulation->advance());
@@ -192,8 +192,8 @@ TEST_CASE("components that friction couples are solved together") {
   problem.definitions[0].law.slip = law::slip_space({2, 3});
   problem.definitions[0].coupled = true;
   problem.force_driven = law::ComponentSet::of(2, 3);
-  problem.behavior[1].elasticity.emplace(40.0);
-  problem.behavior[2].elasticity.emplace(90.0);
+  problem.kinetic.elasticity[1].emplace(40.0);
+  problem.kinetic.elasticity[2].emplace(90.0);
   for (int i = 0; i < 12; ++i) {
     const double angle = 0.7 * i;
     Step one = step("s" + std::to_string(i), 5, kFirstForce + 1, LinearTo{50 * std::cos(angle)});
