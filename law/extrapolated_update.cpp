@@ -4,18 +4,38 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+
+#include "law/sub_increment.hpp"
 
 namespace slipbench::law {
 namespace {
 
+/// An event is located to this part of the segment.
+constexpr double kSameFraction = 1e-13;
+/// How far behind the begin of a piece it is looked what the piece is to have in common.
+constexpr double kAhead = 1e-11;
+/// How far behind the end of a piece it is looked whether it goes on alike; what lets go within is
+/// the square of that.
+constexpr double kBeyond = 1e-7;
+/// A limit below this part of the segment's is that of an instant without one.
+constexpr double kNoLimit = 1e-11;
+/// Where the segment's limit is looked at for its size.
+constexpr std::array kSamples{0.0, 0.25, 0.5, 0.75, 1.0};
+/// First piece of slip, in parts of the motion that turns a force: the elastic slip.
+constexpr double kFirst = 1e-4;
+/// An error below this one that a shorter piece does not lessen is rounding.
+constexpr double kRounding = 1e-10;
+/// A limit below this part of the segment's that slip wears away as it grows.
+constexpr double kWorn = 1e-8;
+/// Attempts after which rounding is in the way and pieces are taken as they are.
+constexpr int kMostAttempts = 100000;
+
 /// What is extrapolated: values at the end of a piece, and sums over it.
 struct Sums {
-  std::array<double, kComponents> elastic_slip{};
-  double contact_force = 0.0;
-  double mu = 0.0;
-  double limit = 0.0;
-  double slip_rate = 0.0;
+  SlipVector held{};
   double slip = 0.0;
+  double slip_rate = 0.0;
   double dissipation = 0.0;
   double work = 0.0;
 };
@@ -23,145 +43,185 @@ struct Sums {
 template <class Function>
 Sums combined(const Sums& a, const Sums& b, Function&& f) {
   Sums sum;
-  for (std::size_t i = 0; i < sum.elastic_slip.size(); ++i) {
-    sum.elastic_slip[i] = f(a.elastic_slip[i], b.elastic_slip[i]);
-  }
-  sum.contact_force = f(a.contact_force, b.contact_force);
-  sum.mu = f(a.mu, b.mu);
-  sum.limit = f(a.limit, b.limit);
-  sum.slip_rate = f(a.slip_rate, b.slip_rate);
+  for (std::size_t i = 0; i < sum.held.size(); ++i) sum.held[i] = f(a.held[i], b.held[i]);
   sum.slip = f(a.slip, b.slip);
+  sum.slip_rate = f(a.slip_rate, b.slip_rate);
   sum.dissipation = f(a.dissipation, b.dissipation);
   sum.work = f(a.work, b.work);
   return sum;
 }
 
-/// Sub-increments of one piece.
+/// A piece of the segment, as its sub-increments have it.
 struct Run {
+  enum class Outcome {
+    kSettled,
+    kUnsettled,  ///< too long for the tolerance
+    kMixed       ///< something changes inside
+  };
+  Outcome outcome = Outcome::kUnsettled;
+  int rows = 0;
+  double error = 0.0;  ///< as a part of limit and elastic slip
   Sums end;
-  FrictionUpdate last;
-  bool same_regime = true;  ///< all of them have that of the piece's begin
+  SubIncrement last;
+  double snap_back = 0.0;
 };
 
 class Pieces {
  public:
   Pieces(const FrictionDefinition& definition, const PathSegment& segment, double tolerance,
-         RegimeChanges* changes)
+         const FrictionState& old, RegimeChanges* changes)
       : definition_(definition),
-        segment_(segment),
-        points_(definition, segment, motion(definition, segment.increment)),
-        tolerance_(tolerance),
-        shortest_(0.1 * std::sqrt(tolerance)),
-        fixed_(definition.stick.mode == StickStiffness::Mode::kStiffness),
-        changes_(changes) {}
-
-  FrictionUpdate advance(const FrictionState& old) noexcept {
-    FrictionState state = old;
-    regime_ = old.regime;
-    if (fixed_) {
-      for (std::size_t i = 0; i < kComponents; ++i) {
-        state.elastic_slip[i] = old.force[i] / definition_.stick.value;
-      }
+        steps_(definition, segment),
+        tolerance_(std::max(0.05 * tolerance, 1e-13)),
+        begin_slip_(old.accumulated_slip),
+        regime_(old.regime),
+        changes_(changes) {
+    at_ = {steps_.fixed() ? old.force : old.elastic_slip, old.accumulated_slip};
+    for (const double tau : kSamples) {
+      scale_ = std::max(scale_, steps_.strength(tau, begin_slip_));
     }
-    FrictionUpdate last;
-    double slip = 0.0;
-    double dissipation = 0.0;
-    double work = 0.0;
-    double tau = 0.0;
+    negative_ = steps_.signature(0.0, begin_slip_, 0.0).negative;
+    elastic_ = steps_.fixed() ? scale_ / steps_.stick(1.0) : steps_.stick(1.0);
+    const double length = steps_.length();
+    first_ = length > 0.0 ? std::clamp(kFirst * elastic_ / length, 1e-9, 1e-2) : 1e-4;
+  }
+
+  void run() noexcept {
     double step = 1.0;
-    double onset = 0.0;
-    while (tau < 1.0) {
-      step = std::min(step, 1.0 - tau);
-      const double end = 1.0 - tau - step < shortest_ ? 1.0 : tau + step;
-      Run run;
-      const bool settled = extrapolate(state, tau, end, &run);
-      if (!settled && step > shortest_) {
-        step *= 0.5;
+    double event = 2.0;  // something changes before it; none is known beyond 1
+    bool again = false;  // the way to the event is to be tried as a whole
+    int flickers = 0;
+    bool fresh = true;  // nothing is known yet of how fast the force turns
+    double error = std::numeric_limits<double>::infinity();  // of the last piece tried here
+    if (steps_.beyond(at_, 0.0)) cross(kSameFraction);       // the limit has jumped below the force
+    for (int attempt = 0; tau_ < 1.0; ++attempt) {
+      // Rounding that flickers about an event must not hold the walk up.
+      double shortest = kSameFraction * std::pow(4.0, std::clamp(flickers - 2, 0, 18));
+      if (attempt > kMostAttempts) {
+        converged_ = false;
+        shortest = 1e-3;
+      }
+      if (event <= 1.0 && event - tau_ <= shortest) {
+        cross(event);
+        event = 2.0;
+        step = 1.0;
+        fresh = true;
+        ++flickers;
         continue;
       }
-      last = run.last;
-      last.contact_force = run.end.contact_force;
-      last.normal_force = std::abs(run.end.contact_force);
-      last.mu = run.end.mu;
-      last.limit = run.end.limit;
-      last.slip_rate = run.end.slip_rate;
-      const double before = state.accumulated_slip;
-      state = last.state;
-      state.elastic_slip = run.end.elastic_slip;
-      state.accumulated_slip = before + run.end.slip;
-      keep_admissible(last, &state);
-      note(state, last, tau, &onset);
-      slip += run.end.slip;
-      dissipation += run.end.dissipation;
-      work += run.end.work;
-      tau = end;
-      step *= 2.0;
+      double to = std::min(tau_ + step, 1.0);
+      if (event <= 1.0) to = std::min(to, again ? event : 0.5 * (tau_ + event));
+      again = false;
+      if (1.0 - to < kSameFraction) to = 1.0;
+      const Run run = extrapolate(tau_, to);
+      if (run.outcome == Run::Outcome::kMixed) {
+        event = to;
+      } else if (fresh && run.last.signature.regime == Regime::kSlip && to - tau_ > first_) {
+        // A turn that is over within the first step of every row would not be seen.
+        step = first_;
+        fresh = false;
+      } else if (run.outcome == Run::Outcome::kUnsettled && to - tau_ > shortest &&
+                 !(run.error < kRounding && run.error > 0.25 * error)) {
+        step = 0.5 * (to - tau_);
+        error = run.error;
+      } else {
+        error = std::numeric_limits<double>::infinity();
+        // What settles late only would not at twice the length.
+        step = (run.rows < kRows - 1 ? 2.0 : 1.0) * (to - tau_);
+        if (to - tau_ > 1e3 * shortest) flickers = 0;
+        take(run, to);
+        // Long sub-increments may have seen what is not there.
+        if (to == event) event = 2.0;
+        again = true;
+      }
     }
-    last.state = state;
-    last.slip_increment = slip;
-    last.dissipation = dissipation;
-    last.work = work;
-    last.phi = potential_of(state.force) - last.limit;
-    last.stored_energy = 0.0;
-    for (std::size_t i = 0; i < kComponents; ++i) {
-      last.stored_energy += 0.5 * state.force[i] * state.elastic_slip[i];
+  }
+
+  FrictionUpdate result(FrictionUpdate update) noexcept {
+    const bool slips = regime_ == Regime::kSlip;
+    const double rate = slips ? std::max(rate_, 0.0) : 0.0;
+    const Limit l = steps_.limit(1.0, at_.accumulated_slip, rate);
+    update.state.force = steps_.force(at_, 1.0, rate);
+    update.state.elastic_slip = at_.held;
+    if (steps_.fixed()) {
+      for (double& s : update.state.elastic_slip) s /= steps_.stick(1.0);
     }
-    last.onset = state.regime == Regime::kSlip ? onset : 0.0;
-    last.tangent = update(definition_, segment_.increment, old).tangent;
-    return last;
+    update.state.accumulated_slip = at_.accumulated_slip;
+    update.state.regime = regime_;
+    update.contact_force = l.contact_force;
+    update.normal_force = l.normal_force;
+    update.mu = l.mu;
+    update.limit = l.force;
+    update.slip_rate = l.slip_rate;
+    update.slip_increment = at_.accumulated_slip - begin_slip_;
+    update.dissipation = std::max(dissipation_, 0.0);
+    update.work = work_;
+    update.stored_energy = 0.5 * dot(update.state.force, update.state.elastic_slip);
+    update.phi = value(steps_.potential(), update.state.force) - l.force;
+    update.onset = slips ? onset_ : 0.0;
+    update.snap_back = snap_back_;
+    update.multiple_roots = snap_back_ >= 1.0;
+    update.lost = 0.0;
+    update.jumps = 0;
+    update.converged = converged_;
+    update.direction = {};
+    if (std::holds_alternative<Potential>(definition_.criterion)) {
+      const double square = dot(normal_, normal_);
+      for (std::size_t i = 0; i < kComponents && square > 0.0; ++i) {
+        update.direction[i] = normal_[i] / square;
+      }
+    } else {
+      const double p = std::sqrt(dot(update.state.force, update.state.force));
+      for (std::size_t i = 0; i < kComponents && p > 0.0; ++i) {
+        update.direction[i] = update.state.force[i] / p;
+      }
+    }
+    return update;
   }
 
  private:
   static constexpr int kRows = 8;
+  static constexpr int kLeastRows = 3;
 
-  static double motion(const FrictionDefinition& definition, const ConnectorIncrement& increment) {
-    double square = 0.0;
-    for (int i = 0; i < definition.slip.dimension; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      const int c = definition.slip.component[k];
-      const double ds =
-          definition.slip.scale[k] * (increment.end.position[c] - increment.begin_position[c]);
-      square += ds * ds;
-    }
-    return std::sqrt(square);
+  /// Work and dissipation of a step, by the force at its end throughout: their errors are smooth in
+  /// the length of steps. y.m is F_lim without shifts.
+  void add(const SubIncrement& step, double length, Sums* sums) const noexcept {
+    sums->work += length * dot(step.force, steps_.motion());
+    sums->dissipation += dot(step.force, step.normal) * step.slip;
   }
 
-  /// `count` equal sub-increments of [from, to].
-  Run sub_increments(const FrictionState& begin, double from, double to, int count) noexcept {
-    Run run;
-    FrictionState state = begin;
-    ConnectorIncrement increment = segment_.increment;
-    increment.begin_position = points_.increment(from).end.position;
-    for (int i = 1; i <= count; ++i) {
-      const double tau = i == count ? to : from + (to - from) * i / count;
-      const ConnectorIncrement& here = points_.increment(tau);
-      increment.end = here.end;
-      increment.force = here.force;
-      increment.duration = segment_.increment.duration * (to - from) / count;
-      run.last = update(definition_, increment, state);
-      state = run.last.state;
-      run.same_regime = run.same_regime && state.regime == begin.regime;
-      increment.begin_position = here.end.position;
-      run.end.slip += run.last.slip_increment;
-      run.end.dissipation += run.last.dissipation;
-      run.end.work += run.last.work;
-    }
-    run.end.elastic_slip = state.elastic_slip;
-    run.end.contact_force = run.last.contact_force;
-    run.end.mu = run.last.mu;
-    run.end.limit = run.last.limit;
-    run.end.slip_rate = run.last.slip_rate;
-    return run;
-  }
-
-  /// The table of Aitken and Neville over 1, 2, 3, ... sub-increments; true if its corner settles.
-  bool extrapolate(const FrictionState& begin, double from, double to, Run* result) noexcept {
+  /// The table of Aitken and Neville over 1, 2, 3, ... sub-increments.
+  Run extrapolate(double from, double to) noexcept {
+    Run result;
+    Signature common;
     std::array<Sums, kRows> table;  // the last row
     for (int j = 0; j < kRows; ++j) {
-      Run run = sub_increments(begin, from, to, j + 1);
-      result->last = run.last;
+      const int count = j + 1;
+      Sums entry;
+      SlipPoint point = at_;
+      double tau = from;
+      for (int i = 1; i <= count; ++i) {
+        const double next = i == count ? to : from + (to - from) * i / count;
+        result.last = steps_.step(point, tau, next);
+        if (i == 1 && j == 0) {
+          common = result.last.signature;
+          if (!begins(common, result.last.slip_rate, from, to)) {
+            result.outcome = Run::Outcome::kMixed;
+            return result;
+          }
+        } else if (result.last.signature != common) {
+          result.outcome = Run::Outcome::kMixed;
+          return result;
+        }
+        result.snap_back = std::max(result.snap_back, result.last.snap_back);
+        add(result.last, next - tau, &entry);
+        entry.slip += result.last.slip;
+        point = result.last.end;
+        tau = next;
+      }
+      entry.held = point.held;
+      entry.slip_rate = result.last.slip_rate;
       // The row grows from its first entry; `above` are the entries of the row before.
-      Sums entry = run.end;
       Sums previous = entry;
       for (int k = 0; k < j; ++k) {
         const auto n = static_cast<std::size_t>(k);
@@ -173,81 +233,161 @@ class Pieces {
             combined(entry, above, [weight](double a, double b) { return a + weight * (a - b); });
       }
       table[static_cast<std::size_t>(j)] = entry;
-      const Sums corner = result->end;  // of the row before
-      result->end = entry;
-      // A change of regime inside may hide from the table in the first sub-increment of every row.
-      if (!run.same_regime) return false;
-      if (j == 0) continue;
-      const auto difference = [](double a, double b) { return a - b; };
-      if (small(combined(entry, previous, difference), run.last) &&
-          small(combined(entry, corner, difference), run.last)) {
-        return true;
+      const Sums corner = result.end;  // of the row before
+      result.end = entry;
+      result.rows = count;
+      if (count < kLeastRows) continue;
+      result.error = std::max(difference(entry, previous), difference(entry, corner));
+      const bool gone = common.regime == Regime::kOpen && !common.worn;
+      if (gone || result.error <= tolerance_) {
+        result.outcome = goes_on(result, from, to) ? Run::Outcome::kSettled : Run::Outcome::kMixed;
+        return result;
       }
     }
-    return false;
+    return result;
   }
 
-  bool small(const Sums& error, const FrictionUpdate& at) const noexcept {
-    const double elastic = fixed_ ? at.limit / definition_.stick.value : definition_.stick.value;
-    double worst = std::abs(error.slip);
-    for (const double e : error.elastic_slip) worst = std::max(worst, std::abs(e));
-    worst = std::max({worst * at.limit, std::abs(error.dissipation), std::abs(error.work),
-                      std::abs(error.limit) * elastic});
-    return worst <= tolerance_ * at.limit * elastic;
-  }
-
-  /// Puts the force that goes with the extrapolated elastic slip into `state`, inside the limit.
-  void keep_admissible(const FrictionUpdate& last, FrictionState* state) const noexcept {
-    if (state->regime == Regime::kOpen) {
-      state->elastic_slip = {};
-      state->force = {};
-      return;
+  /// True if what holds the force on its limit still does so where the piece ends: the last
+  /// sub-increment of every row may have passed the place where it lets go.
+  bool goes_on(const Run& run, double from, double to) noexcept {
+    const Signature& common = run.last.signature;
+    if (common.regime != Regime::kSlip || to - from <= 10.0 * kBeyond) return true;
+    SlipPoint end{run.end.held, at_.accumulated_slip + run.end.slip};
+    steps_.settle(common.regime, to, run.end.slip_rate, &end);
+    const Signature beyond = steps_.step(end, to, to + kBeyond).signature;
+    if (beyond.regime != Regime::kSlip) return false;
+    for (std::size_t g = 0; g < kComponents; ++g) {
+      const bool pulled = common.leaf[g] != Signature::kNotPulled;
+      if (pulled && beyond.leaf[g] == Signature::kNotPulled) return false;
+      if (common.leaf[g] == Signature::kAtZero && beyond.leaf[g] != Signature::kAtZero) {
+        return false;
+      }
     }
-    const double stiffness =
-        fixed_ ? definition_.stick.value : last.limit / definition_.stick.value;
+    return true;
+  }
+
+  /// True if a piece with this signature can begin at `from`.
+  bool begins(const Signature& signature, double slip_rate, double from, double to) noexcept {
+    const double ahead = std::min(from + kAhead, from + 0.5 * (to - from));
+    if (signature.regime == Regime::kSlip && steps_.by_rate()) {
+      // The rate here, and not where the first step of the piece ends. One that only the geometry
+      // gives is lost in the rounding of a very short step.
+      const double near =
+          steps_.viscous() ? ahead : std::min(from + 1e-7, from + 0.5 * (to - from));
+      slip_rate = steps_.step(at_, from, near).slip_rate;
+    }
+    if (signature.regime == Regime::kStick && steps_.holds(at_, from) < kAhead) {
+      // On the limit: it must not slip first and stick then.
+      const double near = std::min(from + 1e-9, from + 0.5 * (to - from));
+      if (steps_.step(at_, from, near).signature.regime != Regime::kStick) return false;
+    }
+    LimitSignature limit = steps_.signature(ahead, at_.accumulated_slip, slip_rate);
+    // Where wear takes a limit as fast as it grows there is none to begin with.
+    if (signature.worn) {
+      limit.grips = !(steps_.strength(from, at_.accumulated_slip) <= kWorn * scale_);
+    }
+    return limit == signature.limit &&
+           (signature.regime != Regime::kOpen || regime_ == Regime::kOpen) &&
+           steps_.can_begin(signature, at_, from);
+  }
+
+  /// The larger of the differences, as a part of limit and elastic slip, beyond their rounding.
+  double difference(const Sums& a, const Sums& b) const noexcept {
+    const auto apart = [](double x, double y) {
+      constexpr double kRounded = 1000.0 * std::numeric_limits<double>::epsilon();
+      return std::max(std::abs(x - y) - kRounded * std::abs(x), 0.0);
+    };
+    const double held = steps_.fixed() ? scale_ : elastic_;
+    const double slip = elastic_ + steps_.length();
+    double worst = std::max({apart(a.slip, b.slip) / slip, apart(a.work, b.work) / (scale_ * slip),
+                             apart(a.dissipation, b.dissipation) / (scale_ * slip)});
     for (std::size_t i = 0; i < kComponents; ++i) {
-      state->force[i] = stiffness * state->elastic_slip[i];
+      worst = std::max(worst, apart(a.held[i], b.held[i]) / held);
     }
-    const double p = potential_of(state->force);
-    if (p > last.limit) {
-      for (std::size_t i = 0; i < kComponents; ++i) {
-        state->force[i] *= last.limit / p;
-        state->elastic_slip[i] *= last.limit / p;
-      }
-    }
+    return worst;
   }
 
-  double potential_of(const std::array<double, kComponents>& force) const noexcept {
-    const auto* potential = std::get_if<Potential>(&definition_.criterion);
-    return potential != nullptr ? value(*potential, force) : std::sqrt(dot(force, force));
+  /// Goes on to `to` with what a piece has come to.
+  void take(const Run& run, double to) noexcept {
+    const Regime regime = run.last.signature.regime;
+    note(regime, run.last);
+    if (regime != Regime::kStick) dissipation_ += run.end.dissipation;
+    at_.held = run.end.held;
+    at_.accumulated_slip += std::max(run.end.slip, 0.0);
+    rate_ = run.end.slip_rate;
+    normal_ = run.last.normal;
+    negative_ = run.last.signature.limit.negative;
+    work_ += run.end.work;
+    snap_back_ = std::max(snap_back_, run.snap_back);
+    tau_ = to;
+    scale_ = std::max(scale_, run.last.limit.force);
+    steps_.settle(regime, to, regime == Regime::kSlip ? rate_ : 0.0, &at_);
   }
 
-  void note(const FrictionState& state, const FrictionUpdate& last, double tau,
-            double* onset) noexcept {
-    if (state.regime == regime_) return;
-    regime_ = state.regime;
-    if (regime_ == Regime::kSlip) *onset = tau;
+  /// Steps across an event, in one step of next to no length.
+  void cross(double to) noexcept {
+    Run run;
+    run.last = steps_.step(at_, tau_, to);
+    const double least = std::min(steps_.strength(tau_, at_.accumulated_slip),
+                                  steps_.strength(to, run.last.end.accumulated_slip));
+    // A limit that vanishes for an instant loses the grip, too.
+    const bool lost = regime_ != Regime::kOpen &&
+                      (negative_ != run.last.signature.limit.negative ||
+                       (run.last.signature.limit.grips && !(least > kNoLimit * scale_)));
+    add(run.last, to - tau_, &run.end);
+    if (lost) {
+      run.last.signature.regime = Regime::kOpen;
+      run.last.end.held = {};
+    }
+    run.end.held = run.last.end.held;
+    run.end.slip = run.last.slip;
+    if (steps_.fixed()) {
+      // What the spring loses in no time.
+      run.end.dissipation = run.end.work - stored(to, run.end.held) + stored(tau_, at_.held);
+    }
+    run.end.slip_rate = run.last.slip_rate;
+    take(run, to);
+  }
+
+  double stored(double tau, const SlipVector& held) const noexcept {
+    return 0.5 * dot(held, held) / steps_.stick(tau);
+  }
+
+  void note(Regime to, const SubIncrement& last) noexcept {
+    if (to == regime_) return;
+    regime_ = to;
+    if (to == Regime::kSlip) onset_ = tau_;
     if (changes_ == nullptr) return;
     if (changes_->count == static_cast<int>(changes_->at.size())) {
       changes_->overflow = true;
       return;
     }
-    double force = std::sqrt(dot(state.force, state.force));
-    if (definition_.slip.dimension == 1) force = state.force[0];
-    changes_->at[static_cast<std::size_t>(changes_->count++)] = {tau, regime_, force, last.limit,
-                                                                 state.accumulated_slip};
+    const SlipVector y = to == Regime::kOpen ? SlipVector{} : steps_.force(at_, tau_, 0.0);
+    double force = value(steps_.potential(), y);
+    if (definition_.slip.dimension == 1) force = std::copysign(force, last.force[0]);
+    changes_->at[static_cast<std::size_t>(changes_->count++)] = {
+        tau_, to, force, steps_.limit(tau_, at_.accumulated_slip, 0.0).force, at_.accumulated_slip};
   }
 
   const FrictionDefinition& definition_;
-  const PathSegment& segment_;
-  SegmentPoints points_;
+  SubIncrements steps_;
   double tolerance_;
-  /// The shortest piece, as a part of the segment. What a change of regime inside of it does to the
-  /// end goes with its square: a force that turns a corner at another place of it.
-  double shortest_;
-  bool fixed_;
+  double begin_slip_;
+  double scale_ = 0.0;    ///< of the limit [F]
+  double elastic_ = 0.0;  ///< of the elastic slip [L]
+  double first_ = 0.0;    ///< length of a first piece of slip
+  SlipPoint at_;
+  double tau_ = 0.0;
+  double rate_ = 0.0;
+  double work_ = 0.0;
+  double dissipation_ = 0.0;
+  double onset_ = 0.0;
+  SlipVector normal_{};
+  double snap_back_ = 0.0;
+  bool converged_ = true;
+  bool negative_ = false;  ///< F_C + F_int
+  Regime regime_;
   RegimeChanges* changes_;
-  Regime regime_ = Regime::kStick;
 };
 
 }  // namespace
@@ -255,7 +395,9 @@ class Pieces {
 FrictionUpdate extrapolated_update(const FrictionDefinition& definition, const PathSegment& segment,
                                    const FrictionState& old, double tolerance,
                                    RegimeChanges* changes) noexcept {
-  return Pieces(definition, segment, tolerance, changes).advance(old);
+  Pieces pieces(definition, segment, tolerance, old, changes);
+  pieces.run();
+  return pieces.result(update(definition, segment.increment, old));
 }
 
 }  // namespace slipbench::law

@@ -109,6 +109,8 @@ class SegmentPoints {
                                                                          : FlowSense::kForward);
   }
 
+  /// The tau asked for last.
+  double at() const { return tau_; }
   /// StickStiffness::value at tau.
   double stick(double tau) const { return mix(tau, segment_.begin_stick, definition_.stick.value); }
 

@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "law/sub_increment.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "law/potential_search.hpp"
+
+namespace slipbench::law {
+namespace {
+
+/// A length of a leaf below this part of the limit is 0, and a contribution as near to it on it.
+constexpr double kAtZero = 1e-11;
+
+/// F_N below this part of F_C and F_int is the rounding of their sum, and of where it vanishes.
+constexpr double kNoContact = 1e-11;
+
+SlipVector motion_of(const FrictionDefinition& definition, const ConnectorIncrement& increment) {
+  SlipVector ds{};
+  for (int i = 0; i < definition.slip.dimension; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const int c = definition.slip.component[k];
+    ds[k] = definition.slip.scale[k] * (increment.end.position[c] - increment.begin_position[c]);
+  }
+  return ds;
+}
+
+/// The norm of a slip space as a potential of one leaf.
+Potential euclidean(const SlipSpace& space) {
+  Potential norm;
+  norm.exponent = 1.0;
+  norm.parts = norm.leaves = 1;
+  norm.leaf[0].kind =
+      space.dimension == 1 ? PotentialLeaf::Kind::kLine : PotentialLeaf::Kind::kNorm;
+  for (int i = 0; i < space.dimension; ++i) {
+    norm.leaf[0].direction[static_cast<std::size_t>(i)] = 1.0;
+  }
+  return norm;
+}
+
+/// The limit over the slip of one step, for the search.
+struct StepLimit {
+  SubIncrements& steps;
+  double tau;
+  double begin;
+  double length;    ///< of the step, as a part of the segment
+  double per_rate;  ///< rate [L/T] per slip of the step [L]; 0 where the slip does not count
+  const Limit* constant;
+
+  Limit operator()(double slip) const noexcept {
+    return constant != nullptr ? *constant
+                               : steps.limit(tau, begin + slip, length > 0.0 ? slip / length : 0.0);
+  }
+  double slope(const Limit& limit) const { return limit.to_slip + limit.to_rate * per_rate; }
+};
+
+}  // namespace
+
+SubIncrements::SubIncrements(const FrictionDefinition& definition,
+                             const PathSegment& segment) noexcept
+    : definition_(definition),
+      norm_(euclidean(definition.slip)),
+      potential_(std::get_if<Potential>(&definition.criterion)),
+      motion_(motion_of(definition, segment.increment)),
+      length_(std::sqrt(dot(motion_, motion_))),
+      points_(definition, segment, length_),
+      inverse_duration_(segment.increment.duration > 0.0 ? 1.0 / segment.increment.duration : 0.0),
+      fixed_(definition.stick.mode == StickStiffness::Mode::kStiffness) {
+  if (potential_ == nullptr) potential_ = &norm_;
+  for (const double tau : {0.0, 0.5, 1.0}) {
+    const ConnectorIncrement& here = points_.increment(tau);
+    no_contact_ =
+        std::max(no_contact_, std::abs(evaluate(definition.contact_force, here.force, here.end)));
+  }
+  if (const auto* f = std::get_if<TableFunction>(&definition.internal_contact_force)) {
+    no_contact_ += f->table().largest();
+  }
+  no_contact_ *= kNoContact;
+  least_ = value(*potential_, SlipVector{});
+  closed_ = !fixed_ && potential_->homogeneous;
+  const double half = 0.5 * potential_->exponent;
+  smooth_signs_ = potential_->combine == PotentialOperator::kSum && half == std::floor(half) &&
+                  potential_->leaves == potential_->parts && potential_->homogeneous;
+  by_rate_ = definition.slip_rate == SlipRateMeasure::kSlip && depends_on_slip_rate(definition.law);
+  viscous_ = fixed_ && by_rate_;
+  varies_with_slip_ = by_rate_ || depends_on_accumulated_slip(definition.internal_contact_force);
+}
+
+Limit SubIncrements::limit(double tau, double accumulated_slip, double slip_rate) noexcept {
+  Limit l = points_.limit(tau, accumulated_slip, slip_rate * inverse_duration_, 0.0);
+  if (l.normal_force <= no_contact_) {
+    l.force = l.to_contact = l.to_rate = l.to_slip = 0.0;
+  }
+  return l;
+}
+
+double SubIncrements::strength(double tau, double accumulated_slip) noexcept {
+  const Limit rest = limit(tau, accumulated_slip, 0.0);
+  if (rest.force > least_ || !potential_->homogeneous || !(rest.normal_force > 0.0)) {
+    return rest.force;
+  }
+  return limit(tau, accumulated_slip, length_).force;
+}
+
+LimitSignature SubIncrements::signature(const Limit& limit, double accumulated_slip,
+                                        bool grips) noexcept {
+  LimitSignature result;
+  result.negative = limit.contact_force < 0.0;
+  result.capped = limit.force >= definition_.force_limit;
+  result.grips = grips;
+  // The point that the limit was asked for last.
+  const ConnectorIncrement& here = points_.increment(points_.at());
+  const SlipArguments slip{limit.slip_rate, limit.normal_force, accumulated_slip};
+  const auto add = [&result](std::ptrdiff_t number) {
+    result.cells = result.cells * 1099511628211U + static_cast<std::uint64_t>(number + 1);
+  };
+  const auto add_cell = [&](const TableFunction& function) {
+    const auto x = function.arguments(here.end, slip);
+    for (int k = 0; k < function.table().independents(); ++k) {
+      const auto knots = function.table().knots(k);
+      add(std::upper_bound(knots.begin(), knots.end(), x[static_cast<std::size_t>(k)]) -
+          knots.begin());
+    }
+  };
+  if (const auto* derived = std::get_if<DerivedComponent>(&definition_.contact_force)) {
+    for (const DerivedTerm& term : *derived) {
+      if (!term.weight_table) continue;
+      add_cell(*term.weight_table);
+      for (int j = 0; j < term.count; ++j) {
+        add(term.weight_table->value(here.end, slip, j) < 0.0);
+      }
+    }
+  }
+  if (const auto* f = std::get_if<TableFunction>(&definition_.internal_contact_force)) {
+    add_cell(*f);
+    add(f->value(here.end, slip) < 0.0);
+  }
+  if (const auto* law = std::get_if<TabularCoefficient>(&definition_.law)) {
+    add_cell(law->table);
+    add(law->table.value(here.end, slip) < 0.0);
+  }
+  add(is_clamped(definition_.law, here.end, slip));
+  for (const double f : here.force.values) add(f < 0.0);
+  return result;
+}
+
+LimitSignature SubIncrements::signature(double tau, double accumulated_slip,
+                                        double slip_rate) noexcept {
+  const Limit here = limit(tau, accumulated_slip, slip_rate);
+  const bool grips = here.force > least_ || strength(tau, accumulated_slip) > least_;
+  return signature(here, accumulated_slip, grips);
+}
+
+SlipVector SubIncrements::force(const SlipPoint& at, double tau, double slip_rate) noexcept {
+  if (fixed_) return at.held;
+  return scaled(at.held, limit(tau, at.accumulated_slip, slip_rate).force / stick(tau));
+}
+
+double SubIncrements::bound(double tau, double limit) const noexcept {
+  return closed_ ? stick(tau) : limit;
+}
+double SubIncrements::measure(const SlipPoint& at, double tau, double limit) const noexcept {
+  return value(*potential_, fixed_ || closed_ ? at.held : scaled(at.held, limit / stick(tau)));
+}
+
+double SubIncrements::holds(const SlipPoint& at, double tau) noexcept {
+  const double f = limit(tau, at.accumulated_slip, 0.0).force;
+  const double edge = bound(tau, f);
+  return edge > 0.0 ? 1.0 - measure(at, tau, f) / edge : 0.0;
+}
+
+bool SubIncrements::beyond(const SlipPoint& at, double tau) noexcept {
+  const double f = limit(tau, at.accumulated_slip, 0.0).force;
+  return !viscous_ && measure(at, tau, f) > bound(tau, f) * (1.0 + kAtZero);
+}
+
+bool SubIncrements::can_begin(const Signature& signature, const SlipPoint& at,
+                              double tau) noexcept {
+  if (signature.regime != Regime::kSlip) return true;
+  const double f = limit(tau, at.accumulated_slip, 0.0).force;
+  const double edge = bound(tau, f);
+  if (measure(at, tau, f) < edge * (1.0 - kAtZero)) return false;
+  const SlipVector y = fixed_ || closed_ ? at.held : scaled(at.held, f / stick(tau));
+  const auto parts = contributions(*potential_, y);
+  for (std::size_t g = 0; g < static_cast<std::size_t>(potential_->leaves); ++g) {
+    const PotentialLeaf& leaf = potential_->leaf[g];
+    const double v = coordinate(leaf, y);
+    const double slack = kAtZero * edge;
+    switch (signature.leaf[g]) {
+      case Signature::kNotPulled:
+        break;
+      case Signature::kAtZero:
+        if (slipbench::law::length(leaf, y) > slack) return false;
+        continue;
+      case Signature::kPositive:
+        if (!smooth_signs_ && v < -slack) return false;
+        break;
+      case Signature::kNegative:
+        if (v > slack) return false;
+        break;
+    }
+    if (potential_->combine == PotentialOperator::kMax &&
+        signature.leaf[g] != Signature::kNotPulled &&
+        parts[static_cast<std::size_t>(leaf.part)] < edge - slack) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void SubIncrements::settle(Regime regime, double tau, double slip_rate, SlipPoint* point) noexcept {
+  if (regime == Regime::kOpen) {
+    point->held = {};
+    return;
+  }
+  const double f = limit(tau, point->accumulated_slip, slip_rate).force;
+  const double edge = bound(tau, f);
+  // A viscous force lies where the rate puts it, not the other way round.
+  if (viscous_) return;
+  const bool on_edge = regime == Regime::kSlip;
+  if (!on_edge && measure(*point, tau, f) <= edge) return;
+  if (fixed_ || closed_) {
+    point->held = put_on_limit(*potential_, point->held, edge);
+  } else {
+    const double kappa = f / stick(tau);
+    point->held = scaled(put_on_limit(*potential_, scaled(point->held, kappa), edge), 1.0 / kappa);
+  }
+}
+
+SubIncrement SubIncrements::step(const SlipPoint& begin, double from, double to) noexcept {
+  SubIncrement result;
+  const double length = to - from;
+  const Limit rest = limit(to, begin.accumulated_slip, 0.0);
+  const bool grips = rest.force > least_ || strength(to, begin.accumulated_slip) > least_;
+  result.end.accumulated_slip = begin.accumulated_slip;
+  result.limit = rest;
+  if (!grips) {
+    result.signature.limit = signature(rest, begin.accumulated_slip, false);
+    return result;
+  }
+  const double stick = points_.stick(to);
+  const StepLimit limit_of{*this,
+                           to,
+                           begin.accumulated_slip,
+                           length,
+                           definition_.slip_rate == SlipRateMeasure::kSlip && length > 0.0
+                               ? inverse_duration_ / length
+                               : 0.0,
+                           varies_with_slip_ ? nullptr : &rest};
+  const Start<StepLimit> start{
+      *potential_, limit_of, sum_of(begin.held, (fixed_ ? stick : 1.0) * length, motion_),
+      stick,       least_,   fixed_,
+      closed_};
+  Scale scale = scale_at(start, rest.force);
+  result.signature.regime = Regime::kStick;
+  result.end.held = start.trial;
+  if (within(*potential_, scale.trial, scale.limit)) {
+    result.force = fixed_ ? start.trial : scaled(start.trial, rest.force / stick);
+    result.normal = gradient(*potential_, result.force);
+    result.signature.limit = signature(rest, begin.accumulated_slip, true);
+    return result;
+  }
+
+  const double kappa = scale.kappa > 0.0 ? scale.kappa : 1.0;
+  double end = Projection(*potential_, scale.trial).longest() / kappa;
+  for (int i = 0; i < 200 && distance(start, end).value > 0.0; ++i) end *= 2.0;
+  const SlipVector steepest = gradient(*potential_, scale.trial);
+  const double radial = (value(*potential_, scale.trial) - scale.limit) /
+                        (kappa * std::max(dot(steepest, steepest), 1e-300));
+  // Steps that follow each other slip alike.
+  const double guess = last_rate_ > 0.0 ? last_rate_ * length : radial;
+  double slip = bracketed(start, 0.0, end, guess, 1e-15);
+  result.limit = limit_of(slip);
+  result.signature.regime = Regime::kSlip;
+  const auto holds = [&](const Limit& l) {
+    return l.force > least_ && (l.contact_force < 0.0) == (rest.contact_force < 0.0);
+  };
+  if (rest.force > least_ && !holds(result.limit)) {
+    // The slip takes the limit away: where that happens.
+    double low = 0.0;
+    for (int i = 0; i < 200 && slip - low > 1e-16 * slip; ++i) {
+      const double middle = 0.5 * (low + slip);
+      (holds(limit_of(middle)) ? low : slip) = middle;
+    }
+    result.slip = slip;
+    result.end = {{}, begin.accumulated_slip + slip};
+    result.limit = limit_of(slip);
+    result.signature.regime = Regime::kOpen;
+    result.signature.worn = true;
+    result.signature.limit = signature(rest, begin.accumulated_slip, false);
+    return result;
+  }
+  scale = scale_at(start, result.limit.force);
+  const Projection projection(*potential_, scale.trial);
+  const double x = scale.kappa * slip;
+  const auto parts = potential_->combine == PotentialOperator::kMax
+                         ? projection.max_parts(scale.limit)
+                         : projection.sum_parts(x, scale.limit);
+  const SlipVector returned = put_on_limit(*potential_, projection.returned(parts), scale.limit);
+  result.normal = projection.normal(parts, x);
+  result.force = closed_ ? scaled(returned, result.limit.force / stick) : returned;
+  result.end.held = fixed_ || closed_ ? returned : scaled(returned, stick / result.limit.force);
+  result.slip = slip;
+  result.end.accumulated_slip = begin.accumulated_slip + slip;
+  result.slip_rate = last_rate_ = length > 0.0 ? slip / length : 0.0;
+  if (fixed_) {
+    const double along = stick * dot(result.normal, result.normal);
+    result.snap_back = std::max(-result.limit.to_slip, 0.0) / along;
+  }
+  result.signature.limit = signature(result.limit, result.end.accumulated_slip, true);
+  for (std::size_t g = 0; g < static_cast<std::size_t>(potential_->leaves); ++g) {
+    const PotentialLeaf& leaf = potential_->leaf[g];
+    const PartReturn& part = parts[static_cast<std::size_t>(leaf.part)];
+    Signature::Leaf& where = result.signature.leaf[g];
+    if (!(part.pull > 0.0)) continue;
+    if (projection.lengths()[g] - leaf.factor * part.pull <= kAtZero * scale.limit &&
+        !smooth_signs_) {
+      where = Signature::kAtZero;
+    } else {
+      where = smooth_signs_ || coordinate(leaf, scale.trial) > 0.0 ? Signature::kPositive
+                                                                   : Signature::kNegative;
+    }
+  }
+  return result;
+}
+
+}  // namespace slipbench::law

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// One backward Euler step inside a straight segment, with what has to be the same along a stretch
+// for its results to be smooth functions of time.
+#pragma once
+
+#include <cstdint>
+
+#include "law/path_segment.hpp"
+#include "law/potential.hpp"
+#include "law/regime_change.hpp"
+
+namespace slipbench::law {
+
+/// The pieces that a limit is made of, at one place: all formulas in it are smooth as long as this
+/// stays the same.
+struct LimitSignature {
+  bool negative = false;    ///< F_C + F_int
+  bool capped = false;      ///< by the force limit
+  bool grips = false;       ///< the limit holds a force
+  std::uint64_t cells = 0;  ///< of all tables; signs of forces and weights, floors of values
+  friend bool operator==(const LimitSignature&, const LimitSignature&) = default;
+};
+
+/// The same of a whole step: with the regime, and where the leaves of a potential end.
+struct Signature {
+  enum Leaf : std::uint8_t { kNotPulled, kAtZero, kPositive, kNegative };
+
+  Regime regime = Regime::kOpen;
+  bool worn = false;  ///< open because the slip takes the limit as fast as it grows
+  LimitSignature limit;
+  std::array<Leaf, kComponents> leaf{};
+  friend bool operator==(const Signature&, const Signature&) = default;
+};
+
+/// The state that steps carry on.
+struct SlipPoint {
+  SlipVector held{};              ///< y [F] with a constant stiffness, else s_el [L]
+  double accumulated_slip = 0.0;  ///< [L]
+};
+
+struct SubIncrement {
+  SlipPoint end;
+  SlipVector force{};   ///< y [F]
+  SlipVector normal{};  ///< m = dP/dy [1]
+  Limit limit;
+  double slip = 0.0;       ///< of the step [L]
+  double slip_rate = 0.0;  ///< of the slip, in units of the segment [L]
+  double snap_back =
+      0.0;  ///< how steeply wear lets the limit fall, as a part of the spring's slope
+  Signature signature;
+};
+
+/// Backward Euler steps of a definition along a segment, to any fraction of it. Refers to its
+/// arguments.
+class SubIncrements {
+ public:
+  SubIncrements(const FrictionDefinition& definition, const PathSegment& segment) noexcept;
+
+  SubIncrement step(const SlipPoint& begin, double from, double to) noexcept;
+
+  /// F_lim at the fraction tau, after the accumulated slip and at the slip per segment given [L].
+  Limit limit(double tau, double accumulated_slip, double slip_rate) noexcept;
+  /// The same without slip; where that is 0, and P is homogeneous, with all motion as slip: a
+  /// coefficient that vanishes only at rest still grips.
+  double strength(double tau, double accumulated_slip) noexcept;
+  LimitSignature signature(double tau, double accumulated_slip, double slip_rate) noexcept;
+  /// True if a step with this signature can begin here: on the limit where it slips, its leaves
+  /// where the signature has them.
+  bool can_begin(const Signature& signature, const SlipPoint& at, double tau) noexcept;
+  /// What the limit leaves to the force, as a part of the limit.
+  double holds(const SlipPoint& at, double tau) noexcept;
+  /// True if the force is beyond the limit, as after a jump of it.
+  bool beyond(const SlipPoint& at, double tau) noexcept;
+  /// Takes rounding away: on the limit where it slips, not beyond it elsewhere.
+  void settle(Regime regime, double tau, double slip_rate, SlipPoint* point) noexcept;
+
+  /// y [F] of a state.
+  SlipVector force(const SlipPoint& at, double tau, double slip_rate) noexcept;
+  const Potential& potential() const { return *potential_; }
+  bool fixed() const { return fixed_; }
+  /// True if the limit follows the rate of the slip, and if the slip follows that limit.
+  bool by_rate() const { return by_rate_; }
+  bool viscous() const { return viscous_; }
+  /// kappa [F/L] or g_c [L].
+  double stick(double tau) const { return points_.stick(tau); }
+  const SlipVector& motion() const { return motion_; }  ///< ds of the segment [L]
+  double length() const { return length_; }             ///< |ds| [L]
+
+ private:
+  LimitSignature signature(const Limit& limit, double accumulated_slip, bool grips) noexcept;
+  /// The potential's own measure of what is held, and its bound.
+  double measure(const SlipPoint& at, double tau, double limit) const noexcept;
+  double bound(double tau, double limit) const noexcept;
+
+  const FrictionDefinition& definition_;
+  Potential norm_;  ///< of a Euclidean criterion
+  const Potential* potential_;
+  SlipVector motion_;
+  double length_;
+  SegmentPoints points_;
+  double inverse_duration_;
+  double least_;             ///< P(0): a limit has to exceed it
+  double no_contact_ = 0.0;  ///< F_N up to here is the rounding of F_C + F_int [F]
+  bool fixed_;
+  bool closed_;
+  bool smooth_signs_;  ///< P is smooth where a leaf passes 0
+  bool varies_with_slip_;
+  bool by_rate_;
+  bool viscous_;  ///< the limit follows the rate of the slip, and the spring does not the limit
+  double last_rate_ = 0.0;  ///< of the last step that slipped
+};
+
+}  // namespace slipbench::law
