@@ -126,13 +126,6 @@ std::optional<ExactRefusal> refuse_exact(const Case& problem) {
       changed.law = change.law;
       changed.stick = change.stick;
       if (auto refusal = refuse_definition(of.name, changed)) return refusal;
-      if (law::continuous_method(of.law) == law::ContinuousMethod::kExtrapolation ||
-          law::continuous_method(changed) == law::ContinuousMethod::kExtrapolation) {
-        return ExactRefusal{"friction '" + of.name + "' changes in step '" + step.name +
-                                "' while it has a potential or a viscous coefficient: exact "
-                                "integration follows such a change for the other laws only",
-                            "use backward_euler and small increments"};
-      }
     }
   }
   return std::nullopt;

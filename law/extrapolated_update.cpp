@@ -131,7 +131,10 @@ class Pieces {
         if (to - tau_ > 1e3 * shortest) flickers = 0;
         take(run, to);
         // Long sub-increments may have seen what is not there.
-        if (to == event) event = 2.0;
+        if (to == event) {
+          event = 2.0;
+          step = 1.0;
+        }
         again = true;
       }
     }
@@ -284,7 +287,9 @@ class Pieces {
     LimitSignature limit = steps_.signature(ahead, at_.accumulated_slip, slip_rate);
     // Where wear takes a limit as fast as it grows there is none to begin with.
     if (signature.worn) {
-      limit.grips = !(steps_.strength(from, at_.accumulated_slip) <= kWorn * scale_);
+      // An elastic slip grips first whatever the limit, if only its steps are short enough.
+      if (!steps_.fixed()) return false;
+      limit.grips = !(steps_.reserve(from, at_.accumulated_slip) <= kWorn * scale_);
     }
     return limit == signature.limit &&
            (signature.regime != Regime::kOpen || regime_ == Regime::kOpen) &&
@@ -328,8 +333,8 @@ class Pieces {
   void cross(double to) noexcept {
     Run run;
     run.last = steps_.step(at_, tau_, to);
-    const double least = std::min(steps_.strength(tau_, at_.accumulated_slip),
-                                  steps_.strength(to, run.last.end.accumulated_slip));
+    const double least = std::min(steps_.reserve(tau_, at_.accumulated_slip),
+                                  steps_.reserve(to, run.last.end.accumulated_slip));
     // A limit that vanishes for an instant loses the grip, too.
     const bool lost = regime_ != Regime::kOpen &&
                       (negative_ != run.last.signature.limit.negative ||

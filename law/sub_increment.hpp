@@ -63,6 +63,10 @@ class SubIncrements {
   /// The same without slip; where that is 0, and P is homogeneous, with all motion as slip: a
   /// coefficient that vanishes only at rest still grips.
   double strength(double tau, double accumulated_slip) noexcept;
+  /// By how much that exceeds P(0), which it has to.
+  double reserve(double tau, double accumulated_slip) noexcept {
+    return strength(tau, accumulated_slip) - least_;
+  }
   LimitSignature signature(double tau, double accumulated_slip, double slip_rate) noexcept;
   /// True if a step with this signature can begin here: on the limit where it slips, its leaves
   /// where the signature has them.

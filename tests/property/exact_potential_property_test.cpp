@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// Exact integration of potentials and viscous laws does not depend on the number of increments.
+#include <algorithm>
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "law/potential_terms.hpp"
+#include "law/uniqueness.hpp"
+#include "tests/support/dice.hpp"
+#include "tests/support/exact_run.hpp"
+#include "tests/support/law_tables.hpp"
+
+namespace {
+
+using namespace slipbench::law;
+using namespace slipbench::test;
+
+struct Draw {
+  FrictionDefinition definition;
+  std::vector<Waypoint> corners;
+  std::string name;
+};
+
+/// Rows of random ordinates over knots.
+Rows rows_over(Dice* dice, double low, double high, const std::vector<double>& knots) {
+  Rows rows;
+  for (const double knot : knots) rows.push_back({dice->between(low, high), knot});
+  return rows;
+}
+
+/// A maximum or sum over two or three components, one of them perhaps one-sided; or the
+/// norm with a coefficient that rises with the rate.
+Draw draw(std::uint64_t seed) {
+  Dice dice(seed);
+  Draw d;
+  FrictionDefinition& f = d.definition;
+  const double force = dice.one_of(std::vector<double>{50.0, 1000.0});
+  const bool viscous = dice.chance(0.35);
+  const int dimension = viscous ? 1 + dice.pick(2) : 2 + dice.pick(2);
+  if (viscous) {
+    d.name = "viscous";
+    f.slip.dimension = dimension;
+    for (int i = 0; i < dimension; ++i) f.slip.component[static_cast<std::size_t>(i)] = i;
+    const double mu = dice.between(0.05, 0.3);
+    const double middle = dice.between(0.1, 1.0);
+    f.law = TabularCoefficient{
+        make_function({{mu, 0.0}, {mu + 0.08 * middle, middle}, {mu + 0.3, 4.0}}, {kOverSlipRate})};
+  } else {
+    std::vector<PotentialContribution> terms;
+    for (int i = 0; i < dimension; ++i) {
+      PotentialContribution term;
+      term.of = i;
+      term.scale = dice.between(0.5, 2.0);
+      terms.push_back(term);
+    }
+    if (dice.chance(0.2)) terms[0].function = ContributionFunction::kMacauley;
+    const bool maximum = dice.chance(0.5);
+    const double exponent = dice.one_of(std::vector<double>{1.0, 1.0, 1.5, 3.0});
+    d.name = maximum ? "maximum" : "sum " + std::to_string(exponent);
+    const BuiltPotential built = build_potential(
+        terms, maximum ? PotentialOperator::kMax : PotentialOperator::kSum, exponent);
+    f.slip = built.slip;
+    f.criterion = built.criterion;
+    switch (dice.pick(3)) {
+      case 0:
+        f.law = ConstantCoefficient{dice.between(0.05, 0.6)};
+        break;
+      case 1:
+        f.law = TabularCoefficient{make_function(
+            rows_over(&dice, 0.05, 0.5, {0.0, 0.3 * force, 0.8 * force}), {kOverContactForce})};
+        break;
+      default:
+        f.law = TabularCoefficient{
+            make_function(rows_over(&dice, 0.05, 0.5, {20.0, 70.0}), {kOverTemperature})};
+    }
+    if (dice.chance(0.25)) f.force_limit = dice.between(0.05, 0.3) * force;
+  }
+  if (dice.chance(0.6)) {
+    const double worn = dice.between(0.2, 1.5);
+    f.internal_contact_force = make_function({{force * dice.between(0.8, 1.2), 0.0},
+                                              {force * dice.between(0.3, 0.8), 0.4 * worn},
+                                              {dice.chance(0.4) ? 0.0 : 0.2 * force, worn}},
+                                             {kOverAccumulatedSlip});
+  } else {
+    f.internal_contact_force = dice.between(0.2, 1.0) * force;
+  }
+  f.contact_force = ComponentContactForce{5};
+  const double elastic = dice.one_of(std::vector<double>{1e-3, 0.01, 0.1});
+  f.stick = !viscous && dice.chance(0.5)
+                ? StickStiffness{StickStiffness::Mode::kElasticSlip, elastic}
+                : StickStiffness{StickStiffness::Mode::kStiffness, 0.2 * force / elastic};
+
+  const double stride = dice.one_of(std::vector<double>{0.1, 0.5});
+  Waypoint here;
+  here.temperature = 20.0;
+  here.force[5] = dice.between(-force, force);
+  d.corners.push_back(here);
+  for (int n = 0; n < 3; ++n) {
+    for (int i = 0; i < dimension; ++i) {
+      if (n == 0 || dice.chance(0.7)) here.position[i] = dice.between(-stride, stride);
+    }
+    if (dice.chance(0.6)) here.force[5] = dice.between(-force, force);
+    if (dice.chance(0.4)) here.temperature = dice.between(0.0, 100.0);
+    here.duration = dice.one_of(std::vector<double>{0.5, 1.0, 2.0});
+    d.corners.push_back(here);
+  }
+  return d;
+}
+
+/// Force, slip and energies at the ends of all segments.
+using Ends = std::vector<std::array<double, 6>>;
+
+struct Course {
+  Ends ends;
+  double imbalance = 0.0;  ///< of the energies, with a constant stick stiffness
+  double snap_back = 0.0;
+  bool converged = true;
+};
+
+Course follow(const Draw& d, int count) {
+  ExactRun run(d.definition, d.corners.front(), 1e-10);
+  Course course;
+  for (std::size_t n = 1; n < d.corners.size(); ++n) {
+    for (int i = 1; i <= count; ++i) {
+      Waypoint to = d.corners[n];
+      const Waypoint& from = d.corners[n - 1];
+      const auto mix = [&](double a, double b) {
+        return i == count || a == b ? b : a + (b - a) * i / count;
+      };
+      for (int c = 0; c < kComponents; ++c) {
+        to.position[c] = mix(from.position[c], to.position[c]);
+        to.force[c] = mix(from.force[c], to.force[c]);
+      }
+      to.temperature = mix(from.temperature, to.temperature);
+      to.duration /= count;
+      run.go(to);
+      course.snap_back = std::max(course.snap_back, run.last.snap_back);
+      course.converged = course.converged && run.last.converged;
+    }
+    const auto& y = run.state.force;
+    course.ends.push_back(
+        {y[0], y[1], y[2], run.state.accumulated_slip, run.dissipation, run.last.stored_energy});
+    if (d.definition.stick.mode == StickStiffness::Mode::kStiffness) {
+      course.imbalance =
+          std::max(course.imbalance,
+                   std::abs(run.work - run.dissipation - run.last.stored_energy) /
+                       (std::abs(run.work) + run.dissipation + run.last.stored_energy + 1e-12));
+    }
+  }
+  return course;
+}
+
+/// The largest difference as a part of the range of its quantity over the run.
+double apart(const Ends& a, const Ends& b) {
+  double worst = 0.0;
+  for (std::size_t q = 0; q < 6; ++q) {
+    double low = 0.0;
+    double high = 0.0;
+    for (const auto& end : a) {
+      low = std::min(low, end[q]);
+      high = std::max(high, end[q]);
+    }
+    const double range = std::max(high - low, 1e-9);
+    for (std::size_t n = 0; n < a.size(); ++n) {
+      worst = std::max(worst, std::abs(a[n][q] - b[n][q]) / range);
+    }
+  }
+  return worst;
+}
+
+TEST_CASE("potentials and viscous laws do not see the number of increments") {
+  int judged = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const Draw d = draw(seed);
+    const Course one = follow(d, 1);
+    const Course three = follow(d, 3);
+    // Where the force would jump there is no continuous solution, and teeth of a saw without number
+    // are not followed; both are told.
+    if (one.snap_back >= 1.0 || !one.converged || !three.converged) continue;
+    ++judged;
+    CAPTURE(seed, d.name);
+    CHECK(apart(one.ends, three.ends) <= 1e-9);
+    CHECK(one.imbalance <= 1e-9);
+    CHECK(three.imbalance <= 1e-9);
+  }
+  CHECK(judged >= 52);
+}
+
+}  // namespace
