@@ -48,6 +48,6 @@ plot \
   for [d=1:DEFINITIONS] $MARKS using (mark(d, 1, $3)):(base(d) - 0.09) with points pointtype 8 pointsize 1 linewidth 1.4 \
     linecolor rgb ink title (d == 1 ? "sticks from here" : ""), \
   for [d=1:DEFINITIONS] $MARKS using (mark(d, 0, $3)):(base(d) - 0.09) with points pointtype 2 pointsize 1 linewidth 1.4 \
-    linecolor rgb ink title (d == 1 && OPENS ? "lifts off" : "")
+    linecolor rgb ink title (d == 1 && OPENS ? "no friction from here" : "")
 unset multiplot
 unset output

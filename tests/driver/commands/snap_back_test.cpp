@@ -80,6 +80,23 @@ TEST_CASE("integration: {snap_back: jump} goes on, and names the energy lost") {
   CHECK(has(slipbench(folder, "run worn.yaml --explain 1.75").output, "slip -> jump"));
 }
 
+TEST_CASE("exact integration ends at the same place, and loses the same energy") {
+  const TemporaryFolder folder;
+  folder.write("worn.yaml", worn("integration: {method: exact}\n"));
+  const Ended stopped = slipbench(folder, "run worn.yaml");
+  INFO(stopped.output);
+  CHECK(stopped.code == 3);
+  CHECK(has(stopped.output,
+            "step 'out', t = 1.75 (total time 1.75): definition 'pad': the force "
+            "would jump at constant motion (snap-back)"));
+  folder.write("worn.yaml", worn("integration: {method: exact, snap_back: jump}\n"));
+  const Ended run = slipbench(folder, "run worn.yaml");
+  INFO(run.output);
+  CHECK(run.code == 0);
+  CHECK(has(run.output, "\n  375.0 mJ were lost in 1 jump (snap-back), the first at t = 1.5 s\n"));
+  CHECK_FALSE(has(run.output, "warning"));
+}
+
 TEST_CASE("a cell that makes the bound and that no run reaches is named, and does not end it") {
   const TemporaryFolder folder;
   folder.write("far.yaml",
