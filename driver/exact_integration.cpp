@@ -32,6 +32,14 @@ std::optional<ExactRefusal> refuse_definition(const std::string& name,
             "stiffness: the continuous force would jump, there is none to follow",
         "use backward_euler, or slip_rate: relative_motion, or an allowable elastic slip"};
   }
+  if (*why == law::NoContinuousSolution::kShiftWithElasticSlip) {
+    return ExactRefusal{
+        whose +
+            "a shifted potential over an allowable elastic slip, whose limit changes with the "
+            "slip: "
+            "what elastic slip is allowed changes with it, and exact integration does not follow",
+        "use backward_euler, or a constant stick stiffness"};
+  }
   return ExactRefusal{whose +
                           "the accumulated slip of an increment's start depends on the "
                           "increments, and exact integration does not",

@@ -649,7 +649,9 @@ tl::expected<void, SimulationFailure> Simulation::judge(std::size_t definition) 
   }
   if (!row.update.converged) {
     return tl::unexpected(numerical_failure(
-        definition, "the return to the limit surface of its potential found no solution"));
+        definition, exact_ ? "stick, slip and lift-off change too often within the increment for "
+                             "exact integration; use backward_euler"
+                           : "the return to the limit surface of its potential found no solution"));
   }
   if (row.update.snap_back >= 1.0 && case_->integration.snap_back == SnapBackAction::kStop) {
     return tl::unexpected(snap_back_failure(definition));

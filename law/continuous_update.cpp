@@ -20,6 +20,13 @@ std::optional<NoContinuousSolution> no_continuous_solution(const FrictionDefinit
       depends_on_accumulated_slip(definition.internal_contact_force)) {
     return NoContinuousSolution::kWearAtStart;
   }
+  const auto* potential = std::get_if<Potential>(&definition.criterion);
+  const bool by_slip =
+      depends_on_accumulated_slip(definition.internal_contact_force) ||
+      (definition.slip_rate == SlipRateMeasure::kSlip && depends_on_slip_rate(definition.law));
+  if (!fixed && by_slip && potential != nullptr && !potential->homogeneous) {
+    return NoContinuousSolution::kShiftWithElasticSlip;
+  }
   return std::nullopt;
 }
 

@@ -415,6 +415,19 @@ TEST_CASE("what has no continuous solution is known beforehand") {
   CHECK_FALSE(no_continuous_solution(worn));
   worn.accumulated_slip = AccumulatedSlipTiming::kStart;
   CHECK(no_continuous_solution(worn) == NoContinuousSolution::kWearAtStart);
+  worn.accumulated_slip = AccumulatedSlipTiming::kEnd;
+  worn.stick = allowable_slip(0.01);
+  Potential shifted;
+  shifted.parts = shifted.leaves = 1;
+  shifted.leaf[0].direction[0] = 1.0;
+  worn.criterion = shifted;
+  CHECK_FALSE(no_continuous_solution(worn));
+  shifted.leaf[0].center = 1.0;
+  shifted.homogeneous = false;
+  worn.criterion = shifted;
+  CHECK(no_continuous_solution(worn) == NoContinuousSolution::kShiftWithElasticSlip);
+  worn.stick = fixed_stiffness(1000.0);
+  CHECK_FALSE(no_continuous_solution(worn));
 }
 
 TEST_CASE("the force on a falling coefficient with an elastic slip follows the rate of the slip") {
