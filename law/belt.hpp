@@ -51,11 +51,39 @@ inline double wrap_angle(const Point& a, const Point& b, const Point& c) {
                           std::hypot(sum[0], sum[1], sum[2]));
 }
 
+/// Least part of its initial length that the segment between the nodes may shrink to [1].
+inline constexpr double kShortestPart = 0.01;
+
+/// A turn of the belt about its ring that is followed through whole turns: by `angle` [1], with its
+/// sign, about a unit axis; the axis is 0 while the belt is straight or turns right back.
+struct BeltTurn {
+  double angle = 0.0;
+  Point axis{};
+};
+
+/// Returns the turn that three nodes and a number of whole half turns make: the angle lies between
+/// `half_turns` pi and (half_turns + 1) pi.
+BeltTurn begin_turn(int half_turns, const Point& a, const Point& b, const Point& c);
+
+/// Returns the turn after the nodes have moved: of all that nodes in these places may stand for,
+/// the one next to `before`. Through a straight line it goes on, since the axis keeps its direction
+/// there; a motion around the line turns the axis instead, and the angle comes back. Between two
+/// calls the turn must change by less than half a turn, its axis by less than a right angle.
+BeltTurn follow_turn(const BeltTurn& before, const Point& a, const Point& b, const Point& c);
+
 /// A belt segment at one instant.
 struct BeltSegment {
   double reference_length = 0.0;  ///< l_ref [L]
   double strain = 0.0;            ///< [1]
   double wrap_angle = 0.0;        ///< alpha of the first ring [1]
+};
+
+/// The segment behind a ring, of a length that stays.
+struct SegmentBehind {
+  double reference_length = 0.0;  ///< [L]
+  double strain = 0.0;            ///< [1]
+  double flow = 0.0;              ///< out at its end, which is into the next segment [L]
+  double flow_before = 0.0;       ///< the same where the increment began
 };
 
 }  // namespace slipbench::law

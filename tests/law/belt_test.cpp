@@ -53,4 +53,51 @@ TEST_CASE("material that flows in at a slackens the segment, what leaves at b ti
   CHECK(reference_length(start, 2.5, 2.5) == start);
 }
 
+/// c on a circle about b, at `angle` from the prolonged segment ab.
+Point at(double angle) { return {std::cos(angle), std::sin(angle), 0.0}; }
+constexpr Point kA{-2, 0, 0};
+constexpr Point kB{0, 0, 0};
+
+TEST_CASE("half turns say which of all angles of the nodes is meant") {
+  for (int half = 0; half < 7; ++half) {
+    for (const double part : {0.1, 0.5, 0.9}) {
+      const double angle = (half + part) * pi;
+      CHECK(begin_turn(half, kA, kB, at(angle)).angle == Approx(angle).epsilon(1e-14));
+    }
+  }
+  CHECK(begin_turn(2, kA, kB, at(0.0)).angle == 2 * pi);
+  CHECK(begin_turn(1, kA, kB, {-5, 0, 0}).angle == Approx(pi).epsilon(1e-15));
+}
+
+TEST_CASE("a turn is followed through turns and straight lines, to and fro") {
+  for (const double begin : {0.4, 2.0, 4.0, 7.5}) {
+    BeltTurn turn = begin_turn(static_cast<int>(begin / pi), kA, kB, at(begin));
+    double angle = begin;
+    const auto go = [&](double to, double step) {
+      while (std::abs(to - angle) > 1e-9) {
+        angle += std::copysign(std::min(step, std::abs(to - angle)), to - angle);
+        turn = follow_turn(turn, kA, kB, at(angle));
+        REQUIRE(turn.angle == Approx(angle).margin(1e-13));
+      }
+    };
+    // Steps that hit multiples of pi, and steps that do not.
+    go(std::ceil(begin / pi) * pi, 0.3);
+    go(6 * pi, pi / 8);
+    go(-2 * pi, 0.37);
+    go(begin, 1.5);
+  }
+}
+
+TEST_CASE("around a straight line the axis turns and the angle comes back") {
+  // c circles about the prolonged segment at 0.3 from it: the angle stays.
+  const auto beside = [](double round) {
+    return Point{std::cos(0.3), std::sin(0.3) * std::cos(round), std::sin(0.3) * std::sin(round)};
+  };
+  BeltTurn turn = begin_turn(2, kA, kB, beside(0.0));
+  for (double round = 0.1; round < 7.0; round += 0.1) {
+    turn = follow_turn(turn, kA, kB, beside(round));
+    CHECK(turn.angle == Approx(2 * pi + 0.3).epsilon(1e-14));
+  }
+}
+
 }  // namespace
