@@ -48,11 +48,39 @@ std::string places_of_key(std::string_view key, std::span<const KeyRow> rows) {
 }
 
 std::optional<LaterKey> later_key(std::string_view key) {
+  static constexpr std::string_view kRetractor =
+      "a RETRACTOR is JOIN + FLOW-CONVERTER: node b sits on a (x, y, z are held, with the forces "
+      "f1, "
+      "f2, f3), and the relative turn about axis 3 of a spools belt, e3a.(theta_a - theta_b) = "
+      "beta_s "
+      "Psi_b, under the moment m3; nothing is free, so there is no friction and nothing to test "
+      "here; "
+      "the belt itself is a SLIPRING, whose flow CP3 or CP2 takes what the spool gives";
   static constexpr std::array kLater{
       LaterKey{"adaptive", "adaptive increments are not in this version; give their number",
                "increments"},
       LaterKey{"calibrate", "belongs to a fit file: slipbench calibrate FIT.yaml"},
-      LaterKey{"sweep", "sweeps are not in this version"}};
+      LaterKey{"sweep", "sweeps are not in this version"},
+      LaterKey{
+          "plasticity",
+          "a connector of this bench has no plasticity: it tests friction, and what acts beside "
+          "friction (elasticity, damping, stops) does not change with what was; leave it out"},
+      LaterKey{"damage",
+               "a connector of this bench has no damage: it tests friction, and what acts beside "
+               "friction (elasticity, damping, stops) does not change with what was; leave it out"},
+      LaterKey{"failure",
+               "a connector of this bench does not fail: every run goes to its end with all "
+               "components; leave it out"},
+      LaterKey{
+          "lock",
+          "a connector of this bench does not lock for good: 'stops' bound a component as long "
+          "as it is pushed against them, and friction sticks"},
+      LaterKey{
+          "uniaxial_behavior",
+          "a connector of this bench has no uniaxial behavior with loading and unloading curves: "
+          "'elasticity' takes one table over the displacement, 'damping' one over the velocity"},
+      LaterKey{"RETRACTOR", kRetractor},
+      LaterKey{"FLOW-CONVERTER", kRetractor}};
   for (const LaterKey& later : kLater) {
     if (later.name == key) return later;
   }

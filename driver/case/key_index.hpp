@@ -19,7 +19,7 @@ std::string places_of_key(std::string_view key, std::span<const KeyRow> rows);
 /// Where CP1, f1, field1 and the like are prescribed; empty for other keys.
 std::string place_of_quantity(std::string_view key);
 
-/// A key that the case format names but this version does not have.
+/// A key or connection type that is known by name, but that this version does not have.
 struct LaterKey {
   std::string_view name;
   std::string_view why;               ///< a sentence

@@ -10,6 +10,7 @@
 #include "driver/case/case_codecs.hpp"
 #include "driver/case/case_reference.hpp"
 #include "driver/case/criterion.hpp"
+#include "driver/case/key_index.hpp"
 #include "driver/case/quantity.hpp"
 #include "driver/case/resolve.hpp"
 #include "driver/commands/describe_key.hpp"
@@ -193,6 +194,13 @@ bool describe_connection(std::string_view name) {
   return found;
 }
 
+/// Describes a connection type that is known by name and cannot be run; false for other names.
+bool describe_known_type(std::string_view name) {
+  if (name != "RETRACTOR" && name != "FLOW-CONVERTER") return false;
+  tell("{} (connection type, known by name)\n  {}\n", name, later_key(name)->why);
+  return true;
+}
+
 /// Prints a text if there is one.
 bool told(const std::string& text) {
   print(text);
@@ -267,7 +275,8 @@ int list_command(const std::string& what) {
 }
 
 int describe_command(const std::string& name) {
-  if (describe_connection(name) || told(describe_law(name))) return kExitOk;
+  if (describe_connection(name) || describe_known_type(name) || told(describe_law(name)))
+    return kExitOk;
   // Other names may be those of several things.
   bool known_name = describe_closed_form(name);
   known_name = describe_quantity(name) || known_name;
