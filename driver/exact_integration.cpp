@@ -112,6 +112,12 @@ std::optional<ExactRefusal> refuse_exact(const Case& problem) {
         "does not go straight from row to row",
         "use backward_euler and small increments"};
   }
+  if (problem.belt && problem.kinetic.damping[0]) {
+    return ExactRefusal{
+        "the damping of a belt lets its tension jump where the rate of its strain does, and exact "
+        "integration joins the tensions of two rows by a straight line",
+        "use backward_euler and small increments"};
+  }
   for (const CaseDefinition& definition : problem.definitions) {
     if (definition.dead_zone) {
       return ExactRefusal{"friction '" + definition.name +

@@ -110,6 +110,7 @@ Simulation::Simulation(const Case& problem) : case_(&problem) {
   for (const CaseDefinition& definition : problem.definitions) {
     definitions_.push_back(definition.law);
     const std::size_t index = definitions_.size() - 1;
+    row_.definitions[index].behind.flow = problem.initial[1];
     if (has_floor(problem, index)) with_floor_.push_back(index);
     if (definition.dead_zone) row_.definitions[index].play = definition.dead_zone->start;
     if (definition.backward) {
@@ -179,6 +180,7 @@ tl::expected<Simulation, SimulationFailure> Simulation::resume(const Case& probl
     definition.jumps = state.definitions[i].jumps;
     definition.update.mu = state.definitions[i].mu;
     definition.play = state.definitions[i].play;
+    definition.behind = state.definitions[i].behind;
     // The walk knew no coefficients, so not what a change of friction in progress set out from.
     law::CoefficientBlend& blend = simulation.definitions_[i].blend;
     if (blend.weight != 1.0) blend.start = state.definitions[i].mu_start;
@@ -219,7 +221,7 @@ SimulationState Simulation::state() const {
     const DefinitionRow& definition = row_.definitions[i];
     state.definitions.push_back({definition.update.state, definition.dissipation, definition.work,
                                  definition.lost, definition.jumps, definition.update.mu,
-                                 definitions_[i].blend.start, definition.play});
+                                 definitions_[i].blend.start, definition.play, definition.behind});
   }
   return state;
 }
@@ -364,7 +366,12 @@ void Simulation::note_thresholds() {
       const auto a = static_cast<std::size_t>(k);
       const int c = slip.component[a];
       // A definition with a dead zone has one component.
-      const double ds = slip.scale[a] * (end.position[c] - row_.begin[c] - row.travel);
+      double moved = end.position[c] - row_.begin[c] - row.travel;
+      if (i > 0 && case_->belt && !case_->belt->lengths.empty()) {
+        const law::SegmentBehind& before = row_.definitions[i - 1].behind;
+        moved = before.flow - before.flow_before;
+      }
+      const double ds = slip.scale[a] * moved;
       square += ds * ds;
     }
     row.thresholds = law::increment_thresholds(
@@ -615,8 +622,11 @@ tl::expected<void, SimulationFailure> Simulation::update_definitions() {
       here.jumps += here.update.jumps;
     }
     if (auto judged = judge(i); !judged) return judged;
-    // The next ring of a belt meets the tension that this one leaves.
-    if (case_->belt) increment.force[0] = law::tension_behind(here.update);
+    if (!case_->belt) continue;
+    if (auto fault = move_behind(*case_, i, row_)) {
+      return tl::unexpected(numerical_failure(i, *fault));
+    }
+    meet_next_ring(*case_, i, row_, increment);
   }
   note_raw_coefficients();
   if (has_forces_) return take_forces();

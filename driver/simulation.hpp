@@ -52,6 +52,7 @@ struct DefinitionRow {
   double play = 0.0;      ///< of a dead zone, at the end of the increment [L], [1]
   double travel = 0.0;    ///< of the play in the increment: motion that the friction does not see
   bool backward = false;  ///< whether the coefficient of backward slip was in force
+  law::SegmentBehind behind;  ///< of a ring, where the segments' lengths are known
 };
 
 /// The result of one increment. Row 0 is the initial state: forces, temperature and fields as the
@@ -66,6 +67,7 @@ struct Row {
   law::RelativePosition begin;             ///< CP where the increment began
   Quantities quantities{};                 ///< at its end
   law::BeltSegment belt;                   ///< of a SLIPRING, at its end
+  law::BeltTurn turn;                      ///< of a belt whose angle follows its nodes
   ConnectorForces forces;                  ///< beside friction, where the case has any
   std::vector<DefinitionRow> definitions;  ///< in the order of the case's definitions
 };
@@ -79,9 +81,10 @@ struct SimulationState {
     double work = 0.0;
     double lost = 0.0;
     std::int64_t jumps = 0;
-    double mu = 0.0;        ///< coefficient of the last increment
-    double mu_start = 0.0;  ///< that a change of friction in progress sets out from
-    double play = 0.0;      ///< of a dead zone
+    double mu = 0.0;                 ///< coefficient of the last increment
+    double mu_start = 0.0;           ///< that a change of friction in progress sets out from
+    double play = 0.0;               ///< of a dead zone
+    law::SegmentBehind behind = {};  ///< of a ring
   };
   std::int64_t increments = 0;  ///< position in the history
   std::vector<Definition> definitions;

@@ -159,7 +159,9 @@ FrictionUpdate update_capstan(const FrictionDefinition& definition,
 FrictionUpdate judge_capstan(const FrictionDefinition& definition,
                              const ConnectorIncrement& increment, double tension_behind) noexcept {
   FrictionUpdate result;
-  const double tension = evaluate(definition.contact_force, increment.force, increment.end);
+  // A slack belt carries nothing, however negative the tension that is asked of it.
+  const double tension =
+      std::max(evaluate(definition.contact_force, increment.force, increment.end), 0.0);
   const double y = tension_behind - tension;
   const CapstanLimit limit(definition, increment, 0.0,
                            y < 0.0 ? FlowSense::kBackward : FlowSense::kForward);
@@ -196,7 +198,7 @@ double capstan_utilisation(const FrictionUpdate& update, double wrap_angle) noex
 }
 
 double tension_behind(const FrictionUpdate& update) noexcept {
-  return std::max(update.contact_force + update.state.force[0], 0.0);
+  return std::max(std::max(update.contact_force, 0.0) + update.state.force[0], 0.0);
 }
 
 }  // namespace slipbench::law

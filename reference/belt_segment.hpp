@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
@@ -11,11 +12,11 @@
 /// Strain of the belt between two slip rings through which material flows.
 ///
 /// Formula   l_ref = d(0)/d_p + Psi_a - Psi_b, d_p = 1 + initial strain; strain = d/l_ref - 1;
-///           tension = EA strain.
+///           tension = EA strain, 0 where that is negative.
 /// Symbols   d distance of the nodes [L], l_ref reference length of the material between them [L],
 ///           Psi_a flow in at a, Psi_b flow out at b [L], d_p initial stretch [1], EA axial
 ///           stiffness [F].
-/// Sign      flows count from their first value; tension is positive, a negative one means slack.
+/// Sign      flows count from their first value; a segment of negative strain is slack.
 /// Source    connector-friction specification, section 2.2.
 /// Range     d, l_ref > 0, EA >= 0, initial strain > -1; each row by itself. A segment from which
 ///           all material has flowed out has an infinite strain.
@@ -49,7 +50,7 @@ inline constexpr std::array kInputs{Signal{"distance", "L", "distance of the two
 inline constexpr std::array kOutputs{
     Signal{"strain", "1", "strain of the belt"},
     Signal{"reference_length", "L", "unstrained length of the material in the segment"},
-    Signal{"stretch", "1", "1 + strain"}, Signal{"tension", "F", "EA times strain"}};
+    Signal{"stretch", "1", "1 + strain"}, Signal{"tension", "F", "EA times strain, not negative"}};
 
 inline PathEvaluator make(std::span<const std::vector<double>> values) {
   return
@@ -61,7 +62,7 @@ inline PathEvaluator make(std::span<const std::vector<double>> values) {
             reference_length(first[0], initial_strain, inputs[1] - first[1], inputs[2] - first[2]);
         outputs[0] = strain(inputs[0], outputs[1]);
         outputs[2] = inputs[0] / outputs[1];
-        outputs[3] = stiffness * outputs[0];
+        outputs[3] = stiffness * std::max(outputs[0], 0.0);
       };
 }
 

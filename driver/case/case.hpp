@@ -46,11 +46,15 @@ struct PickedPair {
 
 /// The belt of a SLIPRING connector; the wrap angles are the connection type's.
 struct Belt {
-  /// Initial positions of a, b, c: the distance CP1 and the wrap angle follow from them.
+  /// Initial positions of a, b, c: the distance CP1 follows from them.
   std::optional<std::array<law::Point, 3>> nodes;
   bool nodes_move = false;
+  bool angle_from_nodes = false;  ///< else it is given
+  /// The angle follows the nodes through whole turns, from so many half turns on.
+  std::optional<int> half_turns;
   double initial_strain = 0.0;
-  bool has_length = false;  ///< the distance is known, and so reference length and strain
+  bool has_length = false;      ///< the distance is known, and so reference length and strain
+  std::vector<double> lengths;  ///< of the segments behind the rings [L]; empty: not modelled
   bool both_tensions =
       false;  ///< f_bc is prescribed beside f1: stick is judged, no flow integrated
 };

@@ -79,6 +79,8 @@ struct ConnectorText {
   NamedMap<double> initial;
   At<NumberOrList> wrap_angle;
   At<NodesText> nodes;
+  At<int> half_turns;
+  At<std::vector<double>> lengths;
   At<double> initial_strain = default_of(0.0);
   At<double> area;
   At<double> friction_radius;
@@ -108,9 +110,20 @@ struct ConnectorText {
                 .bounds = law::kNotNegative});
     key("nodes", &ConnectorText::nodes,
         KeyInfo{.text =
-                    "SLIPRING: positions of the nodes, in place of the wrap angle; the distance "
-                    "CP1 follows from them too.",
-                .default_text = "from wrap_angle"});
+                    "SLIPRING: positions of the nodes: the distance CP1 follows from them, and the "
+                    "wrap angle where it is not given.",
+                .default_text = "none: initial CP1, wrap_angle"});
+    key("half_turns", &ConnectorText::half_turns,
+        KeyInfo{.text = "SLIPRING with nodes: whole half turns of the belt on its ring at the "
+                        "start; its angle follows the nodes from there, of any size.",
+                .default_text = "the angle stays within half a turn",
+                .bounds = {.lower = 0, .upper = 1000}});
+    key("lengths", &ConnectorText::lengths,
+        KeyInfo{.text = "SLIPRING: length of the segment behind each ring, in the belt's order; "
+                        "flows and strains of these segments then follow.",
+                .default_text = "not modelled: all rings share one flow",
+                .dimension = kLength,
+                .bounds = law::kPositive});
     key("initial_strain", &ConnectorText::initial_strain,
         KeyInfo{.text = "SLIPRING: strain of the belt between a and b at the start.",
                 .default_text = "0",

@@ -28,6 +28,8 @@ constexpr std::array kExamples{
     Example{"reference", "{CP1: 0.5}"},
     Example{"initial", "{CP1: 0.5}"},
     Example{"wrap_angle", "= pi"},
+    Example{"half_turns", "2"},
+    Example{"lengths", "[300, 250]"},
     Example{"nodes.a", "[0, 0, 0]"},
     Example{"nodes.b", "[100, 0, 0]"},
     Example{"nodes.c", "[100, 80, 0]"},

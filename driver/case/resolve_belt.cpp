@@ -58,16 +58,19 @@ void read_nodes(Binder& binder, const At<NodesText>& text, law::SlipRing& ring, 
   const auto c = point(binder, text.value.c);
   if (!a || !b || !c) return;
   out.belt->nodes = {{*a, *b, *c}};
+  const bool first = !(law::distance(*a, *b) > 0.0);
   const double angle = law::wrap_angle(*a, *b, *c);
-  if (!std::isfinite(angle)) {
-    const bool first = !(law::distance(*a, *b) > 0.0);
+  if (first || (out.belt->angle_from_nodes && !std::isfinite(angle))) {
     const At<std::vector<double>>& at = first ? text.value.a : text.value.c;
     binder.error(*at.node, at.path,
                  std::string("node ") + (first ? "a" : "c") +
                      " lies on node b: the belt has no direction there");
     return;
   }
-  ring.wrap_angles = {angle};
+  if (out.belt->angle_from_nodes) {
+    const auto& turns = out.belt->half_turns;
+    ring.wrap_angles = {turns ? law::begin_turn(*turns, *a, *b, *c).angle : angle};
+  }
   out.initial[0] = out.reference[0] = law::distance(*a, *b);
 }
 
@@ -75,6 +78,20 @@ const Named<double>* initial_distance(const ConnectorText& text) {
   const auto found = std::find_if(text.initial.begin(), text.initial.end(),
                                   [](const auto& entry) { return entry.name == "CP1"; });
   return found == text.initial.end() ? nullptr : &*found;
+}
+
+/// Reads the lengths of the segments behind the rings: one a ring.
+void read_lengths(Binder& binder, const At<std::vector<double>>& text, std::size_t rings,
+                  Case& out) {
+  if (!text.sound) return;
+  if (text.value.size() != rings) {
+    binder.error(*text.node, text.path,
+                 "wanted the length of the segment behind each ring (" + std::to_string(rings) +
+                     "), found " + std::to_string(text.value.size()),
+                 "the segment between a and b is 'initial: {CP1: ..}'");
+    return;
+  }
+  out.belt->lengths = text.value;
 }
 
 /// Whether the history drives a quantity.
@@ -123,6 +140,30 @@ std::optional<double> coordinate_before(const Case& problem, int quantity) {
   return (*problem.belt->nodes)[index / 3][index % 3];
 }
 
+/// Warns of a distance that is driven below a hundredth of the initial one, or near it, as far as
+/// the text alone tells: the run says the rest.
+void warn_of_short_distance(Binder& binder, const CaseText& text, const Case& problem) {
+  const double locks = law::kShortestPart * problem.initial[0];
+  for (const Step& step : problem.steps) {
+    for (const Drive& drive : step.drives) {
+      if (drive.quantity != kDistance) continue;
+      double least = problem.initial[0];
+      if (const auto* p = std::get_if<LinearTo>(&drive.profile)) least = p->value;
+      if (const auto* p = std::get_if<SmoothTo>(&drive.profile)) least = p->value;
+      if (const auto* p = std::get_if<Tabular>(&drive.profile)) {
+        least = *std::min_element(p->values.begin(), p->values.end());
+      }
+      if (!(least < 2.0 * locks)) continue;
+      const auto [node, path] = place_of(text, &StepText::motion, "CP1");
+      binder.warning(node, path,
+                     "CP1 goes down to " + format_number(least) + " in step '" + step.name +
+                         "': below " + format_number(locks) +
+                         ", a hundredth of the initial distance, a belt locks");
+      return;
+    }
+  }
+}
+
 }  // namespace
 
 void resolve_belt(Binder& binder, const CaseText& text, Case& out) {
@@ -132,15 +173,25 @@ void resolve_belt(Binder& binder, const CaseText& text, Case& out) {
     belongs_to_slipring(binder, connector.wrap_angle, out.connection);
     belongs_to_slipring(binder, connector.nodes, out.connection);
     belongs_to_slipring(binder, connector.initial_strain, out.connection);
+    belongs_to_slipring(binder, connector.half_turns, out.connection);
+    belongs_to_slipring(binder, connector.lengths, out.connection);
     return;
   }
   out.belt.emplace().initial_strain = connector.initial_strain.value;
   auto& ring = std::get<law::SlipRing>(*out.connection.type);
-  if (connector.wrap_angle.given() && connector.nodes.given()) {
-    binder.error(*connector.wrap_angle.node, connector.wrap_angle.path,
-                 "give 'wrap_angle' or 'nodes', not both: the nodes make the angle");
-  } else if (!connector.wrap_angle.given() && !connector.nodes.given() &&
-             !has_unknown_key<ConnectorText>(*text.connector.node)) {
+  out.belt->angle_from_nodes = connector.nodes.given() && !connector.wrap_angle.given();
+  if (connector.half_turns.sound && out.belt->angle_from_nodes) {
+    out.belt->half_turns = connector.half_turns.value;
+  } else if (connector.half_turns.sound) {
+    binder.error(*connector.half_turns.node, connector.half_turns.path,
+                 connector.nodes.given()
+                     ? "give 'wrap_angle', which then stays, or 'half_turns', from which the angle "
+                       "follows the nodes"
+                     : "without 'nodes' there is no angle to add half turns to",
+                 connector.nodes.given() ? "" : "'wrap_angle' may be of any size");
+  }
+  if (!connector.wrap_angle.given() && !connector.nodes.given() &&
+      !has_unknown_key<ConnectorText>(*text.connector.node)) {
     binder.error(*text.connector.node, text.connector.path,
                  "a SLIPRING needs 'wrap_angle' or 'nodes'",
                  "half a turn is 'wrap_angle: = pi'; the angle is never taken as 0 silently");
@@ -165,6 +216,14 @@ void resolve_belt(Binder& binder, const CaseText& text, Case& out) {
                      format_number(initial->value) + ")");
   }
   if (connector.nodes.sound) read_nodes(binder, connector.nodes, ring, out);
+  if (connector.wrap_angle.sound) {
+    read_lengths(binder, connector.lengths, ring.wrap_angles.size(), out);
+  }
+  if (connector.lengths.sound && connector.nodes.given()) {
+    binder.error(*connector.lengths.node, connector.lengths.path,
+                 "the segment behind the ring ends at node c: 'lengths' and 'nodes' say two things",
+                 "give 'initial: {CP1: ..}' and 'wrap_angle' in place of the nodes");
+  }
 }
 
 void drive_nodes(Binder& binder, const StepText& text, const Case& problem,
@@ -230,7 +289,16 @@ void finish_belt(Binder& binder, const CaseText& text, Case& out) {
       binder.error(*text.elasticity.node, text.elasticity.path,
                    "the strain of the belt is not known, and so its tension", hint);
     }
+    if (out.stop[0]) {
+      binder.error(*text.stops.node, text.stops.path,
+                   "the distance of the nodes is not known, which the stop bounds", hint);
+    }
+    if (!belt.lengths.empty()) {
+      binder.error(*connector.lengths.node, connector.lengths.path,
+                   "the length of the segment before the first ring is not known", hint);
+    }
   }
+  warn_of_short_distance(binder, text, out);
   if (belt.both_tensions) {
     if (std::get<law::SlipRing>(*out.connection.type).wrap_angles.size() > 1) {
       binder.error(*connector.wrap_angle.node, connector.wrap_angle.path,
@@ -245,6 +313,12 @@ void finish_belt(Binder& binder, const CaseText& text, Case& out) {
     }
   }
   const bool elastic = out.kinetic.elasticity[0].has_value();
+  if (out.kinetic.damping[0] && !elastic && text.damping.sound && !text.elasticity.given()) {
+    binder.error(*text.damping.node, text.damping.path,
+                 "the damping of a belt acts beside its elasticity, and this belt has none",
+                 "give 'elasticity: [{component: 1, stiffness: ..}]'; a tension that is prescribed "
+                 "needs neither");
+  }
   if (elastic && drives(out, kTension)) {
     const auto [node, path] = place_of(text, &StepText::force, "f1");
     binder.error(node, path,

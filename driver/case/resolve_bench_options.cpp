@@ -143,7 +143,7 @@ void check_directions(Binder& binder, const At<FrictionText>& friction,
 
 void resolve_bench_options(Binder& binder, const CaseText& text, Case& out) {
   const std::vector<At<FrictionText>>& all = text.friction.value;
-  const bool predefined = !all.empty() && all.front().value.predefined.given();
+  const bool predefined = all.size() == 1 && all.front().value.predefined.given();
   const bool known = !all.empty() && (predefined || all.size() == out.definitions.size());
   for (std::size_t i = 0; i < out.definitions.size() && known; ++i) {
     const At<FrictionText>& friction = predefined ? all.front() : all[i];

@@ -179,7 +179,11 @@ void read_forces(Binder& binder, const At<std::vector<At<Text>>>& list, Case& pr
     }
     const auto c = new_component(binder, text.component, problem, use.what, seen);
     if (c && is_belt(problem.connection)) {
-      binder.settle_units(at.path, kForce);  // a tension over a strain
+      // A tension over a strain or its rate, where others have a length.
+      binder.settle_units(at.path, [](Dimension over_length) {
+        ++over_length.length;
+        return over_length;
+      });
     } else if (c) {
       binder.settle_slip_units(at.path, law::is_rotation(*c));
     }
@@ -243,6 +247,11 @@ void read_stops(Binder& binder, const CaseText& text, Case& out) {
                    component_words(*c) + " already has stops");
     }
     if (c) seen.insert(*c);
+    if (c && *c != 0 && is_belt(out.connection)) {
+      binder.error(*stop.component.node, stop.component.path,
+                   "the stops of a SLIPRING bound the distance of its nodes a and b, component 1");
+      continue;
+    }
     if (c) binder.settle_slip_units(at.path, law::is_rotation(*c));
     if (!stop.lower.given() && !stop.upper.given()) {
       if (!has_unknown_key<StopText>(*at.node)) {
@@ -262,7 +271,8 @@ void read_stops(Binder& binder, const CaseText& text, Case& out) {
     }
     if (!c) continue;
     const double start = out.initial[*c];
-    if (start < value.lower || start > value.upper) {
+    const bool known = !is_belt(out.connection) || start > 0.0;
+    if ((known && start < value.lower) || start > value.upper) {
       binder.error(*at.node, at.path,
                    "the initial position " + motion_name(*c) + " = " + format_number(start) +
                        " lies beyond a stop");
@@ -411,7 +421,12 @@ void resolve_forces(Binder& binder, const CaseText& text, Case& out) {
               });
   read_forces(binder, text.damping, out, kDampingTable, "coefficient", &DampingText::coefficient,
               [&](int c, const At<DampingText>& at, auto value) {
-                if (refused_by_a_belt(binder, out, *at.node, at.path, "damping")) return;
+                if (is_belt(out.connection) && c != 0) {
+                  binder.error(*at.node, at.path,
+                               "the belt of a SLIPRING is damped in component 1 only: its tension "
+                               "over the rate of its strain");
+                  return;
+                }
                 if constexpr (std::is_same_v<decltype(value), law::TableFunction>) {
                   if (lacks(binder, value, law::IndependentKind::kSlipRate, "velocity",
                             kDampingTable, *at.node, at.path)) {
@@ -427,10 +442,7 @@ void resolve_forces(Binder& binder, const CaseText& text, Case& out) {
                 }
                 out.kinetic.damping[static_cast<std::size_t>(c)].emplace(std::move(value));
               });
-  if (text.stops.given() &&
-      !refused_by_a_belt(binder, out, *text.stops.node, text.stops.path, "stops")) {
-    read_stops(binder, text, out);
-  }
+  read_stops(binder, text, out);
   read_dynamics(binder, text, out);
 }
 

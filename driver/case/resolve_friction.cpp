@@ -238,6 +238,13 @@ std::optional<law::FrictionLaw> coefficient(Binder& binder, const FrictionText& 
   return law::FrictionLaw(law::ConstantCoefficient{0.0});
 }
 
+/// Returns whether a belt over several rings has a friction definition for each of them.
+bool has_friction_for_each_ring(const CaseText& text, const Case& problem) {
+  return is_belt(problem.connection) && text.friction.value.size() > 1 &&
+         text.friction.value.size() ==
+             std::get<law::SlipRing>(*problem.connection.type).wrap_angles.size();
+}
+
 /// One entry of `friction:` with what its definitions share.
 class Resolver {
  public:
@@ -246,7 +253,8 @@ class Resolver {
     derived_.readable = derived_.readable && derived_known;
   }
 
-  law::FrictionOutline add(const At<FrictionText>& friction) {
+  /// \param index of the entry
+  law::FrictionOutline add(const At<FrictionText>& friction, std::size_t index) {
     const FrictionText& text = friction.value;
     const Node& node = *friction.node;
     const Path& path = friction.path;
@@ -293,7 +301,7 @@ class Resolver {
     law::FrictionOutline outline;
     if (text.predefined.given()) {
       outline.form = law::FrictionForm::kPredefined;
-      predefined(friction, shared, outline);
+      predefined(friction, index, shared, outline);
     } else if (text.potential.given()) {
       outline.form = law::FrictionForm::kPotential;
       potential(text.potential, shared, outline);
@@ -437,8 +445,8 @@ class Resolver {
     return found;
   }
 
-  void predefined(const At<FrictionText>& friction, const law::FrictionDefinition& shared,
-                  law::FrictionOutline& outline) {
+  void predefined(const At<FrictionText>& friction, std::size_t index,
+                  const law::FrictionDefinition& shared, law::FrictionOutline& outline) {
     const FrictionText& text = friction.value;
     for (const auto& [given, node, path] :
          {std::tuple{text.contact_force.given(), text.contact_force.node, text.contact_force.path},
@@ -470,7 +478,9 @@ class Resolver {
               }
               note_dropped_terms(map, text.predefined.path, geometry);
               warn_mixed_units(friction, geometry);
+              const bool one_a_ring = has_friction_for_each_ring(text_, out_);
               for (law::PredefinedFriction& check : geometry.predefined()) {
+                if (one_a_ring && check.number != static_cast<int>(index) + 1) continue;
                 law::FrictionDefinition d = shared;
                 d.slip = check.slip;
                 d.contact_force = std::move(check.contact_force);
@@ -481,7 +491,7 @@ class Resolver {
                 }
                 warn_of_snap_back(binder_, d, text_, map, text.predefined.path);
                 std::string name = text.name.value;
-                if (!check.suffix.empty()) {
+                if (!check.suffix.empty() && (name.empty() || !one_a_ring)) {
                   name = (name.empty() ? "" : name + ".") + std::string(check.suffix) +
                          (check.number > 0 ? std::to_string(check.number) : std::string());
                 }
@@ -786,9 +796,22 @@ bool resolve_friction(Binder& binder, const CaseText& text, bool derived_known, 
   Resolver resolver(binder, text, derived_known, out);
   std::vector<law::FrictionOutline> outlines;
   for (const At<FrictionText>& friction : text.friction.value) {
-    outlines.push_back(resolver.add(friction));
+    outlines.push_back(resolver.add(friction, outlines.size()));
   }
   resolver.suit_laws();
+  // The rings of a belt slip in one flow.
+  if (has_friction_for_each_ring(text, out)) outlines.resize(1);
+  const bool rings_known = !text.connector.value.wrap_angle.faulty();
+  if (is_belt(out.connection) && outlines.size() > 1 && rings_known) {
+    const auto& rings = std::get<law::SlipRing>(*out.connection.type).wrap_angles;
+    binder.error(*text.friction.node, text.friction.path,
+                 "a belt over " + std::to_string(rings.size()) +
+                     (rings.size() == 1 ? " ring" : " rings") + " has one definition" +
+                     (rings.size() == 1 ? "" : ", which all rings share, or one for each") +
+                     "; found " + std::to_string(outlines.size()),
+                 "'wrap_angle' lists the angle of each ring: [= pi/2, = pi/3]");
+    return false;
+  }
   if (outlines.size() > static_cast<std::size_t>(law::kComponents)) {
     binder.error(*text.friction.node, text.friction.path,
                  "has " + std::to_string(outlines.size()) + " definitions: a connector has " +

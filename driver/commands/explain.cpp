@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "driver/belt_motion.hpp"
 #include "driver/commands/shared.hpp"
 #include "driver/connector_increment.hpp"
 #include "driver/results/coverage.hpp"
@@ -592,8 +593,7 @@ tl::expected<std::string, ExplainFailure> explain(const Case& problem, double ti
   law::ConnectorIncrement increment = connector_increment(problem, row);
   for (std::size_t d = 0; d < problem.definitions.size(); ++d) {
     text += definition_text(problem, *instant, d, increment);
-    // The next ring of a belt meets the tension that this one leaves.
-    if (problem.belt) increment.force[0] = law::tension_behind(row.definitions[d].update);
+    if (problem.belt) meet_next_ring(problem, d, row, increment);
   }
   if (problem.definitions.empty()) text += "  no friction\n";
   return text;

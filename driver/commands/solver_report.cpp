@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "driver/belt_motion.hpp"
 #include "driver/connector_increment.hpp"
 #include "driver/results/provenance.hpp"
 #include "driver/results/summary.hpp"
@@ -158,7 +159,7 @@ void SolverReport::add(const Simulation& simulation) {
         append_number(*text, number);
       }
     }
-    if (case_->belt) increment.force[0] = law::tension_behind(here.update);
+    if (case_->belt) meet_next_ring(*case_, d, row, increment);
   }
   if (text != nullptr) {
     *text += '\n';

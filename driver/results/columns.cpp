@@ -137,7 +137,7 @@ void add_forces(const Case& problem, int c, std::vector<Column>& columns) {
                 : ", CEF + CVF + CSF + CRF - CCF."),
       ColumnSource::kTotalForce);
   if (stopped) {
-    columns.push_back({"CSLST" + component_suffix(c), kNumber,
+    columns.push_back({"CSLST" + std::to_string(c + 1), kNumber,
                        "1 at the upper stop " + where + ", -1 at the lower one, else 0.",
                        ColumnSource::kStopFlag, c});
   }
@@ -182,24 +182,38 @@ void add_belt(const Case& problem, std::vector<Column>& columns) {
     add("CV1", per_time(kLength), "Mean rate of the distance over the increment.",
         ColumnSource::kVelocity, 0);
   }
+  const auto add_flow = [&](int c, const char* text) {
+    add("CU" + component_suffix(c), kLength, text, ColumnSource::kPosition, c);
+    columns.back().offset = problem.initial[c];
+  };
   add("CP2", kLength, "Flow of material over the ring at b.", ColumnSource::kPosition, 1);
+  add_flow(1, "Flow of material over the ring at b since the start.");
   add("CV2", per_time(kLength), "Mean rate of the flow at b over the increment.",
       ColumnSource::kVelocity, 1);
   add("CP3", kLength, "Flow of material into the segment at a.", ColumnSource::kPosition, 2);
+  add_flow(2, "Flow of material into the segment at a since the start.");
   add("CV3", per_time(kLength), "Mean rate of the flow at a over the increment.",
       ColumnSource::kVelocity, 2);
   if (has_length) {
     add("reference_length", kLength, "Unstrained length of the belt between a and b.",
         ColumnSource::kReferenceLength);
   }
-  if (all || problem.belt->nodes_move) {
+  if (all || (problem.belt->nodes_move && problem.belt->angle_from_nodes)) {
     add("wrap_angle", kAngle, "Angle the belt turns by at b.", ColumnSource::kWrapAngle);
   }
-  add("CTF1", kForce, "Tension f_ab of the segment between a and b.",
-      ColumnSource::kConstraintForce, 0);
+  add("CTF1", kForce, "Tension f_ab of the segment between a and b; 0 of a slack belt.",
+      ColumnSource::kBeltTension);
   if (problem.kinetic.elasticity[0]) {
     add("CEF1", kForce, "Tension of the segment from the elasticity of the belt.",
-        ColumnSource::kConstraintForce, 0);
+        ColumnSource::kElasticForce);
+  }
+  if (problem.kinetic.damping[0]) {
+    add("CVF1", kForce, "Tension of the segment from the damping of the belt.",
+        ColumnSource::kViscousForce);
+  }
+  if (problem.stop[0]) {
+    add("CSLST1", kNumber, "1 at the upper stop of the distance a-b, -1 at the lower one, else 0.",
+        ColumnSource::kStopFlag, 0);
   }
   const bool chain = problem.definitions.size() > 1;
   const int last = static_cast<int>(problem.definitions.size()) - 1;
@@ -211,6 +225,10 @@ void add_belt(const Case& problem, std::vector<Column>& columns) {
   add("CTF2", kForce, text, source, 0, chain ? -1 : 0);
   add("f_bc", kForce, chain ? "Tension behind the last ring." : "Tension behind the ring.",
       ColumnSource::kRingTension, 0, last);
+  if (all || !problem.belt->lengths.empty()) {
+    add("flow_c", kLength, "Flow of material out at the end of the belt's last segment.",
+        ColumnSource::kFlowBehind, 0, last);
+  }
   if (all || problem.belt->both_tensions) {
     add("UTILISATION", kNumber, "Of a belt abs(ln(f_bc/f_ab))/(mu alpha): it sticks below 1.",
         ColumnSource::kUtilisation, 0, last);
@@ -353,6 +371,18 @@ void add_definition(const Case& problem, int d, std::vector<Column>& columns) {
       add("CSF2" + ring, force, "Friction force of the ring.", ColumnSource::kFrictionForce);
       add("f_bc" + ring, force, "Tension behind the ring.", ColumnSource::kRingTension);
     }
+    if (is_belt(problem.connection) && (!problem.belt || !problem.belt->lengths.empty())) {
+      if (d > 0) {
+        columns.push_back({"CP2" + ring, slip, "Flow of material over the ring.",
+                           ColumnSource::kFlowBehind, 0, d - 1});
+      }
+      add("length_bc" + ring, slip, "Length of the segment behind the ring.",
+          ColumnSource::kLengthBehind);
+      add("reference_length_bc" + ring, slip, "Unstrained length of the segment behind the ring.",
+          ColumnSource::kMaterialBehind);
+      add("strain_bc" + ring, kNumber, "Strain of the segment behind the ring.",
+          ColumnSource::kStrainBehind);
+    }
     add(force_column("CNF", c) + ring, force,
         is_belt(problem.connection) ? "Tension in front of the ring, its contact force."
                                     : "Effective normal force of the definition.",
@@ -397,7 +427,7 @@ std::optional<Column> by_name(std::span<const Column> columns, std::string_view 
 
 /// The wrap angle of a ring in a row.
 double ring_angle(const Case& problem, const Row& row, std::size_t definition) {
-  if (problem.belt && problem.belt->nodes) return row.belt.wrap_angle;
+  if (problem.belt && problem.belt->angle_from_nodes) return row.belt.wrap_angle;
   return std::get<law::Capstan>(problem.definitions[definition].law.criterion).wrap_angle;
 }
 
@@ -552,6 +582,8 @@ double column_value(const Column& column, const Case& problem, const Row& row) {
       return row.forces.external_work;
     case ColumnSource::kStrain:
       return row.belt.strain;
+    case ColumnSource::kBeltTension:
+      return std::max(row.quantities[kFirstForce], 0.0);
     case ColumnSource::kReferenceLength:
       return row.belt.reference_length;
     case ColumnSource::kWrapAngle:
@@ -570,6 +602,14 @@ double column_value(const Column& column, const Case& problem, const Row& row) {
   switch (column.source) {
     case ColumnSource::kFrictionForce:
       return slip.scale[index] * here.update.state.force[index];
+    case ColumnSource::kLengthBehind:
+      return problem.belt->lengths[d];
+    case ColumnSource::kMaterialBehind:
+      return here.behind.reference_length;
+    case ColumnSource::kStrainBehind:
+      return here.behind.strain;
+    case ColumnSource::kFlowBehind:
+      return here.behind.flow;
     case ColumnSource::kRingTension:
       return law::tension_behind(here.update);
     case ColumnSource::kUtilisation:

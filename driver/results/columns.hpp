@@ -51,6 +51,11 @@ enum class ColumnSource : std::uint8_t {
   kStrain,           ///< of a belt, CU1
   kReferenceLength,  ///< of a belt
   kWrapAngle,        ///< of a belt with nodes
+  kBeltTension,      ///< f_ab, 0 of a slack belt
+  kLengthBehind,     ///< of the segment behind a ring, which stays
+  kMaterialBehind,   ///< its unstrained length
+  kStrainBehind,     ///< its strain
+  kFlowBehind,       ///< out of that segment at its end
   kChainForce,       ///< the sum of the friction forces of all rings
   kRingTension,      ///< f_bc behind the ring of a definition
   kLargestForce,     ///< the upper end of a belt's stick band

@@ -79,6 +79,7 @@ void Summary::add(const Row& row) {
   end_time_ = row.time;
   add_events(row);
   cycles_.add(row);
+  if (case_->belt) add_belt(row);
   coverage_.add(row);
   plausibility_.add(row);
   for (std::size_t d = 0; d < definitions_.size(); ++d) {
@@ -119,6 +120,40 @@ void Summary::add(const Row& row) {
     sum.jumps = here.jumps;
     sum.largest_energy = plausibility_.definitions()[d].largest_energy;
   }
+}
+
+void Summary::add_belt(const Row& row) {
+  const double distance = row.quantities[kFirstMotion];
+  if (case_->belt->has_length && (!shortest_ || distance < shortest_->value)) {
+    shortest_ = {distance, row.time};
+  }
+  const double tension = row.quantities[kFirstForce];
+  if (case_->kinetic.elasticity[0] || !(tension < 0.0)) return;
+  if (row.index > 0) ++slack_;
+  if (tension < most_slack_.value) most_slack_ = {tension, row.time};
+}
+
+std::vector<std::string> Summary::belt_warnings() const {
+  std::vector<std::string> all;
+  const UnitSystem& units = case_->units;
+  if (slack_ > 0) {
+    all.push_back(fmt::format(
+        "the tension f1 is below 0 in {} of {} increments, down to {} at t = {}: a belt pulls, it "
+        "does not push; it is slack there, and CTF1, CSF2 and f_bc are 0",
+        slack_, increments_, with_unit(rounded(most_slack_.value), unit_text(kForce, units)),
+        rounded(most_slack_.time)));
+  }
+  const double locks = law::kShortestPart * case_->initial[0];
+  if (shortest_ && shortest_->value < 2.0 * locks) {
+    const std::string unit = unit_text(kLength, units);
+    all.push_back(
+        fmt::format("the distance CP1 came down to {} at t = {}, near {}, a hundredth of the "
+                    "initial one, where "
+                    "a belt locks",
+                    with_unit(rounded(shortest_->value), unit), rounded(shortest_->time),
+                    with_unit(rounded(locks), unit)));
+  }
+  return all;
 }
 
 void Summary::add_formulation(const Row& row, std::size_t index) {
@@ -455,6 +490,7 @@ std::vector<std::string> Summary::formulation_warnings(const DefinitionSummary& 
 
 std::vector<std::string> Summary::warnings(std::span<const MotionJump> jumps) const {
   std::vector<std::string> all = plausibility_.findings();
+  for (std::string& one : belt_warnings()) all.push_back(std::move(one));
   const UnitSystem& units = case_->units;
   for (std::size_t d = 0; d < definitions_.size(); ++d) {
     std::string warning = falling_warning(definitions_[d], d);

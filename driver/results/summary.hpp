@@ -110,6 +110,9 @@ class Summary {
   std::vector<std::string> formulation_warnings(const DefinitionSummary& definition,
                                                 std::size_t index) const;
 
+  void add_belt(const Row& row);
+  std::vector<std::string> belt_warnings() const;
+
   const Case* case_;
   std::vector<Column> positions_;
   std::vector<DefinitionSummary> definitions_;
@@ -120,6 +123,14 @@ class Summary {
   std::vector<StickSlipCounter> stick_slip_;
   std::vector<double> since_;  ///< fraction of the increment at the last event in it
   std::vector<law::FrictionState> stick_start_;  ///< where the current stick began
+  /// Of a belt: the shortest distance CP1 and the most negative prescribed tension, and when.
+  struct Least {
+    double value = 0.0;
+    double time = 0.0;
+  };
+  std::optional<Least> shortest_;
+  Least most_slack_;
+  std::int64_t slack_ = 0;  ///< increments under a negative prescribed tension
   std::int64_t increments_ = 0;
   double start_time_ = 0.0;
   double end_time_ = 0.0;
