@@ -96,6 +96,24 @@ slip   CSF1 +105.0 N, CSM1 0.0 N m
 )");
 }
 
+TEST_CASE("the force of a free component is explained by what acts along it") {
+  constexpr const char* kPressed = R"(slipbench: 1
+units: {length: mm, force: N, time: s}
+connector: {type: CARTESIAN}
+friction:
+  - {component: 1, contact_force: 3, coefficient: 0.2, stick: {stiffness: 1000}}
+elasticity: [{component: 3, stiffness: 500}]
+damping: [{component: 3, coefficient: 50}]
+history:
+  - {step: press, increments: 5, motion: {CP1: {to: 1}, CP3: {to: 0.2}}}
+)";
+  const std::string text = text_of(kPressed, 1.0);
+  INFO(text);
+  CHECK(text.find("     contact:  110.0 = f3   component with its sign\n"
+                  "               f3 110.0 = CEF3 100.0 + CVF3 10.0   component 3 is free\n") !=
+        std::string::npos);
+}
+
 TEST_CASE("tables are explained with their cells, what lies outside is marked") {
   CHECK(text_of(kTables, 2.0) == R"(case: t = 2 s   increment 11, from t = 1.9 s, step 'slide'
 slip   CSF1 +17.7188 N
