@@ -48,7 +48,8 @@ constexpr void for_each_connection_type(Visit&& visit) {
 /// The connection of a case: what is held and free, and the type whose predefined friction it has.
 struct Connection {
   ConnectionInfo info;
-  /// The assembled (or single) type; nothing for a pair that has no name of its own.
+  /// The assembled (or single) type; of a pair that has no name of its own its part with predefined
+  /// friction, or nothing.
   std::optional<ConnectionType> type;
 };
 
@@ -58,7 +59,8 @@ struct Connection {
 std::optional<Connection> find_connection(std::string_view name, int dimension = 3);
 
 /// Two basic types as one connection, e.g. SLOT + REVOLUTE = CYLINDRICAL; the order does not
-/// matter. \return nothing if both constrain or measure the same kind of motion, or one is not
+/// matter. A pair that makes no assembled type has the predefined friction of its part, if one has.
+/// \return nothing if both constrain or measure the same kind of motion, or one is not
 /// basic
 std::optional<Connection> assemble(const Connection& first, const Connection& second);
 

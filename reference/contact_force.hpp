@@ -12,7 +12,8 @@
 /// Formula   F_N = F_C + F_int with F_C from the reactions, one function a type below. Two end
 ///           reactions of a shaft of overlap L that carries the moment M are M/L each, hence the
 ///           lever 2/L; a puck of radius R carries a tilting moment with M/(2R) on either side,
-///           hence 1/R; 2/3 R is the mean friction arm of an evenly pressed disc.
+///           hence 1/R; 2/3 R is the mean friction arm of an evenly pressed disc, of a ring
+///           2/3 (R^3 - R_i^3)/(R^2 - R_i^2).
 /// Symbols   f1..f3 reaction forces [F], m1..m3 reaction moments [F L], radii and lengths [L],
 ///           internal contact force [F] or moment [F L].
 /// Sign      the result is never negative; the signs of the reactions do not matter.
@@ -89,10 +90,23 @@ inline double planar_sliding(double radius, double internal_contact_force, doubl
   return std::abs(f1) + lever(1.0, radius) * std::hypot(m2, m3) + internal_contact_force;
 }
 
-/// PLANAR, spinning [F L]: (2/3) R |f1| + sqrt(m2^2 + m3^2) + M_int; R is the puck's radius [L].
-inline double planar_spinning(double radius, double internal_contact_moment, double f1, double m2,
-                              double m3) {
-  return 2.0 * radius * std::abs(f1) / 3.0 + std::hypot(m2, m3) + internal_contact_moment;
+struct Ring {
+  double radius;        ///< R [L]
+  double inner_radius;  ///< R_i [L], 0 of a disc
+};
+
+/// The mean arm of friction [L] under a ring pressed evenly: the integral of r dA over that of dA.
+/// The quotient of the two differences loses all digits of a thin ring; both hold the factor R -
+/// R_i.
+inline double mean_arm(const Ring& ring) {
+  const double a = ring.radius, b = ring.inner_radius;
+  return a + b > 0.0 ? 2.0 * (a * a + a * b + b * b) / (3.0 * (a + b)) : 0.0;
+}
+
+/// PLANAR, spinning [F L]: a |f1| + sqrt(m2^2 + m3^2) + M_int; a is the ring's mean arm [L].
+inline double planar_spinning(const Ring& ring, double internal_contact_moment, double f1,
+                              double m2, double m3) {
+  return mean_arm(ring) * std::abs(f1) + std::hypot(m2, m3) + internal_contact_moment;
 }
 
 inline constexpr std::string_view kSource = "connector-friction specification, section 4.1";
@@ -141,7 +155,8 @@ inline constexpr std::array kHingeParameters{
     optional_length("R_a", "friction arm of the axial force"),
     optional_length("L_s", "overlap of pin and bearing"), kInternalMoment};
 inline constexpr std::array kPlanarParameters{optional_length("R", "radius of the puck"),
-                                              kInternalForce, kInternalMoment};
+                                              kInternalForce, kInternalMoment,
+                                              optional_length("R_i", "inner radius of a ring")};
 
 inline constexpr std::array kSlotInputs{
     kF2, Signal{"f3", "F", "reaction force along 3; 0 in two dimensions"}};
@@ -191,10 +206,16 @@ inline PathEvaluator make_planar_sliding(std::span<const std::vector<double>> va
   };
 }
 
+inline std::optional<std::string> ring_violation(std::span<const std::vector<double>> values) {
+  const double outer = values[0][0], inner = values[3][0];
+  if (inner == 0.0 || inner < outer) return std::nullopt;
+  return "R_i must be less than R";
+}
+
 inline PathEvaluator make_planar_spinning(std::span<const std::vector<double>> values) {
-  return [radius = values[0][0], internal = values[2][0]](std::span<const double> in,
-                                                          std::span<double> out) {
-    out[0] = planar_spinning(radius, internal, in[0], in[1], in[2]);
+  const Ring ring{values[0][0], values[3][0]};
+  return [ring, internal = values[2][0]](std::span<const double> in, std::span<double> out) {
+    out[0] = planar_spinning(ring, internal, in[0], in[1], in[2]);
   };
 }
 
@@ -286,13 +307,13 @@ inline constexpr ClosedForm kPlanarSliding{
 inline constexpr ClosedForm kPlanarSpinning{
     .name = "contact_force_planar_spinning",
     .title = "Normal moment of PLANAR against spinning",
-    .formula = "M_N = (2/3) R |f1| + sqrt(m2^2 + m3^2) + M_int",
+    .formula = "M_N = (2/3)(R^3 - R_i^3)/(R^2 - R_i^2) |f1| + sqrt(m2^2 + m3^2) + M_int",
     .source = kSource,
     .range = kRange,
     .parameters = kPlanarParameters,
     .inputs = kPlanarInputs,
     .outputs = kMomentOutput,
     .make = make_planar_spinning,
-    .violation = no_violation};
+    .violation = ring_violation};
 
 }  // namespace slipbench::reference::contact_force

@@ -476,6 +476,7 @@ class Resolver {
                 outlines_known_ = false;
                 return;
               }
+              if (!is_ring(map, text.predefined.path, geometry)) return;
               note_dropped_terms(map, text.predefined.path, geometry);
               warn_mixed_units(friction, geometry);
               const bool one_a_ring = has_friction_for_each_ring(text_, out_);
@@ -542,7 +543,7 @@ class Resolver {
   template <class Type>
   void warn_mixed_units(const At<FrictionText>& friction, [[maybe_unused]] const Type& geometry) {
     if constexpr (std::is_same_v<Type, law::Planar>) {
-      arm_ = 2.0 / 3.0 * geometry.R;
+      if (geometry.R > 0.0) arm_ = geometry.mean_arm();
       const FrictionText& text = friction.value;
       const auto warn = [&](const At<double>& number, std::string_view sliding,
                             std::string_view spinning) {
@@ -602,12 +603,29 @@ class Resolver {
     }
   }
 
+  /// Whether the inner radius of a PLANAR, if it has one, leaves a ring; else reports it.
+  template <class Type>
+  bool is_ring(const Node& map, const Path& path, [[maybe_unused]] const Type& geometry) {
+    if constexpr (std::is_same_v<Type, law::Planar>) {
+      if (geometry.R_i > 0.0 && geometry.R_i >= geometry.R) {
+        binder_.error(*map.find("R_i"), path / "R_i",
+                      "the inner radius of a ring must be less than its radius R, " +
+                          format_number(geometry.R));
+        return false;
+      }
+    }
+    return true;
+  }
+
   /// A zero length silently drops its term of the contact force: worth a note if it was written.
   template <class Type>
   void note_dropped_terms(const Node& map, const Path& path, const Type& geometry) {
     for_each_key<Type>([&](std::string_view key, auto member, const KeyInfo&) {
       if constexpr (std::is_same_v<std::remove_cvref_t<decltype(geometry.*member)>, double>) {
         const auto value = map.find(key);
+        if constexpr (std::is_same_v<Type, law::Planar>) {
+          if (member == &law::Planar::R_i) return;  // 0 is a disc
+        }
         if (value && geometry.*member == 0.0) {
           binder_.note(*value, path / key, "0 drops the term of the contact force it belongs to");
         }

@@ -102,7 +102,7 @@ bool warn_of_two_units(Binder& binder, const At<CoefficientText>& coefficient,
   }
   binder.warning(*coefficient.node, coefficient.path, std::move(message),
                  fmt::format("'connector: {{friction_radius: {}}}' asks for both at that radius{}",
-                             radius, arm > 0.0 ? ", 2/3 of the puck's" : ""));
+                             radius, arm > 0.0 ? ", the puck's mean arm of friction" : ""));
   return true;
 }
 

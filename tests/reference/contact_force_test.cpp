@@ -80,15 +80,35 @@ TEST_CASE("HINGE has the printed contact moment and limits") {
 }
 
 TEST_CASE("PLANAR presses differently against sliding and spinning") {
-  const std::vector<std::vector<double>> puck{{0.5}, {20.0}, {3.0}};
+  const std::vector<std::vector<double>> puck{{0.5}, {20.0}, {3.0}, {0.0}};
   const std::vector<double> load{-100, 6, 8};
   CHECK(evaluate_once("contact_force_planar_sliding", puck, load) == exact(140.0));
   const double spin = evaluate_once("contact_force_planar_spinning", puck, load);
   CHECK_THAT(spin, printed("46.3333"));
   CHECK_THAT(0.2 * spin, printed("9.26667"));
-  const std::vector<std::vector<double>> point{{0.0}, {0.0}, {0.0}};
+  const std::vector<std::vector<double>> point{{0.0}, {0.0}, {0.0}, {0.0}};
   CHECK(evaluate_once("contact_force_planar_sliding", point, load) == exact(100.0));
   CHECK(evaluate_once("contact_force_planar_spinning", point, load) == exact(10.0));
+}
+
+TEST_CASE("a ring rubs at its mean arm, from the disc's 2/3 R to R of a thin one") {
+  using slipbench::reference::contact_force::mean_arm;
+  CHECK(mean_arm({3.0, 0.0}) == exact(2.0));
+  CHECK(mean_arm({3.0, 1.0}) == exact(2.0 / 3.0 * 26.0 / 8.0));
+  CHECK(mean_arm({3.0, 3.0}) == exact(3.0));
+  CHECK(mean_arm({0.0, 0.0}) == 0.0);
+  // The integral of r dA over that of dA, by the midpoint rule.
+  double moment = 0.0, area = 0.0;
+  for (int i = 0; i < 4000; ++i) {
+    const double r = 1.0 + 2.0 * (i + 0.5) / 4000;
+    moment += r * r;
+    area += r;
+  }
+  CHECK(mean_arm({3.0, 1.0}) == Approx(moment / area).epsilon(1e-7));
+  // A thin ring, whose difference of cubes would be rounding: R - R_i/2 and so on, to first order.
+  CHECK(mean_arm({1.0, 1.0 - 1e-12}) == Approx(1.0 - 0.5e-12).epsilon(1e-15));
+  const std::vector<std::vector<double>> ring{{3.0}, {20.0}, {3.0}, {1.0}};
+  CHECK(evaluate_once("contact_force_planar_spinning", ring, {-24, 6, 8}) == exact(52.0 + 13.0));
 }
 
 TEST_CASE("a signed contact force counts with its sign before the absolute value is taken") {

@@ -42,10 +42,25 @@ TEST_CASE("a coefficient over the slip rate is said to see two units, once, with
         "6:18: warning: friction[0].coefficient: 'exponential_decay' is asked for slip rates in "
         "mm/s for sliding and rad/s for spinning; at the same speed 50 mm/s at the radius 8 mm mu "
         "is 0.1164 sliding and 0.2463 spinning; 'connector: {friction_radius: 8}' asks for both at "
-        "that radius, 2/3 of the puck's");
+        "that radius, the puck's mean arm of friction");
   // The numbers are the law's.
   CHECK(0.1 + 0.2 * std::exp(-0.05 * 50.0) == Approx(0.1164).epsilon(1e-3));
   CHECK(0.1 + 0.2 * std::exp(-0.05 * 50.0 / 8.0) == Approx(0.2463).epsilon(1e-3));
+}
+
+TEST_CASE(
+    "the radius that is proposed for a ring is its mean arm, and a ring has a hole less than R") {
+  const std::vector<std::string> found = warnings({{"{R: 12,", "{R: 12, R_i: 6,"}});
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].find("'connector: {friction_radius: 9.33333}'") != std::string::npos);
+  CHECK(warnings({{"{R: 12,", "{R: 12, R_i: 0,"}}) == warnings({}));
+  CHECK(messages(changed({{"{R: 12,", "{R: 12, R_i: 0,"}, kRadius}, kPuck)).empty());
+  const std::vector<std::string> thick =
+      messages(changed({{"{R: 12,", "{R: 12, R_i: 12,"}}, kPuck));
+  REQUIRE(thick.size() == 1);
+  CHECK(thick[0] ==
+        "5:30: error: friction[0].predefined.R_i: the inner radius of a ring must be less than its "
+        "radius R, 12");
 }
 
 TEST_CASE("a table over rate and force, and one over the force alone, are said to as well") {
