@@ -19,6 +19,7 @@ namespace {
 // Of what is integrated, in units of its size: far below what is asked of a result.
 constexpr double kAbsoluteTolerance = 1e-13;
 constexpr double kRelativeTolerance = 1e-13;
+constexpr int kPieces = 64;  // of a stick whose forces are no straight lines
 
 struct FreeStep {
   void operator()(gsl_odeiv2_step* step) const { gsl_odeiv2_step_free(step); }
@@ -83,6 +84,7 @@ law::ConnectorIncrement Dynamics::conditions(double time, double motion) const {
     }
   }
   now_[static_cast<std::size_t>(data_.component)] = motion;
+  if (follow_ != nullptr) (*follow_)(duration_ > 0.0 ? time / duration_ : 1.0, now_);
   law::ConnectorIncrement increment;
   increment.end = ambient_of(now_, case_->reference);
   std::copy_n(now_.begin() + kFirstForce, law::kComponents, increment.force.values.begin());
@@ -298,9 +300,10 @@ double Dynamics::stick(double time) {
   };
   const double energy_before = spring_energy(time);
   state_ = moved(end);
+  if (data_.driver) move_together(time, end);
   if (velocity != 0.0) {
     state_[kBeltWork] += spring_energy(end) - energy_before;
-    const int pieces = by_more ? 64 : 1;
+    const int pieces = by_more || follow_ != nullptr ? kPieces : 1;
     const double h = (end - time) / pieces;
     for (int i = 0; i < pieces; ++i) {
       const double t = time + h * i;
@@ -312,6 +315,26 @@ double Dynamics::stick(double time) {
     }
   }
   return end;
+}
+
+/// Two masses that stick move as one under their loads: these are linear in time, so that Simpson's
+/// rule is exact for impulse and work, unless they follow the positions.
+void Dynamics::move_together(double time, double end) {
+  const double mass = data_.mass + data_.driver->mass;
+  const int pieces = follow_ == nullptr ? 1 : kPieces;
+  const double h = (end - time) / pieces;
+  const auto load = [&](double t) {
+    const Forces f = forces(t, state_[kMotion], 0.0);
+    return f.load + f.driver;
+  };
+  for (int i = 0; i < pieces; ++i) {
+    const double t = time + h * i;
+    const double first = load(t), middle = load(t + 0.5 * h), last = load(t + h);
+    const double v = state_[kCommon];
+    const double half = v + h / 24.0 * (5.0 * first + 8.0 * middle - last) / mass;
+    state_[kCommon] = v + h / 6.0 * (first + 4.0 * middle + last) / mass;
+    state_[kLoadWork] += h / 6.0 * (first * v + 4.0 * middle * half + last * state_[kCommon]);
+  }
 }
 
 void Dynamics::decide(double time) {
@@ -405,7 +428,7 @@ void Dynamics::start(const law::FrictionDefinition* friction, Row& row) {
 
 tl::expected<void, DynamicsFailure> Dynamics::advance(const Quantities& begin,
                                                       const law::FrictionDefinition* friction,
-                                                      Row& row) {
+                                                      const FollowPositions& follow, Row& row) {
   constexpr int kMostEvents = 100'000;
   friction_ = friction;
   begin_ = &begin;
@@ -413,7 +436,8 @@ tl::expected<void, DynamicsFailure> Dynamics::advance(const Quantities& begin,
   end_ = &end;
   duration_ = row.duration;
   now_ = end;
-  varying_ = false;
+  follow_ = follow ? &follow : nullptr;
+  varying_ = follow_ != nullptr;
   for (std::size_t i = 0; i < end.size(); ++i) {
     const bool mass = i == static_cast<std::size_t>(data_.component);
     varying_ = varying_ || (!mass && begin[i] != end[i]);
@@ -442,7 +466,9 @@ tl::expected<void, DynamicsFailure> Dynamics::advance(const Quantities& begin,
     if (changes_since(old, time)) note_change(time, row);
   }
   report(duration_, row);
+  if (follow_ != nullptr) follow(1.0, row.quantities);
   begin_ = end_ = nullptr;
+  follow_ = nullptr;
   return {};
 }
 

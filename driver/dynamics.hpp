@@ -44,8 +44,10 @@ class Dynamics {
   /// friction, and its component forces; adds its damper to the row's energies.
   /// \param begin all quantities where the increment begins, behind any jump
   /// \param friction the definition in force; null without friction
+  /// \param follow sets the loads that follow the positions; empty if none do
   tl::expected<void, DynamicsFailure> advance(const Quantities& begin,
-                                              const law::FrictionDefinition* friction, Row& row);
+                                              const law::FrictionDefinition* friction,
+                                              const FollowPositions& follow, Row& row);
 
   /// The definition that acts on the mass; -1 without friction.
   int definition() const { return definition_; }
@@ -98,6 +100,7 @@ class Dynamics {
   const Quantities* begin_ = nullptr;
   const Quantities* end_ = nullptr;
   double duration_ = 0.0;
+  const FollowPositions* follow_ = nullptr;
   bool varying_ = false;
   const char* fault_ = nullptr;
 

@@ -84,6 +84,7 @@ void Equilibrium::prepare(double from, double to, const Quantities& begin, const
     }
   }
   increment_.duration = row.duration * (to - from);
+  part_ = to;
   for (int k = 0; k < count_; ++k) {
     const auto i = static_cast<std::size_t>(k);
     const auto c = static_cast<std::size_t>(component_[i]);
@@ -111,24 +112,68 @@ void Equilibrium::press() {
   }
 }
 
+/// Forces at the trial positions, and how they change with each of them: by central differences,
+/// which only Newton's method sees.
+void Equilibrium::follow_positions(const Trial& trial) {
+  const auto forces_at = [&](int k, double shift) {
+    for (int l = 0; l < count_; ++l) {
+      const auto j = static_cast<std::size_t>(l);
+      end_[static_cast<std::size_t>(component_[j])] = trial.q[j] + (l == k ? shift : 0.0);
+    }
+    (*follow_)(part_, end_);
+    Vector forces;
+    std::copy_n(end_.begin() + kFirstForce, kSize, forces.begin());
+    return forces;
+  };
+  for (int k = 0; k < count_; ++k) {
+    constexpr double kShift = 6e-6;  // the third root of the rounding
+    const double shift = kShift * std::max(std::abs(trial.q[static_cast<std::size_t>(k)]), 1e-2);
+    const Vector above = forces_at(k, shift);
+    const Vector below = forces_at(k, -shift);
+    for (int c = 0; c < kSize; ++c) {
+      const auto i = static_cast<std::size_t>(c);
+      following_slopes_(c, component_[static_cast<std::size_t>(k)]) =
+          (above[i] - below[i]) / (2.0 * shift);
+    }
+  }
+  const Vector forces = forces_at(-1, 0.0);
+  for (int k = 0; k < count_; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    load_[i] = forces[static_cast<std::size_t>(component_[i])];
+  }
+  std::copy(forces.begin(), forces.end(), increment_.force.values.begin());
+}
+
 void Equilibrium::evaluate(Trial& trial) {
   for (int k = 0; k < count_; ++k) {
     const auto i = static_cast<std::size_t>(k);
     const int c = component_[i];
     increment_.end.position[c] = trial.q[i];
     increment_.end.motion[c] = trial.q[i] - case_->reference[c];
+  }
+  if (follow_ != nullptr) follow_positions(trial);
+  for (int k = 0; k < count_; ++k) {
+    const auto i = static_cast<std::size_t>(k);
     trial.imbalance[i] = -load_[i];
     trial.tolerance[i] = std::abs(load_[i]);
-    trial.tangent[i].fill(0.0);
+    for (int l = 0; l < count_; ++l) {
+      const auto j = static_cast<std::size_t>(l);
+      trial.tangent[i][j] = -following_slopes_(component_[i], component_[j]);
+    }
   }
   press();
+  // What presses as a kinetic force is no load of its own.
+  for (int c = 0; follow_ != nullptr && c < kSize; ++c) {
+    if (!case_->kinetic.pressing.contains(c)) pressing_slopes_.row(c) = following_slopes_.row(c);
+  }
   for (const std::size_t d : order_) {
     updates_[d] = (*integrate_)(d, increment_, old_[d]);
     const law::ConnectorForce force = law::friction_force(definitions_[d], updates_[d].state);
     law::ConnectorTangent tangent =
         law::connector_tangent(definitions_[d], increment_, updates_[d]);
     const law::ComponentSet pressing = case_->kinetic.pressing;
-    if (!pressing.empty()) tangent.to_motion += tangent.to_force * pressing_slopes_;
+    if (!pressing.empty() || follow_ != nullptr)
+      tangent.to_motion += tangent.to_force * pressing_slopes_;
     for (int k = 0; k < count_; ++k) {
       const auto i = static_cast<std::size_t>(k);
       const double friction = force[component_[i]];
@@ -352,9 +397,12 @@ std::string Equilibrium::explain(const Trial& trial) const {
   std::string text = "no static solution: ";
   if (count_ == 1) {
     const int c = component_[0];
-    text += fmt::format("component {} is loaded with {} = {}, ", c + 1, force_name(c),
-                        format_number(load_[0]));
-    if (jumped_) {
+    text += fmt::format("component {} is loaded with {} = {}{}", c + 1, force_name(c),
+                        format_number(load_[0]), follow_ != nullptr ? " " : ", ");
+    if (follow_ != nullptr) {
+      text += fmt::format("at {} = {}, and no position on its way holds it", motion_name(c),
+                          format_number(trial.q[0]));
+    } else if (jumped_) {
       text += fmt::format("but its force jumps past that at {} = {}", motion_name(c),
                           format_number(trial.q[0]));
     } else {
@@ -388,9 +436,12 @@ std::string Equilibrium::explain(const Trial& trial) const {
 tl::expected<void, NoEquilibrium> Equilibrium::solve(
     law::ComponentSet unknown, const Quantities& begin,
     std::span<const law::FrictionDefinition> definitions, const IntegrateDefinition& integrate,
-    Row& row) {
+    const FollowPositions& follow, Row& row) {
   definitions_ = definitions;
   integrate_ = &integrate;
+  follow_ = follow ? &follow : nullptr;
+  following_slopes_.setZero();
+  pressing_slopes_.setZero();
   count_ = 0;
   Trial trial;
   increment_.begin_position = row.begin;
@@ -421,6 +472,11 @@ tl::expected<void, NoEquilibrium> Equilibrium::solve(
     }
     size = 0.5 * (to - done);
     if (size < kSmallestPiece) {
+      if (follow_ != nullptr) {
+        // The load where the search set out from, not where it ended.
+        trial = start;
+        evaluate(trial);
+      }
       return tl::unexpected(NoEquilibrium{done, explain(trial)});
     }
     trial = start;
@@ -432,6 +488,7 @@ tl::expected<void, NoEquilibrium> Equilibrium::solve(
     row.forces.component[c].applied = load_[i];
     row.forces.component[c].reaction = at_stop(trial, k) ? -trial.imbalance[i] : 0.0;
   }
+  if (follow_ != nullptr) follow(1.0, row.quantities);
   return {};
 }
 

@@ -36,7 +36,7 @@ tl::expected<std::vector<std::size_t>, std::vector<std::size_t>> order_of_evalua
 
 /// Finds the positions q of all components that are driven by force, together, at the end of an
 /// increment (theory, force-driven components):
-///   CEF_i(q) + CVF_i((q - q_n)/dt) + CSF_i(q) + CRF_i = CCF_i,
+///   CEF_i(q) + CVF_i((q - q_n)/dt) + CSF_i(q) + CRF_i = CCF_i(q),
 /// where the reaction CRF_i of a stop acts at the stop only, towards the inside. Newton's method
 /// with the law's consistent tangent and a line search, projected on the stops; where it fails, a
 /// search along one component after the other, which finds the answer beyond a jump too. Where that
@@ -57,9 +57,11 @@ class Equilibrium {
   /// \param begin all quantities at the end of the last increment
   /// \param row with everything prescribed at its end; its definitions hold the old states
   /// \param definitions in force
+  /// \param follow sets the forces that follow the positions; empty if none do
   tl::expected<void, NoEquilibrium> solve(law::ComponentSet unknown, const Quantities& begin,
                                           std::span<const law::FrictionDefinition> definitions,
-                                          const IntegrateDefinition& integrate, Row& row);
+                                          const IntegrateDefinition& integrate,
+                                          const FollowPositions& follow, Row& row);
 
  private:
   static constexpr int kSize = law::kComponents;
@@ -78,6 +80,7 @@ class Equilibrium {
   /// Sets the forces of a contact force's components that no definition has a part in, and the
   /// slopes of all forces that press to the unknowns.
   void press();
+  void follow_positions(const Trial& trial);
   bool solve_piece(Trial& trial);
   bool newton(Trial& trial);
   bool search_along(int k, Trial& trial);
@@ -90,6 +93,10 @@ class Equilibrium {
   const Case* case_;
   std::span<const law::FrictionDefinition> definitions_;
   const IntegrateDefinition* integrate_ = nullptr;
+  const FollowPositions* follow_ = nullptr;  ///< null where no force follows a position
+  double part_ = 1.0;                        ///< of the increment, at the end of the piece
+  /// Slopes dF_c/du_j of the forces that follow the positions.
+  Eigen::Matrix<double, kSize, kSize> following_slopes_;
 
   int count_ = 0;                     ///< unknowns
   std::array<int, kSize> component_;  ///< of each
@@ -102,7 +109,7 @@ class Equilibrium {
   std::vector<std::size_t> order_;  ///< of the definitions
   Quantities end_{};                ///< of the piece of the increment that is being solved
   law::ConnectorIncrement increment_;
-  /// Slopes dF_c/du_j of the forces that press.
+  /// Slopes dF_c/du_j of the forces that press and of those that follow the positions.
   Eigen::Matrix<double, kSize, kSize> pressing_slopes_;
   std::vector<law::FrictionState> old_;       ///< at its begin
   std::vector<law::FrictionUpdate> updates_;  ///< at the last trial

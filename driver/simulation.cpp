@@ -35,6 +35,11 @@ SimulationFailure failure(const HistoryError& error) {
           place + error.message};
 }
 
+/// The positions CP1 .. CPR3.
+std::span<const double, kPositions> position_of(const Quantities& quantities) {
+  return std::span(quantities).first<kPositions>();
+}
+
 bool is_motion(int quantity) { return quantity < kFirstForce; }
 bool is_node(int quantity) { return quantity >= kFirstNode; }
 
@@ -384,10 +389,13 @@ tl::expected<void, SimulationFailure> Simulation::begin_pass() {
   pass_start_ = row_.time;
   grid_ = StepGrid(step.duration, step.increments);
   varying_.clear();
+  following_.clear();
   for (std::size_t i = 0; i < step.drives.size(); ++i) {
     const int quantity = step.drives[i].quantity;
     const double current = row_.quantities[static_cast<std::size_t>(quantity)];
-    auto begun = cursors_[i].begin({step.duration, current, pass_start_});
+    StepStart start{step.duration, current, pass_start_};
+    std::copy_n(row_.quantities.begin() + kFirstMotion, kPositions, start.position.begin());
+    auto begun = cursors_[i].begin(start);
     if (!begun) {
       SimulationFailure fault = failure(begun.error());
       fault.message =
@@ -399,6 +407,7 @@ tl::expected<void, SimulationFailure> Simulation::begin_pass() {
       row_.quantities[static_cast<std::size_t>(quantity)] = cursors_[i].start_value();
     } else {
       varying_.push_back(i);
+      if (cursors_[i].follows_position()) following_.push_back(i);
     }
   }
   breakpoint_ = std::min(next_breakpoint(cursors_, 0.0), friction_changes_.next_breakpoint(0.0));
@@ -450,6 +459,8 @@ tl::expected<bool, SimulationFailure> Simulation::advance_history() {
   std::copy_n(row_.quantities.begin() + kFirstMotion, law::kComponents, row_.begin.values.begin());
   double sum = 0.0;
   for (const std::size_t i : varying_) {
+    // A step drives its motions first. Those that a load makes are not known yet.
+    if (!following_.empty()) cursors_[i].set_position(position_of(row_.quantities));
     const double value = cursors_[i].value(to);
     const auto quantity = static_cast<std::size_t>(step->drives[i].quantity);
     row_.quantities[quantity] = value;
@@ -481,6 +492,21 @@ tl::expected<bool, SimulationFailure> Simulation::advance_history() {
   }
   if (auto moved = move_belt(); !moved) return tl::unexpected(moved.error());
   return true;
+}
+
+void Simulation::follow_positions(double step_time, Quantities& quantities) {
+  for (const std::size_t i : following_) {
+    const Step& step = case_->steps[static_cast<std::size_t>(row_.step)];
+    cursors_[i].set_position(position_of(quantities));
+    quantities[static_cast<std::size_t>(step.drives[i].quantity)] = cursors_[i].value(step_time);
+  }
+}
+
+FollowPositions Simulation::following() {
+  if (following_.empty()) return {};
+  return [this](double part, Quantities& quantities) {
+    follow_positions(row_.step_time - (1.0 - part) * row_.duration, quantities);
+  };
 }
 
 void Simulation::choose_force_driven(const Step& step) {
@@ -524,7 +550,8 @@ tl::expected<void, SimulationFailure> Simulation::solve_equilibrium() {
   const IntegrateDefinition one =
       [this](std::size_t definition, const law::ConnectorIncrement& increment,
              const law::FrictionState& old) { return integrate(definition, increment, old); };
-  const auto solved = equilibrium_->solve(force_driven_, begin_, definitions_, one, row_);
+  const auto solved =
+      equilibrium_->solve(force_driven_, begin_, definitions_, one, following(), row_);
   if (!solved) {
     const NoEquilibrium& why = solved.error();
     return tl::unexpected(SimulationFailure{
@@ -550,7 +577,7 @@ tl::expected<void, SimulationFailure> Simulation::advance_mass(bool start) {
       definition < 0 ? nullptr : &definitions_[static_cast<std::size_t>(definition)];
   if (start) {
     dynamics_->start(friction, row_);
-  } else if (const auto done = dynamics_->advance(begin_, friction, row_); !done) {
+  } else if (const auto done = dynamics_->advance(begin_, friction, following(), row_); !done) {
     return tl::unexpected(SimulationFailure{
         SimulationFailure::Kind::kNumerical,
         fmt::format("{}: {}", place((1.0 - done.error().fraction) * row_.duration),

@@ -33,6 +33,10 @@ class ExactIntegration;
 /// Values of all quantities a case can prescribe, in the numbering of quantity.hpp.
 using Quantities = std::array<double, kQuantities>;
 
+/// Sets the forces that follow the positions in `quantities`, at a part of an increment; NaN where
+/// a formula has no value.
+using FollowPositions = std::function<void(double part, Quantities& quantities)>;
+
 /// What one friction definition did over an increment, and since the start.
 struct DefinitionRow {
   law::FrictionUpdate update;
@@ -173,6 +177,9 @@ class Simulation {
   SimulationFailure snap_back_failure(std::size_t definition) const;
   void note_raw_coefficients();
   void take_measured_row();
+  /// Those of the current increment; empty where no force follows a position.
+  FollowPositions following();
+  void follow_positions(double step_time, Quantities& quantities);
   /// Who is driven by force from now on, and with what load it starts.
   void choose_force_driven(const Step& step);
   tl::expected<void, SimulationFailure> solve_equilibrium();
@@ -219,6 +226,7 @@ class Simulation {
 
   std::vector<ProfileCursor> cursors_;  ///< one for each drive of the current step
   std::vector<std::size_t> varying_;    ///< the drives that are not constant over the step
+  std::vector<std::size_t> following_;  ///< those of them that follow the positions
   StepGrid grid_{1.0, 1};
   bool in_step_ = false;
   std::optional<MeasuredHistory> measured_;

@@ -80,7 +80,7 @@ bool same(const Profile& a, const Profile& b, const NamedNumbers& parameters,
                  one.time_conversion == other.time_conversion &&
                  one.value_column == other.value_column &&
                  one.value_conversion == other.value_conversion;
-        } else if constexpr (std::is_same_v<Kind, ExpressionProfile>) {
+        } else if constexpr (requires { one.expression; }) {
           return same(one.expression, other.expression, parameters, others);
         } else {
           return one.value == other.value;

@@ -94,6 +94,7 @@ class Binder {
   /// Returns how the tables of the connector's behaviour are prolonged that do not say it.
   [[nodiscard]] law::Extrapolation extrapolation() const { return extrapolation_; }
   void set_extrapolation(law::Extrapolation extrapolation) { extrapolation_ = extrapolation; }
+  bool is_parameter(std::string_view name) const { return parameters_.contains(name); }
 
   /// A number in the case's system: a plain scalar, one with a unit ("12 mm"), or an expression
   /// over the parameters ("= 2/li").

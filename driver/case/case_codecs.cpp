@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "driver/case/law_numbers.hpp"
+#include "driver/case/quantity.hpp"
 #include "driver/text/format_number.hpp"
 #include "law/connection_type.hpp"
 
@@ -527,6 +528,8 @@ constexpr std::string_view kProfileForms =
     "a profile: a number, an expression, {to: v}, {smooth_to: v}, {sine|triangle|sawtooth|square: "
     "{...}}, {columns: [value, t], rows: [...]} or {csv: ..., time: ..., value: ...}";
 
+bool is_position(const std::string& name) { return component_of_motion(name).has_value(); }
+
 bool read_wave(Binder& binder, const Node& node, const Path& path, std::size_t shape,
                ProfileText& out) {
   WaveText wave;
@@ -589,10 +592,21 @@ bool Codec<ProfileText>::read(Binder& binder, const Node& node, const Path& path
                               const KeyInfo& info, ProfileText& out) {
   if (node.is_scalar()) {
     if (Binder::is_expression(node)) {
-      // The variables of ExpressionProfile, in its order.
-      const std::vector<std::string> variables{"t", "T"};
+      // The variables of PositionFormula, in its order; the first two are those of
+      // ExpressionProfile. A parameter hides a position of its name: no name is empty.
+      std::vector<std::string> variables{"t", "T"};
+      for (int c = 0; c < law::kComponents; ++c) {
+        variables.push_back(binder.is_parameter(motion_name(c)) ? "" : motion_name(c));
+      }
       auto compiled = binder.expression(node, path, variables);
       if (!compiled) return false;
+      const auto used = compiled->used_variables();
+      if (std::any_of(used.begin(), used.end(), is_position)) {
+        out.profile = PositionFormula{std::move(*compiled)};
+        return true;
+      }
+      variables.resize(2);
+      compiled = binder.expression(node, path, variables);
       if (compiled->used_variables().empty()) {
         const auto value = (*compiled)(std::array{0.0, 0.0});
         if (!value) {

@@ -120,6 +120,33 @@ std::vector<Dimension> dimensions_of(int quantity) {
   return dimension == Dimension{} ? std::vector<Dimension>{} : std::vector{dimension};
 }
 
+/// Whether a quantity can follow the positions that a formula names; else reports why not.
+bool may_follow_position(Binder& binder, const Case& problem, const PositionFormula& formula,
+                         const Node& node, const Path& path, int quantity) {
+  const std::string named(*std::find_if(
+      formula.expression.used_variables().begin(), formula.expression.used_variables().end(),
+      [](const std::string& name) { return component_of_motion(name).has_value(); }));
+  const bool force =
+      (quantity >= kFirstForce && quantity < kTemperatureQuantity) || quantity == kDriverLoad;
+  if (!force || problem.belt) {
+    binder.error(node, path,
+                 "only forces can follow a position such as " + named +
+                     (problem.belt ? ", and not the tensions of a belt" : ""),
+                 "the variables here are t and T");
+    return false;
+  }
+  const law::ConnectionInfo& info = problem.connection.info;
+  for (const std::string& name : formula.expression.used_variables()) {
+    const auto c = component_of_motion(name);
+    if (!c || (info.held | info.available).contains(*c)) continue;
+    binder.error(node, path,
+                 connector_words(problem.connection) + " has no position " + name + "; it has " +
+                     motion_names(info.held | info.available));
+    return false;
+  }
+  return true;
+}
+
 /// Finishes a profile now that it is known what it drives, and tries its data out.
 ///
 /// \param start of the step; the current value is not known before the run
@@ -159,6 +186,11 @@ std::optional<Profile> finish(Binder& binder, const Case& problem, const Profile
     csv->time_conversion = time->conversion;
     note_missing(binder, csv->data, names, at, text.csv.path);
   }
+  if (const auto* formula = std::get_if<PositionFormula>(&profile)) {
+    if (!may_follow_position(binder, problem, *formula, node, path, quantity)) return std::nullopt;
+    // Where a later step begins shows only on the way.
+    if (!problem.steps.empty()) return profile;
+  }
   auto cursor = ProfileCursor::open(profile);
   const auto begun = cursor ? cursor->begin(start) : tl::unexpected(cursor.error());
   if (!begun) {
@@ -180,10 +212,13 @@ void read_step(Binder& binder, const StepText& text, Case& out, double start) {
   const bool judge = !text.duration.faulty();
   const auto add = [&](std::optional<int> quantity, const ProfileText& profile, const Node& node,
                        const Path& path, bool sound) {
-    if (quantity) binder.settle_units(path, dimension_of(*quantity));
+    if (quantity) binder.settle_units(path, dimension_of(out, *quantity));
     if (!quantity || !sound || !judge) return;
-    auto finished = finish(binder, out, profile, node, path, *quantity,
-                           {.duration = step.duration, .current_value = 0.0, .total_time = start});
+    const StepStart begin{.duration = step.duration,
+                          .current_value = 0.0,
+                          .total_time = start,
+                          .position = out.initial.values};
+    auto finished = finish(binder, out, profile, node, path, *quantity, begin);
     if (finished) step.drives.push_back({*quantity, std::move(*finished)});
   };
   for (const auto& entry : text.motion) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -70,8 +72,17 @@ struct ExpressionProfile {
   Expression expression;
 };
 
-using Profile =
-    std::variant<Constant, LinearTo, SmoothTo, Wave, Tabular, CsvColumn, ExpressionProfile>;
+/// A formula in t, T and the six positions CP1 .. CPR3 of the same instant, in this order: a force
+/// that follows the motion.
+struct PositionFormula {
+  Expression expression;
+};
+
+using Profile = std::variant<Constant, LinearTo, SmoothTo, Wave, Tabular, CsvColumn,
+                             ExpressionProfile, PositionFormula>;
+
+/// How many positions a PositionFormula knows.
+inline constexpr std::size_t kPositions = 6;
 
 /// Compiles a profile's formula over t, T and the case's parameters. Errors: those of
 /// `Expression::compile`.
@@ -98,6 +109,7 @@ struct StepStart {
   double duration = 1.0;       ///< > 0
   double current_value = 0.0;  ///< The value at the end of the step before, where LinearTo starts.
   double total_time = 0.0;     ///< Total time at the step's start.
+  std::array<double, kPositions> position{};  ///< CP1 .. CPR3 there.
 };
 
 }  // namespace slipbench::driver

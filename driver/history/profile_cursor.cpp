@@ -183,8 +183,17 @@ double ProfileCursor::value_of(const CsvColumn& /*profile*/, double t) {
 }
 
 double ProfileCursor::value_of(const ExpressionProfile& profile, double t) {
-  const std::array<double, 2> times = {t, start_.total_time + t};
-  auto value = profile.expression(times);
+  return value_of(profile.expression, std::array{t, start_.total_time + t});
+}
+
+double ProfileCursor::value_of(const PositionFormula& profile, double t) {
+  std::array<double, 2 + kPositions> values{t, start_.total_time + t};
+  std::copy(start_.position.begin(), start_.position.end(), values.begin() + 2);
+  return value_of(profile.expression, values);
+}
+
+double ProfileCursor::value_of(const Expression& expression, std::span<const double> variables) {
+  auto value = expression(variables);
   if (value) return *value;
   return fail({HistoryError::Kind::kInput, {}, 0, 0, std::move(value.error().message)});
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -43,6 +44,15 @@ class ProfileCursor {
   /// The value just after `t`: the limit from the right where the profile jumps, else `value(t)`.
   double value_after(double t);
 
+  /// Whether the value depends on where the connector is.
+  bool follows_position() const { return std::holds_alternative<PositionFormula>(profile_); }
+
+  /// Says where the connector is at the times that are asked for next, CP1 .. CPR3; `begin` takes
+  /// the position of the step's start. Such values may be asked for in any order of times.
+  void set_position(std::span<const double, kPositions> position) {
+    std::copy(position.begin(), position.end(), start_.position.begin());
+  }
+
   /// The value just after the step's start, 0. (A `Constant` has jumped there.)
   double start_value() const { return start_value_; }
 
@@ -78,13 +88,15 @@ class ProfileCursor {
   double value_of(const Tabular& profile, double t);
   double value_of(const CsvColumn& profile, double t);
   double value_of(const ExpressionProfile& profile, double t);
+  double value_of(const PositionFormula& profile, double t);
+  double value_of(const Expression& expression, std::span<const double> variables);
 
   tl::expected<void, HistoryError> begin_csv();
   bool read_row();
   double fail(HistoryError error);
 
   Profile profile_;
-  StepStart start_;
+  StepStart start_;     ///< Its position is that of the times asked for.
   double merge_ = 0.0;  ///< Times this close are the same.
   double start_value_ = 0.0;
   std::optional<HistoryError> error_;

@@ -231,7 +231,8 @@ class Teller {
                 return fmt::format("by column {} of {}", one.value_column,
                                    std::filesystem::path(one.data.shown_name).filename().string());
               },
-              [](const ExpressionProfile& one) { return "= " + one.expression.text(); }},
+              [](const ExpressionProfile& one) { return "= " + one.expression.text(); },
+              [](const PositionFormula& one) { return "= " + one.expression.text(); }},
         profile);
   }
 
