@@ -67,6 +67,8 @@ Dynamics::Dynamics(const Case& problem)
     : case_(&problem), data_(*problem.dynamics), stepper_(std::make_unique<Stepper>()) {
   // What goes wrong is told by return values; GSL's own handler would end the program.
   gsl_set_error_handler_off();
+  mass_ = data_.reduced_mass();
+  if (data_.driver) driver_share_ = data_.mass / (data_.mass + data_.driver->mass);
   for (std::size_t d = 0; d < problem.definitions.size(); ++d) {
     const law::SlipSpace& slip = problem.definitions[d].law.slip;
     if (slip.component[0] == data_.component) definition_ = static_cast<int>(d);
@@ -95,7 +97,11 @@ Dynamics::Forces Dynamics::forces(double time, double motion, double velocity) c
   const law::ConnectorIncrement here = conditions(time, motion);
   const law::KineticBehavior& kinetic = case_->kinetic;
   Forces forces;
-  forces.load = here.force[data_.component];
+  forces.load = forces.push = here.force[data_.component];
+  if (data_.driver) {
+    forces.driver = now_[kDriverLoad];
+    forces.push = (1.0 - driver_share_) * forces.load - driver_share_ * forces.driver;
+  }
   forces.elastic = law::elastic_force(kinetic, data_.component, here.end).force;
   forces.viscous = law::viscous_force(kinetic, data_.component, velocity, here.end).force;
   return forces;
@@ -135,19 +141,25 @@ law::Limit Dynamics::static_limit(double time, const State& state) const {
 
 Dynamics::State Dynamics::rates(double time, const State& state) const {
   const double w = state[kRelative];
-  const double velocity = w + data_.belt_velocity;
+  const double velocity = w + data_.belt_velocity;  // of the connector: w on a driver
+  const double surface = surface_velocity(state);
   const Forces f = forces(time, state[kMotion], velocity);
   const double limit = this->limit(time, state, std::abs(w)).force;
   const double friction = sense_ * limit;
   State rates;
   rates[kMotion] = velocity;
-  rates[kRelative] = (f.drive() - friction) / data_.mass;
+  rates[kRelative] = (f.drive() - friction) / mass_;
   rates[kSlip] = limit > 0.0 ? sense_ * w : 0.0;
   rates[kHeat] = friction * w;
-  rates[kLoadWork] = f.load * velocity;
+  rates[kLoadWork] = f.load * (w + surface) + f.driver * surface;
   rates[kBeltWork] = -friction * data_.belt_velocity;
   rates[kViscous] = f.viscous * velocity;
+  rates[kCommon] = data_.driver ? (f.load + f.driver) / (data_.mass + data_.driver->mass) : 0.0;
   return rates;
+}
+
+double Dynamics::surface_velocity(const State& state) const {
+  return data_.driver ? state[kCommon] - driver_share_ * state[kRelative] : data_.belt_velocity;
 }
 
 double Dynamics::relative_acceleration(double time, const State& state) const {
@@ -175,12 +187,12 @@ void Dynamics::choose_scales(double time) {
   double period = duration_;
   const double k = law::elastic_force(case_->kinetic, data_.component, conditions(time, x).end)
                        .slope[static_cast<std::size_t>(data_.component)];
-  if (k > 0.0) period = std::sqrt(data_.mass / k);
+  if (k > 0.0) period = std::sqrt(mass_ / k);
   // A load that sets out from 0 has its size at the end of the increment.
-  const double load = std::max(std::abs(f.load), std::abs(forces(duration_, x, 0.0).load));
+  const double load = std::max(std::abs(f.push), std::abs(forces(duration_, x, 0.0).push));
   const double limit =
       std::max(static_limit(time, state_).force, static_limit(duration_, state_).force);
-  const double push = (load + std::abs(f.elastic) + std::abs(f.viscous) + limit) / data_.mass;
+  const double push = (load + std::abs(f.elastic) + std::abs(f.viscous) + limit) / mass_;
   const double speed =
       std::max({std::abs(state_[kRelative]), std::abs(data_.belt_velocity), push * period});
   const double length = std::max(std::abs(x), speed * period);
@@ -188,7 +200,12 @@ void Dynamics::choose_scales(double time) {
   const auto sound = [](double size) {
     return size > kNothing && std::isfinite(size) ? size : 1.0;
   };
-  scale_.fill(sound(data_.mass * speed * speed));
+  scale_.fill(sound(mass_ * speed * speed));
+  if (data_.driver) {
+    const double common = std::max(speed, std::abs(state_[kCommon]));
+    scale_[kCommon] = sound(common);
+    scale_[kLoadWork] = sound((data_.mass + data_.driver->mass) * common * common);
+  }
   scale_[kMotion] = scale_[kSlip] = sound(length);
   scale_[kRelative] = sound(speed);
   constexpr double kFirstPart = 0.05;
@@ -381,7 +398,13 @@ void Dynamics::report(double time, Row& row) {
   const Forces f = forces(time, state_[kMotion], velocity);
   row.forces.component[c] = {f.elastic, f.viscous, 0.0, f.load};
   row.forces.velocity = velocity;
-  row.forces.kinetic_energy = 0.5 * data_.mass * velocity * velocity;
+  const double surface = surface_velocity(state_);
+  const double own = state_[kRelative] + surface;
+  row.forces.kinetic_energy = 0.5 * data_.mass * own * own;
+  if (data_.driver) {
+    row.forces.driver_velocity = surface;
+    row.forces.kinetic_energy += 0.5 * data_.driver->mass * surface * surface;
+  }
   row.forces.external_work = state_[kLoadWork] + state_[kBeltWork];
   row.forces.viscous_dissipation += state_[kViscous] - reported_viscous_;
   reported_viscous_ = state_[kViscous];
@@ -417,7 +440,11 @@ void Dynamics::start(const law::FrictionDefinition* friction, Row& row) {
   now_ = row.quantities;
   state_ = {};
   state_[kMotion] = row.quantities[static_cast<std::size_t>(data_.component)];
-  state_[kRelative] = data_.initial_velocity - data_.belt_velocity;
+  state_[kRelative] =
+      data_.initial_velocity - (data_.driver ? data_.driver->velocity : data_.belt_velocity);
+  if (data_.driver) {
+    state_[kCommon] = data_.driver->velocity + driver_share_ * state_[kRelative];
+  }
   if (state_[kRelative] == 0.0) {
     decide(0.0);
   } else {

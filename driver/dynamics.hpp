@@ -29,6 +29,12 @@ struct DynamicsFailure {
 /// loose, the instant is located to rounding. A stuck mass costs no integration. Load, constraint
 /// forces, temperature, fields and the other positions go linearly through an increment.
 ///
+/// With a driver of mass M in place of the belt, CP is the position of the mass relative to it and
+/// w = CP' = x' - X'. What acts between the two accelerates them against each other,
+///   m_r w' = m_r (CCF/m - F_driver/M) - CEF(CP) - CVF(w) - CSF,   1/m_r = 1/m + 1/M:
+/// the equation of one mass on a fixed track. The loads alone move the two together,
+///   (m + M) V' = CCF + F_driver,   V = (m x' + M X')/(m + M).
+///
 /// What is reported does not depend on the increments, apart from that.
 class Dynamics {
  public:
@@ -57,15 +63,26 @@ class Dynamics {
   struct Stepper;
 
   /// What is integrated while the mass slips: position x, velocity w over the belt, accumulated
-  /// slip, heat of friction, work of load and belt, heat of the damper.
-  enum Entry : std::size_t { kMotion, kRelative, kSlip, kHeat, kLoadWork, kBeltWork, kViscous };
-  static constexpr std::size_t kEntries = 7;
+  /// slip, heat of friction, work of load and belt, heat of the damper, velocity V of both masses.
+  enum Entry : std::size_t {
+    kMotion,
+    kRelative,
+    kSlip,
+    kHeat,
+    kLoadWork,
+    kBeltWork,
+    kViscous,
+    kCommon
+  };
+  static constexpr std::size_t kEntries = 8;
   using State = std::array<double, kEntries>;
 
   /// What drives the mass and what resists, at one time of the increment.
   struct Forces {
-    double load = 0.0, elastic = 0.0, viscous = 0.0;
-    double drive() const { return load - elastic - viscous; }
+    double load = 0.0, elastic = 0.0, viscous = 0.0, driver = 0.0;
+    double push =
+        0.0;  ///< of the loads on the relative motion: the load, or m_r (load/m - driver/M)
+    double drive() const { return push - elastic - viscous; }
   };
 
   law::ConnectorIncrement conditions(double time, double motion) const;
@@ -86,12 +103,17 @@ class Dynamics {
   void decide(double time);
   void choose_scales(double time);
   double friction_force(double time) const;
+  /// Velocity of what the mass rubs on, belt or driver.
+  double surface_velocity(const State& state) const;
+  void move_together(double time, double end);
   bool changes_since(int old, double time) const;
   void note_change(double time, Row& row) const;
   void report(double time, Row& row);
 
   const Case* case_;
   DynamicsData data_;
+  double mass_ = 1.0;          ///< m, or m_r
+  double driver_share_ = 0.0;  ///< m/(m + M) of a driver: its part of w
   int definition_ = -1;
   std::unique_ptr<Stepper> stepper_;
 

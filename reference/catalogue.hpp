@@ -12,6 +12,7 @@
 #include "reference/capstan_chain.hpp"
 #include "reference/cattaneo_mindlin.hpp"
 #include "reference/closed_form.hpp"
+#include "reference/clutch_engagement.hpp"
 #include "reference/contact_force.hpp"
 #include "reference/contact_force_ujoint.hpp"
 #include "reference/coulomb_slider.hpp"
@@ -81,7 +82,7 @@ inline constexpr std::array kCatalogue{
     // Spheres in contact
     cattaneo_mindlin::kForm, cattaneo_mindlin::kLoopForm, cattaneo_mindlin::kHertzForm,
     // Dynamics
-    stick_slip_oscillator::kForm, coulomb_vibration::kForm,
+    stick_slip_oscillator::kForm, coulomb_vibration::kForm, clutch_engagement::kForm,
     // Laws that people compare with
     dahl::kForm, bouc_wen::kForm, lugre::kForm, tanh_friction::kForm, tanh_friction::kCreepForm};
 

@@ -64,13 +64,23 @@ inline bool is_belt(const law::Connection& connection) {
   return connection.type && std::holds_alternative<law::SlipRing>(*connection.type);
 }
 
-/// One free component as a mass on a belt of constant velocity.
+/// A second mass, that the first one rubs on in place of a belt.
+struct DriverData {
+  double mass = 1.0;      ///< [F T^2/L], inertia [F L T^2] of a rotation
+  double velocity = 0.0;  ///< at the start [L/T]
+};
+
+/// One free component as a mass on a belt of constant velocity, or on a driver.
 struct DynamicsData {
   int component = 0;                         ///< index 0..5
   double mass = 1.0;                         ///< [F T^2/L], inertia [F L T^2] of a rotation
   double belt_velocity = 0.0;                ///< [L/T]
   double initial_velocity = 0.0;             ///< [L/T]
   std::optional<double> static_coefficient;  ///< of stick [1]; else the law's at rate 0
+  std::optional<DriverData> driver = {};
+
+  /// What the forces of the connector accelerate: the mass, or both against each other.
+  double reduced_mass() const { return driver ? mass / (1.0 + mass / driver->mass) : mass; }
 };
 
 /// One prescribed quantity of a step.

@@ -1139,7 +1139,29 @@ struct DeadZoneText {
   }
 };
 
-/// One free component as a mass on a belt.
+/// The second mass of a clutch or brake.
+struct DriverText {
+  static constexpr bool kIsDeclared = true;
+  At<double> mass;
+  At<double> velocity = default_of(0.0);
+
+  template <class V>
+  static void declare(V& key) {
+    key("mass", &DriverText::mass,
+        KeyInfo{.required = true,
+                .text = "Mass of the driver, or its moment of inertia.",
+                .dimension = {1, -1, 2},
+                .bounds = law::kPositive,
+                .unit = UnitUse::kSlip});
+    key("velocity", &DriverText::velocity,
+        KeyInfo{.text = "Velocity of the driver at the start.",
+                .default_text = "0",
+                .dimension = {0, 1, -1},
+                .unit = UnitUse::kSlip});
+  }
+};
+
+/// One free component as a mass on a belt, or on a driver.
 struct DynamicsText {
   static constexpr bool kIsDeclared = true;
   At<int> component;
@@ -1147,6 +1169,7 @@ struct DynamicsText {
   At<double> belt_velocity = default_of(0.0);
   At<double> initial_velocity = default_of(0.0);
   At<double> static_coefficient;
+  At<DriverText> driver;
 
   template <class V>
   static void declare(V& key) {
@@ -1174,6 +1197,9 @@ struct DynamicsText {
         KeyInfo{.text = "Coefficient that holds while the mass sticks.",
                 .default_text = "the coefficient at rate 0",
                 .bounds = law::kNotNegative});
+    key("driver", &DynamicsText::driver,
+        KeyInfo{.text = "A second mass to rub on, free as the first: a clutch.",
+                .default_text = "none: the mass rubs on the belt"});
   }
 };
 

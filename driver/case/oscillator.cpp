@@ -61,7 +61,7 @@ void tell_oscillator(Binder& binder, const CaseText& text, const Case& problem) 
   const At<double>& at = text.dynamics.value.mass;
   const UnitSystem& units = problem.units;
   const bool rotation = law::is_rotation(problem.dynamics->component);
-  const double mass = problem.dynamics->mass;
+  const double mass = problem.dynamics->reduced_mass();
   const double stiffness = spring_stiffness(problem, problem.dynamics->component);
   if (!(mass > 0.0 && stiffness > 0.0)) return;
   const double frequency = std::sqrt(stiffness / mass) / (2.0 * std::numbers::pi);

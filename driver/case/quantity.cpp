@@ -34,6 +34,7 @@ std::string quantity_name(int quantity) {
   if (quantity == kTemperatureQuantity) return "temperature";
   if (quantity < kTensionBehind) return "field" + std::to_string(quantity - kFirstField + 1);
   if (quantity == kTensionBehind) return "f_bc";
+  if (quantity == kDriverLoad) return "driver";
   const int coordinate = quantity - kFirstNode;
   return std::string(1, "abc"[coordinate / 3]) + "." + "xyz"[coordinate % 3];
 }

@@ -12,13 +12,14 @@ namespace slipbench::driver {
 
 /// What a case can prescribe, in one flat numbering: 0..5 relative positions CP1..CPR3, 6..11
 /// constraint forces f1..m3, 12 temperature, 13.. fields; of a belt, behind the fields, the tension
-/// f_bc and the coordinates of its nodes a, b, c.
+/// f_bc; of a dynamic case the load on its driver; of a belt the coordinates of its nodes a, b, c.
 inline constexpr int kFirstMotion = 0;
 inline constexpr int kFirstForce = law::kComponents;
 inline constexpr int kTemperatureQuantity = 2 * law::kComponents;
 inline constexpr int kFirstField = kTemperatureQuantity + 1;
 inline constexpr int kTensionBehind = kFirstField + law::kMaxFields;
-inline constexpr int kFirstNode = kTensionBehind + 1;
+inline constexpr int kDriverLoad = kTensionBehind + 1;
+inline constexpr int kFirstNode = kDriverLoad + 1;
 inline constexpr int kNodeCoordinates = 9;  ///< x, y, z of a, then of b, then of c
 inline constexpr int kQuantities = kFirstNode + kNodeCoordinates;
 

@@ -5,7 +5,11 @@
 
 namespace slipbench::driver {
 
+struct Case;
+
 /// The dimension of a quantity of the flat numbering of quantity.hpp; none for a field.
 Dimension dimension_of(int quantity);
+/// The same in a case, which knows what the load on its driver is.
+Dimension dimension_of(const Case& problem, int quantity);
 
 }  // namespace slipbench::driver

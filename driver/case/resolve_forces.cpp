@@ -310,6 +310,15 @@ void read_dynamics(Binder& binder, const CaseText& text, Case& out) {
   if (dynamics.static_coefficient.sound) {
     data.static_coefficient = dynamics.static_coefficient.value;
   }
+  if (dynamics.driver.given() && dynamics.driver.sound) {
+    data.driver =
+        DriverData{dynamics.driver.value.mass.value, dynamics.driver.value.velocity.value};
+    if (dynamics.belt_velocity.given()) {
+      binder.error(*dynamics.belt_velocity.node, dynamics.belt_velocity.path,
+                   "a mass rubs on a belt or on a driver, not on both",
+                   "the driver's velocity at the start is 'driver: {velocity: ..}'");
+    }
+  }
   for (std::size_t d = 0; d < out.definitions.size(); ++d) {
     const law::FrictionDefinition& law = out.definitions[d].law;
     const auto begin = law.slip.component.begin();

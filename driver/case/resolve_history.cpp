@@ -69,6 +69,7 @@ std::optional<int> quantity_of(Binder& binder, const Case& problem, const std::s
       return *q < 0 ? std::nullopt : q;
     }
   }
+  if (name == "driver" && force && problem.dynamics && problem.dynamics->driver) return kDriverLoad;
   if (const auto c = component_of_motion(name); c && (motion || force)) {
     if (!motion) {
       binder.error(key, path, "'" + name + "' is a motion: it goes under 'motion:'");
@@ -115,8 +116,8 @@ std::optional<int> quantity_of(Binder& binder, const Case& problem, const std::s
 }
 
 /// The dimensions that a unit of a quantity may have: fields have none that is known.
-std::vector<Dimension> dimensions_of(int quantity) {
-  const Dimension dimension = dimension_of(quantity);
+std::vector<Dimension> dimensions_of(const Case& problem, int quantity) {
+  const Dimension dimension = dimension_of(problem, quantity);
   return dimension == Dimension{} ? std::vector<Dimension>{} : std::vector{dimension};
 }
 
@@ -178,7 +179,7 @@ std::optional<Profile> finish(Binder& binder, const Case& problem, const Profile
       return std::nullopt;
     }
     const auto value = column_unit(binder, &*file, csv->value_column, at, text.csv.path, text.unit,
-                                   dimensions_of(quantity), problem.units);
+                                   dimensions_of(problem, quantity), problem.units);
     const auto time = column_unit(binder, &*file, csv->time_column, at, text.csv.path,
                                   text.time_unit, std::span(&kTime, 1), problem.units);
     if (!value || !time) return std::nullopt;
@@ -296,7 +297,7 @@ void read_measured(Binder& binder, const MeasuredText& text, const ConnectorText
     }
     const At<std::string>& column = entry.value.column;
     const auto unit = column_unit(binder, header, column.value, *column.node, column.path,
-                                  entry.value.unit, dimensions_of(*quantity), out.units);
+                                  entry.value.unit, dimensions_of(out, *quantity), out.units);
     if (!unit) {
       good = false;
       continue;

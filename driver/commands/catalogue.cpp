@@ -132,6 +132,7 @@ void list_quantities() {
        "relative position of a free component, under 'motion:'");
   tell("  {:<18} {}\n", "f1..3, m1..3",
        "constraint force or moment of a held component, under 'force:'");
+  tell("  {:<18} {}\n", "driver", "load on the driver of a dynamic case, under 'force:'");
   tell("  {:<18} {}\n", "f1, f_bc", "tensions of a belt (SLIPRING), under 'force:'");
   tell("  {:<18} {}\n", "temperature", "temperature of the connector");
   tell("  {:<18} field variables, under 'fields:'\n", fmt::format("field1..{}", law::kMaxFields));

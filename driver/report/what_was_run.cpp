@@ -178,8 +178,10 @@ class Teller {
     }
     fact("beside friction", fmt::format("{}", fmt::join(words, ", ")));
     if (const auto& mass = problem_.dynamics) {
-      fact("dynamics", fmt::format("mass {} along {}, belt velocity {}", digits(mass->mass),
-                                   motion_name(mass->component), digits(mass->belt_velocity)));
+      fact("dynamics",
+           fmt::format("mass {} along {}, {}", digits(mass->mass), motion_name(mass->component),
+                       mass->driver ? "driver of mass " + digits(mass->driver->mass)
+                                    : "belt velocity " + digits(mass->belt_velocity)));
     }
   }
 

@@ -81,7 +81,9 @@ void add_motion(const Case& problem, int c, std::vector<Column>& columns) {
       ColumnSource::kPosition, problem.reference[c]);
   if (problem.dynamics && problem.dynamics->component == c) {
     add("CV", per_time(dimension),
-        "Velocity of the mass " + where + " at the end of the increment.",
+        (problem.dynamics->driver ? "Velocity of the mass over its driver "
+                                  : "Velocity of the mass ") +
+            where + " at the end of the increment.",
         ColumnSource::kMassVelocity, 0.0);
     return;
   }
@@ -162,6 +164,19 @@ void add_energies(const Case& problem, std::vector<Column>& columns) {
         ColumnSource::kViscousDissipation);
   }
   if (!problem.dynamics) return;
+  if (problem.dynamics->driver) {
+    const int c = problem.dynamics->component;
+    const Dimension velocity = per_time(motion_dimension(c));
+    columns.push_back({"MASS_V", velocity, "Velocity of the mass.", ColumnSource::kDrivenVelocity});
+    columns.push_back(
+        {"DRIVER_V", velocity, "Velocity of the driver.", ColumnSource::kDriverVelocity});
+    columns.push_back({"DRIVER_LOAD", force_dimension(c), "Load on the driver, as prescribed.",
+                       ColumnSource::kQuantity, kDriverLoad});
+    add("KINETIC_E", "Kinetic energy of mass and driver.", ColumnSource::kKineticEnergy);
+    add("EXTERNAL_WORK", "Work of the loads on mass and driver since the start.",
+        ColumnSource::kExternalWork);
+    return;
+  }
   add("KINETIC_E", "Kinetic energy of the mass.", ColumnSource::kKineticEnergy);
   add("EXTERNAL_WORK", "Work of the belt and the load on the mass since the start.",
       ColumnSource::kExternalWork);
@@ -572,6 +587,10 @@ double column_value(const Column& column, const Case& problem, const Row& row) {
       return problem.stop[index]->flag(row.quantities[kFirstMotion + index]);
     case ColumnSource::kMassVelocity:
       return row.forces.velocity;
+    case ColumnSource::kDrivenVelocity:
+      return row.forces.velocity + row.forces.driver_velocity;
+    case ColumnSource::kDriverVelocity:
+      return row.forces.driver_velocity;
     case ColumnSource::kElasticEnergy:
       return row.forces.elastic_energy;
     case ColumnSource::kViscousDissipation:

@@ -29,6 +29,8 @@ enum class ColumnSource : std::uint8_t {
   kTotalForce,       ///< CEF + CVF + CSF + CRF - CCF
   kStopFlag,         ///< CSLST
   kMassVelocity,     ///< CV of the mass of a dynamic case
+  kDrivenVelocity,   ///< of a mass on a driver
+  kDriverVelocity,   ///< of its driver
   kElasticEnergy,
   kViscousDissipation,
   kKineticEnergy,
