@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What acts along the free components of a connector beside friction, and presses where a contact
-// force names a free component (docs/theory.md, sections 6 and 13.4).
+// Springs and dampers along the free components of a connector: they act beside friction, and press
+// where a contact force names a free component (docs/theory.md, sections 6 and 13.4).
 #pragma once
 
 #include <array>
@@ -47,21 +47,21 @@ struct ElasticForce {
 ElasticForce elastic_force(const KineticBehavior& behavior, int component,
                            const Ambient& ambient) noexcept;
 
-/// The energy of one component's springs [F L]; of coupled ones u_i CEF_i/2, so that the sum over
-/// the components is that of all springs.
+/// Returns the energy of one component's springs [F L]; of coupled ones u_i CEF_i/2, so that the
+/// sum over the components is that of all springs.
 double elastic_energy(const KineticBehavior& behavior, int component,
                       const Ambient& ambient) noexcept;
 
-/// CVF of one component at a velocity [L/T], [1/T], and its slope to it.
+/// Returns CVF of one component at a velocity [L/T], [1/T], and its slope to it.
 ForcePoint viscous_force(const KineticBehavior& behavior, int component, double velocity,
                          const Ambient& ambient) noexcept;
 
-/// The kinetic force CEF + CVF of a component that is driven by its motion: its total force without
-/// friction.
+/// Returns the kinetic force CEF + CVF of a component that is driven by its motion: its total force
+/// without friction.
 double kinetic_force(const KineticBehavior& behavior, int component, double velocity,
                      const Ambient& ambient) noexcept;
 
-/// The mean velocity of a component over an increment [L/T], [1/T]; 0 without a duration.
+/// Returns the mean velocity of a component over an increment [L/T], [1/T]; 0 without a duration.
 inline double mean_velocity(const ConnectorIncrement& increment, int component) {
   const double motion = increment.end.position[component] - increment.begin_position[component];
   return increment.duration > 0.0 ? motion / increment.duration : 0.0;
@@ -72,7 +72,7 @@ inline double mean_velocity(const ConnectorIncrement& increment, int component) 
 void set_kinetic_forces(const KineticBehavior& behavior, ComponentSet which,
                         ConnectorIncrement* increment) noexcept;
 
-/// The components whose force a contact force sees.
+/// Returns the components whose force a contact force sees.
 ComponentSet components_of(const ContactForce& contact);
 
 }  // namespace slipbench::law

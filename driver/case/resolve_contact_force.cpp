@@ -16,7 +16,7 @@ namespace {
 
 std::string component_words(int component) { return "component " + std::to_string(component + 1); }
 
-/// The definitions that one entry of `friction:` gives, and where it names its contact force.
+/// Definitions that one entry of `friction:` gives, and where it names its contact force.
 struct Owner {
   std::vector<std::size_t> definitions;
   const Node* node = nullptr;
@@ -46,7 +46,7 @@ std::vector<Owner> owners(const CaseText& text, const Case& problem) {
   return all;
 }
 
-/// How much of a quantity the history has.
+/// Extent to which the history drives a quantity.
 enum class Driven { kNever, kZero, kYes };
 
 Driven driven(const Case& problem, int quantity) {
@@ -125,7 +125,7 @@ void tell_undriven(Binder& binder, const Owner& owner, const Case& problem) {
   }
 }
 
-/// The connection types that hold `component` and leave what a definition slips in free.
+/// Returns the connection types that hold `component` and leave what a definition slips in free.
 std::string holding_types(int component, const law::SlipSpace& slip) {
   std::vector<std::string_view> names;
   law::for_each_connection_type([&]<class Type>(std::type_identity<Type>) {
@@ -138,7 +138,7 @@ std::string holding_types(int component, const law::SlipSpace& slip) {
   return in_words(names);
 }
 
-/// The first step that drives a load, in words.
+/// Returns the first step that drives a load, in words.
 std::string loading(const Case& problem, int component) {
   for (const Step& step : problem.steps) {
     for (const Drive& drive : step.drives) {

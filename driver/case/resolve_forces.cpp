@@ -56,7 +56,7 @@ std::optional<int> new_component(Binder& binder, const At<int>& at, const Case& 
 }
 
 const At<double>& linear_form(const At<double>& number) { return number; }
-/// The number of a spring along one component; a matrix is none, which is reported.
+/// Returns the number of a spring along one component; a matrix is none, which is reported.
 At<double> linear_form(const At<NumberOrMatrix>& text) {
   const double* number = std::get_if<double>(&text.value);
   return {number != nullptr ? *number : 0.0, text.node, text.path, text.sound && number != nullptr};
@@ -103,7 +103,7 @@ bool is_stiffness(Binder& binder, const At<NumberOrMatrix>& at, std::size_t coun
   return false;
 }
 
-/// Springs that join several components.
+/// Reads springs that join several components.
 void read_coupled(Binder& binder, const At<ElasticityText>& at, law::ComponentSet& seen,
                   Case& out) {
   const ElasticityText& text = at.value;

@@ -105,7 +105,7 @@ std::string term_text(const law::DerivedTerm& term, const law::ConnectorForce& f
   return text;
 }
 
-/// What the force of each free component that a contact force names is made of, a line each.
+/// Returns a line for each free component that a contact force names: the sum its force is.
 std::vector<std::string> kinetic_lines(const Case& problem, const Row& row,
                                        const law::ContactForce& contact) {
   std::vector<std::string> lines;
