@@ -257,8 +257,12 @@ double ExactWalk::advance(double tau) noexcept {
   const bool opens = !grips(tau);
   if (opens) {
     open(tau);
-    // No limit at a corner and in the middle of what follows: none in all of it.
-    if (!grips(tau + 0.5 * (end - tau))) return end;
+    // No limit at a corner and in the middle of what follows: none in all of it, unless slip that
+    // wears F_C + F_int through 0 finds one behind.
+    const bool behind =
+        fixed_ && wears_ && length_ > 0.0 &&
+        limit(tau, slip_ + 1e-6 * largest_slip_).normal_force > kNoLimit * contact_scale_;
+    if (!behind && !grips(tau + 0.5 * (end - tau))) return end;
   }
   const bool constant = has_constant_radius(tau, end);
   const double r = radius(tau, slip_);
@@ -271,7 +275,6 @@ double ExactWalk::advance(double tau) noexcept {
     slips = slips || (!must_stick_ && growth > (constant ? 0.0 : 1e-10 * r / (end - tau)));
   }
   must_slip_ = must_stick_ = false;
-  if (slips && opens && wear_outruns(tau, end)) return slip_at_no_limit(tau, end);
   if (!slips) return stick(tau, end);
   return constant ? slip_at_constant_radius(tau, by_rate_ ? end : next)
                   : slip_at_varying_radius(tau, next);
@@ -310,58 +313,6 @@ double ExactWalk::radius_growth(double from, double to) noexcept {
   return (4.0 * radius(from + step, slip_) - 3.0 * radius(from, slip_) -
           radius(from + 2.0 * step, slip_)) /
          (2.0 * step);
-}
-
-double ExactWalk::wear_margin(double tau, double slip, double step) noexcept {
-  const Limit here = limit(tau, slip);
-  const Limit ahead = limit(tau + step, slip);
-  const double pressing = (ahead.contact_force - here.contact_force) / step;
-  const double side = pressing < 0.0 ? -1.0 : 1.0;
-  const double stick = points_.stick(tau);
-  const double growth = (ahead.normal_force - here.normal_force) * ahead.mu / step / stick;
-  const double slips = (length_ - growth) / (1.0 + side * ahead.mu * ahead.wear / stick);
-  return -side * (pressing + ahead.wear * slips);
-}
-
-bool ExactWalk::wear_outruns(double from, double to) noexcept {
-  if (!fixed_ || !wears_ || limit(from, slip_).normal_force > kNoLimit * contact_scale_) {
-    return false;
-  }
-  return wear_margin(from, slip_, kDifference * (to - from)) > 0.0;
-}
-
-double ExactWalk::slip_at_no_limit(double from, double to) noexcept {
-  const double step = kDifference * (to - from);
-  const double start = slip_;
-  const double side = limit(from + step, start).contact_force < 0.0 ? -1.0 : 1.0;
-  // Not behind the next knot of the wear: that is another piece.
-  const auto& table = *std::get_if<TableFunction>(&definition_.internal_contact_force);
-  const auto knots = table.table().knots(table.column_of(IndependentKind::kAccumulatedSlip));
-  const double rounding = kNoLimit * largest_slip_;
-  const auto knot = std::upper_bound(knots.begin(), knots.end(), begin_slip_ + start + rounding);
-  const double beyond = knot == knots.end() ? std::numeric_limits<double>::infinity()
-                                            : *knot - begin_slip_ + rounding;
-  const auto slip_of = [&](double tau) {
-    const auto pressed = [&](double x) { return side * limit(tau, x).contact_force; };
-    const double most = std::min(start + length_ * (tau - from), beyond);
-    if (!(pressed(start) > 0.0)) return start;
-    return pressed(most) < 0.0 ? first_negative(pressed, start, most) : most;
-  };
-  const auto way = [&](double tau) { return point(tau, slip_of(tau)); };
-  enter_piece(way, from, to);
-  to = piece_->end_of(way, from, to, kSamples);
-  const auto outruns = [&](double tau) { return wear_margin(tau, slip_of(tau), 1e-3 * step); };
-  double end = from;
-  for (int k = 1; k <= kSamples; ++k) {
-    const double next = k == kSamples ? to - 2e-3 * step : from + (to - from) * k / kSamples;
-    if (next > end && outruns(next) < 0.0) {
-      to = first_negative(outruns, end, next);
-      break;
-    }
-    end = next;
-  }
-  slip_ = std::max(slip_of(to), start);
-  return to;
 }
 
 double ExactWalk::stick(double from, double to) noexcept {

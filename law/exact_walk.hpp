@@ -101,13 +101,6 @@ class ExactWalk {
   /// dR/dtau at the begin of [from, to], wear held.
   double radius_growth(double from, double to) noexcept;
 
-  /// Tells whether F_C + F_int, 0 at `from`, would be pressed together again at rest, and slip
-  /// would wear that off at once: then it stays 0, with as much slip as that takes.
-  bool wear_outruns(double from, double to) noexcept;
-  /// Returns by how much faster it is worn off than pressed together [F]; `step` of the differences
-  /// in tau.
-  double wear_margin(double tau, double slip, double step) noexcept;
-  double slip_at_no_limit(double from, double to) noexcept;
   /// Stick until the radius is met, or `to`; returns where, and nothing moves if that is at once.
   double stick(double from, double to) noexcept;
   double stick_end(double from, double to) noexcept;

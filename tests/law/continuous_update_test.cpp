@@ -246,18 +246,24 @@ TEST_CASE("a limit that wears faster than the spring lets the force jump, with i
   }
 }
 
-TEST_CASE("slip that wears off as much as presses keeps the contact force at 0") {
-  // F_C + F_int = 50 + 50 u - 100 L: worn to 0 at u = 1, then L = 0.5 + 0.5 u without force.
+TEST_CASE("slip that wears the contact force through 0 goes on behind") {
+  // F_C + F_int = 50 + 50 u - 100 L, with R = 0.5 |F_C + F_int|/k: 0 at L = 0.5 + 0.5 u = u.
+  // Behind, L + 0.5 (100 L - 50 - 50 u)/1000 = u.
   for (const int count : {1, 7, 50}) {
     FrictionDefinition definition = slider(0.5, 0.0, fixed_stiffness(1000.0));
-    definition.contact_force = ComponentContactForce{2};
+    definition.contact_force = ComponentContactForce{1};
     definition.internal_contact_force =
         make_function({{150, 0}, {0, 1.5}}, {{IndependentKind::kAccumulatedSlip, 0}});
-    ExactRun run(definition, at(0.0, -100.0));
-    run.go(at(1.8, -10.0), count);
-    CHECK(run.state.accumulated_slip == Approx(1.4).epsilon(1e-11));
-    CHECK(run.friction(1) == 0.0);
-    CHECK(run.work == Approx(run.dissipation).epsilon(1e-12));
+    Waypoint begin = at(0.0);
+    begin.force[1] = -100.0;
+    Waypoint end = at(1.4);
+    end.force[1] = -30.0;
+    ExactRun run(definition, begin);
+    run.go(end, count);
+    const double slip = (1.4 + 0.025 + 0.025 * 1.4) / 1.05;
+    CHECK(run.state.accumulated_slip == Approx(slip).epsilon(1e-12));
+    CHECK(run.friction(1) == Approx(1000.0 * (1.4 - slip)).epsilon(1e-10));
+    CHECK(run.work == Approx(run.dissipation + run.last.stored_energy).epsilon(1e-12));
   }
 }
 
