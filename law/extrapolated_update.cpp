@@ -116,6 +116,8 @@ class Pieces {
       const Run run = extrapolate(tau_, to);
       if (run.outcome == Run::Outcome::kMixed) {
         event = to;
+      } else if (const double dip = first_dip(run, to); dip < to) {
+        event = dip;
       } else if (fresh && run.last.signature.regime == Regime::kSlip && to - tau_ > first_) {
         // A turn that is over within the first step of every row would not be seen.
         step = first_;
@@ -128,12 +130,14 @@ class Pieces {
         error = std::numeric_limits<double>::infinity();
         // What settles late only would not at twice the length.
         step = (run.rows < kRows - 1 ? 2.0 : 1.0) * (to - tau_);
-        if (to - tau_ > 1e3 * shortest) flickers = 0;
+        const bool long_enough = to - tau_ > 1e3 * shortest;
+        if (long_enough) flickers = 0;
         take(run, to);
         // Long sub-increments may have seen what is not there.
         if (to == event) {
           event = 2.0;
           step = 1.0;
+          if (!long_enough) ++flickers;
         }
         again = true;
       }
@@ -312,6 +316,42 @@ class Pieces {
     return worst;
   }
 
+  /// A place in a piece of stick at which the force is beyond a limit that dips between the samples
+  /// of the rows; `to` if there is none.
+  double first_dip(const Run& run, double to) noexcept {
+    constexpr int kCells = 16;
+    if (run.outcome != Run::Outcome::kSettled || run.last.signature.regime != Regime::kStick ||
+        to - tau_ < 1e-6) {
+      return to;
+    }
+    const auto slips = [&](double tau) {
+      return steps_.step(at_, tau_, tau).signature.regime == Regime::kSlip;
+    };
+    const auto holds = [&](double tau) {
+      return steps_.holds(steps_.step(at_, tau_, tau).end, tau);
+    };
+    const double cell = (to - tau_) / kCells;
+    double before = holds(tau_ + 0.5 * cell);
+    double here = holds(tau_ + cell);
+    for (int i = 2; i <= kCells; ++i) {
+      const double after = holds(tau_ + i * cell);
+      if (here < before && here <= after) {
+        double low = tau_ + (i - 2) * cell;
+        double high = tau_ + i * cell;
+        for (int k = 0; k < 40; ++k) {
+          const double a = low + 0.382 * (high - low);
+          const double b = high - 0.382 * (high - low);
+          if (slips(a)) return a;
+          if (slips(b)) return b;
+          (holds(a) < holds(b) ? high : low) = holds(a) < holds(b) ? b : a;
+        }
+      }
+      before = here;
+      here = after;
+    }
+    return to;
+  }
+
   /// Goes on to `to` with what a piece has come to.
   void take(const Run& run, double to) noexcept {
     const Regime regime = run.last.signature.regime;
@@ -346,6 +386,11 @@ class Pieces {
     }
     run.end.held = run.last.end.held;
     run.end.slip = run.last.slip;
+    // Slip far beyond the motion: wear has let the force jump over a steep part of the limit.
+    if (steps_.fixed() && tau_ > 0.0 && run.last.slip > 1e-6 * elastic_ &&
+        run.last.slip > 1e3 * (to - tau_) * steps_.length()) {
+      snap_back_ = std::max(snap_back_, 1.0);
+    }
     if (steps_.fixed()) {
       // What the spring loses in no time.
       run.end.dissipation = run.end.work - stored(to, run.end.held) + stored(tau_, at_.held);

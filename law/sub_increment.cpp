@@ -254,7 +254,9 @@ SubIncrement SubIncrements::step(const SlipPoint& begin, double from, double to)
   Scale scale = scale_at(start, rest.force);
   result.signature.regime = Regime::kStick;
   result.end.held = start.trial;
-  if (within(*potential_, scale.trial, scale.limit)) {
+  // A viscous force at rest nears its limit for ever: so near to it, it is there.
+  const double slack = viscous_ ? 1.0 + kAtZero : 1.0;
+  if (within(*potential_, scale.trial, slack * scale.limit)) {
     result.force = fixed_ ? start.trial : scaled(start.trial, rest.force / stick);
     result.normal = gradient(*potential_, result.force);
     result.signature.limit = signature(rest, begin.accumulated_slip, true);
