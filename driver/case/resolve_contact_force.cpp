@@ -94,14 +94,19 @@ law::ComponentSet undriven(const law::ContactForce& contact, const Case& problem
 
 /// Says once that nothing in the history drives any of the forces that could press.
 void tell_undriven(Binder& binder, const Owner& owner, const Case& problem) {
+  // A press fit of predefined friction needs no loads.
+  const bool press_fit =
+      owner.predefined &&
+      std::any_of(owner.definitions.begin(), owner.definitions.end(),
+                  [&](auto d) { return !has_no_internal_force(problem.definitions[d].law); });
+  if (press_fit) return;
   law::ComponentSet told;
   for (const std::size_t d : owner.definitions) {
     const law::FrictionDefinition& law = problem.definitions[d].law;
     const bool presses_otherwise = !has_no_internal_force(law);
     law::ComponentSet zero;
     const law::ComponentSet never = undriven(law.contact_force, problem, zero);
-    // A press fit of predefined friction needs no loads.
-    if (never.empty() || never == told || (owner.predefined && presses_otherwise)) continue;
+    if (never.empty() || never == told) continue;
     told = never;
     std::string what = "nothing drives " + force_names(never);
     if (!zero.empty()) what += ", and the history keeps " + force_names(zero) + " at 0";

@@ -65,8 +65,11 @@ std::string flow_map(const std::vector<std::string>& entries) {
   return fmt::format("{{{}}}", fmt::join(entries, ", "));
 }
 
-/// A length of the geometry in mm: radii are small against lengths.
-double length_of(std::string_view key) { return key.starts_with('R') ? 5.0 : 30.0; }
+/// A length of the geometry in mm: radii are small against lengths, and a puck has no hole.
+double length_of(std::string_view key) {
+  if (key == "R_i") return 0.0;
+  return key.starts_with('R') ? 5.0 : 30.0;
+}
 
 /// The parts of a case that differ from type to type.
 struct Parts {

@@ -21,20 +21,20 @@ struct Planar {
       "SLIDE-PLANE + REVOLUTE", ComponentSet::of(1, 5, 6), ComponentSet::of(2, 3, 4)};
 
   double R = 0.0;
-  double R_i = 0.0;
   InternalContactForce internal_contact_force = 0.0;
   InternalContactForce internal_contact_moment = 0.0;
+  double R_i = 0.0;
 
   static constexpr auto fields() {
     return std::tuple{
         Field{"R", &Planar::R, dimension::kLength, kNotNegative, false,
               "Radius of the puck; 0 drops the terms it multiplies or divides."},
-        Field{"R_i", &Planar::R_i, dimension::kLength, kNotNegative, false,
-              "Inner radius of a ring, less than R; 0 is a full disc."},
         Field{"internal_contact_force", &Planar::internal_contact_force, dimension::kForce,
               kNotNegative, false, "F_int of sliding, a number or a table."},
         Field{"internal_contact_moment", &Planar::internal_contact_moment, dimension::kMoment,
-              kNotNegative, false, "M_int of spinning, a number or a table."}};
+              kNotNegative, false, "M_int of spinning, a number or a table."},
+        Field{"R_i", &Planar::R_i, dimension::kLength, kNotNegative, false,
+              "Inner radius of a ring, less than R; 0 is a full disc."}};
   }
 
   /// (2/3)(R^3 - R_i^3)/(R^2 - R_i^2) without its differences: R of a thin ring. \pre R > 0

@@ -199,8 +199,8 @@ TEST_CASE("two types of one kind of motion, or an assembled one, make no pair") 
 
 TEST_CASE("the mean arm of a ring is that of a disc without a hole, to the last bit") {
   for (const double R : {0.3, 7.0, 1e-3, 12.3456789}) CHECK(Planar{R}.mean_arm() == 2.0 / 3.0 * R);
-  CHECK(Planar{3.0, 1.0}.mean_arm() == Approx(2.0 / 3.0 * 26.0 / 8.0).epsilon(1e-15));
-  CHECK(Planar{1.0, 1.0 - 1e-12}.mean_arm() == Approx(1.0 - 0.5e-12).epsilon(1e-15));
+  CHECK(Planar{3.0, 0.0, 0.0, 1.0}.mean_arm() == Approx(2.0 / 3.0 * 26.0 / 8.0).epsilon(1e-15));
+  CHECK(Planar{1.0, 0.0, 0.0, 1.0 - 1e-12}.mean_arm() == Approx(1.0 - 0.5e-12).epsilon(1e-15));
 }
 
 TEST_CASE("CYLINDRICAL gives the worked limit, with and without its overlap") {
@@ -315,9 +315,9 @@ TEST_CASE("predefined contact forces match the reference formulas on signed forc
   CHECK(limit(Hinge{0.3, 0.2, 0.7, 5.0}, f, 1.0) ==
         Approx(reference::hinge({0.3, 0.2, 0.7, 5.0}, f[0], f[1], f[2], f[4], f[5]))
             .epsilon(rounding));
-  CHECK(limit(Planar{0.3, 0.1, 5.0, 6.0}, f, 1.0, 0) ==
+  CHECK(limit(Planar{0.3, 5.0, 6.0, 0.1}, f, 1.0, 0) ==
         Approx(reference::planar_sliding(0.3, 5.0, f[0], f[4], f[5])).epsilon(rounding));
-  CHECK(limit(Planar{0.3, 0.1, 5.0, 6.0}, f, 1.0, 1) ==
+  CHECK(limit(Planar{0.3, 5.0, 6.0, 0.1}, f, 1.0, 1) ==
         Approx(reference::planar_spinning({0.3, 0.1}, 6.0, f[0], f[4], f[5])).epsilon(rounding));
 }
 

@@ -48,7 +48,7 @@ TEST_CASE("a clutch that never engages or cannot hold its loads is refused") {
         {0.5}, {1.5}, {60.0}, {0.0}, {15.0}, {load}, {-3.0}, {0.0}});
   };
   CHECK_FALSE(violation(8.0));
-  CHECK(violation(19.1)->find("cannot hold") != std::string::npos);  // 15.075 N m of 15
+  CHECK(violation(-21.1)->find("cannot hold") != std::string::npos);  // 15.075 N m of 15
   CHECK(violation(40.0)->find("never engages") != std::string::npos);
   CHECK(evaluate("clutch_engagement", {{0.4}, {0.6}, {100.0}, {20.0}, {12.0}, {0.0}, {0.0}, {1.0}},
                  {{0.0}})[0][0] == 100.0);

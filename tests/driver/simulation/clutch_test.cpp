@@ -99,8 +99,8 @@ TEST_CASE("a driver is told apart from a belt, and its load from that of the mas
         "5:36: error: dynamics.belt_velocity: a mass rubs on a belt or on a driver, not on both; "
         "the driver's velocity at the start is 'driver: {velocity: ..}'");
   CHECK(error(clutch("mass: 1", steps)).find("history[0].force.driver: ") != std::string::npos);
-  CHECK(error(clutch("mass: 1, driver: {velocity: 2}", steps)).find("missing key 'mass'") !=
-        std::string::npos);
+  CHECK(error(clutch("mass: 1, driver: {velocity: 2}", "  - {step: go, increments: 1}\n"))
+            .find("missing key 'mass'") != std::string::npos);
   CHECK(error(clutch("mass: 1, driver: {mass: 2}",
                      "  - {step: go, increments: 1, force: {driver: 5 N}}\n"))
             .find("force.driver") != std::string::npos);

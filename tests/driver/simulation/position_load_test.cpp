@@ -105,8 +105,8 @@ TEST_CASE("only forces follow positions, and only those the connector has") {
       "connector: {type: SLIPRING, wrap_angle: 1}\n"
       "friction: [{predefined: {}, coefficient: 0.3, stick: {stiffness: 10}}]\n"
       "history: [{step: go, increments: 1, force: {f1: \"= 5 + CP2\"}, motion: {CP2: {to: 1}}}]\n");
-  REQUIRE(belt.size() == 1);
-  CHECK(belt[0].find("only forces can follow a position such as CP2, and not the tensions of a "
+  REQUIRE(belt.size() == 2);  // the other warns of a belt without tension
+  CHECK(belt[1].find("only forces can follow a position such as CP2, and not the tensions of a "
                      "belt") != std::string::npos);
 }
 
@@ -152,8 +152,8 @@ TEST_CASE("a mass under a load over its position moves as its increments do not 
   const Row one = end(1), many = end(60);
   CHECK(one.quantities[3] == Approx(many.quantities[3]).epsilon(1e-10));
   CHECK(one.forces.velocity == Approx(many.forces.velocity).margin(1e-9));
-  CHECK(one.forces.external_work ==
-        Approx(8000.0 * (std::cos(one.quantities[3]) - 1.0)).epsilon(1e-9));
+  CHECK(one.forces.external_work == Approx(8000.0 * (std::cos(one.quantities[3]) - 1.0))
+                                        .margin(1e-7));  // of a kinetic energy of 12 kJ
   CHECK(one.quantities[kFirstForce + 3] == Approx(-8000.0 * std::sin(one.quantities[3])));
 }
 
