@@ -8,8 +8,8 @@
 
 namespace slipbench::law {
 
-/// Whether slip within an increment can meet a fold of the path of roots at all: the limit sees the
-/// slip of the increment through wear, and a spring of constant stiffness pulls.
+/// Returns true if slip within an increment can meet a fold of the path of roots at all: the limit
+/// sees the slip of the increment through wear, and a spring of constant stiffness pulls.
 inline bool may_snap_back(const FrictionDefinition& definition) noexcept {
   return definition.stick.mode == StickStiffness::Mode::kStiffness &&
          definition.accumulated_slip == AccumulatedSlipTiming::kEnd &&

@@ -79,7 +79,8 @@ struct DynamicsData {
   std::optional<double> static_coefficient;  ///< of stick [1]; else the law's at rate 0
   std::optional<DriverData> driver = {};
 
-  /// What the forces of the connector accelerate: the mass, or both against each other.
+  /// Returns the mass that the forces of the connector accelerate: one, or the reduced mass of
+  /// both.
   double reduced_mass() const { return driver ? mass / (1.0 + mass / driver->mass) : mass; }
 };
 

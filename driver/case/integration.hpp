@@ -11,7 +11,7 @@ enum class IntegrationMethod : std::uint8_t {
   kExact           ///< the continuous solution between rows that are joined by straight lines
 };
 
-/// What becomes of a force that wear takes away faster than the stick spring follows.
+/// The fate of a force that wear takes away faster than the stick spring follows.
 enum class SnapBackAction : std::uint8_t {
   kStop,  ///< the run ends
   kJump   ///< it goes on from the next equilibrium, and the energy lost is booked

@@ -603,7 +603,7 @@ class Resolver {
     }
   }
 
-  /// Whether the inner radius of a PLANAR, if it has one, leaves a ring; else reports it.
+  /// Returns true if the inner radius of a PLANAR, if it has one, leaves a ring; else reports it.
   template <class Type>
   bool is_ring(const Node& map, const Path& path, [[maybe_unused]] const Type& geometry) {
     if constexpr (std::is_same_v<Type, law::Planar>) {

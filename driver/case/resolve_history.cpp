@@ -121,7 +121,7 @@ std::vector<Dimension> dimensions_of(const Case& problem, int quantity) {
   return dimension == Dimension{} ? std::vector<Dimension>{} : std::vector{dimension};
 }
 
-/// Whether a quantity can follow the positions that a formula names; else reports why not.
+/// Returns true if a quantity can follow the positions that a formula names; else reports why not.
 bool may_follow_position(Binder& binder, const Case& problem, const PositionFormula& formula,
                          const Node& node, const Path& path, int quantity) {
   const std::string named(*std::find_if(

@@ -15,7 +15,7 @@
 namespace slipbench::driver {
 namespace {
 
-/// What one surface speed and one force make of a coefficient in the two units.
+/// Coefficients that one surface speed and one force give in the two units.
 struct Disagreement {
   double speed = 0.0;
   double force = 0.0;
