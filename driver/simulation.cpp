@@ -707,10 +707,11 @@ SimulationFailure Simulation::snap_back_failure(std::size_t definition) const {
       definition,
       fmt::format(
           "the force would jump at constant motion (snap-back): its wear falls faster than "
-          "the stick stiffness can follow, mu |F'| / k = {} in this increment where it must "
+          "the stick stiffness can follow, mu |F'| / {} = {} in this increment where it must "
           "stay below 1; a stick.stiffness above {} follows it here, so does a flatter "
           "table; 'integration: {{snap_back: jump}}' goes on behind the jump and books the "
           "energy lost in it",
+          std::holds_alternative<law::Potential>(in_force.criterion) ? "(|m|^2 k)" : "k",
           fmt::format("{:.6g}", beta), unit.empty() ? enough : enough + " " + unit));
 }
 

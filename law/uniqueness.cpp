@@ -38,6 +38,15 @@ CellRange cell_from(const Table& table, int independent, double begin) {
   return {begin, next == knots.end() ? begin : *next};
 }
 
+/// Returns the least |dP/dy|^2: that of one contribution alone is at least 1; where several slip
+/// together, each takes part of P.
+double least_square_of_normal(const FrictionDefinition& definition) {
+  const auto* potential = std::get_if<Potential>(&definition.criterion);
+  if (potential == nullptr) return 1.0;
+  if (potential->combine == PotentialOperator::kMax) return 1.0 / potential->parts;
+  return std::pow(potential->parts, std::min(2.0 / potential->exponent - 1.0, 0.0));
+}
+
 }  // namespace
 
 SnapBack snap_back(const FrictionDefinition& definition) {
@@ -58,7 +67,8 @@ SnapBack snap_back(const FrictionDefinition& definition) {
     }
   }
   if (std::isfinite(result.growth)) {
-    result.ratio = result.growth * result.fall / definition.stick.value;
+    result.along = least_square_of_normal(definition);
+    result.ratio = result.growth * result.fall / (result.along * definition.stick.value);
   }
   return result;
 }

@@ -17,13 +17,14 @@ struct CellRange {
   double begin = 0.0;
   double end = 0.0;
 };
-/// Wear against stick stiffness: beta = growth fall / kappa, the beta = mu c / k of reference case
-/// W1 with the worst of the tables. At beta >= 1 the force drops at constant motion (snap-back),
-/// if a run gets there: FrictionUpdate::snap_back tells of that. Where the coefficient grows with
-/// the contact force without bound there is no worst, and `ratio` is 0.
+/// Wear against stick stiffness: beta = growth fall / (along kappa), the beta = mu c / k of
+/// reference case W1 with the worst of the tables. At beta >= 1 the force drops at constant motion
+/// (snap-back), if a run gets there: FrictionUpdate::snap_back tells of that. Where the coefficient
+/// grows with the contact force without bound there is no worst, and `ratio` is 0.
 struct SnapBack {
   double growth = 0.0;               ///< largest d(mu F_N)/dF_N [1]
   double fall = 0.0;                 ///< steepest -dF_int/d(accumulated slip) [F/L]
+  double along = 1.0;                ///< least |m|^2 of a potential's normals m = dP/dy [1]
   double ratio = 0.0;                ///< beta; 0 where none can be met (may_snap_back)
   CellRange slip;                    ///< where it falls so [L]
   std::optional<CellRange> contact;  ///< where it grows so [F], of a table over the contact force

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -188,17 +190,23 @@ void warn_of_snap_back(Binder& binder, const law::FrictionDefinition& d, const C
   const auto cell = [](const law::CellRange& range) {
     return format_number(range.begin) + " .. " + format_number(range.end);
   };
-  std::string message =
-      "wear may fall faster than the stick stiffness can follow (snap-back): mu |F'| / k = " +
-      format_number(snap.growth) + " * " + format_number(snap.fall) + " / " +
-      format_number(d.stick.value) + " = " + format_number(snap.ratio) +
-      " in the cell accumulated_slip = " + cell(snap.slip);
+  const bool uneven = snap.along != 1.0;
+  const std::string stick = format_number(d.stick.value);
+  std::string message = fmt::format(
+      "wear may fall faster than the stick stiffness can follow (snap-back): mu |F'| / {} = {} * "
+      "{} "
+      "/ {} = {:.6g} in the cell accumulated_slip = {}",
+      uneven ? "(|m|^2 k)" : "k", format_number(snap.growth), format_number(snap.fall),
+      uneven ? fmt::format("({:.6g} * {})", snap.along, stick) : stick, snap.ratio,
+      cell(snap.slip));
   if (snap.contact) message += " at contact_force = " + cell(*snap.contact);
   if (law::depends_on_contact_force(d.law)) message += "; mu stands for d(mu F_N)/dF_N";
-  binder.warning(node, path, message + "; a run that meets 1 or more ends there",
-                 "a stick.stiffness above " + format_number(snap.growth * snap.fall) +
-                     " or a flatter table follows everywhere, 'integration: {snap_back: jump}' "
-                     "goes on behind the jump");
+  if (uneven) message += "; |m|^2 is the least of the potential, where its terms slip together";
+  binder.warning(
+      node, path, message + "; a run that meets 1 or more ends there",
+      fmt::format("a stick.stiffness above {:.6g} or a flatter table follows everywhere, "
+                  "'integration: {{snap_back: jump}}' goes on behind the jump",
+                  snap.growth * snap.fall / snap.along));
 }
 
 namespace {

@@ -32,6 +32,22 @@ TEST_CASE("the snap-back ratio is beta = mu c / k of linear wear") {
   CHECK_FALSE(snap.contact);
 }
 
+TEST_CASE("a potential whose terms slip together has a softer spring along its normal") {
+  // P = (y1^b + y2^b)^(1/b) at y1 = y2: |dP/dy|^2 = 2^(2/b - 1); of the maximum the mean normal.
+  FrictionDefinition definition = wearing();
+  Potential potential;
+  potential.parts = 2;
+  potential.exponent = 4.0;
+  definition.criterion = potential;
+  CHECK(snap_back(definition).ratio == Approx(0.01 * std::sqrt(2.0)).epsilon(1e-14));
+  potential.exponent = 1.5;
+  definition.criterion = potential;
+  CHECK(snap_back(definition).ratio == Approx(0.01).epsilon(1e-14));
+  potential.combine = PotentialOperator::kMax;
+  definition.criterion = potential;
+  CHECK(snap_back(definition).ratio == Approx(0.02).epsilon(1e-14));
+}
+
 TEST_CASE("without wear, or with a stiffness that follows the limit, nothing snaps back") {
   FrictionDefinition definition = wearing();
   definition.stick = {StickStiffness::Mode::kElasticSlip, 0.02};

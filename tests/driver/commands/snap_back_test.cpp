@@ -111,6 +111,41 @@ TEST_CASE("a cell that makes the bound and that no run reaches is named, and doe
             "d(mu F_N)/dF_N; a run that meets 1 or more ends there"));
 }
 
+TEST_CASE("of a potential, the stiffness that is said to follow everywhere does") {
+  const auto plane = [](const std::string& stiffness) {
+    return "slipbench: 1\ntitle: plane\nunits: {length: mm, force: N, time: s}\n"
+           "connector: {type: SLIDE-PLANE}\n"
+           "friction:\n"
+           "  - potential: {exponent: 4, terms: [{component: 2}, {component: 3}]}\n"
+           "    internal_contact_force: {columns: [F, accumulated_slip], rows: [[6000, 0], [1000, "
+           "1]]}\n"
+           "    coefficient: 0.25\n"
+           "    stick: {stiffness: " +
+           stiffness +
+           "}\nhistory:\n  - {step: out, duration: 3.0, increments: 70, motion: {CP2: {to: 3}, "
+           "CP3: {to: 3}}}\n";
+  };
+  const TemporaryFolder folder;
+  // Above mu |F'| = 1250, which is enough along an axis.
+  folder.write("plane.yaml", plane("1700"));
+  const Ended soft = slipbench(folder, "run plane.yaml");
+  INFO(soft.output);
+  CHECK(soft.code == 3);
+  CHECK(has(soft.output,
+            "mu |F'| / (|m|^2 k) = 0.25 * 5000 / (0.707107 * 1700) = 1.03986 in the cell "
+            "accumulated_slip = 0 .. 1; |m|^2 is the least of the potential, where its terms slip "
+            "together; a run that meets 1 or more ends there; a stick.stiffness above 1767.77 or a "
+            "flatter table follows everywhere, "));
+  CHECK(has(soft.output,
+            "mu |F'| / (|m|^2 k) = 1.03986 in this increment where it must stay below 1; a "
+            "stick.stiffness above 1767.77 N/mm follows it here, "));
+  folder.write("plane.yaml", plane("1768"));
+  const Ended stiff = slipbench(folder, "run plane.yaml");
+  INFO(stiff.output);
+  CHECK(stiff.code == 0);
+  CHECK_FALSE(has(stiff.output, "snap-back"));
+}
+
 TEST_CASE("with the slip of the increment's start nothing is warned of") {
   const TemporaryFolder folder;
   folder.write("worn.yaml", worn("integration: {accumulated_slip: start}\n"));
