@@ -66,6 +66,8 @@ std::string verdict_text(const Comparison& of, const Convergence& force,
   switch (verdict) {
     case ConvergenceVerdict::kSettled:
       return "converged: smaller increments change nothing";
+    case ConvergenceVerdict::kSettles:
+      return "converged at half the increment: a quarter changes nothing more" + errors();
     case ConvergenceVerdict::kSecondOrder:
       return "second order: half the increment, a quarter of the error" + errors();
     case ConvergenceVerdict::kFirstOrder:
@@ -105,9 +107,10 @@ ConvergenceVerdict judge(const Convergence& convergence) {
   if (convergence.settled()) return ConvergenceVerdict::kSettled;
   const double order = convergence.order();
   // A second difference that is nothing has converged whatever the first was.
-  if (convergence.second <= Convergence::kNothing * convergence.scale || order >= 1.5) {
-    return ConvergenceVerdict::kSecondOrder;
+  if (convergence.second <= Convergence::kNothing * convergence.scale) {
+    return ConvergenceVerdict::kSettles;
   }
+  if (order >= 1.5) return ConvergenceVerdict::kSecondOrder;
   if (order >= 0.7) return ConvergenceVerdict::kFirstOrder;
   return order >= 0.3 ? ConvergenceVerdict::kSlow : ConvergenceVerdict::kNone;
 }

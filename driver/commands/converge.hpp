@@ -26,7 +26,8 @@ struct Convergence {
   double error() const;
 };
 
-enum class ConvergenceVerdict { kSettled, kSecondOrder, kFirstOrder, kSlow, kNone };
+/// kSettles: half the increment changes something, a quarter nothing more.
+enum class ConvergenceVerdict { kSettled, kSettles, kSecondOrder, kFirstOrder, kSlow, kNone };
 ConvergenceVerdict judge(const Convergence& convergence);
 
 /// `slipbench run --converge`: the case with one, two and four increments where it has one (between

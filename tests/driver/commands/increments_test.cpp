@@ -7,6 +7,7 @@
 #include "driver/commands/compare_integration.hpp"
 #include "driver/commands/converge.hpp"
 #include "driver/exit_code.hpp"
+#include "tests/driver/case/read_for_test.hpp"
 #include "tests/driver/simulation/example_cases.hpp"
 
 namespace slipbench::driver {
@@ -75,8 +76,23 @@ TEST_CASE("a saw-tooth does not converge, and the increment that decides is name
   CHECK(has(text.error().message, "falls with the rate of the slip"));
 }
 
+TEST_CASE("what a quarter of the increment does not change has settled at half of it") {
+  // One increment sees nothing of a motion out and back, two see all of it.
+  const Case problem = sound(
+      "slipbench: 1\nconnector: {type: SLOT}\n"
+      "friction: [{component: 1, internal_contact_force: 100, coefficient: 0.2, stick: {stiffness: "
+      "1000}}]\n"
+      "history: [{step: out and back, increments: 1, motion: {CP1: '= 1 - abs(1 - 2*t)'}}]\n");
+  const auto verdict = converge(problem);
+  REQUIRE(verdict);
+  INFO(*verdict);
+  CHECK(has(*verdict, "converged at half the increment: a quarter changes nothing more"));
+  CHECK_FALSE(has(*verdict, "second order"));
+}
+
 TEST_CASE("the order is judged from two differences") {
   CHECK(judge({1e-12, 1e-12, 1.0}) == ConvergenceVerdict::kSettled);
+  CHECK(judge({0.4, 0.0, 1.0}) == ConvergenceVerdict::kSettles);
   CHECK(judge({0.4, 0.1, 1.0}) == ConvergenceVerdict::kSecondOrder);
   CHECK(judge({0.2, 0.1, 1.0}) == ConvergenceVerdict::kFirstOrder);
   CHECK(judge({0.2, 0.14, 1.0}) == ConvergenceVerdict::kSlow);
