@@ -501,9 +501,11 @@ std::string definition_text(const Case& problem, const Instant& instant, std::si
       const double n = length > 0.0 ? update.direction[i] / length : 0.0;
       const double scale = definition.slip.scale[i];
       numbers += (numbers.empty() ? "" : ", ") + digits(n);
-      names +=
-          fmt::format("{}{}{}", names.empty() ? "" : ", ", scale == 1.0 ? "" : digits(scale) + " ",
-                      motion_name(definition.slip.component[i]));
+      const bool own_flow = d > 0 && problem.belt && !problem.belt->lengths.empty();
+      names += fmt::format("{}{}{}{}", names.empty() ? "" : ", ",
+                           scale == 1.0 ? "" : digits(scale) + " ",
+                           motion_name(definition.slip.component[i]),
+                           own_flow ? "." + problem.definitions[d].name : "");
     }
     text += fmt::format("  slip direction ({}) in ({}); slip rate {}\n", numbers, names,
                         digits(update.slip_rate));

@@ -15,7 +15,7 @@ namespace slipbench::driver {
 namespace {
 
 /// The position a friction force column goes with: CSF1 with CP1, CSM2 with CPR2, CSF2.ring1 with
-/// CP2.
+/// CP2, which is the flow over all rings where a ring has none of its own.
 std::string position_of(const std::string& column) {
   const std::string force = column.substr(0, column.find('.'));
   for (int c = 0; c < law::kComponents; ++c) {
@@ -41,7 +41,8 @@ class Selection {
         const int column = add(force);
         if (column < 0) continue;
         definition.components.push_back(column);
-        definition.positions.push_back(add(position_of(force)));
+        const int own = definition.several ? add(position_of(force) + suffix) : -1;
+        definition.positions.push_back(own >= 0 ? own : add(position_of(force)));
       }
       // A belt has another limit in each sense; FLIM is only that of the side its force lies on.
       const std::string& first = friction.forces.empty() ? friction.name : friction.forces.front();

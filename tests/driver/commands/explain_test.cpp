@@ -264,5 +264,19 @@ history:
   CHECK(slip.find("play 0.1 mm of a dead zone of 0.2 mm, at its upper end") != std::string::npos);
 }
 
+TEST_CASE("a ring behind a segment of known length slips in its own flow") {
+  const std::string text = text_of(R"(slipbench: 1
+units: {length: mm, force: N, time: s}
+connector: {type: SLIPRING, wrap_angle: [1, 1], initial: {CP1: 100}, lengths: [50, 60]}
+friction:
+  - {predefined: {}, coefficient: 0.2, stick: {elastic_slip: 0.01}}
+history:
+  - {step: pull, increments: 2, motion: {CP2: {to: 1}}, force: {f1: 20}}
+)",
+                                   1.0);
+  CHECK(text.find("slip direction (1.0) in (CP2); slip rate 1.0") != std::string::npos);
+  CHECK(text.find("slip direction (1.0) in (CP2.ring2); slip rate 1.0") != std::string::npos);
+}
+
 }  // namespace
 }  // namespace slipbench::driver

@@ -38,6 +38,23 @@ TEST_CASE("a result says itself what is to be drawn") {
   CHECK(sliding.regimes.spans[0].status == 2);
 }
 
+TEST_CASE("a ring is drawn over its own flow where the result has it") {
+  const TemporaryFolder folder;
+  const auto file =
+      folder.write("belt.csv",
+                   "# slipbench 0\n# title: belt\n# friction: r1 = CSF2.r1, r2 = CSF2.r2\n"
+                   "# columns: t [s], CP2 [mm], CSF2.r1 [N], CP2.r2 [mm], CSF2.r2 [N]\n"
+                   "t,CP2,CSF2.r1,CP2.r2,CSF2.r2\n0,0,0,0,0\n1,1,5,2,6\n");
+  const auto data = read_plot_data(file, "belt.csv");
+  REQUIRE(data);
+  REQUIRE(data->definitions.size() == 2);
+  const auto drawn_over = [&](std::size_t d) {
+    return data->columns[static_cast<std::size_t>(data->definitions[d].positions[0])].name;
+  };
+  CHECK(drawn_over(0) == "CP2");
+  CHECK(drawn_over(1) == "CP2.r2");
+}
+
 TEST_CASE("a long result is thinned but keeps its ends and extremes") {
   const TemporaryFolder folder;
   std::string text = kHead;
