@@ -50,7 +50,8 @@ SolverDemand solver_demand(const law::FrictionDefinition& definition,
 
   // f = R y and s = R u: to slip space by 1/R on both sides.
   const law::ConnectorTangent whole = law::connector_tangent(definition, increment, update);
-  const Square through_springs = whole.to_force * law::kinetic_slopes(kinetic, increment);
+  const Square springs = law::kinetic_slopes(kinetic, increment);
+  const Square through_springs = whole.to_force * springs;
   Square tangent = whole.to_motion + through_springs;
   Square rate = Square::Zero();
   const bool potential = std::holds_alternative<law::Potential>(definition.criterion);
@@ -65,8 +66,10 @@ SolverDemand solver_demand(const law::FrictionDefinition& definition,
     }
   }
   demand.asymmetry = asymmetry(tangent, tangent.norm());
+  // Where next to nothing presses the stick stiffness vanishes, and the springs that press do not.
   const double stick =
-      law::stick_stiffness(definition, update.limit) * std::sqrt(double(slip.dimension));
+      std::max(law::stick_stiffness(definition, update.limit) * std::sqrt(double(slip.dimension)),
+               springs.norm());
 
   law::ConnectorForce to_force;
   law::RelativePosition to_position;
@@ -103,7 +106,11 @@ SolverDemand solver_demand(const law::FrictionDefinition& definition,
                                                           .contact_force = update.normal_force}))
                                   .to_contact_force
             : 0.0;
-    demand.snap_back = std::max(-side * slope * growth / definition.stick.value, 0.0);
+    // A potential's direction is m/|m|^2: along m the spring has the stiffness |m|^2 k.
+    double softer = 0.0;
+    for (const double n : update.direction) softer += n * n;
+    if (!potential || softer == 0.0) softer = 1.0;
+    demand.snap_back = std::max(-side * slope * growth * softer / definition.stick.value, 0.0);
   }
   return demand;
 }
@@ -194,7 +201,7 @@ std::string SolverReport::definition_text(const Worst& worst, std::size_t index)
   if (demand.snap_back > 0.0) {
     text += fmt::format("; snap-back number mu|F'|/k up to {:.3g}{}{}", demand.snap_back,
                         at(worst.snap_back_time),
-                        demand.snap_back >= 1.0 ? ": the force jumps at constant motion" : "");
+                        demand.snap_back >= 1.0 ? ": slip lets the force jump there" : "");
   }
   text += "\n    ";
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "driver/connector_increment.hpp"
+#include "tests/driver/case/read_for_test.hpp"
 #include "tests/driver/simulation/example_cases.hpp"
 
 namespace slipbench::driver {
@@ -83,6 +84,19 @@ TEST_CASE("the snap-back number is that of the wear at the state reached (W1)") 
   // mu c / k = 0.2 500 / 1000.
   CHECK(last_demand(problem).snap_back == Approx(0.1).epsilon(1e-14));
   CHECK(contains(report_of(problem), "snap-back number mu|F'|/k up to 0.1"));
+}
+
+TEST_CASE("springs that press stay the measure where next to nothing does") {
+  // The spring of component 2 swings back to where it presses with rounding alone.
+  const Case problem = sound(
+      "slipbench: 1\nconnector: {type: CARTESIAN}\n"
+      "friction: [{component: 1, contact_force: 2, coefficient: 0.3, stick: {elastic_slip: "
+      "1e-3}}]\n"
+      "elasticity: [{component: 2, stiffness: 400}]\n"
+      "history: [{step: a, increments: 8, motion: {CP1: {to: 1}, CP2: '= 0.2*sin(2*pi*t)'}}]\n");
+  const SolverDemand demand = last_demand(problem);
+  // mu K and its transpose over K.
+  CHECK(demand.by_position == Approx(0.3 * std::sqrt(2.0)).epsilon(1e-6));
 }
 
 TEST_CASE("the report names the increment that makes the answer unique") {
