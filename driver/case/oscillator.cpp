@@ -71,8 +71,9 @@ void tell_oscillator(Binder& binder, const CaseText& text, const Case& problem) 
   binder.note(
       *at.node, at.path,
       fmt::format(
-          "{} on the spring of {} swings at {} (period {})", mass_words(mass, units, rotation),
-          amount(stiffness, unit_text(of_spring, units)),
+          "{}{} on the spring of {} swings at {} (period {})",
+          problem.dynamics->driver ? "with its driver as one mass of " : "",
+          mass_words(mass, units, rotation), amount(stiffness, unit_text(of_spring, units)),
           unit.empty() ? amount(frequency, "") + " a unit of time" : amount(frequency, unit),
           amount(period, units.time)));
   constexpr double kFewest = 10.0;

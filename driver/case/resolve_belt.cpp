@@ -324,7 +324,10 @@ void finish_belt(Binder& binder, const CaseText& text, Case& out) {
     binder.error(node, path,
                  "the tension f1 follows from the strain of the belt, by its elasticity");
   }
-  if (text.history.sound && !elastic && !text.elasticity.given() && !drives(out, kTension)) {
+  // A faulty f1 is reported where it is written.
+  const bool has_tension =
+      place_of(text, &StepText::force, "f1").second.text() != text.history.path.text();
+  if (text.history.sound && !elastic && !text.elasticity.given() && !has_tension) {
     binder.warning(*text.history.node, text.history.path,
                    "the belt has no tension, so there is no friction",
                    "prescribe 'force: {f1: ...}', or give it an elasticity of component 1");

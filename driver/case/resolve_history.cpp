@@ -69,7 +69,12 @@ std::optional<int> quantity_of(Binder& binder, const Case& problem, const std::s
       return *q < 0 ? std::nullopt : q;
     }
   }
-  if (name == "driver" && force && problem.dynamics && problem.dynamics->driver) return kDriverLoad;
+  if (name == "driver" && force && problem.dynamics) {
+    if (problem.dynamics->driver) return kDriverLoad;
+    binder.error(key, path, "the mass has no driver that a load could act on",
+                 "'dynamics: {driver: {mass: .., velocity: ..}}' gives it one");
+    return std::nullopt;
+  }
   if (const auto c = component_of_motion(name); c && (motion || force)) {
     if (!motion) {
       binder.error(key, path, "'" + name + "' is a motion: it goes under 'motion:'");

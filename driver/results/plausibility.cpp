@@ -133,11 +133,13 @@ std::string Plausibility::no_pressure(std::size_t index) const {
   for (int c = 0; c < law::kComponents; ++c) {
     if (!pressing.contains(c)) continue;
     all.push_back(force_name(c));
+    if (case_->kinetic.pressing.contains(c) && case_->force_driven.contains(c)) continue;
     if (is_driven(*case_, kFirstForce + c) || acts_beside_friction(*case_, c)) {
       driven.push_back(force_name(c));
     }
   }
-  // That nothing drives it is said when the case is read.
+  // That nothing drives it, or that its load balances all that presses, is said when the case is
+  // read.
   const bool constant = std::holds_alternative<double>(definition.law.internal_contact_force);
   if (!all.empty() && driven.empty() && constant) return {};
   std::string text = whose(definition) +

@@ -48,6 +48,13 @@ TEST_CASE("a mass on its spring is told with its unit and its natural frequency"
               "swings at 11.25 Hz (period 0.08886 s)"});
 }
 
+TEST_CASE("a mass on a driver swings with it, as the reduced mass of both") {
+  CHECK(told("units: {length: m, force: N, time: s}\n", "0.6, driver: {mass: 0.4}",
+             Severity::kNote) ==
+        Lines{"dynamics.mass: with its driver as one mass of 0.24 kg (N s^2/m is kg) on the spring "
+              "of 100 N/m swings at 3.249 Hz (period 0.3078 s)"});
+}
+
 TEST_CASE("of units that have no name, or that the case does not state, nothing is made up") {
   CHECK(told("", "0.3", Severity::kNote) ==
         Lines{"dynamics.mass: 0.3 on the spring of 100 swings at 2.906 a unit of time (period "

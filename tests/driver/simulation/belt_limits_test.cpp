@@ -87,6 +87,11 @@ TEST_CASE("a chain takes one definition for all rings or one for each, and no ot
   }
 }
 
+TEST_CASE("a tension that is written and faulty is not told as missing") {
+  CHECK(message(belt("wrap_angle: 1", "", "motion: {CP2: {to: 1}}, force: {f1: '= 20*CP2'}"))
+            .find("only forces can follow a position such as CP2") != std::string::npos);
+}
+
 TEST_CASE("a distance beyond a stop, or below a hundredth of the first, ends the run") {
   CHECK(end_of(sound(belt("wrap_angle: 1.5, initial: {CP1: 100}",
                           "stops: [{component: 1, lower: 50}]\n",

@@ -123,5 +123,14 @@ TEST_CASE("a run of a clutch that was cut goes on with the same bytes") {
   }
 }
 
+TEST_CASE("a load on a driver that is not there is told how to have one") {
+  const std::string said =
+      complaint(clutch("mass: 0.6, initial_velocity: 3", "  - {step: a, force: {driver: 3}}\n"));
+  INFO(said);
+  CHECK(said.find("history[0].force.driver: the mass has no driver that a load could act on; "
+                  "'dynamics: {driver: {mass: .., velocity: ..}}' gives it one\n") !=
+        std::string::npos);
+}
+
 }  // namespace
 }  // namespace slipbench::driver

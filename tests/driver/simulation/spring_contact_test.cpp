@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "driver/results/plausibility.hpp"
 #include "tests/driver/case/read_for_test.hpp"
 #include "tests/driver/simulation/example_cases.hpp"
 #include "tests/support/dice.hpp"
@@ -265,6 +266,13 @@ TEST_CASE("a load against a spring that should press is warned of, and the remed
   std::string slot = changed({{"CARTESIAN", "SLOT"}}, spring_case(kRamp, ""));
   CHECK(said(slot).empty());
   CHECK(normal_force(rows_of(sound(slot)).back()) == Approx(50.0));
+}
+
+TEST_CASE("the run does not blame the load's size for a pressure that is balanced") {
+  const Case problem = sound(spring_case(kRamp, kSpring3));
+  Plausibility plausibility(problem);
+  for (const Row& row : rows_of(problem)) plausibility.add(row);
+  CHECK(plausibility.findings().empty());
 }
 
 TEST_CASE("a load that only friction takes up is told what presses") {
