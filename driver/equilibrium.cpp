@@ -292,6 +292,19 @@ bool Equilibrium::newton(Trial& trial) {
   return false;
 }
 
+bool Equilibrium::holds(const Trial& trial) const {
+  if (follow_ == nullptr) return true;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kSize, kSize> tangent(count_, count_);
+  tangent.setIdentity();
+  for (int k = 0; k < count_; ++k) {
+    for (int l = 0; l < count_ && !at_stop(trial, k); ++l) {
+      if (at_stop(trial, l)) continue;
+      tangent(k, l) = trial.tangent[static_cast<std::size_t>(k)][static_cast<std::size_t>(l)];
+    }
+  }
+  return !(tangent.determinant() < 0.0);
+}
+
 /// Looks for a zero of one imbalance along its own component, away from where the load pushes to,
 /// in steps that double; the other components stay. Where there is none before a stop, the stop
 /// holds.
@@ -344,7 +357,7 @@ bool Equilibrium::solve_piece(Trial& trial) {
   constexpr int kMostSweeps = 30;
   const Trial start = trial;
   jumped_ = false;
-  if (newton(trial)) return true;
+  if (newton(trial) && holds(trial)) return true;
   trial = start;
   evaluate(trial);
   for (int sweep = 0; sweep < kMostSweeps; ++sweep) {

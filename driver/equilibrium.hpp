@@ -85,6 +85,10 @@ class Equilibrium {
   bool newton(Trial& trial);
   bool search_along(int k, Trial& trial);
   bool at_stop(const Trial& trial, int k) const;
+  /// Returns false for a balance that a load which follows the positions leaves with any shift: at
+  /// rest the determinant of the slopes is positive, and along a way of balances that hold it stays
+  /// so. Newton's method does not look where it goes.
+  bool holds(const Trial& trial) const;
   bool balanced(const Trial& trial, int k) const;
   double merit(const Trial& trial) const;
   void accept(double from, double to, Row& row);
