@@ -275,6 +275,22 @@ TEST_CASE("the run does not blame the load's size for a pressure that is balance
   CHECK(plausibility.findings().empty());
 }
 
+TEST_CASE("a spring that is never compressed is told by its motion") {
+  const auto finding = [](const std::string& motion) {
+    const Case problem = sound(spring_case(
+        "  - {step: a, increments: 4, motion: {CP1: {to: 1}" + motion + "}}\n", kSpring3));
+    Plausibility plausibility(problem);
+    for (const Row& row : rows_of(problem)) plausibility.add(row);
+    REQUIRE(plausibility.findings().size() == 1);
+    return plausibility.findings()[0];
+  };
+  const std::string never =
+      "friction 'friction1': nothing ever presses: its contact force is 0 all along, and so is its "
+      "friction; look at the size and the sign of CP3";
+  CHECK(finding("") == never + " (nothing moves it) in the history");
+  CHECK(finding(", CP3: {to: 0}") == never + " in the history");
+}
+
 TEST_CASE("a load that only friction takes up is told what presses") {
   const std::vector<std::string> all =
       said(spring_case(kRamp, kSpring3, kFrictionIn1 + kFrictionIn3));
