@@ -37,16 +37,8 @@ Case draw() {
   const int length = *rc::gen::inRange(1, 60).as("increments");
   const auto seed = *rc::gen::noShrink(rc::gen::arbitrary<std::uint32_t>()).as("seed");
   Dice dice(seed);
-  DefinitionDescription d = random_definition(&dice, 0);
-  d.name = "belt";
-  d.moment = false;
-  d.slip = slip_space({2});
-  d.contact_force = ComponentContactForce{0};
-  d.weights.clear();
-  d.internal_contact_force = 0.0;
-  // A coefficient of hundreds, as linear extrapolation may give, has no finite exponential.
-  if (auto* table = std::get_if<TableRows>(&d.law)) table->extrapolation = Extrapolation::kConstant;
-  const double angle = dice.chance(0.05) ? 0.0 : dice.between(0.0, dice.chance(0.2) ? 20.0 : 4.0);
+  DefinitionDescription d = random_belt(&dice);
+  const double angle = d.belt->wrap_angle;
   std::vector<HistoryRow> rows = random_history(&dice, length);
   return {std::move(d), angle, std::move(rows), dice};
 }

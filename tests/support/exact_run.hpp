@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "law/continuous_update.hpp"
+#include "law/return_mapping.hpp"
 
 namespace slipbench::test {
 
@@ -17,8 +18,8 @@ struct Waypoint {
   double duration = 1.0;
 };
 
-/// One friction definition driven along straight pieces by exact integration. Starts at `begin`,
-/// stress-free.
+/// One friction definition driven along straight pieces by exact integration, or by backward Euler
+/// to compare with. Starts at `begin`, stress-free.
 class ExactRun {
  public:
   explicit ExactRun(law::FrictionDefinition friction, Waypoint begin = {}, double exactness = 1e-12)
@@ -26,6 +27,7 @@ class ExactRun {
 
   law::FrictionDefinition definition;
   double tolerance;
+  bool backward_euler = false;
   law::FrictionState state;
   law::FrictionUpdate last;
   law::RegimeChanges changes;
@@ -67,7 +69,8 @@ class ExactRun {
     increment.end = ambient(to);
     increment.force = to.force;
     const auto segment = law::path_segment(definition, increment, ambient(here_), here_.force);
-    last = law::continuous_update(definition, segment, state, tolerance, &changes);
+    last = backward_euler ? law::update(definition, increment, state)
+                          : law::continuous_update(definition, segment, state, tolerance, &changes);
     state = last.state;
     dissipation += last.dissipation;
     work += last.work;

@@ -47,6 +47,7 @@ struct DefinitionDescription {
   bool moment = false;  ///< the slip space is one of moments and angles
   law::SlipSpace slip;
   std::optional<law::Potential> potential;        ///< without one the Euclidean norm
+  std::optional<law::Capstan> belt;               ///< in place of a potential
   law::ContactForce contact_force;                ///< weights of tables left at 0
   std::vector<std::optional<TableRows>> weights;  ///< of the terms of a derived component
   std::variant<double, TableRows> internal_contact_force = 0.0;
@@ -63,6 +64,7 @@ struct DefinitionDescription {
     law::FrictionDefinition definition;
     definition.slip = slip;
     if (potential) definition.criterion = *potential;
+    if (belt) definition.criterion = *belt;
     definition.contact_force = contact_force;
     if (auto* g = std::get_if<law::DerivedComponent>(&definition.contact_force)) {
       for (std::size_t t = 0; t < weights.size(); ++t) {
@@ -578,6 +580,24 @@ inline DefinitionDescription random_definition(Dice* dice, int kind,
   if (dice->chance(0.4)) d.accumulated_slip = law::AccumulatedSlipTiming::kStart;
   if (dice->chance(0.4)) d.slip_rate = law::SlipRateMeasure::kRelativeMotion;
   if (dice->chance(0.2)) d.blend = {dice->between(0.0, 0.6), dice->between(0.0, 1.0)};
+  return d;
+}
+
+/// A random belt over a ring; the tension is the force of component 1.
+inline DefinitionDescription random_belt(Dice* dice) {
+  DefinitionDescription d = random_definition(dice, 0);
+  d.name = "belt";
+  d.moment = false;
+  d.slip = law::slip_space({2});
+  d.contact_force = law::ComponentContactForce{0};
+  d.weights.clear();
+  d.internal_contact_force = 0.0;
+  // A coefficient of hundreds, as linear extrapolation may give, has no finite exponential.
+  if (auto* table = std::get_if<TableRows>(&d.law)) {
+    table->extrapolation = law::Extrapolation::kConstant;
+  }
+  d.belt =
+      law::Capstan{dice->chance(0.05) ? 0.0 : dice->between(0.0, dice->chance(0.2) ? 20.0 : 4.0)};
   return d;
 }
 
