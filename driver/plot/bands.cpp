@@ -38,7 +38,7 @@ std::string facts(const PlotData& data, const RegimeHistory& regimes, bool all_m
       text += fmt::format(" and {} reversal{}", reversals, reversals == 1 ? "" : "s");
     }
   }
-  if (regimes.open_time > 0.0) text += ", open " + percent(regimes.open_time, duration);
+  if (lasts(regimes.open_time, duration)) text += ", open " + percent(regimes.open_time, duration);
   if (!all_marked) text += "; not all are marked";
   return text;
 }

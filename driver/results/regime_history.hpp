@@ -17,6 +17,10 @@ struct RegimeMark {
   bool turns = false;  ///< slip that goes on in the opposite sense
 };
 
+/// Returns whether a part of the time of a run is more than the rounding of the instants that bound
+/// it: exact integration locates an instant to 1e-12 of its increment.
+inline bool lasts(double part, double whole) { return part > 1e-9 * whole; }
+
 /// When one friction definition stuck, slipped and was open.
 struct RegimeHistory {
   std::vector<RegimeSpan> spans;  ///< of slip and of no contact; the rest is stick

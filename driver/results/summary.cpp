@@ -11,6 +11,7 @@
 
 #include "driver/history/derived_units.hpp"
 #include "driver/results/csv_writer.hpp"
+#include "driver/results/regime_history.hpp"
 #include "law/penalty_predictor.hpp"
 #include "law/penalty_update.hpp"
 #include "law/uniqueness.hpp"
@@ -293,8 +294,8 @@ std::string Summary::definition_text(const DefinitionSummary& sum, std::size_t i
   const double duration = end_time_ - start_time_;
   std::string text = "  " + name;
   if (!sum.first_slip) {
-    constexpr double kAll = 1.0 - 1e-9;  // a sum of many increments has its rounding
-    text += duration > 0.0 && sum.open_time >= kAll * duration ? open_text(index) : "never slips";
+    const bool all_along = duration > 0.0 && !lasts(duration - sum.open_time, duration);
+    text += all_along ? open_text(index) : "never slips";
   } else {
     const Event& first = *sum.first_slip;
     std::string reversals;
@@ -312,7 +313,7 @@ std::string Summary::definition_text(const DefinitionSummary& sum, std::size_t i
     }
     text += fmt::format(" ({}) at {}", where, with_unit(rounded(std::abs(first.force)), force));
   }
-  if (sum.first_slip && sum.open_time > 0.0) {
+  if (sum.first_slip && lasts(sum.open_time, duration)) {
     text += fmt::format(
         ", {} {} of the time",
         plausibility_.definitions()[index].open_under_force ? "with a limit of 0 for" : "open",

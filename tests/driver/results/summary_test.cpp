@@ -98,6 +98,26 @@ TEST_CASE("time without contact ends and begins with its events") {
   CHECK(summary_of(problem).text().find("  never in contact\n") == 0);
 }
 
+TEST_CASE("an instant without contact is no time") {
+  // Pressed from 0 on: exact integration leaves the open begin 1e-11 of the increment behind it.
+  Case problem = slider_case(
+      {step("press", 1, kFirstForce + 1, LinearTo{100.0}), step("out", 4, 0, LinearTo{0.1})});
+  problem.definitions[0].law.internal_contact_force = 0.0;
+  problem.definitions[0].law.contact_force = law::ComponentContactForce{1};
+  const law::BuiltPotential built = both_axes(law::PotentialOperator::kMax, 1.0);
+  problem.definitions[0].law.slip = built.slip;
+  problem.definitions[0].law.criterion = built.criterion;
+  problem.integration.method = IntegrationMethod::kExact;
+  const Summary summary = summary_of(problem);
+  CHECK(summary.definitions()[0].open_time < 1e-10);
+  CHECK(summary.text().find(" at 20.0 N\n  friction force") != std::string::npos);
+  // A thousandth of the time is time.
+  problem.steps.insert(problem.steps.begin(),
+                       step("nothing", 1, kFirstForce + 1, Constant{0.0}, 2e-3));
+  CHECK(summary_of(problem).text().find(" at 20.0 N, open 0.1 % of the time\n") !=
+        std::string::npos);
+}
+
 TEST_CASE("without a coefficient there is no friction, but contact there is") {
   Case problem = slider_case({step("out", 4, 0, LinearTo{1.0})});
   problem.definitions[0].law.law = law::ConstantCoefficient{0.0};
