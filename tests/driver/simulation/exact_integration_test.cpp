@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/exact_integration.hpp"
 
+#include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "driver/results/events.hpp"
@@ -79,6 +82,49 @@ TEST_CASE("a changing coefficient goes over within the increment") {
     // At rest the force falls from 19 N to 5 N: 0.014 mm; then from 5 N to -5 N and on.
     CHECK(row.update.state.accumulated_slip == Approx(0.014 + 0.119 - 0.010).epsilon(1e-12));
     CHECK(row.dissipation == Approx((19.0 * 19.0 - 25.0) / 2000.0 + 5.0 * 0.109).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("a change of friction under a potential does not see the number of increments") {
+  // Two axes, of which the stronger one slips, and their sum; slipping while the coefficient falls.
+  const auto op = GENERATE(law::PotentialOperator::kMax, law::PotentialOperator::kSum);
+  const auto mode =
+      GENERATE(law::StickStiffness::Mode::kStiffness, law::StickStiffness::Mode::kElasticSlip);
+  const bool elastic = mode == law::StickStiffness::Mode::kElasticSlip;
+  CAPTURE(op == law::PotentialOperator::kMax, elastic);
+  const auto end = [&](IntegrationMethod method, int increments) {
+    Case problem = slider_case({step("press", increments, 0, LinearTo{0.025}),
+                                step("change", increments, 0, LinearTo{0.06}),
+                                step("back", increments, 0, LinearTo{-0.01})});
+    problem.steps[0].drives.push_back({1, LinearTo{0.01}});
+    problem.steps[1].drives.push_back({1, LinearTo{0.05}});
+    problem.steps[2].drives.push_back({1, LinearTo{0.06}});
+    const law::BuiltPotential built = both_axes(op, elastic ? 3.0 : 1.0);
+    law::FrictionDefinition& definition = problem.definitions[0].law;
+    definition.slip = built.slip;
+    definition.criterion = built.criterion;
+    definition.stick = {mode, elastic ? 0.02 : 1000.0};
+    FrictionChange change;
+    change.law = law::ConstantCoefficient{0.05};
+    change.stick = definition.stick;
+    problem.steps[1].friction_changes = {change};
+    problem.integration = {method, 1e-12};
+    const DefinitionRow row = rows_of(problem).back().definitions[0];
+    const law::FrictionState& state = row.update.state;
+    return std::array{state.force[0], state.force[1], state.accumulated_slip, row.dissipation};
+  };
+  const auto one = end(IntegrationMethod::kExact, 1);
+  for (const int increments : {3, 50}) {
+    const auto more = end(IntegrationMethod::kExact, increments);
+    for (std::size_t i = 0; i < one.size(); ++i) CHECK(more[i] == Approx(one[i]).epsilon(1e-9));
+  }
+  const auto coarse = end(IntegrationMethod::kBackwardEuler, 1000);
+  const auto fine = end(IntegrationMethod::kBackwardEuler, 2000);
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    CAPTURE(i, one[i], coarse[i], fine[i]);
+    // The error of the first power of the increment taken out, what is left is of the second.
+    CHECK(2.0 * fine[i] - coarse[i] == Approx(one[i]).epsilon(2e-5));
+    CHECK(std::abs(fine[i] - one[i]) <= 0.6 * std::abs(coarse[i] - one[i]) + 1e-9);
   }
 }
 

@@ -10,6 +10,7 @@
 #include "driver/case/case.hpp"
 #include "driver/case/quantity.hpp"
 #include "driver/simulation.hpp"
+#include "law/potential_terms.hpp"
 
 namespace slipbench::driver {
 
@@ -30,6 +31,14 @@ inline Case slider_case(std::vector<Step> steps) {
   problem.definitions = {{"sleeve", false, definition}};
   problem.steps = std::move(steps);
   return problem;
+}
+
+/// The contributions of components 1 and 2, and the slip space they make.
+inline law::BuiltPotential both_axes(law::PotentialOperator op, double exponent) {
+  std::vector<law::PotentialContribution> axes(2);
+  axes[0].of = 0;
+  axes[1].of = 1;
+  return law::build_potential(axes, op, exponent);
 }
 
 /// A step that drives one quantity.
