@@ -103,6 +103,7 @@ def fit_schema():
 def check():
     code, text = run("check", source / "cases")
     expect(code == 0, f"slipbench check cases/ ended with {code}:\n{text}")
+    expect("warning:" not in text, f"a shipped case gives a warning:\n{text}")
     for path in files("cases/examples", "cases/verification"):
         expect(f"{path.parent.name}/{path.stem} " in text, f"{path.name}: not in the verdict table")
         case = yaml.safe_load(path.read_text())

@@ -136,7 +136,7 @@ TEST_CASE("the tangent of a contact penalty meets one-sided differences") {
               definition.contact_force = ComponentContactForce{5};
             }
             Count count;
-            for (int trial = 0; trial < 60; ++trial) {
+            for (int trial = 0; trial < 20; ++trial) {
               FrictionRun run(definition);
               run.duration = 0.1;
               const auto move = [&](double stride, double force) {
@@ -153,15 +153,15 @@ TEST_CASE("the tangent of a contact penalty meets one-sided differences") {
               move(dice.chance(0.5) ? 0.1 : 1.0, -dice.between(50.0, 90.0));
               compare(definition, run.increment(), run.state, &count);
             }
-            CHECK(count.compared > 25);
-            CHECK(count.slipping > 3);
+            CHECK(count.compared > 8);
+            CHECK(count.slipping > 0);
             clipped += count.clipped;
           }
         }
       }
     }
   }
-  CHECK(clipped > 200);
+  CHECK(clipped > 70);
 }
 
 TEST_CASE("without a contact nothing follows") {

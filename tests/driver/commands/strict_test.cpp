@@ -86,12 +86,5 @@ TEST_CASE("check --strict fails a case for each of its warnings, its checks or n
   CHECK(contains(read(folder.path() / "c.xml"), "failures=\"1\""));
 }
 
-TEST_CASE("the shipped cases give no warning when they are checked") {
-  const TemporaryFolder folder;
-  const Ended ended = slipbench(folder, "check '" + test::source_dir() + "/cases' -q");
-  CHECK(ended.code == 0);
-  CHECK_FALSE(contains(ended.output, "warning:"));
-}
-
 }  // namespace
 }  // namespace slipbench::driver
