@@ -134,10 +134,12 @@ std::string Plausibility::no_pressure(std::size_t index) const {
     if (!pressing.contains(c)) continue;
     all.push_back(force_name(c));
     if (case_->kinetic.pressing.contains(c) && case_->force_driven.contains(c)) continue;
-    if (!case_->belt && acts_beside_friction(*case_, c)) {
+    if (case_->belt && case_->kinetic.is_elastic(c)) {
+      driven.push_back("the strain CU1");
+    } else if (!case_->belt && acts_beside_friction(*case_, c)) {
       const bool moves = is_driven(*case_, kFirstMotion + c);
       driven.push_back(motion_name(c) + (moves ? "" : " (nothing moves it)"));
-    } else if (acts_beside_friction(*case_, c) || is_driven(*case_, kFirstForce + c)) {
+    } else if (is_driven(*case_, kFirstForce + c)) {
       driven.push_back(force_name(c));
     }
   }

@@ -132,6 +132,18 @@ TEST_CASE("a tension below 0 is told of once") {
       "does not push; it is slack there, and CTF1, CSF2 and f_bc are 0");
 }
 
+TEST_CASE("an elastic belt that is never tight is told by its strain") {
+  std::vector<std::string> warnings;
+  CHECK(end_of(
+            sound(belt("wrap_angle: 1, initial: {CP1: 100}, initial_strain: -0.1",
+                       "elasticity: [{component: 1, stiffness: 500}]\n", "motion: {CP2: {to: 1}}")),
+            &warnings)
+            .empty());
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].find("look at the size and the sign of the strain CU1 in the history") !=
+        std::string::npos);
+}
+
 TEST_CASE("the force of a belt is the difference of its tensions, prescribed slack too") {
   const Case problem = sound(belt("wrap_angle: 1.5", "", "force: {f1: {to: -50}, f_bc: 30}"));
   const auto columns = result_columns(problem);
