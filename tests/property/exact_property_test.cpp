@@ -200,6 +200,10 @@ std::optional<Case> draw_case(std::uint64_t seed) {
     return std::nullopt;
   }
   c.rows = random_history(&dice, 1 + dice.pick(4));
+  // Half of all tensions push: three of four belts are tight instead.
+  if (c.description.belt && dice.chance(0.75)) {
+    for (HistoryRow& row : c.rows) row.force[0] = std::abs(row.force[0]);
+  }
   // A row without time has no rate that parts of it could share.
   for (HistoryRow& row : c.rows) row.duration = std::max(row.duration, 1e-3);
   return c;
