@@ -15,6 +15,8 @@ namespace {
 constexpr double kSameFraction = 1e-13;
 /// How far behind the begin of a piece it is looked what the piece is to have in common.
 constexpr double kAhead = 1e-11;
+/// How far behind the begin of a piece the rate of a viscous slip is looked at.
+constexpr double kNearRate = 1e-9;
 /// How far behind the end of a piece it is looked whether it goes on alike; what lets go within is
 /// the square of that.
 constexpr double kBeyond = 1e-7;
@@ -71,7 +73,7 @@ class Pieces {
   Pieces(const FrictionDefinition& definition, const PathSegment& segment, double tolerance,
          const FrictionState& old, RegimeChanges* changes)
       : definition_(definition),
-        steps_(definition, segment),
+        steps_(definition, segment, old),
         tolerance_(std::max(0.05 * tolerance, 1e-13)),
         begin_slip_(old.accumulated_slip),
         regime_(old.regime),
@@ -80,7 +82,7 @@ class Pieces {
     for (const double tau : kSamples) {
       scale_ = std::max(scale_, steps_.strength(tau, begin_slip_));
     }
-    negative_ = steps_.signature(0.0, begin_slip_, 0.0).negative;
+    negative_ = steps_.limit(0.0, begin_slip_, 0.0).contact_force < 0.0;
     elastic_ = steps_.fixed() ? scale_ / steps_.stick(1.0) : steps_.stick(1.0);
     const double length = steps_.length();
     first_ = length > 0.0 ? std::clamp(kFirst * elastic_ / length, 1e-9, 1e-2) : 1e-4;
@@ -201,6 +203,7 @@ class Pieces {
   Run extrapolate(double from, double to) noexcept {
     Run result;
     Signature common;
+    steps_.begin(at_, from);
     std::array<Sums, kRows> table;  // the last row
     for (int j = 0; j < kRows; ++j) {
       const int count = j + 1;
@@ -212,11 +215,11 @@ class Pieces {
         result.last = steps_.step(point, tau, next);
         if (i == 1 && j == 0) {
           common = result.last.signature;
-          if (!begins(common, result.last.slip_rate, from, to)) {
+          if (!begins(result.last, from, to)) {
             result.outcome = Run::Outcome::kMixed;
             return result;
           }
-        } else if (result.last.signature != common) {
+        } else if (result.last.signature != common || !steps_.stays(result.last.point)) {
           result.outcome = Run::Outcome::kMixed;
           return result;
         }
@@ -273,29 +276,35 @@ class Pieces {
     return true;
   }
 
-  /// True if a piece with this signature can begin at `from`.
-  bool begins(const Signature& signature, double slip_rate, double from, double to) noexcept {
+  /// True if a piece that this step goes through can begin at `from`.
+  bool begins(const SubIncrement& first, double from, double to) noexcept {
+    const Signature& signature = first.signature;
     const double ahead = std::min(from + kAhead, from + 0.5 * (to - from));
-    if (signature.regime == Regime::kSlip && steps_.by_rate()) {
-      // The rate here, and not where the first step of the piece ends. One that only the geometry
-      // gives is lost in the rounding of a very short step.
+    const bool slips = signature.regime == Regime::kSlip;
+    double slip_rate = 0.0;
+    if (slips && steps_.by_rate()) {
+      // The rate here, and not where the first step of the piece ends: by a step so short that it
+      // does not change, and so long that it has digits.
       const double near =
-          steps_.viscous() ? ahead : std::min(from + 1e-7, from + 0.5 * (to - from));
-      slip_rate = steps_.step(at_, from, near).slip_rate;
+          std::min(from + (steps_.viscous() ? kNearRate : 1e-7), from + 0.5 * (to - from));
+      const SubIncrement close = steps_.step(at_, from, near);
+      slip_rate = close.signature.regime == Regime::kSlip ? close.slip_rate : first.slip_rate;
     }
     if (signature.regime == Regime::kStick && steps_.holds(at_, from) < kAhead) {
       // On the limit: it must not slip first and stick then.
       const double near = std::min(from + 1e-9, from + 0.5 * (to - from));
       if (steps_.step(at_, from, near).signature.regime != Regime::kStick) return false;
     }
-    LimitSignature limit = steps_.signature(ahead, at_.accumulated_slip, slip_rate);
+    bool grips = steps_.grips(ahead, at_.accumulated_slip, slip_rate);
     // Where wear takes a limit as fast as it grows there is none to begin with.
     if (signature.worn) {
       // An elastic slip grips first whatever the limit, if only its steps are short enough.
       if (!steps_.fixed()) return false;
-      limit.grips = !(steps_.reserve(from, at_.accumulated_slip) <= kWorn * scale_);
+      grips = !(steps_.reserve(from, at_.accumulated_slip) <= kWorn * scale_);
     }
-    return limit == signature.limit &&
+    if (grips != signature.grips) return false;
+    steps_.enter(steps_.point(from, at_.accumulated_slip, slip_rate), first.point);
+    return steps_.stays(first.point) &&
            (signature.regime != Regime::kOpen || regime_ == Regime::kOpen) &&
            steps_.can_begin(signature, at_, from);
   }
@@ -361,7 +370,7 @@ class Pieces {
     at_.accumulated_slip += std::max(run.end.slip, 0.0);
     rate_ = run.end.slip_rate;
     normal_ = run.last.normal;
-    negative_ = run.last.signature.limit.negative;
+    negative_ = run.last.negative;
     work_ += run.end.work;
     snap_back_ = std::max(snap_back_, run.snap_back);
     tau_ = to;
@@ -376,9 +385,9 @@ class Pieces {
     const double least = std::min(steps_.reserve(tau_, at_.accumulated_slip),
                                   steps_.reserve(to, run.last.end.accumulated_slip));
     // A limit that vanishes for an instant loses the grip, too.
-    const bool lost = regime_ != Regime::kOpen &&
-                      (negative_ != run.last.signature.limit.negative ||
-                       (run.last.signature.limit.grips && !(least > kNoLimit * scale_)));
+    const bool lost =
+        regime_ != Regime::kOpen && (negative_ != run.last.negative ||
+                                     (run.last.signature.grips && !(least > kNoLimit * scale_)));
     add(run.last, to - tau_, &run.end);
     if (lost) {
       run.last.signature.regime = Regime::kOpen;

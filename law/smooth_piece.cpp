@@ -190,13 +190,17 @@ void SmoothPiece::for_each_corner(const Quantity& quantity, double value,
   }
 }
 
-void SmoothPiece::enter(const Values& here, const Values& ahead) noexcept {
+void SmoothPiece::enter(const Values& here, const Values& ahead, double rate_slack) noexcept {
   for (std::size_t i = 0; i < count_; ++i) {
     Quantity& quantity = quantities_[i];
+    const bool by_rate = quantity.kind == Kind::kUncapped || quantity.kind == Kind::kCoefficient ||
+                         (quantity.kind == Kind::kArgument &&
+                          quantity.independent.kind == IndependentKind::kSlipRate);
+    const double slack = quantity.size * (by_rate ? std::max(rate_slack, kRounding) : kRounding);
     quantity.low = -std::numeric_limits<double>::infinity();
     quantity.high = std::numeric_limits<double>::infinity();
     for_each_corner(quantity, here[i], [&](double corner) {
-      const bool on_it = std::abs(here[i] - corner) <= kRounding * quantity.size;
+      const bool on_it = std::abs(here[i] - corner) <= slack;
       const bool above = on_it && ahead[i] != corner ? ahead[i] > corner : here[i] >= corner;
       double& edge = above ? quantity.low : quantity.high;
       edge = above ? std::max(edge, corner) : std::min(edge, corner);

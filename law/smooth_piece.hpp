@@ -43,7 +43,9 @@ class SmoothPiece {
   Values values(const LimitPoint& point) noexcept;
 
   /// Goes to the piece that holds `here`; what stands on a corner goes where it is `ahead`.
-  void enter(const Values& here, const Values& ahead) noexcept;
+  /// \param rate_slack what follows the rate of the slip stands on a corner that it is so near to,
+  /// as a part of its size
+  void enter(const Values& here, const Values& ahead, double rate_slack = 0.0) noexcept;
 
   /// Distance to the nearest corner as a part of the size of its quantity, at most 1; negative
   /// outside of the piece, by more than rounding.

@@ -12,6 +12,13 @@ namespace {
 /// A length of a leaf below this part of the limit is 0, and a contribution as near to it on it.
 constexpr double kAtZero = 1e-11;
 
+/// A viscous force at rest this part of the limit beyond it has been moved there.
+constexpr double kMoved = 1e-10;
+
+/// The rate of the slip at the begin of a piece is known to this part: a piece that begins so near
+/// to a corner begins on it.
+constexpr double kRateSlack = 1e-6;
+
 /// F_N below this part of F_C and F_int is the rounding of their sum, and of where it vanishes.
 constexpr double kNoContact = 1e-11;
 
@@ -56,8 +63,8 @@ struct StepLimit {
 
 }  // namespace
 
-SubIncrements::SubIncrements(const FrictionDefinition& definition,
-                             const PathSegment& segment) noexcept
+SubIncrements::SubIncrements(const FrictionDefinition& definition, const PathSegment& segment,
+                             const FrictionState& old) noexcept
     : definition_(definition),
       norm_(euclidean(definition.slip)),
       potential_(std::get_if<Potential>(&definition.criterion)),
@@ -75,6 +82,14 @@ SubIncrements::SubIncrements(const FrictionDefinition& definition,
   if (const auto* f = std::get_if<TableFunction>(&definition.internal_contact_force)) {
     no_contact_ += f->table().largest();
   }
+  const double held =
+      std::sqrt(dot(fixed_ ? old.force : old.elastic_slip, fixed_ ? old.force : old.elastic_slip)) /
+      (fixed_ ? definition.stick.value : 1.0);
+  piece_.emplace(
+      definition, segment, points_,
+      old.accumulated_slip + 2.0 * (length_ + held + (fixed_ ? 0.0 : points_.stick(1.0))),
+      no_contact_);
+  if (piece_->is_endless()) piece_.reset();
   no_contact_ *= kNoContact;
   least_ = value(*potential_, SlipVector{});
   closed_ = !fixed_ && potential_->homogeneous;
@@ -102,53 +117,18 @@ double SubIncrements::strength(double tau, double accumulated_slip) noexcept {
   return limit(tau, accumulated_slip, length_).force;
 }
 
-LimitSignature SubIncrements::signature(const Limit& limit, double accumulated_slip,
-                                        bool grips) noexcept {
-  LimitSignature result;
-  result.negative = limit.contact_force < 0.0;
-  result.capped = limit.force >= definition_.force_limit;
-  result.grips = grips;
-  // The point that the limit was asked for last.
-  const ConnectorIncrement& here = points_.increment(points_.at());
-  const SlipArguments slip{limit.slip_rate, limit.normal_force, accumulated_slip};
-  const auto add = [&result](std::ptrdiff_t number) {
-    result.cells = result.cells * 1099511628211U + static_cast<std::uint64_t>(number + 1);
-  };
-  const auto add_cell = [&](const TableFunction& function) {
-    const auto x = function.arguments(here.end, slip);
-    for (int k = 0; k < function.table().independents(); ++k) {
-      const auto knots = function.table().knots(k);
-      add(std::upper_bound(knots.begin(), knots.end(), x[static_cast<std::size_t>(k)]) -
-          knots.begin());
-    }
-  };
-  if (const auto* derived = std::get_if<DerivedComponent>(&definition_.contact_force)) {
-    for (const DerivedTerm& term : *derived) {
-      if (!term.weight_table) continue;
-      add_cell(*term.weight_table);
-      for (int j = 0; j < term.count; ++j) {
-        add(term.weight_table->value(here.end, slip, j) < 0.0);
-      }
-    }
-  }
-  if (const auto* f = std::get_if<TableFunction>(&definition_.internal_contact_force)) {
-    add_cell(*f);
-    add(f->value(here.end, slip) < 0.0);
-  }
-  if (const auto* law = std::get_if<TabularCoefficient>(&definition_.law)) {
-    add_cell(law->table);
-    add(law->table.value(here.end, slip) < 0.0);
-  }
-  add(is_clamped(definition_.law, here.end, slip));
-  for (const double f : here.force.values) add(f < 0.0);
-  return result;
+bool SubIncrements::grips(double tau, double accumulated_slip, double slip_rate) noexcept {
+  return limit(tau, accumulated_slip, slip_rate).force > least_ ||
+         strength(tau, accumulated_slip) > least_;
 }
 
-LimitSignature SubIncrements::signature(double tau, double accumulated_slip,
-                                        double slip_rate) noexcept {
-  const Limit here = limit(tau, accumulated_slip, slip_rate);
-  const bool grips = here.force > least_ || strength(tau, accumulated_slip) > least_;
-  return signature(here, accumulated_slip, grips);
+void SubIncrements::enter(const LimitPoint& here, const LimitPoint& ahead) noexcept {
+  if (piece_)
+    piece_->enter(piece_->values(here), piece_->values(ahead), by_rate_ ? kRateSlack : 0.0);
+}
+
+bool SubIncrements::stays(const LimitPoint& point) noexcept {
+  return !piece_ || piece_->reserve(piece_->values(point)) >= 0.0;
 }
 
 SlipVector SubIncrements::force(const SlipPoint& at, double tau, double slip_rate) noexcept {
@@ -167,6 +147,16 @@ double SubIncrements::holds(const SlipPoint& at, double tau) noexcept {
   const double f = limit(tau, at.accumulated_slip, 0.0).force;
   const double edge = bound(tau, f);
   return edge > 0.0 ? 1.0 - measure(at, tau, f) / edge : 0.0;
+}
+
+void SubIncrements::begin(const SlipPoint& at, double tau) noexcept {
+  if (!viscous_) return;
+  const auto is_within = [&](double to, double slack) {
+    const SlipVector trial = sum_of(at.held, stick(to) * (to - tau), motion_);
+    return value(*potential_, trial) <= limit(to, at.accumulated_slip, 0.0).force * (1.0 + slack);
+  };
+  // Something may push it on, however slowly.
+  at_rest_ = is_within(tau, kAtZero) && is_within(tau + 0.125 * (1.0 - tau), kMoved);
 }
 
 bool SubIncrements::beyond(const SlipPoint& at, double tau) noexcept {
@@ -234,10 +224,12 @@ SubIncrement SubIncrements::step(const SlipPoint& begin, double from, double to)
   const bool grips = rest.force > least_ || strength(to, begin.accumulated_slip) > least_;
   result.end.accumulated_slip = begin.accumulated_slip;
   result.limit = rest;
+  result.point = point(to, begin.accumulated_slip, 0.0);
+  result.negative = rest.contact_force < 0.0;
   if (!grips) {
-    result.signature.limit = signature(rest, begin.accumulated_slip, false);
     return result;
   }
+  result.signature.grips = true;
   const double stick = points_.stick(to);
   const StepLimit limit_of{*this,
                            to,
@@ -254,12 +246,10 @@ SubIncrement SubIncrements::step(const SlipPoint& begin, double from, double to)
   Scale scale = scale_at(start, rest.force);
   result.signature.regime = Regime::kStick;
   result.end.held = start.trial;
-  // A viscous force at rest nears its limit for ever: so near to it, it is there.
-  const double slack = viscous_ ? 1.0 + kAtZero : 1.0;
+  const double slack = at_rest_ ? 1.0 + kMoved : 1.0;
   if (within(*potential_, scale.trial, slack * scale.limit)) {
     result.force = fixed_ ? start.trial : scaled(start.trial, rest.force / stick);
     result.normal = gradient(*potential_, result.force);
-    result.signature.limit = signature(rest, begin.accumulated_slip, true);
     return result;
   }
 
@@ -289,7 +279,7 @@ SubIncrement SubIncrements::step(const SlipPoint& begin, double from, double to)
     result.limit = limit_of(slip);
     result.signature.regime = Regime::kOpen;
     result.signature.worn = true;
-    result.signature.limit = signature(rest, begin.accumulated_slip, false);
+    result.signature.grips = false;
     return result;
   }
   scale = scale_at(start, result.limit.force);
@@ -309,7 +299,8 @@ SubIncrement SubIncrements::step(const SlipPoint& begin, double from, double to)
     const double along = stick * dot(result.normal, result.normal);
     result.snap_back = std::max(-result.limit.to_slip, 0.0) / along;
   }
-  result.signature.limit = signature(result.limit, result.end.accumulated_slip, true);
+  result.point = point(to, result.end.accumulated_slip, result.slip_rate);
+  result.negative = result.limit.contact_force < 0.0;
   for (std::size_t g = 0; g < static_cast<std::size_t>(potential_->leaves); ++g) {
     const PotentialLeaf& leaf = potential_->leaf[g];
     const PartReturn& part = parts[static_cast<std::size_t>(leaf.part)];

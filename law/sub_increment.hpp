@@ -4,30 +4,23 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "law/path_segment.hpp"
 #include "law/potential.hpp"
 #include "law/regime_change.hpp"
+#include "law/smooth_piece.hpp"
 
 namespace slipbench::law {
 
-/// The pieces that a limit is made of, at one place: all formulas in it are smooth as long as this
-/// stays the same.
-struct LimitSignature {
-  bool negative = false;    ///< F_C + F_int
-  bool capped = false;      ///< by the force limit
-  bool grips = false;       ///< the limit holds a force
-  std::uint64_t cells = 0;  ///< of all tables; signs of forces and weights, floors of values
-  friend bool operator==(const LimitSignature&, const LimitSignature&) = default;
-};
-
-/// The same of a whole step: with the regime, and where the leaves of a potential end.
+/// What sub-increments of one smooth piece have in common, apart from the piece of the limit
+/// (smooth_piece.hpp): the regime, and where the leaves of a potential end.
 struct Signature {
   enum Leaf : std::uint8_t { kNotPulled, kAtZero, kPositive, kNegative };
 
   Regime regime = Regime::kOpen;
-  bool worn = false;  ///< open because the slip takes the limit as fast as it grows
-  LimitSignature limit;
+  bool worn = false;   ///< open because the slip takes the limit as fast as it grows
+  bool grips = false;  ///< the limit holds a force
   std::array<Leaf, kComponents> leaf{};
   friend bool operator==(const Signature&, const Signature&) = default;
 };
@@ -45,8 +38,10 @@ struct SubIncrement {
   Limit limit;
   double slip = 0.0;       ///< of the step [L]
   double slip_rate = 0.0;  ///< of the slip, in units of the segment [L]
-  double snap_back =
-      0.0;  ///< how steeply wear lets the limit fall, as a part of the spring's slope
+  /// How steeply wear lets the limit fall, as a part of the spring's slope.
+  double snap_back = 0.0;
+  LimitPoint point;       ///< where the limit was asked for
+  bool negative = false;  ///< F_C + F_int there
   Signature signature;
 };
 
@@ -54,7 +49,8 @@ struct SubIncrement {
 /// arguments.
 class SubIncrements {
  public:
-  SubIncrements(const FrictionDefinition& definition, const PathSegment& segment) noexcept;
+  SubIncrements(const FrictionDefinition& definition, const PathSegment& segment,
+                const FrictionState& old) noexcept;
 
   SubIncrement step(const SlipPoint& begin, double from, double to) noexcept;
 
@@ -67,7 +63,15 @@ class SubIncrements {
   double reserve(double tau, double accumulated_slip) noexcept {
     return strength(tau, accumulated_slip) - least_;
   }
-  LimitSignature signature(double tau, double accumulated_slip, double slip_rate) noexcept;
+  /// True if the limit holds a force, at rest or with a slip per segment [L].
+  bool grips(double tau, double accumulated_slip, double slip_rate) noexcept;
+  /// Goes to the smooth piece of the limit that holds `here`, or begins there towards `ahead`.
+  void enter(const LimitPoint& here, const LimitPoint& ahead) noexcept;
+  /// True if the point is in that piece.
+  bool stays(const LimitPoint& point) noexcept;
+  LimitPoint point(double tau, double accumulated_slip, double slip_rate) const {
+    return {tau, accumulated_slip, slip_rate * inverse_duration_, 1.0};
+  }
   /// True if a step with this signature can begin here: on the limit where it slips, its leaves
   /// where the signature has them.
   bool can_begin(const Signature& signature, const SlipPoint& at, double tau) noexcept;
@@ -75,6 +79,9 @@ class SubIncrements {
   double holds(const SlipPoint& at, double tau) noexcept;
   /// True if the force is beyond the limit, as after a jump of it.
   bool beyond(const SlipPoint& at, double tau) noexcept;
+  /// Tells the steps that follow where they begin: a viscous force nears its limit at rest for
+  /// ever, and one as near to it as rounding stays there until something else than that moves it.
+  void begin(const SlipPoint& at, double tau) noexcept;
   /// Takes rounding away: on the limit where it slips, not beyond it elsewhere.
   void settle(Regime regime, double tau, double slip_rate, SlipPoint* point) noexcept;
 
@@ -91,7 +98,6 @@ class SubIncrements {
   double length() const { return length_; }             ///< |ds| [L]
 
  private:
-  LimitSignature signature(const Limit& limit, double accumulated_slip, bool grips) noexcept;
   /// The potential's own measure of what is held, and its bound.
   double measure(const SlipPoint& at, double tau, double limit) const noexcept;
   double bound(double tau, double limit) const noexcept;
@@ -111,7 +117,9 @@ class SubIncrements {
   bool varies_with_slip_;
   bool by_rate_;
   bool viscous_;  ///< the limit follows the rate of the slip, and the spring does not the limit
+  bool at_rest_ = false;    ///< of a viscous force: as near to the limit as rounding
   double last_rate_ = 0.0;  ///< of the last step that slipped
+  std::optional<SmoothPiece> piece_;
 };
 
 }  // namespace slipbench::law
