@@ -17,6 +17,8 @@ constexpr double kSameFraction = 1e-13;
 constexpr double kAhead = 1e-11;
 /// How far behind the begin of a piece the rate of a viscous slip is looked at.
 constexpr double kNearRate = 1e-9;
+/// How far behind the begin of a piece it is looked what still pulls on the limit.
+constexpr double kNearLetGo = 1e-9;
 /// How far behind the end of a piece it is looked whether it goes on alike; what lets go within is
 /// the square of that.
 constexpr double kBeyond = 1e-7;
@@ -290,16 +292,13 @@ class Pieces {
       const SubIncrement close = steps_.step(at_, from, near);
       slip_rate = close.signature.regime == Regime::kSlip ? close.slip_rate : first.slip_rate;
     }
-    if (signature.regime == Regime::kStick && steps_.holds(at_, from) < kAhead) {
-      // On the limit: it must not slip first and stick then.
-      const double near = std::min(from + 1e-9, from + 0.5 * (to - from));
-      if (steps_.step(at_, from, near).signature.regime != Regime::kStick) return false;
-    }
+    if (!lets_go_at_once(signature, from, to)) return false;
     bool grips = steps_.grips(ahead, at_.accumulated_slip, slip_rate);
     // Where wear takes a limit as fast as it grows there is none to begin with.
     if (signature.worn) {
-      // An elastic slip grips first whatever the limit, if only its steps are short enough.
-      if (!steps_.fixed()) return false;
+      // An elastic slip grips first whatever the limit, if only its steps are short enough; so does
+      // a shifted potential, which holds no force inside of a limit.
+      if (!steps_.fixed() || !steps_.potential().homogeneous) return false;
       grips = !(steps_.reserve(from, at_.accumulated_slip) <= kWorn * scale_);
     }
     if (grips != signature.grips) return false;
@@ -307,6 +306,23 @@ class Pieces {
     return steps_.stays(first.point) &&
            (signature.regime != Regime::kOpen || regime_ == Regime::kOpen) &&
            steps_.can_begin(signature, at_, from);
+  }
+
+  /// True if what a step from here to `to` no longer pulls on is left alone from the begin: a limit
+  /// may rise slowly first, pulled along, and fast enough to let go of the force later.
+  bool lets_go_at_once(const Signature& signature, double from, double to) noexcept {
+    const bool sticks = signature.regime == Regime::kStick;
+    const bool by_parts =
+        signature.regime == Regime::kSlip && steps_.potential().combine == PotentialOperator::kMax;
+    if (!by_parts && !(sticks && steps_.holds(at_, from) < kAhead)) return true;
+    const double near = std::min(from + kNearLetGo, from + 0.5 * (to - from));
+    const Signature here = steps_.step(at_, from, near).signature;
+    if (sticks) return here.regime == Regime::kStick;
+    for (std::size_t g = 0; g < kComponents; ++g) {
+      const bool pulled = here.leaf[g] != Signature::kNotPulled;
+      if (pulled && signature.leaf[g] == Signature::kNotPulled) return false;
+    }
+    return true;
   }
 
   /// The larger of the differences, as a part of limit and elastic slip, beyond their rounding.

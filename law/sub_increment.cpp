@@ -178,9 +178,15 @@ bool SubIncrements::can_begin(const Signature& signature, const SlipPoint& at,
     const double slack = kAtZero * edge;
     switch (signature.leaf[g]) {
       case Signature::kNotPulled:
+        // Of a maximum it may be any that is not the largest; of a sum, one that is 0.
+        if (potential_->combine == PotentialOperator::kSum &&
+            parts[static_cast<std::size_t>(leaf.part)] > slack) {
+          return false;
+        }
         break;
       case Signature::kAtZero:
-        if (slipbench::law::length(leaf, y) > slack) return false;
+        // A Macauley leaf has no length below 0, and is not on it there.
+        if (std::max(slipbench::law::length(leaf, y), -v) > slack) return false;
         continue;
       case Signature::kPositive:
         if (!smooth_signs_ && v < -slack) return false;
