@@ -18,7 +18,7 @@ constexpr double kAhead = 1e-11;
 /// How far behind the begin of a piece the rate of a viscous slip is looked at.
 constexpr double kNearRate = 1e-9;
 /// How far behind the begin of a piece it is looked what still pulls on the limit.
-constexpr double kNearLetGo = 1e-9;
+constexpr double kNearLetGo = 1e-6;
 /// How far behind the end of a piece it is looked whether it goes on alike; what lets go within is
 /// the square of that.
 constexpr double kBeyond = 1e-7;
@@ -30,8 +30,6 @@ constexpr std::array kSamples{0.0, 0.25, 0.5, 0.75, 1.0};
 constexpr double kFirst = 1e-4;
 /// An error below this one that a shorter piece does not lessen is rounding.
 constexpr double kRounding = 1e-10;
-/// A limit below this part of the segment's that slip wears away as it grows.
-constexpr double kWorn = 1e-8;
 /// Attempts after which rounding is in the way and pieces are taken as they are.
 constexpr int kMostAttempts = 100000;
 
@@ -250,7 +248,7 @@ class Pieces {
       result.rows = count;
       if (count < kLeastRows) continue;
       result.error = std::max(difference(entry, previous), difference(entry, corner));
-      const bool gone = common.regime == Regime::kOpen && !common.worn;
+      const bool gone = common.regime == Regime::kOpen;
       if (gone || result.error <= tolerance_) {
         result.outcome = goes_on(result, from, to) ? Run::Outcome::kSettled : Run::Outcome::kMixed;
         return result;
@@ -267,15 +265,17 @@ class Pieces {
     SlipPoint end{run.end.held, at_.accumulated_slip + run.end.slip};
     steps_.settle(common.regime, to, run.end.slip_rate, &end);
     const Signature beyond = steps_.step(end, to, to + kBeyond).signature;
-    if (beyond.regime != Regime::kSlip) return false;
+    return beyond.regime == Regime::kSlip && !lets_go(common, beyond);
+  }
+
+  /// True if a step lets go of a term that the one before it pulls on, or holds at 0.
+  static bool lets_go(const Signature& before, const Signature& after) noexcept {
     for (std::size_t g = 0; g < kComponents; ++g) {
-      const bool pulled = common.leaf[g] != Signature::kNotPulled;
-      if (pulled && beyond.leaf[g] == Signature::kNotPulled) return false;
-      if (common.leaf[g] == Signature::kAtZero && beyond.leaf[g] != Signature::kAtZero) {
-        return false;
-      }
+      const auto was = before.leaf[g], is = after.leaf[g];
+      if (was == Signature::kNotPulled) continue;
+      if (is == Signature::kNotPulled || (was == Signature::kAtZero && is != was)) return true;
     }
-    return true;
+    return false;
   }
 
   /// True if a piece that this step goes through can begin at `from`.
@@ -293,36 +293,28 @@ class Pieces {
       slip_rate = close.signature.regime == Regime::kSlip ? close.slip_rate : first.slip_rate;
     }
     if (!lets_go_at_once(signature, from, to)) return false;
-    bool grips = steps_.grips(ahead, at_.accumulated_slip, slip_rate);
-    // Where wear takes a limit as fast as it grows there is none to begin with.
-    if (signature.worn) {
-      // An elastic slip grips first whatever the limit, if only its steps are short enough; so does
-      // a shifted potential, which holds no force inside of a limit.
-      if (!steps_.fixed() || !steps_.potential().homogeneous) return false;
-      grips = !(steps_.reserve(from, at_.accumulated_slip) <= kWorn * scale_);
+    // Slip that has come through 0 with the limit need not find one before it moves.
+    const bool anywhere = slips && !steps_.ends_where_contact_turns();
+    if (signature.worn ||
+        (!anywhere && steps_.grips(ahead, at_.accumulated_slip, slip_rate) != signature.grips)) {
+      return false;
     }
-    if (grips != signature.grips) return false;
     steps_.enter(steps_.point(from, at_.accumulated_slip, slip_rate), first.point);
     return steps_.stays(first.point) &&
            (signature.regime != Regime::kOpen || regime_ == Regime::kOpen) &&
            steps_.can_begin(signature, at_, from);
   }
 
-  /// True if what a step from here to `to` no longer pulls on is left alone from the begin: a limit
+  /// True if what a step from here to `to` no longer holds is left alone from the begin: a limit
   /// may rise slowly first, pulled along, and fast enough to let go of the force later.
   bool lets_go_at_once(const Signature& signature, double from, double to) noexcept {
-    const bool sticks = signature.regime == Regime::kStick;
-    const bool by_parts =
-        signature.regime == Regime::kSlip && steps_.potential().combine == PotentialOperator::kMax;
-    if (!by_parts && !(sticks && steps_.holds(at_, from) < kAhead)) return true;
-    const double near = std::min(from + kNearLetGo, from + 0.5 * (to - from));
+    const bool slips = signature.regime == Regime::kSlip;
+    const bool sticks = signature.regime == Regime::kStick && steps_.holds(at_, from) < kAhead;
+    if (!slips && !sticks) return true;
+    const double far = slips ? kNearLetGo * std::max(elastic_ / steps_.length(), 1.0) : kNearLetGo;
+    const double near = from + std::min(far, 0.5 * (to - from));
     const Signature here = steps_.step(at_, from, near).signature;
-    if (sticks) return here.regime == Regime::kStick;
-    for (std::size_t g = 0; g < kComponents; ++g) {
-      const bool pulled = here.leaf[g] != Signature::kNotPulled;
-      if (pulled && signature.leaf[g] == Signature::kNotPulled) return false;
-    }
-    return true;
+    return sticks ? here.regime == Regime::kStick : !lets_go(here, signature);
   }
 
   /// The larger of the differences, as a part of limit and elastic slip, beyond their rounding.
@@ -398,12 +390,18 @@ class Pieces {
   void cross(double to) noexcept {
     Run run;
     run.last = steps_.step(at_, tau_, to);
+    if (run.last.signature.regime == Regime::kOpen && regime_ == Regime::kSlip &&
+        !steps_.ends_where_contact_turns()) {
+      // F_C + F_int may vanish here to the last digit, and slip goes on behind it.
+      at_.accumulated_slip *= 1.0 + 4.0 * std::numeric_limits<double>::epsilon();
+      run.last = steps_.step(at_, tau_, to);
+    }
     const double least = std::min(steps_.reserve(tau_, at_.accumulated_slip),
                                   steps_.reserve(to, run.last.end.accumulated_slip));
     // A limit that vanishes for an instant loses the grip, too.
-    const bool lost =
-        regime_ != Regime::kOpen && (negative_ != run.last.negative ||
-                                     (run.last.signature.grips && !(least > kNoLimit * scale_)));
+    const bool lost = regime_ != Regime::kOpen && steps_.ends_where_contact_turns() &&
+                      (negative_ != run.last.negative ||
+                       (run.last.signature.grips && !(least > kNoLimit * scale_)));
     add(run.last, to - tau_, &run.end);
     if (lost) {
       run.last.signature.regime = Regime::kOpen;

@@ -11,6 +11,9 @@ namespace {
 
 /// A length of a leaf below this part of the limit is 0, and a contribution as near to it on it.
 constexpr double kAtZero = 1e-11;
+/// A step leaves a leaf at 0 up to this part of the limit, the rounding of its search. What lets go
+/// slowly shows by no more.
+constexpr double kLeftAtZero = 1e-13;
 
 /// A viscous force at rest this part of the limit beyond it has been moved there.
 constexpr double kMoved = 1e-10;
@@ -90,12 +93,12 @@ SubIncrements::SubIncrements(const FrictionDefinition& definition, const PathSeg
       old.accumulated_slip + 2.0 * (length_ + held + (fixed_ ? 0.0 : points_.stick(1.0))),
       no_contact_);
   if (piece_->is_endless()) piece_.reset();
-  no_contact_ *= kNoContact;
+  no_contact_ *= ends_where_contact_turns() ? kNoContact : 0.0;
   least_ = value(*potential_, SlipVector{});
   closed_ = !fixed_ && potential_->homogeneous;
   const double half = 0.5 * potential_->exponent;
-  smooth_signs_ = potential_->combine == PotentialOperator::kSum && half == std::floor(half) &&
-                  potential_->leaves == potential_->parts && potential_->homogeneous;
+  smooth_ = potential_->combine == PotentialOperator::kSum && half == std::floor(half) &&
+            potential_->leaves == potential_->parts && potential_->homogeneous;
   by_rate_ = definition.slip_rate == SlipRateMeasure::kSlip && depends_on_slip_rate(definition.law);
   viscous_ = fixed_ && by_rate_;
   varies_with_slip_ = by_rate_ || depends_on_accumulated_slip(definition.internal_contact_force);
@@ -189,7 +192,7 @@ bool SubIncrements::can_begin(const Signature& signature, const SlipPoint& at,
         if (std::max(slipbench::law::length(leaf, y), -v) > slack) return false;
         continue;
       case Signature::kPositive:
-        if (!smooth_signs_ && v < -slack) return false;
+        if (!is_smooth_at_zero(leaf) && v < -slack) return false;
         break;
       case Signature::kNegative:
         if (v > slack) return false;
@@ -271,7 +274,8 @@ SubIncrement SubIncrements::step(const SlipPoint& begin, double from, double to)
   result.limit = limit_of(slip);
   result.signature.regime = Regime::kSlip;
   const auto holds = [&](const Limit& l) {
-    return l.force > least_ && (l.contact_force < 0.0) == (rest.contact_force < 0.0);
+    const bool turned = (l.contact_force < 0.0) != (rest.contact_force < 0.0);
+    return l.force > least_ && !(turned && ends_where_contact_turns());
   };
   if (rest.force > least_ && !holds(result.limit)) {
     // The slip takes the limit away: where that happens.
@@ -284,6 +288,7 @@ SubIncrement SubIncrements::step(const SlipPoint& begin, double from, double to)
     result.end = {{}, begin.accumulated_slip + slip};
     result.limit = limit_of(slip);
     result.signature.regime = Regime::kOpen;
+    result.point = point(to, begin.accumulated_slip + slip, 0.0);
     result.signature.worn = true;
     result.signature.grips = false;
     return result;
@@ -309,15 +314,21 @@ SubIncrement SubIncrements::step(const SlipPoint& begin, double from, double to)
   result.negative = result.limit.contact_force < 0.0;
   for (std::size_t g = 0; g < static_cast<std::size_t>(potential_->leaves); ++g) {
     const PotentialLeaf& leaf = potential_->leaf[g];
-    const PartReturn& part = parts[static_cast<std::size_t>(leaf.part)];
+    const double pull = parts[static_cast<std::size_t>(leaf.part)].pull;
+    const double zero = kLeftAtZero * scale.limit;
+    const double v = coordinate(leaf, scale.trial);
+    const bool free = leaf.kind == PotentialLeaf::Kind::kHalfLine && v < -zero;
     Signature::Leaf& where = result.signature.leaf[g];
-    if (!(part.pull > 0.0)) continue;
-    if (projection.lengths()[g] - leaf.factor * part.pull <= kAtZero * scale.limit &&
-        !smooth_signs_) {
+    if (free || (potential_->combine == PotentialOperator::kMax && !(pull > 0.0))) {
+      where = Signature::kNotPulled;
+    } else if (is_smooth_at_zero(leaf)) {
+      where = Signature::kPositive;
+    } else if (projection.lengths()[g] - leaf.factor * pull <= zero) {
       where = Signature::kAtZero;
+    } else if (!(pull > 0.0)) {
+      where = Signature::kNotPulled;
     } else {
-      where = smooth_signs_ || coordinate(leaf, scale.trial) > 0.0 ? Signature::kPositive
-                                                                   : Signature::kNegative;
+      where = v > 0.0 ? Signature::kPositive : Signature::kNegative;
     }
   }
   return result;

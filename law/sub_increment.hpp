@@ -88,6 +88,10 @@ class SubIncrements {
   /// y [F] of a state.
   SlipVector force(const SlipPoint& at, double tau, double slip_rate) noexcept;
   const Potential& potential() const { return *potential_; }
+  /// True if slip that takes F_C + F_int through 0 ends there: an elastic slip is lost with the
+  /// limit and sticks first behind it, and a shifted potential holds no force. The force of a
+  /// constant stiffness comes to 0 with the limit and slips on.
+  bool ends_where_contact_turns() const { return !fixed_ || !potential_->homogeneous; }
   bool fixed() const { return fixed_; }
   /// True if the limit follows the rate of the slip, and if the slip follows that limit.
   bool by_rate() const { return by_rate_; }
@@ -98,6 +102,10 @@ class SubIncrements {
   double length() const { return length_; }             ///< |ds| [L]
 
  private:
+  /// True if P is smooth where the leaf passes 0.
+  bool is_smooth_at_zero(const PotentialLeaf& leaf) const {
+    return smooth_ && leaf.kind != PotentialLeaf::Kind::kHalfLine;
+  }
   /// The potential's own measure of what is held, and its bound.
   double measure(const SlipPoint& at, double tau, double limit) const noexcept;
   double bound(double tau, double limit) const noexcept;
@@ -113,7 +121,7 @@ class SubIncrements {
   double no_contact_ = 0.0;  ///< F_N up to here is the rounding of F_C + F_int [F]
   bool fixed_;
   bool closed_;
-  bool smooth_signs_;  ///< P is smooth where a leaf passes 0
+  bool smooth_;  ///< P is a sum of even powers of its leaves
   bool varies_with_slip_;
   bool by_rate_;
   bool viscous_;  ///< the limit follows the rate of the slip, and the spring does not the limit
