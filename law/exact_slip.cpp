@@ -55,7 +55,8 @@ double ExactWalk::slip_at_varying_radius(double begin, double to) noexcept {
   const double sum = start + before;
   // x: integral of |du|/R, of cos(psi) |du|, work, and dissipation.
   using State = std::array<double, 4>;
-  const auto slip_of = [&](double tau, const State& x) { return slip_for(tau, sum + x[1], start); };
+  const auto follow_to = [&](double tau, const State& x) { return follow(tau, sum + x[1], start); };
+  const auto slip_of = [&](double tau, const State& x) { return follow_to(tau, x).slip; };
   // A stage of a step may miss by more than the turn itself.
   const auto cosine_of = [&](const State& x) {
     return turned(angle, std::max(x[0], 0.0)).cosine_of_angle();
@@ -98,6 +99,12 @@ double ExactWalk::slip_at_varying_radius(double begin, double to) noexcept {
     const double aim = step >= to - tau ? to : tau + step;
     double next = piece_ ? piece_->end_of(way, tau, aim, kSamples) : aim;
     bool leaves = next < aim;
+    const auto falls = [&](double t) { return follow_to(t, at(t)).falls ? -1.0 : 1.0; };
+    if (wears_ && falls(next) < 0.0) {
+      // Wear takes the limit faster than the spring follows: from there on it jumps.
+      next = first_negative(falls, tau, next);
+      leaves = true;
+    }
     const double peak =
         first_peak([&](double t) { return slip_of(t, at(t)); }, tau, next, sum + std::abs(x[1]));
     const bool rests = peak < next;

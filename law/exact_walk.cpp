@@ -149,36 +149,25 @@ void ExactWalk::put_on(double radius) noexcept {
   slip_at_ = {slip_at_.along * (radius / held), slip_at_.across * (radius / held)};
 }
 
-double ExactWalk::slip_for(double tau, double sum, double least) noexcept {
-  if (!fixed_ || !wears_) return sum - radius(tau, least);
-  const double stick = points_.stick(tau);
-  double slope = 1.0;
-  const auto excess = [&](double x) {
-    const Limit l = limit(tau, x);
-    slope = 1.0 + l.to_slip / stick;
-    return x + l.force / stick - sum;
-  };
-  const double at_least = excess(least);
-  if (!(at_least < 0.0)) return slope > 0.0 ? least - at_least / slope : least;
-  // From knot to knot of the wear; behind `sum` there is nothing left that could be missing.
-  const auto& table = *std::get_if<TableFunction>(&definition_.internal_contact_force);
-  const auto knots = table.table().knots(table.column_of(IndependentKind::kAccumulatedSlip));
-  double low = least;
-  double high = sum;
-  for (auto knot = std::upper_bound(knots.begin(), knots.end(), begin_slip_ + least);
-       knot != knots.end() && *knot - begin_slip_ < sum; ++knot) {
-    if (!(*knot - begin_slip_ > low)) continue;
-    if (excess(*knot - begin_slip_) >= 0.0) {
-      high = *knot - begin_slip_;
-      break;
-    }
-    low = *knot - begin_slip_;
+template <class Visit>
+void ExactWalk::for_each_piece(double tau, double low, double high, Visit visit) noexcept {
+  while (low < high) {
+    const double next = points_.next_knot(tau, begin_slip_ + low, begin_slip_ + high) - begin_slip_;
+    // A knot may lie within rounding of the place that it was looked for from.
+    const double end = std::clamp(next, low + kEpsilon * largest_slip_, high);
+    if (visit(low, end)) return;
+    low = end;
   }
+}
+
+double ExactWalk::slip_between(double tau, double sum, double low, double high) noexcept {
+  const double stick = points_.stick(tau);
   double x = low;
   for (int i = 0; i < 100; ++i) {
-    const double here = excess(x);
+    const Limit l = limit(tau, x);
+    const double here = x + l.force / stick - sum;
     (here > 0.0 ? high : low) = x;
-    const double step = here / slope;
+    const double step = here / (1.0 + l.to_slip / stick);
     double next = x - step;
     if (next >= low && next <= high && std::abs(step) <= kEpsilon * sum) return next;
     if (!(next > low && next < high)) next = low + 0.5 * (high - low);
@@ -188,9 +177,67 @@ double ExactWalk::slip_for(double tau, double sum, double least) noexcept {
   return x;
 }
 
+double ExactWalk::rises_until(double tau, double low, double high) noexcept {
+  const double stick = points_.stick(tau);
+  const auto rises = [&](double x) { return 1.0 + limit(tau, x).to_slip / stick > 0.0; };
+  // Slopes just inside: at its ends a piece may have those of its neighbours.
+  const double margin = 1e-9 * (high - low);
+  if (!rises(low + margin)) return low;
+  if (rises(high - margin)) return high;
+  for (double falls = high - margin; true;) {
+    const double middle = low + 0.5 * (falls - low);
+    if (!(middle > low && middle < falls)) return low;
+    (rises(middle) ? low : falls) = middle;
+  }
+}
+
+ExactWalk::Follower ExactWalk::follow(double tau, double sum, double least) noexcept {
+  if (!fixed_ || !wears_) return {sum - radius(tau, least)};
+  const double stick = points_.stick(tau);
+  const Limit here = limit(tau, least);
+  const double beyond = least + here.force / stick - sum;
+  if (!(beyond < 0.0)) {
+    const double rise = 1.0 + here.to_slip / stick;
+    return {rise > 0.0 ? least - beyond / rise : least};
+  }
+  Follower result{sum};
+  for_each_piece(tau, least, sum, [&](double low, double high) {
+    const double top = rises_until(tau, low, high);
+    if (top + limit(tau, top).force / stick >= sum) {
+      result = {slip_between(tau, sum, low, top)};
+      return true;
+    }
+    if (top < high) result = {top, true};
+    return top < high;
+  });
+  return result;
+}
+
+double ExactWalk::landing(double tau, double sum, double from) noexcept {
+  if (!fixed_ || !wears_) return sum - radius(tau, from);
+  const double stick = points_.stick(tau);
+  double result = sum;
+  for_each_piece(tau, from, sum, [&](double low, double high) {
+    // Where the limit is gone for good the spring has nothing left to slip on.
+    if (!(limit(tau, high).force > 0.0) && !(limit(tau, low + 0.5 * (high - low)).force > 0.0)) {
+      result = low;
+      return true;
+    }
+    const double top = rises_until(tau, low, high);
+    for (const double end : {top, high}) {
+      if (end > low && end + limit(tau, end).force / stick >= sum) {
+        result = slip_between(tau, sum, low, end);
+        return true;
+      }
+    }
+    return false;
+  });
+  return result;
+}
+
 void ExactWalk::relax(double tau) noexcept {
   const double before = slip_at_.square();
-  const double end = slip_for(tau, slip_ + std::sqrt(before), slip_);
+  const double end = landing(tau, slip_ + std::sqrt(before), slip_);
   const double r = radius(tau, end);
   note(Regime::kSlip, tau);
   dissipation_ += fixed_ ? stored(before) - stored(r * r) : limit(tau, end).force * (end - slip_);
@@ -200,12 +247,15 @@ void ExactWalk::relax(double tau) noexcept {
 
 void ExactWalk::jump(double tau) noexcept {
   const double before = slip_at_.square();
-  const double sum = slip_ + std::sqrt(before);
-  const double end = slip_for(tau, sum, slip_ + 2.0 * kNoLimit * largest_slip_);
+  const double end =
+      landing(tau, slip_ + std::sqrt(before), slip_ + 2.0 * kNoLimit * largest_slip_);
   const auto force = [&](double slip) { return limit(tau, slip).force; };
   int budget = kMostPieces;
-  const double spent =
-      integral(force, slip_, end, tolerance_ * force_scale_ * (end - slip_), &budget);
+  double spent = 0.0;
+  for_each_piece(tau, slip_, end, [&](double low, double high) {
+    spent += integral(force, low, high, tolerance_ * force_scale_ * (high - low), &budget);
+    return false;
+  });
   const double r = radius(tau, end);
   note(Regime::kSlip, tau);
   if (jumps_++ == 0) jump_onset_ = tau;

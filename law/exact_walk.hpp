@@ -76,9 +76,25 @@ class ExactWalk {
   /// Energy of the spring [F L], of a constant stick stiffness.
   double stored(double square) const { return 0.5 * definition_.stick.value * square; }
 
-  /// The smallest slip x >= `least` at which x + R(tau, x) = sum: where the slip is that has moved
-  /// the spring's end by `sum` - R. Before `least` the line is prolonged.
-  double slip_for(double tau, double sum, double least) noexcept;
+  /// Where a slip from `least` on is that has moved the spring's end by `sum` - R.
+  struct Follower {
+    double slip = 0.0;
+    bool falls = false;  ///< x + R is below `sum` there, and falls behind it: the force jumps
+  };
+  /// The smallest slip x >= `least` at which x + R(tau, x) = sum, or the first place before it from
+  /// which x + R falls. Before `least` the line is prolonged.
+  Follower follow(double tau, double sum, double least) noexcept;
+  /// The root of x + R(tau, x) = sum in [low, high], below the sum at `low`.
+  double slip_between(double tau, double sum, double low, double high) noexcept;
+  /// Where a spring that nothing holds meets its limit again: the root behind `from`, or the place
+  /// where the limit is worn away.
+  double landing(double tau, double sum, double from) noexcept;
+  /// Up to where x + R rises in a smooth piece: `low` if it falls at once.
+  double rises_until(double tau, double low, double high) noexcept;
+  /// Calls visit(low, high) for the smooth pieces of the limit over the slip in [low, high], until
+  /// it returns true.
+  template <class Visit>
+  void for_each_piece(double tau, double low, double high, Visit visit) noexcept;
   /// Lets a spring outside of its limit relax at once: a limit that has jumped down.
   void relax(double tau) noexcept;
   /// Goes through a snap-back at constant motion, to where spring and limit meet again.

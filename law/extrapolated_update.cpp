@@ -170,8 +170,9 @@ class Pieces {
     update.onset = slips ? onset_ : 0.0;
     update.snap_back = snap_back_;
     update.multiple_roots = snap_back_ >= 1.0;
-    update.lost = 0.0;
-    update.jumps = 0;
+    update.lost = lost_;
+    update.jump_onset = jump_onset_;
+    update.jumps = jumps_;
     update.converged = converged_;
     update.direction = {};
     if (std::holds_alternative<Potential>(definition_.criterion)) {
@@ -409,14 +410,19 @@ class Pieces {
     }
     run.end.held = run.last.end.held;
     run.end.slip = run.last.slip;
-    // Slip far beyond the motion: wear has let the force jump over a steep part of the limit.
-    if (steps_.fixed() && tau_ > 0.0 && run.last.slip > 1e-6 * elastic_ &&
-        run.last.slip > 1e3 * (to - tau_) * steps_.length()) {
-      snap_back_ = std::max(snap_back_, 1.0);
-    }
     if (steps_.fixed()) {
       // What the spring loses in no time.
       run.end.dissipation = run.end.work - stored(to, run.end.held) + stored(tau_, at_.held);
+      // Slip far beyond the motion: wear has let the force jump over a steep part of the limit, and
+      // friction takes of the spring's energy what it can.
+      if (tau_ > 0.0 && run.last.slip > 1e-6 * elastic_ &&
+          run.last.slip > 1e3 * (to - tau_) * steps_.length()) {
+        const double spent = steps_.friction_work(to, at_.accumulated_slip, run.last.slip);
+        lost_ += run.end.dissipation - spent;
+        run.end.dissipation = spent;
+        snap_back_ = std::max(snap_back_, 1.0);
+        if (jumps_++ == 0) jump_onset_ = tau_;
+      }
     }
     run.end.slip_rate = run.last.slip_rate;
     take(run, to);
@@ -457,6 +463,9 @@ class Pieces {
   double onset_ = 0.0;
   SlipVector normal_{};
   double snap_back_ = 0.0;
+  double lost_ = 0.0;
+  double jump_onset_ = 0.0;
+  int jumps_ = 0;
   bool converged_ = true;
   bool negative_ = false;  ///< F_C + F_int
   Regime regime_;

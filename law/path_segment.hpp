@@ -98,6 +98,16 @@ class SegmentPoints {
     return limit.at(0.0, rate(limit.rate(0.0), slip_rate), blend);
   }
 
+  /// Returns the next total accumulated slip behind `slip`, up to `end`, at which the limit over
+  /// the slip at tau has a kink or changes its curvature, its cap apart (LimitFunction::next_knot);
+  /// infinity, or something behind `end`, if there is none [L].
+  double next_knot(double tau, double slip, double end) noexcept {
+    FrictionState state;
+    state.accumulated_slip = slip;
+    return slip +
+           LimitFunction(definition_, increment(tau), state, motion_).next_knot(0.0, end - slip);
+  }
+
   /// Returns the force of `limit` before the cap [F].
   double uncapped(const Limit& limit, double tau, double sense) const {
     if (!std::holds_alternative<Capstan>(definition_.criterion)) {

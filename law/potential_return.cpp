@@ -229,8 +229,21 @@ FrictionUpdate update_potential(const FrictionDefinition& definition,
       SnapBackPath path = snap_back_path(limit, along, slip, start_force, opens);
       // With shifts y . m is not P.
       if (!opens) path.friction_work -= std::min((l.force - dot(y, m)) * slip, path.friction_work);
-      book_jumps(path, start_force, value(potential, trial), 0.5 * dot(old.force, old.elastic_slip),
-                 &result);
+      const double stored = 0.5 * dot(old.force, old.elastic_slip);
+      const double work = result.work;
+      book_jumps(path, start_force, value(potential, trial), stored, &result);
+      const auto turns = [&m](const SlipVector& v) {
+        const SlipVector beside = sum_of(v, -dot(v, m) / dot(m, m), m);
+        return dot(beside, beside) > 1e-20 * dot(v, v);
+      };
+      if (result.jumps > 0 && (turns(trial) || turns(old.force))) {
+        // The force leaves the line of the path: what is lost is what the spring gives and friction
+        // does not take, with the work of the increment to first order.
+        result.lost =
+            std::max(work + stored - result.stored_energy - result.dissipation - path.fallen, 0.0);
+        result.work =
+            result.dissipation + result.lost + path.fallen + result.stored_energy - stored;
+      }
     }
   }
   result.phi = value(potential, y) - l.force;

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "law/potential_search.hpp"
+#include "law/quadrature.hpp"
 
 namespace slipbench::law {
 namespace {
@@ -150,6 +152,20 @@ double SubIncrements::holds(const SlipPoint& at, double tau) noexcept {
   const double f = limit(tau, at.accumulated_slip, 0.0).force;
   const double edge = bound(tau, f);
   return edge > 0.0 ? 1.0 - measure(at, tau, f) / edge : 0.0;
+}
+
+double SubIncrements::friction_work(double tau, double accumulated_slip, double slip) noexcept {
+  const auto force = [&](double at) { return limit(tau, at, 0.0).force; };
+  const double end = accumulated_slip + slip;
+  double sum = 0.0;
+  int budget = 1000;
+  for (double low = accumulated_slip; low < end;) {
+    const double step = std::numeric_limits<double>::epsilon() * end;
+    const double high = std::clamp(points_.next_knot(tau, low, end), low + step, end);
+    sum += integral(force, low, high, 1e-12 * force(low) * (high - low), &budget);
+    low = high;
+  }
+  return sum;
 }
 
 void SubIncrements::begin(const SlipPoint& at, double tau) noexcept {

@@ -79,6 +79,8 @@ class SubIncrements {
   double holds(const SlipPoint& at, double tau) noexcept;
   /// True if the force is beyond the limit, as after a jump of it.
   bool beyond(const SlipPoint& at, double tau) noexcept;
+  /// Integral of F_lim over a slip from an accumulated slip on, at tau [F L].
+  double friction_work(double tau, double accumulated_slip, double slip) noexcept;
   /// Tells the steps that follow where they begin: a viscous force nears its limit at rest for
   /// ever, and one as near to it as rounding stays there until something else than that moves it.
   void begin(const SlipPoint& at, double tau) noexcept;

@@ -238,11 +238,55 @@ TEST_CASE("a limit that wears faster than the spring lets the force jump, with i
     }
     CHECK(jumps == 1);
     CHECK(snap_back == Approx(3.0));
-    // It meets the limit again where nothing is left: the spring has relaxed by 3 mm.
-    CHECK(run.state.accumulated_slip == Approx(3.5).epsilon(1e-12));
+    // Nothing is left to slip on behind 1.5 mm: the spring relaxes by its 3 mm without friction.
+    CHECK(run.state.accumulated_slip == Approx(1.5).epsilon(1e-12));
     CHECK(run.dissipation == Approx(3000.0 * 0.5 + 1500.0 * 1.0).epsilon(1e-12));
     CHECK(lost == Approx(4500.0 - 1500.0).epsilon(1e-12));
     CHECK(run.work == Approx(run.dissipation + lost).epsilon(1e-12));
+  }
+}
+
+TEST_CASE(
+    "a jump is met where a cell begins, and inside of one that bends over the contact force") {
+  const auto run_to = [](const FrictionDefinition& definition, double way, int count) {
+    ExactRun run(definition);
+    double lost = 0.0;
+    for (int i = 1; i <= count; ++i) {
+      run.go(at(way * i / count));
+      lost += run.last.lost;
+    }
+    CHECK(run.work == Approx(run.dissipation + lost + run.last.stored_energy).epsilon(1e-12));
+    return std::array{run.state.accumulated_slip, run.dissipation, lost};
+  };
+  const auto slider_on = [](std::vector<std::vector<double>> wear) {
+    FrictionDefinition definition = slider(0.25, 0.0, fixed_stiffness(1000.0));
+    definition.contact_force = NoContactForce{};
+    definition.internal_contact_force =
+        make_function(wear, {{IndependentKind::kAccumulatedSlip, 0}});
+    return definition;
+  };
+  for (const int count : {1, 3, 50}) {
+    // beta 0.25 to 1 mm, then 1.5: from 750 N the spring loses 281.25 N mm, friction takes 187.5.
+    const auto worn = run_to(slider_on({{4000, 0}, {3000, 1}, {0, 1.5}}), 8.0, count);
+    CHECK(worn[0] == Approx(1.5).epsilon(1e-11));
+    CHECK(worn[1] == Approx(875.0 + 187.5).epsilon(1e-11));
+    CHECK(worn[2] == Approx(93.75).epsilon(1e-10));
+    // Behind a limit that rises: 1250 N at 1 mm, beta 1.125 down to 125 N at 2 mm.
+    const auto risen = run_to(slider_on({{1000, 0}, {5000, 1}, {500, 2}}), 8.0, count);
+    CHECK(risen[2] == Approx(70.3125).epsilon(1e-10));
+
+    // F_N = 1000 (1 - x), mu = 0.1 + 0.8 x down to 500 N, then 0.5: a parabola to 250 N, then
+    // 500 (1 - x). At 400 N/mm that falls faster than the spring, in the middle of the cell of
+    // wear, and is met again nowhere.
+    FrictionDefinition bent = slider_on({{1000, 0}, {0, 1}});
+    bent.stick = fixed_stiffness(400.0);
+    bent.law = TabularCoefficient{
+        make_function({{0.5, 0}, {0.5, 500}, {0.1, 1000}}, {{IndependentKind::kContactForce, 0}})};
+    const auto parabola = run_to(bent, 2.0, count);
+    CHECK(parabola[0] == Approx(1.0).epsilon(1e-9));
+    // 1000 (0.1 x + 0.7 x^2/2 - 0.8 x^3/3) to 0.5, then a triangle.
+    CHECK(parabola[1] == Approx(1000.0 * (0.05 + 0.0875 - 0.1 / 3.0) + 62.5).epsilon(1e-9));
+    CHECK(parabola[2] == Approx(250.0 * 250.0 / 800.0 - 62.5).epsilon(1e-9));
   }
 }
 

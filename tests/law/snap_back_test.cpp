@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/support/exact_run.hpp"
 #include "tests/support/friction_run.hpp"
 #include "tests/support/law_tables.hpp"
 
@@ -119,6 +120,36 @@ TEST_CASE("a potential meets the same fold along its normal") {
   CHECK(run.last.jumps == 1);
   CHECK(run.last.lost == Approx(156.25).epsilon(1e-9));
   CHECK(run.last.work == Approx(1250.0).epsilon(1e-9));
+}
+
+TEST_CASE("a jump of a maximum in small increments and in an exact one loses the same") {
+  // 1500 N and 500 N under a limit of 1500 - 1250 L, 250 N from L = 1 mm on: they fall to 250 N
+  // after 1.25 mm and 0.25 mm of slip, of which friction takes 875 + 125.
+  FrictionDefinition definition = worn();
+  definition.slip = slip_space({1, 2});
+  definition.internal_contact_force = make_function({{6000, 0}, {1000, 1}}, {kOverAccumulatedSlip});
+  Potential potential;
+  potential.combine = PotentialOperator::kMax;
+  for (std::size_t i = 0; i < 2; ++i) {
+    potential.leaf[i].part = static_cast<int>(i);
+    potential.leaf[i].direction[i] = 1.0;
+  }
+  potential.leaves = potential.parts = 2;
+  definition.criterion = potential;
+  const double lost = (1500.0 * 1500.0 + 500.0 * 500.0 - 2.0 * 250.0 * 250.0) / 2000.0 - 1000.0;
+  ExactRun exact(definition);
+  exact.go(at(3.0, 0.0, 1.0));
+  CHECK(exact.last.jumps == 1);
+  CHECK(exact.last.lost == Approx(lost).epsilon(1e-9));
+  CHECK(exact.work == Approx(exact.dissipation + lost + exact.last.stored_energy).epsilon(1e-9));
+  double sum = 0.0;
+  FrictionRun run(definition);
+  for (int i = 1; i <= 3000; ++i) {
+    run.position[0] = i / 1000.0;
+    sum += run.move_to(2, i / 3000.0).lost;
+  }
+  // Of first order: the work of the increment with the jump.
+  CHECK(sum == Approx(lost).epsilon(0.02));
 }
 
 TEST_CASE("a coefficient that rises with the slip rate holds the force in a slow enough fall") {
