@@ -266,7 +266,8 @@ class Pieces {
     SlipPoint end{run.end.held, at_.accumulated_slip + run.end.slip};
     steps_.settle(common.regime, to, run.end.slip_rate, &end);
     const Signature beyond = steps_.step(end, to, to + kBeyond).signature;
-    return beyond.regime == Regime::kSlip && !lets_go(common, beyond);
+    return beyond.regime == Regime::kSlip && !lets_go(common, beyond) &&
+           steps_.keeps_rate(steps_.point(to, end.accumulated_slip, run.end.slip_rate));
   }
 
   /// True if a step lets go of a term that the one before it pulls on, or holds at 0.
@@ -312,7 +313,8 @@ class Pieces {
     const bool slips = signature.regime == Regime::kSlip;
     const bool sticks = signature.regime == Regime::kStick && steps_.holds(at_, from) < kAhead;
     if (!slips && !sticks) return true;
-    const double far = slips ? kNearLetGo * std::max(elastic_ / steps_.length(), 1.0) : kNearLetGo;
+    // By a motion that turns no force.
+    const double far = kNearLetGo * std::min(elastic_ / steps_.length(), 1.0);
     const double near = from + std::min(far, 0.5 * (to - from));
     const Signature here = steps_.step(at_, from, near).signature;
     return sticks ? here.regime == Regime::kStick : !lets_go(here, signature);

@@ -136,6 +136,10 @@ bool SubIncrements::stays(const LimitPoint& point) noexcept {
   return !piece_ || piece_->reserve(piece_->values(point)) >= 0.0;
 }
 
+bool SubIncrements::keeps_rate(const LimitPoint& end) noexcept {
+  return !piece_ || !by_rate_ || piece_->reserve(piece_->values(end)) >= -kRateSlack;
+}
+
 SlipVector SubIncrements::force(const SlipPoint& at, double tau, double slip_rate) noexcept {
   if (fixed_) return at.held;
   return scaled(at.held, limit(tau, at.accumulated_slip, slip_rate).force / stick(tau));

@@ -69,6 +69,8 @@ class SubIncrements {
   void enter(const LimitPoint& here, const LimitPoint& ahead) noexcept;
   /// True if the point is in that piece.
   bool stays(const LimitPoint& point) noexcept;
+  /// True if it is, as far as the rate of the slip at the end of a piece is known.
+  bool keeps_rate(const LimitPoint& end) noexcept;
   LimitPoint point(double tau, double accumulated_slip, double slip_rate) const {
     return {tau, accumulated_slip, slip_rate * inverse_duration_, 1.0};
   }
