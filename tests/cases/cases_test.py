@@ -15,6 +15,7 @@ TEST is one of
              raised by 1 % the verification cases fail
   calibration  the fits of cases/calibration find the numbers that their data were made with, within 4 standard errors,
              and name the ones that no data tell; the calibrated cases pass their checks
+  increments every file of increments/, integrated exactly, ends its steps alike with 1, 3, 7 and 50 increments each
   twins      predefined and user-defined examples give the same result, column by column
   suite      a suite with hostile names and broken cases: JUnit XML keeps the schema junit.xsd, JSON, annotations, what
              files are written and which are refused, --filter, --failed-first, --fail-fast, --quiet, interruption, the
@@ -267,6 +268,30 @@ def twins():
     for name, values in predefined.items():
         # The same operations in the same order: equal to the last bit.
         expect(values == written_out.get(name), f"the twins differ in column {name}")
+
+
+def increments():
+    watched = re.compile("CSF|CSM|CASU|DISS|STRAIN_E|WORK|LOST")
+    for path in files("tests/cases/increments"):
+        ends = [0.0]
+        for step in yaml.safe_load(path.read_text())["history"]:
+            ends.append(ends[-1] + step["duration"])
+        rows = {}
+        for n in (1, 3, 7, 50):
+            done = subprocess.run([program, "run", path, "--set", f"n={n}", "-o", "-", "--quiet"], capture_output=True,
+                                  text=True, timeout=120)
+            expect(done.returncode == 0, f"increments/{path.name}: n = {n} ended with {done.returncode}:\n{done.stderr}")
+            table = csv.DictReader(line for line in done.stdout.splitlines() if not line.startswith("#"))
+            rows[n] = [row for row in table if min(abs(float(row["t"]) - end) for end in ends) < 1e-9]
+        if not all(len(ended) == len(ends) for ended in rows.values()):
+            continue  # a run that failed, said above
+        for column in filter(watched.match, rows[50][0]):
+            fine = [float(row[column]) for row in rows[50]]
+            size = max(max(fine) - min(fine), 1e-9 * max(map(abs, fine)), 1e-12)
+            for n in (1, 3, 7):
+                worst = max(abs(float(row[column]) - value) for row, value in zip(rows[n], fine, strict=True))
+                # The integration's own tolerance is 1e-10 of each piece.
+                expect(worst <= 1e-9 * size, f"increments/{path.name}: {column} of n = {n} is off by {worst / size:.1e}")
 
 
 def unhurried(text):
@@ -565,7 +590,7 @@ def suite_progress(folder):
     expect(bar.search(on_terminal({"TERM": "xterm"}, stdout=subprocess.PIPE)), "no bar while the table goes to a file")
 
 
-tests = {f.__name__: f for f in (schema, check, bad, semantic, mistakes, sensitive, calibration, twins, suite, guide)}
+tests = {f.__name__: f for f in (schema, check, bad, semantic, mistakes, sensitive, calibration, increments, twins, suite, guide)}
 parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 parser.add_argument("test", choices=tests)
 parser.add_argument("--slipbench", required=True, help="the program")
