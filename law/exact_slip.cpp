@@ -117,7 +117,8 @@ double ExactWalk::slip_at_varying_radius(double begin, double to) noexcept {
         std::max({turns ? std::abs(trial.error[0]) * turning : 0.0, std::abs(trial.error[1]),
                   std::abs(trial.error[2]) / force, std::abs(trial.error[3]) / force}) /
         (tolerance_ * size + 16.0 * kEpsilon * (std::abs(x[1]) + length_ * (next - tau)));
-    if (error > 1.0 && next - tau > shortest) {
+    // The end of a step is rounded.
+    if (error > 1.0 && next - tau > (1.0 + 1e-6) * shortest) {
       step = (next - tau) * std::max(0.2, 0.9 * std::pow(error, -0.2));
       continue;
     }
