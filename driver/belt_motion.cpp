@@ -92,6 +92,12 @@ std::optional<std::string> out_of_reach(const Case& problem, const Quantities& q
 
 }  // namespace
 
+double reference_length(const Case& problem, const law::RelativePosition& position) {
+  return law::reference_length(
+      law::initial_reference_length(problem.initial[0], problem.belt->initial_strain),
+      position[2] - problem.initial[2], position[1] - problem.initial[1]);
+}
+
 std::optional<std::string> move_belt(const Case& problem, Row& row) {
   const Belt& belt = *problem.belt;
   Quantities& q = row.quantities;
@@ -118,9 +124,8 @@ std::optional<std::string> move_belt(const Case& problem, Row& row) {
                          format_number(distance));
     }
     if (auto fault = out_of_reach(problem, q)) return fault;
-    const double length = law::reference_length(
-        law::initial_reference_length(problem.initial[0], belt.initial_strain),
-        q[kFirstMotion + 2] - problem.initial[2], q[kFirstMotion + 1] - problem.initial[1]);
+    const law::Ambient ambient = ambient_of(q, problem.reference);
+    const double length = reference_length(problem, ambient.position);
     if (!(length > 0.0)) {
       return fmt::format(
           "no material is left in segment ab: its reference length is {}, more has flowed out at b "
@@ -130,8 +135,7 @@ std::optional<std::string> move_belt(const Case& problem, Row& row) {
     row.belt.reference_length = length;
     const double before = std::exchange(row.belt.strain, law::strain(distance, length));
     if (problem.kinetic.elasticity[0]) {
-      const Pull here =
-          pull(problem, ambient_of(q, problem.reference), row.belt.strain, before, row.duration);
+      const Pull here = pull(problem, ambient, row.belt.strain, before, row.duration);
       q[kFirstForce] = here.tension();
       row.forces.component[0].elastic = std::max(here.elastic, 0.0);
       row.forces.component[0].viscous = here.viscous;

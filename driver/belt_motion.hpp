@@ -22,6 +22,10 @@ namespace slipbench::driver {
 ///         hundredth of the first, a negative tension
 std::optional<std::string> move_belt(const Case& problem, Row& row);
 
+/// Returns the reference length of segment ab at the flows CP2 and CP3 of a position [L].
+/// `problem.belt` must be there.
+double reference_length(const Case& problem, const law::RelativePosition& position);
+
 /// Gives the law what a belt adds: the strain as the constitutive motion of component 1, and the
 /// wrap angle where nodes make it.
 void prepare_belt(const Case& problem, const Row& row, law::ConnectorIncrement& increment,

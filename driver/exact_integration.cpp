@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <variant>
 
+#include "driver/belt_motion.hpp"
 #include "driver/connector_increment.hpp"
+#include "law/belt.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -49,7 +51,9 @@ std::optional<ExactRefusal> refuse_definition(const std::string& name,
 }  // namespace
 
 ExactIntegration::ExactIntegration(const Case& problem)
-    : case_(&problem), definitions_(problem.definitions.size()) {}
+    : case_(&problem), kinetic_(problem.kinetic), definitions_(problem.definitions.size()) {
+  if (problem.belt && kinetic_.elasticity[0]) kinetic_.pressing.insert(0);
+}
 
 void ExactIntegration::begin(const Quantities& quantities,
                              std::span<const law::FrictionDefinition> definitions) {
@@ -71,15 +75,20 @@ law::FrictionUpdate ExactIntegration::update(std::size_t index,
   // Motions begin where the connector was, even where their profile has jumped away.
   segment.begin.position = increment.begin_position;
   segment.begin.motion = law::constitutive_motion(increment.begin_position, case_->reference);
+  if (case_->belt && case_->belt->has_length) {
+    segment.begin_length = reference_length(*case_, segment.begin.position);
+    segment.end_length = reference_length(*case_, increment.end.position);
+    segment.begin.motion[0] = law::strain(segment.begin.position[0], segment.begin_length);
+  }
   std::copy_n(quantities_.begin() + kFirstForce, law::kComponents,
               segment.begin_force.values.begin());
   const law::ComponentSet named = law::components_of(definition.contact_force);
-  if (const auto& kinetic = case_->kinetic; !(kinetic.pressing & named).empty()) {
-    segment.kinetic = &kinetic;
+  if (!(kinetic_.pressing & named).empty()) {
+    segment.kinetic = &kinetic_;
     for (int c = 0; c < law::kComponents; ++c) {
-      if (!kinetic.pressing.contains(c)) continue;
+      if (!kinetic_.pressing.contains(c)) continue;
       segment.begin_force[c] =
-          law::kinetic_force(kinetic, c, law::mean_velocity(increment, c), segment.begin);
+          law::kinetic_force(kinetic_, c, law::mean_velocity(increment, c), segment.begin);
     }
   }
   segment.begin_blend = definitions_[index].blend;
@@ -115,7 +124,7 @@ std::optional<ExactRefusal> refuse_exact(const Case& problem) {
   if (problem.belt && problem.kinetic.damping[0]) {
     return ExactRefusal{
         "the damping of a belt lets its tension jump where the rate of its strain does, and exact "
-        "integration joins the tensions of two rows by a straight line",
+        "integration does not follow such a jump",
         "use backward_euler and small increments"};
   }
   for (const CaseDefinition& definition : problem.definitions) {

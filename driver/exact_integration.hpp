@@ -35,6 +35,7 @@ class ExactIntegration {
     double wrap_angle = 0.0;
   };
   const Case* case_;
+  law::KineticBehavior kinetic_;  ///< of the case; the spring of an elastic belt presses too
   Quantities quantities_{};
   std::vector<Begin> definitions_;
 };

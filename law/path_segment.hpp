@@ -23,11 +23,15 @@ struct PathSegment {
   CoefficientBlend begin_blend;   ///< of the definition, at the begin
   double begin_stick = 1.0;       ///< StickStiffness::value at the begin
   double begin_wrap_angle = 0.0;  ///< of a Capstan, at the begin
-  /// Of a definition whose contact force names free components (`kinetic->pressing`), else null:
-  /// what presses there. Their forces do not go straight: `begin_force` and `increment.force` are
-  /// but those of the ends. The velocity is that of the segment; tables over the displacement turn
-  /// at their knots.
+  /// Of a definition whose contact force names free components (`kinetic->pressing`), or an elastic
+  /// belt, else null: what presses there. Their forces do not go straight: `begin_force` and
+  /// `increment.force` are but those of the ends. The velocity is that of the segment; tables over
+  /// the displacement turn at their knots.
   const KineticBehavior* kinetic = nullptr;
+  /// Reference lengths of a belt at both ends, 0 where none is known [L]. They and the distance CP1
+  /// go straight; their strain, the constitutive motion of component 1, is a quotient and does not.
+  double begin_length = 0.0;
+  double end_length = 0.0;
 };
 
 /// A segment on which nothing of the definition changes: begin_* are those of `definition`.
@@ -73,6 +77,12 @@ class SegmentPoints {
     here_.end.temperature = mix(segment_.begin.temperature, to.end.temperature);
     for (std::size_t i = 0; i < to.end.fields.size(); ++i) {
       fields_[i] = mix(segment_.begin.fields[i], to.end.fields[i]);
+    }
+    if (segment_.end_length > 0.0) {
+      // From the elongations of the ends: a small strain keeps its digits.
+      here_.end.motion[0] = mix(segment_.begin.position[0] - segment_.begin_length,
+                                to.end.position[0] - segment_.end_length) /
+                            mix(segment_.begin_length, segment_.end_length);
     }
     if (segment_.kinetic != nullptr) press();
     return here_;
