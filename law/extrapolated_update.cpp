@@ -13,6 +13,8 @@ namespace {
 
 /// An event is located to this part of the segment.
 constexpr double kSameFraction = 1e-13;
+/// A change so near behind the begin of the segment is at its begin.
+constexpr double kSoon = 1e-9;
 /// How far behind the begin of a piece it is looked what the piece is to have in common.
 constexpr double kAhead = 1e-11;
 /// How far behind the begin of a piece the rate of a viscous slip is looked at.
@@ -447,7 +449,8 @@ class Pieces {
     double force = value(steps_.potential(), y);
     if (definition_.slip.dimension == 1) force = std::copysign(force, last.force[0]);
     changes_->at[static_cast<std::size_t>(changes_->count++)] = {
-        tau_, to, force, steps_.limit(tau_, at_.accumulated_slip, 0.0).force, at_.accumulated_slip};
+        tau_ > kSoon ? tau_ : 0.0, to, force, steps_.limit(tau_, at_.accumulated_slip, 0.0).force,
+        at_.accumulated_slip};
   }
 
   const FrictionDefinition& definition_;

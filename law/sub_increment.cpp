@@ -12,7 +12,7 @@ namespace slipbench::law {
 namespace {
 
 /// A length of a leaf below this part of the limit is 0, and a contribution as near to it on it.
-constexpr double kAtZero = 1e-11;
+constexpr double kTouching = 1e-11;
 /// A step leaves a leaf at 0 up to this part of the limit, the rounding of its search. What lets go
 /// slowly shows by no more.
 constexpr double kLeftAtZero = 1e-13;
@@ -179,12 +179,12 @@ void SubIncrements::begin(const SlipPoint& at, double tau) noexcept {
     return value(*potential_, trial) <= limit(to, at.accumulated_slip, 0.0).force * (1.0 + slack);
   };
   // Something may push it on, however slowly.
-  at_rest_ = is_within(tau, kAtZero) && is_within(tau + 0.125 * (1.0 - tau), kMoved);
+  at_rest_ = is_within(tau, kTouching) && is_within(tau + 0.125 * (1.0 - tau), kMoved);
 }
 
 bool SubIncrements::beyond(const SlipPoint& at, double tau) noexcept {
   const double f = limit(tau, at.accumulated_slip, 0.0).force;
-  return !viscous_ && measure(at, tau, f) > bound(tau, f) * (1.0 + kAtZero);
+  return !viscous_ && measure(at, tau, f) > bound(tau, f) * (1.0 + kTouching);
 }
 
 bool SubIncrements::can_begin(const Signature& signature, const SlipPoint& at,
@@ -192,13 +192,13 @@ bool SubIncrements::can_begin(const Signature& signature, const SlipPoint& at,
   if (signature.regime != Regime::kSlip) return true;
   const double f = limit(tau, at.accumulated_slip, 0.0).force;
   const double edge = bound(tau, f);
-  if (measure(at, tau, f) < edge * (1.0 - kAtZero)) return false;
+  if (measure(at, tau, f) < edge * (1.0 - kTouching)) return false;
   const SlipVector y = fixed_ || closed_ ? at.held : scaled(at.held, f / stick(tau));
   const auto parts = contributions(*potential_, y);
   for (std::size_t g = 0; g < static_cast<std::size_t>(potential_->leaves); ++g) {
     const PotentialLeaf& leaf = potential_->leaf[g];
     const double v = coordinate(leaf, y);
-    const double slack = kAtZero * edge;
+    const double slack = kTouching * edge;
     switch (signature.leaf[g]) {
       case Signature::kNotPulled:
         // Of a maximum it may be any that is not the largest; of a sum, one that is 0.
