@@ -211,10 +211,10 @@ bool SubIncrements::can_begin(const Signature& signature, const SlipPoint& at,
         // A Macauley leaf has no length below 0, and is not on it there.
         if (std::max(slipbench::law::length(leaf, y), -v) > slack) return false;
         continue;
-      case Signature::kPositive:
+      case Signature::kAbove:
         if (!is_smooth_at_zero(leaf) && v < -slack) return false;
         break;
-      case Signature::kNegative:
+      case Signature::kBelow:
         if (v > slack) return false;
         break;
     }
@@ -342,13 +342,13 @@ SubIncrement SubIncrements::step(const SlipPoint& begin, double from, double to)
     if (free || (potential_->combine == PotentialOperator::kMax && !(pull > 0.0))) {
       where = Signature::kNotPulled;
     } else if (is_smooth_at_zero(leaf)) {
-      where = Signature::kPositive;
+      where = Signature::kAbove;
     } else if (projection.lengths()[g] - leaf.factor * pull <= zero) {
       where = Signature::kAtZero;
     } else if (!(pull > 0.0)) {
       where = Signature::kNotPulled;
     } else {
-      where = v > 0.0 ? Signature::kPositive : Signature::kNegative;
+      where = v > 0.0 ? Signature::kAbove : Signature::kBelow;
     }
   }
   return result;

@@ -16,7 +16,7 @@ namespace slipbench::law {
 /// What sub-increments of one smooth piece have in common, apart from the piece of the limit
 /// (smooth_piece.hpp): the regime, and where the leaves of a potential end.
 struct Signature {
-  enum Leaf : std::uint8_t { kNotPulled, kAtZero, kPositive, kNegative };
+  enum Leaf : std::uint8_t { kNotPulled, kAtZero, kAbove, kBelow };
 
   Regime regime = Regime::kOpen;
   bool worn = false;   ///< open because the slip takes the limit as fast as it grows
