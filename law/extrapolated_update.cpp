@@ -84,7 +84,7 @@ class Pieces {
     for (const double tau : kSamples) {
       scale_ = std::max(scale_, steps_.strength(tau, begin_slip_));
     }
-    negative_ = steps_.limit(0.0, begin_slip_, 0.0).contact_force < 0.0;
+    negative_ = steps_.limit(0.0, at_, 0.0).contact_force < 0.0;
     elastic_ = steps_.fixed() ? scale_ / steps_.stick(1.0) : steps_.stick(1.0);
     const double length = steps_.length();
     first_ = length > 0.0 ? std::clamp(kFirst * elastic_ / length, 1e-9, 1e-2) : 1e-4;
@@ -151,7 +151,7 @@ class Pieces {
   FrictionUpdate result(FrictionUpdate update) noexcept {
     const bool slips = regime_ == Regime::kSlip;
     const double rate = slips ? std::max(rate_, 0.0) : 0.0;
-    const Limit l = steps_.limit(1.0, at_.accumulated_slip, rate);
+    const Limit l = steps_.limit(1.0, at_, rate);
     update.state.force = steps_.force(at_, 1.0, rate);
     update.state.elastic_slip = at_.held;
     if (steps_.fixed()) {
@@ -269,7 +269,7 @@ class Pieces {
     steps_.settle(common.regime, to, run.end.slip_rate, &end);
     const Signature beyond = steps_.step(end, to, to + kBeyond).signature;
     return beyond.regime == Regime::kSlip && !lets_go(common, beyond) &&
-           steps_.keeps_rate(steps_.point(to, end.accumulated_slip, run.end.slip_rate));
+           steps_.keeps_rate(steps_.point(to, end, run.end.slip_rate));
   }
 
   /// True if a step lets go of a term that the one before it pulls on, or holds at 0.
@@ -303,7 +303,8 @@ class Pieces {
         (!anywhere && steps_.grips(ahead, at_.accumulated_slip, slip_rate) != signature.grips)) {
       return false;
     }
-    steps_.enter(steps_.point(from, at_.accumulated_slip, slip_rate), first.point);
+    steps_.enter(steps_.point(from, {first.end.held, at_.accumulated_slip}, slip_rate),
+                 first.point);
     return steps_.stays(first.point) &&
            (signature.regime != Regime::kOpen || regime_ == Regime::kOpen) &&
            steps_.can_begin(signature, at_, from);
@@ -449,7 +450,7 @@ class Pieces {
     double force = value(steps_.potential(), y);
     if (definition_.slip.dimension == 1) force = std::copysign(force, last.force[0]);
     changes_->at[static_cast<std::size_t>(changes_->count++)] = {
-        tau_ > kSoon ? tau_ : 0.0, to, force, steps_.limit(tau_, at_.accumulated_slip, 0.0).force,
+        tau_ > kSoon ? tau_ : 0.0, to, force, steps_.limit(tau_, at_, 0.0).force,
         at_.accumulated_slip};
   }
 

@@ -54,14 +54,15 @@ Potential euclidean(const SlipSpace& space) {
 struct StepLimit {
   SubIncrements& steps;
   double tau;
-  double begin;
-  double length;    ///< of the step, as a part of the segment
-  double per_rate;  ///< rate [L/T] per slip of the step [L]; 0 where the slip does not count
+  const SlipPoint& begin;  ///< without the slip
+  double length;           ///< of the step, as a part of the segment
+  double per_rate;         ///< rate [L/T] per slip of the step [L]; 0 where the slip does not count
   const Limit* constant;
 
   Limit operator()(double slip) const noexcept {
     return constant != nullptr ? *constant
-                               : steps.limit(tau, begin + slip, length > 0.0 ? slip / length : 0.0);
+                               : steps.limit(tau, {begin.held, begin.accumulated_slip + slip},
+                                             length > 0.0 ? slip / length : 0.0);
   }
   double slope(const Limit& limit) const { return limit.to_slip + limit.to_rate * per_rate; }
 };
@@ -106,8 +107,8 @@ SubIncrements::SubIncrements(const FrictionDefinition& definition, const PathSeg
   varies_with_slip_ = by_rate_ || depends_on_accumulated_slip(definition.internal_contact_force);
 }
 
-Limit SubIncrements::limit(double tau, double accumulated_slip, double slip_rate) noexcept {
-  Limit l = points_.limit(tau, accumulated_slip, slip_rate * inverse_duration_, 0.0);
+Limit SubIncrements::limit(double tau, const SlipPoint& at, double slip_rate) noexcept {
+  Limit l = points_.limit(tau, at.accumulated_slip, slip_rate * inverse_duration_, at.held.front());
   if (l.normal_force <= no_contact_) {
     l.force = l.to_contact = l.to_rate = l.to_slip = 0.0;
   }
@@ -115,15 +116,15 @@ Limit SubIncrements::limit(double tau, double accumulated_slip, double slip_rate
 }
 
 double SubIncrements::strength(double tau, double accumulated_slip) noexcept {
-  const Limit rest = limit(tau, accumulated_slip, 0.0);
+  const Limit rest = limit(tau, {{}, accumulated_slip}, 0.0);
   if (rest.force > least_ || !potential_->homogeneous || !(rest.normal_force > 0.0)) {
     return rest.force;
   }
-  return limit(tau, accumulated_slip, length_).force;
+  return limit(tau, {{}, accumulated_slip}, length_).force;
 }
 
 bool SubIncrements::grips(double tau, double accumulated_slip, double slip_rate) noexcept {
-  return limit(tau, accumulated_slip, slip_rate).force > least_ ||
+  return limit(tau, {{}, accumulated_slip}, slip_rate).force > least_ ||
          strength(tau, accumulated_slip) > least_;
 }
 
@@ -142,7 +143,7 @@ bool SubIncrements::keeps_rate(const LimitPoint& end) noexcept {
 
 SlipVector SubIncrements::force(const SlipPoint& at, double tau, double slip_rate) noexcept {
   if (fixed_) return at.held;
-  return scaled(at.held, limit(tau, at.accumulated_slip, slip_rate).force / stick(tau));
+  return scaled(at.held, limit(tau, at, slip_rate).force / stick(tau));
 }
 
 double SubIncrements::bound(double tau, double limit) const noexcept {
@@ -153,13 +154,13 @@ double SubIncrements::measure(const SlipPoint& at, double tau, double limit) con
 }
 
 double SubIncrements::holds(const SlipPoint& at, double tau) noexcept {
-  const double f = limit(tau, at.accumulated_slip, 0.0).force;
+  const double f = limit(tau, at, 0.0).force;
   const double edge = bound(tau, f);
   return edge > 0.0 ? 1.0 - measure(at, tau, f) / edge : 0.0;
 }
 
 double SubIncrements::friction_work(double tau, double accumulated_slip, double slip) noexcept {
-  const auto force = [&](double at) { return limit(tau, at, 0.0).force; };
+  const auto force = [&](double at) { return limit(tau, {{}, at}, 0.0).force; };
   const double end = accumulated_slip + slip;
   double sum = 0.0;
   int budget = 1000;
@@ -176,21 +177,22 @@ void SubIncrements::begin(const SlipPoint& at, double tau) noexcept {
   if (!viscous_) return;
   const auto is_within = [&](double to, double slack) {
     const SlipVector trial = sum_of(at.held, stick(to) * (to - tau), motion_);
-    return value(*potential_, trial) <= limit(to, at.accumulated_slip, 0.0).force * (1.0 + slack);
+    return value(*potential_, trial) <=
+           limit(to, {trial, at.accumulated_slip}, 0.0).force * (1.0 + slack);
   };
   // Something may push it on, however slowly.
   at_rest_ = is_within(tau, kTouching) && is_within(tau + 0.125 * (1.0 - tau), kMoved);
 }
 
 bool SubIncrements::beyond(const SlipPoint& at, double tau) noexcept {
-  const double f = limit(tau, at.accumulated_slip, 0.0).force;
+  const double f = limit(tau, at, 0.0).force;
   return !viscous_ && measure(at, tau, f) > bound(tau, f) * (1.0 + kTouching);
 }
 
 bool SubIncrements::can_begin(const Signature& signature, const SlipPoint& at,
                               double tau) noexcept {
   if (signature.regime != Regime::kSlip) return true;
-  const double f = limit(tau, at.accumulated_slip, 0.0).force;
+  const double f = limit(tau, at, 0.0).force;
   const double edge = bound(tau, f);
   if (measure(at, tau, f) < edge * (1.0 - kTouching)) return false;
   const SlipVector y = fixed_ || closed_ ? at.held : scaled(at.held, f / stick(tau));
@@ -232,7 +234,7 @@ void SubIncrements::settle(Regime regime, double tau, double slip_rate, SlipPoin
     point->held = {};
     return;
   }
-  const double f = limit(tau, point->accumulated_slip, slip_rate).force;
+  const double f = limit(tau, *point, slip_rate).force;
   const double edge = bound(tau, f);
   // A viscous force lies where the rate puts it, not the other way round.
   if (viscous_) return;
@@ -249,29 +251,28 @@ void SubIncrements::settle(Regime regime, double tau, double slip_rate, SlipPoin
 SubIncrement SubIncrements::step(const SlipPoint& begin, double from, double to) noexcept {
   SubIncrement result;
   const double length = to - from;
-  const Limit rest = limit(to, begin.accumulated_slip, 0.0);
+  const double stick = points_.stick(to);
+  const SlipPoint trial{sum_of(begin.held, (fixed_ ? stick : 1.0) * length, motion_),
+                        begin.accumulated_slip};
+  const Limit rest = limit(to, trial, 0.0);
   const bool grips = rest.force > least_ || strength(to, begin.accumulated_slip) > least_;
   result.end.accumulated_slip = begin.accumulated_slip;
   result.limit = rest;
-  result.point = point(to, begin.accumulated_slip, 0.0);
+  result.point = point(to, trial, 0.0);
   result.negative = rest.contact_force < 0.0;
   if (!grips) {
     return result;
   }
   result.signature.grips = true;
-  const double stick = points_.stick(to);
   const StepLimit limit_of{*this,
                            to,
-                           begin.accumulated_slip,
+                           trial,
                            length,
                            definition_.slip_rate == SlipRateMeasure::kSlip && length > 0.0
                                ? inverse_duration_ / length
                                : 0.0,
                            varies_with_slip_ ? nullptr : &rest};
-  const Start<StepLimit> start{
-      *potential_, limit_of, sum_of(begin.held, (fixed_ ? stick : 1.0) * length, motion_),
-      stick,       least_,   fixed_,
-      closed_};
+  const Start<StepLimit> start{*potential_, limit_of, trial.held, stick, least_, fixed_, closed_};
   Scale scale = scale_at(start, rest.force);
   result.signature.regime = Regime::kStick;
   result.end.held = start.trial;
@@ -308,7 +309,7 @@ SubIncrement SubIncrements::step(const SlipPoint& begin, double from, double to)
     result.end = {{}, begin.accumulated_slip + slip};
     result.limit = limit_of(slip);
     result.signature.regime = Regime::kOpen;
-    result.point = point(to, begin.accumulated_slip + slip, 0.0);
+    result.point = point(to, result.end, 0.0);
     result.signature.worn = true;
     result.signature.grips = false;
     return result;
@@ -330,7 +331,7 @@ SubIncrement SubIncrements::step(const SlipPoint& begin, double from, double to)
     const double along = stick * dot(result.normal, result.normal);
     result.snap_back = std::max(-result.limit.to_slip, 0.0) / along;
   }
-  result.point = point(to, result.end.accumulated_slip, result.slip_rate);
+  result.point = point(to, result.end, result.slip_rate);
   result.negative = result.limit.contact_force < 0.0;
   for (std::size_t g = 0; g < static_cast<std::size_t>(potential_->leaves); ++g) {
     const PotentialLeaf& leaf = potential_->leaf[g];

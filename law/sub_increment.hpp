@@ -54,8 +54,9 @@ class SubIncrements {
 
   SubIncrement step(const SlipPoint& begin, double from, double to) noexcept;
 
-  /// F_lim at the fraction tau, after the accumulated slip and at the slip per segment given [L].
-  Limit limit(double tau, double accumulated_slip, double slip_rate) noexcept;
+  /// F_lim at the fraction tau, after the accumulated slip of `at` and at the slip per segment
+  /// given [L]; of a belt that of the side which `at` holds a force on.
+  Limit limit(double tau, const SlipPoint& at, double slip_rate) noexcept;
   /// The same without slip; where that is 0, and P is homogeneous, with all motion as slip: a
   /// coefficient that vanishes only at rest still grips.
   double strength(double tau, double accumulated_slip) noexcept;
@@ -71,8 +72,8 @@ class SubIncrements {
   bool stays(const LimitPoint& point) noexcept;
   /// True if it is, as far as the rate of the slip at the end of a piece is known.
   bool keeps_rate(const LimitPoint& end) noexcept;
-  LimitPoint point(double tau, double accumulated_slip, double slip_rate) const {
-    return {tau, accumulated_slip, slip_rate * inverse_duration_, 1.0};
+  LimitPoint point(double tau, const SlipPoint& at, double slip_rate) const {
+    return {tau, at.accumulated_slip, slip_rate * inverse_duration_, at.held.front()};
   }
   /// True if a step with this signature can begin here: on the limit where it slips, its leaves
   /// where the signature has them.

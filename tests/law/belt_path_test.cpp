@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// An elastic belt along a straight piece of history: its distance and its reference length go
+// Belts along a straight piece of history: distance and reference length of an elastic one go
 // straight, its tension does not.
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "law/belt.hpp"
 #include "law/continuous_update.hpp"
+#include "tests/support/exact_run.hpp"
 #include "tests/support/friction_run.hpp"
 #include "tests/support/law_tables.hpp"
 
@@ -100,6 +101,28 @@ TEST_CASE("a belt with an elastic slip dissipates under the tension of its strai
   CHECK(end.dissipation == Approx(5000.0 * std::expm1(kMu * kAngle) *
                                   (c * std::log((length - 0.01) / (length - 1.0)) - 2.0 * 0.99))
                                .epsilon(1e-11));
+}
+
+TEST_CASE("a belt of a viscous law meets the limit of the side that it flows to") {
+  FrictionDefinition definition = slider(0.0, 0.0, fixed_stiffness(1000.0), {2});
+  definition.law = TabularCoefficient{make_function({{0.1, 0.0}, {0.3, 2.0}}, {kOverSlipRate})};
+  definition.criterion = Capstan{1.5};
+  definition.contact_force = ComponentContactForce{0};
+  Waypoint begin;
+  begin.force[0] = 100.0;
+  for (const int count : {1, 7}) {
+    ExactRun run(definition, begin);
+    Waypoint to = begin;
+    for (const double flow : {2.0, -2.0, 0.0}) {
+      to.position[1] = flow;
+      to.duration = std::abs(flow - run.here().position[1]) / 2.0;
+      run.go(to, count);
+      const double z = flow < 0.0 ? -1.0 : 1.0;
+      CHECK(run.friction(2) == Approx(100.0 * std::expm1(z * 0.3 * 1.5)).epsilon(1e-11));
+      CHECK(run.last.limit == Approx(std::abs(run.friction(2))).epsilon(1e-11));
+      CHECK(run.work == Approx(run.dissipation + run.last.stored_energy).epsilon(1e-11));
+    }
+  }
 }
 
 }  // namespace
