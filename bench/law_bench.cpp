@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "law/connection_type.hpp"
-#include "law/return_mapping.hpp"
+#include "law/connection/connection_type.hpp"
+#include "law/update/return_mapping.hpp"
 
 /// One increment of the law, timed over whole histories. Every timed run checks where it ended, so
 /// that a fast wrong answer cannot win. The column `increment` is the time of one increment.

@@ -13,8 +13,8 @@
 #include "driver/connector_increment.hpp"
 #include "driver/history/profile.hpp"
 #include "driver/simulation.hpp"
-#include "law/connection_type.hpp"
-#include "law/sensitivity.hpp"
+#include "law/connection/connection_type.hpp"
+#include "law/sensitivity/sensitivity.hpp"
 
 /// What a calibration spends its time on: a SLIDE-PLANE on a growing Lissajous path, 10,000
 /// increments, both forces compared at every increment. The law alone, its forces at the compared

@@ -13,7 +13,7 @@
 #include "driver/component_forces.hpp"
 #include "driver/connector_increment.hpp"
 #include "driver/text/format_number.hpp"
-#include "law/capstan_update.hpp"
+#include "law/update/capstan_update.hpp"
 
 namespace slipbench::driver {
 namespace {

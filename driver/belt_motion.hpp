@@ -9,7 +9,7 @@
 
 #include "driver/case/case.hpp"
 #include "driver/simulation.hpp"
-#include "law/return_mapping.hpp"
+#include "law/update/return_mapping.hpp"
 
 namespace slipbench::driver {
 

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "driver/case/case.hpp"
-#include "law/component.hpp"
-#include "law/increment.hpp"
+#include "law/base/component.hpp"
+#include "law/definition/increment.hpp"
 
 namespace slipbench::driver {
 

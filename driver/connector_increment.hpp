@@ -6,7 +6,7 @@
 
 #include "driver/case/case.hpp"
 #include "driver/simulation.hpp"
-#include "law/increment.hpp"
+#include "law/definition/increment.hpp"
 
 namespace slipbench::driver {
 

@@ -2,9 +2,9 @@
 // Backlash in series with the friction of one component: an option of the bench, outside the law.
 #pragma once
 
-#include "law/friction_definition.hpp"
-#include "law/friction_state.hpp"
-#include "law/return_mapping.hpp"
+#include "law/definition/friction_definition.hpp"
+#include "law/definition/friction_state.hpp"
+#include "law/update/return_mapping.hpp"
 
 namespace slipbench::driver {
 

@@ -10,7 +10,7 @@
 #include "driver/case/case.hpp"
 #include "driver/component_forces.hpp"
 #include "driver/simulation.hpp"
-#include "law/limit_function.hpp"
+#include "law/definition/limit_function.hpp"
 
 namespace slipbench::driver {
 

@@ -12,7 +12,7 @@
 #include "driver/case/quantity.hpp"
 #include "driver/connector_increment.hpp"
 #include "driver/text/format_number.hpp"
-#include "law/connector_tangent.hpp"
+#include "law/update/connector_tangent.hpp"
 
 namespace slipbench::driver {
 namespace {

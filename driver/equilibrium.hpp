@@ -13,7 +13,7 @@
 #include "driver/case/case.hpp"
 #include "driver/component_forces.hpp"
 #include "driver/simulation.hpp"
-#include "law/return_mapping.hpp"
+#include "law/update/return_mapping.hpp"
 
 namespace slipbench::driver {
 

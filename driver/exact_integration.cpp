@@ -6,7 +6,7 @@
 
 #include "driver/belt_motion.hpp"
 #include "driver/connector_increment.hpp"
-#include "law/belt.hpp"
+#include "law/connection/belt.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "driver/case/case.hpp"
 #include "driver/simulation.hpp"
-#include "law/continuous_update.hpp"
+#include "law/exact/continuous_update.hpp"
 
 namespace slipbench::driver {
 

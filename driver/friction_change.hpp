@@ -8,7 +8,7 @@
 #include "driver/case/case.hpp"
 #include "driver/history/history_error.hpp"
 #include "driver/history/profile_cursor.hpp"
-#include "law/friction_definition.hpp"
+#include "law/definition/friction_definition.hpp"
 
 namespace slipbench::driver {
 

@@ -19,8 +19,8 @@
 #include "driver/exact_integration.hpp"
 #include "driver/slip_direction.hpp"
 #include "driver/text/format_number.hpp"
-#include "law/capstan_update.hpp"
-#include "law/penalty_update.hpp"
+#include "law/update/capstan_update.hpp"
+#include "law/update/penalty_update.hpp"
 
 namespace slipbench::driver {
 namespace {

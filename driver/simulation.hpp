@@ -18,11 +18,11 @@
 #include "driver/history/history_error.hpp"
 #include "driver/history/profile_cursor.hpp"
 #include "driver/history/step_grid.hpp"
-#include "law/belt.hpp"
-#include "law/formulation.hpp"
-#include "law/regime_change.hpp"
-#include "law/return_mapping.hpp"
-#include "law/uniqueness.hpp"
+#include "law/connection/belt.hpp"
+#include "law/definition/formulation.hpp"
+#include "law/exact/regime_change.hpp"
+#include "law/update/return_mapping.hpp"
+#include "law/update/uniqueness.hpp"
 
 namespace slipbench::driver {
 

@@ -2,9 +2,9 @@
 // A coefficient that depends on the direction of the slip: an option of the bench, outside the law.
 #pragma once
 
-#include "law/friction_definition.hpp"
-#include "law/friction_state.hpp"
-#include "law/return_mapping.hpp"
+#include "law/definition/friction_definition.hpp"
+#include "law/definition/friction_state.hpp"
+#include "law/update/return_mapping.hpp"
 
 namespace slipbench::driver {
 

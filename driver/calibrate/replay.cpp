@@ -12,7 +12,7 @@
 #include <variant>
 
 #include "driver/simulation.hpp"
-#include "law/return_mapping.hpp"
+#include "law/update/return_mapping.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -14,7 +14,7 @@
 
 #include "driver/case/case.hpp"
 #include "driver/case/quantity.hpp"
-#include "law/sensitivity.hpp"
+#include "law/sensitivity/sensitivity.hpp"
 
 namespace slipbench::driver {
 

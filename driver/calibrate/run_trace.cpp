@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "law/notation.hpp"
+#include "law/base/notation.hpp"
 
 namespace slipbench::driver {
 namespace {

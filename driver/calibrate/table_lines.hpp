@@ -8,7 +8,7 @@
 
 #include "driver/calibrate/fit.hpp"
 #include "driver/calibrate/least_squares/problem.hpp"
-#include "law/table.hpp"
+#include "law/table/table.hpp"
 
 namespace slipbench::driver {
 

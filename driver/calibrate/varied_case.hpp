@@ -12,7 +12,7 @@
 #include "driver/calibrate/fit.hpp"
 #include "driver/case/case.hpp"
 #include "driver/case/read_case.hpp"
-#include "law/friction_definition.hpp"
+#include "law/definition/friction_definition.hpp"
 
 namespace slipbench::driver {
 

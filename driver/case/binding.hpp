@@ -21,9 +21,9 @@
 #include "driver/text/diagnostic.hpp"
 #include "driver/text/json.hpp"
 #include "driver/yaml/node.hpp"
-#include "law/field.hpp"
-#include "law/table.hpp"
-#include "law/unit_name.hpp"
+#include "law/base/field.hpp"
+#include "law/base/unit_name.hpp"
+#include "law/table/table.hpp"
 
 namespace slipbench::driver {
 

@@ -19,10 +19,10 @@
 #include "driver/history/profile.hpp"
 #include "driver/history/units.hpp"
 #include "driver/text/diagnostic.hpp"
-#include "law/belt.hpp"
-#include "law/connector.hpp"
-#include "law/kinetic_force.hpp"
-#include "law/stop.hpp"
+#include "law/base/stop.hpp"
+#include "law/component/kinetic_force.hpp"
+#include "law/connection/belt.hpp"
+#include "law/update/connector.hpp"
 
 namespace slipbench::driver {
 

@@ -11,7 +11,7 @@
 #include "driver/case/law_numbers.hpp"
 #include "driver/case/quantity.hpp"
 #include "driver/text/format_number.hpp"
-#include "law/connection_type.hpp"
+#include "law/connection/connection_type.hpp"
 
 namespace slipbench::driver {
 namespace {

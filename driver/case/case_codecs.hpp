@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "driver/case/case_text.hpp"
-#include "law/table_function.hpp"
+#include "law/table/table_function.hpp"
 
 namespace slipbench::driver {
 

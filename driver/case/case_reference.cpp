@@ -2,7 +2,7 @@
 #include "driver/case/case_reference.hpp"
 
 #include "driver/case/case_codecs.hpp"
-#include "law/connection_type.hpp"
+#include "law/connection/connection_type.hpp"
 #include "reference/catalogue.hpp"
 
 namespace slipbench::driver {

@@ -14,10 +14,10 @@
 #include "driver/case/data_source_text.hpp"
 #include "driver/case/integration.hpp"
 #include "driver/history/profile.hpp"
-#include "law/formulation.hpp"
-#include "law/friction_definition.hpp"
-#include "law/potential_terms.hpp"
-#include "law/table.hpp"
+#include "law/definition/formulation.hpp"
+#include "law/definition/friction_definition.hpp"
+#include "law/definition/potential_terms.hpp"
+#include "law/table/table.hpp"
 
 namespace slipbench::driver {
 

@@ -3,7 +3,7 @@
 
 #include <charconv>
 
-#include "law/component.hpp"
+#include "law/base/component.hpp"
 
 namespace slipbench::driver {
 

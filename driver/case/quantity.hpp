@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "law/notation.hpp"
+#include "law/base/notation.hpp"
 
 namespace slipbench::driver {
 

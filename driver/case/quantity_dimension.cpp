@@ -3,7 +3,7 @@
 
 #include "driver/case/case.hpp"
 #include "driver/case/quantity.hpp"
-#include "law/component.hpp"
+#include "law/base/component.hpp"
 
 namespace slipbench::driver {
 

@@ -11,7 +11,7 @@
 #include "driver/case/case_codecs.hpp"
 #include "driver/case/resolve.hpp"
 #include "driver/text/format_number.hpp"
-#include "law/component.hpp"
+#include "law/base/component.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -9,7 +9,7 @@
 #include "driver/case/resolve.hpp"
 #include "driver/equilibrium.hpp"
 #include "driver/results/columns.hpp"
-#include "law/kinetic_force.hpp"
+#include "law/component/kinetic_force.hpp"
 
 namespace slipbench::driver {
 namespace {

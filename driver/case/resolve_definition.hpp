@@ -10,7 +10,7 @@
 #include "driver/case/case.hpp"
 #include "driver/case/case_text.hpp"
 #include "driver/history/units.hpp"
-#include "law/friction_definition.hpp"
+#include "law/definition/friction_definition.hpp"
 
 namespace slipbench::driver {
 

@@ -13,8 +13,8 @@
 #include "driver/case/case_codecs.hpp"
 #include "driver/case/resolve.hpp"
 #include "driver/text/format_number.hpp"
-#include "law/component.hpp"
-#include "law/penalty_predictor.hpp"
+#include "law/base/component.hpp"
+#include "law/update/penalty_predictor.hpp"
 
 namespace slipbench::driver {
 namespace {

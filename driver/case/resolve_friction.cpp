@@ -14,7 +14,7 @@
 #include "driver/case/resolve_potential.hpp"
 #include "driver/text/format_number.hpp"
 #include "driver/text/suggestions.hpp"
-#include "law/uniqueness.hpp"
+#include "law/update/uniqueness.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -11,7 +11,7 @@
 #include "driver/case/resolve_definition.hpp"
 #include "driver/text/format_number.hpp"
 #include "driver/text/suggestions.hpp"
-#include "law/component.hpp"
+#include "law/base/component.hpp"
 
 namespace slipbench::driver {
 namespace {

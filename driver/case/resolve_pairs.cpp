@@ -14,7 +14,7 @@
 #include "driver/case/resolve.hpp"
 #include "driver/case/resolve_definition.hpp"
 #include "driver/text/suggestions.hpp"
-#include "law/part_pairs.hpp"
+#include "law/friction/part_pairs.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -8,7 +8,7 @@
 #include "driver/case/quantity.hpp"
 #include "driver/case/quantity_dimension.hpp"
 #include "driver/text/format_number.hpp"
-#include "law/component.hpp"
+#include "law/base/component.hpp"
 
 namespace slipbench::driver {
 namespace {

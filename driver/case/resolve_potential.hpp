@@ -7,8 +7,8 @@
 
 #include "driver/case/binding.hpp"
 #include "driver/case/case_text.hpp"
-#include "law/component.hpp"
-#include "law/potential_terms.hpp"
+#include "law/base/component.hpp"
+#include "law/definition/potential_terms.hpp"
 
 namespace slipbench::driver {
 

@@ -11,7 +11,7 @@
 
 #include "driver/commands/shared.hpp"
 #include "driver/results/provenance.hpp"
-#include "law/penalty_predictor.hpp"
+#include "law/update/penalty_predictor.hpp"
 
 namespace slipbench::driver {
 namespace {

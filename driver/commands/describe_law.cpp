@@ -14,7 +14,7 @@
 #include "driver/case/law_numbers.hpp"
 #include "driver/results/law_range.hpp"
 #include "driver/text/curve_drawing.hpp"
-#include "law/friction_law.hpp"
+#include "law/friction/friction_law.hpp"
 
 namespace slipbench::driver {
 namespace {

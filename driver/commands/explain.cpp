@@ -22,9 +22,9 @@
 #include "driver/results/provenance.hpp"
 #include "driver/results/summary.hpp"
 #include "driver/text/format_number.hpp"
-#include "law/capstan_update.hpp"
-#include "law/penalty_predictor.hpp"
-#include "law/penalty_update.hpp"
+#include "law/update/capstan_update.hpp"
+#include "law/update/penalty_predictor.hpp"
+#include "law/update/penalty_update.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -11,7 +11,7 @@
 #include "driver/case/quantity.hpp"
 #include "driver/results/columns.hpp"
 #include "driver/text/diagnostic.hpp"
-#include "law/connection_type.hpp"
+#include "law/connection/connection_type.hpp"
 #include "reference/catalogue.hpp"
 
 namespace slipbench::driver {

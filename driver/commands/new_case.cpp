@@ -12,7 +12,7 @@
 #include "driver/commands/shared.hpp"
 #include "driver/exit_code.hpp"
 #include "driver/text/suggestions.hpp"
-#include "law/connection_type.hpp"
+#include "law/connection/connection_type.hpp"
 
 namespace slipbench::driver {
 

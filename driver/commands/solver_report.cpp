@@ -14,10 +14,10 @@
 #include "driver/results/provenance.hpp"
 #include "driver/results/summary.hpp"
 #include "driver/text/format_number.hpp"
-#include "law/capstan_update.hpp"
-#include "law/connector_tangent.hpp"
-#include "law/snap_back.hpp"
-#include "law/uniqueness.hpp"
+#include "law/update/capstan_update.hpp"
+#include "law/update/connector_tangent.hpp"
+#include "law/update/snap_back.hpp"
+#include "law/update/uniqueness.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "driver/case/case.hpp"
 #include "driver/simulation.hpp"
-#include "law/friction_law.hpp"
+#include "law/friction/friction_law.hpp"
 
 namespace slipbench::driver {
 

@@ -10,9 +10,9 @@
 #include <set>
 
 #include "driver/case/quantity.hpp"
-#include "law/capstan_update.hpp"
-#include "law/component.hpp"
-#include "law/penalty_update.hpp"
+#include "law/base/component.hpp"
+#include "law/update/capstan_update.hpp"
+#include "law/update/penalty_update.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -9,7 +9,7 @@
 #include "driver/case/case.hpp"
 #include "driver/simulation.hpp"
 #include "driver/text/json.hpp"
-#include "law/table_function.hpp"
+#include "law/table/table_function.hpp"
 
 namespace slipbench::driver {
 

@@ -8,7 +8,7 @@
 #include "driver/results/provenance.hpp"
 #include "driver/results/result_layout.hpp"
 #include "driver/text/format_number.hpp"
-#include "law/penalty_predictor.hpp"
+#include "law/update/penalty_predictor.hpp"
 
 namespace slipbench::driver {
 namespace {

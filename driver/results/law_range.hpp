@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "law/friction_law.hpp"
+#include "law/friction/friction_law.hpp"
 
 namespace slipbench::driver {
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "driver/case/case.hpp"
-#include "law/connector.hpp"
-#include "law/increment.hpp"
-#include "law/return_mapping.hpp"
+#include "law/definition/increment.hpp"
+#include "law/update/connector.hpp"
+#include "law/update/return_mapping.hpp"
 
 namespace slipbench::driver {
 

@@ -13,7 +13,7 @@
 #include "driver/results/columns.hpp"
 #include "driver/results/readable.hpp"
 #include "driver/text/diagnostic.hpp"
-#include "law/contact_force.hpp"
+#include "law/contact/contact_force.hpp"
 
 namespace slipbench::driver {
 namespace {

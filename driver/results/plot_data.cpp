@@ -9,7 +9,7 @@
 #include "driver/case/quantity.hpp"
 #include "driver/history/csv_reader.hpp"
 #include "driver/results/pixel_columns.hpp"
-#include "law/notation.hpp"
+#include "law/base/notation.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -12,9 +12,9 @@
 #include "driver/history/derived_units.hpp"
 #include "driver/results/csv_writer.hpp"
 #include "driver/results/regime_history.hpp"
-#include "law/penalty_predictor.hpp"
-#include "law/penalty_update.hpp"
-#include "law/uniqueness.hpp"
+#include "law/update/penalty_predictor.hpp"
+#include "law/update/penalty_update.hpp"
+#include "law/update/uniqueness.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -18,7 +18,7 @@
 #include "driver/results/stick_slip.hpp"
 #include "driver/simulation.hpp"
 #include "driver/text/json.hpp"
-#include "law/uniqueness.hpp"
+#include "law/update/uniqueness.hpp"
 
 namespace slipbench::driver {
 

@@ -3,11 +3,11 @@
 
 #include <string_view>
 
-#include "law/component.hpp"
-#include "law/contact_force.hpp"
-#include "law/field.hpp"
-#include "law/friction_definition.hpp"
-#include "law/internal_contact_force.hpp"
+#include "law/base/component.hpp"
+#include "law/base/field.hpp"
+#include "law/contact/contact_force.hpp"
+#include "law/contact/internal_contact_force.hpp"
+#include "law/definition/friction_definition.hpp"
 
 namespace slipbench::law {
 

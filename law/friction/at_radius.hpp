@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "law/friction_law.hpp"
+#include "law/friction/friction_law.hpp"
 
 namespace slipbench::law {
 

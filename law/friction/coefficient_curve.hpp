@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "law/capstan.hpp"
-#include "law/exponential_sum.hpp"
+#include "law/base/capstan.hpp"
+#include "law/base/exponential_sum.hpp"
 #include "law/friction/slip_line.hpp"
 
 namespace slipbench::law {

@@ -5,16 +5,16 @@
 #include <string_view>
 #include <tuple>
 
-#include "law/capstan.hpp"
-#include "law/field.hpp"
+#include "law/base/capstan.hpp"
+#include "law/base/field.hpp"
 #include "law/friction/coefficient_point.hpp"
 #include "law/friction/slip_line.hpp"
-#include "law/table_function.hpp"
+#include "law/table/table_function.hpp"
 
 namespace slipbench::law {
 
 /// Coulomb friction: mu is a number. Source: Coulomb 1785 (key C1785).
-/// Admissible: mu >= 0; mu = 0 is frictionless. Proven by law/friction_law_test.
+/// Admissible: mu >= 0; mu = 0 is frictionless. Proven by law/friction/friction_law_test.
 struct ConstantCoefficient {
   static constexpr std::string_view kName = "constant";
   static constexpr std::string_view kTitle = "Constant (Coulomb)";

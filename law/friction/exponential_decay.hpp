@@ -7,11 +7,11 @@
 #include <string_view>
 #include <tuple>
 
-#include "law/capstan.hpp"
-#include "law/field.hpp"
+#include "law/base/capstan.hpp"
+#include "law/base/field.hpp"
 #include "law/friction/coefficient_point.hpp"
 #include "law/friction/slip_line.hpp"
-#include "law/table_function.hpp"
+#include "law/table/table_function.hpp"
 
 namespace slipbench::law {
 
@@ -19,7 +19,7 @@ namespace slipbench::law {
 ///   mu = kinetic + (static - kinetic) exp(-decay rate),  rate >= 0 the equivalent slip rate.
 /// Continuous and monotone; mu(0) = static, mu(inf) = kinetic. No other dependence and no force
 /// limit together with it. Admissible: static >= kinetic >= 0, decay >= 0 [T/L].
-/// Source: Oden & Martins 1985 (key OM1985). Proven by law/friction_law_test.
+/// Source: Oden & Martins 1985 (key OM1985). Proven by law/friction/friction_law_test.
 struct ExponentialDecay {
   static constexpr std::string_view kName = "exponential_decay";
   static constexpr std::string_view kTitle = "Exponential decay from static to kinetic friction";

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <tuple>
 
-#include "law/field.hpp"
+#include "law/base/field.hpp"
 #include "law/friction/coefficient_point.hpp"
 #include "law/friction/exponential_decay.hpp"
-#include "law/table_function.hpp"
+#include "law/table/table_function.hpp"
 
 namespace slipbench::law {
 
@@ -22,7 +22,7 @@ namespace slipbench::law {
 /// The rate is the equivalent slip rate [L/T]. Admissible: mu1 > mu2 > mu_inf >= 0, rate2 > 0; then
 /// all of ExponentialDecay holds, which this is once fitted (the reader of cases fits at once).
 /// Source: Oden & Martins 1985 (key OM1985) for the law, the points are the user's.
-/// Proven by law/friction_law_test.
+/// Proven by law/friction/friction_law_test.
 struct ExponentialTestData {
   static constexpr std::string_view kName = "exponential_test_data";
   static constexpr std::string_view kTitle = "Exponential decay through two or three points";

@@ -9,10 +9,10 @@
 #include <string_view>
 #include <tuple>
 
-#include "law/field.hpp"
+#include "law/base/field.hpp"
 #include "law/friction/coefficient_curve.hpp"
 #include "law/friction/radioss_coefficient.hpp"
-#include "law/table_function.hpp"
+#include "law/table/table_function.hpp"
 
 namespace slipbench::law {
 
@@ -22,7 +22,7 @@ namespace slipbench::law {
 /// kept above kCoefficientFloor, where the slopes vanish. V is the slip rate [L/T]. The page's
 /// sixth coefficient is not used by this law. All numbers are admissible; a polynomial grows
 /// without bound or falls below zero outside of the data it was fitted to. Source: Altair Radioss
-/// reference guide, /FRICTION (key RADIOSS). Proven by law/radioss_law_test.
+/// reference guide, /FRICTION (key RADIOSS). Proven by law/friction/radioss_law_test.
 struct GeneralizedViscous {
   static constexpr std::string_view kName = "generalized_viscous";
   static constexpr std::string_view kTitle = "Generalised viscous (Radioss Ifric 1)";

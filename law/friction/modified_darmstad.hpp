@@ -9,10 +9,10 @@
 #include <string_view>
 #include <tuple>
 
-#include "law/field.hpp"
+#include "law/base/field.hpp"
 #include "law/friction/coefficient_curve.hpp"
 #include "law/friction/radioss_coefficient.hpp"
-#include "law/table_function.hpp"
+#include "law/table/table_function.hpp"
 
 namespace slipbench::law {
 
@@ -23,7 +23,8 @@ namespace slipbench::law {
 /// kept above kCoefficientFloor, where the slopes vanish. V is the slip rate [L/T]. All numbers are
 /// admissible; an exponent above kLargestExponent makes the coefficient infinite, and overflow()
 /// names it. Without C1 to C4 it is ExponentialDecay (darmstad_decay()).
-/// Source: Altair Radioss reference guide, /FRICTION (key RADIOSS). Proven by law/radioss_law_test.
+/// Source: Altair Radioss reference guide, /FRICTION (key RADIOSS). Proven by
+/// law/friction/radioss_law_test.
 struct ModifiedDarmstad {
   static constexpr std::string_view kName = "modified_darmstad";
   static constexpr std::string_view kTitle = "Modified Darmstad (Radioss Ifric 2)";

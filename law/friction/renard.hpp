@@ -10,11 +10,11 @@
 #include <tuple>
 #include <vector>
 
-#include "law/field.hpp"
+#include "law/base/field.hpp"
+#include "law/base/unit_name.hpp"
 #include "law/friction/coefficient_curve.hpp"
 #include "law/friction/radioss_coefficient.hpp"
-#include "law/table_function.hpp"
-#include "law/unit_name.hpp"
+#include "law/table/table_function.hpp"
 
 namespace slipbench::law {
 
@@ -36,7 +36,8 @@ enum class RenardRules : std::uint8_t {
 /// slip rate keeps the constants, and that unit, as they were fitted.
 /// Admissible: see kRules; lenient lets pass all but C5 > 0, C5 < C6 and C4 <= C2, without which mu
 /// has no meaning or a pole.
-/// Source: Altair Radioss reference guide, /FRICTION (key RADIOSS). Proven by law/radioss_law_test.
+/// Source: Altair Radioss reference guide, /FRICTION (key RADIOSS). Proven by
+/// law/friction/radioss_law_test.
 struct Renard {
   static constexpr std::string_view kName = "renard";
   static constexpr std::string_view kTitle = "Renard (Radioss Ifric 3)";

@@ -8,17 +8,17 @@
 #include <utility>
 #include <vector>
 
-#include "law/capstan.hpp"
+#include "law/base/capstan.hpp"
 #include "law/friction/coefficient_point.hpp"
 #include "law/friction/slip_line.hpp"
-#include "law/table_function.hpp"
+#include "law/table/table_function.hpp"
 
 namespace slipbench::law {
 
 /// mu from a table over slip rate, contact force F_N, temperature and fields (specification
 /// sections 8 and 12). Piecewise linear, so continuous with kinks at the knots, where the
 /// right-hand slope is reported. Source: C1785 for the form mu F_N, the table is the user's.
-/// Proven by law/friction_law_test and law/table_test.
+/// Proven by law/friction/friction_law_test and law/table/table_test.
 struct TabularCoefficient {
   static constexpr std::string_view kName = "table";
   static constexpr std::string_view kTitle =

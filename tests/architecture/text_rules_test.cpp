@@ -79,7 +79,7 @@ TEST_CASE("a place outside of the repository is found") {
   CHECK(found("docs/a.md", "[more](../../elsewhere/a.md)") == 1);
   CHECK(found("scripts/a.sh", "cd \"$here\"/../../elsewhere") == 1);
 
-  CHECK(found("docs/a.md", "[more](../law/table.hpp), /usr/share, /tmp/a") == 0);
+  CHECK(found("docs/a.md", "[more](../law/table/table.hpp), /usr/share, /tmp/a") == 0);
   CHECK(found("docs/a.md", "https://example.org/home/page") == 0);
   CHECK(found("scripts/a.sh", "cd \"$here\"/..") == 0);
   CHECK(found("driver/a.cpp", "const char* kHostile = \"../../../etc/passwd\";") == 0);

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "law/capstan_update.hpp"
 #include "law/connection/slipring.hpp"
+#include "law/update/capstan_update.hpp"
 #include "tests/support/random_history.hpp"
 
 namespace {

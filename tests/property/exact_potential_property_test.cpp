@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "law/potential_terms.hpp"
-#include "law/uniqueness.hpp"
+#include "law/definition/potential_terms.hpp"
+#include "law/update/uniqueness.hpp"
 #include "tests/support/dice.hpp"
 #include "tests/support/exact_run.hpp"
 #include "tests/support/law_tables.hpp"

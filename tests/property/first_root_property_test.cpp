@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "law/return_mapping.hpp"
+#include "law/update/return_mapping.hpp"
 #include "tests/support/dice.hpp"
 #include "tests/support/random_definition.hpp"
 

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "law/exponential_sum.hpp"
-#include "law/friction_law.hpp"
-#include "law/return_mapping.hpp"
-#include "law/uniqueness.hpp"
+#include "law/base/exponential_sum.hpp"
+#include "law/friction/friction_law.hpp"
+#include "law/update/return_mapping.hpp"
+#include "law/update/uniqueness.hpp"
 #include "tests/support/law_tables.hpp"
 #include "tests/support/random_definition.hpp"
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "law/connector_tangent.hpp"
+#include "law/update/connector_tangent.hpp"
 #include "tests/support/random_definition.hpp"
 #include "tests/support/random_history.hpp"
 

@@ -12,9 +12,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "law/connector_tangent.hpp"
-#include "law/ellipse_return.hpp"
-#include "law/penalty_update.hpp"
+#include "law/update/connector_tangent.hpp"
+#include "law/update/ellipse_return.hpp"
+#include "law/update/penalty_update.hpp"
 #include "tests/support/dice.hpp"
 #include "tests/support/random_history.hpp"
 

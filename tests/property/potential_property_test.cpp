@@ -7,9 +7,9 @@
 #include <variant>
 #include <vector>
 
-#include "law/connector_tangent.hpp"
-#include "law/limit_function.hpp"
-#include "law/potential_return.hpp"
+#include "law/definition/limit_function.hpp"
+#include "law/update/connector_tangent.hpp"
+#include "law/update/potential_return.hpp"
 #include "tests/support/finite_difference.hpp"
 #include "tests/support/random_definition.hpp"
 #include "tests/support/random_history.hpp"

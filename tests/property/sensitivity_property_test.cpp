@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "law/sensitivity.hpp"
+#include "law/sensitivity/sensitivity.hpp"
 #include "tests/support/definition_numbers.hpp"
 #include "tests/support/random_definition.hpp"
 #include "tests/support/random_history.hpp"

@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-#include "law/friction_definition.hpp"
+#include "law/definition/friction_definition.hpp"
 
 namespace slipbench::test {
 

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "law/continuous_update.hpp"
-#include "law/return_mapping.hpp"
+#include "law/exact/continuous_update.hpp"
+#include "law/update/return_mapping.hpp"
 
 namespace slipbench::test {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "law/increment.hpp"
+#include "law/definition/increment.hpp"
 #include "tests/support/finite_difference.hpp"
 
 namespace slipbench::test {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "law/return_mapping.hpp"
+#include "law/update/return_mapping.hpp"
 
 namespace slipbench::test {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "law/table_function.hpp"
+#include "law/table/table_function.hpp"
 
 namespace slipbench::test {
 

@@ -10,9 +10,9 @@
 #include <variant>
 #include <vector>
 
-#include "law/connection_type.hpp"
-#include "law/friction_definition.hpp"
-#include "law/potential_terms.hpp"
+#include "law/connection/connection_type.hpp"
+#include "law/definition/friction_definition.hpp"
+#include "law/definition/potential_terms.hpp"
 #include "tests/support/dice.hpp"
 #include "tests/support/law_tables.hpp"
 

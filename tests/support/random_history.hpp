@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "law/return_mapping.hpp"
+#include "law/update/return_mapping.hpp"
 #include "tests/support/dice.hpp"
 #include "tests/support/random_definition.hpp"
 

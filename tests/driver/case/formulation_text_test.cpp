@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "law/connection_type.hpp"
+#include "law/connection/connection_type.hpp"
 #include "tests/driver/case/read_for_test.hpp"
 
 namespace slipbench::driver {

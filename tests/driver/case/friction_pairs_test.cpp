@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "law/friction_law.hpp"
+#include "law/friction/friction_law.hpp"
 #include "tests/driver/case/read_for_test.hpp"
 
 namespace slipbench::driver {

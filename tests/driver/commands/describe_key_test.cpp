@@ -17,7 +17,7 @@
 #include "driver/case/key_examples.hpp"
 #include "driver/text/source_text.hpp"
 #include "driver/yaml/parse.hpp"
-#include "law/connection_type.hpp"
+#include "law/connection/connection_type.hpp"
 #include "tests/driver/commands/program_for_test.hpp"
 
 namespace slipbench::driver {

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "driver/commands/minimal_case.hpp"
-#include "law/connection_type.hpp"
+#include "law/connection/connection_type.hpp"
 #include "tests/driver/commands/program_for_test.hpp"
 
 namespace slipbench::driver {

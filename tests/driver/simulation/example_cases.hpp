@@ -10,7 +10,7 @@
 #include "driver/case/case.hpp"
 #include "driver/case/quantity.hpp"
 #include "driver/simulation.hpp"
-#include "law/potential_terms.hpp"
+#include "law/definition/potential_terms.hpp"
 
 namespace slipbench::driver {
 

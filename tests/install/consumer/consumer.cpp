@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "law/return_mapping.hpp"
+#include "law/update/return_mapping.hpp"
 #include "reference/catalogue.hpp"
 
 int main() {

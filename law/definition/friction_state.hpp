@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "law/base/notation.hpp"
+
+namespace slipbench::law {
+
+/// The regime of an increment; the numbers are those of the STATUS column.
+enum class Regime : std::uint8_t {
+  kOpen = 0,   ///< F_lim = 0: nothing to hold on to, no friction force
+  kStick = 1,  ///< P < F_lim, or P = F_lim without slip
+  kSlip = 2    ///< P = F_lim and the equivalent slip grew
+};
+
+/// The only memory of a friction definition. Entries follow SlipSpace; the unused ones stay 0.
+struct FrictionState {
+  std::array<double, kComponents> elastic_slip{};  ///< s_el [L]
+  std::array<double, kComponents> force{};         ///< y [F]
+  double accumulated_slip = 0.0;                   ///< [L], never decreases
+  Regime regime = Regime::kStick;
+
+  friend bool operator==(const FrictionState&, const FrictionState&) = default;
+};
+
+}  // namespace slipbench::law

@@ -1,0 +1,491 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "law/exact/extrapolated_update.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "law/exact/sub_increment.hpp"
+
+namespace slipbench::law {
+namespace {
+
+/// An event is located to this part of the segment.
+constexpr double kSameFraction = 1e-13;
+/// A change so near behind the begin of the segment is at its begin.
+constexpr double kSoon = 1e-9;
+/// How far behind the begin of a piece it is looked what the piece is to have in common.
+constexpr double kAhead = 1e-11;
+/// How far behind the begin of a piece the rate of a viscous slip is looked at.
+constexpr double kNearRate = 1e-9;
+/// How far behind the begin of a piece it is looked what still pulls on the limit.
+constexpr double kNearLetGo = 1e-6;
+/// How far behind the end of a piece it is looked whether it goes on alike; what lets go within is
+/// the square of that.
+constexpr double kBeyond = 1e-7;
+/// A limit below this part of the segment's is that of an instant without one.
+constexpr double kNoLimit = 1e-11;
+/// Where the segment's limit is looked at for its size.
+constexpr std::array kSamples{0.0, 0.25, 0.5, 0.75, 1.0};
+/// First piece of slip, in parts of the motion that turns a force: the elastic slip.
+constexpr double kFirst = 1e-4;
+/// An error below this one that a shorter piece does not lessen is rounding.
+constexpr double kRounding = 1e-10;
+/// Attempts after which rounding is in the way and pieces are taken as they are.
+constexpr int kMostAttempts = 100000;
+
+/// What is extrapolated: values at the end of a piece, and sums over it.
+struct Sums {
+  SlipVector held{};
+  double slip = 0.0;
+  double slip_rate = 0.0;
+  double dissipation = 0.0;
+  double work = 0.0;
+};
+
+template <class Function>
+Sums combined(const Sums& a, const Sums& b, Function&& f) {
+  Sums sum;
+  for (std::size_t i = 0; i < sum.held.size(); ++i) sum.held[i] = f(a.held[i], b.held[i]);
+  sum.slip = f(a.slip, b.slip);
+  sum.slip_rate = f(a.slip_rate, b.slip_rate);
+  sum.dissipation = f(a.dissipation, b.dissipation);
+  sum.work = f(a.work, b.work);
+  return sum;
+}
+
+/// A piece of the segment, as its sub-increments have it.
+struct Run {
+  enum class Outcome {
+    kSettled,
+    kUnsettled,  ///< too long for the tolerance
+    kMixed       ///< something changes inside
+  };
+  Outcome outcome = Outcome::kUnsettled;
+  int rows = 0;
+  double error = 0.0;  ///< as a part of limit and elastic slip
+  Sums end;
+  SubIncrement last;
+  double snap_back = 0.0;
+};
+
+class Pieces {
+ public:
+  Pieces(const FrictionDefinition& definition, const PathSegment& segment, double tolerance,
+         const FrictionState& old, RegimeChanges* changes)
+      : definition_(definition),
+        steps_(definition, segment, old),
+        tolerance_(std::max(0.05 * tolerance, 1e-13)),
+        begin_slip_(old.accumulated_slip),
+        regime_(old.regime),
+        changes_(changes) {
+    at_ = {steps_.fixed() ? old.force : old.elastic_slip, old.accumulated_slip};
+    for (const double tau : kSamples) {
+      scale_ = std::max(scale_, steps_.strength(tau, begin_slip_));
+    }
+    negative_ = steps_.limit(0.0, at_, 0.0).contact_force < 0.0;
+    elastic_ = steps_.fixed() ? scale_ / steps_.stick(1.0) : steps_.stick(1.0);
+    const double length = steps_.length();
+    first_ = length > 0.0 ? std::clamp(kFirst * elastic_ / length, 1e-9, 1e-2) : 1e-4;
+  }
+
+  void run() noexcept {
+    double step = 1.0;
+    double event = 2.0;  // something changes before it; none is known beyond 1
+    bool again = false;  // the way to the event is to be tried as a whole
+    int flickers = 0;
+    bool fresh = true;  // nothing is known yet of how fast the force turns
+    double error = std::numeric_limits<double>::infinity();  // of the last piece tried here
+    if (steps_.beyond(at_, 0.0)) cross(kSameFraction);       // the limit has jumped below the force
+    for (int attempt = 0; tau_ < 1.0; ++attempt) {
+      // Rounding that flickers about an event must not hold the walk up.
+      double shortest = kSameFraction * std::pow(4.0, std::clamp(flickers - 2, 0, 18));
+      if (attempt > kMostAttempts) {
+        converged_ = false;
+        shortest = 1e-3;
+      }
+      if (event <= 1.0 && event - tau_ <= shortest) {
+        cross(event);
+        event = 2.0;
+        step = 1.0;
+        fresh = true;
+        ++flickers;
+        continue;
+      }
+      double to = std::min(tau_ + step, 1.0);
+      if (event <= 1.0) to = std::min(to, again ? event : 0.5 * (tau_ + event));
+      again = false;
+      if (1.0 - to < kSameFraction) to = 1.0;
+      const Run run = extrapolate(tau_, to);
+      if (run.outcome == Run::Outcome::kMixed) {
+        event = to;
+      } else if (const double dip = first_dip(run, to); dip < to) {
+        event = dip;
+      } else if (fresh && run.last.signature.regime == Regime::kSlip && to - tau_ > first_) {
+        // A turn that is over within the first step of every row would not be seen.
+        step = first_;
+        fresh = false;
+      } else if (run.outcome == Run::Outcome::kUnsettled && to - tau_ > shortest &&
+                 !(run.error < kRounding && run.error > 0.25 * error)) {
+        step = 0.5 * (to - tau_);
+        error = run.error;
+      } else {
+        error = std::numeric_limits<double>::infinity();
+        // What settles late only would not at twice the length.
+        step = (run.rows < kRows - 1 ? 2.0 : 1.0) * (to - tau_);
+        const bool long_enough = to - tau_ > 1e3 * shortest;
+        if (long_enough) flickers = 0;
+        take(run, to);
+        // Long sub-increments may have seen what is not there.
+        if (to == event) {
+          event = 2.0;
+          step = 1.0;
+          if (!long_enough) ++flickers;
+        }
+        again = true;
+      }
+    }
+  }
+
+  FrictionUpdate result(FrictionUpdate update) noexcept {
+    const bool slips = regime_ == Regime::kSlip;
+    const double rate = slips ? std::max(rate_, 0.0) : 0.0;
+    const Limit l = steps_.limit(1.0, at_, rate);
+    update.state.force = steps_.force(at_, 1.0, rate);
+    update.state.elastic_slip = at_.held;
+    if (steps_.fixed()) {
+      for (double& s : update.state.elastic_slip) s /= steps_.stick(1.0);
+    }
+    update.state.accumulated_slip = at_.accumulated_slip;
+    update.state.regime = regime_;
+    update.contact_force = l.contact_force;
+    update.normal_force = l.normal_force;
+    update.mu = l.mu;
+    update.limit = l.force;
+    update.slip_rate = l.slip_rate;
+    update.slip_increment = at_.accumulated_slip - begin_slip_;
+    update.dissipation = std::max(dissipation_, 0.0);
+    update.work = work_;
+    update.stored_energy = 0.5 * dot(update.state.force, update.state.elastic_slip);
+    update.phi = value(steps_.potential(), update.state.force) - l.force;
+    update.onset = slips ? onset_ : 0.0;
+    update.snap_back = snap_back_;
+    update.multiple_roots = snap_back_ >= 1.0;
+    update.lost = lost_;
+    update.jump_onset = jump_onset_;
+    update.jumps = jumps_;
+    update.converged = converged_;
+    update.direction = {};
+    if (std::holds_alternative<Potential>(definition_.criterion)) {
+      const double square = dot(normal_, normal_);
+      for (std::size_t i = 0; i < kComponents && square > 0.0; ++i) {
+        update.direction[i] = normal_[i] / square;
+      }
+    } else {
+      const double p = std::sqrt(dot(update.state.force, update.state.force));
+      for (std::size_t i = 0; i < kComponents && p > 0.0; ++i) {
+        update.direction[i] = update.state.force[i] / p;
+      }
+    }
+    return update;
+  }
+
+ private:
+  static constexpr int kRows = 8;
+  static constexpr int kLeastRows = 3;
+
+  /// Work and dissipation of a step, by the force at its end throughout: their errors are smooth in
+  /// the length of steps. y.m is F_lim without shifts.
+  void add(const SubIncrement& step, double length, Sums* sums) const noexcept {
+    sums->work += length * dot(step.force, steps_.motion());
+    sums->dissipation += dot(step.force, step.normal) * step.slip;
+  }
+
+  /// The table of Aitken and Neville over 1, 2, 3, ... sub-increments.
+  Run extrapolate(double from, double to) noexcept {
+    Run result;
+    Signature common;
+    steps_.begin(at_, from);
+    std::array<Sums, kRows> table;  // the last row
+    for (int j = 0; j < kRows; ++j) {
+      const int count = j + 1;
+      Sums entry;
+      SlipPoint point = at_;
+      double tau = from;
+      for (int i = 1; i <= count; ++i) {
+        const double next = i == count ? to : from + (to - from) * i / count;
+        result.last = steps_.step(point, tau, next);
+        if (i == 1 && j == 0) {
+          common = result.last.signature;
+          if (!begins(result.last, from, to)) {
+            result.outcome = Run::Outcome::kMixed;
+            return result;
+          }
+        } else if (result.last.signature != common || !steps_.stays(result.last.point)) {
+          result.outcome = Run::Outcome::kMixed;
+          return result;
+        }
+        result.snap_back = std::max(result.snap_back, result.last.snap_back);
+        add(result.last, next - tau, &entry);
+        entry.slip += result.last.slip;
+        point = result.last.end;
+        tau = next;
+      }
+      entry.held = point.held;
+      entry.slip_rate = result.last.slip_rate;
+      // The row grows from its first entry; `above` are the entries of the row before.
+      Sums previous = entry;
+      for (int k = 0; k < j; ++k) {
+        const auto n = static_cast<std::size_t>(k);
+        const Sums above = table[n];
+        table[n] = entry;
+        const double weight = 1.0 / ((j + 1.0) / (j - k) - 1.0);
+        previous = entry;
+        entry =
+            combined(entry, above, [weight](double a, double b) { return a + weight * (a - b); });
+      }
+      table[static_cast<std::size_t>(j)] = entry;
+      const Sums corner = result.end;  // of the row before
+      result.end = entry;
+      result.rows = count;
+      if (count < kLeastRows) continue;
+      result.error = std::max(difference(entry, previous), difference(entry, corner));
+      const bool gone = common.regime == Regime::kOpen;
+      if (gone || result.error <= tolerance_) {
+        result.outcome = goes_on(result, from, to) ? Run::Outcome::kSettled : Run::Outcome::kMixed;
+        return result;
+      }
+    }
+    return result;
+  }
+
+  /// True if what holds the force on its limit still does so where the piece ends: the last
+  /// sub-increment of every row may have passed the place where it lets go.
+  bool goes_on(const Run& run, double from, double to) noexcept {
+    const Signature& common = run.last.signature;
+    if (common.regime != Regime::kSlip || to - from <= 10.0 * kBeyond) return true;
+    SlipPoint end{run.end.held, at_.accumulated_slip + run.end.slip};
+    steps_.settle(common.regime, to, run.end.slip_rate, &end);
+    const Signature beyond = steps_.step(end, to, to + kBeyond).signature;
+    return beyond.regime == Regime::kSlip && !lets_go(common, beyond) &&
+           steps_.keeps_rate(steps_.point(to, end, run.end.slip_rate));
+  }
+
+  /// True if a step lets go of a term that the one before it pulls on, or holds at 0.
+  static bool lets_go(const Signature& before, const Signature& after) noexcept {
+    for (std::size_t g = 0; g < kComponents; ++g) {
+      const auto was = before.leaf[g], is = after.leaf[g];
+      if (was == Signature::kNotPulled) continue;
+      if (is == Signature::kNotPulled || (was == Signature::kAtZero && is != was)) return true;
+    }
+    return false;
+  }
+
+  /// True if a piece that this step goes through can begin at `from`.
+  bool begins(const SubIncrement& first, double from, double to) noexcept {
+    const Signature& signature = first.signature;
+    const double ahead = std::min(from + kAhead, from + 0.5 * (to - from));
+    const bool slips = signature.regime == Regime::kSlip;
+    double slip_rate = 0.0;
+    if (slips && steps_.by_rate()) {
+      // The rate here, and not where the first step of the piece ends: by a step so short that it
+      // does not change, and so long that it has digits.
+      const double near =
+          std::min(from + (steps_.viscous() ? kNearRate : 1e-7), from + 0.5 * (to - from));
+      const SubIncrement close = steps_.step(at_, from, near);
+      slip_rate = close.signature.regime == Regime::kSlip ? close.slip_rate : first.slip_rate;
+    }
+    if (!lets_go_at_once(signature, from, to)) return false;
+    // Slip that has come through 0 with the limit need not find one before it moves.
+    const bool anywhere = slips && !steps_.ends_where_contact_turns();
+    if (signature.worn ||
+        (!anywhere && steps_.grips(ahead, at_.accumulated_slip, slip_rate) != signature.grips)) {
+      return false;
+    }
+    steps_.enter(steps_.point(from, {first.end.held, at_.accumulated_slip}, slip_rate),
+                 first.point);
+    return steps_.stays(first.point) &&
+           (signature.regime != Regime::kOpen || regime_ == Regime::kOpen) &&
+           steps_.can_begin(signature, at_, from);
+  }
+
+  /// True if what a step from here to `to` no longer holds is left alone from the begin: a limit
+  /// may rise slowly first, pulled along, and fast enough to let go of the force later.
+  bool lets_go_at_once(const Signature& signature, double from, double to) noexcept {
+    const bool slips = signature.regime == Regime::kSlip;
+    const bool sticks = signature.regime == Regime::kStick && steps_.holds(at_, from) < kAhead;
+    if (!slips && !sticks) return true;
+    // By a motion that turns no force.
+    const double far = kNearLetGo * std::min(elastic_ / steps_.length(), 1.0);
+    const double near = from + std::min(far, 0.5 * (to - from));
+    const Signature here = steps_.step(at_, from, near).signature;
+    return sticks ? here.regime == Regime::kStick : !lets_go(here, signature);
+  }
+
+  /// The larger of the differences, as a part of limit and elastic slip, beyond their rounding.
+  double difference(const Sums& a, const Sums& b) const noexcept {
+    const auto apart = [](double x, double y) {
+      constexpr double kRounded = 1000.0 * std::numeric_limits<double>::epsilon();
+      return std::max(std::abs(x - y) - kRounded * std::abs(x), 0.0);
+    };
+    const double held = steps_.fixed() ? scale_ : elastic_;
+    const double slip = elastic_ + steps_.length();
+    double worst = std::max({apart(a.slip, b.slip) / slip, apart(a.work, b.work) / (scale_ * slip),
+                             apart(a.dissipation, b.dissipation) / (scale_ * slip)});
+    for (std::size_t i = 0; i < kComponents; ++i) {
+      worst = std::max(worst, apart(a.held[i], b.held[i]) / held);
+    }
+    return worst;
+  }
+
+  /// A place in a piece of stick at which the force is beyond a limit that dips between the samples
+  /// of the rows; `to` if there is none.
+  double first_dip(const Run& run, double to) noexcept {
+    constexpr int kCells = 16;
+    if (run.outcome != Run::Outcome::kSettled || run.last.signature.regime != Regime::kStick ||
+        to - tau_ < 1e-6) {
+      return to;
+    }
+    const auto slips = [&](double tau) {
+      return steps_.step(at_, tau_, tau).signature.regime == Regime::kSlip;
+    };
+    const auto holds = [&](double tau) {
+      return steps_.holds(steps_.step(at_, tau_, tau).end, tau);
+    };
+    const double cell = (to - tau_) / kCells;
+    double before = holds(tau_ + 0.5 * cell);
+    double here = holds(tau_ + cell);
+    for (int i = 2; i <= kCells; ++i) {
+      const double after = holds(tau_ + i * cell);
+      if (here < before && here <= after) {
+        double low = tau_ + (i - 2) * cell;
+        double high = tau_ + i * cell;
+        for (int k = 0; k < 40; ++k) {
+          const double a = low + 0.382 * (high - low);
+          const double b = high - 0.382 * (high - low);
+          if (slips(a)) return a;
+          if (slips(b)) return b;
+          (holds(a) < holds(b) ? high : low) = holds(a) < holds(b) ? b : a;
+        }
+      }
+      before = here;
+      here = after;
+    }
+    return to;
+  }
+
+  /// Goes on to `to` with what a piece has come to.
+  void take(const Run& run, double to) noexcept {
+    const Regime regime = run.last.signature.regime;
+    note(regime, run.last);
+    if (regime != Regime::kStick) dissipation_ += run.end.dissipation;
+    at_.held = run.end.held;
+    at_.accumulated_slip += std::max(run.end.slip, 0.0);
+    rate_ = run.end.slip_rate;
+    normal_ = run.last.normal;
+    negative_ = run.last.negative;
+    work_ += run.end.work;
+    snap_back_ = std::max(snap_back_, run.snap_back);
+    tau_ = to;
+    scale_ = std::max(scale_, run.last.limit.force);
+    steps_.settle(regime, to, regime == Regime::kSlip ? rate_ : 0.0, &at_);
+  }
+
+  /// Steps across an event, in one step of next to no length.
+  void cross(double to) noexcept {
+    Run run;
+    run.last = steps_.step(at_, tau_, to);
+    if (run.last.signature.regime == Regime::kOpen && regime_ == Regime::kSlip &&
+        !steps_.ends_where_contact_turns()) {
+      // F_C + F_int may vanish here to the last digit, and slip goes on behind it.
+      at_.accumulated_slip *= 1.0 + 4.0 * std::numeric_limits<double>::epsilon();
+      run.last = steps_.step(at_, tau_, to);
+    }
+    const double least = std::min(steps_.reserve(tau_, at_.accumulated_slip),
+                                  steps_.reserve(to, run.last.end.accumulated_slip));
+    // A limit that vanishes for an instant loses the grip, too.
+    const bool lost = regime_ != Regime::kOpen && steps_.ends_where_contact_turns() &&
+                      (negative_ != run.last.negative ||
+                       (run.last.signature.grips && !(least > kNoLimit * scale_)));
+    add(run.last, to - tau_, &run.end);
+    if (lost) {
+      run.last.signature.regime = Regime::kOpen;
+      run.last.end.held = {};
+    }
+    run.end.held = run.last.end.held;
+    run.end.slip = run.last.slip;
+    if (steps_.fixed()) {
+      // What the spring loses in no time.
+      run.end.dissipation = run.end.work - stored(to, run.end.held) + stored(tau_, at_.held);
+      // Slip far beyond the motion: wear has let the force jump over a steep part of the limit, and
+      // friction takes of the spring's energy what it can.
+      if (tau_ > 0.0 && run.last.slip > 1e-6 * elastic_ &&
+          run.last.slip > 1e3 * (to - tau_) * steps_.length()) {
+        const double spent = steps_.friction_work(to, at_.accumulated_slip, run.last.slip);
+        lost_ += run.end.dissipation - spent;
+        run.end.dissipation = spent;
+        snap_back_ = std::max(snap_back_, 1.0);
+        if (jumps_++ == 0) jump_onset_ = tau_;
+      }
+    }
+    run.end.slip_rate = run.last.slip_rate;
+    take(run, to);
+  }
+
+  double stored(double tau, const SlipVector& held) const noexcept {
+    return 0.5 * dot(held, held) / steps_.stick(tau);
+  }
+
+  void note(Regime to, const SubIncrement& last) noexcept {
+    if (to == regime_) return;
+    regime_ = to;
+    if (to == Regime::kSlip) onset_ = tau_;
+    if (changes_ == nullptr) return;
+    if (changes_->count == static_cast<int>(changes_->at.size())) {
+      changes_->overflow = true;
+      return;
+    }
+    const SlipVector y = to == Regime::kOpen ? SlipVector{} : steps_.force(at_, tau_, 0.0);
+    double force = value(steps_.potential(), y);
+    if (definition_.slip.dimension == 1) force = std::copysign(force, last.force[0]);
+    changes_->at[static_cast<std::size_t>(changes_->count++)] = {
+        tau_ > kSoon ? tau_ : 0.0, to, force, steps_.limit(tau_, at_, 0.0).force,
+        at_.accumulated_slip};
+  }
+
+  const FrictionDefinition& definition_;
+  SubIncrements steps_;
+  double tolerance_;
+  double begin_slip_;
+  double scale_ = 0.0;    ///< of the limit [F]
+  double elastic_ = 0.0;  ///< of the elastic slip [L]
+  double first_ = 0.0;    ///< length of a first piece of slip
+  SlipPoint at_;
+  double tau_ = 0.0;
+  double rate_ = 0.0;
+  double work_ = 0.0;
+  double dissipation_ = 0.0;
+  double onset_ = 0.0;
+  SlipVector normal_{};
+  double snap_back_ = 0.0;
+  double lost_ = 0.0;
+  double jump_onset_ = 0.0;
+  int jumps_ = 0;
+  bool converged_ = true;
+  bool negative_ = false;  ///< F_C + F_int
+  Regime regime_;
+  RegimeChanges* changes_;
+};
+
+}  // namespace
+
+FrictionUpdate extrapolated_update(const FrictionDefinition& definition, const PathSegment& segment,
+                                   const FrictionState& old, double tolerance,
+                                   RegimeChanges* changes) noexcept {
+  Pieces pieces(definition, segment, tolerance, old, changes);
+  pieces.run();
+  return pieces.result(update(definition, segment.increment, old));
+}
+
+}  // namespace slipbench::law

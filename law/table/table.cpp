@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "law/table/table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace slipbench::law {
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Index i of the segment [x_i, x_i+1] that holds v (right-hand at a knot), in 0 .. count-2.
+/// Tables of friction are short: a linear scan beats a binary search until some 32 points.
+std::uint32_t segment(const double* x, std::uint32_t count, double v) {
+  if (count > 32) {
+    const auto* end = x + count - 1;
+    return static_cast<std::uint32_t>(std::upper_bound(x + 1, end, v) - x) - 1;
+  }
+  // Counted to the end: where it stops is hard to foretell.
+  std::uint32_t i = 0;
+  for (std::uint32_t k = 1; k + 1 < count; ++k) i += v >= x[k] ? 1U : 0U;
+  return i;
+}
+
+}  // namespace
+
+bool Table::build(std::span<const std::vector<double>> rows, int dependents, int independents,
+                  Extrapolation extrapolation, Table* table, TableError* error) {
+  const auto fail = [&](TableError e) {
+    *error = e;
+    return false;
+  };
+  if (rows.empty()) return fail({TableError::Kind::kNoRows});
+  if (independents > kMaxIndependents) return fail({TableError::Kind::kTooManyIndependents});
+
+  const int width = dependents + independents;
+  const int count = static_cast<int>(rows.size());
+  for (int r = 0; r < count; ++r) {
+    if (static_cast<int>(rows[at(r)].size()) != width) {
+      return fail({TableError::Kind::kRowLength, r});
+    }
+    for (int c = 0; c < width; ++c) {
+      if (!std::isfinite(rows[at(r)][at(c)])) {
+        return fail({TableError::Kind::kNotFinite, r, -1, c});
+      }
+    }
+  }
+  if (independents == 0 && count > 1) return fail({TableError::Kind::kRepeatedPoint, 1, 0});
+
+  Table built;
+  built.dependents_ = dependents;
+  built.extrapolation_ = extrapolation;
+  built.levels_.resize(at(independents));
+  for (const auto& row : rows) {
+    built.ordinates_.insert(built.ordinates_.end(), row.begin(), row.begin() + dependents);
+  }
+
+  // A row opens a new entry on every level up to the slowest independent that changed.
+  for (int r = 0; r < count; ++r) {
+    const double* now = rows[at(r)].data() + dependents;
+    int changed = independents - 1;  // the slowest level that gets a new entry
+    if (r > 0) {
+      const double* before = rows[at(r - 1)].data() + dependents;
+      while (changed >= 0 && now[changed] == before[changed]) --changed;
+      if (changed < 0) return fail({TableError::Kind::kRepeatedPoint, r, r - 1});
+      if (now[changed] < before[changed]) {
+        return fail({TableError::Kind::kNotAscending, r, r - 1, dependents + changed});
+      }
+    }
+    for (int k = changed; k >= 0; --k) {
+      Level& level = built.levels_[at(k)];
+      const bool opens_block = r == 0 || k < changed;
+      if (opens_block) level.first.push_back(static_cast<std::uint32_t>(level.x.size()));
+      level.x.push_back(now[k]);
+    }
+  }
+  for (int k = 0; k < independents; ++k) {
+    Level& level = built.levels_[at(k)];
+    level.first.push_back(static_cast<std::uint32_t>(level.x.size()));
+    level.knots = level.x;
+    std::sort(level.knots.begin(), level.knots.end());
+    level.knots.erase(std::unique(level.knots.begin(), level.knots.end()), level.knots.end());
+    if (extrapolation == Extrapolation::kLinear) {
+      for (std::size_t b = 0; b + 1 < level.first.size(); ++b) {
+        if (level.first[b + 1] - level.first[b] < 2) {
+          std::uint32_t row = level.first[b];
+          for (int below = k - 1; below >= 0; --below) row = built.levels_[at(below)].first[row];
+          return fail({TableError::Kind::kOneRowLinear, static_cast<int>(row), -1, dependents + k});
+        }
+      }
+    }
+  }
+  *table = std::move(built);
+  return true;
+}
+
+template <bool kSlopes>
+double Table::line(std::uint32_t first, std::uint32_t count, double v, double weight, double* slope,
+                   int column) const noexcept {
+  const double* grid = levels_[0].x.data() + first;
+  const auto ordinate = [&](std::uint32_t i) { return ordinates_[this->index(first + i, column)]; };
+  if (extrapolation_ == Extrapolation::kConstant || count == 1) {
+    if (count == 1 || v < grid[0]) return ordinate(0);
+    if (v >= grid[count - 1]) return ordinate(count - 1);
+  }
+  const std::uint32_t i = segment(grid, count, v);
+  const double width = grid[i + 1] - grid[i];
+  const double low = ordinate(i);
+  const double rise = ordinate(i + 1) - low;
+  if constexpr (kSlopes) *slope += weight * rise / width;
+  return low + (v - grid[i]) / width * rise;
+}
+
+template <bool kSlopes>
+double Table::block(int level, std::uint32_t index, const double* x, double weight, double* slopes,
+                    int column) const noexcept {
+  if (level < 0) return ordinates_[this->index(index, column)];
+  const Level& here = levels_[at(level)];
+  const std::uint32_t first = here.first[index];
+  const std::uint32_t count = here.first[index + 1] - first;
+  if (level == 0) return line<kSlopes>(first, count, x[0], weight, slopes, column);
+  const double* grid = here.x.data() + first;
+  const double v = x[level];
+
+  if (extrapolation_ == Extrapolation::kConstant || count == 1) {
+    if (count == 1 || v < grid[0]) {
+      return block<kSlopes>(level - 1, first, x, weight, slopes, column);
+    }
+    if (v >= grid[count - 1]) {
+      return block<kSlopes>(level - 1, first + count - 1, x, weight, slopes, column);
+    }
+  }
+  const std::uint32_t i = segment(grid, count, v);
+  const double width = grid[i + 1] - grid[i];
+  const double w = (v - grid[i]) / width;
+  const double low =
+      block<kSlopes>(level - 1, first + i, x, kSlopes ? weight * (1.0 - w) : 0.0, slopes, column);
+  const double high =
+      block<kSlopes>(level - 1, first + i + 1, x, kSlopes ? weight * w : 0.0, slopes, column);
+  if constexpr (kSlopes) slopes[level] += weight * (high - low) / width;
+  return low + w * (high - low);
+}
+
+double Table::value(std::span<const double> x, int column) const noexcept {
+  return block<false>(independents() - 1, 0, x.data(), 1.0, nullptr, column);
+}
+
+double Table::value_and_slopes(std::span<const double> x, std::span<double> slopes, int column,
+                               double weight) const noexcept {
+  if (levels_.size() == 1) {  // as most tables are
+    const auto count = static_cast<std::uint32_t>(levels_[0].x.size());
+    return line<true>(0, count, x[0], weight, slopes.data(), column);
+  }
+  return block<true>(independents() - 1, 0, x.data(), weight, slopes.data(), column);
+}
+
+Table::Bracket Table::bracket(int level, std::uint32_t index, double v) const noexcept {
+  const Level& here = levels_[at(level)];
+  const std::uint32_t first = here.first[index];
+  const std::uint32_t count = here.first[index + 1] - first;
+  const double* grid = here.x.data() + first;
+  if (extrapolation_ == Extrapolation::kConstant || count == 1) {
+    if (count == 1 || v < grid[0]) return {first, first, 0.0};
+    if (v >= grid[count - 1]) return {first + count - 1, first + count - 1, 0.0};
+  }
+  const std::uint32_t i = segment(grid, count, v);
+  return {first + i, first + i + 1, (v - grid[i]) / (grid[i + 1] - grid[i])};
+}
+
+std::vector<double> Table::point(std::size_t row) const {
+  std::vector<double> x;
+  std::size_t entry = row;
+  for (const Level& level : levels_) {
+    x.push_back(level.x[entry]);
+    // An entry of the next level is a block of this one: the one that holds the entry.
+    const auto block = std::upper_bound(level.first.begin(), level.first.end(), entry);
+    entry = static_cast<std::size_t>(block - level.first.begin()) - 1;
+  }
+  return x;
+}
+
+bool Table::same_grid(const Table& other) const {
+  const auto same = [](const Level& a, const Level& b) { return a.x == b.x && a.first == b.first; };
+  return dependents_ == other.dependents_ && extrapolation_ == other.extrapolation_ &&
+         rows() == other.rows() && levels_.size() == other.levels_.size() &&
+         std::equal(levels_.begin(), levels_.end(), other.levels_.begin(), same);
+}
+
+TableInterval Table::interval(int level, std::uint32_t index, double v) const noexcept {
+  const Level& here = levels_[at(level)];
+  const std::uint32_t first = here.first[index];
+  const std::uint32_t count = here.first[index + 1] - first;
+  const double* grid = here.x.data() + first;
+  TableInterval result{grid[0], grid[0]};
+  if (v < grid[0]) result.place = TableInterval::Place::kBelow;
+  if (v > grid[count - 1]) result.place = TableInterval::Place::kAbove;
+  if (count == 1) return result;
+  const std::uint32_t i = segment(grid, count, v);
+  result.lower = grid[i];
+  result.upper = grid[i + 1];
+  result.fraction = (v - result.lower) / (result.upper - result.lower);
+  if (extrapolation_ == Extrapolation::kConstant) {
+    result.fraction = std::clamp(result.fraction, 0.0, 1.0);
+  }
+  return result;
+}
+
+void Table::find_cell(int level, std::uint32_t index, const double* x,
+                      TableCell* cell) const noexcept {
+  if (level < 0) return;
+  const Level& here = levels_[at(level)];
+  const TableInterval found = interval(level, index, x[level]);
+  cell->along[at(level)] = found;
+  std::uint32_t low = here.first[index];
+  while (here.x[low] < found.lower) ++low;
+  const bool one = found.lower == found.upper;
+  const std::uint32_t nearer = !one && found.fraction > 0.5 ? low + 1 : low;
+  find_cell(level - 1, nearer, x, cell);
+  if (one || found.fraction == 0.0 || found.fraction == 1.0) return;
+  TableCell other = *cell;
+  find_cell(level - 1, nearer == low ? low + 1 : low, x, &other);
+  cell->ragged = cell->ragged || other.ragged;
+  for (int k = 0; k < level; ++k) {
+    const TableInterval& a = cell->along[at(k)];
+    const TableInterval& b = other.along[at(k)];
+    cell->ragged = cell->ragged || a.lower != b.lower || a.upper != b.upper;
+  }
+}
+
+TableCell Table::cell(std::span<const double> x) const noexcept {
+  TableCell result;
+  result.independents = independents();
+  find_cell(independents() - 1, 0, x.data(), &result);
+  return result;
+}
+
+double Table::smallest(int column) const {
+  double result = ordinates_[at(column)];
+  for (std::size_t i = at(column); i < ordinates_.size(); i += at(dependents_)) {
+    result = std::min(result, ordinates_[i]);
+  }
+  return result;
+}
+
+double Table::largest(int column) const {
+  double result = ordinates_[at(column)];
+  for (std::size_t i = at(column); i < ordinates_.size(); i += at(dependents_)) {
+    result = std::max(result, ordinates_[i]);
+  }
+  return result;
+}
+
+template <class Visit>
+void Table::for_each_knot(int column, Visit visit) const {
+  std::vector<double> x(levels_.size());
+  std::vector<double> slopes(levels_.size());
+  std::vector<std::size_t> pick(levels_.size(), 0);
+  while (true) {
+    for (std::size_t j = 0; j < x.size(); ++j) x[j] = levels_[j].knots[pick[j]];
+    std::fill(slopes.begin(), slopes.end(), 0.0);
+    const double y = value_and_slopes(x, slopes, column);
+    visit(x, y, slopes);
+    std::size_t j = 0;
+    while (j < x.size() && ++pick[j] == levels_[j].knots.size()) pick[j++] = 0;
+    if (j == x.size()) return;
+  }
+}
+
+double Table::steepest_fall(int k, int column, double* knot) const {
+  double steepest = 0.0;
+  for_each_knot(column, [&](const auto& x, double, const auto& slopes) {
+    if (!(slopes[at(k)] < steepest)) return;
+    steepest = slopes[at(k)];
+    if (knot != nullptr) *knot = x[at(k)];
+  });
+  return steepest;
+}
+
+double Table::largest_growth(int k, int column, double* knot) const {
+  double growth = 0.0;
+  const std::vector<double>& knots = levels_[at(k)].knots;
+  for_each_knot(column, [&](const auto& x, double y, const auto& slopes) {
+    const double slope = slopes[at(k)];
+    const double here = x[at(k)];
+    // Within a cell y + x dy/dx is linear in x: its extremes are at the ends of the cell.
+    double largest = std::max(y, y + here * slope);
+    const auto next = std::upper_bound(knots.begin(), knots.end(), here);
+    if (next != knots.end()) largest = std::max(largest, y + (2.0 * *next - here) * slope);
+    if (!(largest > growth)) return;
+    growth = largest;
+    if (knot != nullptr) *knot = here;
+  });
+  return growth;
+}
+
+bool Table::outside(std::span<const double> x) const noexcept {
+  for (std::size_t k = 0; k < levels_.size(); ++k) {
+    const auto& knots = levels_[k].knots;
+    if (x[k] < knots.front() || x[k] > knots.back()) return true;
+  }
+  return false;
+}
+
+}  // namespace slipbench::law

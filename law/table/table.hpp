@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "law/base/notation.hpp"
+
+namespace slipbench::law {
+
+/// Independents one table may have: six motions, accumulated slip or slip rate and contact force,
+/// temperature and all fields fit.
+inline constexpr int kMaxIndependents = 2 * kComponents + 3 + kMaxFields;
+
+enum class Extrapolation : std::uint8_t {
+  kConstant,  ///< the end value holds outside the table, slope zero
+  kLinear     ///< the end segment is prolonged
+};
+
+/// What is wrong with the rows of a table; `row` and `other_row` are 0-based.
+struct TableError {
+  enum class Kind : std::uint8_t {
+    kNoRows,
+    kRowLength,      ///< a row has not dependents + independents items
+    kNotFinite,      ///< NaN or infinity in `row`
+    kNotAscending,   ///< `row` goes back against `other_row` in independent `column`
+    kRepeatedPoint,  ///< `row` repeats all independents of `other_row`
+    kOneRowLinear,   ///< a block of one row cannot be extrapolated linearly
+    kTooManyIndependents
+  };
+  Kind kind = Kind::kNoRows;
+  int row = -1;
+  int other_row = -1;
+  int column = -1;
+};
+
+/// Where a point lies along one independent of a table.
+struct TableInterval {
+  enum class Place : std::uint8_t { kInside, kBelow, kAbove };
+  double lower = 0.0;  ///< neighbouring grid points; the same where the block has only one
+  double upper = 0.0;
+  /// Of the way from `lower` to `upper`, as used: 0 or 1 where the end value is held, outside
+  /// [0, 1] where the end segment is prolonged.
+  double fraction = 0.0;
+  Place place = Place::kInside;
+};
+
+/// The cell a value is taken from.
+struct TableCell {
+  int independents = 0;
+  std::array<TableInterval, kMaxIndependents> along{};
+  /// Whether the blocks between which the value is interpolated have different grids; `along` is
+  /// of the block that counts for more.
+  bool ragged = false;
+};
+
+/// Piecewise linear table of any number of dependents over any number of independents, with ragged
+/// blocks (specification section 12): the first independent varies fastest, every block of fixed
+/// later independents has its own grid of the earlier ones. Interpolation runs inside the two
+/// neighbouring blocks first and then between them, from the last independent inwards.
+///
+/// Evaluation is const, noexcept, and allocates nothing. The slope at a knot is the right-hand one.
+class Table {
+ public:
+  Table() = default;
+
+  /// Builds from rows of `dependents` values followed by the independents.
+  /// \param rows row-major, each of `dependents + independents` numbers
+  /// \param[out] error why there is no table; untouched on success
+  /// \return true on success
+  static bool build(std::span<const std::vector<double>> rows, int dependents, int independents,
+                    Extrapolation extrapolation, Table* table, TableError* error);
+
+  int dependents() const { return dependents_; }
+  int independents() const { return static_cast<int>(levels_.size()); }
+  Extrapolation extrapolation() const { return extrapolation_; }
+
+  /// How many rows it was built from; rows are numbered from 0 in the order given.
+  std::size_t rows() const {
+    return dependents_ > 0 ? ordinates_.size() / static_cast<std::size_t>(dependents_) : 0;
+  }
+  double ordinate(std::size_t row, int column = 0) const { return ordinates_[index(row, column)]; }
+  /// \param value finite; whether it is admissible, who uses the table has to know
+  void set_ordinate(std::size_t row, int column, double value) {
+    ordinates_[index(row, column)] = value;
+  }
+  /// The independents of a row; for reading, not for the update path.
+  std::vector<double> point(std::size_t row) const;
+  /// Whether the other has the same points, dependents and extrapolation: all but the ordinates.
+  bool same_grid(const Table& other) const;
+
+  /// Value of dependent `column` at `x` (as many entries as independents) without slopes.
+  double value(std::span<const double> x, int column = 0) const noexcept;
+
+  /// As value(), and adds the slope to each independent to `slopes` (same length as `x`),
+  /// each multiplied by `weight`.
+  double value_and_slopes(std::span<const double> x, std::span<double> slopes, int column = 0,
+                          double weight = 1.0) const noexcept;
+
+  /// Calls visit(row, weight) for every row that has a part in a value:
+  ///   value(x, column) = sum of weight * ordinate(row, column),
+  /// the weights being the slopes of the value to the ordinates. They sum to 1, and where the end
+  /// segment is prolonged some are negative. At most two rows an independent are multiplied out.
+  template <class Visit>
+  void for_each_weight(std::span<const double> x, Visit visit) const {
+    if (!ordinates_.empty()) weigh(independents() - 1, 0, x.data(), 1.0, visit);
+  }
+
+  /// All distinct coordinates of independent `k` over all blocks, ascending.
+  std::span<const double> knots(int k) const { return levels_[static_cast<std::size_t>(k)].knots; }
+
+  /// Smallest and largest ordinate of a dependent.
+  double smallest(int column = 0) const;
+  double largest(int column = 0) const;
+
+  /// The most negative slope to independent `k` between neighbouring grid points (0 if none falls).
+  /// \param[out] knot coordinate `k` of the cell's begin, if asked for and if something falls
+  double steepest_fall(int k, int column = 0, double* knot = nullptr) const;
+
+  /// The largest slope of y x_k to x_k, i.e. of y + x_k dy/dx_k, over all cells and at x_k = 0..:
+  /// with y = mu and x_k = F_N, how fast a limiting force can grow with its normal force.
+  /// \param[out] knot coordinate `k` of the cell's begin, if asked for
+  double largest_growth(int k, int column = 0, double* knot = nullptr) const;
+
+  /// The cell that `value` takes its result from; for reading, not for the update path.
+  TableCell cell(std::span<const double> x) const noexcept;
+
+  /// True if some coordinate of `x` lies outside its (union) range.
+  bool outside(std::span<const double> x) const noexcept;
+
+ private:
+  /// One independent. Block b of level k covers entries first[b] .. first[b+1]-1 of `x`;
+  /// entry i of level k > 0 is block i of level k-1; entry i of level 0 is row i.
+  struct Level {
+    std::vector<double> x;
+    std::vector<std::uint32_t> first;
+    std::vector<double> knots;
+  };
+
+  std::size_t index(std::size_t row, int column) const {
+    return row * static_cast<std::size_t>(dependents_) + static_cast<std::size_t>(column);
+  }
+
+  /// The entries of a block that a coordinate lies between, and how far along; the same entry twice
+  /// where an end value is held.
+  struct Bracket {
+    std::uint32_t low = 0;
+    std::uint32_t high = 0;
+    double fraction = 0.0;
+  };
+  Bracket bracket(int level, std::uint32_t index, double v) const noexcept;
+
+  template <class Visit>
+  void weigh(int level, std::uint32_t index, const double* x, double weight, Visit& visit) const {
+    if (level < 0) {
+      visit(static_cast<std::size_t>(index), weight);
+      return;
+    }
+    const Bracket b = bracket(level, index, x[level]);
+    if (b.fraction != 1.0) weigh(level - 1, b.low, x, weight * (1.0 - b.fraction), visit);
+    if (b.fraction != 0.0) weigh(level - 1, b.high, x, weight * b.fraction, visit);
+  }
+
+  TableInterval interval(int level, std::uint32_t index, double v) const noexcept;
+  void find_cell(int level, std::uint32_t index, const double* x, TableCell* cell) const noexcept;
+
+  /// Along the first independent: entries first .. first + count - 1.
+  template <bool kSlopes>
+  double line(std::uint32_t first, std::uint32_t count, double v, double weight, double* slope,
+              int column) const noexcept;
+  template <bool kSlopes>
+  double block(int level, std::uint32_t index, const double* x, double weight, double* slopes,
+               int column) const noexcept;
+
+  /// Calls visit(x, y, slopes) at every combination of knots, with right-hand slopes: where a mean
+  /// of neighbouring grid values, as every value and slope of the table is, has its extremes.
+  template <class Visit>
+  void for_each_knot(int column, Visit visit) const;
+
+  int dependents_ = 0;
+  Extrapolation extrapolation_ = Extrapolation::kConstant;
+  std::vector<Level> levels_;
+  std::vector<double> ordinates_;  ///< row-major rows x dependents
+};
+
+}  // namespace slipbench::law

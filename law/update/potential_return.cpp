@@ -1,0 +1,453 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "law/update/potential_return.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "law/definition/limit_function.hpp"
+#include "law/update/first_root.hpp"
+#include "law/update/potential_projection.hpp"
+#include "law/update/potential_search.hpp"
+#include "law/update/snap_back.hpp"
+
+namespace slipbench::law {
+namespace {
+
+using Parts = std::array<PartReturn, kComponents>;
+using Search = Start<LimitFunction>;
+
+/// The smallest slip at which the force rests on its limit. Between knots of the limit the search
+/// goes in steps of a sixteenth of the way and looks into every dip it sees; two roots within one
+/// step that show no dip at its ends are not told apart.
+/// \return false if none was found
+bool first_slip(const Search& start, double* slip) noexcept {
+  const Scale at_rest = scale_at(start, start.limit(0.0).force);
+  const double kappa = at_rest.kappa > 0.0 ? at_rest.kappa : 1.0;
+  double end = Projection(start.potential, at_rest.trial).longest() / kappa;
+  // The slip that would do if the force came straight back; with b = 2 it does.
+  const SlipVector m = gradient(start.potential, at_rest.trial);
+  const double radial =
+      (value(start.potential, at_rest.trial) - at_rest.limit) / (kappa * dot(m, m));
+  if (!(end > 0.0)) {
+    *slip = 0.0;
+    return !(start.limit(0.0).force > start.least);
+  }
+  if (start.closed || !start.limit.depends_on_slip()) {
+    for (int i = 0; i < 200 && distance(start, end).value > 0.0; ++i) end *= 2.0;
+    *slip = bracketed(start, 0.0, end, radial);
+    return distance(start, end).value <= 0.0;
+  }
+  constexpr int kSteps = 16;
+  double low = 0.0;
+  for (int i = 0; i < 200; ++i) {  // an end that shifts push out is followed
+    const double step = (end - low) / kSteps;
+    while (low < end) {
+      const double high = std::min({start.limit.next_knot(low, end), low + step, end});
+      if (distance(start, high).value <= 0.0) {
+        *slip = bracketed(start, low, high, radial);
+        return true;
+      }
+      const double margin = 1e-9 * (high - low);
+      if (distance(start, low + margin).slope < 0.0 && distance(start, high - margin).slope > 0.0) {
+        double left = low, right = high;
+        for (int k = 0; k < 60 && right - left > 1e-15 * right; ++k) {
+          const double middle = left + 0.5 * (right - left);
+          (distance(start, middle).slope < 0.0 ? left : right) = middle;
+        }
+        if (distance(start, right).value <= 0.0) {
+          *slip = bracketed(start, low, right, radial);
+          return true;
+        }
+      }
+      low = high;
+    }
+    *slip = end;
+    if (!(start.limit(end).force > start.least)) return true;
+    end *= 2.0;
+  }
+  return false;
+}
+
+/// Whether the force is beyond the limit again at a knot behind the root.
+bool beyond_again(const Search& start, double slip, double end) noexcept {
+  for (double x = start.limit.next_knot(slip, end); x < end; x = start.limit.next_knot(x, end)) {
+    if (distance(start, x).value > 0.0) return true;
+  }
+  return false;
+}
+
+/// The fraction of the way from y0 to `trial` at which P reaches the limit, the last time if y0
+/// is beyond it; 0 if it stays beyond. P is convex along it: Newton's method comes down from the
+/// far end.
+double meets_limit(const Potential& potential, const SlipVector& y0, const SlipVector& rise,
+                   double limit) noexcept {
+  const bool beyond = !within(potential, y0, limit);
+  double lambda = 1.0;
+  for (int i = 0; i < 100; ++i) {
+    const SlipVector y = sum_of(y0, lambda, rise);
+    const double excess = value(potential, y) - limit;
+    const double slope = dot(gradient(potential, y), rise);
+    if (beyond && excess > 0.0 && !(slope > 0.0)) return 0.0;
+    if (!(excess > 0.0) || !(slope > 0.0)) break;
+    const double next = lambda - excess / slope;
+    if (!(next < lambda)) break;
+    lambda = next;
+    if (lambda <= 0.0) return 0.0;
+  }
+  return lambda;
+}
+
+/// Work over ds as in theory (13.2), with the limit surface of the potential.
+/// \param[out] onset the fraction of the increment before it is met
+double split_work(const Potential& potential, const SlipVector& y0, const SlipVector& trial,
+                  const SlipVector& y1, const SlipVector& ds, double limit,
+                  double* onset) noexcept {
+  const SlipVector rise = sum_of(trial, -1.0, y0);
+  const double lambda = meets_limit(potential, y0, rise, limit);
+  *onset = lambda;
+  const SlipVector split = sum_of(y0, lambda, rise);
+  return 0.5 * (lambda * (dot(y0, ds) + dot(split, ds)) +
+                (1.0 - lambda) * (dot(split, ds) + dot(y1, ds)));
+}
+
+}  // namespace
+
+FrictionUpdate update_potential(const FrictionDefinition& definition,
+                                const ConnectorIncrement& increment,
+                                const FrictionState& old) noexcept {
+  FrictionUpdate result;
+  const Potential& potential = *std::get_if<Potential>(&definition.criterion);
+  const bool fixed = definition.stick.mode == StickStiffness::Mode::kStiffness;
+  const double stick = definition.stick.value;
+
+  SlipVector ds{};
+  for (int i = 0; i < definition.slip.dimension; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const int c = definition.slip.component[k];
+    ds[k] = definition.slip.scale[k] * (increment.end.position[c] - increment.begin_position[c]);
+  }
+  const double motion = std::sqrt(dot(ds, ds));
+  const LimitFunction limit(definition, increment, old, motion);
+  const Limit at_rest = limit(0.0);
+  const double least = value(potential, SlipVector{});
+  result.state.accumulated_slip = old.accumulated_slip;
+
+  const auto report = [&](const Limit& l) {
+    result.contact_force = l.contact_force;
+    result.normal_force = l.normal_force;
+    result.mu = l.mu;
+    result.limit = l.force;
+    result.slip_rate = l.slip_rate;
+  };
+  // A coefficient that vanishes only at rest still grips as soon as there is slip; with shifts it
+  // does not, since the force would have to jump to where it is held.
+  if (!(at_rest.force > least) && (!potential.homogeneous || !(at_rest.normal_force > 0.0) ||
+                                   !(limit.at(0.0, limit.motion_rate(motion)).force > least))) {
+    report(at_rest);
+    result.state.regime = Regime::kOpen;
+    result.work = 0.5 * dot(old.force, ds);  // the force falls to 0
+    return result;
+  }
+
+  const SlipVector trial = fixed ? sum_of(old.force, stick, ds) : sum_of(old.elastic_slip, 1.0, ds);
+  const Search start{potential, limit, trial, stick, least, fixed, !fixed && potential.homogeneous};
+  const Scale rest = scale_at(start, at_rest.force);
+  const bool slips = !within(potential, rest.trial, rest.limit);
+
+  Limit l = at_rest;
+  Scale scale = rest;
+  SlipVector y = rest.trial;
+  SlipVector m = gradient(potential, y);
+  double slip = 0.0;
+  bool opens = false;
+  if (fixed) {
+    result.multiple_roots = -limit.slope(at_rest) > stick * dot(m, m) && dot(m, m) > 0.0;
+  }
+  if (slips) {
+    result.converged = first_slip(start, &slip);
+    l = limit(slip);
+    opens = !(l.force > least);
+  }
+  if (slips && !opens) {
+    scale = scale_at(start, l.force);
+    const Projection projection(potential, scale.trial);
+    const double x = scale.kappa * slip;
+    const Parts parts = potential.combine == PotentialOperator::kMax
+                            ? projection.max_parts(scale.limit)
+                            : projection.sum_parts(x, scale.limit);
+    y = projection.returned(parts);
+    m = projection.normal(parts, x);
+    // Far above rounding: what is left is the failure of the search.
+    const double missed = std::abs(value(potential, y) - scale.limit);
+    const double reach = std::sqrt(dot(scale.trial, scale.trial));
+    result.converged = result.converged && missed <= 1e-9 * scale.limit + 1e-13 * reach;
+    y = put_on_limit(potential, y, scale.limit);
+  }
+  if (fixed && limit.depends_on_slip() && !opens) {
+    const double end = Projection(potential, rest.trial).longest() / stick;
+    result.multiple_roots = result.multiple_roots || beyond_again(start, slip, end);
+  }
+  // From the slips to the forces where the return was done on slips.
+  const double kappa = fixed ? stick : l.force / stick;
+  SlipVector s_elastic;
+  if (start.closed) {
+    s_elastic = y;
+    y = scaled(s_elastic, kappa);
+  } else {
+    s_elastic = fixed || slips ? scaled(y, 1.0 / kappa) : trial;
+  }
+  SlipVector y_trial = start.closed ? scaled(trial, kappa) : scale.trial;
+  if (opens) {
+    if (potential.homogeneous) slip = first_zero(limit, slip);
+    y = s_elastic = SlipVector{};
+    y_trial = fixed ? trial : SlipVector{};
+  }
+
+  report(l);
+  result.state.force = y;
+  result.state.elastic_slip = s_elastic;
+  result.state.regime = opens ? Regime::kOpen : (slips ? Regime::kSlip : Regime::kStick);
+  result.slip_increment = slip;
+  result.state.accumulated_slip += slip;
+  // With shifts y . m is not P: the slip's own work counts.
+  result.dissipation = opens                   ? 0.0
+                       : potential.homogeneous ? l.force * slip
+                                               : std::max(slip * dot(y, m), 0.0);
+  result.stored_energy = 0.5 * dot(y, s_elastic);
+  result.work = slips ? split_work(potential, old.force, y_trial, y, ds, l.force, &result.onset)
+                      : 0.5 * (dot(old.force, ds) + dot(y, ds));
+  if (opens) {
+    result.onset = fixed ? meets_limit(potential, old.force, scaled(ds, stick), at_rest.force)
+                         : meets_limit(potential, old.elastic_slip, ds, stick);
+  }
+  // Along the normal of the end the spring has the stiffness |m|^2 kappa.
+  const double along = stick * dot(m, m);
+  if (slips && along > 0.0 && may_snap_back(definition)) {
+    result.snap_back = largest_snap_back(limit, along, slip);
+    if (result.snap_back >= 1.0) {
+      const double start_force = value(potential, old.force);
+      SnapBackPath path = snap_back_path(limit, along, slip, start_force, opens);
+      // With shifts y . m is not P.
+      if (!opens) path.friction_work -= std::min((l.force - dot(y, m)) * slip, path.friction_work);
+      const double stored = 0.5 * dot(old.force, old.elastic_slip);
+      const double work = result.work;
+      book_jumps(path, start_force, value(potential, trial), stored, &result);
+      const auto turns = [&m](const SlipVector& v) {
+        const SlipVector beside = sum_of(v, -dot(v, m) / dot(m, m), m);
+        return dot(beside, beside) > 1e-20 * dot(v, v);
+      };
+      if (result.jumps > 0 && (turns(trial) || turns(old.force))) {
+        // The force leaves the line of the path: what is lost is what the spring gives and friction
+        // does not take, with the work of the increment to first order.
+        result.lost =
+            std::max(work + stored - result.stored_energy - result.dissipation - path.fallen, 0.0);
+        result.work =
+            result.dissipation + result.lost + path.fallen + result.stored_energy - stored;
+      }
+    }
+  }
+  result.phi = value(potential, y) - l.force;
+  const double square = slips || dot(y, y) > 0.0 ? dot(m, m) : 0.0;
+  if (square > 0.0) result.direction = scaled(m, 1.0 / square);
+  if (motion > 0.0) result.motion_direction = scaled(ds, 1.0 / motion);
+  if (opens) return result;
+
+  result.tangent.transverse = kappa;
+  result.tangent.radial = limit.slope(l);
+  result.tangent.rate = l.to_rate * limit.motion_in_rate();
+  result.tangent.contact = l.to_contact;
+  return result;
+}
+
+namespace {
+
+/// The projection of theory 11.7 differentiated at fixed x(T): what dy_tr and dT do to y and x.
+class Linearised {
+ public:
+  Linearised(const Potential& potential, const SlipVector& trial, double x, double limit) noexcept
+      : potential_(potential), trial_(trial), projection_(potential, trial), x_(x), limit_(limit) {
+    maximum_ = potential.combine == PotentialOperator::kMax;
+    parts_ = maximum_ ? projection_.max_parts(limit) : projection_.sum_parts(x, limit);
+    const double power = potential.exponent - 1.0;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      const PartReturn& part = parts_[i];
+      if (maximum_ || !(part.pull > 0.0)) continue;
+      if (part.magnitude > 0.0) {
+        hardening_[i] = part.stiffness * x * power * part.share / part.magnitude;
+        given_[i] = 1.0 / (1.0 + hardening_[i]);
+      }
+      normal_ += part.share * part.share * given_[i] * part.stiffness;
+    }
+  }
+
+  /// \return dx
+  double change(const SlipVector& by_trial, double by_limit, SlipVector* y) const noexcept {
+    std::array<double, kComponents> rise{};  // of a part's magnitude, as the trial gives it
+    std::array<double, kComponents> along{};
+    for (std::size_t g = 0; g < static_cast<std::size_t>(potential_.leaves); ++g) {
+      const PotentialLeaf& leaf = potential_.leaf[g];
+      along[g] = along_leaf(leaf, by_trial);
+      if (rest(g) > 0.0) rise[static_cast<std::size_t>(leaf.part)] += leaf.factor * along[g];
+    }
+    std::array<double, kComponents> magnitude{};  // change of X_i where the part is pulled
+    double x = 0.0;
+    if (maximum_) {
+      for (std::size_t i = 0; i < parts_.size(); ++i) {
+        magnitude[i] = by_limit;
+        if (parts_[i].pull > 0.0 && parts_[i].stiffness > 0.0) {
+          x += (rise[i] - by_limit) / parts_[i].stiffness;
+        }
+      }
+    } else {
+      for (std::size_t i = 0; i < parts_.size(); ++i) {
+        const PartReturn& part = parts_[i];
+        x += part.share * given_[i] * (rise[i] - part.magnitude / limit_ * by_limit);
+      }
+      x = normal_ > 0.0 ? x / normal_ : 0.0;
+      for (std::size_t i = 0; i < parts_.size(); ++i) {
+        const PartReturn& part = parts_[i];
+        magnitude[i] = given_[i] * (rise[i] - part.stiffness * part.share * x +
+                                    hardening_[i] * part.magnitude * by_limit / limit_);
+      }
+    }
+    *y = by_trial;
+    for (std::size_t g = 0; g < static_cast<std::size_t>(potential_.leaves); ++g) {
+      const PotentialLeaf& leaf = potential_.leaf[g];
+      const auto i = static_cast<std::size_t>(leaf.part);
+      if (!(parts_[i].pull > 0.0) || !(projection_.lengths()[g] > 0.0)) {
+        if (!(projection_.lengths()[g] > 0.0)) at_apex(leaf, by_trial, y);
+        continue;
+      }
+      const double r = rest(g);
+      const double dr =
+          r > 0.0 ? along[g] - leaf.factor * (rise[i] - magnitude[i]) / parts_[i].stiffness : 0.0;
+      const double t = projection_.lengths()[g];
+      const double v = coordinate(leaf, trial_);
+      for (std::size_t k = 0; k < y->size(); ++k) {
+        const double d = leaf.direction[k];
+        if (d == 0.0) continue;
+        if (leaf.kind == PotentialLeaf::Kind::kNorm) {
+          const double n = trial_[k] / t;
+          (*y)[k] = n * dr + r / t * (by_trial[k] - n * along[g]);
+        } else {
+          (*y)[k] += std::copysign(d, v * d) * (dr - along[g]);
+        }
+      }
+    }
+    return x;
+  }
+
+ private:
+  /// Change of the length of a leaf.
+  double along_leaf(const PotentialLeaf& leaf, const SlipVector& by_trial) const noexcept {
+    const double v = coordinate(leaf, trial_);
+    if (leaf.kind == PotentialLeaf::Kind::kNorm) {
+      double sum = 0.0;
+      for (std::size_t k = 0; k < trial_.size(); ++k) {
+        if (leaf.direction[k] != 0.0) sum += trial_[k] * by_trial[k];
+      }
+      return v > 0.0 ? sum / v : 0.0;
+    }
+    if (leaf.kind == PotentialLeaf::Kind::kHalfLine && !(v > 0.0)) return 0.0;
+    return std::copysign(1.0, v) * dot(leaf.direction, by_trial);
+  }
+
+  /// What is left of the length of leaf g.
+  double rest(std::size_t g) const noexcept {
+    const PotentialLeaf& leaf = potential_.leaf[g];
+    const double pull = parts_[static_cast<std::size_t>(leaf.part)].pull;
+    return std::max(projection_.lengths()[g] - leaf.factor * pull, 0.0);
+  }
+
+  /// A leaf that is not loaded while others slip. Where its part is pulled it stays at 0; otherwise
+  /// its share (r/T)^(b-1) begins with the slope 0, 1/T or without bound. A half line gives way to
+  /// the other side, and nothing is said of it.
+  void at_apex(const PotentialLeaf& leaf, const SlipVector& by_trial,
+               SlipVector* y) const noexcept {
+    if (leaf.kind == PotentialLeaf::Kind::kHalfLine) return;
+    const auto part = static_cast<std::size_t>(leaf.part);
+    const double power = potential_.exponent - 1.0;
+    const bool pulled = parts_[part].pull > 0.0;
+    if (!pulled && (maximum_ || power > 1.0 || potential_.offset[part] > 0.0)) return;
+    const double kept =
+        power == 1.0 && !pulled ? 1.0 / (1.0 + leaf.factor * leaf.factor * x_ / limit_) : 0.0;
+    const double along = dot(leaf.direction, by_trial);
+    for (std::size_t k = 0; k < y->size(); ++k) {
+      if (leaf.direction[k] == 0.0) continue;
+      (*y)[k] = leaf.kind == PotentialLeaf::Kind::kNorm
+                    ? kept * by_trial[k]
+                    : by_trial[k] + (kept - 1.0) * leaf.direction[k] * along;
+    }
+  }
+
+  const Potential& potential_;
+  const SlipVector& trial_;
+  Projection projection_;
+  double x_;
+  double limit_;
+  bool maximum_ = false;
+  std::array<PartReturn, kComponents> parts_{};
+  std::array<double, kComponents> hardening_{};
+  std::array<double, kComponents> given_{};  ///< 1 / (1 + hardening); 0 where X_i stays at 0
+  double normal_ = 0.0;
+};
+
+}  // namespace
+
+PotentialTangent potential_tangent(const FrictionDefinition& definition,
+                                   const FrictionUpdate& update) noexcept {
+  using Vector = Eigen::Matrix<double, kComponents, 1>;
+  PotentialTangent result;
+  result.to_slip.setZero();
+  result.to_contact.setZero();
+  if (update.state.regime == Regime::kOpen) return result;
+  const bool fixed = definition.stick.mode == StickStiffness::Mode::kStiffness;
+  const double kappa = update.tangent.transverse;
+  const double limit = update.limit;
+  const Eigen::Map<const Vector> motion(update.motion_direction.data());
+
+  if (update.state.regime == Regime::kStick) {
+    result.to_slip.diagonal().setConstant(kappa);
+    if (!fixed && limit > 0.0) {
+      // y = (F_lim / g_c) s_el follows the limit, in proportion.
+      const Vector share = Eigen::Map<const Vector>(update.state.force.data()) / limit;
+      result.to_slip += update.tangent.rate * share * motion.transpose();
+      result.to_contact = update.tangent.contact * share;
+    }
+    return result;
+  }
+
+  const Potential& potential = *std::get_if<Potential>(&definition.criterion);
+  const double x = kappa * update.slip_increment;
+  const SlipVector m = scaled(update.direction, 1.0 / dot(update.direction, update.direction));
+  const SlipVector trial = sum_of(update.state.force, x, m);
+  const Linearised linear(potential, trial, x, limit);
+
+  Eigen::Matrix<double, kComponents, kComponents> y_by_trial;
+  Vector x_by_trial, y_by_limit;
+  SlipVector column;
+  for (int k = 0; k < kComponents; ++k) {
+    SlipVector unit{};
+    unit[static_cast<std::size_t>(k)] = 1.0;
+    x_by_trial[k] = linear.change(unit, 0.0, &column);
+    y_by_trial.col(k) = Eigen::Map<const Vector>(column.data());
+  }
+  double x_by_limit = linear.change(SlipVector{}, 1.0, &column);
+  y_by_limit = Eigen::Map<const Vector>(column.data());
+  if (!fixed) {
+    // The trial force (F_lim / g_c) s_tr and kappa dL follow the limit.
+    const Vector along = Eigen::Map<const Vector>(trial.data()) / limit;
+    x_by_limit += x_by_trial.dot(along) - x / limit;
+    y_by_limit += y_by_trial * along;
+  }
+  // kappa ddL = kappa A.ds + G dF and dF = F' ddL + dF_ext, eliminated for dF.
+  const double slope = update.tangent.radial;
+  const double sum = kappa - x_by_limit * slope;
+  const double follow = sum != 0.0 ? kappa / sum : 0.0;
+  const Vector limit_by_slip = follow * (slope * x_by_trial + update.tangent.rate * motion);
+  result.to_slip = kappa * y_by_trial + y_by_limit * limit_by_slip.transpose();
+  result.to_contact = follow * update.tangent.contact * y_by_limit;
+  return result;
+}
+
+}  // namespace slipbench::law

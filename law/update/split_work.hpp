@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "law/base/slip_vector.hpp"
+#include "law/definition/limit_function.hpp"
+
+namespace slipbench::law {
+
+/// The fraction of an increment [1] at which a force that rises from y0 along the straight line to
+/// the predictor `trial` meets the limit |y| = `limit`; 0 where it does not get inside before.
+template <int D>
+double limit_fraction(const Slip<D>& y0, const Slip<D>& trial, double limit) {
+  const Slip<D> rise = trial - y0;
+  const double a = rise.squaredNorm();
+  const double b = y0.dot(rise);
+  // A force returned to the limit may lie above it by its rounding; it counts as on the limit.
+  const double square = limit * limit;
+  const double excess = y0.squaredNorm() - square;
+  const double c = excess <= 2.0 * (kLimitSlack - 1.0) * square ? std::min(excess, 0.0) : excess;
+  // In one dimension the difference is a limit^2, which is lost in it under a small limit.
+  const double square_of_root = D == 1 && c > 0.0 ? a * square : b * b - a * c;
+  // A limit that fell below a force that turns back is met where the force comes out again, if it
+  // gets inside at all before the predictor.
+  const bool comes_out = b < 0.0 && a + b > 0.0 && square_of_root > 0.0;
+  if (!(a > 0.0) || (c > 0.0 && !comes_out)) return 0.0;
+  // The stable form of the larger root of a x^2 + 2 b x + c = 0.
+  const double root = std::sqrt(std::max(square_of_root, 0.0));
+  return std::clamp(b > 0.0 ? -c / (b + root) : (root - b) / a, 0.0, 1.0);
+}
+
+/// Work [F L] over ds of a force that goes from y0 straight towards `trial` for the fraction
+/// `onset` of the increment, and then to y1.
+template <int D>
+double work_split_at(double onset, const Slip<D>& y0, const Slip<D>& trial, const Slip<D>& y1,
+                     const Slip<D>& ds) {
+  const Slip<D> split = y0 + onset * (trial - y0);
+  return 0.5 * (onset * (y0 + split).dot(ds) + (1.0 - onset) * (split + y1).dot(ds));
+}
+
+/// Work of the force going from y0 to y1 over ds. The force first rises along the straight line to
+/// the predictor `trial`; where that meets the limit the increment is split, so that the trapezoid
+/// is exact for an elastic-plastic path in one dimension (reference cases, section 10, property 3).
+/// \param[out] onset the fraction of the increment before the split
+template <int D>
+double split_work(const Slip<D>& y0, const Slip<D>& trial, const Slip<D>& y1, const Slip<D>& ds,
+                  double limit, double* onset) {
+  *onset = limit_fraction<D>(y0, trial, limit);
+  return work_split_at<D>(*onset, y0, trial, y1, ds);
+}
+
+}  // namespace slipbench::law

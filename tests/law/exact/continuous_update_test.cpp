@@ -1,0 +1,511 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "law/exact/continuous_update.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "tests/support/exact_run.hpp"
+#include "tests/support/friction_run.hpp"
+#include "tests/support/law_tables.hpp"
+
+namespace {
+
+using namespace slipbench::law;
+using namespace slipbench::test;
+using std::numbers::pi;
+
+/// mu = 0.2 under |f3|, k = 1000 N/mm: the base set of the reference cases.
+FrictionDefinition pressed(std::initializer_list<int> number = {1},
+                           StickStiffness stick = fixed_stiffness(1000.0)) {
+  FrictionDefinition definition = slider(0.2, 0.0, stick, number);
+  definition.contact_force = DerivedComponent{norm_term({3}, 1.0)};
+  return definition;
+}
+
+TEST_CASE("an L-shaped path is exact with one increment a leg (reference case D1)") {
+  struct Point {
+    double travel, along, across;
+  };
+  const std::vector<Point> points{{.005, 19.3908725828043, 4.89837324807418},
+                                  {.01, 17.7363776794015, 9.2423431452002},
+                                  {.02, 12.9610854732777, 15.2318831191153},
+                                  {.03, 8.50192069884561, 18.1029650728973},
+                                  {.05, 3.26142463859956, 19.7322859630286}};
+  for (const Point& point : points) {
+    ExactRun run(pressed({1, 2}), at(0.0, 100.0));
+    run.go(at(0.05, 100.0));
+    run.go(at(0.05, 100.0, point.travel));
+    CHECK(run.friction(1) == Approx(point.along).epsilon(2e-14));
+    CHECK(run.friction(2) == Approx(point.across).epsilon(2e-14));
+  }
+  ExactRun run(pressed({1, 2}), at(0.0, 100.0));
+  run.go(at(0.05, 100.0));
+  run.go(at(0.05, 100.0, 0.05));
+  CHECK(run.state.accumulated_slip == Approx(0.0662713633585835).epsilon(1e-14));
+  // 20 N times the slip; the twelfth digit of the printed 1.32542726716717 is misplaced.
+  CHECK(run.dissipation == Approx(20.0 * 0.0662713633585835).epsilon(1e-14));
+  CHECK(run.work == Approx(run.dissipation + run.last.stored_energy).epsilon(1e-14));
+}
+
+TEST_CASE("one, seven and a thousand increments a segment end alike on a polyline") {
+  const std::vector<Waypoint> corners{at(0.05, 100.0),         at(0.05, 100.0, 0.05),
+                                      at(-0.03, 100.0, 0.02),  at(-0.03, 100.0, -0.001),
+                                      at(0.2, 100.0, -0.03),   at(0.19, 100.0, -0.025),
+                                      at(0.195, 100.0, 0.001), at(0.0, 100.0)};
+  for (const StickStiffness stick : {fixed_stiffness(1000.0), allowable_slip(0.02)}) {
+    std::vector<FrictionState> ends;
+    std::vector<double> energies;
+    for (const int count : {1, 7, 1000}) {
+      ExactRun run(pressed({1, 2}, stick), at(0.0, 100.0));
+      for (const Waypoint& corner : corners) run.go(corner, count);
+      ends.push_back(run.state);
+      energies.push_back(run.dissipation);
+      CHECK(run.work == Approx(run.dissipation + run.last.stored_energy).epsilon(1e-13));
+    }
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+      // Rounding of some thousand increments.
+      CHECK(std::abs(ends[i].force[0] - ends[0].force[0]) <= 1e-12 * 20.0);
+      CHECK(std::abs(ends[i].force[1] - ends[0].force[1]) <= 1e-12 * 20.0);
+      CHECK(ends[i].accumulated_slip == Approx(ends[0].accumulated_slip).epsilon(1e-12));
+      CHECK(energies[i] == Approx(energies[0]).epsilon(1e-12));
+    }
+  }
+}
+
+TEST_CASE("a normal force in phase with the motion gives the quadrilateral (reference case N1)") {
+  // N = 100 + 500 u; one increment a half cycle, the corners lie inside of it.
+  const auto point = [](double u) { return at(u, 100.0 + 500.0 * u); };
+  ExactRun run(pressed(), point(0.0));
+  run.go(point(0.1));
+  CHECK(run.friction(1) == Approx(30.0).epsilon(1e-14));
+  run.dissipation = run.work = 0.0;
+  const double stored = run.last.stored_energy;
+  run.go(point(-0.1));
+  CHECK(run.friction(1) == Approx(-10.0).epsilon(1e-13));
+  REQUIRE(run.changes.count == 2);
+  CHECK(run.changes.at[0].to == Regime::kStick);
+  CHECK(run.changes.at[0].fraction == 0.0);
+  CHECK(run.changes.at[1].to == Regime::kSlip);
+  CHECK(0.1 - 0.2 * run.changes.at[1].fraction == Approx(0.0454545454545455).epsilon(1e-13));
+  CHECK(run.changes.at[1].force == Approx(-24.5454545454545).epsilon(1e-13));
+  CHECK(run.last.onset == run.changes.at[1].fraction);
+  run.go(point(0.1));
+  CHECK(run.changes.at[1].force == Approx(12.2222222222222).epsilon(1e-13));
+  CHECK(run.dissipation == Approx(608.0 / 99.0).epsilon(1e-13));
+  CHECK(run.work == Approx(run.dissipation + run.last.stored_energy - stored).epsilon(1e-13));
+}
+
+TEST_CASE("with a limit that grows faster than the spring slip never begins (N1, wedging)") {
+  const auto point = [](double u) { return at(u, 100.0 + 6000.0 * u); };
+  ExactRun run(pressed(), point(0.0));
+  run.go(point(0.5));
+  CHECK(run.last.state.regime == Regime::kStick);
+  CHECK(run.friction(1) == Approx(500.0));
+  CHECK(run.last.slip_increment == 0.0);
+}
+
+TEST_CASE("unloading at rest slips, reloading does not (reference case N4)") {
+  ExactRun run(pressed(), at(0.0, 100.0));
+  run.go(at(0.015, 100.0));
+  CHECK(run.friction(1) == Approx(15.0).epsilon(1e-15));
+  run.go(at(0.015, 25.0));
+  CHECK(run.friction(1) == Approx(5.0).epsilon(1e-14));
+  CHECK(run.state.accumulated_slip == Approx(0.010).epsilon(1e-13));
+  CHECK(run.dissipation == Approx(0.1).epsilon(1e-13));
+  REQUIRE(run.changes.count == 1);
+  CHECK(run.changes.at[0].fraction == Approx(1.0 / 3.0).epsilon(1e-13));
+  run.go(at(0.015, 150.0));
+  CHECK(run.friction(1) == Approx(5.0).epsilon(1e-14));
+  CHECK(run.state.accumulated_slip == Approx(0.010).epsilon(1e-13));
+  CHECK(run.dissipation == Approx(0.1).epsilon(1e-13));
+}
+
+TEST_CASE("lift-off forgets the force; contact that returns counts from there (N5)") {
+  // N goes straight from 100 to -100 under a Macauley sum: open in the second half.
+  FrictionDefinition definition = pressed();
+  DerivedTerm term = norm_term({3}, 1.0);
+  term.combine = TermOperator::kMacauleySum;
+  definition.contact_force = DerivedComponent{term};
+  ExactRun run(definition, at(0.0, 100.0));
+  run.go(at(0.1, 100.0));
+  run.go(at(0.1, -100.0));
+  CHECK(run.last.state.regime == Regime::kOpen);
+  CHECK(run.friction(1) == 0.0);
+  // The spring came to rest by slip: all its energy is dissipated.
+  CHECK(run.work == Approx(run.dissipation).epsilon(1e-13));
+  CHECK(run.state.accumulated_slip == Approx(0.1).epsilon(1e-13));
+  // N = -100 + 300 tau returns at tau = 1/3; by then 0.004 of the motion of 0.012 is over.
+  run.go(at(0.112, 200.0));
+  REQUIRE(run.changes.count >= 1);
+  CHECK(run.changes.at[0].fraction == Approx(1.0 / 3.0).epsilon(1e-12));
+  // mu dN = 60 N per 0.012 mm outruns k du = 12 N: stick with 1000 N/mm * 0.008 mm.
+  CHECK(run.friction(1) == Approx(8.0).epsilon(1e-11));
+  CHECK(run.last.state.regime == Regime::kStick);
+}
+
+TEST_CASE("a contact force that changes its sign opens for an instant") {
+  for (const StickStiffness stick : {fixed_stiffness(1000.0), allowable_slip(0.02)}) {
+    FrictionDefinition definition = slider(0.2, 0.0, stick);
+    definition.contact_force = ComponentContactForce{2};
+    ExactRun run(definition, at(0.0, 100.0));
+    run.go(at(0.01, 100.0));
+    CHECK(run.friction(1) == Approx(10.0));
+    run.go(at(0.01, -100.0));
+    // Nothing has moved since contact returned.
+    CHECK(run.friction(1) == 0.0);
+    REQUIRE(run.changes.count >= 2);
+    const RegimeChange& last = run.changes.at[static_cast<std::size_t>(run.changes.count - 1)];
+    CHECK(last.to == Regime::kStick);
+    CHECK(last.fraction == Approx(0.5).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("with an elastic slip the force scales with the limit while it sticks") {
+  ExactRun run(pressed({1}, allowable_slip(0.02)), at(0.0, 100.0));
+  run.go(at(0.01, 100.0));
+  CHECK(run.friction(1) == Approx(10.0).epsilon(1e-14));
+  run.go(at(0.01, 30.0));
+  CHECK(run.friction(1) == Approx(3.0).epsilon(1e-14));
+  CHECK(run.dissipation == 0.0);
+  // Slip over 0.05 while N goes from 30 to 90: dissipation is the mean limit over the slip part.
+  run.go(at(0.06, 90.0));
+  const double onset = 0.2;  // 0.01 mm of 0.05 to the allowable slip
+  const double mean = 0.5 * 0.2 * ((30.0 + 60.0 * onset) + 90.0);
+  CHECK(run.state.accumulated_slip == Approx(0.04).epsilon(1e-13));
+  CHECK(run.dissipation == Approx(mean * 0.04).epsilon(1e-11));
+  CHECK(run.friction(1) == Approx(18.0).epsilon(1e-14));
+}
+
+TEST_CASE("linear wear has the closed solution, reversals too (reference case W1)") {
+  FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0));
+  definition.internal_contact_force =
+      make_function({{100.0, 0.0}, {0.0, 2.0}}, {{IndependentKind::kAccumulatedSlip}});
+  ExactRun run(definition, at(0.0));
+  run.go(at(0.1));
+  CHECK(run.friction(1) == Approx(19.1919191919192).epsilon(1e-13));
+  CHECK(run.state.accumulated_slip == Approx(0.0808080808080808).epsilon(1e-13));
+  const std::vector<double> forces{
+      17.5594327109479, 15.8939667051084, 14.1948549213732, 12.4614176470575, 10.6929614379072,
+      8.8887788406932,  7.04814811020215, 5.17033292050927, 3.25458207041855, 1.30012918295226};
+  double side = -1.0;
+  for (const double force : forces) {
+    run.go(at(0.1 * side));
+    CHECK(run.friction(1) == Approx(side * force).epsilon(1e-12));
+    side = -side;
+  }
+  CHECK(run.state.accumulated_slip == Approx(1.86998708170477).epsilon(1e-12));
+  CHECK(run.work == Approx(run.dissipation + run.last.stored_energy).epsilon(1e-12));
+}
+
+TEST_CASE("slip that wears the limit away opens where it does") {
+  FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0));
+  definition.internal_contact_force =
+      make_function({{100.0, 0.0}, {0.0, 0.5}}, {{IndependentKind::kAccumulatedSlip}});
+  for (const int count : {1, 7, 100}) {
+    ExactRun run(definition, at(0.0));
+    run.go(at(2.0), count);
+    CHECK(run.state.regime == Regime::kOpen);
+    CHECK(run.state.accumulated_slip == Approx(0.5).epsilon(1e-9));
+    CHECK(run.friction(1) == 0.0);
+    // mu integral F_int ds = 0.2 * 100 * 0.5 / 2
+    CHECK(run.dissipation == Approx(5.0).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("a limit that wears faster than the spring lets the force jump, with its energy booked") {
+  // 3000 N on 1000 N/mm; between 0.5 and 1.5 mm of slip the limit falls by 3000 N/mm: beta = 3.
+  for (const int count : {1, 3, 10}) {
+    FrictionDefinition definition = slider(0.5, 0.0, fixed_stiffness(1000.0));
+    definition.contact_force = NoContactForce{};
+    definition.internal_contact_force =
+        make_function({{6000, 0}, {6000, 0.5}, {0, 1.5}}, {{IndependentKind::kAccumulatedSlip, 0}});
+    ExactRun run(definition);
+    double lost = 0.0;
+    double snap_back = 0.0;
+    int jumps = 0;
+    for (int i = 1; i <= count; ++i) {
+      run.go(at(6.0 * i / count));
+      lost += run.last.lost;
+      snap_back = std::max(snap_back, run.last.snap_back);
+      jumps += run.last.jumps;
+      if (run.last.jumps > 0) {
+        // At 3.5 mm of motion.
+        CHECK((i - 1 + run.last.jump_onset) / count == Approx(3.5 / 6.0));
+      }
+    }
+    CHECK(jumps == 1);
+    CHECK(snap_back == Approx(3.0));
+    // Nothing is left to slip on behind 1.5 mm: the spring relaxes by its 3 mm without friction.
+    CHECK(run.state.accumulated_slip == Approx(1.5).epsilon(1e-12));
+    CHECK(run.dissipation == Approx(3000.0 * 0.5 + 1500.0 * 1.0).epsilon(1e-12));
+    CHECK(lost == Approx(4500.0 - 1500.0).epsilon(1e-12));
+    CHECK(run.work == Approx(run.dissipation + lost).epsilon(1e-12));
+  }
+}
+
+TEST_CASE(
+    "a jump is met where a cell begins, and inside of one that bends over the contact force") {
+  const auto run_to = [](const FrictionDefinition& definition, double way, int count) {
+    ExactRun run(definition);
+    double lost = 0.0;
+    for (int i = 1; i <= count; ++i) {
+      run.go(at(way * i / count));
+      lost += run.last.lost;
+    }
+    CHECK(run.work == Approx(run.dissipation + lost + run.last.stored_energy).epsilon(1e-12));
+    return std::array{run.state.accumulated_slip, run.dissipation, lost};
+  };
+  const auto slider_on = [](std::vector<std::vector<double>> wear) {
+    FrictionDefinition definition = slider(0.25, 0.0, fixed_stiffness(1000.0));
+    definition.contact_force = NoContactForce{};
+    definition.internal_contact_force =
+        make_function(wear, {{IndependentKind::kAccumulatedSlip, 0}});
+    return definition;
+  };
+  for (const int count : {1, 3, 50}) {
+    // beta 0.25 to 1 mm, then 1.5: from 750 N the spring loses 281.25 N mm, friction takes 187.5.
+    const auto worn = run_to(slider_on({{4000, 0}, {3000, 1}, {0, 1.5}}), 8.0, count);
+    CHECK(worn[0] == Approx(1.5).epsilon(1e-11));
+    CHECK(worn[1] == Approx(875.0 + 187.5).epsilon(1e-11));
+    CHECK(worn[2] == Approx(93.75).epsilon(1e-10));
+    // Behind a limit that rises: 1250 N at 1 mm, beta 1.125 down to 125 N at 2 mm.
+    const auto risen = run_to(slider_on({{1000, 0}, {5000, 1}, {500, 2}}), 8.0, count);
+    CHECK(risen[2] == Approx(70.3125).epsilon(1e-10));
+
+    // F_N = 1000 (1 - x), mu = 0.1 + 0.8 x down to 500 N, then 0.5: a parabola to 250 N, then
+    // 500 (1 - x). At 400 N/mm that falls faster than the spring, in the middle of the cell of
+    // wear, and is met again nowhere.
+    FrictionDefinition bent = slider_on({{1000, 0}, {0, 1}});
+    bent.stick = fixed_stiffness(400.0);
+    bent.law = TabularCoefficient{
+        make_function({{0.5, 0}, {0.5, 500}, {0.1, 1000}}, {{IndependentKind::kContactForce, 0}})};
+    const auto parabola = run_to(bent, 2.0, count);
+    CHECK(parabola[0] == Approx(1.0).epsilon(1e-9));
+    // 1000 (0.1 x + 0.7 x^2/2 - 0.8 x^3/3) to 0.5, then a triangle.
+    CHECK(parabola[1] == Approx(1000.0 * (0.05 + 0.0875 - 0.1 / 3.0) + 62.5).epsilon(1e-9));
+    CHECK(parabola[2] == Approx(250.0 * 250.0 / 800.0 - 62.5).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("slip that wears the contact force through 0 goes on behind") {
+  // F_C + F_int = 50 + 50 u - 100 L, with R = 0.5 |F_C + F_int|/k: 0 at L = 0.5 + 0.5 u = u.
+  // Behind, L + 0.5 (100 L - 50 - 50 u)/1000 = u.
+  for (const int count : {1, 7, 50}) {
+    FrictionDefinition definition = slider(0.5, 0.0, fixed_stiffness(1000.0));
+    definition.contact_force = ComponentContactForce{1};
+    definition.internal_contact_force =
+        make_function({{150, 0}, {0, 1.5}}, {{IndependentKind::kAccumulatedSlip, 0}});
+    Waypoint begin = at(0.0);
+    begin.force[1] = -100.0;
+    Waypoint end = at(1.4);
+    end.force[1] = -30.0;
+    ExactRun run(definition, begin);
+    run.go(end, count);
+    const double slip = (1.4 + 0.025 + 0.025 * 1.4) / 1.05;
+    CHECK(run.state.accumulated_slip == Approx(slip).epsilon(1e-12));
+    CHECK(run.friction(1) == Approx(1000.0 * (1.4 - slip)).epsilon(1e-10));
+    CHECK(run.work == Approx(run.dissipation + run.last.stored_energy).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("a varying limit on a turning path: increments do not matter, the energies close") {
+  const std::vector<Waypoint> corners{at(0.05, 130.0), at(0.05, 60.0, 0.05), at(-0.03, 20.0, 0.02),
+                                      at(-0.03, 140.0, -0.01), at(0.1, 80.0, 0.1)};
+  std::vector<FrictionState> ends;
+  std::vector<double> energies;
+  for (const int count : {1, 7, 300}) {
+    ExactRun run(pressed({1, 2}), at(0.0, 100.0), 1e-12);
+    for (const Waypoint& corner : corners) run.go(corner, count);
+    ends.push_back(run.state);
+    energies.push_back(run.dissipation);
+    CHECK(run.work == Approx(run.dissipation + run.last.stored_energy).epsilon(1e-12));
+  }
+  for (std::size_t i = 1; i < ends.size(); ++i) {
+    // The tolerance of the integration, a few hundred times over.
+    CHECK(std::abs(ends[i].force[0] - ends[0].force[0]) <= 1e-11 * 16.0);
+    CHECK(std::abs(ends[i].force[1] - ends[0].force[1]) <= 1e-11 * 16.0);
+    CHECK(ends[i].accumulated_slip == Approx(ends[0].accumulated_slip).epsilon(1e-11));
+    CHECK(energies[i] == Approx(energies[0]).epsilon(1e-11));
+  }
+}
+
+TEST_CASE("slip under a limit that changes linearly turns by a power of the limit") {
+  // Without an event: from a right angle on, tan(psi/2) = (lim/lim0)^(-k len/dlim) tan(psi0/2).
+  ExactRun run(pressed({1, 2}), at(0.0, 100.0));
+  run.go(at(0.05, 100.0));
+  run.go(at(0.05, 50.0, 0.02));
+  const double turn = 1000.0 * 0.02 / 10.0 * std::log(20.0 / 10.0);
+  const double half = std::exp(-turn);
+  const double cosine = (1.0 - half * half) / (1.0 + half * half);
+  CHECK(run.friction(2) == Approx(10.0 * cosine).epsilon(1e-11));
+  CHECK(run.last.state.regime == Regime::kSlip);
+}
+
+TEST_CASE("a limit that jumps down relaxes the spring at once") {
+  ExactRun run(pressed(), at(0.0, 100.0));
+  run.go(at(0.1, 100.0));
+  // The history begins its next piece at N = 40.
+  ConnectorIncrement increment;
+  increment.duration = 1.0;
+  increment.begin_position = run.here().position;
+  increment.end.position = increment.begin_position;
+  increment.force[2] = 40.0;
+  const Ambient begin = increment.end;
+  RegimeChanges changes;
+  const FrictionUpdate u = continuous_update(
+      run.definition, path_segment(run.definition, increment, begin, increment.force), run.state,
+      1e-12, &changes);
+  CHECK(u.state.force[0] == Approx(8.0).epsilon(1e-14));
+  CHECK(u.slip_increment == Approx(0.012).epsilon(1e-13));
+  // (20^2 - 8^2)/(2 k)
+  CHECK(u.dissipation == Approx(0.168).epsilon(1e-13));
+  CHECK(u.work == 0.0);
+}
+
+TEST_CASE("a coefficient over the rate of the motion holds over the whole segment") {
+  FrictionDefinition definition = slider(0.0, 100.0, fixed_stiffness(1000.0));
+  definition.law = ExponentialDecay{0.3, 0.2, 0.05};
+  definition.slip_rate = SlipRateMeasure::kRelativeMotion;
+  Waypoint end = at(10.0);
+  end.duration = 0.2;
+  for (const int count : {1, 9}) {
+    ExactRun run(definition, at(0.0));
+    run.go(end, count);
+    CHECK(run.friction(1) == Approx(100.0 * 0.20820849986239).epsilon(1e-13));
+  }
+}
+
+TEST_CASE("a coefficient that rises with the slip rate is followed to the tolerance") {
+  // y = N (mu0 + c L'), L' = v - y'/k: y - y_end falls as exp(-k t/(N c)) from the onset on.
+  FrictionDefinition definition = slider(0.0, 100.0, fixed_stiffness(1000.0));
+  definition.law =
+      TabularCoefficient{make_function({{0.2, 0.0}, {0.3, 1.0}}, {{IndependentKind::kSlipRate}})};
+  Waypoint end = at(0.05);
+  end.duration = 0.1;  // v = 0.5
+  const double v = 0.5;
+  const double onset = 0.02 / v;
+  const double tau = 100.0 * 0.1 / 1000.0;
+  const double force = 100.0 * (0.2 + 0.1 * v) - 100.0 * 0.1 * v * std::exp(-(0.1 - onset) / tau);
+  for (const int count : {1, 3, 20}) {
+    ExactRun run(definition, at(0.0), 1e-10);
+    run.go(end, count);
+    CHECK(run.friction(1) == Approx(force).epsilon(1e-9));
+    CHECK(run.work == Approx(run.dissipation + run.last.stored_energy).epsilon(1e-8));
+    CHECK(run.last.state.regime == Regime::kSlip);
+    if (count == 1) {
+      REQUIRE(run.changes.count >= 1);
+      CHECK(run.changes.at[0].fraction == Approx(onset / 0.1).margin(1e-5));
+    }
+  }
+}
+
+TEST_CASE("a potential is followed to the tolerance") {
+  // The 2-norm written as a potential has the closed solution of the norm.
+  FrictionDefinition definition = pressed({1, 2});
+  Potential norm;
+  norm.parts = norm.leaves = 2;
+  for (std::size_t i = 0; i < 2; ++i) {
+    norm.leaf[i].part = static_cast<int>(i);
+    norm.leaf[i].direction[i] = 1.0;
+  }
+  definition.criterion = norm;
+  ExactRun run(definition, at(0.0, 100.0), 1e-10);
+  run.go(at(0.05, 100.0));
+  run.go(at(0.05, 100.0, 0.05));
+  CHECK(run.friction(1) == Approx(3.26142463859956).epsilon(1e-8));
+  CHECK(run.friction(2) == Approx(19.7322859630286).epsilon(1e-8));
+  CHECK(run.dissipation == Approx(1.32542726716717).epsilon(1e-8));
+}
+
+TEST_CASE("a belt is followed through both sides of its band") {
+  FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0), {2});
+  definition.criterion = Capstan{pi};
+  definition.contact_force = ComponentContactForce{0};
+  const auto point = [](double flow, double tension) {
+    Waypoint w;
+    w.position[1] = flow;
+    w.force[0] = tension;
+    return w;
+  };
+  const double ratio = std::exp(0.2 * pi);
+  for (const int count : {1, 13}) {
+    ExactRun run(definition, point(0.0, 100.0));
+    run.go(point(0.3, 100.0), count);
+    CHECK(run.friction(2) == Approx(100.0 * (ratio - 1.0)).epsilon(1e-13));
+    run.go(point(-0.3, 100.0), count);
+    CHECK(run.friction(2) == Approx(-100.0 * (1.0 - 1.0 / ratio)).epsilon(1e-13));
+    const double forward = 100.0 * (ratio - 1.0);
+    const double backward = 100.0 * (1.0 - 1.0 / ratio);
+    const double slip = 0.3 - forward / 1000.0 + 0.6 - (forward + backward) / 1000.0;
+    CHECK(run.state.accumulated_slip == Approx(slip).epsilon(1e-12));
+    CHECK(run.work == Approx(run.dissipation + run.last.stored_energy).epsilon(1e-12));
+    // The tension falls at rest: the belt slides back to the narrower band.
+    run.go(point(-0.3, 50.0), count);
+    CHECK(run.friction(2) == Approx(-0.5 * backward).epsilon(1e-13));
+    run.go(point(-0.2, -50.0), count);
+    CHECK(run.state.regime == Regime::kOpen);
+  }
+}
+
+TEST_CASE("what has no continuous solution is known beforehand") {
+  FrictionDefinition falling = slider(0.0, 100.0, fixed_stiffness(1000.0));
+  falling.law = ExponentialDecay{0.3, 0.2, 0.05};
+  CHECK(no_continuous_solution(falling) == NoContinuousSolution::kWeakening);
+  falling.stick = allowable_slip(0.01);
+  CHECK_FALSE(no_continuous_solution(falling));
+  falling.stick = fixed_stiffness(1000.0);
+  falling.slip_rate = SlipRateMeasure::kRelativeMotion;
+  CHECK_FALSE(no_continuous_solution(falling));
+  FrictionDefinition worn = slider(0.2, 0.0, fixed_stiffness(1000.0));
+  worn.internal_contact_force =
+      make_function({{100.0, 0.0}, {0.0, 2.0}}, {{IndependentKind::kAccumulatedSlip}});
+  CHECK_FALSE(no_continuous_solution(worn));
+  worn.accumulated_slip = AccumulatedSlipTiming::kStart;
+  CHECK(no_continuous_solution(worn) == NoContinuousSolution::kWearAtStart);
+  worn.accumulated_slip = AccumulatedSlipTiming::kEnd;
+  worn.stick = allowable_slip(0.01);
+  Potential shifted;
+  shifted.parts = shifted.leaves = 1;
+  shifted.leaf[0].direction[0] = 1.0;
+  worn.criterion = shifted;
+  CHECK_FALSE(no_continuous_solution(worn));
+  shifted.leaf[0].center = 1.0;
+  shifted.homogeneous = false;
+  worn.criterion = shifted;
+  CHECK(no_continuous_solution(worn) == NoContinuousSolution::kShiftWithElasticSlip);
+  worn.stick = fixed_stiffness(1000.0);
+  CHECK_FALSE(no_continuous_solution(worn));
+}
+
+TEST_CASE("the force on a falling coefficient with an elastic slip follows the rate of the slip") {
+  FrictionDefinition definition = slider(0.0, 100.0, allowable_slip(0.01));
+  definition.law = ExponentialDecay{0.3, 0.2, 0.05};
+  Waypoint end = at(1.0);
+  end.duration = 0.1;
+  ExactRun run(definition, at(0.0));
+  run.go(end);
+  CHECK(run.friction(1) == Approx(26.0653065971263).epsilon(1e-13));
+  CHECK(run.dissipation == Approx(26.0653065971263 * 0.99).epsilon(1e-12));
+}
+
+TEST_CASE("knots of a table over temperature are met inside an increment") {
+  // F_int over temperature: 100 at 0, 20 at 50, 150 at 100; the force at rest follows the dip.
+  FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0));
+  definition.internal_contact_force = make_function({{100.0, 0.0}, {20.0, 50.0}, {150.0, 100.0}},
+                                                    {{IndependentKind::kTemperature}});
+  for (const int count : {1, 3, 50}) {
+    Waypoint warm = at(0.015);
+    ExactRun run(definition, at(0.0));
+    run.go(warm);
+    warm.temperature = 100.0;
+    run.go(warm, count);
+    CHECK(run.friction(1) == Approx(4.0).epsilon(1e-12));
+    CHECK(run.state.accumulated_slip == Approx(0.011).epsilon(1e-12));
+    CHECK(run.state.regime == Regime::kStick);
+  }
+}
+
+}  // namespace

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Work and onset where the limit has fallen below the force at the beginning of the increment.
+#include <catch2/catch.hpp>
+
+#include "law/definition/potential.hpp"
+#include "law/update/return_mapping.hpp"
+
+namespace {
+
+using namespace slipbench::law;
+
+FrictionUpdate turned_back(const SlipCriterion& criterion, double motion) {
+  FrictionDefinition definition;
+  definition.criterion = criterion;
+  definition.contact_force = NoContactForce{};
+  definition.internal_contact_force = 5.0;
+  definition.law = ConstantCoefficient{1.0};
+  definition.stick = {StickStiffness::Mode::kStiffness, 10.0};
+  FrictionState old;
+  old.force[0] = 20.0;
+  old.elastic_slip[0] = 2.0;
+  ConnectorIncrement increment;
+  increment.duration = 1.0;
+  increment.end.position[0] = motion;
+  return update(definition, increment, old);
+}
+
+TEST_CASE("a force that turns back below a fallen limit is split where it comes out of it") {
+  Potential potential;
+  potential.parts = potential.leaves = 1;
+  potential.leaf[0].direction[0] = 1.0;
+  for (const SlipCriterion& criterion :
+       {SlipCriterion{EuclideanPotential{}}, SlipCriterion{potential}}) {
+    // To the predictor 10: beyond the limit 5 all the way, so it slips from the start.
+    const FrictionUpdate beyond = turned_back(criterion, -1.0);
+    CHECK(beyond.onset == 0.0);
+    CHECK(beyond.work == Approx(0.5 * (20.0 + 5.0) * -1.0).epsilon(1e-14));
+    // To the predictor -10: through the inside, out again at -5 after 25 of 30.
+    const FrictionUpdate through = turned_back(criterion, -3.0);
+    CHECK(through.onset == Approx(25.0 / 30.0).epsilon(1e-14));
+    CHECK(through.work == Approx(0.5 * (20.0 - 5.0) * -2.5 + -5.0 * -0.5).epsilon(1e-14));
+  }
+}
+
+}  // namespace

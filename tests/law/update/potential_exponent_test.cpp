@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// Exponents at which a share (X/F_lim)^(b-1) says little of X, or X little of its share.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "law/definition/potential_terms.hpp"
+#include "law/update/potential_return.hpp"
+
+namespace {
+
+using namespace slipbench::law;
+
+FrictionDefinition sliding(std::vector<PotentialContribution> terms, double exponent,
+                           double limit) {
+  const BuiltPotential built = build_potential(terms, PotentialOperator::kSum, exponent);
+  REQUIRE(built.violations.empty());
+  FrictionDefinition definition;
+  definition.slip = built.slip;
+  definition.criterion = built.criterion;
+  definition.contact_force = NoContactForce{};
+  definition.internal_contact_force = limit;
+  definition.law = ConstantCoefficient{1.0};
+  definition.stick = {StickStiffness::Mode::kStiffness, 1.0};
+  return definition;
+}
+
+TEST_CASE("near the exponent 1 a part comes back to its dead zone and no further") {
+  // X_1 = |f1|, X_2 = <|f2| - 4>; at b = 1 the force returns to f1 = 10, f2 = 4.
+  const DerivedComponent second = {norm_term({2}, 1.0)};
+  PotentialContribution shifted;
+  shifted.of = second;
+  shifted.function = ContributionFunction::kMacauley;
+  shifted.shift = 4.0;
+  for (const double b : {1.0, 1.0001, 1.001}) {
+    const FrictionDefinition definition = sliding({PotentialContribution{}, shifted}, b, 10.0);
+    ConnectorIncrement increment;
+    increment.duration = 1.0;
+    increment.end.position[0] = 50.0;
+    increment.end.position[1] = 5.0;  // 1 beyond the dead zone, pulled on by 40
+    const FrictionUpdate u = update(definition, increment, {});
+    CHECK(u.converged);
+    CHECK(u.state.regime == Regime::kSlip);
+    CHECK(u.state.force[0] == Approx(10.0).epsilon(1e-12));
+    CHECK(u.state.force[1] == Approx(4.0).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("a large exponent finds the corner of the maximum") {
+  // One part of several terms next to another: what is left of a term is t - c q.
+  PotentialContribution two;
+  two.of = DerivedComponent{norm_term({2}, 1.0), norm_term({3}, 1.0)};
+  const double limit = 1.0;
+  for (const double b : {100.0, 1e4, 1e6, 1e8}) {
+    const FrictionDefinition definition = sliding({PotentialContribution{}, two}, b, limit);
+    for (const double reach : {3.0, 30.0, 300.0}) {
+      ConnectorIncrement increment;
+      increment.duration = 1.0;
+      increment.end.position[0] = reach;
+      increment.end.position[1] = 0.5 * reach + 0.3;
+      increment.end.position[2] = 0.5 * reach;
+      const FrictionUpdate u = update(definition, increment, {});
+      INFO("b = " << b << ", reach " << reach);
+      CHECK(u.converged);
+      CHECK(u.state.regime == Regime::kSlip);
+      CHECK(std::abs(u.phi) <= 1e-12 * limit);
+      // max(|y1|, |y2| + |y3|) = 1, to a few ln(2)/b: y2 - y3 keeps its 0.3.
+      const double near = 3.0 * std::log(reach + 2.0) / b + 1e-12 * reach;
+      CHECK(u.state.force[0] == Approx(1.0).margin(near));
+      CHECK(u.state.force[1] == Approx(0.65).margin(near));
+      CHECK(u.state.force[2] == Approx(0.35).margin(near));
+    }
+  }
+}
+
+}  // namespace
