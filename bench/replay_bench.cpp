@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "driver/bench/connector_increment.hpp"
+#include "driver/bench/simulation.hpp"
 #include "driver/calibrate/replay.hpp"
 #include "driver/case/quantity.hpp"
-#include "driver/connector_increment.hpp"
 #include "driver/history/profile.hpp"
-#include "driver/simulation.hpp"
 #include "law/connection/connection_type.hpp"
 #include "law/sensitivity/sensitivity.hpp"
 

@@ -11,17 +11,17 @@
 #include <tuple>
 #include <utility>
 
+#include "driver/base/files/work_crew.hpp"
+#include "driver/base/text/diagnostic.hpp"
 #include "driver/calibrate/error_notes.hpp"
 #include "driver/calibrate/experiment_model.hpp"
+#include "driver/calibrate/fit/loss.hpp"
 #include "driver/calibrate/fitted_values.hpp"
 #include "driver/calibrate/identifiability.hpp"
-#include "driver/calibrate/least_squares/loss.hpp"
 #include "driver/calibrate/outlier_notes.hpp"
 #include "driver/calibrate/residuals.hpp"
 #include "driver/calibrate/varied_case.hpp"
 #include "driver/results/coverage.hpp"
-#include "driver/suite/work_crew.hpp"
-#include "driver/text/diagnostic.hpp"
 
 namespace slipbench::driver {
 namespace {

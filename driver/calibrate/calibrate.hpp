@@ -6,9 +6,9 @@
 #include <string>
 #include <tl/expected.hpp>
 
+#include "driver/base/files/exit_code.hpp"
 #include "driver/calibrate/calibration.hpp"
 #include "driver/calibrate/fit.hpp"
-#include "driver/exit_code.hpp"
 
 namespace slipbench::driver {
 

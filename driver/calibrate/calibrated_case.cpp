@@ -13,16 +13,16 @@
 #include <utility>
 #include <variant>
 
+#include "driver/base/files/data_path.hpp"
+#include "driver/base/files/file_part.hpp"
+#include "driver/base/text/diagnostic.hpp"
+#include "driver/base/text/format_number.hpp"
+#include "driver/base/text/number.hpp"
+#include "driver/base/text/source_text.hpp"
+#include "driver/base/units/carried_unit.hpp"
 #include "driver/calibrate/calibration_comment.hpp"
-#include "driver/calibrate/file_part.hpp"
 #include "driver/calibrate/text_changes.hpp"
-#include "driver/case/carried_unit.hpp"
-#include "driver/compare/curve_library.hpp"
-#include "driver/history/data_path.hpp"
-#include "driver/text/diagnostic.hpp"
-#include "driver/text/format_number.hpp"
-#include "driver/text/number.hpp"
-#include "driver/text/source_text.hpp"
+#include "driver/check/curves/curve_library.hpp"
 #include "driver/yaml/parse.hpp"
 
 namespace slipbench::driver {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "driver/base/files/file_mark.hpp"
 #include "driver/calibrate/calibration.hpp"
-#include "driver/results/file_mark.hpp"
 
 namespace slipbench::driver {
 

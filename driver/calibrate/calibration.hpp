@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "driver/calibrate/fit.hpp"
-#include "driver/calibrate/least_squares/problem.hpp"
-#include "driver/calibrate/least_squares/statistics.hpp"
+#include "driver/calibrate/fit/problem.hpp"
+#include "driver/calibrate/fit/statistics.hpp"
 #include "driver/calibrate/outliers.hpp"
 
 namespace slipbench::driver {

@@ -8,10 +8,10 @@
 #include <filesystem>
 #include <vector>
 
+#include "driver/base/text/diagnostic.hpp"
+#include "driver/base/text/format_number.hpp"
 #include "driver/calibrate/estimate_text.hpp"
 #include "driver/results/provenance.hpp"
-#include "driver/text/diagnostic.hpp"
-#include "driver/text/format_number.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "driver/base/files/file_mark.hpp"
+#include "driver/base/text/json.hpp"
 #include "driver/calibrate/calibration.hpp"
 #include "driver/calibrate/fit.hpp"
-#include "driver/results/file_mark.hpp"
-#include "driver/text/json.hpp"
 
 namespace slipbench::driver {
 

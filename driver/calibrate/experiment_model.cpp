@@ -8,9 +8,9 @@
 #include <limits>
 #include <utility>
 
+#include "driver/base/files/work_crew.hpp"
+#include "driver/bench/simulation.hpp"
 #include "driver/results/coverage.hpp"
-#include "driver/simulation.hpp"
-#include "driver/suite/work_crew.hpp"
 
 namespace slipbench::driver {
 namespace {

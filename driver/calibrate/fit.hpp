@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "driver/calibrate/least_squares/problem.hpp"
+#include "driver/base/csv/data_source.hpp"
+#include "driver/base/units/parameters.hpp"
+#include "driver/base/units/units.hpp"
+#include "driver/calibrate/fit/problem.hpp"
 #include "driver/case/case.hpp"
-#include "driver/history/data_source.hpp"
-#include "driver/history/parameters.hpp"
-#include "driver/history/units.hpp"
 
 namespace slipbench::driver {
 

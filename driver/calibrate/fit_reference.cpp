@@ -2,8 +2,8 @@
 #include "driver/calibrate/fit_reference.hpp"
 
 #include "driver/calibrate/fit_text.hpp"
-#include "driver/case/case_reference.hpp"
-#include "driver/case/key_index.hpp"
+#include "driver/read/keys/case_reference.hpp"
+#include "driver/read/keys/key_index.hpp"
 
 namespace slipbench::driver {
 

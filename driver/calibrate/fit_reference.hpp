@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "driver/case/binding.hpp"
+#include "driver/yaml/binding.hpp"
 
 namespace slipbench::driver {
 

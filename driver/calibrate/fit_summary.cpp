@@ -10,12 +10,12 @@
 #include <utility>
 #include <vector>
 
+#include "driver/base/text/diagnostic.hpp"
+#include "driver/base/text/format_number.hpp"
+#include "driver/base/text/utf8.hpp"
 #include "driver/calibrate/estimate_text.hpp"
 #include "driver/calibrate/identifiability.hpp"
 #include "driver/commands/shared.hpp"
-#include "driver/text/diagnostic.hpp"
-#include "driver/text/format_number.hpp"
-#include "driver/text/utf8.hpp"
 
 namespace slipbench::driver {
 namespace {

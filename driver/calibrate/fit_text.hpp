@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "driver/calibrate/cleaning/resample.hpp"
-#include "driver/calibrate/least_squares/problem.hpp"
-#include "driver/case/binding.hpp"
-#include "driver/case/data_source_text.hpp"
+#include "driver/calibrate/fit/problem.hpp"
+#include "driver/read/keys/data_source_text.hpp"
+#include "driver/yaml/binding.hpp"
 
 namespace slipbench::driver {
 

@@ -10,14 +10,14 @@
 #include <numeric>
 #include <string_view>
 
+#include "driver/base/text/diagnostic.hpp"
+#include "driver/base/text/format_number.hpp"
 #include "driver/calibrate/estimate_text.hpp"
 #include "driver/calibrate/resolve_varied.hpp"
 #include "driver/calibrate/unseen_combinations.hpp"
 #include "driver/calibrate/unvisited_ranges.hpp"
 #include "driver/calibrate/varied_case.hpp"
 #include "driver/results/columns.hpp"
-#include "driver/text/diagnostic.hpp"
-#include "driver/text/format_number.hpp"
 
 namespace slipbench::driver {
 namespace {

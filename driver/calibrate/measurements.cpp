@@ -11,12 +11,12 @@
 #include <string_view>
 #include <utility>
 
+#include "driver/base/csv/csv_reader.hpp"
+#include "driver/base/files/sha256.hpp"
 #include "driver/calibrate/cleaning/average_cycles.hpp"
 #include "driver/calibrate/cleaning/data_rows.hpp"
 #include "driver/calibrate/cleaning/dead_band.hpp"
 #include "driver/calibrate/cleaning/resample.hpp"
-#include "driver/calibrate/sha256.hpp"
-#include "driver/history/csv_reader.hpp"
 
 namespace slipbench::driver {
 namespace {

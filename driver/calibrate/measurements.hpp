@@ -7,8 +7,8 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "driver/base/text/history_error.hpp"
 #include "driver/calibrate/fit.hpp"
-#include "driver/history/history_error.hpp"
 
 namespace slipbench::driver {
 

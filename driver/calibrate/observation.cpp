@@ -8,8 +8,8 @@
 #include <limits>
 #include <utility>
 
-#include "driver/compare/branches.hpp"
-#include "driver/compare/common_range.hpp"
+#include "driver/check/curves/branches.hpp"
+#include "driver/check/curves/common_range.hpp"
 #include "driver/history/step_grid.hpp"
 
 namespace slipbench::driver {

@@ -24,11 +24,12 @@ struct Observations {
 Observations observe_times(std::span<const double> run, std::span<const double> measured);
 
 /// The same for loops: a measured point is met where the run has its position on the same monotone
-/// branch. Branches are matched in order (driver/compare/branches.hpp); turns by no more than 1e-3
-/// of the range are noise of the measured positions, and so are a first or last branch of no more
-/// than 2 % of the range where the numbers of branches differ otherwise. That noise only decides
-/// what is a turn: branches end at the very row of the extreme position, and rows behind it belong
-/// to the next one. Of the run, only the time between the first and the last measured point counts.
+/// branch. Branches are matched in order (driver/check/curves/branches.hpp); turns by no more than
+/// 1e-3 of the range are noise of the measured positions, and so are a first or last branch of no
+/// more than 2 % of the range where the numbers of branches differ otherwise. That noise only
+/// decides what is a turn: branches end at the very row of the extreme position, and rows behind it
+/// belong to the next one. Of the run, only the time between the first and the last measured point
+/// counts.
 ///
 /// Left out are points beyond the end of their branch, those before the start of the first branch
 /// or behind the end of the last one, and those of which nothing tells on which side of a turn they

@@ -9,13 +9,13 @@
 #include <tuple>
 #include <utility>
 
+#include "driver/base/text/suggestions.hpp"
 #include "driver/calibrate/fit_reference.hpp"
 #include "driver/calibrate/fit_text.hpp"
 #include "driver/calibrate/resolve_experiment.hpp"
 #include "driver/calibrate/resolve_varied.hpp"
-#include "driver/case/case_units.hpp"
-#include "driver/case/file_kind.hpp"
-#include "driver/text/suggestions.hpp"
+#include "driver/read/file_kind.hpp"
+#include "driver/read/keys/case_units.hpp"
 #include "driver/yaml/parse.hpp"
 
 namespace slipbench::driver {

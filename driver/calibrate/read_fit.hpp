@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "driver/base/text/source_text.hpp"
+#include "driver/base/units/parameters.hpp"
 #include "driver/calibrate/fit.hpp"
-#include "driver/history/parameters.hpp"
-#include "driver/text/source_text.hpp"
 
 namespace slipbench::driver {
 

@@ -11,7 +11,7 @@
 #include <utility>
 #include <variant>
 
-#include "driver/simulation.hpp"
+#include "driver/bench/simulation.hpp"
 #include "law/update/return_mapping.hpp"
 
 namespace slipbench::driver {

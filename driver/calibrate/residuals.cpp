@@ -7,8 +7,8 @@
 #include <mutex>
 #include <utility>
 
+#include "driver/base/files/work_crew.hpp"
 #include "driver/calibrate/table_lines.hpp"
-#include "driver/suite/work_crew.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "driver/calibrate/experiment_model.hpp"
 #include "driver/calibrate/fit.hpp"
-#include "driver/calibrate/least_squares/problem.hpp"
+#include "driver/calibrate/fit/problem.hpp"
 
 namespace slipbench::driver {
 

@@ -8,14 +8,14 @@
 #include <string_view>
 #include <utility>
 
-#include "driver/case/column_unit.hpp"
-#include "driver/case/file_kind.hpp"
-#include "driver/case/key_index.hpp"
-#include "driver/case/resolve_expression.hpp"
-#include "driver/history/csv_fields.hpp"
+#include "driver/base/csv/csv_fields.hpp"
+#include "driver/base/text/format_number.hpp"
+#include "driver/base/text/suggestions.hpp"
+#include "driver/read/file_kind.hpp"
+#include "driver/read/keys/column_unit.hpp"
+#include "driver/read/keys/key_index.hpp"
+#include "driver/read/resolve/resolve_expression.hpp"
 #include "driver/results/columns.hpp"
-#include "driver/text/format_number.hpp"
-#include "driver/text/suggestions.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -10,10 +10,10 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "driver/base/csv/csv_reader.hpp"
 #include "driver/calibrate/read_fit.hpp"
 #include "driver/calibrate/resolve_varied.hpp"
-#include "driver/case/read_case.hpp"
-#include "driver/history/csv_reader.hpp"
+#include "driver/read/read_case.hpp"
 
 namespace slipbench::driver {
 

@@ -8,8 +8,8 @@
 #include <utility>
 #include <variant>
 
-#include "driver/text/format_number.hpp"
-#include "driver/text/suggestions.hpp"
+#include "driver/base/text/format_number.hpp"
+#include "driver/base/text/suggestions.hpp"
 #include "law/friction/tabular_coefficient.hpp"
 
 namespace slipbench::driver {

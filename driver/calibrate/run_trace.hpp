@@ -9,11 +9,11 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "driver/bench/simulation.hpp"
 #include "driver/calibrate/fit.hpp"
 #include "driver/case/case.hpp"
-#include "driver/compare/row_values.hpp"
+#include "driver/check/row_values.hpp"
 #include "driver/results/columns.hpp"
-#include "driver/simulation.hpp"
 
 namespace slipbench::driver {
 

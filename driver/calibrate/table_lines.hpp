@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "driver/calibrate/fit.hpp"
-#include "driver/calibrate/least_squares/problem.hpp"
+#include "driver/calibrate/fit/problem.hpp"
 #include "law/table/table.hpp"
 
 namespace slipbench::driver {

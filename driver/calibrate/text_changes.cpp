@@ -8,8 +8,8 @@
 #include <set>
 #include <vector>
 
-#include "driver/text/json.hpp"
-#include "driver/text/utf8.hpp"
+#include "driver/base/text/json.hpp"
+#include "driver/base/text/utf8.hpp"
 #include "driver/yaml/parse.hpp"
 
 namespace slipbench::driver {

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <string_view>
 
-#include "driver/text/diagnostic.hpp"
+#include "driver/base/text/diagnostic.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "driver/text/format_number.hpp"
+#include "driver/base/text/format_number.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <variant>
 
+#include "driver/base/text/diagnostic.hpp"
 #include "driver/calibrate/resolve_varied.hpp"
-#include "driver/text/diagnostic.hpp"
 
 namespace slipbench::driver {
 namespace {

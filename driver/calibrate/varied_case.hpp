@@ -11,7 +11,7 @@
 
 #include "driver/calibrate/fit.hpp"
 #include "driver/case/case.hpp"
-#include "driver/case/read_case.hpp"
+#include "driver/read/read_case.hpp"
 #include "law/definition/friction_definition.hpp"
 
 namespace slipbench::driver {

@@ -10,15 +10,15 @@
 #include <variant>
 #include <vector>
 
+#include "driver/base/text/diagnostic.hpp"
+#include "driver/base/units/expression.hpp"
+#include "driver/base/units/units.hpp"
+#include "driver/bench/dead_zone.hpp"
 #include "driver/case/criterion.hpp"
 #include "driver/case/integration.hpp"
 #include "driver/case/quantity.hpp"
-#include "driver/dead_zone.hpp"
-#include "driver/history/expression.hpp"
 #include "driver/history/measured_history.hpp"
 #include "driver/history/profile.hpp"
-#include "driver/history/units.hpp"
-#include "driver/text/diagnostic.hpp"
 #include "law/base/stop.hpp"
 #include "law/component/kinetic_force.hpp"
 #include "law/connection/belt.hpp"

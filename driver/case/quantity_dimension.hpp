@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "driver/history/units.hpp"
+#include "driver/base/units/units.hpp"
 
 namespace slipbench::driver {
 

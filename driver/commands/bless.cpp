@@ -12,12 +12,12 @@
 #include <utility>
 #include <variant>
 
+#include "driver/base/files/output_file.hpp"
+#include "driver/base/text/diagnostic.hpp"
+#include "driver/check/curves/curve_file.hpp"
+#include "driver/check/golden.hpp"
 #include "driver/commands/shared.hpp"
-#include "driver/compare/curve_file.hpp"
-#include "driver/compare/golden.hpp"
-#include "driver/results/output_file.hpp"
 #include "driver/results/provenance.hpp"
-#include "driver/text/diagnostic.hpp"
 
 namespace slipbench::driver {
 namespace {

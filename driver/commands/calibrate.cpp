@@ -12,6 +12,9 @@
 #include <utility>
 #include <vector>
 
+#include "driver/base/files/exit_code.hpp"
+#include "driver/base/files/output_file.hpp"
+#include "driver/base/text/diagnostic.hpp"
 #include "driver/calibrate/calibrate.hpp"
 #include "driver/calibrate/calibrated_case.hpp"
 #include "driver/calibrate/calibration_json.hpp"
@@ -19,13 +22,10 @@
 #include "driver/calibrate/read_fit.hpp"
 #include "driver/calibrate/report/fit_pictures.hpp"
 #include "driver/calibrate/report/fit_report.hpp"
-#include "driver/commands/progress.hpp"
 #include "driver/commands/shared.hpp"
-#include "driver/exit_code.hpp"
 #include "driver/plot/picture_mark.hpp"
 #include "driver/report/page.hpp"
-#include "driver/results/output_file.hpp"
-#include "driver/text/diagnostic.hpp"
+#include "driver/terminal/progress.hpp"
 
 namespace slipbench::driver {
 namespace {

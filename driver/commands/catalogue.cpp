@@ -6,21 +6,21 @@
 #include <algorithm>
 #include <array>
 
+#include "driver/base/files/exit_code.hpp"
+#include "driver/base/text/suggestions.hpp"
 #include "driver/calibrate/fit_reference.hpp"
-#include "driver/case/case_codecs.hpp"
-#include "driver/case/case_reference.hpp"
 #include "driver/case/criterion.hpp"
-#include "driver/case/key_index.hpp"
 #include "driver/case/quantity.hpp"
-#include "driver/case/resolve.hpp"
+#include "driver/check/curves/curve_library.hpp"
 #include "driver/commands/describe_key.hpp"
 #include "driver/commands/describe_law.hpp"
 #include "driver/commands/minimal_case.hpp"
 #include "driver/commands/shared.hpp"
-#include "driver/compare/curve_library.hpp"
-#include "driver/exit_code.hpp"
+#include "driver/read/keys/case_codecs.hpp"
+#include "driver/read/keys/case_reference.hpp"
+#include "driver/read/keys/key_index.hpp"
+#include "driver/read/resolve/resolve.hpp"
 #include "driver/results/columns.hpp"
-#include "driver/text/suggestions.hpp"
 #include "reference/catalogue.hpp"
 
 namespace slipbench::driver {

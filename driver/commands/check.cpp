@@ -13,6 +13,7 @@
 #include <string_view>
 #include <utility>
 
+#include "driver/base/files/work_crew.hpp"
 #include "driver/commands/shared.hpp"
 #include "driver/report/collect.hpp"
 #include "driver/report/report.hpp"
@@ -28,7 +29,6 @@
 #include "driver/suite/suite_json.hpp"
 #include "driver/suite/trailing_notes.hpp"
 #include "driver/suite/verdict_table.hpp"
-#include "driver/suite/work_crew.hpp"
 
 namespace slipbench::driver {
 namespace {

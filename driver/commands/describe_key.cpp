@@ -7,10 +7,10 @@
 #include <array>
 #include <span>
 
+#include "driver/base/text/suggestions.hpp"
 #include "driver/calibrate/fit_reference.hpp"
-#include "driver/case/case_reference.hpp"
-#include "driver/case/key_examples.hpp"
-#include "driver/text/suggestions.hpp"
+#include "driver/read/keys/case_reference.hpp"
+#include "driver/read/keys/key_examples.hpp"
 
 namespace slipbench::driver {
 namespace {

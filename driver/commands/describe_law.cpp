@@ -9,11 +9,11 @@
 #include <type_traits>
 #include <vector>
 
-#include "driver/case/case_codecs.hpp"
-#include "driver/case/case_reference.hpp"
-#include "driver/case/law_numbers.hpp"
+#include "driver/base/text/curve_drawing.hpp"
+#include "driver/read/keys/case_codecs.hpp"
+#include "driver/read/keys/case_reference.hpp"
+#include "driver/read/keys/law_numbers.hpp"
 #include "driver/results/law_range.hpp"
-#include "driver/text/curve_drawing.hpp"
 #include "law/friction/friction_law.hpp"
 
 namespace slipbench::driver {

@@ -12,16 +12,16 @@
 #include <utility>
 #include <vector>
 
+#include "driver/base/files/exit_code.hpp"
+#include "driver/base/files/output_file.hpp"
+#include "driver/base/text/number.hpp"
+#include "driver/base/text/source_text.hpp"
+#include "driver/base/units/units.hpp"
 #include "driver/commands/shared.hpp"
-#include "driver/exit_code.hpp"
-#include "driver/history/units.hpp"
-#include "driver/radioss/case_writer.hpp"
-#include "driver/radioss/deck_friction.hpp"
-#include "driver/radioss/deck_line.hpp"
-#include "driver/radioss/starter_deck.hpp"
-#include "driver/results/output_file.hpp"
-#include "driver/text/number.hpp"
-#include "driver/text/source_text.hpp"
+#include "driver/import/radioss/case_writer.hpp"
+#include "driver/import/radioss/deck_friction.hpp"
+#include "driver/import/radioss/deck_line.hpp"
+#include "driver/import/radioss/starter_deck.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -7,10 +7,10 @@
 #include <cctype>
 #include <type_traits>
 
-#include "driver/case/binding.hpp"
+#include "driver/base/text/diagnostic.hpp"
 #include "driver/case/quantity.hpp"
 #include "driver/results/columns.hpp"
-#include "driver/text/diagnostic.hpp"
+#include "driver/yaml/binding.hpp"
 #include "law/connection/connection_type.hpp"
 #include "reference/catalogue.hpp"
 

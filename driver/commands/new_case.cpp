@@ -8,10 +8,10 @@
 #include <system_error>
 #include <vector>
 
+#include "driver/base/files/exit_code.hpp"
+#include "driver/base/text/suggestions.hpp"
 #include "driver/commands/minimal_case.hpp"
 #include "driver/commands/shared.hpp"
-#include "driver/exit_code.hpp"
-#include "driver/text/suggestions.hpp"
 #include "law/connection/connection_type.hpp"
 
 namespace slipbench::driver {

@@ -6,9 +6,9 @@
 #include <system_error>
 #include <utility>
 
-#include "driver/commands/progress.hpp"
 #include "driver/commands/shared.hpp"
 #include "driver/results/provenance.hpp"
+#include "driver/terminal/progress.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <string>
 
+#include "driver/base/files/output_file.hpp"
+#include "driver/bench/run_length.hpp"
+#include "driver/bench/simulation.hpp"
 #include "driver/case/case.hpp"
-#include "driver/commands/progress.hpp"
-#include "driver/results/output_file.hpp"
-#include "driver/run_length.hpp"
-#include "driver/simulation.hpp"
+#include "driver/terminal/progress.hpp"
 
 namespace slipbench::driver {
 

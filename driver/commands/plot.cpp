@@ -5,9 +5,9 @@
 
 #include <filesystem>
 
+#include "driver/base/text/standard_input.hpp"
 #include "driver/commands/shared.hpp"
 #include "driver/plot/kinds.hpp"
-#include "driver/text/standard_input.hpp"
 
 namespace slipbench::driver {
 

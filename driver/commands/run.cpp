@@ -15,21 +15,21 @@
 #include <string_view>
 #include <utility>
 
-#include "driver/commands/compare_integration.hpp"
-#include "driver/commands/converge.hpp"
-#include "driver/commands/explain.hpp"
+#include "driver/analysis/compare_integration.hpp"
+#include "driver/analysis/converge.hpp"
+#include "driver/analysis/explain.hpp"
+#include "driver/analysis/solver_report.hpp"
+#include "driver/base/text/json.hpp"
+#include "driver/base/text/one_line.hpp"
+#include "driver/base/text/standard_input.hpp"
+#include "driver/check/kept_rows.hpp"
 #include "driver/commands/outlook.hpp"
 #include "driver/commands/shared.hpp"
-#include "driver/commands/solver_report.hpp"
-#include "driver/compare/kept_rows.hpp"
 #include "driver/results/csv_writer.hpp"
 #include "driver/results/events.hpp"
 #include "driver/results/provenance.hpp"
 #include "driver/results/reproducer.hpp"
 #include "driver/results/summary.hpp"
-#include "driver/text/json.hpp"
-#include "driver/text/one_line.hpp"
-#include "driver/text/standard_input.hpp"
 
 namespace slipbench::driver {
 namespace {

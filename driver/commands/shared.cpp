@@ -14,10 +14,10 @@
 #include <utility>
 #include <variant>
 
-#include "driver/case/file_kind.hpp"
-#include "driver/text/diagnostic.hpp"
-#include "driver/text/number.hpp"
-#include "driver/text/standard_input.hpp"
+#include "driver/base/text/diagnostic.hpp"
+#include "driver/base/text/number.hpp"
+#include "driver/base/text/standard_input.hpp"
+#include "driver/read/file_kind.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -10,12 +10,12 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "driver/case/read_case.hpp"
-#include "driver/commands/progress.hpp"
-#include "driver/compare/check.hpp"
-#include "driver/exit_code.hpp"
-#include "driver/history/parameters.hpp"
-#include "driver/simulation.hpp"
+#include "driver/base/files/exit_code.hpp"
+#include "driver/base/units/parameters.hpp"
+#include "driver/bench/simulation.hpp"
+#include "driver/check/check.hpp"
+#include "driver/read/read_case.hpp"
+#include "driver/terminal/progress.hpp"
 
 namespace slipbench::driver {
 

@@ -7,9 +7,9 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "driver/history/csv_reader.hpp"
-#include "driver/history/history_error.hpp"
-#include "driver/history/units.hpp"
+#include "driver/base/csv/csv_reader.hpp"
+#include "driver/base/text/history_error.hpp"
+#include "driver/base/units/units.hpp"
 
 namespace slipbench::driver {
 

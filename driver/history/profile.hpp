@@ -10,10 +10,10 @@
 #include <variant>
 #include <vector>
 
-#include "driver/history/data_source.hpp"
-#include "driver/history/expression.hpp"
-#include "driver/history/history_error.hpp"
-#include "driver/history/units.hpp"
+#include "driver/base/csv/data_source.hpp"
+#include "driver/base/text/history_error.hpp"
+#include "driver/base/units/expression.hpp"
+#include "driver/base/units/units.hpp"
 
 namespace slipbench::driver {
 

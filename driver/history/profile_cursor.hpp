@@ -9,7 +9,7 @@
 #include <tl/expected.hpp>
 #include <utility>
 
-#include "driver/history/history_error.hpp"
+#include "driver/base/text/history_error.hpp"
 #include "driver/history/measured_history.hpp"
 #include "driver/history/profile.hpp"
 

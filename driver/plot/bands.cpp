@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
+#include "driver/base/text/format_number.hpp"
 #include "driver/plot/definition.hpp"
 #include "driver/plot/input.hpp"
 #include "driver/plot/kinds.hpp"
 #include "driver/plot/text_lines.hpp"
-#include "driver/text/format_number.hpp"
 
 namespace slipbench::driver {
 namespace {

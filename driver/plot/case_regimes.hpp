@@ -3,12 +3,12 @@
 
 #include <vector>
 
+#include "driver/bench/simulation.hpp"
 #include "driver/case/case.hpp"
 #include "driver/results/events.hpp"
 #include "driver/results/plot_data.hpp"
 #include "driver/results/regime_history.hpp"
 #include "driver/results/summary.hpp"
-#include "driver/simulation.hpp"
 
 namespace slipbench::driver {
 

@@ -11,9 +11,9 @@
 #include <string_view>
 #include <utility>
 
-#include "driver/history/csv_reader.hpp"
+#include "driver/base/csv/csv_reader.hpp"
+#include "driver/base/text/suggestions.hpp"
 #include "driver/plot/definition.hpp"
-#include "driver/text/suggestions.hpp"
 
 namespace slipbench::driver {
 namespace {

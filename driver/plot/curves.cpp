@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "driver/base/text/tics.hpp"
 #include "driver/plot/chosen_columns.hpp"
 #include "driver/plot/definition.hpp"
 #include "driver/plot/input.hpp"
@@ -23,7 +24,6 @@
 #include "driver/plot/path_rows.hpp"
 #include "driver/plot/text_lines.hpp"
 #include "driver/results/pixel_columns.hpp"
-#include "driver/text/tics.hpp"
 
 namespace slipbench::driver {
 namespace {

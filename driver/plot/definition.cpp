@@ -7,10 +7,10 @@
 #include <array>
 #include <cmath>
 
+#include "driver/base/text/format_number.hpp"
+#include "driver/base/text/tics.hpp"
 #include "driver/plot/numbers.hpp"
 #include "driver/plot/text_lines.hpp"
-#include "driver/text/format_number.hpp"
-#include "driver/text/tics.hpp"
 
 namespace slipbench::driver {
 namespace {

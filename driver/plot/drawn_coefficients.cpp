@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "driver/connector_increment.hpp"
+#include "driver/bench/connector_increment.hpp"
 #include "driver/plot/text_lines.hpp"
 #include "driver/results/columns.hpp"
 

@@ -14,10 +14,10 @@
 #include <iterator>
 #include <system_error>
 
-#include "driver/exit_code.hpp"
-#include "driver/history/data_path.hpp"
+#include "driver/base/files/data_path.hpp"
+#include "driver/base/files/exit_code.hpp"
+#include "driver/base/files/interruption.hpp"
 #include "driver/plot/picture_mark.hpp"
-#include "driver/results/interruption.hpp"
 
 extern char** environ;
 

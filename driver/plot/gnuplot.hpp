@@ -8,9 +8,9 @@
 #include <string_view>
 #include <tl/expected.hpp>
 
-#include "driver/exit_code.hpp"
+#include "driver/base/files/exit_code.hpp"
+#include "driver/base/files/output_file.hpp"
 #include "driver/plot/look.hpp"
-#include "driver/results/output_file.hpp"
 
 namespace slipbench::driver {
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <utility>
 
+#include "driver/base/text/tics.hpp"
 #include "driver/plot/definition.hpp"
 #include "driver/plot/input.hpp"
 #include "driver/plot/kinds.hpp"
-#include "driver/text/tics.hpp"
 
 namespace slipbench::driver {
 namespace {

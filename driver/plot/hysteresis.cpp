@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "driver/base/text/tics.hpp"
 #include "driver/plot/definition.hpp"
 #include "driver/plot/input.hpp"
 #include "driver/plot/kinds.hpp"
 #include "driver/plot/loops.hpp"
 #include "driver/plot/numbers.hpp"
-#include "driver/text/tics.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -6,11 +6,11 @@
 #include <optional>
 #include <utility>
 
+#include "driver/base/files/output_file.hpp"
 #include "driver/commands/shared.hpp"
 #include "driver/plot/loops.hpp"
 #include "driver/plot/result_regimes.hpp"
 #include "driver/results/csv_writer.hpp"
-#include "driver/results/output_file.hpp"
 #include "driver/results/provenance.hpp"
 
 namespace slipbench::driver {

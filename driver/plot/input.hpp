@@ -9,13 +9,13 @@
 #include <string>
 #include <tl/expected.hpp>
 
+#include "driver/base/files/output_file.hpp"
+#include "driver/bench/simulation.hpp"
 #include "driver/case/case.hpp"
 #include "driver/plot/case_regimes.hpp"
 #include "driver/plot/gnuplot.hpp"
 #include "driver/plot/options.hpp"
-#include "driver/results/output_file.hpp"
 #include "driver/results/plot_data.hpp"
-#include "driver/simulation.hpp"
 
 namespace slipbench::driver {
 

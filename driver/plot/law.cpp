@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "driver/base/text/tics.hpp"
 #include "driver/commands/shared.hpp"
 #include "driver/plot/definition.hpp"
 #include "driver/plot/drawn_coefficients.hpp"
@@ -21,7 +22,6 @@
 #include "driver/plot/law_case.hpp"
 #include "driver/plot/script.hpp"
 #include "driver/results/law_range.hpp"
-#include "driver/text/tics.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -12,9 +12,9 @@
 #include <variant>
 #include <vector>
 
-#include "driver/case/read_case.hpp"
+#include "driver/base/text/source_text.hpp"
 #include "driver/commands/shared.hpp"
-#include "driver/text/source_text.hpp"
+#include "driver/read/read_case.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "driver/text/number.hpp"
+#include "driver/base/text/number.hpp"
 
 namespace slipbench::driver {
 

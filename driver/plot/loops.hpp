@@ -6,7 +6,7 @@
 #include <string>
 #include <tl/expected.hpp>
 
-#include "driver/history/history_error.hpp"
+#include "driver/base/text/history_error.hpp"
 #include "driver/plot/script.hpp"
 #include "driver/results/plot_data.hpp"
 

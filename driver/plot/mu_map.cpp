@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "driver/base/text/tics.hpp"
 #include "driver/case/quantity.hpp"
 #include "driver/plot/definition.hpp"
 #include "driver/plot/drawn_coefficients.hpp"
@@ -15,7 +16,6 @@
 #include "driver/plot/kinds.hpp"
 #include "driver/results/coverage.hpp"
 #include "driver/results/law_range.hpp"
-#include "driver/text/tics.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "driver/text/tics.hpp"
+#include "driver/base/text/tics.hpp"
 
 namespace slipbench::driver {
 namespace {

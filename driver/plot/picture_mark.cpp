@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <fstream>
 
-#include "driver/text/standard_input.hpp"
+#include "driver/base/text/standard_input.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -10,17 +10,17 @@
 #include <utility>
 #include <vector>
 
+#include "driver/base/text/tics.hpp"
+#include "driver/check/check.hpp"
+#include "driver/check/criteria/pointwise.hpp"
+#include "driver/check/kept_rows.hpp"
 #include "driver/commands/shared.hpp"
-#include "driver/compare/check.hpp"
-#include "driver/compare/criteria/pointwise.hpp"
-#include "driver/compare/kept_rows.hpp"
 #include "driver/plot/definition.hpp"
 #include "driver/plot/input.hpp"
 #include "driver/plot/kinds.hpp"
 #include "driver/plot/numbers.hpp"
 #include "driver/plot/text_lines.hpp"
 #include "driver/results/thinning.hpp"
-#include "driver/text/tics.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
+#include "driver/base/text/number.hpp"
+#include "driver/base/text/source_text.hpp"
 #include "driver/results/events.hpp"
-#include "driver/text/number.hpp"
-#include "driver/text/source_text.hpp"
 #include "driver/yaml/parse.hpp"
 
 namespace slipbench::driver {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "driver/base/text/format_number.hpp"
 #include "driver/plot/picture_mark.hpp"
 #include "driver/plot/text_lines.hpp"
-#include "driver/text/format_number.hpp"
 
 namespace slipbench::driver {
 namespace fs = std::filesystem;

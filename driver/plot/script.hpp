@@ -9,9 +9,9 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "driver/base/files/output_file.hpp"
 #include "driver/plot/gnuplot.hpp"
 #include "driver/plot/options.hpp"
-#include "driver/results/output_file.hpp"
 
 namespace slipbench::driver {
 

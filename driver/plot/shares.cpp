@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "driver/connector_increment.hpp"
+#include "driver/bench/connector_increment.hpp"
 #include "driver/plot/definition.hpp"
 #include "driver/plot/input.hpp"
 #include "driver/plot/kinds.hpp"

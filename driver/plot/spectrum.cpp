@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "driver/base/text/tics.hpp"
 #include "driver/plot/amplitudes.hpp"
 #include "driver/plot/chosen_columns.hpp"
 #include "driver/plot/definition.hpp"
@@ -17,7 +18,6 @@
 #include "driver/plot/kinds.hpp"
 #include "driver/plot/numbers.hpp"
 #include "driver/plot/path_rows.hpp"
-#include "driver/text/tics.hpp"
 
 namespace slipbench::driver {
 namespace {

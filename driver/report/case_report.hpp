@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "driver/compare/check.hpp"
+#include "driver/check/check.hpp"
 #include "driver/report/row_choice.hpp"
 #include "driver/report/what_was_run.hpp"
 #include "driver/results/plot_data.hpp"

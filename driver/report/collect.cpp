@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "driver/base/text/one_line.hpp"
 #include "driver/report/drawn_columns.hpp"
 #include "driver/report/drawn_coverage.hpp"
 #include "driver/report/row_choice.hpp"
@@ -17,7 +18,6 @@
 #include "driver/results/events.hpp"
 #include "driver/results/result_layout.hpp"
 #include "driver/results/summary.hpp"
-#include "driver/text/one_line.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "driver/base/text/diagnostic.hpp"
+#include "driver/bench/simulation.hpp"
 #include "driver/case/case.hpp"
-#include "driver/compare/check.hpp"
+#include "driver/check/check.hpp"
 #include "driver/report/case_report.hpp"
-#include "driver/simulation.hpp"
-#include "driver/text/diagnostic.hpp"
 
 namespace slipbench::driver {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "driver/base/text/json.hpp"
 #include "driver/report/series_digits.hpp"
-#include "driver/text/json.hpp"
 
 namespace slipbench::driver {
 namespace {

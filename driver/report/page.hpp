@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "driver/results/file_mark.hpp"
+#include "driver/base/files/file_mark.hpp"
 
 namespace slipbench::driver {
 

@@ -12,14 +12,14 @@
 #include <string_view>
 #include <utility>
 
-#include "driver/history/csv_reader.hpp"
+#include "driver/base/csv/csv_reader.hpp"
+#include "driver/base/text/number.hpp"
 #include "driver/report/collect.hpp"
 #include "driver/report/drawn_columns.hpp"
 #include "driver/report/row_choice.hpp"
 #include "driver/results/regime_spans.hpp"
 #include "driver/results/result_layout.hpp"
 #include "driver/results/summary.hpp"
-#include "driver/text/number.hpp"
 #include "driver/yaml/parse.hpp"
 
 namespace slipbench::driver {

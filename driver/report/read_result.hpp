@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "driver/exit_code.hpp"
+#include "driver/base/files/exit_code.hpp"
 #include "driver/report/case_report.hpp"
 
 namespace slipbench::driver {

@@ -6,8 +6,8 @@
 #include <iterator>
 #include <utility>
 
+#include "driver/base/files/output_file.hpp"
 #include "driver/report/page.hpp"
-#include "driver/results/output_file.hpp"
 
 namespace slipbench::driver {
 

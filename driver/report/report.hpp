@@ -10,8 +10,8 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "driver/base/files/output_file.hpp"
 #include "driver/report/case_report.hpp"
-#include "driver/results/output_file.hpp"
 
 namespace slipbench::driver {
 

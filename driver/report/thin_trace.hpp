@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "driver/compare/check.hpp"
+#include "driver/check/check.hpp"
 #include "driver/report/case_report.hpp"
 
 namespace slipbench::driver {

@@ -9,11 +9,11 @@
 #include <type_traits>
 #include <variant>
 
-#include "driver/case/case_codecs.hpp"
-#include "driver/case/law_numbers.hpp"
+#include "driver/base/text/format_number.hpp"
+#include "driver/read/keys/case_codecs.hpp"
+#include "driver/read/keys/law_numbers.hpp"
 #include "driver/results/coverage.hpp"
 #include "driver/results/normal_shares.hpp"
-#include "driver/text/format_number.hpp"
 
 namespace slipbench::driver {
 namespace {

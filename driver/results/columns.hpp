@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "driver/base/units/units.hpp"
+#include "driver/bench/simulation.hpp"
 #include "driver/case/case.hpp"
-#include "driver/history/units.hpp"
-#include "driver/simulation.hpp"
 
 namespace slipbench::driver {
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <variant>
 
-#include "driver/connector_increment.hpp"
-#include "driver/text/format_number.hpp"
+#include "driver/base/text/format_number.hpp"
+#include "driver/bench/connector_increment.hpp"
 
 namespace slipbench::driver {
 namespace {

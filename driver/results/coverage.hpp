@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "driver/base/text/json.hpp"
+#include "driver/bench/simulation.hpp"
 #include "driver/case/case.hpp"
-#include "driver/simulation.hpp"
-#include "driver/text/json.hpp"
 #include "law/table/table_function.hpp"
 
 namespace slipbench::driver {

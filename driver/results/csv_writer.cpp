@@ -5,9 +5,9 @@
 
 #include <utility>
 
+#include "driver/base/text/format_number.hpp"
 #include "driver/results/provenance.hpp"
 #include "driver/results/result_layout.hpp"
-#include "driver/text/format_number.hpp"
 #include "law/update/penalty_predictor.hpp"
 
 namespace slipbench::driver {

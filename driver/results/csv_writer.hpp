@@ -3,10 +3,10 @@
 
 #include <vector>
 
+#include "driver/base/files/output_file.hpp"
+#include "driver/bench/simulation.hpp"
 #include "driver/case/case.hpp"
 #include "driver/results/columns.hpp"
-#include "driver/results/output_file.hpp"
-#include "driver/simulation.hpp"
 
 namespace slipbench::driver {
 

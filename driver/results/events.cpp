@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "driver/base/text/format_number.hpp"
 #include "driver/results/csv_writer.hpp"
 #include "driver/results/provenance.hpp"
-#include "driver/text/format_number.hpp"
 
 namespace slipbench::driver {
 

@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "driver/base/files/output_file.hpp"
+#include "driver/bench/simulation.hpp"
 #include "driver/case/case.hpp"
 #include "driver/results/columns.hpp"
-#include "driver/results/output_file.hpp"
-#include "driver/simulation.hpp"
 
 namespace slipbench::driver {
 

@@ -9,10 +9,10 @@
 #include <utility>
 #include <variant>
 
+#include "driver/base/text/diagnostic.hpp"
+#include "driver/base/units/readable.hpp"
 #include "driver/case/quantity.hpp"
 #include "driver/results/columns.hpp"
-#include "driver/results/readable.hpp"
-#include "driver/text/diagnostic.hpp"
 #include "law/contact/contact_force.hpp"
 
 namespace slipbench::driver {

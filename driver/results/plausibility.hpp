@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "driver/bench/simulation.hpp"
 #include "driver/case/case.hpp"
-#include "driver/simulation.hpp"
 
 namespace slipbench::driver {
 

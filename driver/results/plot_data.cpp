@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "driver/base/csv/csv_reader.hpp"
 #include "driver/case/quantity.hpp"
-#include "driver/history/csv_reader.hpp"
 #include "driver/results/pixel_columns.hpp"
 #include "law/base/notation.hpp"
 

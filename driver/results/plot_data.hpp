@@ -11,7 +11,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "driver/history/history_error.hpp"
+#include "driver/base/text/history_error.hpp"
 #include "driver/results/regime_history.hpp"
 #include "driver/results/result_layout.hpp"
 

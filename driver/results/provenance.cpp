@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "driver/text/diagnostic.hpp"
-#include "driver/text/format_number.hpp"
+#include "driver/base/text/diagnostic.hpp"
+#include "driver/base/text/format_number.hpp"
 
 namespace slipbench::driver {
 namespace {

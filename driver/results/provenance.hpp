@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
+#include "driver/base/files/file_mark.hpp"
+#include "driver/base/text/json.hpp"
 #include "driver/case/case.hpp"
-#include "driver/results/file_mark.hpp"
-#include "driver/text/json.hpp"
 
 namespace slipbench::driver {
 

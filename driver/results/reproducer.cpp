@@ -5,9 +5,9 @@
 #include <cctype>
 #include <string_view>
 
+#include "driver/base/text/format_number.hpp"
+#include "driver/base/text/json.hpp"
 #include "driver/results/provenance.hpp"
-#include "driver/text/format_number.hpp"
-#include "driver/text/json.hpp"
 #include "driver/yaml/node.hpp"
 #include "driver/yaml/parse.hpp"
 

@@ -3,10 +3,10 @@
 
 #include <string>
 
+#include "driver/base/files/file_mark.hpp"
+#include "driver/base/text/source_text.hpp"
+#include "driver/bench/simulation.hpp"
 #include "driver/case/case.hpp"
-#include "driver/results/file_mark.hpp"
-#include "driver/simulation.hpp"
-#include "driver/text/source_text.hpp"
 
 namespace slipbench::driver {
 

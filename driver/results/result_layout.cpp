@@ -4,9 +4,9 @@
 #include <fstream>
 #include <string_view>
 
+#include "driver/base/text/format_number.hpp"
+#include "driver/base/text/number.hpp"
 #include "driver/case/quantity.hpp"
-#include "driver/text/format_number.hpp"
-#include "driver/text/number.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -5,9 +5,9 @@
 #include <limits>
 #include <optional>
 
+#include "driver/bench/simulation.hpp"
 #include "driver/case/case.hpp"
 #include "driver/results/events.hpp"
-#include "driver/simulation.hpp"
 
 namespace slipbench::driver {
 

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <utility>
 
-#include "driver/history/derived_units.hpp"
+#include "driver/base/units/derived_units.hpp"
 #include "driver/results/csv_writer.hpp"
 #include "driver/results/regime_history.hpp"
 #include "law/update/penalty_predictor.hpp"

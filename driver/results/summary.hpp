@@ -8,16 +8,16 @@
 #include <string>
 #include <vector>
 
+#include "driver/base/text/json.hpp"
+#include "driver/base/units/readable.hpp"
+#include "driver/bench/simulation.hpp"
 #include "driver/case/case.hpp"
 #include "driver/results/columns.hpp"
 #include "driver/results/coverage.hpp"
 #include "driver/results/cycles.hpp"
 #include "driver/results/events.hpp"
 #include "driver/results/plausibility.hpp"
-#include "driver/results/readable.hpp"
 #include "driver/results/stick_slip.hpp"
-#include "driver/simulation.hpp"
-#include "driver/text/json.hpp"
 #include "law/update/uniqueness.hpp"
 
 namespace slipbench::driver {

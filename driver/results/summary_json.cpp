@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "driver/history/derived_units.hpp"
+#include "driver/base/units/derived_units.hpp"
 #include "driver/results/summary.hpp"
 
 namespace slipbench::driver {

@@ -5,10 +5,10 @@
 #include <string>
 #include <string_view>
 
+#include "driver/base/files/real_files.hpp"
+#include "driver/base/text/diagnostic.hpp"
 #include "driver/suite/candidates.hpp"
 #include "driver/suite/outcome.hpp"
-#include "driver/suite/real_files.hpp"
-#include "driver/text/diagnostic.hpp"
 
 namespace slipbench::driver {
 

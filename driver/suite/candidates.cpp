@@ -8,9 +8,9 @@
 #include <system_error>
 #include <utility>
 
-#include "driver/case/file_kind.hpp"
-#include "driver/suite/real_files.hpp"
-#include "driver/text/standard_input.hpp"
+#include "driver/base/files/real_files.hpp"
+#include "driver/base/text/standard_input.hpp"
+#include "driver/read/file_kind.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -10,12 +10,12 @@
 #include <utility>
 #include <vector>
 
+#include "driver/base/text/one_line.hpp"
+#include "driver/check/check.hpp"
+#include "driver/check/kept_rows.hpp"
 #include "driver/commands/shared.hpp"
-#include "driver/compare/check.hpp"
-#include "driver/compare/kept_rows.hpp"
 #include "driver/report/collect.hpp"
 #include "driver/results/plausibility.hpp"
-#include "driver/text/one_line.hpp"
 
 namespace slipbench::driver {
 namespace {

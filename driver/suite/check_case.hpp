@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "driver/case/read_case.hpp"
+#include "driver/read/read_case.hpp"
 #include "driver/report/case_report.hpp"
 #include "driver/suite/candidates.hpp"
 #include "driver/suite/outcome.hpp"

@@ -8,9 +8,9 @@
 #include <fstream>
 #include <system_error>
 
+#include "driver/base/text/diagnostic.hpp"
 #include "driver/results/provenance.hpp"
 #include "driver/suite/verdict_table.hpp"
-#include "driver/text/diagnostic.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "driver/text/utf8.hpp"
+#include "driver/base/text/utf8.hpp"
 
 namespace slipbench::driver {
 namespace {

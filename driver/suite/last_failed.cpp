@@ -11,8 +11,8 @@
 #include <string_view>
 #include <system_error>
 
-#include "driver/results/output_file.hpp"
-#include "driver/text/hash.hpp"
+#include "driver/base/files/output_file.hpp"
+#include "driver/base/text/hash.hpp"
 
 namespace slipbench::driver {
 namespace {

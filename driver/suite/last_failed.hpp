@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "driver/base/files/real_files.hpp"
 #include "driver/suite/candidates.hpp"
-#include "driver/suite/real_files.hpp"
 
 namespace slipbench::driver {
 

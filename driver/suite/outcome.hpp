@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "driver/compare/check.hpp"
-#include "driver/exit_code.hpp"
-#include "driver/text/diagnostic.hpp"
+#include "driver/base/files/exit_code.hpp"
+#include "driver/base/text/diagnostic.hpp"
+#include "driver/check/check.hpp"
 
 namespace slipbench::driver {
 

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <utility>
 
-#include "driver/suite/work_crew.hpp"
+#include "driver/base/files/work_crew.hpp"
 
 namespace slipbench::driver {
 namespace {

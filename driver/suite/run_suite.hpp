@@ -6,11 +6,11 @@
 #include <span>
 #include <vector>
 
-#include "driver/case/read_case.hpp"
-#include "driver/commands/progress.hpp"
+#include "driver/read/read_case.hpp"
 #include "driver/suite/candidates.hpp"
 #include "driver/suite/check_case.hpp"
 #include "driver/suite/outcome.hpp"
+#include "driver/terminal/progress.hpp"
 
 namespace slipbench::driver {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "driver/base/text/diagnostic.hpp"
 #include "driver/commands/shared.hpp"
-#include "driver/text/diagnostic.hpp"
 
 namespace slipbench::driver {
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "driver/exit_code.hpp"
+#include "driver/base/files/exit_code.hpp"
 #include "driver/report/page.hpp"
 #include "driver/suite/junit.hpp"
 #include "driver/suite/suite_json.hpp"

@@ -7,7 +7,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "driver/results/output_file.hpp"
+#include "driver/base/files/output_file.hpp"
 #include "driver/suite/candidates.hpp"
 
 namespace slipbench::driver {

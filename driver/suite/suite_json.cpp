@@ -3,8 +3,8 @@
 
 #include <utility>
 
+#include "driver/base/text/json.hpp"
 #include "driver/results/provenance.hpp"
-#include "driver/text/json.hpp"
 
 namespace slipbench::driver {
 

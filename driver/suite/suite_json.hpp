@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "driver/results/file_mark.hpp"
+#include "driver/base/files/file_mark.hpp"
 #include "driver/suite/candidates.hpp"
 #include "driver/suite/outcome.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "driver/text/diagnostic.hpp"
+#include "driver/base/text/diagnostic.hpp"
 
 namespace slipbench::driver {
 

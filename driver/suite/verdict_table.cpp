@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
+#include "driver/base/text/utf8.hpp"
 #include "driver/commands/shared.hpp"
 #include "driver/results/provenance.hpp"
-#include "driver/text/utf8.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "driver/text/source_text.hpp"
+#include "driver/base/text/source_text.hpp"
 
 namespace slipbench::driver {
 

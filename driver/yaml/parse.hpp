@@ -4,8 +4,8 @@
 
 #include <tl/expected.hpp>
 
-#include "driver/text/diagnostic.hpp"
-#include "driver/text/source_text.hpp"
+#include "driver/base/text/diagnostic.hpp"
+#include "driver/base/text/source_text.hpp"
 #include "driver/yaml/node.hpp"
 
 namespace slipbench::driver {

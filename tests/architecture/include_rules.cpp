@@ -65,8 +65,7 @@ struct ThirdParty {
 const std::vector<ThirdParty>& third_parties() {
   static const std::vector<ThirdParty> kThirdParties{
       {std::regex("yaml-cpp/.*"), std::regex("driver/yaml/.*\\.cpp"), "driver/yaml/*.cpp"},
-      {std::regex("CLI/.*"), std::regex("driver/(main|command_line/.*)\\.cpp"),
-       "driver/main.cpp and driver/command_line/*.cpp"},
+      {std::regex("CLI/.*"), std::regex("driver/cli/.*\\.cpp"), "driver/cli/*.cpp"},
       {std::regex("muParser.*\\.h"), std::regex("driver/.*expression[^/]*\\.cpp"),
        "an expression .cpp of driver/"},
       {std::regex("udunits2\\.h"), std::regex("driver/.*units[^/]*\\.cpp"),

@@ -10,9 +10,8 @@ namespace slipbench::architecture {
 /// Who may know whom, read off the #include lines of a C++ file:
 /// - law/ knows law/, Eigen and the standard library; reference/ knows reference/ and the standard
 ///   library; driver/ knows law/, reference/, driver/ and its third parties;
-/// - a third party is known at one place: yaml-cpp in driver/yaml/*.cpp, CLI11 in driver/main.cpp
-///   and driver/command_line/*.cpp, muParser in an expression .cpp, UDUNITS-2 in a units .cpp, GSL
-///   in a .cpp of driver/;
+/// - a third party is known at one place: yaml-cpp in driver/yaml/*.cpp, CLI11 in driver/cli/*.cpp,
+///   muParser in an expression .cpp, UDUNITS-2 in a units .cpp, GSL in a .cpp of driver/;
 /// - the tests of law/ see law/ and reference/, those of reference/ see reference/ only;
 /// - project headers are written in quotes and from the root.
 /// Files that are not C++ have no violations.

@@ -29,7 +29,7 @@ TEST_CASE("the law knows itself, Eigen and the standard library") {
   CHECK(allowed("law/table/table.cpp", "\"law/table/table.hpp\""));
   CHECK(allowed("law/table/table.cpp", "<Eigen/Core>"));
   CHECK(allowed("law/table/table.cpp", "<cmath>"));
-  CHECK_FALSE(allowed("law/table/table.cpp", "\"driver/simulation.hpp\""));
+  CHECK_FALSE(allowed("law/table/table.cpp", "\"driver/bench/simulation.hpp\""));
   CHECK_FALSE(allowed("law/table/table.cpp", "<fmt/format.h>"));
   CHECK_FALSE(allowed("law/table/table.cpp", "<gsl/gsl_math.h>"));
   CHECK_FALSE(allowed("law/table/table.cpp", "<yaml-cpp/yaml.h>"));
@@ -44,36 +44,36 @@ TEST_CASE("a closed form knows itself and the standard library") {
 }
 
 TEST_CASE("the driver knows both rooms and its third parties, each at its place") {
-  CHECK(allowed("driver/simulation.cpp", "\"law/table/table.hpp\""));
-  CHECK(allowed("driver/simulation.cpp", "\"reference/catalogue.hpp\""));
-  CHECK(allowed("driver/simulation.hpp", "<tl/expected.hpp>"));
-  CHECK(allowed("driver/simulation.hpp", "<fmt/format.h>"));
-  CHECK(allowed("driver/simulation.cpp", "<gsl/gsl_math.h>"));
-  CHECK_FALSE(allowed("driver/simulation.hpp", "<gsl/gsl_math.h>"));
-  CHECK(allowed("driver/equilibrium.cpp", "<Eigen/LU>"));
-  CHECK_FALSE(allowed("driver/simulation.cpp", "<boost/asio.hpp>"));
-  CHECK_FALSE(allowed("driver/simulation.cpp", "\"tests/support/files.hpp\""));
+  CHECK(allowed("driver/bench/simulation.cpp", "\"law/table/table.hpp\""));
+  CHECK(allowed("driver/bench/simulation.cpp", "\"reference/catalogue.hpp\""));
+  CHECK(allowed("driver/bench/simulation.hpp", "<tl/expected.hpp>"));
+  CHECK(allowed("driver/bench/simulation.hpp", "<fmt/format.h>"));
+  CHECK(allowed("driver/bench/simulation.cpp", "<gsl/gsl_math.h>"));
+  CHECK_FALSE(allowed("driver/bench/simulation.hpp", "<gsl/gsl_math.h>"));
+  CHECK(allowed("driver/bench/equilibrium.cpp", "<Eigen/LU>"));
+  CHECK_FALSE(allowed("driver/bench/simulation.cpp", "<boost/asio.hpp>"));
+  CHECK_FALSE(allowed("driver/bench/simulation.cpp", "\"tests/support/files.hpp\""));
 
   CHECK(allowed("driver/yaml/parse.cpp", "<yaml-cpp/eventhandler.h>"));
   CHECK_FALSE(allowed("driver/yaml/node.hpp", "<yaml-cpp/yaml.h>"));
-  CHECK_FALSE(allowed("driver/case/read.cpp", "<yaml-cpp/yaml.h>"));
+  CHECK_FALSE(allowed("driver/read/read_case.cpp", "<yaml-cpp/yaml.h>"));
 
-  CHECK(allowed("driver/main.cpp", "<CLI/CLI.hpp>"));
-  CHECK(allowed("driver/command_line/run.cpp", "<CLI/CLI.hpp>"));
-  CHECK_FALSE(allowed("driver/command_line/declare.hpp", "<CLI/CLI.hpp>"));
+  CHECK(allowed("driver/cli/main.cpp", "<CLI/CLI.hpp>"));
+  CHECK(allowed("driver/cli/run.cpp", "<CLI/CLI.hpp>"));
+  CHECK_FALSE(allowed("driver/cli/declare.hpp", "<CLI/CLI.hpp>"));
   CHECK_FALSE(allowed("driver/commands/run.cpp", "<CLI/CLI.hpp>"));
 
-  CHECK(allowed("driver/history/expression.cpp", "<muParser.h>"));
-  CHECK_FALSE(allowed("driver/history/expression.hpp", "<muParser.h>"));
+  CHECK(allowed("driver/base/units/expression.cpp", "<muParser.h>"));
+  CHECK_FALSE(allowed("driver/base/units/expression.hpp", "<muParser.h>"));
   CHECK_FALSE(allowed("driver/history/profile.cpp", "<muParser.h>"));
 
-  CHECK(allowed("driver/history/units.cpp", "<udunits2.h>"));
-  CHECK_FALSE(allowed("driver/history/units.hpp", "<udunits2.h>"));
+  CHECK(allowed("driver/base/units/units.cpp", "<udunits2.h>"));
+  CHECK_FALSE(allowed("driver/base/units/units.hpp", "<udunits2.h>"));
 }
 
 TEST_CASE("tests see the rooms of what they test") {
   CHECK(allowed("tests/law/table/table_test.cpp", "\"reference/masing.hpp\""));
-  CHECK_FALSE(allowed("tests/law/table/table_test.cpp", "\"driver/simulation.hpp\""));
+  CHECK_FALSE(allowed("tests/law/table/table_test.cpp", "\"driver/bench/simulation.hpp\""));
   CHECK(allowed("tests/reference/masing_test.cpp", "<catch2/catch.hpp>"));
   CHECK_FALSE(allowed("tests/reference/masing_test.cpp", "\"law/table/table.hpp\""));
   CHECK(allowed("tests/property/twin_test.cpp", "<rapidcheck.h>"));
@@ -84,7 +84,7 @@ TEST_CASE("tests see the rooms of what they test") {
 TEST_CASE("project headers are written from the root and in quotes") {
   CHECK_FALSE(allowed("law/table/table.cpp", "\"table.hpp\""));
   CHECK_FALSE(allowed("law/table/table.cpp", "<law/table/table.hpp>"));
-  CHECK_FALSE(allowed("driver/simulation.cpp", "\"fmt/format.h\""));
+  CHECK_FALSE(allowed("driver/bench/simulation.cpp", "\"fmt/format.h\""));
 }
 
 TEST_CASE("an include in a comment counts for nothing, one with odd blanks counts") {

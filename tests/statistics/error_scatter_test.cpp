@@ -3,8 +3,8 @@
 #include <cmath>
 #include <vector>
 
-#include "driver/calibrate/least_squares/statistics.hpp"
-#include "tests/driver/calibrate/least_squares/synthetic_models.hpp"
+#include "driver/calibrate/fit/statistics.hpp"
+#include "tests/driver/calibrate/fit/synthetic_models.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -10,7 +10,8 @@
 #include <set>
 #include <utility>
 
-#include "driver/calibrate/file_part.hpp"
+#include "driver/base/files/file_part.hpp"
+#include "driver/base/text/tics.hpp"
 #include "driver/calibrate/report/drawn_points.hpp"
 #include "driver/calibrate/report/residual_view.hpp"
 #include "driver/calibrate/report/table_view.hpp"
@@ -20,7 +21,6 @@
 #include "driver/plot/script.hpp"
 #include "driver/plot/text_lines.hpp"
 #include "driver/results/thinning.hpp"
-#include "driver/text/tics.hpp"
 
 namespace slipbench::driver {
 namespace fs = std::filesystem;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/calibrate/report/fit_report.hpp"
 
+#include "driver/base/files/output_file.hpp"
 #include "driver/report/page.hpp"
-#include "driver/results/output_file.hpp"
 
 namespace slipbench::driver {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <tl/expected.hpp>
 
+#include "driver/base/files/output_file.hpp"
 #include "driver/calibrate/calibration.hpp"
 #include "driver/calibrate/fit.hpp"
-#include "driver/results/output_file.hpp"
 
 namespace slipbench::driver {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "driver/calibrate/read_fit.hpp"
-#include "driver/case/read_case.hpp"
+#include "driver/read/read_case.hpp"
 #include "tests/support/project_paths.hpp"
 
 namespace slipbench::driver {

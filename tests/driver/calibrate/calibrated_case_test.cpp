@@ -11,10 +11,10 @@
 #include <variant>
 #include <vector>
 
+#include "driver/base/text/source_text.hpp"
+#include "driver/bench/simulation.hpp"
 #include "driver/calibrate/varied_case.hpp"
-#include "driver/case/read_case.hpp"
-#include "driver/simulation.hpp"
-#include "driver/text/source_text.hpp"
+#include "driver/read/read_case.hpp"
 #include "tests/driver/calibrate/calibration_for_test.hpp"
 #include "tests/support/project_paths.hpp"
 

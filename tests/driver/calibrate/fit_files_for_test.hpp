@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "driver/calibrate/read_fit.hpp"
-#include "tests/driver/history/temporary_folder.hpp"
+#include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver {
 

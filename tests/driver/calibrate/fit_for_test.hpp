@@ -17,7 +17,7 @@
 
 #include "driver/calibrate/calibrate.hpp"
 #include "driver/calibrate/read_fit.hpp"
-#include "tests/driver/history/temporary_folder.hpp"
+#include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver {
 

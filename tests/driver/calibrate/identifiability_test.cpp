@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "driver/bench/simulation.hpp"
 #include "driver/calibrate/estimate_text.hpp"
 #include "driver/calibrate/unseen_combinations.hpp"
 #include "driver/calibrate/unvisited_ranges.hpp"
-#include "driver/case/read_case.hpp"
-#include "driver/simulation.hpp"
+#include "driver/read/read_case.hpp"
 #include "tests/driver/calibrate/calibration_for_test.hpp"
 
 using namespace slipbench::driver;

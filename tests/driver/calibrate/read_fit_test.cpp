@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "driver/case/read_case.hpp"
+#include "driver/read/read_case.hpp"
 #include "tests/driver/calibrate/fit_files_for_test.hpp"
 
 namespace slipbench::driver {

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "driver/case/read_case.hpp"
-#include "tests/driver/history/temporary_folder.hpp"
-#include "tests/driver/simulation/example_cases.hpp"
+#include "driver/read/read_case.hpp"
+#include "tests/driver/bench/example_cases.hpp"
+#include "tests/driver/support/temporary_folder.hpp"
 #include "tests/support/project_paths.hpp"
 
 namespace slipbench::driver {

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "tests/driver/commands/program_for_test.hpp"
-#include "tests/driver/history/temporary_folder.hpp"
+#include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver {
 namespace {

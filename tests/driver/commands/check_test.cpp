@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
+#include "driver/base/files/exit_code.hpp"
 #include "driver/commands/bless.hpp"
 #include "driver/commands/run.hpp"
 #include "driver/commands/shared.hpp"
-#include "driver/exit_code.hpp"
-#include "tests/driver/history/temporary_folder.hpp"
 #include "tests/driver/report/case_for_test.hpp"
-#include "tests/driver/environment_for_test.hpp"
+#include "tests/driver/support/environment_for_test.hpp"
+#include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver {
 namespace {

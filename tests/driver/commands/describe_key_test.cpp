@@ -10,12 +10,12 @@
 #include <variant>
 #include <vector>
 
+#include "driver/base/text/source_text.hpp"
 #include "driver/calibrate/fit_reference.hpp"
 #include "driver/calibrate/fit_text.hpp"
-#include "driver/case/case_codecs.hpp"
-#include "driver/case/case_reference.hpp"
-#include "driver/case/key_examples.hpp"
-#include "driver/text/source_text.hpp"
+#include "driver/read/keys/case_codecs.hpp"
+#include "driver/read/keys/case_reference.hpp"
+#include "driver/read/keys/key_examples.hpp"
 #include "driver/yaml/parse.hpp"
 #include "law/connection/connection_type.hpp"
 #include "tests/driver/commands/program_for_test.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "tests/driver/commands/program_for_test.hpp"
-#include "tests/driver/history/temporary_folder.hpp"
+#include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver {
 namespace {

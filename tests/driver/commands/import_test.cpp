@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "driver/case/read_case.hpp"
-#include "driver/exit_code.hpp"
-#include "tests/driver/history/temporary_folder.hpp"
-#include "tests/driver/radioss/checks_for_test.hpp"
-#include "tests/driver/radioss/deck_for_test.hpp"
+#include "driver/base/files/exit_code.hpp"
+#include "driver/read/read_case.hpp"
+#include "tests/driver/import/radioss/checks_for_test.hpp"
+#include "tests/driver/import/radioss/deck_for_test.hpp"
+#include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <string>
 
-#include "driver/commands/compare_integration.hpp"
-#include "driver/commands/converge.hpp"
-#include "driver/exit_code.hpp"
-#include "tests/driver/case/read_for_test.hpp"
-#include "tests/driver/simulation/example_cases.hpp"
+#include "driver/analysis/compare_integration.hpp"
+#include "driver/analysis/converge.hpp"
+#include "driver/base/files/exit_code.hpp"
+#include "tests/driver/bench/example_cases.hpp"
+#include "tests/driver/read/read_for_test.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -12,7 +12,7 @@
 #include <iterator>
 #include <string>
 
-#include "tests/driver/history/temporary_folder.hpp"
+#include "tests/driver/support/temporary_folder.hpp"
 #include "tests/support/project_paths.hpp"
 
 namespace slipbench::driver {

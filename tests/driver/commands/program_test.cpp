@@ -15,8 +15,8 @@
 #include <thread>
 
 #include "tests/driver/commands/program_for_test.hpp"
-#include "tests/driver/environment_for_test.hpp"
-#include "tests/driver/history/temporary_folder.hpp"
+#include "tests/driver/support/environment_for_test.hpp"
+#include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -7,10 +7,10 @@
 #include <iterator>
 #include <string>
 
+#include "driver/base/files/exit_code.hpp"
 #include "driver/commands/run.hpp"
-#include "driver/exit_code.hpp"
-#include "tests/driver/history/temporary_folder.hpp"
 #include "tests/driver/report/case_for_test.hpp"
+#include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "driver/history/step_grid.hpp"
-#include "tests/driver/history/temporary_folder.hpp"
+#include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "driver/plot/kinds.hpp"
 #include "driver/plot/look.hpp"
-#include "tests/driver/history/temporary_folder.hpp"
+#include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -14,17 +14,17 @@
 #include <string>
 #include <vector>
 
-#include "driver/case/read_case.hpp"
+#include "driver/base/files/exit_code.hpp"
 #include "driver/commands/plot.hpp"
 #include "driver/commands/run.hpp"
 #include "driver/commands/shared.hpp"
-#include "driver/exit_code.hpp"
 #include "driver/plot/definition.hpp"
 #include "driver/plot/drawn_coefficients.hpp"
 #include "driver/plot/input.hpp"
 #include "driver/plot/script.hpp"
+#include "driver/read/read_case.hpp"
 #include "driver/results/summary.hpp"
-#include "tests/driver/history/temporary_folder.hpp"
+#include "tests/driver/support/temporary_folder.hpp"
 #include "tests/support/project_paths.hpp"
 
 namespace slipbench::driver {

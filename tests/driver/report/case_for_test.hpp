@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-#include "driver/case/read_case.hpp"
-#include "driver/compare/check.hpp"
+#include "driver/bench/simulation.hpp"
+#include "driver/check/check.hpp"
+#include "driver/read/read_case.hpp"
 #include "driver/report/collect.hpp"
-#include "driver/simulation.hpp"
 #include "driver/yaml/parse.hpp"
 
 namespace slipbench::driver {

@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "tests/driver/bench/example_cases.hpp"
 #include "tests/driver/report/case_for_test.hpp"
-#include "tests/driver/simulation/example_cases.hpp"
 
 namespace slipbench::driver {
 namespace {

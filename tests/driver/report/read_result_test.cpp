@@ -6,8 +6,8 @@
 #include <string>
 
 #include "driver/commands/run.hpp"
-#include "tests/driver/history/temporary_folder.hpp"
 #include "tests/driver/report/case_for_test.hpp"
+#include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver {
 namespace {

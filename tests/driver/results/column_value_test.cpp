@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "driver/results/columns.hpp"
-#include "tests/driver/simulation/example_cases.hpp"
+#include "tests/driver/bench/example_cases.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "tests/driver/simulation/example_cases.hpp"
+#include "tests/driver/bench/example_cases.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "tests/driver/simulation/example_cases.hpp"
+#include "tests/driver/bench/example_cases.hpp"
 
 namespace slipbench::driver {
 namespace {

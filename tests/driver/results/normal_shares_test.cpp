@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "driver/case/read_case.hpp"
+#include "driver/bench/connector_increment.hpp"
 #include "driver/commands/shared.hpp"
-#include "driver/connector_increment.hpp"
-#include "tests/driver/history/temporary_folder.hpp"
+#include "driver/read/read_case.hpp"
+#include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -13,11 +13,11 @@
 #include <thread>
 #include <vector>
 
+#include "driver/base/files/output_file.hpp"
 #include "driver/results/csv_writer.hpp"
 #include "driver/results/events.hpp"
-#include "driver/results/output_file.hpp"
-#include "tests/driver/history/temporary_folder.hpp"
-#include "tests/driver/simulation/example_cases.hpp"
+#include "tests/driver/bench/example_cases.hpp"
+#include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <string>
 
-#include "tests/driver/history/temporary_folder.hpp"
+#include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver {
 namespace {

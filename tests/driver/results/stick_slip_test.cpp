@@ -6,7 +6,7 @@
 
 #include "driver/results/summary.hpp"
 #include "reference/stick_slip_oscillator.hpp"
-#include "tests/driver/simulation/example_cases.hpp"
+#include "tests/driver/bench/example_cases.hpp"
 
 namespace slipbench::driver {
 namespace {

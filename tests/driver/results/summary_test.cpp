@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/driver/simulation/example_cases.hpp"
+#include "tests/driver/bench/example_cases.hpp"
 #include "tests/support/dice.hpp"
 
 namespace slipbench::driver {

@@ -6,8 +6,8 @@
 #include <iterator>
 
 #include "driver/results/provenance.hpp"
-#include "tests/driver/history/temporary_folder.hpp"
 #include "tests/driver/suite/outcomes_for_test.hpp"
+#include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver {
 namespace {

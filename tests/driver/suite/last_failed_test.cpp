@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "tests/driver/history/temporary_folder.hpp"
-#include "tests/driver/environment_for_test.hpp"
+#include "tests/driver/support/environment_for_test.hpp"
+#include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver {
 namespace {

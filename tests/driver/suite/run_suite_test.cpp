@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "driver/suite/work_crew.hpp"
-#include "tests/driver/history/temporary_folder.hpp"
+#include "driver/base/files/work_crew.hpp"
+#include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver {
 namespace {

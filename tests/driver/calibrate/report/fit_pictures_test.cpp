@@ -9,7 +9,7 @@
 
 #include "driver/calibrate/report/fit_report.hpp"
 #include "tests/driver/calibrate/report/made_fits.hpp"
-#include "tests/driver/history/temporary_folder.hpp"
+#include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver {
 namespace {

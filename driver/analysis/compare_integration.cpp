@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/analysis/compare_integration.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <vector>
+
+#include "driver/base/files/exit_code.hpp"
+#include "driver/bench/exact_integration.hpp"
+#include "driver/commands/shared.hpp"
+#include "driver/results/csv_writer.hpp"
+#include "driver/results/provenance.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+tl::unexpected<CommandFailure> failed(const Case& problem, const SimulationFailure& failure) {
+  return tl::unexpected(CommandFailure{exit_code(failure), failure_text(problem, failure)});
+}
+
+/// "0.0663 by backward Euler, 0.0662 exactly: 0.02 % more"
+std::string pair_text(double euler, double exact) {
+  std::string text = fmt::format("{:.7g} by backward_euler, {:.7g} exactly", euler, exact);
+  if (euler == exact) return text;
+  if (exact == 0.0) return text;
+  const double part = (euler - exact) / std::abs(exact);
+  return text + fmt::format(": {} {}", percent_text(std::abs(part)), part > 0.0 ? "more" : "less");
+}
+
+}  // namespace
+
+tl::expected<std::string, CommandFailure> compare_integration(const Case& problem) {
+  Case exact_case = problem;
+  exact_case.integration.method = IntegrationMethod::kExact;
+  if (const auto refusal = refuse_exact(exact_case)) {
+    return tl::unexpected(
+        CommandFailure{kExitBadInput, fmt::format("{}: error: integration cannot be compared: {}\n",
+                                                  problem.file, refusal->message)});
+  }
+  Case euler_case = problem;
+  euler_case.integration.method = IntegrationMethod::kBackwardEuler;
+
+  auto euler = Simulation::start(euler_case);
+  if (!euler) return failed(euler_case, euler.error());
+  auto exact = Simulation::start(exact_case);
+  if (!exact) return failed(exact_case, exact.error());
+  std::vector<ForceDistance> distances(problem.definitions.size());
+  Progress progress(case_stem(problem));
+  while (true) {
+    for (std::size_t d = 0; d < distances.size(); ++d) {
+      distances[d].add(exact->row(), d, euler->row().definitions[d].update.state);
+    }
+    progress.step(exact->row());
+    auto more = euler->advance();
+    if (!more) return failed(euler_case, more.error());
+    auto too = exact->advance();
+    if (!too) return failed(exact_case, too.error());
+    if (!*more || !*too) break;
+  }
+
+  std::string text = fmt::format("{}: backward_euler against exact, {} increments\n",
+                                 case_stem(problem), exact->row().index);
+  for (std::size_t d = 0; d < distances.size(); ++d) {
+    const ForceDistance& distance = distances[d];
+    const DefinitionRow& a = euler->row().definitions[d];
+    const DefinitionRow& b = exact->row().definitions[d];
+    text += fmt::format("  {}\n", problem.definitions[d].name);
+    // Below that the two differ by the rounding of their sums.
+    constexpr double kRounding = 1e-12;
+    if (distance.most <= kRounding * distance.largest) {
+      text += fmt::format("    force       the same to rounding; the largest is {:.7g}\n",
+                          distance.largest);
+    } else {
+      text += fmt::format(
+          "    force       {:.3g} apart at most, {} of the largest ({:.7g}), at T = {}{}\n",
+          distance.most, percent_text(distance.relative(distance.most)), distance.largest,
+          fmt::format("{:.6g}", distance.time), step_text(problem, distance.step));
+    }
+    text += fmt::format("    slip        {}\n", pair_text(a.update.state.accumulated_slip,
+                                                          b.update.state.accumulated_slip));
+    text += fmt::format("    dissipated  {}\n", pair_text(a.dissipation, b.dissipation));
+  }
+  return text;
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sentences about the text of a CSV file.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "driver/base/csv/data_source.hpp"
+
+namespace slipbench::driver {
+
+/// "holds '1,5' with a decimal comma; the decimal mark is '.'": why a field is no number.
+std::string not_a_number(std::string_view text, char decimal);
+
+/// "tab", "';'".
+std::string_view separator_name(char separator);
+
+/// The remedy for an empty last column.
+std::string take_away(char separator);
+
+}  // namespace slipbench::driver

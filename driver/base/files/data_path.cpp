@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/base/files/data_path.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <system_error>
+
+namespace slipbench::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Whether `path` is `folder` or lies in it; both without links and dots.
+bool lies_in(const fs::path& path, const fs::path& folder) {
+  const auto [at_folder, at_path] =
+      std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+  // A folder written with a slash at its end has an empty last part.
+  return at_folder == folder.end() || at_folder->empty();
+}
+
+}  // namespace
+
+tl::expected<fs::path, HistoryError> resolve_data_path(const fs::path& case_folder,
+                                                       std::string_view text, bool allow_outside) {
+  constexpr std::string_view kHint =
+      "a case or fit reads files of its own folder only, unless --allow-outside is given";
+  if (text.empty()) return input_error("the file's name is empty");
+  if (text.find('\0') != std::string_view::npos) {
+    return input_error("the file's name contains a NUL character");
+  }
+  if (text.front() == '~') {
+    return input_error(fmt::format("'{}': '~' is not expanded; write the path out", text));
+  }
+  if (text.find("://") != std::string_view::npos) {
+    return input_error(fmt::format("'{}' is an address; the path of a file is wanted", text));
+  }
+  const fs::path relative(text);
+  const fs::path folder = case_folder.empty() ? fs::path(".") : case_folder;
+  const fs::path path = folder / relative;
+  if (allow_outside) return path;
+
+  if (relative.is_absolute()) {
+    return input_error(fmt::format("'{}' is an absolute path; {}", text, kHint));
+  }
+  if (std::find(relative.begin(), relative.end(), fs::path("..")) != relative.end()) {
+    return input_error(fmt::format("'{}' contains '..'; {}", text, kHint));
+  }
+  std::error_code failure;
+  const fs::path real_folder = fs::weakly_canonical(fs::absolute(folder), failure);
+  const fs::path real_path =
+      failure ? fs::path{} : fs::weakly_canonical(fs::absolute(path), failure);
+  if (failure) {
+    return environment_error(std::string(text),
+                             fmt::format("cannot be followed: {}", failure.message()));
+  }
+  if (!lies_in(real_path, real_folder)) {
+    return input_error(fmt::format("'{}' is a link out of the folder; {}", text, kHint));
+  }
+  return path;
+}
+
+std::optional<std::filesystem::path> shipped_path(const std::filesystem::path& name) {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  const fs::path source = SLIPBENCH_SOURCE_DIR;
+  for (const fs::path& folder :
+       {program.parent_path().parent_path() / "share" / "slipbench", source}) {
+    if (fs::exists(folder / name, error)) return folder / name;
+  }
+  return std::nullopt;
+}
+
+}  // namespace slipbench::driver

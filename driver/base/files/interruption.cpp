@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/base/files/interruption.hpp"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstring>
+
+namespace slipbench::driver {
+namespace {
+
+// A signal handler may use lock-free atomics, plain arrays and a few system calls, nothing else:
+// hence the fixed places, which need no constructor.
+constexpr std::size_t kPlaces = 64;
+constexpr std::size_t kLongestPath = 1024;
+
+struct Place {
+  std::atomic<bool> taken;
+  std::array<char, kLongestPath> path;
+};
+
+constinit std::array<Place, kPlaces> places{};
+constinit std::atomic<int> child{0};
+
+extern "C" void end_at_once(int signal_number) {
+  if (const int process = child.load(); process > 0) kill(process, SIGTERM);
+  for (const Place& place : places) {
+    if (place.taken.load()) unlink(place.path.data());
+  }
+  remove_empty_folders();
+  _exit(128 + signal_number);
+}
+
+sigset_t interruptions() {
+  sigset_t set;
+  sigemptyset(&set);
+  sigaddset(&set, SIGINT);
+  sigaddset(&set, SIGTERM);
+  sigaddset(&set, SIGHUP);
+  return set;
+}
+
+}  // namespace
+
+void handle_interruption() {
+  struct sigaction action {};
+  action.sa_handler = end_at_once;
+  action.sa_mask = interruptions();
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  // Who starts the program under nohup wants it to go on.
+  struct sigaction before {};
+  sigaction(SIGHUP, nullptr, &before);
+  if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
+  struct sigaction ignore {};
+  ignore.sa_handler = SIG_IGN;
+  sigaction(SIGPIPE, &ignore, nullptr);
+}
+
+InterruptionPause::InterruptionPause() {
+  const sigset_t set = interruptions();
+  sigset_t before;
+  pthread_sigmask(SIG_BLOCK, &set, &before);
+  already_paused_ = sigismember(&before, SIGINT) == 1;
+}
+
+InterruptionPause::~InterruptionPause() {
+  if (already_paused_) return;
+  const sigset_t set = interruptions();
+  pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+}
+
+int register_file(const std::string& path) {
+  if (path.size() >= kLongestPath) return -1;
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    if (places[i].taken.load()) continue;
+    std::memcpy(places[i].path.data(), path.c_str(), path.size() + 1);
+    places[i].taken.store(true);
+    return static_cast<int>(i);
+  }
+  return -1;
+}
+
+void forget_file(int number) {
+  if (number >= 0) places[static_cast<std::size_t>(number)].taken.store(false);
+}
+
+void remove_empty_folders() {
+  // The inner ones, which were made later, first. What is no folder stays.
+  for (std::size_t i = kPlaces; i-- > 0;) {
+    if (places[i].taken.load() && rmdir(places[i].path.data()) == 0) places[i].taken.store(false);
+  }
+}
+
+void register_child(int process) { child.store(process); }
+
+}  // namespace slipbench::driver

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/base/files/output_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <set>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "driver/base/files/interruption.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string reason(int error) { return std::generic_category().message(error); }
+
+fs::path folder_of(const fs::path& target) {
+  return target.has_parent_path() ? target.parent_path() : fs::path(".");
+}
+
+/// The file that a name leads to: links are followed, also one to a file that is not there yet.
+/// Errors: links in a circle; a link to an open descriptor, such as /dev/stdout, which has no name
+/// that a complete file could be given.
+tl::expected<fs::path, std::string> behind_links(const fs::path& target) {
+  constexpr int kMostLinks = 40;
+  fs::path place = target;
+  std::error_code error;
+  for (int links = 0; fs::is_symlink(fs::symlink_status(place, error)); ++links) {
+    if (fs::absolute(place, error).lexically_normal().string().starts_with("/proc/")) {
+      return tl::unexpected(target.string() + ": is no regular file");
+    }
+    const fs::path next = fs::read_symlink(place, error);
+    if (error || links == kMostLinks) {
+      return tl::unexpected(fmt::format("{}: cannot be written: {}", target.string(),
+                                        error ? error.message() : reason(ELOOP)));
+    }
+    // Not normalised: "folder/.." of a folder that is a link is not where the name says.
+    place = folder_of(place) / next;
+  }
+  return place;
+}
+
+/// The nearest of a folder and those it lies in that is there.
+fs::path nearest_there(fs::path folder) {
+  std::error_code ignored;
+  while (!fs::exists(folder, ignored) && !folder.empty()) folder = folder.parent_path();
+  return folder.empty() ? fs::path(".") : folder;
+}
+
+/// The file at `place` that must stay, in a sentence, or nothing.
+std::string foreign_fault(const fs::path& target, const fs::path& place, const FileMark& mark,
+                          bool force) {
+  std::error_code ignored;
+  const fs::file_status there = fs::status(place, ignored);
+  if (fs::is_directory(there)) return fmt::format("{}: is a folder", target.string());
+  if (!fs::exists(there)) return {};
+  if (!fs::is_regular_file(there)) return fmt::format("{}: is no regular file", target.string());
+  if (force || fs::file_size(place, ignored) == 0 || carries(place, mark)) return {};
+  return fmt::format(
+      "{}: {}, and is kept; choose another folder or name, or replace it with --force",
+      target.string(),
+      mark.owner.empty() ? "is there already" : "is there already and is not " + mark.owner);
+}
+
+/// What is wrong with writing to `place`, which `target` leads to, or nothing.
+std::string obstacle(const fs::path& target, const fs::path& place, const FileMark& mark,
+                     const Overwriting& overwriting) {
+  std::error_code error;
+  if (const fs::path folder = nearest_there(folder_of(place)); !fs::is_directory(folder, error)) {
+    return fmt::format("{}: {} is not a folder", target.string(), folder.string());
+  }
+  if (std::string fault = input_fault(target, overwriting.inputs); !fault.empty()) return fault;
+  return foreign_fault(target, place, mark, overwriting.force);
+}
+
+}  // namespace
+
+std::string input_fault(const fs::path& target, std::span<const std::string> inputs) {
+  for (const std::string& input : inputs) {
+    if (!is_same_file(target, input)) continue;
+    return fmt::format("{}: is an input ({}) and is not overwritten; choose another name or folder",
+                       target.string(), input);
+  }
+  return {};
+}
+
+bool is_same_file(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  if (fs::equivalent(a, b, error) && !error) return true;
+  if (fs::exists(a, error) || fs::exists(b, error)) return false;
+  const auto place = [&](const fs::path& path) {
+    const fs::path followed = behind_links(path).value_or(path);
+    return fs::weakly_canonical(folder_of(followed), error) / followed.filename();
+  };
+  return place(a) == place(b);
+}
+
+FolderLocks::FolderLocks(std::span<const fs::path> files) {
+  // In one order, whoever locks: two programs never wait for each other in a circle.
+  std::set<fs::path> sorted;
+  std::error_code ignored;
+  for (const fs::path& file : files) {
+    sorted.insert(fs::weakly_canonical(folder_of(behind_links(file).value_or(file)), ignored));
+  }
+  for (const fs::path& folder : sorted) {
+    const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) continue;
+    flock(descriptor, LOCK_EX);
+    descriptors_.push_back(descriptor);
+  }
+}
+
+FolderLocks::~FolderLocks() {
+  for (const int descriptor : descriptors_) close(descriptor);
+}
+
+std::string target_fault(const fs::path& wanted, const FileMark& mark,
+                         const Overwriting& overwriting) {
+  const fs::path target = wanted.lexically_normal();
+  const auto place = behind_links(target);
+  return place ? obstacle(target, *place, mark, overwriting) : place.error();
+}
+
+std::string make_folders(const fs::path& folder) {
+  std::error_code error;
+  if (folder.empty() || fs::is_directory(folder, error)) return {};
+  if (std::string fault = make_folders(folder.parent_path()); !fault.empty()) return fault;
+  const InterruptionPause pause;
+  if (fs::create_directory(folder, error)) register_file(folder.string());
+  return error ? fmt::format("{}: cannot be made: {}", folder.string(), error.message()) : "";
+}
+
+tl::expected<OutputFile, std::string> OutputFile::create(const fs::path& wanted,
+                                                         const FileMark& mark,
+                                                         const Overwriting& overwriting) {
+  OutputFile file;
+  file.target_ = wanted.lexically_normal();
+  auto place = behind_links(file.target_);
+  if (!place) return tl::unexpected(std::move(place.error()));
+  file.place_ = std::move(*place);
+  std::string fault = obstacle(file.target_, file.place_, mark, overwriting);
+  if (fault.empty()) fault = make_folders(folder_of(file.place_));
+  if (!fault.empty()) return tl::unexpected(std::move(fault));
+  file.mark_ = mark;
+  file.force_ = overwriting.force;
+  if (auto begun = file.begin(); !begun) return tl::unexpected(std::move(begun.error()));
+  return file;
+}
+
+/// Creates the file under the name it is written by.
+tl::expected<void, std::string> OutputFile::begin() {
+  std::string name = (folder_of(place_) / ("." + place_.filename().string() + ".XXXXXX")).string();
+  {
+    const InterruptionPause pause;
+    descriptor_ = mkostemp(name.data(), O_CLOEXEC);
+    if (descriptor_ < 0) {
+      return tl::unexpected(
+          fmt::format("{}: cannot be written: {}", target_.string(), reason(errno)));
+    }
+    temporary_ = name;
+    registered_ = register_file(name);
+  }
+  // mkostemp lets nobody else read; a result is as readable as any new file.
+  const mode_t mask = umask(0);
+  umask(mask);
+  constexpr mode_t kReadWrite = 0666;
+  fchmod(descriptor_, kReadWrite & ~mask);
+  buffer_.reserve(kFlushSize + kFlushSize / 4);
+  return {};
+}
+
+OutputFile::OutputFile(OutputFile&& other) noexcept
+    : target_(std::move(other.target_)),
+      place_(std::move(other.place_)),
+      temporary_(std::move(other.temporary_)),
+      buffer_(std::move(other.buffer_)),
+      error_(std::move(other.error_)),
+      mark_(std::move(other.mark_)),
+      force_(other.force_),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      registered_(std::exchange(other.registered_, -1)) {
+  other.temporary_.clear();
+}
+
+OutputFile::~OutputFile() { drop(); }
+
+void OutputFile::drop() {
+  if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
+  const InterruptionPause pause;
+  if (!temporary_.empty()) {
+    unlink(temporary_.c_str());
+    forget_file(std::exchange(registered_, -1));
+    temporary_.clear();
+  }
+  remove_empty_folders();
+}
+
+void OutputFile::flush() {
+  const char* data = buffer_.data();
+  std::size_t left = error_.empty() ? buffer_.size() : 0;
+  while (left > 0) {
+    const ssize_t written = write(descriptor_, data, left);
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) {
+      error_ = fmt::format("{}: cannot be written: {}", target_.string(), reason(errno));
+      break;
+    }
+    data += written;
+    left -= static_cast<std::size_t>(written);
+  }
+  buffer_.clear();
+}
+
+tl::expected<void, std::string> OutputFile::close() {
+  flush();
+  if (descriptor_ >= 0 && ::close(std::exchange(descriptor_, -1)) != 0 && error_.empty()) {
+    error_ = fmt::format("{}: cannot be written: {}", target_.string(), reason(errno));
+  }
+  if (!error_.empty()) return tl::unexpected(error_);
+  return {};
+}
+
+tl::expected<void, std::string> commit(std::span<OutputFile* const> files) {
+  std::vector<fs::path> places;
+  for (const OutputFile* file : files) places.push_back(file->place_);
+  const FolderLocks locks(places);
+  return commit(files, locks);
+}
+
+tl::expected<void, std::string> commit(std::span<OutputFile* const> files,
+                                       const FolderLocks& /*locks*/) {
+  for (OutputFile* file : files) {
+    if (auto closed = file->close(); !closed) return closed;
+  }
+  for (const OutputFile* file : files) {
+    std::string fault = foreign_fault(file->target_, file->place_, file->mark_, file->force_);
+    if (!fault.empty()) return tl::unexpected(std::move(fault));
+  }
+  const InterruptionPause pause;
+  for (OutputFile* file : files) {
+    if (rename(file->temporary_.c_str(), file->place_.c_str()) != 0) {
+      return tl::unexpected(
+          fmt::format("{}: cannot be written: {}", file->target_.string(), reason(errno)));
+    }
+    forget_file(std::exchange(file->registered_, -1));
+    file->temporary_.clear();
+  }
+  return {};
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "driver/base/files/file_mark.hpp"
+
+namespace slipbench::driver {
+
+/// Whether two names mean one file, be it there or not; links are followed.
+bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
+/// Why `target` must not be written: it is one of the files that are read. A sentence, or nothing.
+std::string input_fault(const std::filesystem::path& target, std::span<const std::string> inputs);
+
+/// What a new file may take the place of, besides an empty file and one with its own mark.
+struct Overwriting {
+  std::span<const std::string> inputs = {};  ///< never these, by whatever name
+  bool force = false;                        ///< anything else, too
+};
+
+/// Of a file that is read under its temporary name and then dropped.
+inline constexpr Overwriting kNeverNamed{.force = true};
+
+/// Why nothing can be written to `target`, as OutputFile::create would find it; a sentence, or
+/// nothing. Makes nothing and writes nothing.
+std::string target_fault(const std::filesystem::path& target, const FileMark& mark,
+                         const Overwriting& overwriting = {});
+
+/// Makes a folder and those it lies in. Those that are still empty when a file that was to be
+/// written is dropped, or when the program is interrupted, are removed again. A sentence if it
+/// cannot be made, or nothing.
+std::string make_folders(const std::filesystem::path& folder);
+
+/// Makes programs that complete files in the same folders wait for each other, as long as it
+/// exists; where the file system has no locks they do not.
+class FolderLocks {
+ public:
+  /// Locks the folders of files that are about to be completed, links followed.
+  explicit FolderLocks(std::span<const std::filesystem::path> files);
+  ~FolderLocks();
+  FolderLocks(const FolderLocks&) = delete;
+  FolderLocks& operator=(const FolderLocks&) = delete;
+
+ private:
+  std::vector<int> descriptors_;
+};
+
+/// A file that appears under its name only when it is complete: it is written in the same folder
+/// under a name of its own and renamed by `commit`. A name that is a link stays one: the file that
+/// it leads to is written, beside itself. Dropped before that, interrupted or failed, it leaves
+/// nothing behind. Errors are sentences that name the file and the system's reason; after
+/// the first one, writing does nothing. It takes the place of nothing but what its mark and
+/// Overwriting let it, also if another file has come to that place while it was written.
+class OutputFile {
+ public:
+  /// Makes the folder, too, if it is missing. Errors: a folder that is no folder, or cannot be made
+  /// or written to; a target that exists and is no regular file (a folder, a device, a descriptor
+  /// such as /dev/stdout); links in a circle; a target that is an input or somebody else's file.
+  static tl::expected<OutputFile, std::string> create(const std::filesystem::path& target,
+                                                      const FileMark& mark,
+                                                      const Overwriting& overwriting = {});
+
+  OutputFile(OutputFile&& other) noexcept;
+  OutputFile& operator=(OutputFile&&) = delete;
+  ~OutputFile();
+
+  /// The buffer, for appending to; `flush_if_full` after each piece keeps it small.
+  std::string& buffer() { return buffer_; }
+  void flush_if_full() {
+    if (buffer_.size() >= kFlushSize) flush();
+  }
+  void append(std::string_view text) {
+    buffer_ += text;
+    flush_if_full();
+  }
+
+  /// Writes what is left and closes, for others to read under the temporary name.
+  tl::expected<void, std::string> close();
+
+  /// The name it was asked for by.
+  const std::filesystem::path& target() const { return target_; }
+  const FileMark& mark() const { return mark_; }
+  /// The name under which it is being written.
+  const std::filesystem::path& temporary() const { return temporary_; }
+
+ private:
+  friend tl::expected<void, std::string> commit(std::span<OutputFile* const> files);
+  friend tl::expected<void, std::string> commit(std::span<OutputFile* const> files,
+                                                const FolderLocks& locks);
+
+  static constexpr std::size_t kFlushSize = std::size_t{256} << 10U;
+
+  OutputFile() = default;
+  tl::expected<void, std::string> begin();
+  void flush();
+  void drop();
+
+  std::filesystem::path target_;
+  std::filesystem::path place_;  ///< where it will be, links followed
+  std::filesystem::path temporary_;
+  std::string buffer_;
+  std::string error_;
+  FileMark mark_;
+  bool force_ = false;
+  int descriptor_ = -1;
+  int registered_ = -1;
+};
+
+/// Completes files that belong together, all or none: writes what is left, closes them and gives
+/// them their names. Two programs that complete files in one folder do so one after the other.
+/// The error is that of the first file that has one; then none appears under its name.
+tl::expected<void, std::string> commit(std::span<OutputFile* const> files);
+/// The same for somebody who holds the locks of the files' folders already, to look at what is
+/// there before it is replaced.
+tl::expected<void, std::string> commit(std::span<OutputFile* const> files,
+                                       const FolderLocks& locks);
+
+}  // namespace slipbench::driver

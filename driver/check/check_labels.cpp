@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/check/check_labels.hpp"
+
+#include <optional>
+#include <vector>
+
+#include "driver/base/text/diagnostic.hpp"
+#include "driver/check/row_values.hpp"
+#include "driver/results/columns.hpp"
+#include "driver/results/summary.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+std::string product_text(const Dimension& quantity, const Dimension& abscissa,
+                         const UnitSystem& units) {
+  Dimension product{quantity.force + abscissa.force, quantity.length + abscissa.length,
+                    quantity.time + abscissa.time, quantity.temperature + abscissa.temperature,
+                    quantity.angle + abscissa.angle};
+  // A moment's work over an angle is an energy, too.
+  Dimension without_angle = product;
+  without_angle.angle = 0;
+  if (without_angle == kMoment) return energy_unit(units);
+  return unit_text(product, units);
+}
+
+}  // namespace
+
+CheckLabels labels_of(const Case& problem, const Check& check) {
+  const std::vector<Column> columns = result_columns(problem);
+  const auto dimension_of = [&](const std::string& name) -> std::optional<Dimension> {
+    const auto column = find_column(problem, columns, name);
+    if (!column) return std::nullopt;
+    return column->dimension;
+  };
+  CheckLabels labels;
+  labels.time_unit = problem.units.time;
+  if (const auto definition = friction_of(problem, columns, check)) {
+    labels.stiffness_follows_limit =
+        problem.definitions[*definition].law.stick.mode == law::StickStiffness::Mode::kElasticSlip;
+  }
+  const auto quantity = dimension_of(check.quantity_text);
+  if (quantity) labels.unit = unit_text(*quantity, problem.units);
+  std::optional<Dimension> abscissa = kTime;
+  labels.abscissa = "t";
+  if (check.abscissa) {
+    labels.abscissa = printable(check.abscissa_text);
+    abscissa = dimension_of(check.abscissa->expression.text());
+  }
+  if (abscissa) labels.abscissa_unit = unit_text(*abscissa, problem.units);
+  if (quantity && abscissa) {
+    labels.product_unit = product_text(*quantity, *abscissa, problem.units);
+  }
+  return labels;
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "driver/base/csv/data_source.hpp"
+#include "driver/base/text/history_error.hpp"
+
+namespace slipbench::driver {
+
+/// The first line of a golden curve.
+inline constexpr std::string_view kGoldenMark = "# slipbench golden curve";
+/// The column of a golden curve that holds the total time; every one has it.
+inline constexpr std::string_view kGoldenTime = "time";
+std::span<const std::string> golden_time_names();
+
+/// The columns of a reference curve that the checks of a case want, read at the first need and
+/// once, whoever asks. Several threads may ask at a time.
+class CurveFile {
+ public:
+  struct Column {
+    std::vector<double> values;        ///< as they stand in the file
+    std::optional<double> resolution;  ///< half a unit of the last printed digit, see PrintedDigits
+  };
+
+  explicit CurveFile(DataSource source) : source_(std::move(source)) {}
+
+  /// Says that a column will be asked for: the first of `names` that the file has. Only before the
+  /// first `column`.
+  void want(std::span<const std::string> names);
+
+  /// A column of those wanted. Errors, in a sentence: a file that cannot be read or is faulty; no
+  /// such column, naming those there are.
+  tl::expected<const Column*, std::string> column(std::span<const std::string> names) const;
+
+  /// Whether `slipbench bless` made it.
+  bool golden() const;
+
+  const std::filesystem::path& path() const { return source_.file; }
+
+ private:
+  void read() const;
+
+  DataSource source_;
+  std::vector<std::string> wanted_;
+  mutable std::once_flag once_;
+  mutable bool golden_ = false;
+  mutable std::string fault_;
+  mutable std::vector<std::string> header_;
+  mutable std::string remedy_;  ///< if nothing of what is wanted was found
+  mutable std::vector<std::string> names_;
+  mutable std::vector<Column> columns_;  ///< in the order of `names_`
+};
+
+/// Whether the file can be opened and read; what stands in it is not judged. Errors are of the kind
+/// kEnvironment: missing, unreadable, no regular file.
+tl::expected<void, HistoryError> openable_curve(const std::filesystem::path& file,
+                                                const std::string& shown_name);
+
+/// Whether the file's first line is that of a golden curve.
+bool is_golden_curve(const std::filesystem::path& file);
+
+}  // namespace slipbench::driver

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/check/curves/curve_series.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <span>
+#include <utility>
+#include <variant>
+
+#include "driver/check/curves/common_range.hpp"
+#include "driver/check/curves/curve_file.hpp"
+#include "driver/history/step_grid.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+/// Times are sums of increments: a border given in decimals may lie beside its row by rounding.
+bool within(double time, double from, double to) {
+  const double slack = kSameTime * std::abs(time);
+  return time >= from - slack && time <= to + slack;
+}
+
+/// Keeps the rows whose entry in `times` lies in [from, to].
+void keep_between(Series& series, std::span<const double> times, const Interval& span) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (!within(times[i], span.from, span.to)) continue;
+    series.abscissa[kept] = series.abscissa[i];
+    series.value[kept++] = series.value[i];
+  }
+  series.abscissa.resize(kept);
+  series.value.resize(kept);
+}
+
+/// The part of a curve whose time lies in `span`, its ends interpolated.
+void cut_between(Series& series, std::span<const double> times, const Interval& span) {
+  Series by_time{{times.begin(), times.end()}, std::move(series.value), std::move(series.abscissa)};
+  const Interval all = times.empty() ? Interval{} : extent(times);
+  const double slack = kSameTime * std::max(std::abs(all.from), std::abs(all.to));
+  by_time = cut(by_time, span, slack);
+  series.abscissa = std::move(by_time.time);
+  series.value = std::move(by_time.value);
+}
+
+/// Either of them, as the criterion needs it.
+void select(Series& series, std::span<const double> times, const Interval& span,
+            Criterion criterion) {
+  if (criterion == Criterion::kPointwise) {
+    keep_between(series, times, span);
+  } else {
+    cut_between(series, times, span);
+  }
+}
+
+bool selects_rows(const Check& check) { return check.step || check.from || check.to; }
+
+/// The file that the reader shared out, or one for a check that was built by hand.
+std::shared_ptr<const CurveFile> file_of(const Check& check, const CurveReference& reference) {
+  if (reference.data) return reference.data;
+  auto file = std::make_shared<CurveFile>(
+      DataSource{reference.file, reference.shown_name, reference.format});
+  want_columns(*file, check);
+  return file;
+}
+
+}  // namespace
+
+void want_columns(CurveFile& file, const Check& check) {
+  const auto& reference = std::get<CurveReference>(check.against);
+  file.want(reference.abscissa.names);
+  file.want(reference.column.names);
+  if (check.abscissa && selects_rows(check)) file.want(golden_time_names());
+}
+
+tl::expected<ReferenceCurve, std::string> reference_curve(const Check& check,
+                                                          const Series& result) {
+  const auto& reference = std::get<CurveReference>(check.against);
+  const auto file = file_of(check, reference);
+  const auto abscissa = file->column(reference.abscissa.names);
+  if (!abscissa) return tl::unexpected(abscissa.error());
+  const auto value = file->column(reference.column.names);
+  if (!value) return tl::unexpected(value.error());
+
+  ReferenceCurve curve;
+  curve.golden = file->golden();
+  Series& series = curve.series;
+  bool finite = true;
+  const auto convert = [&](const std::vector<double>& from, const UnitConversion& conversion,
+                           std::vector<double>& to) {
+    to.reserve(from.size());
+    for (const double number : from) {
+      to.push_back(conversion(number));
+      finite = finite && std::isfinite(to.back());
+    }
+  };
+  convert((*abscissa)->values, reference.abscissa.conversion, series.abscissa);
+  convert((*value)->values, reference.column.conversion, series.value);
+  if (!finite) {
+    return tl::unexpected(fmt::format(
+        "{}: a number exceeds the range of a double in the case's unit", reference.shown_name));
+  }
+  if ((*value)->resolution) {
+    curve.resolution = *(*value)->resolution * std::abs(reference.column.conversion.scale);
+  }
+
+  if ((*abscissa)->resolution) {
+    // Two numbers that are printed a unit apart may be the same.
+    series.noise = 2.0 * *(*abscissa)->resolution * std::abs(reference.abscissa.conversion.scale);
+  }
+
+  const std::size_t rows = series.size();
+  const double infinity = std::numeric_limits<double>::infinity();
+  if (!check.abscissa && (check.from || check.to)) {
+    const std::vector<double> times = series.abscissa;
+    select(series, times, {check.from.value_or(-infinity), check.to.value_or(infinity)},
+           check.criterion);
+  }
+  if (selects_rows(check) && check.abscissa && !result.time.empty() && curve.golden) {
+    const auto times = file->column(golden_time_names());
+    if (!times) return tl::unexpected(times.error());
+    select(series, (*times)->values, {result.time.front(), result.time.back()}, check.criterion);
+  }
+  if (series.size() == 0) {
+    return tl::unexpected(fmt::format("{}: no row of it was compared", reference.shown_name));
+  }
+  if (series.size() == 1 && rows > 1 && result.size() > 1) {
+    return tl::unexpected(
+        fmt::format("{}: only 1 of its {} rows, at {:.9g}, is selected by the check, and a curve "
+                    "needs two",
+                    reference.shown_name, rows, series.abscissa.front()));
+  }
+  if (!check.abscissa) series.time = series.abscissa;
+  return curve;
+}
+
+}  // namespace slipbench::driver

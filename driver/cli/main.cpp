@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command line: what is typed becomes the options of a command.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "driver/base/files/interruption.hpp"
+#include "driver/cli/declare.hpp"
+#include "driver/cli/faults.hpp"
+#include "driver/commands/shared.hpp"
+#include "driver/results/provenance.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+/// A closed standard stream would give its number to the next file opened, and messages would end
+/// up in a result. A stand-in that refuses the wrong direction makes them fail instead.
+void fill_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) != -1) continue;
+    // The lowest free number is the closed stream's, since those below it are open by now.
+    if (open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0) return;
+  }
+}
+
+int run(int argc, char** argv) {
+  CLI::App app(
+      "A test bench for connector friction: a case in YAML is run increment by increment\n"
+      "and gives forces, slip and energies as CSV, verdicts and pictures.",
+      "slipbench");
+  app.footer(
+      "Examples:\n"
+      "  slipbench run shock.yaml                      run a case; shock.csv is the result\n"
+      "  slipbench run shock.yaml --set mu=0.2 -o out  the same with another parameter value\n"
+      "  slipbench check cases/                        run all cases and judge their checks\n"
+      "  slipbench plot shock.yaml -o shock.svg        force against time and motion\n"
+      "  slipbench new HINGE -o hinge.yaml             a minimal case to begin with\n"
+      "  slipbench list connections                    what a case may use\n"
+      "  slipbench describe CYLINDRICAL                one of them in detail\n"
+      "'slipbench COMMAND --help' tells more about a command.\n"
+      "Exit codes: 0 all well, 1 a check failed, 2 bad input, 3 numerical failure,\n"
+      "4 file or environment, 70 internal error, 130/143 interrupted, 141 broken pipe.");
+  app.set_version_flag("--version", "slipbench " + std::string(program_version()));
+  app.require_subcommand(1);
+  Command command;
+
+  declare_run(app, command);
+  declare_check(app, command);
+  declare_bless(app, command);
+  declare_plot(app, command);
+  declare_report(app, command);
+  declare_calibrate(app, command);
+  declare_import(app, command);
+  declare_list(app, command);
+  declare_describe(app, command);
+  declare_new(app, command);
+  declare_schema(app, command);
+
+  for (CLI::App* declared : app.get_subcommands(nullptr)) {
+    for (CLI::Option* option : declared->get_options()) {
+      if (option->get_expected_max() == 0) option->disable_flag_override();
+    }
+  }
+  const std::vector<std::string_view> words(argv + std::min(argc, 1), argv + argc);
+  if (const std::string fault = fault_of_command(app, words); !fault.empty()) {
+    print_error("slipbench: error: " + fault + "\n");
+    return kExitBadInput;
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    std::ostringstream out;
+    std::ostringstream err;
+    if (app.exit(error, out, err) == 0) {
+      print(out.str());
+      return kExitOk;
+    }
+    print_error(fault_of_options(app, error));
+    return kExitBadInput;
+  }
+  return command();
+}
+
+}  // namespace
+}  // namespace slipbench::driver
+
+int main(int argc, char** argv) {
+  using namespace slipbench::driver;
+  fill_closed_streams();
+  handle_interruption();
+  try {
+    return finish_output(run(argc, argv));
+  } catch (const std::bad_alloc&) {
+    return finish_output(refuse(kExitEnvironment, "this needs more memory than there is"));
+  } catch (const std::exception& error) {
+    print_error(fmt::format("slipbench: internal error: {}\n", error.what()));
+    return kExitInternal;
+  }
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/commands/report.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "driver/cli/declare.hpp"
+
+namespace slipbench::driver {
+
+void declare_report(CLI::App& app, Command& command) {
+  const auto options = std::make_shared<ReportOptions>();
+  CLI::App* declared =
+      app.add_subcommand("report", "Write an HTML page about cases and results, to look at");
+  declared
+      ->add_option("CASE|RESULT.csv", options->inputs,
+                   "Case files, folders that are searched for them, or results of 'run'")
+      ->required();
+  declared->add_option("-o,--output", options->output, "The page")
+      ->type_name("FILE.html")
+      ->required();
+  declared->add_option("--title", options->title, "Title of the page")->type_name("TEXT");
+  declare_settings(*declared, options->settings, options->allow_outside);
+  declare_force(*declared, options->force, "no such page");
+  declared->footer(
+      "One file that opens offline in any browser: verdicts, loops and histories, events, energy.\n"
+      "Example: slipbench report cases/ -o report.html");
+  declared->callback([options, &command] {
+    name_cases(options->inputs);
+    command = [options] { return report_command(*options); };
+  });
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "driver/cli/declare.hpp"
+#include "driver/commands/catalogue.hpp"
+
+namespace slipbench::driver {
+
+void declare_schema(CLI::App& app, Command& command) {
+  CLI::App* declared =
+      app.add_subcommand("schema", "Print the JSON Schema of case or fit files, for editors");
+  struct Options {
+    bool markdown = false;
+    bool fit = false;
+  };
+  const auto options = std::make_shared<Options>();
+  declared->add_flag("--fit", options->fit, "Print the schema of fit files, which calibrate reads");
+  declared->add_flag("--markdown", options->markdown,
+                     "Print the reference of both kinds of files as Markdown instead");
+  declared->callback([options, &command] {
+    command = [options] { return schema_command(options->markdown, options->fit); };
+  });
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "driver/base/csv/csv_reader.hpp"
+#include "driver/base/units/units.hpp"
+#include "driver/yaml/binding.hpp"
+
+namespace slipbench::driver {
+
+/// The change from a column's unit to the case's, and what the column measures.
+struct ColumnUnit {
+  UnitConversion conversion;
+  Dimension dimension;
+};
+
+/// The change of unit for a column of a data file: from the unit that the case states beside it, or
+/// else from the one that the file states. Says what it takes from the file, and where the two
+/// contradict each other (the case is believed).
+/// \param column as the case names it, at `at`
+/// \param file null if it could not be read: then only what the case states is known
+/// \param dimensions that the quantity may have, by the first that fits the unit; empty if they are
+///        not known: then the file's unit is not used
+/// \return nothing after reporting an error: a unit that does not measure the quantity
+std::optional<ColumnUnit> column_unit(Binder& binder, const CsvReader* file,
+                                      const std::string& column, const Node& at, const Path& path,
+                                      const At<std::string>& stated,
+                                      std::span<const Dimension> dimensions,
+                                      const UnitSystem& system);
+
+/// Says how many samples of these columns are missing, if the source allows for it. Faults of the
+/// file are not reported: those that read it do.
+void note_missing(Binder& binder, const DataSource& source, std::span<const std::string> columns,
+                  const Node& at, const Path& path);
+
+}  // namespace slipbench::driver

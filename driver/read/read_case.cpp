@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/read/read_case.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+
+#include "driver/base/text/suggestions.hpp"
+#include "driver/base/units/carried_unit.hpp"
+#include "driver/read/file_kind.hpp"
+#include "driver/read/foreign_file.hpp"
+#include "driver/read/keys/case_codecs.hpp"
+#include "driver/read/keys/case_units.hpp"
+#include "driver/read/resolve/resolve.hpp"
+#include "driver/read/resolve/resolve_formulation.hpp"
+#include "driver/yaml/parse.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+struct Parameters {
+  NamedNumbers values;
+  std::vector<std::string> unresolved;  ///< names that have no value because something is faulty
+};
+
+/// A parameter or override, and where it was written.
+struct Definition {
+  ParameterText text;
+  std::optional<Entry> entry;  ///< nothing for --set
+};
+
+void report(Binder& binder, const Node& root, Diagnostics& out, const Definition& definition,
+            const ParameterError& error, std::span<const std::string> names) {
+  if (definition.entry) {
+    const Path path = Path() / "parameters" / definition.text.name;
+    if (error.concerns_name) {
+      binder.error(definition.entry->key, path, error.error.message);
+    } else {
+      binder.expression_error(definition.entry->value, path, error.error, {});
+    }
+    return;
+  }
+  const std::string& wanted = error.error.unknown_name;
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  std::string hint;
+  if (!wanted.empty()) {
+    hint = nearest_or(wanted, known,
+                      known.empty() ? "this case has no parameters"
+                                    : "parameters of this case: " + few_in_words(known));
+  }
+  out.error(root.source().name(), {}, "--set " + definition.text.name, error.error.message,
+            std::move(hint));
+}
+
+/// Resolves what can be resolved: parameters that are faulty, or use a faulty one, are left out.
+void resolve(Binder& binder, const Node& root, Diagnostics& out, std::vector<Definition> parameters,
+             std::vector<Definition> overrides, std::span<const std::string> names,
+             Parameters& result) {
+  const auto texts = [](const std::vector<Definition>& definitions) {
+    std::vector<ParameterText> list;
+    for (const Definition& definition : definitions) list.push_back(definition.text);
+    return list;
+  };
+  // Each round takes away those that the last one had taken their names from: a chain as long as
+  // kMostRounds is followed to its end, and all of a longer one counts as unresolved.
+  constexpr int kMostRounds = 8;
+  for (int round = 0; round < kMostRounds; ++round) {
+    auto resolved = resolve_parameters(texts(parameters), texts(overrides));
+    if (resolved) {
+      result.values = std::move(*resolved);
+      return;
+    }
+    std::vector<std::string> faulty;
+    std::vector<std::size_t> unknown_overrides;
+    for (const ParameterError& error : resolved.error()) {
+      const std::vector<Definition>& list = error.in_override ? overrides : parameters;
+      const std::string& name = list[error.index].text.name;
+      const bool declared = std::find(names.begin(), names.end(), name) != names.end();
+      const std::string& unknown = error.error.unknown_name;
+      const bool consequence = std::find(result.unresolved.begin(), result.unresolved.end(),
+                                         unknown) != result.unresolved.end();
+      if (!consequence) report(binder, root, out, list[error.index], error, names);
+      if (declared) {
+        faulty.push_back(name);
+      } else {
+        unknown_overrides.push_back(error.index);
+      }
+    }
+    for (auto it = unknown_overrides.rbegin(); it != unknown_overrides.rend(); ++it) {
+      overrides.erase(overrides.begin() + static_cast<std::ptrdiff_t>(*it));
+    }
+    const auto is_faulty = [&](const Definition& definition) {
+      return std::find(faulty.begin(), faulty.end(), definition.text.name) != faulty.end();
+    };
+    std::erase_if(parameters, is_faulty);
+    std::erase_if(overrides, is_faulty);
+    result.unresolved.insert(result.unresolved.end(), faulty.begin(), faulty.end());
+  }
+  for (const Definition& parameter : parameters) result.unresolved.push_back(parameter.text.name);
+}
+
+/// A setting that carries its unit, as a number of the case's system.
+ParameterText in_case_units(ParameterText setting, const UnitSystem& units, const Node& root,
+                            Diagnostics& out) {
+  const auto* text = std::get_if<std::string>(&setting.value);
+  if (text == nullptr || !carries_unit(*text)) return setting;
+  const auto number = read_with_unit(*text, std::nullopt, units);
+  if (!number) out.error(root.source().name(), {}, "--set " + setting.name, number.error());
+  setting.value = number ? number->value : 0.0;
+  return setting;
+}
+
+/// Parameters come first: every other number of the file may be an expression over them.
+Parameters read_parameters(const Node& root, const UnitSystem& units, const ReadOptions& options,
+                           Diagnostics& out) {
+  Parameters result;
+  const auto map = root.find("parameters");
+  std::vector<std::string> names;
+  if (map && map->is_map()) {
+    for (const Entry entry : map->entries()) names.emplace_back(entry.key.text());
+  }
+  const NamedNumbers none;
+  // Knows the names only, for suggestions.
+  Binder binder(out, none, names, {}, false);
+  binder.set_units(units);
+  const KeyInfo any_unit{.unit = UnitUse::kAny};
+  std::vector<Definition> parameters;
+  if (map && map->is_map()) {
+    for (const Entry entry : map->entries()) {
+      const std::string name(entry.key.text());
+      const bool overridden = std::any_of(options.overrides.begin(), options.overrides.end(),
+                                          [&](const auto& set) { return set.name == name; });
+      if (entry.value.is_null()) {
+        // A parameter without a value waits for one: so does the skeleton of a case.
+        if (overridden) {
+          parameters.push_back({{name, 0.0}, entry});
+        } else {
+          binder.error(entry.value, Path() / "parameters" / name, "wanted a number, found nothing",
+                       "give it one here, or with --set " + name + "=VALUE");
+          result.unresolved.push_back(name);
+        }
+      } else if (Binder::is_expression(entry.value)) {
+        parameters.push_back({{name, std::string(entry.value.text())}, entry});
+      } else if (const auto number =
+                     binder.number(entry.value, Path() / "parameters" / name, any_unit)) {
+        parameters.push_back({{name, *number}, entry});
+      } else if (overridden) {
+        parameters.push_back({{name, 0.0}, entry});
+      } else {
+        result.unresolved.push_back(name);
+      }
+    }
+  }
+  std::vector<Definition> overrides;
+  for (const ParameterText& text : options.overrides) {
+    overrides.push_back({in_case_units(text, units, root, out), std::nullopt});
+  }
+  resolve(binder, root, out, std::move(parameters), std::move(overrides), names, result);
+  return result;
+}
+
+/// What stands between the text of a case and its values: parameters, and a binder that knows them.
+struct Reading {
+  Reading(const Node& root, const std::string& folder, const ReadOptions& options, Diagnostics& out)
+      : units(units_of(root)),
+        parameters(read_parameters(root, units, options, out)),
+        binder(out, parameters.values, parameters.unresolved, folder, options.allow_outside) {
+    binder.set_units(units);
+    // Without parameters, every name in an expression would be unknown.
+    const auto map = root.find("parameters");
+    binder.excuse_unknown_names((map && !map->is_map()) ||
+                                is_misspelt<CaseText>(root, "parameters"));
+  }
+
+  UnitSystem units;
+  Parameters parameters;
+  Binder binder;
+};
+
+/// Everything up to the friction. Faults do not hide one another: each part is judged as far as it
+/// was understood.
+/// \return whether it is known which result columns there are
+bool resolve_to_friction(Reading& reading, const Node& root, CaseText& text, Case& problem) {
+  Binder& binder = reading.binder;
+  problem.file = root.source().name();
+  problem.title =
+      text.title.empty() ? std::filesystem::path(problem.file).stem().string() : text.title;
+  problem.parameters = reading.parameters.values;
+  problem.units = read_units(binder, text.units);
+  if (text.extrapolation.sound) binder.set_extrapolation(text.extrapolation.value);
+  resolve_connector(binder, text, problem);
+  resolve_belt(binder, text, problem);
+  resolve_friction_pairs(binder, text, !is_misspelt<CaseText>(root, "friction_pairs"), problem);
+  const bool derived_known = !is_misspelt<CaseText>(root, "derived_components");
+  const bool columns_known = resolve_friction(binder, text, derived_known, problem);
+  if (text.friction_pairs.given() && !problem.definitions.empty()) {
+    binder.settle_slip_units(text.friction_pairs.path,
+                             law::is_rotational(problem.definitions.front().law.slip));
+  }
+  return columns_known && !is_any_connection(problem.connection);
+}
+
+/// Whether a key of a case has a say in its friction definitions.
+bool is_about_friction(std::string_view key) {
+  constexpr std::array<std::string_view, 3> kOthers{"history", "output", "checks"};
+  return std::find(kOthers.begin(), kOthers.end(), key) == kOthers.end();
+}
+
+}  // namespace
+
+tl::expected<ParsedCase, Diagnostics> ParsedCase::parse(const SourceText& source,
+                                                        std::string folder) {
+  auto tree = parse_yaml(source);
+  if (!tree) {
+    // Faults of YAML say nothing to people who gave another kind of file.
+    if (auto foreign = foreign_file(source)) {
+      tree.error() = {};
+      tree.error().add(std::move(*foreign));
+    }
+    return tl::unexpected(std::move(tree.error()));
+  }
+  return ParsedCase(std::move(*tree), std::move(folder));
+}
+
+ReadCase ParsedCase::resolve(const ReadOptions& options) const {
+  ReadCase result;
+  const Node root = tree_.root();
+  result.sources.push_back(root.source());
+  Diagnostics& out = result.diagnostics;
+  if (const auto key = key_of_fit(root)) {
+    out.error(root.source().name(), key->where(), "calibrate",
+              "this is a fit file, not a case: 'slipbench calibrate " +
+                  printable(root.source().name()) + "' works on it");
+    return result;
+  }
+  Reading reading(root, folder_, options, out);
+  Binder& binder = reading.binder;
+
+  CaseText text;
+  const bool bound = read_struct(binder, root, Path(), text);
+
+  Case problem;
+  const bool columns_known = resolve_to_friction(reading, root, text, problem);
+  const std::size_t errors = binder.errors();
+  resolve_forces(binder, text, problem);
+  resolve_history(binder, text, problem);
+  finish_belt(binder, text, problem);
+  finish_forces(binder, text, problem);
+  finish_contact_forces(binder, text, problem);
+  tell_oscillator(binder, text, problem);
+  check_formulations(binder, text, problem);
+  resolve_bench_options(binder, text, problem);
+  const bool history_known = text.history.sound && binder.errors() == errors;
+  resolve_friction_changes(binder, text, columns_known, problem);
+  resolve_integration(binder, text, problem);
+  resolve_output_and_checks(binder, text, problem, columns_known, history_known,
+                            options.curves_may_be_missing);
+  if (bound && !out.has_errors()) binder.refuse_unsettled_units();
+  result.environment_failure = binder.environment_failed();
+  result.data_files = binder.data_files();
+  problem.data_files = binder.data_files();
+  if (bound && !out.has_errors()) explain_table_arguments(binder, text, problem);
+  if (bound && !out.has_errors()) result.value = std::move(problem);
+  return result;
+}
+
+tl::expected<std::vector<CaseDefinition>, Diagnostics> ParsedCase::resolve_friction_only(
+    const ReadOptions& options) const {
+  Diagnostics out;
+  const Node root = tree_.root();
+  Reading reading(root, folder_, options, out);
+  CaseText text;
+  for_each_key<CaseText>([&](std::string_view key, auto member, const KeyInfo& info) {
+    using Member = std::remove_reference_t<decltype(text.*member)>;
+    if (!is_about_friction(key)) return;
+    if (const auto value = root.find(key)) {
+      Codec<Member>::read(reading.binder, *value, Path() / key, info, text.*member);
+    }
+  });
+  Case problem;
+  resolve_to_friction(reading, root, text, problem);
+  if (out.has_errors()) return tl::unexpected(std::move(out));
+  return std::move(problem.definitions);
+}
+
+tl::expected<NamedNumbers, Diagnostics> ParsedCase::resolve_parameters_only(
+    const ReadOptions& options) const {
+  Diagnostics out;
+  Parameters parameters = read_parameters(tree_.root(), units_of(tree_.root()), options, out);
+  if (out.has_errors()) return tl::unexpected(std::move(out));
+  return std::move(parameters.values);
+}
+
+ReadCase read_case_text(const SourceText& source, const std::string& folder,
+                        const ReadOptions& options) {
+  auto parsed = ParsedCase::parse(source, folder);
+  if (parsed) return parsed->resolve(options);
+  ReadCase result;
+  result.sources.push_back(source);
+  result.diagnostics = std::move(parsed.error());
+  return result;
+}
+
+ReadCase read_case(const std::string& path, const ReadOptions& options) {
+  auto source = read_source(path);
+  if (!source) {
+    ReadCase result;
+    result.diagnostics.add(source.error().diagnostic);
+    result.environment_failure = source.error().failure == ReadFailure::kEnvironment;
+    return result;
+  }
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  return read_case_text(*source, folder.empty() ? "." : folder, options);
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <tl/expected.hpp>
+#include <utility>
+#include <vector>
+
+#include "driver/base/text/source_text.hpp"
+#include "driver/base/units/parameters.hpp"
+#include "driver/case/case.hpp"
+#include "driver/yaml/node.hpp"
+
+namespace slipbench::driver {
+
+/// What reading a case gave: the case, unless there were errors, and everything there is to say.
+struct ReadCase {
+  std::optional<Case> value;
+  Diagnostics diagnostics;
+  std::vector<std::string> data_files;  ///< that the case names, also one with errors
+  std::vector<SourceText> sources;      ///< texts the diagnostics quote from
+  bool environment_failure =
+      false;  ///< some error is the machine's (exit 4), not the text's (exit 2)
+};
+
+struct ReadOptions {
+  std::vector<ParameterText> overrides = {};  ///< --set name=value
+  bool allow_outside = false;                 ///< data files may lie outside the case's folder
+  bool curves_may_be_missing = false;         ///< reference curves are about to be made
+};
+
+/// The text of a case, parsed once, to be resolved again and again with other parameters.
+class ParsedCase {
+ public:
+  /// Data files are looked for in `folder`. Errors: those of the text itself.
+  static tl::expected<ParsedCase, Diagnostics> parse(const SourceText& source, std::string folder);
+
+  /// What the text says, for those who look for names in it.
+  Node root() const { return tree_.root(); }
+
+  /// The case. All errors are collected.
+  ReadCase resolve(const ReadOptions& options = {}) const;
+
+  /// Only its friction definitions: history, output and checks are not looked at, so that it takes
+  /// a fraction of the time. Errors of the rest.
+  tl::expected<std::vector<CaseDefinition>, Diagnostics> resolve_friction_only(
+      const ReadOptions& options = {}) const;
+
+  /// Only its parameters. Errors of those.
+  tl::expected<NamedNumbers, Diagnostics> resolve_parameters_only(
+      const ReadOptions& options = {}) const;
+
+ private:
+  ParsedCase(Tree tree, std::string folder) : tree_(std::move(tree)), folder_(std::move(folder)) {}
+
+  Tree tree_;
+  std::string folder_;
+};
+
+/// Reads, binds and checks a case file; "-" is standard input. All errors of it are collected.
+ReadCase read_case(const std::string& path, const ReadOptions& options = {});
+
+/// The same from a text in memory; data files are looked for in `folder`.
+ReadCase read_case_text(const SourceText& source, const std::string& folder,
+                        const ReadOptions& options = {});
+
+}  // namespace slipbench::driver

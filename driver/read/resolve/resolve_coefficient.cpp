@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "driver/base/text/format_number.hpp"
+#include "driver/read/keys/case_codecs.hpp"
+#include "driver/read/resolve/resolve_definition.hpp"
+#include "law/friction/at_radius.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+/// The place of a key in the map of a law: the key's value if it was written, else the law's.
+std::pair<Node, Path> place_of(const Node& law, const Path& path, std::string_view key) {
+  const auto value = law.find(key);
+  return value ? std::pair{*value, path / key} : std::pair{law, path};
+}
+
+/// A law by name stands below its name.
+std::pair<Node, Path> below_name(const Node& node, const Path& path) {
+  if (!node.is_map() || node.size() != 1) return {node, path};
+  return {node.entry(0).value, path / node.entry(0).key.text()};
+}
+
+/// Gives a law of the pressure its area, its own or the connector's.
+template <class Law>
+bool complete_area(Binder& binder, Law& law, const Node& node, const Path& path,
+                   const At<double>& connector_area) {
+  if (law.area) return true;
+  if (connector_area.sound) law.area = connector_area.value;
+  if (law.area || connector_area.faulty() || !law.needs_area()) return true;
+  binder.error(node, path, "its coefficients see the pressure p = F_N/A, but there is no area A",
+               "give 'area' here, or 'connector: {area: ..}' for all coefficients of the case");
+  return false;
+}
+
+/// Gives a law whose constants hide a unit of speed its factor: Renard's last piece adds the square
+/// of a speed to a pure number, which has no meaning without a unit.
+template <class Law>
+bool complete_speed_unit(Binder& binder, Law& law, const Node& node, const Path& path,
+                         bool rotational, const UnitSystem& units) {
+  if ((units.length.empty() && !rotational) || units.time.empty()) {
+    binder.error(node, path,
+                 "its piece beyond C6 hides a unit of speed: the case must state its units of "
+                 "length and time",
+                 "units: {length: mm, time: s}, and 'speed_unit' here if the constants are of "
+                 "another system");
+    return false;
+  }
+  if (law.speed_unit.empty()) return true;
+  const Dimension speed{.length = rotational ? 0 : 1, .time = -1, .angle = rotational ? 1 : 0};
+  const auto conversion = conversion_to_case(law.speed_unit.name(), speed, units);
+  if (!conversion) {
+    const auto [at, where] = place_of(node, path, "speed_unit");
+    binder.history_error(at, where, conversion.error());
+    if (rotational) {
+      binder.note(at, where,
+                  "this definition slips in a rotation: its V is in " + unit_text(speed, units));
+    }
+    return false;
+  }
+  law.speed_factor = 1.0 / conversion->scale;
+  return true;
+}
+
+/// What a user may not expect of the coefficients he gave.
+void warn_of(Binder& binder, const law::GeneralizedViscous& law, const Node& node,
+             const Path& path) {
+  if (law.c6 == 0.0) return;
+  const auto [at, where] = place_of(node, path, "C6");
+  binder.warning(at, where, "C6 is not used by this law (Radioss Ifric 1 has C1 to C5)");
+}
+template <class Law>
+void warn_of(Binder&, const Law&, const Node&, const Path&) {}
+
+/// A coefficient that starts below zero is more often a slip of the sign than meant.
+template <class Law>
+void warn_of_negative_start(Binder& binder, const Law& law, const Node& node, const Path& path) {
+  if constexpr (requires { law.raw_coefficient(0.0, 0.0); }) {
+    const double start = law.raw_coefficient(0.0, 0.0);
+    if (start >= 0.0) return;
+    binder.warning(node, path,
+                   "mu = " + format_number(start) +
+                       " at rest and without pressure: a coefficient below 0 is kept at 1e-30, "
+                       "which is no friction");
+  }
+}
+
+template <class Law>
+bool complete(Binder& binder, Law& law, const Node& node, const Path& path,
+              const LawSurroundings& surroundings) {
+  bool good = true;
+  if constexpr (requires { law.area; }) {
+    good = complete_area(binder, law, node, path, surroundings.area);
+  }
+  warn_of(binder, law, node, path);
+  warn_of_negative_start(binder, law, node, path);
+  return good;
+}
+
+}  // namespace
+
+std::optional<law::FrictionLaw> coefficient_law(Binder& binder, const CoefficientText& coefficient,
+                                                const Node& node, const Path& path,
+                                                const LawSurroundings& surroundings) {
+  if (const auto* table_text = std::get_if<TableText>(&coefficient.value)) {
+    auto function = table_function(binder, *table_text, node, path, kCoefficientTable);
+    if (!function) return std::nullopt;
+    return law::FrictionLaw(law::TabularCoefficient{std::move(*function)});
+  }
+  law::FrictionLaw law = std::get<law::FrictionLaw>(coefficient.value);
+  const auto [below, place] = below_name(node, path);
+  const bool good =
+      std::visit([&, &at = below, &where = place](
+                     auto& one) { return complete(binder, one, at, where, surroundings); },
+                 law);
+  if (!good) return std::nullopt;
+  return law;
+}
+
+std::optional<law::FrictionLaw> coefficient_law(Binder& binder,
+                                                const At<CoefficientText>& coefficient,
+                                                const LawSurroundings& surroundings) {
+  const CoefficientText& text = coefficient.value;
+  if (!coefficient.sound || text.orthotropic || text.with_direction) return std::nullopt;
+  return coefficient_law(binder, text, *coefficient.node, coefficient.path, surroundings);
+}
+
+bool suit_to_slip(Binder& binder, const At<CoefficientText>& coefficient,
+                  const law::SlipSpace& slip, const UnitSystem& units, std::optional<double> radius,
+                  law::FrictionLaw& law) {
+  if (!coefficient.sound) return true;
+  // At a radius the law goes on seeing the speed and the force that its numbers are of.
+  const bool at_radius = radius && law::is_rotational(slip);
+  const bool rotational = law::is_rotational(slip) && !at_radius;
+  const auto [node, path] = below_name(*coefficient.node, coefficient.path);
+  const bool good = std::visit(
+      [&, &at = node, &where = path](auto& one) {
+        if constexpr (requires { one.speed_unit; }) {
+          return complete_speed_unit(binder, one, at, where, rotational, units);
+        } else if constexpr (requires { one.area; }) {
+          if (rotational && one.depends_on_contact_force()) {
+            const std::string unit = unit_text({.force = 1, .length = -1}, units);
+            binder.warning(at, where,
+                           "F_N of this definition is a moment: its p = F_N/A is no pressure but " +
+                               (unit.empty() ? "a moment over an area" : "in " + unit) +
+                               ", and V an angle per time");
+          }
+          return true;
+        } else {
+          return true;
+        }
+      },
+      law);
+  if (at_radius) law = law::at_radius(std::move(law), *radius);
+  return good;
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cctype>
+
+#include "driver/base/text/suggestions.hpp"
+#include "driver/case/quantity.hpp"
+#include "driver/case/quantity_dimension.hpp"
+#include "driver/read/keys/degrees.hpp"
+#include "driver/read/keys/key_index.hpp"
+#include "driver/read/resolve/resolve.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+std::string names_of(law::ComponentSet set, std::string (*name)(int)) {
+  std::string text;
+  for (int c = 0; c < law::kComponents; ++c) {
+    if (!set.contains(c)) continue;
+    if (!text.empty()) text += ", ";
+    text += name(c);
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::optional<law::Connection> one_type(Binder& binder, const At<std::string>& name,
+                                        int dimension) {
+  if (auto found = law::find_connection(name.value, dimension)) return found;
+  if (dimension == 2 && law::find_connection(name.value)) {
+    binder.error(
+        *name.node, name.path,
+        name.value + " has no two-dimensional form; only SLOT and CONTACT may say dimension: 2");
+    return std::nullopt;
+  }
+  if (const auto later = later_key(name.value)) {
+    binder.error(*name.node, name.path, std::string(later->why));
+    return std::nullopt;
+  }
+  std::vector<std::string_view> known;
+  law::for_each_connection_type(
+      [&]<class Type>(std::type_identity<Type>) { known.push_back(Type::kInfo.name); });
+  binder.error(*name.node, name.path, "unknown connection type '" + printable(name.value) + "'",
+               did_you_mean(name.value, known, "'slipbench list connections' shows all"));
+  return std::nullopt;
+}
+
+void read_positions(Binder& binder, const NamedMap<double>& text, const Case& problem,
+                    law::RelativePosition& out) {
+  const law::ComponentSet measured =
+      problem.connection.info.held | problem.connection.info.available;
+  for (const Named<double>& entry : text) {
+    const auto component = component_of_motion(entry.name);
+    if (!component) {
+      binder.error(*entry.key, entry.path, "unknown position '" + printable(entry.name) + "'",
+                   nearest_component(entry.name, measured, motion_name,
+                                     "positions are " + motion_names(measured)));
+    } else if (!measured.contains(*component)) {
+      binder.error(*entry.key, entry.path,
+                   connector_words(problem.connection) + " has no component " +
+                       std::to_string(*component + 1) + "; it has " + motion_names(measured));
+    } else if (entry.sound) {
+      if (law::is_rotation(*component)) {
+        doubt_angle(binder, *entry.node, entry.path, AngleUse::kSwing);
+      }
+      binder.settle_units(entry.path, dimension_of(kFirstMotion + *component));
+      out[*component] = entry.value;
+    }
+  }
+}
+
+std::optional<law::Connection> connection_of(Binder& binder, const ConnectorText& connector) {
+  const std::vector<At<std::string>>& names = connector.type.value.names;
+  if (!connector.type.sound || names.empty()) return std::nullopt;
+  std::vector<law::Connection> parts;
+  for (const At<std::string>& name : names) {
+    const int dimension = names.size() == 1 ? connector.dimension.value : 3;
+    if (auto part = one_type(binder, name, dimension)) parts.push_back(std::move(*part));
+  }
+  if (parts.size() < names.size()) return std::nullopt;
+  if (parts.size() == 1) return std::move(parts[0]);
+  if (connector.dimension.value != 3) {
+    binder.error(*connector.dimension.node, connector.dimension.path,
+                 "a pair of basic types lives in three dimensions");
+  }
+  auto whole = law::assemble(parts[0], parts[1]);
+  if (!whole) {
+    binder.error(*connector.type.node, connector.type.path,
+                 names[0].value + " and " + names[1].value +
+                     " do not make a pair: it takes one basic type for translations and one for "
+                     "rotations",
+                 "translations: SLOT, SLIDE-PLANE, JOIN, CARTESIAN; rotations: REVOLUTE, ALIGN, "
+                 "UNIVERSAL, CARDAN, ROTATION");
+  }
+  return whole;
+}
+
+}  // namespace
+
+std::string connector_words(const law::Connection& connection) {
+  if (connection.info.name.empty()) return "this connector";
+  const bool vowel = connection.info.name == "ALIGN";
+  return (vowel ? "an " : "a ") + std::string(connection.info.name) + " connector";
+}
+std::string nearest_component(std::string_view name, law::ComponentSet set,
+                              std::string (*name_of_component)(int), std::string otherwise) {
+  // One wrong digit is as near as another: only a slip in letter case is certain.
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) ==
+           std::tolower(static_cast<unsigned char>(b));
+  };
+  for (int c = 0; c < law::kComponents; ++c) {
+    const std::string known = name_of_component(c);
+    if (set.contains(c) && std::equal(known.begin(), known.end(), name.begin(), name.end(), same)) {
+      return "did you mean '" + known + "'?";
+    }
+  }
+  return otherwise;
+}
+std::string motion_names(law::ComponentSet set) { return names_of(set, motion_name); }
+std::string force_names(law::ComponentSet set) { return names_of(set, force_name); }
+
+law::Connection any_connection() {
+  law::Connection connection;
+  for (int c = 0; c < law::kComponents; ++c) {
+    connection.info.held.insert(c);
+    connection.info.available.insert(c);
+  }
+  return connection;
+}
+bool is_any_connection(const law::Connection& connection) {
+  return !(connection.info.held & connection.info.available).empty();
+}
+
+void resolve_connector(Binder& binder, const CaseText& text, Case& out) {
+  const ConnectorText& connector = text.connector.value;
+  out.connection = any_connection();
+  if (auto connection = connection_of(binder, connector)) out.connection = std::move(*connection);
+  read_positions(binder, connector.initial, out, out.initial);
+  out.reference = out.initial;
+  read_positions(binder, connector.reference, out, out.reference);
+}
+
+}  // namespace slipbench::driver

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a check compares over, and the reference curve it names.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "driver/case/case.hpp"
+#include "driver/read/keys/case_text.hpp"
+#include "driver/yaml/binding.hpp"
+
+namespace slipbench::driver {
+
+/// What quantity and reference are compared over.
+struct AbscissaChoice {
+  std::optional<ExpressionReference> value;  ///< nothing for total time
+  std::string text = "time";                 ///< as the case names it
+  std::vector<std::string> columns;          ///< of a curve that hold it unless the case says else
+  std::optional<Dimension> dimension;        ///< unknown of an expression
+};
+
+/// The check's own `abscissa:`, else what the curve's column of the abscissa is called, else time.
+/// \param variables what an expression of a check may name
+/// \return nothing after reporting an error, or if it cannot be judged yet
+std::optional<AbscissaChoice> read_abscissa(Binder& binder, const CheckText& text,
+                                            const std::vector<std::string>& variables,
+                                            const Case& problem);
+
+/// The curve under `against:`.
+/// \param may_be_missing the file need not be there: it is about to be made
+std::optional<CurveReference> read_curve(Binder& binder, const CheckText& text,
+                                         const AbscissaChoice& abscissa, const Case& problem,
+                                         bool may_be_missing);
+
+/// Whether the criterion goes over a position: time does not turn.
+bool needs_position(Criterion criterion);
+
+/// The column that is named by a check's quantity and nothing else.
+std::optional<std::string> column_of_quantity(std::string_view quantity, const Case& problem);
+
+}  // namespace slipbench::driver

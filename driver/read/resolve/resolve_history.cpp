@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string_view>
+
+#include "driver/base/text/format_number.hpp"
+#include "driver/case/quantity.hpp"
+#include "driver/case/quantity_dimension.hpp"
+#include "driver/history/profile_cursor.hpp"
+#include "driver/read/keys/column_unit.hpp"
+#include "driver/read/keys/degrees.hpp"
+#include "driver/read/resolve/resolve.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+/// A belt is driven by its tension, by that behind its ring, and by its nodes where it has them.
+/// \return nothing if `name` is none of these; the quantity, or -1 after reporting an error
+std::optional<int> belt_quantity_of(Binder& binder, const Case& problem, const std::string& name,
+                                    const Node& key, const Path& path, bool motion, bool force) {
+  if (motion && name == "CP1" && problem.belt->nodes) {
+    binder.error(key, path, "the distance CP1 follows from the nodes a and b",
+                 "move them under 'nodes:'");
+    return -1;
+  }
+  if (!force) {
+    if (name != "f_bc") return std::nullopt;
+    binder.error(key, path, "'f_bc' is a tension: it goes under 'force:'");
+    return -1;
+  }
+  if (name == "f_bc") return kTensionBehind;
+  const auto c = component_of_force(name);
+  if (!c) return std::nullopt;
+  if (*c == 0) return kFirstForce;
+  binder.error(key, path,
+               "a SLIPRING has the tensions f1, of segment ab, and f_bc, behind the ring; found '" +
+                   name + "'");
+  return -1;
+}
+
+std::string held_message(const law::Connection& connection, int component) {
+  return connector_words(connection) + " holds component " + std::to_string(component + 1) +
+         " (its constraint " + (law::is_rotation(component) ? "moment " : "force ") +
+         force_name(component) + " goes under 'force:'); free are " +
+         motion_names(connection.info.available);
+}
+
+std::string nearest_quantity(std::string_view name, const law::ConnectionInfo& info, bool motion,
+                             bool force, bool others, std::string otherwise) {
+  if (force) otherwise = nearest_component(name, info.held, force_name, std::move(otherwise));
+  if (motion) {
+    otherwise = nearest_component(name, info.available, motion_name, std::move(otherwise));
+  }
+  return others ? nearest_or(name, std::array<std::string_view, 2>{"temperature", "field1"},
+                             std::move(otherwise))
+                : otherwise;
+}
+
+/// The quantity a name under motion, force, fields or the columns of a measured history means.
+std::optional<int> quantity_of(Binder& binder, const Case& problem, const std::string& name,
+                               const Node& key, const Path& path, bool motion, bool force,
+                               bool others) {
+  const law::ConnectionInfo& info = problem.connection.info;
+  const std::string words = connector_words(problem.connection);
+  if (problem.belt) {
+    if (const auto q = belt_quantity_of(binder, problem, name, key, path, motion, force)) {
+      return *q < 0 ? std::nullopt : q;
+    }
+  }
+  if (name == "driver" && force && problem.dynamics) {
+    if (problem.dynamics->driver) return kDriverLoad;
+    binder.error(key, path, "the mass has no driver that a load could act on",
+                 "'dynamics: {driver: {mass: .., velocity: ..}}' gives it one");
+    return std::nullopt;
+  }
+  if (const auto c = component_of_motion(name); c && (motion || force)) {
+    if (!motion) {
+      binder.error(key, path, "'" + name + "' is a motion: it goes under 'motion:'");
+    } else if (info.available.contains(*c)) {
+      return kFirstMotion + *c;
+    } else if (info.held.contains(*c)) {
+      binder.error(key, path, held_message(problem.connection, *c));
+    } else {
+      binder.error(key, path,
+                   words + " has no component " + std::to_string(*c + 1) + "; free are " +
+                       motion_names(info.available));
+    }
+    return std::nullopt;
+  }
+  if (const auto c = component_of_force(name); c && (motion || force)) {
+    if (!force) {
+      binder.error(key, path, "'" + name + "' is a force: it goes under 'force:'");
+    } else if (info.held.contains(*c)) {
+      return kFirstForce + *c;
+    } else if (info.available.contains(*c)) {
+      return kFirstForce + *c;
+    } else {
+      binder.error(key, path,
+                   words + " has no component " + std::to_string(*c + 1) +
+                       "; its constraint forces are " + force_names(info.held) +
+                       ", its free components take " + force_names(info.available));
+    }
+    return std::nullopt;
+  }
+  if (others) {
+    if (name == "temperature") return kTemperatureQuantity;
+    if (const auto field = field_of(name)) return kFirstField + *field;
+  }
+  std::string known;
+  if (motion) known += motion_names(info.available);
+  if (force) known += (known.empty() ? "" : ", ") + force_names(info.held);
+  if (others) {
+    known += (known.empty() ? "field1 .. field" : ", temperature, field1 .. field") +
+             std::to_string(law::kMaxFields);
+  }
+  binder.error(key, path, "unknown quantity '" + printable(name) + "'",
+               nearest_quantity(name, info, motion, force, others, "known here: " + known));
+  return std::nullopt;
+}
+
+/// The dimensions that a unit of a quantity may have: fields have none that is known.
+std::vector<Dimension> dimensions_of(const Case& problem, int quantity) {
+  const Dimension dimension = dimension_of(problem, quantity);
+  return dimension == Dimension{} ? std::vector<Dimension>{} : std::vector{dimension};
+}
+
+/// Returns true if a quantity can follow the positions that a formula names; else reports why not.
+bool may_follow_position(Binder& binder, const Case& problem, const PositionFormula& formula,
+                         const Node& node, const Path& path, int quantity) {
+  const std::string named(*std::find_if(
+      formula.expression.used_variables().begin(), formula.expression.used_variables().end(),
+      [](const std::string& name) { return component_of_motion(name).has_value(); }));
+  const bool force =
+      (quantity >= kFirstForce && quantity < kTemperatureQuantity) || quantity == kDriverLoad;
+  if (!force || problem.belt) {
+    binder.error(node, path,
+                 "only forces can follow a position such as " + named +
+                     (problem.belt ? ", and not the tensions of a belt" : ""),
+                 "the variables here are t and T");
+    return false;
+  }
+  const law::ConnectionInfo& info = problem.connection.info;
+  for (const std::string& name : formula.expression.used_variables()) {
+    const auto c = component_of_motion(name);
+    if (!c || (info.held | info.available).contains(*c)) continue;
+    binder.error(node, path,
+                 connector_words(problem.connection) + " has no position " + name + "; it has " +
+                     motion_names(info.held | info.available));
+    return false;
+  }
+  return true;
+}
+
+/// Finishes a profile now that it is known what it drives, and tries its data out.
+///
+/// \param start of the step; the current value is not known before the run
+std::optional<Profile> finish(Binder& binder, const Case& problem, const ProfileText& text,
+                              const Node& node, const Path& path, int quantity,
+                              const StepStart& start) {
+  doubt_angles_of_profile(binder, node, path, quantity < kFirstForce && law::is_rotation(quantity));
+  Profile profile = text.profile;
+  if (std::holds_alternative<Constant>(profile) && quantity < kFirstForce) {
+    binder.error(node, path, "a motion needs a profile, found a number",
+                 "{to: " + format_number(std::get<Constant>(profile).value) +
+                     "} goes there linearly over the step");
+    return std::nullopt;
+  }
+  if (const auto* points = std::get_if<Tabular>(&profile);
+      points && !covers(*points, start.duration)) {
+    binder.error(node, path,
+                 "the table covers t = " + format_number(points->times.front()) + " .. " +
+                     format_number(points->times.back()) + ", the step asks for 0 .. " +
+                     format_number(start.duration));
+    return std::nullopt;
+  }
+  if (auto* csv = std::get_if<CsvColumn>(&profile)) {
+    const Node& at = *text.csv.node;
+    const std::array names{csv->time_column, csv->value_column};
+    const auto file = CsvReader::open(csv->data, names);
+    if (!file) {
+      binder.history_error(at, text.csv.path, file.error());
+      return std::nullopt;
+    }
+    const auto value = column_unit(binder, &*file, csv->value_column, at, text.csv.path, text.unit,
+                                   dimensions_of(problem, quantity), problem.units);
+    const auto time = column_unit(binder, &*file, csv->time_column, at, text.csv.path,
+                                  text.time_unit, std::span(&kTime, 1), problem.units);
+    if (!value || !time) return std::nullopt;
+    csv->value_conversion = value->conversion;
+    csv->time_conversion = time->conversion;
+    note_missing(binder, csv->data, names, at, text.csv.path);
+  }
+  if (const auto* formula = std::get_if<PositionFormula>(&profile)) {
+    if (!may_follow_position(binder, problem, *formula, node, path, quantity)) return std::nullopt;
+    // Where a later step begins shows only on the way.
+    if (!problem.steps.empty()) return profile;
+  }
+  auto cursor = ProfileCursor::open(profile);
+  const auto begun = cursor ? cursor->begin(start) : tl::unexpected(cursor.error());
+  if (!begun) {
+    const bool file = text.csv.given();
+    binder.history_error(file ? *text.csv.node : node, file ? text.csv.path : path, begun.error());
+    return std::nullopt;
+  }
+  return profile;
+}
+
+/// \param start total time at the step's start
+void read_step(Binder& binder, const StepText& text, Case& out, double start) {
+  Step step;
+  step.name = text.step.value;
+  step.duration = text.duration.value;
+  step.increments = text.increments;
+  step.repeat = text.repeat;
+  // A table may well cover the duration that was meant.
+  const bool judge = !text.duration.faulty();
+  const auto add = [&](std::optional<int> quantity, const ProfileText& profile, const Node& node,
+                       const Path& path, bool sound) {
+    if (quantity) binder.settle_units(path, dimension_of(out, *quantity));
+    if (!quantity || !sound || !judge) return;
+    const StepStart begin{.duration = step.duration,
+                          .current_value = 0.0,
+                          .total_time = start,
+                          .position = out.initial.values};
+    auto finished = finish(binder, out, profile, node, path, *quantity, begin);
+    if (finished) step.drives.push_back({*quantity, std::move(*finished)});
+  };
+  for (const auto& entry : text.motion) {
+    add(quantity_of(binder, out, entry.name, *entry.key, entry.path, true, false, false),
+        entry.value, *entry.node, entry.path, entry.sound);
+  }
+  drive_nodes(binder, text, out, [&](int quantity, const At<ProfileText>& profile) {
+    add(quantity, profile.value, *profile.node, profile.path, profile.sound);
+  });
+  for (const auto& entry : text.force) {
+    add(quantity_of(binder, out, entry.name, *entry.key, entry.path, false, true, false),
+        entry.value, *entry.node, entry.path, entry.sound);
+  }
+  if (text.temperature.given()) {
+    add(kTemperatureQuantity, text.temperature.value, *text.temperature.node, text.temperature.path,
+        text.temperature.sound);
+  }
+  for (const auto& entry : text.fields) {
+    const auto field = field_of(entry.name);
+    if (!field) {
+      binder.error(*entry.key, entry.path, "unknown field '" + printable(entry.name) + "'",
+                   "fields are field1 .. field" + std::to_string(law::kMaxFields));
+      continue;
+    }
+    add(kFirstField + *field, entry.value, *entry.node, entry.path, entry.sound);
+  }
+  out.steps.push_back(std::move(step));
+}
+
+bool names_component(const NamedMap<double>& positions, int component) {
+  return std::any_of(positions.begin(), positions.end(),
+                     [&](const auto& entry) { return entry.name == motion_name(component); });
+}
+
+void read_measured(Binder& binder, const MeasuredText& text, const ConnectorText& connector,
+                   Case& out) {
+  MeasuredSource source;
+  const auto data = data_source(binder, text.csv);
+  std::vector<std::string> names;
+  if (text.time.sound) names.push_back(text.time.value);
+  for (const auto& entry : text.columns.value) {
+    if (entry.sound) names.push_back(entry.value.column.value);
+  }
+  std::optional<CsvReader> file;
+  if (data) {
+    auto opened = CsvReader::open(*data, names);
+    if (opened) {
+      file = std::move(*opened);
+    } else {
+      binder.history_error(*text.csv.node, text.csv.path, opened.error());
+    }
+    source.data = *data;
+  }
+  const CsvReader* const header = file ? &*file : nullptr;
+  bool good = file && text.time.sound && text.columns.sound;
+  std::optional<ColumnUnit> time;
+  if (text.time.sound) {
+    time = column_unit(binder, header, text.time.value, *text.time.node, text.time.path,
+                       text.time_unit, std::span(&kTime, 1), out.units);
+    good = good && time;
+  }
+  if (text.columns.sound && text.columns.value.empty()) {
+    binder.error(*text.columns.node, text.columns.path, "needs at least one column to drive");
+    good = false;
+  }
+  if (time) source.time_conversion = time->conversion;
+  source.time_column = text.time.value;
+  source.hold = text.hold;
+  for (const auto& entry : text.columns.value) {
+    const auto quantity =
+        quantity_of(binder, out, entry.name, *entry.key, entry.path, true, true, true);
+    if (!quantity || !entry.sound) {
+      good = false;
+      continue;
+    }
+    const At<std::string>& column = entry.value.column;
+    const auto unit = column_unit(binder, header, column.value, *column.node, column.path,
+                                  entry.value.unit, dimensions_of(out, *quantity), out.units);
+    if (!unit) {
+      good = false;
+      continue;
+    }
+    source.columns.push_back({static_cast<std::size_t>(*quantity), column.value, unit->conversion});
+  }
+  if (!good) return;
+  auto opened = MeasuredHistory::open(source);
+  const auto first = opened ? opened->advance() : tl::unexpected(opened.error());
+  if (!first) {
+    binder.history_error(*text.csv.node, text.csv.path, first.error());
+    return;
+  }
+  note_missing(binder, source.data, names, *text.csv.node, text.csv.path);
+  // A measured path starts at its first row: that is the initial position unless the case says so.
+  for (std::size_t i = 0; i < source.columns.size(); ++i) {
+    const int component = static_cast<int>(source.columns[i].quantity);
+    if (component >= kFirstForce || names_component(connector.initial, component)) continue;
+    out.initial[component] = opened->values()[i];
+    if (!names_component(connector.reference, component)) {
+      out.reference[component] = out.initial[component];
+    }
+  }
+  out.measured = std::move(source);
+}
+
+}  // namespace
+
+void resolve_history(Binder& binder, const CaseText& text, Case& out) {
+  const HistoryText& history = text.history.value;
+  if (history.measured) {
+    read_measured(binder, *history.measured, text.connector.value, out);
+    return;
+  }
+  double start = 0.0;
+  std::map<std::string_view, std::size_t> names;
+  for (std::size_t i = 0; i < history.steps.size(); ++i) {
+    const StepText& step = history.steps[i].value;
+    if (step.step.sound && step.step.value.empty()) {
+      binder.error(*step.step.node, step.step.path, "the name of a step must not be empty");
+    }
+    if (step.step.sound) {
+      const auto [first, is_new] = names.try_emplace(step.step.value, i);
+      if (!is_new) {
+        binder.error(*step.step.node, step.step.path,
+                     "the name '" + printable(step.step.value) + "' is already that of history[" +
+                         std::to_string(first->second) + "]");
+      }
+    }
+    read_step(binder, step, out, start);
+    start += step.repeat * step.duration.value;
+  }
+}
+
+}  // namespace slipbench::driver

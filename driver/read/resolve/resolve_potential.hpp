@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+
+#include "driver/read/keys/case_text.hpp"
+#include "driver/yaml/binding.hpp"
+#include "law/base/component.hpp"
+#include "law/definition/potential_terms.hpp"
+
+namespace slipbench::driver {
+
+/// The potential of a friction definition. Where its text is faulty the slip space is what could be
+/// read.
+struct ResolvedPotential {
+  law::SlipSpace slip;
+  law::SlipCriterion criterion;
+  law::ComponentSet components;   ///< that slip
+  bool components_known = false;  ///< false: there may be more
+};
+
+/// Builds a potential of its text and reports what breaks the rules of specification section 6,
+/// each fault at the term that has it. \param derived finds a derived component by its name, or
+/// reports why it cannot and returns null
+ResolvedPotential resolve_potential(
+    Binder& binder, const At<PotentialText>& text,
+    const std::function<const law::DerivedComponent*(const At<std::string>& name)>& derived);
+
+/// Where a potential brings in `component` (index 0..5): the key of the term, or the potential.
+std::pair<Node, Path> place_in_potential(const At<PotentialText>& text, const CaseText& all,
+                                         int component);
+
+}  // namespace slipbench::driver

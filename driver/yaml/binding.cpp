@@ -1,0 +1,493 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/yaml/binding.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "driver/base/files/data_path.hpp"
+#include "driver/base/files/standard_input.hpp"
+#include "driver/base/text/format_number.hpp"
+#include "driver/base/text/number.hpp"
+#include "driver/base/text/standard_input.hpp"
+#include "driver/base/text/suggestions.hpp"
+#include "driver/base/units/carried_unit.hpp"
+#include "driver/read/keys/key_index.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+/// "wanted a number: '010' has a leading zero; write 10", unless the reason says what is wanted.
+std::string with_wanted(std::string_view wanted, const std::string& reason) {
+  if (reason.find("wanted") != std::string::npos) return reason;
+  return "wanted " + std::string(wanted) + ": " + reason;
+}
+
+/// An expression without its '=' and the blanks around it.
+std::string_view bare(std::string_view expression) {
+  const std::size_t first = expression.find_first_not_of("= ");
+  if (first == std::string_view::npos) return {};
+  return expression.substr(first, expression.find_last_not_of(' ') + 1 - first);
+}
+
+std::string in_quotes(std::string_view text) { return "'" + std::string(text) + "'"; }
+
+/// Returns whether a unit stands behind an expression: "= 2*R mm".
+bool ends_with_unit(std::string_view expression) {
+  const std::size_t blank = expression.find_last_of(' ');
+  const std::size_t before = expression.find_last_not_of(' ', blank);
+  if (blank == std::string_view::npos || before == std::string_view::npos) return false;
+  const char last = expression[before];
+  const bool complete = last == ')' || last == '_' || last == '.' ||
+                        std::isalnum(static_cast<unsigned char>(last)) != 0;
+  return complete && dimension_of_unit(expression.substr(blank + 1)).has_value();
+}
+
+/// The place inside a scalar that an expression's error means, if the scalar stands in one line.
+SourcePosition inside(const Node& node, const ExpressionError& problem) {
+  SourcePosition where = node.where();
+  if (problem.offset < 0 || problem.offset >= where.length) return where;
+  where.column += problem.offset + (node.quoted() ? 1 : 0);
+  where.length = problem.unknown_name.empty() ? 1 : static_cast<int>(problem.unknown_name.size());
+  return where;
+}
+
+}  // namespace
+
+void Binder::error(const Node& at, const Path& path, std::string message, std::string hint) {
+  out_.error(at.source().name(), at.where(), path.text(), std::move(message), std::move(hint));
+}
+void Binder::warning(const Node& at, const Path& path, std::string message, std::string hint) {
+  out_.warning(at.source().name(), at.where(), path.text(), std::move(message), std::move(hint));
+}
+void Binder::note(const Node& at, const Path& path, std::string message, std::string hint) {
+  out_.note(at.source().name(), at.where(), path.text(), std::move(message), std::move(hint));
+}
+
+void Binder::wrong_kind(const Node& node, const Path& path, std::string_view wanted) {
+  std::string found(name_of(node.kind()));
+  if (node.is_scalar()) found = in_quotes(printable(node.text()));
+  std::string hint;
+  if (wanted.starts_with("a list") && node.is_map()) hint = "each item of a list begins with '- '";
+  const bool is_word = node.is_scalar() && !parse_number(node.text());
+  if (wanted == "a map" && (node.is_sequence() || is_word)) hint = "a map is {key: value}";
+  error(node, path, "wanted " + std::string(wanted) + ", found " + found, std::move(hint));
+}
+
+void Binder::missing_key(const Node& map, const Path& path, std::string_view key,
+                         std::string_view wanted) {
+  // The first error that an empty file leads to.
+  error(map, path, "missing key " + in_quotes(key) + " (" + std::string(wanted) + ")",
+        key == "slipbench" ? "a case and a fit begin with 'slipbench: 1'" : "");
+}
+
+std::string Binder::other_name(std::string_view key, const Path& path) {
+  if (const std::string_view here = key_for_option(key); !here.empty()) return std::string(here);
+  if (key.starts_with('*')) return "a case has keys of its own, such as 'connector' and 'friction'";
+  if (key == "Fric" && path.text().ends_with("renard.Fric")) {
+    return "Renard's law has no Fric: its coefficient at rest is C1";
+  }
+  const std::string quantity = place_of_quantity(key);
+  return quantity.empty() ? "" : in_quotes(key) + " belongs to " + quantity;
+}
+
+std::optional<std::string_view> Binder::unknown_key(const Node& key, const Path& path,
+                                                    std::span<const std::string_view> allowed) {
+  const bool in_case = words_.places_of_key == nullptr;
+  if (const auto later = later_key(key.text()); later && in_case) {
+    error(key, path, std::string(later->why));
+    if (later->in_place_of.empty()) return std::nullopt;
+    return later->in_place_of;
+  }
+  if (flooded()) {
+    error(key, path, "unknown key");
+    return std::nullopt;
+  }
+  std::string hint = in_case ? other_name(key.text(), path) : "";
+  const auto nearest = hint.empty() ? nearest_name(key.text(), allowed) : std::nullopt;
+  if (nearest) {
+    hint = "did you mean " + in_quotes(*nearest) + "?";
+  } else if (hint.empty()) {
+    const std::string places =
+        in_case ? slipbench::driver::places_of_key(key.text()) : words_.places_of_key(key.text());
+    hint = places.empty() ? "known here: " + few_in_words(allowed)
+                          : in_quotes(key.text()) + " belongs to " + places;
+  }
+  error(key, path, "unknown key", std::move(hint));
+  return nearest;
+}
+
+bool Binder::is_expression(const Node& node) {
+  if (!node.is_scalar()) return false;
+  const std::string_view text = node.text();
+  const std::size_t begin = text.find_first_not_of(' ');
+  return begin != std::string_view::npos && text[begin] == '=';
+}
+
+void Binder::expression_error(const Node& node, const Path& path, const ExpressionError& problem,
+                              const std::vector<std::string>& variables) {
+  if (!problem.unknown_name.empty() && unknown_names_excused_) return;
+  std::string hint;
+  if (ends_with_unit(node.text())) {
+    hint = "an expression has no unit: its result is in the case's units, angles in radians";
+  } else if (!problem.unknown_name.empty()) {
+    std::vector<std::string_view> names(variables.begin(), variables.end());
+    for (const auto& [name, value] : parameters_) names.push_back(name);
+    names.insert(names.end(), unresolved_.begin(), unresolved_.end());
+    for (const std::string& name : function_names()) names.push_back(name);
+    // Only where result columns can be named.
+    if (variables.size() > 1) hint = origin_of_column(problem.unknown_name);
+    if (hint.empty()) {
+      hint = nearest_or(problem.unknown_name, names, std::string(words_.undefined_name));
+    }
+  }
+  out_.error(node.source().name(), inside(node, problem), path.text(), problem.message,
+             std::move(hint));
+}
+
+std::optional<Expression> Binder::expression(const Node& node, const Path& path,
+                                             const std::vector<std::string>& variables) {
+  std::vector<std::string> known = variables;
+  for (const std::string& name : unresolved_) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
+  }
+  auto compiled = Expression::compile(node.text(), known, parameters_);
+  if (!compiled) {
+    expression_error(node, path, compiled.error(), variables);
+    return std::nullopt;
+  }
+  // The fault of a parameter is reported where it stands, not where it is used.
+  for (std::size_t i = variables.size(); i < known.size(); ++i) {
+    if (compiled->uses(known[i])) return std::nullopt;
+  }
+  if (known.size() == variables.size()) return std::move(*compiled);
+  return std::move(*Expression::compile(node.text(), variables, parameters_));
+}
+
+std::optional<double> Binder::number_with_unit(const Node& node, const Path& path,
+                                               const KeyInfo& info) {
+  const bool is_declared = info.unit == UnitUse::kDeclared;
+  if (is_declared && info.dimension == Dimension{}) {
+    error(node, path,
+          in_quotes(printable(node.text())) + ": a number without a unit is wanted here");
+    return std::nullopt;
+  }
+  if (!units_) {
+    error(node, path,
+          in_quotes(printable(node.text())) + ": the cases of this file have different units",
+          "write the number without a unit");
+    return std::nullopt;
+  }
+  const auto read =
+      read_with_unit(node.text(), is_declared ? std::optional(info.dimension) : std::nullopt,
+                     *units_, info.difference);
+  if (!read) {
+    error(node, path, read.error());
+    return std::nullopt;
+  }
+  if (info.unit == UnitUse::kNone) {
+    error(node, path,
+          in_quotes(printable(node.text())) + ": a number without a unit is wanted here",
+          "in the case's units it is " + format_number(read->value));
+    return std::nullopt;
+  }
+  if (info.unit == UnitUse::kSlip || info.unit == UnitUse::kQuantity) {
+    unsettled_.push_back({node, path, read->dimension, info.dimension});
+  }
+  return read->value;
+}
+
+void Binder::settle_units(const Path& below,
+                          const std::function<Dimension(const Dimension&)>& wanted) {
+  std::erase_if(unsettled_, [&](const UnsettledUnit& one) {
+    const std::string_view path = one.path.text();
+    const std::size_t length = below.text().size();
+    const bool inside = path.starts_with(below.text()) &&
+                        (path.size() == length || path[length] == '.' || path[length] == '[');
+    const Dimension fitting = inside ? wanted(one.wanted) : Dimension{};
+    if (inside && !measures(one.dimension, fitting)) {
+      error(one.node, one.path, misfit(one.node.text(), one.dimension, fitting, *units_));
+    }
+    return inside;
+  });
+}
+
+void Binder::settle_units(const Path& below, const Dimension& wanted) {
+  settle_units(below, [&wanted](const Dimension&) { return wanted; });
+}
+
+void Binder::settle_slip_units(const Path& below, bool rotation) {
+  settle_units(below, [rotation](const Dimension& translation) {
+    constexpr Dimension kArea{.length = 2};  // that of a contact, whatever slips
+    return rotation && translation != kArea ? rotated(translation) : translation;
+  });
+}
+
+void Binder::refuse_unsettled_units() {
+  for (const UnsettledUnit& one : unsettled_) {
+    error(one.node, one.path,
+          in_quotes(printable(one.node.text())) +
+              ": a number in the case's units is wanted here, without a unit");
+  }
+  unsettled_.clear();
+}
+
+std::optional<double> Binder::number(const Node& node, const Path& path, const KeyInfo& info) {
+  if (!node.is_scalar()) {
+    wrong_kind(node, path, "a number");
+    return std::nullopt;
+  }
+  if (is_expression(node)) {
+    // Most expressions are the name of a parameter and nothing else: no need to compile that.
+    if (const auto known = parameters_.find(bare(node.text())); known != parameters_.end()) {
+      return known->second;
+    }
+    const auto compiled = expression(node, path, {});
+    if (!compiled) return std::nullopt;
+    const auto value = (*compiled)({});
+    if (!value) {
+      expression_error(node, path, value.error(), {});
+      return std::nullopt;
+    }
+    return *value;
+  }
+  const auto value = parse_number(node.text());
+  if (!value && carries_unit(node.text())) return number_with_unit(node, path, info);
+  if (node.quoted()) {
+    error(node, path, "wanted a number, found the text " + in_quotes(printable(node.text())),
+          "a number stands without quotes");
+    return std::nullopt;
+  }
+  if (!value) {
+    error(node, path, with_wanted("a number", value.error()));
+    return std::nullopt;
+  }
+  return *value;
+}
+
+std::optional<std::filesystem::path> Binder::data_file(const Node& node, const Path& path,
+                                                       std::string_view text) {
+  const bool streamed = text == kStandardInput;
+  if (streamed && node.source().name() == kStandardInputName) {
+    error(node, path, "standard input is this text itself, and cannot be its data as well",
+          "one of them must be a file");
+    return std::nullopt;
+  }
+  auto file =
+      streamed ? standard_input_file() : resolve_data_path(case_folder_, text, allow_outside_);
+  if (!file) {
+    history_error(node, path, file.error());
+    return std::nullopt;
+  }
+  if (streamed) return std::move(*file);
+  data_files_.push_back(file->string());
+  return std::move(*file);
+}
+
+void Binder::history_error(const Node& node, const Path& path, const HistoryError& problem,
+                           std::string hint) {
+  if (problem.kind == HistoryError::Kind::kEnvironment) environment_failed_ = true;
+  std::string message = problem.message;
+  if (problem.line > 0) {
+    std::string place = problem.file + ":" + std::to_string(problem.line);
+    if (problem.column > 0) place += ":" + std::to_string(problem.column);
+    message = place + ": " + message;
+  } else if (!problem.file.empty()) {
+    message = problem.file + ": " + message;
+  }
+  error(node, path, std::move(message), std::move(hint));
+}
+
+std::string in_words(const law::Bounds& bounds) {
+  const bool below = std::isfinite(bounds.lower);
+  const bool above = std::isfinite(bounds.upper);
+  const auto open = [](bool is_open) { return is_open ? " (exclusive)" : ""; };
+  if (below && bounds.lower == bounds.upper) return format_number(bounds.lower);
+  if (below && above) {
+    return "between " + format_number(bounds.lower) + open(bounds.lower_open) + " and " +
+           format_number(bounds.upper) + open(bounds.upper_open);
+  }
+  if (below) {
+    return (bounds.lower_open ? "greater than " : "at least ") + format_number(bounds.lower);
+  }
+  if (above) {
+    return (bounds.upper_open ? "less than " : "at most ") + format_number(bounds.upper);
+  }
+  return "";
+}
+
+std::string nearest_or(std::string_view name, std::span<const std::string_view> names,
+                       std::string otherwise) {
+  const auto nearest = nearest_name(name, names);
+  return nearest ? "did you mean " + in_quotes(*nearest) + "?" : std::move(otherwise);
+}
+
+bool Binder::in_bounds(double value, const Node& node, const Path& path,
+                       const law::Bounds& bounds) {
+  if (bounds.contains(value)) return true;
+  error(node, path,
+        "must be " + slipbench::driver::in_words(bounds) + ", found " + format_number(value));
+  return false;
+}
+
+namespace {
+
+Json bounded(std::string_view type, const law::Bounds& bounds) {
+  Json schema;
+  schema["type"] = type;
+  if (std::isfinite(bounds.lower)) {
+    schema[bounds.lower_open ? "exclusiveMinimum" : "minimum"] = bounds.lower;
+  }
+  if (std::isfinite(bounds.upper)) {
+    schema[bounds.upper_open ? "exclusiveMaximum" : "maximum"] = bounds.upper;
+  }
+  return schema;
+}
+
+/// \param unit whether a number with its unit will do too
+Json number_or_expression(std::string_view type, const law::Bounds& bounds, bool unit) {
+  Json text;
+  text["type"] = "string";
+  text["pattern"] = unit ? R"(^ *=|^[-+]?[0-9.]+([eE][-+]?[0-9]+)? *([A-Za-z°µ]|1/))" : "^ *=";
+  Json either = Json(json::Array{});
+  either.push_back(bounded(type, bounds));
+  either.push_back(std::move(text));
+  Json schema;
+  schema["anyOf"] = std::move(either);
+  return schema;
+}
+
+}  // namespace
+
+bool Codec<double>::read(Binder& binder, const Node& node, const Path& path, const KeyInfo& info,
+                         double& out) {
+  const std::optional<double> value = binder.number(node, path, info);
+  if (!value || !binder.in_bounds(*value, node, path, info.bounds)) return false;
+  out = *value;
+  return true;
+}
+
+Json Codec<double>::schema(const KeyInfo& info) {
+  const bool pure = info.unit == UnitUse::kDeclared && info.dimension == Dimension{};
+  return number_or_expression("number", info.bounds, !pure && info.unit != UnitUse::kNone);
+}
+
+bool Codec<int>::read(Binder& binder, const Node& node, const Path& path, const KeyInfo& info,
+                      int& out) {
+  long long integer = 0;
+  if (Binder::is_expression(node)) {
+    const std::optional<double> value = binder.number(node, path, info);
+    if (!value) return false;
+    if (*value != std::floor(*value) || std::abs(*value) > 1e15) {
+      binder.error(node, path, "wanted an integer, found " + format_number(*value));
+      return false;
+    }
+    integer = static_cast<long long>(*value);
+  } else {
+    if (!node.is_scalar()) {
+      binder.wrong_kind(node, path, "an integer");
+      return false;
+    }
+    if (node.quoted()) {
+      binder.error(node, path,
+                   "wanted an integer, found the text " + in_quotes(printable(node.text())),
+                   "a number stands without quotes");
+      return false;
+    }
+    const auto value = parse_integer(node.text());
+    if (!value) {
+      binder.error(node, path, with_wanted("an integer", value.error()));
+      return false;
+    }
+    integer = *value;
+  }
+  if (!binder.in_bounds(static_cast<double>(integer), node, path, info.bounds)) return false;
+  if (integer > std::numeric_limits<int>::max() || integer < std::numeric_limits<int>::min()) {
+    binder.error(node, path, "is too large an integer");
+    return false;
+  }
+  out = static_cast<int>(integer);
+  return true;
+}
+
+Json Codec<int>::schema(const KeyInfo& info) {
+  return number_or_expression("integer", info.bounds, false);
+}
+
+bool Codec<bool>::read(Binder& binder, const Node& node, const Path& path, const KeyInfo&,
+                       bool& out) {
+  if (!node.is_scalar() || node.quoted() || (node.text() != "true" && node.text() != "false")) {
+    binder.wrong_kind(node, path, "true or false");
+    return false;
+  }
+  out = node.text() == "true";
+  return true;
+}
+
+Json Codec<bool>::schema(const KeyInfo&) {
+  Json schema;
+  schema["type"] = "boolean";
+  return schema;
+}
+
+bool Codec<std::string>::read(Binder& binder, const Node& node, const Path& path, const KeyInfo&,
+                              std::string& out) {
+  if (!node.is_scalar()) {
+    binder.wrong_kind(node, path, "a text");
+    return false;
+  }
+  out = std::string(node.text());
+  return true;
+}
+
+Json Codec<std::string>::schema(const KeyInfo&) {
+  Json types = Json(json::Array{});  // a title may well be a plain 42
+  types.push_back("string");
+  types.push_back("number");
+  Json schema;
+  schema["type"] = std::move(types);
+  return schema;
+}
+
+bool Codec<law::UnitName>::read(Binder& binder, const Node& node, const Path& path,
+                                const KeyInfo& info, law::UnitName& out) {
+  std::string text;
+  if (!Codec<std::string>::read(binder, node, path, info, text)) return false;
+  if (text.size() > law::UnitName::kLongest) {
+    binder.error(node, path,
+                 "the name of a unit has at most " + std::to_string(law::UnitName::kLongest) +
+                     " characters, found " + std::to_string(text.size()));
+    return false;
+  }
+  out = law::UnitName(text);
+  return true;
+}
+Json Codec<law::UnitName>::schema(const KeyInfo& info) { return Codec<std::string>::schema(info); }
+
+std::string listed(std::span<const std::string_view> words) {
+  std::vector<std::string> quoted;
+  for (const std::string_view word : words) {
+    const bool is_mark = word.size() == 1 && std::ispunct(static_cast<unsigned char>(word[0])) != 0;
+    quoted.push_back(is_mark ? in_quotes(word) : std::string(word));
+  }
+  return in_words(std::vector<std::string_view>(quoted.begin(), quoted.end()));
+}
+
+bool read_word(Binder& binder, const Node& node, const Path& path,
+               std::span<const std::string_view> words, std::size_t& index) {
+  if (!node.is_scalar()) {
+    binder.wrong_kind(node, path, listed(words));
+    return false;
+  }
+  const auto word = std::find(words.begin(), words.end(), node.text());
+  if (word == words.end()) {
+    binder.error(node, path,
+                 "wanted " + listed(words) + ", found " + in_quotes(printable(node.text())),
+                 nearest_or(node.text(), words, ""));
+    return false;
+  }
+  index = static_cast<std::size_t>(word - words.begin());
+  return true;
+}
+
+}  // namespace slipbench::driver

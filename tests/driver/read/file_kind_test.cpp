@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/read/file_kind.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "driver/yaml/parse.hpp"
+#include "tests/driver/support/temporary_folder.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+TEST_CASE("A case and a fit file are told by their keys") {
+  const auto tree_of = [](const std::string& text) {
+    auto tree = parse_yaml(SourceText("f.yaml", text));
+    REQUIRE(tree.has_value());
+    return std::move(*tree);
+  };
+  const Tree fit = tree_of("slipbench: 1\ncalibrate: {}\n");
+  REQUIRE(key_of_fit(fit.root()).has_value());
+  CHECK(key_of_fit(fit.root())->where() == SourcePosition{2, 1, 9});
+  CHECK_FALSE(key_of_case(fit.root()).has_value());
+  const Tree problem = tree_of("slipbench: 1\nhistory: []\n");
+  REQUIRE(key_of_case(problem.root()).has_value());
+  CHECK(key_of_case(problem.root())->text() == "history");
+  CHECK_FALSE(key_of_fit(problem.root()).has_value());
+  // Both at once is neither: the key that does not belong is reported.
+  const Tree both = tree_of("calibrate: {}\nfriction: []\n");
+  CHECK_FALSE(key_of_fit(both.root()).has_value());
+  CHECK_FALSE(key_of_case(both.root()).has_value());
+}
+
+TEST_CASE("A fit file is known by a line of its own, without being sound") {
+  const TemporaryFolder folder;
+  const auto looks = [&](const std::string& text) {
+    return looks_like_fit(folder.write("f.yaml", text));
+  };
+  CHECK(looks("calibrate:\n  vary: [\n"));
+  CHECK(looks("slipbench: 1\r\ncalibrate : {}\r\n"));
+  CHECK_FALSE(looks("title: calibrate: it\n# calibrate:\n  calibrate: 1\n"));
+  CHECK_FALSE(looks("calibrated: true\n"));
+  CHECK_FALSE(looks("calibrate"));
+  CHECK_FALSE(looks(""));
+  CHECK_FALSE(looks_like_fit(folder.path() / "missing.yaml"));
+  CHECK_FALSE(looks_like_fit(folder.path()));
+}
+
+}  // namespace
+}  // namespace slipbench::driver
