@@ -34,9 +34,13 @@ std::string fit_reference_markdown() {
          key_table(fit_rows());
 }
 
-std::string places_of_fit_key(std::string_view key) {
-  static const std::vector<KeyRow> rows = fit_rows();
-  return places_of_key(key, rows);
-}
+const FileWords kFitWords{[](std::string_view) { return std::optional<LaterKey>(); },
+                          [](std::string_view, std::string_view) { return std::string(); },
+                          [](std::string_view key) {
+                            static const std::vector<KeyRow> rows = fit_rows();
+                            return places_of_key(key, rows);
+                          },
+                          origin_of_column,
+                          "known are t, T, the case's result columns and its parameters"};
 
 }  // namespace slipbench::driver

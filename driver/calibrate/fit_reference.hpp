@@ -20,7 +20,7 @@ Json fit_schema();
 /// The section on fit files of the case reference, as Markdown.
 std::string fit_reference_markdown();
 
-/// Where in a fit file a key is known: "calibrate.experiments[]"; empty if nowhere.
-std::string places_of_fit_key(std::string_view key);
+/// What messages about a fit say of its keys.
+extern const FileWords kFitWords;
 
 }  // namespace slipbench::driver

@@ -70,9 +70,7 @@ class FitReader {
         options_(options),
         out_(out),
         folder_(fs::path(path).parent_path()),
-        binder_(
-            out.diagnostics, no_parameters_, {}, folder_, options.allow_outside,
-            {places_of_fit_key, "known are t, T, the case's result columns and its parameters"}) {
+        binder_(out.diagnostics, no_parameters_, {}, folder_, options.allow_outside, kFitWords) {
     fit_.file = path;
     fit_.folder = folder_.empty() ? fs::path(".") : folder_;
   }

@@ -14,6 +14,7 @@
 #include "driver/read/foreign_file.hpp"
 #include "driver/read/keys/case_codecs.hpp"
 #include "driver/read/keys/case_units.hpp"
+#include "driver/read/keys/key_index.hpp"
 #include "driver/read/resolve/resolve.hpp"
 #include "driver/read/resolve/resolve_formulation.hpp"
 #include "driver/yaml/parse.hpp"
@@ -124,7 +125,7 @@ Parameters read_parameters(const Node& root, const UnitSystem& units, const Read
   }
   const NamedNumbers none;
   // Knows the names only, for suggestions.
-  Binder binder(out, none, names, {}, false);
+  Binder binder(out, none, names, {}, false, kCaseWords);
   binder.set_units(units);
   const KeyInfo any_unit{.unit = UnitUse::kAny};
   std::vector<Definition> parameters;
@@ -167,7 +168,8 @@ struct Reading {
   Reading(const Node& root, const std::string& folder, const ReadOptions& options, Diagnostics& out)
       : units(units_of(root)),
         parameters(read_parameters(root, units, options, out)),
-        binder(out, parameters.values, parameters.unresolved, folder, options.allow_outside) {
+        binder(out, parameters.values, parameters.unresolved, folder, options.allow_outside,
+               kCaseWords) {
     binder.set_units(units);
     // Without parameters, every name in an expression would be unknown.
     const auto map = root.find("parameters");

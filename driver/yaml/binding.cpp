@@ -12,7 +12,6 @@
 #include "driver/base/text/standard_input.hpp"
 #include "driver/base/text/suggestions.hpp"
 #include "driver/base/units/carried_unit.hpp"
-#include "driver/read/keys/key_index.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -81,20 +80,9 @@ void Binder::missing_key(const Node& map, const Path& path, std::string_view key
         key == "slipbench" ? "a case and a fit begin with 'slipbench: 1'" : "");
 }
 
-std::string Binder::other_name(std::string_view key, const Path& path) {
-  if (const std::string_view here = key_for_option(key); !here.empty()) return std::string(here);
-  if (key.starts_with('*')) return "a case has keys of its own, such as 'connector' and 'friction'";
-  if (key == "Fric" && path.text().ends_with("renard.Fric")) {
-    return "Renard's law has no Fric: its coefficient at rest is C1";
-  }
-  const std::string quantity = place_of_quantity(key);
-  return quantity.empty() ? "" : in_quotes(key) + " belongs to " + quantity;
-}
-
 std::optional<std::string_view> Binder::unknown_key(const Node& key, const Path& path,
                                                     std::span<const std::string_view> allowed) {
-  const bool in_case = words_.places_of_key == nullptr;
-  if (const auto later = later_key(key.text()); later && in_case) {
+  if (const auto later = words_.later_key(key.text())) {
     error(key, path, std::string(later->why));
     if (later->in_place_of.empty()) return std::nullopt;
     return later->in_place_of;
@@ -103,13 +91,12 @@ std::optional<std::string_view> Binder::unknown_key(const Node& key, const Path&
     error(key, path, "unknown key");
     return std::nullopt;
   }
-  std::string hint = in_case ? other_name(key.text(), path) : "";
+  std::string hint = words_.other_name(key.text(), path.text());
   const auto nearest = hint.empty() ? nearest_name(key.text(), allowed) : std::nullopt;
   if (nearest) {
     hint = "did you mean " + in_quotes(*nearest) + "?";
   } else if (hint.empty()) {
-    const std::string places =
-        in_case ? slipbench::driver::places_of_key(key.text()) : words_.places_of_key(key.text());
+    const std::string places = words_.places_of_key(key.text());
     hint = places.empty() ? "known here: " + few_in_words(allowed)
                           : in_quotes(key.text()) + " belongs to " + places;
   }
@@ -136,7 +123,7 @@ void Binder::expression_error(const Node& node, const Path& path, const Expressi
     names.insert(names.end(), unresolved_.begin(), unresolved_.end());
     for (const std::string& name : function_names()) names.push_back(name);
     // Only where result columns can be named.
-    if (variables.size() > 1) hint = origin_of_column(problem.unknown_name);
+    if (variables.size() > 1) hint = words_.origin_of_column(problem.unknown_name);
     if (hint.empty()) {
       hint = nearest_or(problem.unknown_name, names, std::string(words_.undefined_name));
     }

@@ -62,12 +62,25 @@ struct KeyRow {
   KeyInfo info;
 };
 
-/// What messages say of a file that is no case.
+/// A key or word that is known by name, but that this version does not have.
+struct LaterKey {
+  std::string_view name;
+  std::string_view why;               ///< a sentence
+  std::string_view in_place_of = {};  ///< the key this version wants instead, if any
+};
+
+/// What messages about one kind of file say of keys and names that are not known. A function that
+/// has nothing to say returns an empty text, or nothing; none is null.
 struct FileWords {
-  /// Where a key is known in such a file; null: the file is a case.
-  std::string (*places_of_key)(std::string_view key) = nullptr;
-  /// The hint for a name in an expression that nobody defined.
-  std::string_view undefined_name = "define it under 'parameters:'";
+  std::optional<LaterKey> (*later_key)(std::string_view key);
+  /// What is written in place of the key at a path, or where it belongs if that is certain.
+  std::string (*other_name)(std::string_view key, std::string_view path);
+  /// Where in such a file a key is known.
+  std::string (*places_of_key)(std::string_view key);
+  /// What brings a result column.
+  std::string (*origin_of_column)(std::string_view name);
+  /// The hint for a name in an expression that is defined nowhere.
+  std::string_view undefined_name;
 };
 
 /// Reading context: where messages go and what expressions may use.
@@ -76,7 +89,7 @@ class Binder {
   /// \param unresolved parameters whose own value is faulty: expressions that use them have no
   /// value, and that is not reported again
   Binder(Diagnostics& out, const NamedNumbers& parameters, std::vector<std::string> unresolved,
-         std::filesystem::path case_folder, bool allow_outside, FileWords words = {})
+         std::filesystem::path case_folder, bool allow_outside, const FileWords& words)
       : out_(out),
         words_(words),
         parameters_(parameters),
@@ -154,7 +167,6 @@ class Binder {
 
  private:
   /// The hint for an unknown key of a case that goes by another name here, or empty.
-  static std::string other_name(std::string_view key, const Path& path);
   std::optional<double> number_with_unit(const Node& node, const Path& path, const KeyInfo& info);
 
   /// A number whose unit still has to be judged.

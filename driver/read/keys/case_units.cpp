@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "driver/read/keys/key_index.hpp"
+
 namespace slipbench::driver {
 
 UnitSystem read_units(Binder& binder, const UnitsText& text) {
@@ -23,7 +25,7 @@ UnitSystem read_units(Binder& binder, const UnitsText& text) {
 UnitSystem units_of(const Node& root) {
   Diagnostics unheard;
   const NamedNumbers none;
-  Binder binder(unheard, none, {}, {}, false);
+  Binder binder(unheard, none, {}, {}, false, kCaseWords);
   UnitsText text;
   if (const auto units = root.find("units")) {
     Codec<UnitsText>::read(binder, *units, Path(), {}, text);

@@ -10,6 +10,55 @@
 #include "driver/read/keys/case_reference.hpp"
 
 namespace slipbench::driver {
+namespace {
+
+/// How this format says what an option of a Radioss /FRICTION block says (Ifric, Ifiltr, Iform,
+/// Idir), or a key of old drafts; empty for other keys.
+std::string_view key_for_option(std::string_view option) {
+  struct Option {
+    std::string_view name;
+    std::string_view text;
+  };
+  static constexpr std::array<Option, 10> kOptions{{
+      {"Ifric",
+       "the law stands by its name in 'coefficient': Ifric 0 is a number, 1 generalized_viscous, 2 "
+       "modified_darmstad, 3 renard, 4 exponential_decay"},
+      {"Ifiltr",
+       "a definition has 'filter': Ifiltr 1 is {simple: alpha}, 2 {period: T} or {Xfreq: .., "
+       "xfreq_convention: ..}, 3 {frequency: f}"},
+      {"Iform",
+       "a definition has 'formulation': Iform 1 is {penalty: viscous, K: .., m: ..}, 2 {penalty: "
+       "stiffness, K_t: ..}"},
+      {"Idir",
+       "two directions stand in 'coefficient': Idir 1 is {orthotropic: {direction1: .., "
+       "direction2: ..}}"},
+      {"mu", "the coefficient is 'coefficient: 0.2', or '= mu' for a parameter"},
+      {"stick_stiffness", "write 'stick: {stiffness: ..}'"},
+      {"steps", "steps stand under 'history:', each begins with '- step: NAME'"},
+      {"displacement", "what moves stands under 'motion:', as {CP1: {to: 0.1}}"},
+      {"velocity",
+       "a motion is a position over time: 'motion: {CP1: {to: 0.1}}' goes there evenly within the "
+       "step's duration"},
+      {"load", "what is held is loaded under 'force:', as {f2: 100}"},
+  }};
+  for (const Option& known : kOptions) {
+    if (known.name == option) return known.text;
+  }
+  return {};
+}
+
+/// What is written in place of a key of other programs or of another place; empty for other keys.
+std::string other_name(std::string_view key, std::string_view path) {
+  if (const std::string_view here = key_for_option(key); !here.empty()) return std::string(here);
+  if (key.starts_with('*')) return "a case has keys of its own, such as 'connector' and 'friction'";
+  if (key == "Fric" && path.ends_with("renard.Fric")) {
+    return "Renard's law has no Fric: its coefficient at rest is C1";
+  }
+  const std::string quantity = place_of_quantity(key);
+  return quantity.empty() ? "" : "'" + std::string(key) + "' belongs to " + quantity;
+}
+
+}  // namespace
 
 std::string place_of_quantity(std::string_view key) {
   if (component_of_motion(key)) return "history[].motion";
@@ -87,39 +136,6 @@ std::optional<LaterKey> later_key(std::string_view key) {
   return std::nullopt;
 }
 
-std::string_view key_for_option(std::string_view option) {
-  struct Option {
-    std::string_view name;
-    std::string_view text;
-  };
-  static constexpr std::array<Option, 10> kOptions{{
-      {"Ifric",
-       "the law stands by its name in 'coefficient': Ifric 0 is a number, 1 generalized_viscous, 2 "
-       "modified_darmstad, 3 renard, 4 exponential_decay"},
-      {"Ifiltr",
-       "a definition has 'filter': Ifiltr 1 is {simple: alpha}, 2 {period: T} or {Xfreq: .., "
-       "xfreq_convention: ..}, 3 {frequency: f}"},
-      {"Iform",
-       "a definition has 'formulation': Iform 1 is {penalty: viscous, K: .., m: ..}, 2 {penalty: "
-       "stiffness, K_t: ..}"},
-      {"Idir",
-       "two directions stand in 'coefficient': Idir 1 is {orthotropic: {direction1: .., "
-       "direction2: ..}}"},
-      {"mu", "the coefficient is 'coefficient: 0.2', or '= mu' for a parameter"},
-      {"stick_stiffness", "write 'stick: {stiffness: ..}'"},
-      {"steps", "steps stand under 'history:', each begins with '- step: NAME'"},
-      {"displacement", "what moves stands under 'motion:', as {CP1: {to: 0.1}}"},
-      {"velocity",
-       "a motion is a position over time: 'motion: {CP1: {to: 0.1}}' goes there evenly within the "
-       "step's duration"},
-      {"load", "what is held is loaded under 'force:', as {f2: 100}"},
-  }};
-  for (const Option& known : kOptions) {
-    if (known.name == option) return known.text;
-  }
-  return {};
-}
-
 std::string origin_of_column(std::string_view name) {
   // Columns of one definition of several carry its name.
   const std::string_view column = name.substr(0, name.find('.'));
@@ -150,5 +166,8 @@ std::string origin_of_column(std::string_view name) {
   }
   return "'" + std::string(column) + "' is a column of a definition with " + std::string(origin);
 }
+
+const FileWords kCaseWords{later_key, other_name, places_of_key, origin_of_column,
+                           "define it under 'parameters:'"};
 
 }  // namespace slipbench::driver

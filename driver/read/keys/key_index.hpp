@@ -19,22 +19,14 @@ std::string places_of_key(std::string_view key, std::span<const KeyRow> rows);
 /// Where CP1, f1, field1 and the like are prescribed; empty for other keys.
 std::string place_of_quantity(std::string_view key);
 
-/// A key or connection type that is known by name, but that this version does not have.
-struct LaterKey {
-  std::string_view name;
-  std::string_view why;               ///< a sentence
-  std::string_view in_place_of = {};  ///< the key this version wants instead, if any
-};
-
-/// What there is to say of such a key, or nothing.
+/// What there is to say of a key or connection type that this version does not have, or nothing.
 std::optional<LaterKey> later_key(std::string_view key);
-
-/// How this format says what an option of a Radioss /FRICTION block says (Ifric, Ifiltr, Iform,
-/// Idir); empty for other keys.
-std::string_view key_for_option(std::string_view option);
 
 /// What brings a result column that not every case has, such as CSF2_RAW: a sentence; empty for
 /// other names.
 std::string origin_of_column(std::string_view name);
+
+/// What messages about a case say of its keys.
+extern const FileWords kCaseWords;
 
 }  // namespace slipbench::driver

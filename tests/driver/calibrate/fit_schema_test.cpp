@@ -38,9 +38,9 @@ TEST_CASE("The schema knows what has to be there and what words there are") {
 }
 
 TEST_CASE("Keys of a fit file know where they belong") {
-  CHECK(places_of_fit_key("below") == "calibrate.experiments[].dead_band");
-  CHECK(places_of_fit_key("vary") == "calibrate");
-  CHECK(places_of_fit_key("coefficient").empty());
+  CHECK(kFitWords.places_of_key("below") == "calibrate.experiments[].dead_band");
+  CHECK(kFitWords.places_of_key("vary") == "calibrate");
+  CHECK(kFitWords.places_of_key("coefficient").empty());
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "driver/read/keys/case_codecs.hpp"
 #include "driver/read/keys/case_reference.hpp"
 #include "driver/read/keys/key_examples.hpp"
+#include "driver/read/keys/key_index.hpp"
 #include "driver/yaml/parse.hpp"
 #include "law/connection/connection_type.hpp"
 #include "tests/driver/commands/program_for_test.hpp"
@@ -129,7 +130,7 @@ std::string faults_of_example(const Reader& reader, const std::string& example) 
   if (!tree) return render(tree.error());
   Diagnostics out;
   const NamedNumbers parameters;
-  Binder binder(out, parameters, {}, {}, false);
+  Binder binder(out, parameters, {}, {}, false, kCaseWords);
   const bool good = reader(binder, *tree->root().find("value"), Path());
   return good && !out.has_errors() ? "" : "not read: " + render(out);
 }
