@@ -2,17 +2,12 @@
 // Backlash in series with the friction of one component: an option of the bench, outside the law.
 #pragma once
 
+#include "driver/case/case.hpp"
 #include "law/definition/friction_definition.hpp"
 #include "law/definition/friction_state.hpp"
 #include "law/update/return_mapping.hpp"
 
 namespace slipbench::driver {
-
-/// A free travel between the connector and its friction, in the unit of the component [L], [1].
-struct DeadZone {
-  double width = 0.0;  ///< g >= 0: from one end to the other
-  double start = 0.0;  ///< play p at the start, in [-g/2, g/2]
-};
 
 /// What an increment does to the play, and what it leaves for the friction behind it.
 struct PlayStep {

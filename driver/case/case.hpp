@@ -13,7 +13,6 @@
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/units/expression.hpp"
 #include "driver/base/units/units.hpp"
-#include "driver/bench/dead_zone.hpp"
 #include "driver/case/criterion.hpp"
 #include "driver/case/integration.hpp"
 #include "driver/case/quantity.hpp"
@@ -27,6 +26,12 @@
 namespace slipbench::driver {
 
 class CurveFile;
+
+/// A free travel between the connector and its friction, in the unit of the component [L], [1].
+struct DeadZone {
+  double width = 0.0;  ///< g >= 0: from one end to the other
+  double start = 0.0;  ///< play p at the start, in [-g/2, g/2]
+};
 
 /// One friction definition of the case, ready for the law; predefined PLANAR and UJOINT give two.
 struct CaseDefinition {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "driver/bench/dead_zone.hpp"
 #include "reference/backlash_slider.hpp"
 #include "tests/driver/bench/example_cases.hpp"
 #include "tests/support/dice.hpp"
