@@ -8,9 +8,11 @@
 
 #include "driver/base/files/exit_code.hpp"
 #include "driver/bench/exact_integration.hpp"
-#include "driver/commands/shared.hpp"
+#include "driver/bench/run_case.hpp"
+#include "driver/bench/simulation.hpp"
 #include "driver/results/csv_writer.hpp"
 #include "driver/results/provenance.hpp"
+#include "driver/terminal/progress.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -51,7 +53,7 @@ tl::expected<std::string, CommandFailure> compare_integration(const Case& proble
     for (std::size_t d = 0; d < distances.size(); ++d) {
       distances[d].add(exact->row(), d, euler->row().definitions[d].update.state);
     }
-    progress.step(exact->row());
+    progress.step(exact->row().index, exact->row().time);
     auto more = euler->advance();
     if (!more) return failed(euler_case, more.error());
     auto too = exact->advance();

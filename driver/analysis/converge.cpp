@@ -9,8 +9,11 @@
 #include <limits>
 #include <vector>
 
-#include "driver/commands/shared.hpp"
+#include "driver/bench/run_case.hpp"
+#include "driver/bench/simulation.hpp"
+#include "driver/check/verdict_text.hpp"
 #include "driver/results/provenance.hpp"
+#include "driver/terminal/progress.hpp"
 #include "law/update/penalty_predictor.hpp"
 
 namespace slipbench::driver {
@@ -142,7 +145,7 @@ tl::expected<std::string, CommandFailure> converge(const Case& problem) {
         of.smooth_increment = row.duration;
       }
     }
-    progress.step(row);
+    progress.step(row.index, row.time);
     for (std::size_t i = 0; i < runs.size(); ++i) {
       // The others go on to the end of this increment of the first.
       const double target = runs[0].row().time - 1e-6 * runs[0].row().duration;

@@ -12,10 +12,12 @@
 #include <variant>
 #include <vector>
 
+#include "driver/base/files/exit_code.hpp"
 #include "driver/base/text/format_number.hpp"
 #include "driver/bench/belt_motion.hpp"
 #include "driver/bench/connector_increment.hpp"
-#include "driver/commands/shared.hpp"
+#include "driver/bench/run_case.hpp"
+#include "driver/bench/simulation.hpp"
 #include "driver/results/coverage.hpp"
 #include "driver/results/csv_writer.hpp"
 #include "driver/results/events.hpp"

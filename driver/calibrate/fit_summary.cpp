@@ -15,7 +15,7 @@
 #include "driver/base/text/utf8.hpp"
 #include "driver/calibrate/estimate_text.hpp"
 #include "driver/calibrate/identifiability.hpp"
-#include "driver/commands/shared.hpp"
+#include "driver/terminal/print.hpp"
 
 namespace slipbench::driver {
 namespace {

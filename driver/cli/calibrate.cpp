@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "driver/cli/declare.hpp"
-#include "driver/commands/shared.hpp"
+#include "driver/commands/arguments.hpp"
 
 namespace slipbench::driver {
 

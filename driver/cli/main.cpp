@@ -13,11 +13,12 @@
 #include <string_view>
 #include <vector>
 
+#include "driver/base/files/exit_code.hpp"
 #include "driver/base/files/interruption.hpp"
 #include "driver/cli/declare.hpp"
 #include "driver/cli/faults.hpp"
-#include "driver/commands/shared.hpp"
 #include "driver/results/provenance.hpp"
+#include "driver/terminal/print.hpp"
 
 namespace slipbench::driver {
 namespace {

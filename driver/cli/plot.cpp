@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "driver/cli/declare.hpp"
-#include "driver/commands/shared.hpp"
 #include "driver/plot/kinds.hpp"
 
 namespace slipbench::driver {

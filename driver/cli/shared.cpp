@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "driver/commands/shared.hpp"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -13,6 +11,7 @@
 #include "driver/base/text/number.hpp"
 #include "driver/base/text/suggestions.hpp"
 #include "driver/cli/declare.hpp"
+#include "driver/commands/arguments.hpp"
 
 namespace slipbench::driver {
 namespace {

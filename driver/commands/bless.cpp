@@ -12,12 +12,21 @@
 #include <utility>
 #include <variant>
 
+#include "driver/base/files/exit_code.hpp"
 #include "driver/base/files/output_file.hpp"
 #include "driver/base/text/diagnostic.hpp"
+#include "driver/base/units/parameters.hpp"
+#include "driver/bench/run_case.hpp"
+#include "driver/bench/simulation.hpp"
+#include "driver/case/case.hpp"
+#include "driver/case/input_files.hpp"
+#include "driver/check/check.hpp"
 #include "driver/check/curves/curve_file.hpp"
 #include "driver/check/golden.hpp"
-#include "driver/commands/shared.hpp"
+#include "driver/read/read_case.hpp"
 #include "driver/results/provenance.hpp"
+#include "driver/terminal/print.hpp"
+#include "driver/terminal/progress.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -65,7 +74,7 @@ tl::expected<std::int64_t, Failure> follow(const Case& problem, std::vector<Writ
   std::int64_t increments = 0;
   Progress progress(case_stem(problem));
   const auto ended = run_case(problem, [&](const Row& row) {
-    progress.step(row);
+    progress.step(row.index, row.time);
     increments = row.index;
     for (Held& check : checks) {
       if (check.old) check.old->add(row);

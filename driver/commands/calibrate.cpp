@@ -15,6 +15,7 @@
 #include "driver/base/files/exit_code.hpp"
 #include "driver/base/files/output_file.hpp"
 #include "driver/base/text/diagnostic.hpp"
+#include "driver/base/units/parameters.hpp"
 #include "driver/calibrate/calibrate.hpp"
 #include "driver/calibrate/calibrated_case.hpp"
 #include "driver/calibrate/calibration_json.hpp"
@@ -22,9 +23,11 @@
 #include "driver/calibrate/read_fit.hpp"
 #include "driver/calibrate/report/fit_pictures.hpp"
 #include "driver/calibrate/report/fit_report.hpp"
-#include "driver/commands/shared.hpp"
+#include "driver/case/input_files.hpp"
+#include "driver/commands/arguments.hpp"
 #include "driver/plot/picture_mark.hpp"
 #include "driver/report/page.hpp"
+#include "driver/terminal/print.hpp"
 #include "driver/terminal/progress.hpp"
 
 namespace slipbench::driver {

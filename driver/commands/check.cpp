@@ -13,8 +13,9 @@
 #include <string_view>
 #include <utility>
 
+#include "driver/base/files/exit_code.hpp"
 #include "driver/base/files/work_crew.hpp"
-#include "driver/commands/shared.hpp"
+#include "driver/base/units/parameters.hpp"
 #include "driver/report/collect.hpp"
 #include "driver/report/report.hpp"
 #include "driver/suite/annotations.hpp"
@@ -29,6 +30,8 @@
 #include "driver/suite/suite_json.hpp"
 #include "driver/suite/trailing_notes.hpp"
 #include "driver/suite/verdict_table.hpp"
+#include "driver/terminal/print.hpp"
+#include "driver/terminal/progress.hpp"
 
 namespace slipbench::driver {
 namespace {

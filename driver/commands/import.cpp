@@ -17,11 +17,11 @@
 #include "driver/base/text/number.hpp"
 #include "driver/base/text/source_text.hpp"
 #include "driver/base/units/units.hpp"
-#include "driver/commands/shared.hpp"
 #include "driver/import/radioss/case_writer.hpp"
 #include "driver/import/radioss/deck_friction.hpp"
 #include "driver/import/radioss/deck_line.hpp"
 #include "driver/import/radioss/starter_deck.hpp"
+#include "driver/terminal/print.hpp"
 
 namespace slipbench::driver {
 namespace {

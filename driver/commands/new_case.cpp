@@ -11,7 +11,7 @@
 #include "driver/base/files/exit_code.hpp"
 #include "driver/base/text/suggestions.hpp"
 #include "driver/commands/minimal_case.hpp"
-#include "driver/commands/shared.hpp"
+#include "driver/terminal/print.hpp"
 #include "law/connection/connection_type.hpp"
 
 namespace slipbench::driver {

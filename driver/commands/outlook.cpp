@@ -6,8 +6,8 @@
 #include <system_error>
 #include <utility>
 
-#include "driver/commands/shared.hpp"
 #include "driver/results/provenance.hpp"
+#include "driver/terminal/print.hpp"
 #include "driver/terminal/progress.hpp"
 
 namespace slipbench::driver {

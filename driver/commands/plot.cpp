@@ -5,9 +5,10 @@
 
 #include <filesystem>
 
+#include "driver/base/files/exit_code.hpp"
 #include "driver/base/text/standard_input.hpp"
-#include "driver/commands/shared.hpp"
 #include "driver/plot/kinds.hpp"
+#include "driver/terminal/print.hpp"
 
 namespace slipbench::driver {
 

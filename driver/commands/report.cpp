@@ -10,16 +10,20 @@
 #include <system_error>
 #include <utility>
 
+#include "driver/base/files/exit_code.hpp"
 #include "driver/base/files/output_file.hpp"
 #include "driver/base/files/real_files.hpp"
 #include "driver/base/files/work_crew.hpp"
-#include "driver/commands/shared.hpp"
+#include "driver/base/units/parameters.hpp"
+#include "driver/read/read_case.hpp"
 #include "driver/report/page.hpp"
 #include "driver/report/read_result.hpp"
 #include "driver/report/report.hpp"
 #include "driver/suite/candidates.hpp"
 #include "driver/suite/check_case.hpp"
 #include "driver/suite/run_suite.hpp"
+#include "driver/terminal/print.hpp"
+#include "driver/terminal/progress.hpp"
 
 namespace slipbench::driver {
 namespace {

@@ -6,12 +6,16 @@
 #include <optional>
 #include <utility>
 
+#include "driver/base/files/exit_code.hpp"
 #include "driver/base/files/output_file.hpp"
-#include "driver/commands/shared.hpp"
+#include "driver/base/units/parameters.hpp"
+#include "driver/bench/run_case.hpp"
 #include "driver/plot/loops.hpp"
 #include "driver/plot/result_regimes.hpp"
+#include "driver/read/read_case.hpp"
 #include "driver/results/csv_writer.hpp"
 #include "driver/results/provenance.hpp"
+#include "driver/terminal/progress.hpp"
 
 namespace slipbench::driver {
 namespace fs = std::filesystem;
@@ -62,7 +66,7 @@ tl::expected<void, PlotFailure> follow_for_plot(
     Progress progress(case_stem(problem));
     return follow_case(problem, [&](const Simulation& simulation) {
       take(simulation);
-      progress.step(simulation.row());
+      progress.step(simulation.row().index, simulation.row().time);
     });
   }();
   if (!ended) {

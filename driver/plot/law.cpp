@@ -14,14 +14,17 @@
 #include <utility>
 #include <vector>
 
+#include "driver/base/files/exit_code.hpp"
 #include "driver/base/text/tics.hpp"
-#include "driver/commands/shared.hpp"
+#include "driver/bench/simulation.hpp"
+#include "driver/case/case.hpp"
 #include "driver/plot/definition.hpp"
 #include "driver/plot/drawn_coefficients.hpp"
 #include "driver/plot/input.hpp"
 #include "driver/plot/law_case.hpp"
 #include "driver/plot/script.hpp"
 #include "driver/results/law_range.hpp"
+#include "driver/terminal/print.hpp"
 
 namespace slipbench::driver {
 namespace {

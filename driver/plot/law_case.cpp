@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "driver/base/text/source_text.hpp"
-#include "driver/commands/shared.hpp"
+#include "driver/base/units/parameters.hpp"
 #include "driver/read/read_case.hpp"
 
 namespace slipbench::driver {

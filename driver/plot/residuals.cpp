@@ -10,11 +10,14 @@
 #include <utility>
 #include <vector>
 
+#include "driver/base/files/exit_code.hpp"
 #include "driver/base/text/tics.hpp"
+#include "driver/bench/simulation.hpp"
+#include "driver/case/case.hpp"
 #include "driver/check/check.hpp"
 #include "driver/check/criteria/pointwise.hpp"
 #include "driver/check/kept_rows.hpp"
-#include "driver/commands/shared.hpp"
+#include "driver/check/verdict_text.hpp"
 #include "driver/plot/definition.hpp"
 #include "driver/plot/input.hpp"
 #include "driver/plot/kinds.hpp"

@@ -10,10 +10,15 @@
 #include <utility>
 #include <vector>
 
+#include "driver/base/files/exit_code.hpp"
 #include "driver/base/text/one_line.hpp"
+#include "driver/bench/run_case.hpp"
+#include "driver/bench/simulation.hpp"
+#include "driver/case/case.hpp"
+#include "driver/case/input_files.hpp"
 #include "driver/check/check.hpp"
 #include "driver/check/kept_rows.hpp"
-#include "driver/commands/shared.hpp"
+#include "driver/check/verdict_text.hpp"
 #include "driver/report/collect.hpp"
 #include "driver/results/plausibility.hpp"
 

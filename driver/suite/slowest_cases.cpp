@@ -7,7 +7,7 @@
 #include <chrono>
 
 #include "driver/base/text/diagnostic.hpp"
-#include "driver/commands/shared.hpp"
+#include "driver/terminal/print.hpp"
 
 namespace slipbench::driver {
 

@@ -5,9 +5,10 @@
 
 #include <algorithm>
 
+#include "driver/base/files/exit_code.hpp"
 #include "driver/base/text/utf8.hpp"
-#include "driver/commands/shared.hpp"
 #include "driver/results/provenance.hpp"
+#include "driver/terminal/print.hpp"
 
 namespace slipbench::driver {
 namespace {

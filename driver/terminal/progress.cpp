@@ -12,7 +12,7 @@
 
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/utf8.hpp"
-#include "driver/commands/shared.hpp"
+#include "driver/terminal/print.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -95,8 +95,8 @@ void Progress::draw(const std::string& text) {
   print_error("\r" + fitting(text, terminal_width()) + "\033[K");
 }
 
-void Progress::show(const Row& row) {
-  if (due()) draw(fmt::format("{}: {} increments, t = {:.4g}", what_, row.index, row.time));
+void Progress::show(std::int64_t increment, double time) {
+  if (due()) draw(fmt::format("{}: {} increments, t = {:.4g}", what_, increment, time));
 }
 
 void Progress::step(const WorkDone& work) {

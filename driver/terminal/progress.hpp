@@ -3,11 +3,10 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <mutex>
 #include <string>
 #include <utility>
-
-#include "driver/bench/simulation.hpp"
 
 namespace slipbench::driver {
 
@@ -36,8 +35,9 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
 
   /// Cheap enough to be called for every increment.
-  void step(const Row& row) {
-    if ((++calls_ & kMask) == 0 && terminal_) show(row);
+  /// \param time that the increment ends at, of the run
+  void step(std::int64_t increment, double time) {
+    if ((++calls_ & kMask) == 0 && terminal_) show(increment, time);
   }
   void step(const WorkDone& work);
   /// "rig: <text>", for a work whose end is not known.
@@ -48,7 +48,7 @@ class Progress {
 
  private:
   static constexpr unsigned kMask = (1U << 16U) - 1U;
-  void show(const Row& row);
+  void show(std::int64_t increment, double time);
   bool due();
   void draw(const std::string& text);
 

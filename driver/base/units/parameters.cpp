@@ -6,7 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
+#include <variant>
+
+#include "driver/base/text/number.hpp"
 
 namespace slipbench::driver {
 namespace {
@@ -197,6 +201,22 @@ tl::expected<NamedNumbers, std::vector<ParameterError>> resolve_parameters(
   for (std::size_t i = 0; i < names.size(); ++i)
     values.emplace(names[i], resolver.entries()[i].value);
   return values;
+}
+
+tl::expected<std::vector<ParameterText>, std::string> parse_settings(
+    std::span<const std::string> settings) {
+  std::vector<ParameterText> all;
+  for (const std::string& setting : settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == setting.size()) {
+      return tl::unexpected(
+          fmt::format("--set {}: wanted name=value, for example --set mu=0.2", setting));
+    }
+    ParameterText text{setting.substr(0, equals), setting.substr(equals + 1)};
+    if (const auto number = parse_number(std::get<std::string>(text.value))) text.value = *number;
+    all.push_back(std::move(text));
+  }
+  return all;
 }
 
 }  // namespace slipbench::driver

@@ -38,4 +38,9 @@ struct ParameterError {
 tl::expected<NamedNumbers, std::vector<ParameterError>> resolve_parameters(
     std::span<const ParameterText> parameters, std::span<const ParameterText> overrides = {});
 
+/// `--set name=value` taken apart; the value is a number or an expression over other parameters.
+/// Errors: no '=', nothing before or after it.
+tl::expected<std::vector<ParameterText>, std::string> parse_settings(
+    std::span<const std::string> settings);
+
 }  // namespace slipbench::driver

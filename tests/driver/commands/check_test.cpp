@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "driver/base/files/exit_code.hpp"
+#include "driver/commands/arguments.hpp"
 #include "driver/commands/bless.hpp"
 #include "driver/commands/run.hpp"
-#include "driver/commands/shared.hpp"
 #include "tests/driver/report/case_for_test.hpp"
 #include "tests/driver/support/environment_for_test.hpp"
 #include "tests/driver/support/temporary_folder.hpp"

@@ -15,9 +15,10 @@
 #include <vector>
 
 #include "driver/base/files/exit_code.hpp"
+#include "driver/bench/run_case.hpp"
+#include "driver/bench/simulation.hpp"
 #include "driver/commands/plot.hpp"
 #include "driver/commands/run.hpp"
-#include "driver/commands/shared.hpp"
 #include "driver/plot/definition.hpp"
 #include "driver/plot/drawn_coefficients.hpp"
 #include "driver/plot/input.hpp"

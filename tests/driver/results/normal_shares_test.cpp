@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "driver/bench/connector_increment.hpp"
-#include "driver/commands/shared.hpp"
+#include "driver/bench/run_case.hpp"
+#include "driver/bench/simulation.hpp"
+#include "driver/case/case.hpp"
 #include "driver/read/read_case.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 

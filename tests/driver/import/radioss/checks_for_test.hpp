@@ -6,7 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "driver/commands/shared.hpp"
+#include "driver/bench/run_case.hpp"
+#include "driver/bench/simulation.hpp"
+#include "driver/case/case.hpp"
+#include "driver/check/check.hpp"
 
 namespace slipbench::driver {
 
