@@ -8,26 +8,6 @@
 namespace slipbench::architecture {
 namespace {
 
-struct Include {
-  int line;
-  bool quoted;
-  std::string name;
-};
-
-std::vector<Include> includes(const SourceFile& file) {
-  static const std::regex kInclude(R"re(^\s*#\s*include\s*(["<])([^">]+)[">])re");
-  std::vector<Include> found;
-  int number = 0;
-  for (const std::string& line : lines(without_comments(file.text, Strings::kKeep))) {
-    ++number;
-    std::smatch match;
-    if (std::regex_search(line, match, kInclude)) {
-      found.push_back({number, match[1] == "\"", match[2]});
-    }
-  }
-  return found;
-}
-
 /// Files whose path matches `files` may include what matches `allowed` and the standard library;
 /// the first room that matches a file counts.
 struct Room {
@@ -87,6 +67,20 @@ bool is_project(const std::string& name) {
 }
 
 }  // namespace
+
+std::vector<Include> includes(const SourceFile& file) {
+  static const std::regex kInclude(R"re(^\s*#\s*include\s*(["<])([^">]+)[">])re");
+  std::vector<Include> found;
+  int number = 0;
+  for (const std::string& line : lines(without_comments(file.text, Strings::kKeep))) {
+    ++number;
+    std::smatch match;
+    if (std::regex_search(line, match, kInclude)) {
+      found.push_back({number, match[1] == "\"", match[2]});
+    }
+  }
+  return found;
+}
 
 std::vector<Violation> include_violations(const SourceFile& file) {
   std::vector<Violation> violations;

@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "tests/architecture/source_file.hpp"
 
 namespace slipbench::architecture {
+
+/// An #include line; `line` is 1-based.
+struct Include {
+  int line = 0;
+  bool quoted = false;
+  std::string name;
+};
+
+/// The #include lines of a C++ text, those in comments left out.
+std::vector<Include> includes(const SourceFile& file);
 
 /// Who may know whom, read off the #include lines of a C++ file:
 /// - law/ knows law/, Eigen and the standard library; reference/ knows reference/ and the standard

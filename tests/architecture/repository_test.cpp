@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/architecture/floors.hpp"
 #include "tests/architecture/include_rules.hpp"
 #include "tests/architecture/source_file.hpp"
 #include "tests/architecture/text_rules.hpp"
@@ -60,6 +61,19 @@ TEST_CASE("a broken rule in a folder on disk is found, build folders and binarie
 }
 
 TEST_CASE("every room includes only what it may know") { CHECK(broken(include_violations) == ""); }
+
+TEST_CASE("no room includes one above it, and every file stands in a room") {
+  CHECK(broken(floor_violations) == "");
+}
+
+TEST_CASE("every room has files") {
+  for (const std::string_view room : floors()) {
+    INFO(room);
+    CHECK(std::any_of(repository().begin(), repository().end(), [&](const SourceFile& file) {
+      return file.path.substr(0, file.path.rfind('/')) == room;
+    }));
+  }
+}
 
 TEST_CASE("the law builds no strings, writes nothing and throws nothing") {
   CHECK(broken(law_violations) == "");
