@@ -14,7 +14,7 @@ namespace slipbench::driver {
 namespace {
 
 std::optional<int> component_of(const Case& problem, const Column& column) {
-  if (column.source != ColumnSource::kFrictionForce || column.definition < 0) return std::nullopt;
+  if (!is_friction_force(column) || column.definition < 0) return std::nullopt;
   const law::SlipSpace& slip =
       problem.definitions[static_cast<std::size_t>(column.definition)].law.slip;
   return slip.component[static_cast<std::size_t>(column.index)];
@@ -33,8 +33,7 @@ std::optional<Column> position_column(const Case& problem, std::span<const Colum
   }
   if (!component) return std::nullopt;
   const auto is_its_position = [&](const Column& column) {
-    return column.source == ColumnSource::kPosition && column.index == *component &&
-           column.name.starts_with("CP");
+    return is_position(column) && column.index == *component && column.name.starts_with("CP");
   };
   const auto found = std::find_if(columns.begin(), columns.end(), is_its_position);
   return found == columns.end() ? std::nullopt : std::optional<Column>(*found);
@@ -154,7 +153,7 @@ tl::expected<RunTrace, std::string> trace_run(const Case& problem, const Experim
 
 bool is_position(const Case& problem, std::string_view name) {
   const auto column = find_column(problem, result_columns(problem), name);
-  return column && column->source == ColumnSource::kPosition;
+  return column && is_position(*column);
 }
 
 }  // namespace slipbench::driver

@@ -69,7 +69,7 @@ std::optional<std::size_t> friction_of(const Case& problem, std::span<const Colu
   std::optional<int> definition;
   for (const std::string& name : check.variables) {
     const auto column = find_column(problem, columns, name);
-    if (!column || column->source != ColumnSource::kFrictionForce) return std::nullopt;
+    if (!column || !is_friction_force(*column)) return std::nullopt;
     if (definition && *definition != column->definition) return std::nullopt;
     definition = column->definition;
   }

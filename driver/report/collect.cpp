@@ -65,7 +65,7 @@ struct CaseCollector::State {
       shown.push_back(*find_column(problem, columns, name));
     }
     for (const Column& column : columns) {
-      if (column.source == ColumnSource::kPosition && column.name.starts_with("CP")) {
+      if (is_position(column) && column.name.starts_with("CP")) {
         positions.push_back(column);
       }
     }

@@ -14,67 +14,9 @@
 
 namespace slipbench::driver {
 
-/// Where the number of a result column comes from.
-enum class ColumnSource : std::uint8_t {
-  kTotalTime,        ///< total time
-  kPosition,         ///< CP, and with an offset CU and CCU
-  kVelocity,         ///< CV
-  kConstraintForce,  ///< a prescribed constraint force
-  kFrictionForce,    ///< R_i y_i of one entry of a definition's slip space
-  kNoFriction,       ///< 0: an available component without friction
-  kElasticForce,     ///< CEF
-  kViscousForce,     ///< CVF
-  kReaction,         ///< CRF of a stop
-  kApplied,          ///< CCF
-  kTotalForce,       ///< CEF + CVF + CSF + CRF - CCF
-  kStopFlag,         ///< CSLST
-  kMassVelocity,     ///< CV of the mass of a dynamic case
-  kDrivenVelocity,   ///< of a mass on a driver
-  kDriverVelocity,   ///< of its driver
-  kElasticEnergy,
-  kViscousDissipation,
-  kKineticEnergy,
-  kExternalWork,
-  kFrictionTotal,  ///< P of a definition
-  kSlipVelocity,   ///< n . ds/dt
-  kAccumulatedSlip,
-  kNormalForce,
-  kStatus,
-  kMu,
-  kLimit,
-  kPhi,
-  kElasticSlip,
-  kPlay,  ///< of a dead zone
-  kDissipation,
-  kLost,  ///< in jumps of the force
-  kStoredEnergy,
-  kWork,
-  kQuantity,         ///< temperature or a field
-  kStrain,           ///< of a belt, CU1
-  kReferenceLength,  ///< of a belt
-  kWrapAngle,        ///< of a belt with nodes
-  kBeltTension,      ///< f_ab, 0 of a slack belt
-  kLengthBehind,     ///< of the segment behind a ring, which stays
-  kMaterialBehind,   ///< its unstrained length
-  kStrainBehind,     ///< its strain
-  kFlowBehind,       ///< out of that segment at its end
-  kChainForce,       ///< the sum of the friction forces of all rings
-  kRingTension,      ///< f_bc behind the ring of a definition
-  kLargestForce,     ///< the upper end of a belt's stick band
-  kSmallestForce,    ///< its lower end, negative
-  kUtilisation,      ///< |ln(f_bc/f_ab)|/(mu alpha) of a belt whose tensions are both prescribed
-  kPressure,         ///< F_N/A of a law with an area
-  kSpeed,            ///< the rate the coefficient saw
-  kSpeedAlong,       ///< along one direction of an orthotropic coefficient
-  kMuAlong,
-  kRawMu,    ///< before the floor
-  kClamped,  ///< 1 where a coefficient is kept at its floor
-  kFilterAlpha,
-  kViscousCoefficient,
-  kTrialForce,  ///< R_i F*_i of a formulation
-  kRawForce,    ///< before the filter
-  kLimitUse     ///< |F| over the limit of a formulation
-};
+struct Cell;
+/// Reads the number of a column off a row.
+using ColumnValue = double (*)(const Cell& at);
 
 /// One column of the result: its name, the dimension its unit follows from, one sentence, and how
 /// its number is read off a row.
@@ -82,10 +24,24 @@ struct Column {
   std::string name;
   Dimension dimension;
   std::string text;
-  ColumnSource source = ColumnSource::kTotalTime;
+  ColumnValue value = nullptr;
   int index = 0;        ///< component 0..5, entry of the slip space, or flat quantity
   int definition = -1;  ///< of the case's definitions; -1 if it belongs to none
   double offset = 0.0;  ///< is subtracted
+};
+
+/// One number of the result: a column in a row.
+struct Cell {
+  const Column& column;
+  const Case& problem;
+  const Row& row;
+
+  std::size_t index() const { return static_cast<std::size_t>(column.index); }
+  std::size_t definition() const { return static_cast<std::size_t>(column.definition); }
+  const DefinitionRow& own() const { return row.definitions[definition()]; }
+  const law::FrictionDefinition& law() const { return problem.definitions[definition()].law; }
+  double scale() const { return law().slip.scale[index()]; }
+  const ComponentForces& forces() const { return row.forces.component[index()]; }
 };
 
 /// All columns a case has, in the order of the result file (specification, section 13; the case
@@ -108,6 +64,10 @@ std::vector<std::string> column_names(const Case& problem);
 
 /// The number of a column in a row of a run of `problem`.
 double column_value(const Column& column, const Case& problem, const Row& row);
+
+bool is_position(const Column& column);          ///< CP, and with an offset CU and CCU
+bool is_friction_force(const Column& column);    ///< of one entry of a definition's slip space
+bool is_accumulated_slip(const Column& column);  ///< of a definition
 
 /// From here on law::limit_use says only that the limit is 0, or kept at a floor next to it.
 inline constexpr double kUseWithoutLimit = 1e9;

@@ -145,7 +145,7 @@ EventWriter::EventWriter(const Case& problem, OutputFile& file)
   std::string text = provenance_lines(problem);
   text += "t,definition,from,to,force,limit,accumulated_slip";
   for (Column& column : result_columns(problem)) {
-    if (column.source != ColumnSource::kPosition || !column.name.starts_with("CP")) continue;
+    if (!is_position(column) || !column.name.starts_with("CP")) continue;
     text += "," + column.name;
     positions_.push_back(std::move(column));
   }

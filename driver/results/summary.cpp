@@ -60,7 +60,7 @@ Summary::Summary(const Case& problem)
       since_(problem.definitions.size()),
       stick_start_(problem.definitions.size()) {
   for (Column& column : result_columns(problem)) {
-    if (column.source == ColumnSource::kPosition && column.name.starts_with("CP")) {
+    if (is_position(column) && column.name.starts_with("CP")) {
       positions_.push_back(std::move(column));
     }
   }

@@ -56,7 +56,7 @@ std::optional<Column> accumulated_slip(const Case& problem, std::string_view qua
     if (column && column->definition >= 0) definition = column->definition;
   }
   const auto found = std::find_if(columns.begin(), columns.end(), [&](const Column& column) {
-    return column.source == ColumnSource::kAccumulatedSlip && column.definition == definition;
+    return is_accumulated_slip(column) && column.definition == definition;
   });
   return found == columns.end() ? std::nullopt : std::optional(*found);
 }
@@ -92,7 +92,7 @@ std::optional<AbscissaChoice> own_abscissa(Binder& binder, const CheckText& text
   if (at.value == "accumulated_slip") {
     std::string hint;
     for (const Column& column : result_columns(problem)) {
-      if (column.source != ColumnSource::kAccumulatedSlip) continue;
+      if (!is_accumulated_slip(column)) continue;
       hint += (hint.empty() ? "there are " : ", ") + column.name;
     }
     binder.error(*at.node, at.path,
