@@ -93,13 +93,10 @@ const Measure* worst_doubted(const Verdict& verdict) {
 
 /// Distances and errors without a unit have a size beyond which nothing is alike.
 std::string dimensionless_doubt(const Check& check, const Measure& measure) {
-  const bool is_distance = check.criterion == Criterion::kArcLength;
-  if ((!is_distance && check.criterion != Criterion::kSpragueGeers) || measure.tolerance < 1.0) {
-    return {};
-  }
+  const std::string_view one = info_of(check.criterion).one;
+  if (one.empty() || measure.tolerance < 1.0) return {};
   return fmt::format("the tolerance of {:.3g} has no unit, and 1 is already {}", measure.tolerance,
-                     is_distance ? "the whole width or height of the reference"
-                                 : "the error of the opposite curve");
+                     one);
 }
 
 void doubt_measures(const Check& check, const ReferenceCurve& reference, Verdict& verdict) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "driver/check/criteria/criteria.hpp"
+
 namespace slipbench::driver {
 namespace {
 

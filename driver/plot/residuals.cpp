@@ -15,7 +15,7 @@
 #include "driver/bench/simulation.hpp"
 #include "driver/case/case.hpp"
 #include "driver/check/check.hpp"
-#include "driver/check/criteria/pointwise.hpp"
+#include "driver/check/criteria/criteria.hpp"
 #include "driver/check/kept_rows.hpp"
 #include "driver/check/verdict_text.hpp"
 #include "driver/plot/definition.hpp"

@@ -8,6 +8,7 @@
 #include <optional>
 #include <set>
 
+#include "driver/check/criteria/criteria.hpp"
 #include "driver/report/json_text.hpp"
 #include "driver/report/packed_numbers.hpp"
 #include "driver/report/report.hpp"

@@ -14,6 +14,7 @@
 
 #include "driver/base/csv/csv_reader.hpp"
 #include "driver/base/text/number.hpp"
+#include "driver/check/criteria/criteria.hpp"
 #include "driver/report/collect.hpp"
 #include "driver/report/drawn_columns.hpp"
 #include "driver/report/row_choice.hpp"

@@ -9,8 +9,8 @@
 #include <variant>
 #include <vector>
 
-#include "driver/case/criterion.hpp"
 #include "driver/case/integration.hpp"
+#include "driver/check/criteria/criteria.hpp"
 #include "driver/history/profile.hpp"
 #include "driver/read/keys/data_source_text.hpp"
 #include "driver/yaml/binding.hpp"

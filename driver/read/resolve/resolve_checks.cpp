@@ -311,12 +311,11 @@ bool judge_tolerance(Binder& binder, const CheckText& text) {
   const ToleranceText& tolerance = text.tolerance.value;
   if (!text.tolerance.given() || !text.tolerance.node->is_map()) return false;
   bool good = true;
-  const bool has_positions = text.criterion.value == Criterion::kBreakaway ||
-                             text.criterion.value == Criterion::kReversals;
-  if (tolerance.abscissa.given() && !has_positions && !text.criterion.faulty()) {
-    binder.error(*tolerance.abscissa.node, tolerance.abscissa.path,
-                 std::string(info_of(text.criterion.value).word) +
-                     " compares no positions; breakaway and reversals do");
+  const CriterionInfo& criterion = info_of(text.criterion.value);
+  if (tolerance.abscissa.given() && !criterion.compares_positions && !text.criterion.faulty()) {
+    binder.error(
+        *tolerance.abscissa.node, tolerance.abscissa.path,
+        std::string(criterion.word) + " compares no positions; breakaway and reversals do");
     good = false;
   } else if (!tolerance.absolute.given() && !tolerance.relative.given() &&
              !tolerance.abscissa.given() && !has_unknown_key<ToleranceText>(*text.tolerance.node)) {
@@ -339,12 +338,12 @@ bool judge_tolerance(Binder& binder, const CheckText& text) {
 /// A loop has no meaning over time.
 bool judge_criterion(Binder& binder, const CheckText& text, const AbscissaChoice& abscissa,
                      const Case& problem) {
-  const Criterion criterion = text.criterion.value;
-  if (!text.criterion.sound || abscissa.value || !needs_position(criterion)) return true;
+  const CriterionInfo& criterion = info_of(text.criterion.value);
+  if (!text.criterion.sound || abscissa.value || !criterion.needs_position) return true;
   const auto motion = default_input("motion", problem);
   binder.error(
       *text.criterion.node, text.criterion.path,
-      std::string(info_of(criterion).word) + " needs a position to go over, not time",
+      std::string(criterion.word) + " needs a position to go over, not time",
       "say which under 'abscissa' of the check, as in 'abscissa: " + motion.value_or("CU1") + "'");
   return false;
 }

@@ -191,11 +191,6 @@ std::optional<CurveReference> curve_file(Binder& binder, const At<DataSourceText
 
 }  // namespace
 
-bool needs_position(Criterion criterion) {
-  return criterion == Criterion::kLoopEnergy || criterion == Criterion::kBreakaway ||
-         criterion == Criterion::kReversals || criterion == Criterion::kArcLength;
-}
-
 std::optional<std::string> column_of_quantity(std::string_view quantity, const Case& problem) {
   while (!quantity.empty() && (quantity.front() == '=' || quantity.front() == ' ')) {
     quantity.remove_prefix(1);

@@ -33,9 +33,6 @@ std::optional<CurveReference> read_curve(Binder& binder, const CheckText& text,
                                          const AbscissaChoice& abscissa, const Case& problem,
                                          bool may_be_missing);
 
-/// Whether the criterion goes over a position: time does not turn.
-bool needs_position(Criterion criterion);
-
 /// The column that is named by a check's quantity and nothing else.
 std::optional<std::string> column_of_quantity(std::string_view quantity, const Case& problem);
 
