@@ -2,6 +2,7 @@
 // The commands of the program with their options, one file a command.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -16,19 +17,17 @@ namespace slipbench::driver {
 /// The command that was typed, with its options: runs it and returns the exit code.
 using Command = std::function<int()>;
 
-/// Each adds a subcommand; where it is typed, parsing puts it with its options into `command`,
-/// which must outlive the parsing.
-void declare_run(CLI::App& app, Command& command);
-void declare_check(CLI::App& app, Command& command);
-void declare_bless(CLI::App& app, Command& command);
-void declare_plot(CLI::App& app, Command& command);
-void declare_report(CLI::App& app, Command& command);
-void declare_calibrate(CLI::App& app, Command& command);
-void declare_import(CLI::App& app, Command& command);
-void declare_list(CLI::App& app, Command& command);
-void declare_describe(CLI::App& app, Command& command);
-void declare_new(CLI::App& app, Command& command);
-void declare_schema(CLI::App& app, Command& command);
+/// Adds a subcommand; where it is typed, parsing puts it with its options into `command`, which
+/// must outlive the parsing.
+using Declare = void(CLI::App& app, Command& command);
+Declare declare_run, declare_check, declare_bless, declare_plot, declare_report, declare_calibrate,
+    declare_import, declare_list, declare_describe, declare_new, declare_schema;
+
+/// In the order of the help.
+inline constexpr std::array kCommands{declare_run,    declare_check,  declare_bless,
+                                      declare_plot,   declare_report, declare_calibrate,
+                                      declare_import, declare_list,   declare_describe,
+                                      declare_new,    declare_schema};
 
 /// Adds the options that every command with cases has, '--set' and '--allow-outside'.
 void declare_settings(CLI::App& command, std::vector<std::string>& settings, bool& allow_outside);

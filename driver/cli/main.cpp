@@ -53,18 +53,7 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", "slipbench " + std::string(program_version()));
   app.require_subcommand(1);
   Command command;
-
-  declare_run(app, command);
-  declare_check(app, command);
-  declare_bless(app, command);
-  declare_plot(app, command);
-  declare_report(app, command);
-  declare_calibrate(app, command);
-  declare_import(app, command);
-  declare_list(app, command);
-  declare_describe(app, command);
-  declare_new(app, command);
-  declare_schema(app, command);
+  for (Declare* const declare : kCommands) declare(app, command);
 
   for (CLI::App* declared : app.get_subcommands(nullptr)) {
     for (CLI::Option* option : declared->get_options()) {
