@@ -14,3 +14,8 @@ function(slipbench_target target)
     target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized)
   endif()
 endfunction()
+
+# slipbench_build_quickly(TARGET): for code that no run spends its time in.
+function(slipbench_build_quickly target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()

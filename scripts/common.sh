@@ -26,10 +26,25 @@ configure() {
     { printf '%s\n' "$output" >&2; fail "configuring preset '$1' failed, see above"; }
 }
 
-# build PRESET [--target NAME]: a terminal shows ninja's moving line, a log only what goes wrong.
+# build PRESET [--target NAME]: a terminal shows ninja's moving line; a log a line for each tenth, and what goes wrong.
 build() {
-  local quiet=()
-  [ -t 1 ] || quiet=(-- --quiet)
-  cmake --build --preset "$1" --parallel "$(nproc)" "${@:2}" "${quiet[@]}" ||
-    fail "building preset '$1' failed, see above"
+  local command=(cmake --build --preset "$1" --parallel "$(nproc)" "${@:2}")
+  if [ -t 1 ]; then
+    "${command[@]}"
+  else
+    "${command[@]}" 2>&1 | show_tenths
+  fi || fail "building preset '$1' failed, see above"
+}
+
+show_tenths() {
+  local line said=0 tenth
+  while IFS= read -r line; do
+    if [[ $line =~ ^\[([0-9]+)/([0-9]+)\] ]]; then
+      tenth=$((10 * BASH_REMATCH[1] / BASH_REMATCH[2]))
+      [ "$tenth" -le "$said" ] || say "  ${BASH_REMATCH[1]} of ${BASH_REMATCH[2]} built"
+      said=$tenth
+    else
+      printf '%s\n' "$line"
+    fi
+  done
 }
