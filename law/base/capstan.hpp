@@ -5,7 +5,7 @@
 
 namespace slipbench::law {
 
-/// A belt over a ring (specification section 4.3): the criterion of SLIPRING. The slip is the flow
+/// A belt over a ring (docs/theory, section 4.1): the criterion of SLIPRING. The slip is the flow
 /// Psi_b of material over the ring, the force y = CSF2 = f_bc - f_ab the change of tension there.
 struct Capstan {
   double wrap_angle = 0.0;  ///< alpha [1], radians, >= 0; may exceed a full turn
@@ -17,7 +17,7 @@ enum class FlowSense { kForward, kBackward };
 /// Half-width of the stick band on one side, as a part of the tension T of segment ab [1]:
 /// exp(A) - 1 where material flows from a over the ring to c, 1 - exp(-A) in the other sense, with
 /// A = mu alpha >= 0. Accurate for any A, however small. Source: Euler 1769, Eytelwein 1808
-/// (connector-friction specification, section 4.3).
+/// (docs/theory, section 4.1).
 inline double capstan_limit(double mu_alpha, FlowSense sense) {
   return sense == FlowSense::kForward ? std::expm1(mu_alpha) : -std::expm1(-mu_alpha);
 }

@@ -5,8 +5,8 @@
 
 namespace slipbench::law {
 
-/// Where the published page of the Radioss friction options and the program differ, one of the two
-/// holds throughout.
+/// Choice where the published page of the Radioss friction options and the program differ, one of
+/// both holds throughout.
 enum class Convention : std::uint8_t {
   kDocumented,  ///< what the page promises
   kAsCoded      ///< what OpenRadioss was measured to do

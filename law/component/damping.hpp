@@ -10,8 +10,8 @@
 namespace slipbench::law {
 
 /// Connector damping of one component, in parallel with its friction: CVF = c v, or a table of the
-/// force over the velocity v, temperature and fields (connector-friction specification, sections 12
-/// and 14).
+/// force over the velocity v, temperature and fields (docs/theory, sections 9.1 and
+/// 13.4).
 ///
 /// In a table the independent kSlipRate stands for v, with its sign.
 class Damping {

@@ -17,7 +17,7 @@ struct ForcePoint {
 
 /// Connector elasticity of one component, in parallel with its friction: CEF = k u, or a table of
 /// the force over the displacement u (CCU, of a belt its strain), temperature and fields
-/// (connector-friction specification, sections 12 and 14).
+/// (docs/theory, sections 9.1 and 13.4).
 ///
 /// In a table the independent kConstitutiveMotion stands for u whatever its index: the value is
 /// asked for at a displacement, not at a position of the connector.

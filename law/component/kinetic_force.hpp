@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Springs and dampers along the free components of a connector: they act beside friction, and press
-// where a contact force names a free component (docs/theory.md, sections 6 and 13.4).
+// where a contact force names a free component (docs/theory, sections 6 and 13.4).
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The kinematics of a belt that runs from node a over a ring at node b to node c (SLIPRING;
-// connector-friction specification, section 2.2). The ring has no radius.
+// docs/theory, section 4.1). The ring has no radius.
 #pragma once
 
 #include <array>

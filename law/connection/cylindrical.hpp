@@ -9,8 +9,8 @@
 namespace slipbench::law {
 
 /// CYLINDRICAL: a shaft in a sleeve, sliding along and turning about the local 1-axis of a.
-/// Predefined (section 4.1): g = sqrt(f2^2 + f3^2) + (2/L) sqrt(m2^2 + m3^2), the end reactions of
-/// a shaft of overlap L under bending being M/L each; P = sqrt(f1^2 + (m1/R)^2).
+/// Predefined (docs/theory, section 4): g = sqrt(f2^2 + f3^2) + (2/L) sqrt(m2^2 + m3^2), the end
+/// reactions of a shaft of overlap L under bending being M/L each; P = sqrt(f1^2 + (m1/R)^2).
 struct Cylindrical {
   static constexpr ConnectionInfo kInfo{
       "CYLINDRICAL", "Node b slides along the 1-axis of a and turns about it.", "SLOT + REVOLUTE",

@@ -9,7 +9,7 @@
 namespace slipbench::law {
 
 /// HINGE: a pin turning about the local 1-axis of a.
-/// Predefined (section 4.1), all moments: g = R_a abs(f1) + R_p sqrt(f2^2 + f3^2)
+/// Predefined (docs/theory, section 4), all moments: g = R_a abs(f1) + R_p sqrt(f2^2 + f3^2)
 /// + (2 R_p / L_s) sqrt(m2^2 + m3^2); P = abs(m1).
 struct Hinge {
   static constexpr ConnectionInfo kInfo{"HINGE", "Node b sits on a and turns about its 1-axis.",

@@ -9,7 +9,7 @@
 namespace slipbench::law {
 
 /// PLANAR: a puck that slides on a plane and spins about its normal, two stick-slip checks.
-/// Predefined (section 4.1):
+/// Predefined (docs/theory, section 4):
 ///   sliding   g = abs(f1) + (1/R) sqrt(m2^2 + m3^2),     P = sqrt(f2^2 + f3^2);
 ///   spinning  g = a abs(f1) + sqrt(m2^2 + m3^2),         P = abs(m1).
 /// A puck of radius R carries a tilting moment M as M/(2R) on either side of its rim, whatever is

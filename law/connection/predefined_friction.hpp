@@ -11,8 +11,8 @@
 
 namespace slipbench::law {
 
-/// What a connection type holds and leaves free (specification section 2.1). Components in neither
-/// set are not part of the connection: no motion is measured and no reaction acts there.
+/// Components that a connection type holds and leaves free (docs/theory, section 2). Components in
+/// neither set are not part of the connection: no motion is measured and no reaction acts there.
 struct ConnectionInfo {
   std::string_view name;
   std::string_view text;      ///< one sentence for `slipbench describe`

@@ -9,7 +9,7 @@
 namespace slipbench::law {
 
 /// SLIDE-PLANE: node b slides on a plane normal to the local 1-axis of a.
-/// Predefined (section 4.1): g = abs(f1); P = sqrt(f2^2 + f3^2).
+/// Predefined (docs/theory, section 4): g = abs(f1); P = sqrt(f2^2 + f3^2).
 struct SlidePlane {
   static constexpr ConnectionInfo kInfo{"SLIDE-PLANE",
                                         "Node b stays on a plane fixed to a, normal to its 1-axis.",

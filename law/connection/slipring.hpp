@@ -10,8 +10,8 @@ namespace slipbench::law {
 
 /// SLIPRING: a belt that runs from node a over a ring at node b. Its components are the distance of
 /// the nodes, the flow of material at b and the flow at a; none is held.
-/// Predefined (section 4.3): the capstan, one check a ring. A chain of rings shares the flow; the
-/// contact force of each is the tension it meets, that of the first is f1.
+/// Predefined (docs/theory, section 4.1): the capstan, one check a ring. A chain of rings shares
+/// the flow; the contact force of each is the tension it meets, that of the first is f1.
 struct SlipRing {
   static constexpr ConnectionInfo kInfo{
       "SLIPRING",

@@ -10,7 +10,8 @@
 namespace slipbench::law {
 
 /// SLOT: node b slides along the local 1-axis of a.
-/// Predefined (section 4.1): g = sqrt(f2^2 + f3^2), in two dimensions abs(f2); P = abs(f1).
+/// Predefined (docs/theory, section 4): g = sqrt(f2^2 + f3^2), in two dimensions abs(f2); P =
+/// abs(f1).
 struct Slot {
   static constexpr ConnectionInfo kInfo{"SLOT",
                                         "Node b stays on a line through a along its 1-axis.",

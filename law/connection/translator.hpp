@@ -9,8 +9,8 @@
 namespace slipbench::law {
 
 /// TRANSLATOR: a slot that also holds all rotations.
-/// Predefined (section 4.1): g = abs(m1)/R_r + sqrt(f2^2 + f3^2) + (2/L) sqrt(m2^2 + m3^2);
-/// P = abs(f1).
+/// Predefined (docs/theory, section 4): g = abs(m1)/R_r + sqrt(f2^2 + f3^2) + (2/L) sqrt(m2^2 +
+/// m3^2); P = abs(f1).
 struct Translator {
   static constexpr ConnectionInfo kInfo{
       "TRANSLATOR", "Node b slides along the 1-axis of a without turning.", "SLOT + ALIGN",

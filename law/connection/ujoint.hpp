@@ -10,7 +10,7 @@
 namespace slipbench::law {
 
 /// UJOINT: a universal joint, two stick-slip checks about e1a and e3b. The contact moments are
-/// those of UniversalJointContact (section 4.2); beta is the held angle CPR2.
+/// those of UniversalJointContact (docs/theory, section 5); beta is the held angle CPR2.
 struct UJoint {
   static constexpr ConnectionInfo kInfo{
       "UJOINT", "Node b sits on a; it turns about the 1-axis of a and its own 3-axis.",

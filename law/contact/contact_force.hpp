@@ -11,7 +11,7 @@ namespace slipbench::law {
 /// Only the internal contact force acts.
 struct NoContactForce {};
 
-/// F_C = f_i, signed (specification section 5).
+/// F_C = f_i, signed (docs/theory, section 6).
 struct ComponentContactForce {
   int component = 0;  ///< index 0..5
 };

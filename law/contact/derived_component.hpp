@@ -15,7 +15,7 @@ enum class TermOperator : std::uint8_t {
   kMacauleySum  ///< s sum <w_j f_j>, <x> = max(x, 0)
 };
 
-/// One term of a derived component (specification section 5). Weights carry the unit that makes
+/// One term of a derived component (docs/theory, section 6). Weights carry the unit that makes
 /// the sum a force or a moment; they are numbers or the dependents of one table.
 struct DerivedTerm {
   TermOperator combine = TermOperator::kNorm;

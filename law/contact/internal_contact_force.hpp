@@ -8,7 +8,7 @@
 namespace slipbench::law {
 
 /// F_int >= 0 [F] or M_int [F L]: a number, or a table over accumulated slip, motions, temperature
-/// and fields (specification section 7).
+/// and fields (docs/theory, section 8).
 using InternalContactForce = std::variant<double, TableFunction>;
 
 /// Value and its slope to accumulated slip.

@@ -5,7 +5,7 @@
 
 namespace slipbench::law {
 
-/// How the four hinges of a universal joint share its load, all dimensionless.
+/// Shares of the four hinges of a universal joint in its load, all dimensionless.
 struct HingeShares {
   double k_ax = 0.0;  ///< axial force taken by a hinge along its pin
   double t_ax = 0.0;  ///< axial force of one pin taken across the other; k_ax + t_ax = 1/2
@@ -13,11 +13,11 @@ struct HingeShares {
   double t_tw = 0.0;  ///< twist taken as a force pair over the arm; t_tw - k_tw = 1/4
 };
 
-/// Shares over the slenderness a = L_a / R_p > 0 of the cross's arms: specification section 4.2,
+/// Shares over the slenderness a = L_a / R_p > 0 of the cross's arms: docs/theory, section 5,
 /// step 3. They are a fit to curves published only as a plot, within 0.0022 of it.
 HingeShares hinge_shares(double slenderness);
 
-/// Contact moment of one axis of a universal joint (specification section 4.2).
+/// Contact moment of one axis of a universal joint (docs/theory, section 5).
 struct UniversalJointContact {
   int axis = 1;      ///< 1: about e1a, 3: about e3b
   double R_p = 1.0;  ///< pin radius [L]

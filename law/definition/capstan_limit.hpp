@@ -35,7 +35,7 @@ class CapstanLimit {
   double rate(double slip) const { return motion_rate_ + slip * slip_in_rate_; }
   /// The force limit; infinity if there is none.
   double cap() const { return definition_.force_limit; }
-  /// Whether the limit changes with the slip of this increment at all.
+  /// Tells whether the limit changes with the slip of this increment at all.
   bool depends_on_slip() const {
     return slip_in_rate_ > 0.0 && depends_on_slip_rate(definition_.law);
   }
@@ -88,7 +88,7 @@ class CapstanLimit {
                            .force = std::max(tension_, 0.0)},
                           definition_.blend.weight * wrap_angle_, sense_);
   }
-  /// Whether the limit is cubic between knots.
+  /// Tells whether the limit is cubic between knots.
   static constexpr bool is_cubic() { return false; }
 
  private:

@@ -28,7 +28,7 @@ struct Filter {
 };
 
 /// alpha [1] of an increment of duration dt [T]; 1 without a filter. Above 1, which a period
-/// shorter than 2 pi dt gives, the filter over-corrects; whoever reads the case refuses that.
+/// shorter than 2 pi dt gives, the filter over-corrects; the reader of cases refuses that.
 inline double filter_coefficient(const Filter& filter, double dt, Convention convention) noexcept {
   constexpr double kTwoPi = 2.0 * std::numbers::pi;
   switch (filter.kind) {

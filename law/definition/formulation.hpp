@@ -55,7 +55,7 @@ struct Formulation {
   std::optional<Orthotropy> orthotropy{};  ///< needs a slip space of two entries
 };
 
-/// What a formulation did in one increment, beside the update. Vectors are in the slip space.
+/// Record of a formulation over one increment, beside the update. Vectors are in the slip space.
 struct PenaltyDetail {
   double speed = 0.0;                       ///< V = |v| [L/T]
   std::array<double, 2> speeds{};           ///< V_1, V_2 of an orthotropic law [L/T]

@@ -17,7 +17,7 @@
 
 namespace slipbench::law {
 
-/// The scaled slip space of a definition (specification section 10.1). Entry i belongs to component
+/// The scaled slip space of a definition (docs/theory, section 7). Entry i belongs to component
 /// c_i with the scale R_i of the potential P = sqrt(sum (f_i / R_i)^2):
 ///   y_i = f_i / R_i,   s_i = R_i u_i,   so that f.u = y.s, P = |y| and the equivalent slip is |s|.
 /// One entry of scale 1 is the component form P = |f_i|.
@@ -27,7 +27,7 @@ struct SlipSpace {
   std::array<double, kComponents> scale{1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
 };
 
-/// Whether y is a moment: rotations only, none of them scaled to a force.
+/// Tells whether y is a moment: rotations only, none of them scaled to a force.
 inline bool is_rotational(const SlipSpace& space) {
   for (int k = 0; k < space.dimension; ++k) {
     const auto i = static_cast<std::size_t>(k);
@@ -48,7 +48,7 @@ inline SlipSpace slip_space(std::initializer_list<int> number, double scale = 1.
   return space;
 }
 
-/// How the stick stiffness kappa comes about (specification section 9).
+/// Origin of the stick stiffness kappa (docs/theory, section 10).
 struct StickStiffness {
   enum class Mode : std::uint8_t {
     kElasticSlip,  ///< kappa = F_lim / g_c with the allowable elastic slip g_c: follows the limit
@@ -73,7 +73,7 @@ enum class SlipRateMeasure : std::uint8_t {
 /// P = |y|, the norm of the scaled slip space: all predefined friction but that of SLIPRING.
 struct EuclideanPotential {};
 
-/// When a definition slips, and in which direction.
+/// Criterion of slip, and of its direction.
 using SlipCriterion = std::variant<EuclideanPotential, Potential, Capstan>;
 
 /// Everything one stick-slip calculation needs; immutable once built.

@@ -6,7 +6,7 @@
 
 namespace slipbench::law {
 
-/// What is prescribed over one increment: the motion from begin to end, and at its end the
+/// Prescription of one increment: the motion from begin to end, and at its end the
 /// constraint forces, temperature and fields (the law is implicit in them).
 struct ConnectorIncrement {
   double duration = 0.0;            ///< dt [T]; rates are taken as 0 if it is not positive

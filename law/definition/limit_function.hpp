@@ -54,7 +54,7 @@ class LimitFunction {
   /// The force limit; infinity if there is none.
   double cap() const { return definition_.force_limit; }
 
-  /// Whether F_lim changes with the slip of this increment at all.
+  /// Tells whether F_lim changes with the slip of this increment at all.
   bool depends_on_slip() const {
     return (slip_in_rate_ > 0.0 && depends_on_slip_rate(definition_.law)) ||
            (slip_in_wear_ > 0.0 && depends_on_accumulated_slip(definition_.internal_contact_force));
@@ -133,7 +133,7 @@ class LimitFunction {
     return std::min(next, next_bend(definition_.law, line));
   }
 
-  /// Whether F_lim is cubic between knots: mu linear in the rate and in F_N, times F_N.
+  /// Tells whether F_lim is cubic between knots: mu linear in the rate and in F_N, times F_N.
   bool is_cubic() const {
     const auto* law = std::get_if<TabularCoefficient>(&definition_.law);
     return law != nullptr && slip_in_rate_ > 0.0 && slip_in_wear_ > 0.0 &&

@@ -9,7 +9,7 @@
 
 namespace slipbench::law {
 
-/// How the contributions of a potential are put together (specification section 6).
+/// Way of putting the contributions of a potential together (docs/theory, section 7).
 enum class PotentialOperator : std::uint8_t {
   kSum,  ///< P = (sum X_i^b)^(1/b)
   kMax   ///< P = max X_i
@@ -63,7 +63,7 @@ double combine(const Potential& potential, const std::array<double, kComponents>
 /// X_i(y) [F]; the entries beyond `parts` are 0.
 std::array<double, kComponents> contributions(const Potential& potential,
                                               const SlipVector& y) noexcept;
-/// P(y) [F]; specification section 6.
+/// P(y) [F]; docs/theory, section 7.
 double value(const Potential& potential, const SlipVector& y) noexcept;
 
 /// dP/dy [1], the direction of slip. At a corner the one-sided slope taken of each r is 0, and of

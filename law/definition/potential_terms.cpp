@@ -168,8 +168,8 @@ class Builder {
     if (offset != 0.0) potential_.homogeneous = false;
   }
 
-  /// Whether P is the norm of the slip space: then the closed return of the Euclidean potential
-  /// serves.
+  /// Tells whether P is the norm of the slip space: then the closed return of the Euclidean
+  /// potential serves.
   bool is_euclidean() const {
     const bool squares = potential_.parts == 1 || (potential_.combine == PotentialOperator::kSum &&
                                                    potential_.exponent == 2.0);

@@ -21,7 +21,7 @@ enum class ContributionFunction : std::uint8_t {
   kIdentity   ///< X
 };
 
-/// One contribution s H((E - a)/R)^p of a potential (specification section 6).
+/// One contribution s H((E - a)/R)^p of a potential (docs/theory, section 7).
 struct PotentialContribution {
   std::variant<int, DerivedComponent> of = 0;  ///< E: a component (index 0..5) or a derived one
   double scale = 1.0;                          ///< R > 0
@@ -31,7 +31,7 @@ struct PotentialContribution {
   std::optional<double> exponent;  ///< p; without it the b of the potential
 };
 
-/// Why terms make no potential of friction.
+/// Reason why terms make no potential of friction.
 struct PotentialViolation {
   enum class Rule : std::uint8_t {
     kSign,              ///< s = -1
@@ -51,7 +51,7 @@ struct PotentialViolation {
   int component = -1;  ///< index 0..5 where the rule concerns one
 };
 
-/// What the terms make. With violations slip space and criterion are incomplete.
+/// Potential that the terms make. With violations slip space and criterion are incomplete.
 struct BuiltPotential {
   SlipSpace slip;
   SlipCriterion criterion;  ///< EuclideanPotential where P is the norm of the slip space

@@ -11,7 +11,7 @@
 
 namespace slipbench::law {
 
-/// Why a definition has no continuous solution, or none that is defined.
+/// Reason why a definition has no continuous solution, or none that is defined.
 enum class NoContinuousSolution {
   kWeakening,  ///< constant stick stiffness and a coefficient that falls with the rate of the slip
   kWearAtStart,          ///< the accumulated slip of an increment's start: what that is depends on
@@ -23,7 +23,7 @@ enum class NoContinuousSolution {
 /// Judged once for a definition, not on the update path.
 std::optional<NoContinuousSolution> no_continuous_solution(const FrictionDefinition& definition);
 
-/// How a definition is integrated by `continuous_update`.
+/// Way in which `continuous_update` integrates a definition.
 enum class ContinuousMethod {
   kEvents,        ///< stick, slip and open with located changes; closed where the limit is constant
   kExtrapolation  ///< sub-increments of the backward Euler update, extrapolated to the tolerance
@@ -41,9 +41,10 @@ ContinuousMethod continuous_method(const FrictionDefinition& definition);
 ///
 /// The tangent is that of `update` over the same increment. `dissipation` is the integral of F_lim
 /// over the slip, `onset` the fraction at which the last slip began. Snap-back is gone through,
-/// with `snap_back`, `jumps` and `lost`. \param tolerance of the force as a part of the limit, > 0;
-/// other results alike \param[out] changes of regime inside the segment, if wanted; what was there
-/// is forgotten \pre no_continuous_solution(definition) is empty
+/// with `snap_back`, `jumps` and `lost`.
+/// \param tolerance of the force as a part of the limit, > 0; other results alike
+/// \param[out] changes of regime inside the segment, if wanted; what was there is forgotten
+/// \pre no_continuous_solution(definition) is empty
 FrictionUpdate continuous_update(const FrictionDefinition& definition, const PathSegment& segment,
                                  const FrictionState& old, double tolerance,
                                  RegimeChanges* changes = nullptr) noexcept;

@@ -46,7 +46,7 @@ struct SegmentEnd {
   double stick = 0.0;  ///< motion w [L] before the slip; all of it if nothing slips
   double slip = 0.0;   ///< slip over the segment [L]
 };
-/// Stick up to w, slip over the rest of `travel` [L] (reference cases, section 4). A state outside
+/// Stick up to w, slip over the rest of `travel` [L] (docs/theory, section 14.4). A state outside
 /// the radius by its rounding counts as on it. \pre radius > 0, |s_el| <= radius
 SegmentEnd exact_segment(const PlaneSlip& begin, double travel, double radius) noexcept;
 

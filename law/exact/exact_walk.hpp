@@ -17,7 +17,8 @@ namespace slipbench::law {
 /// A segment on its way from tau = 0 to tau = 1 in the plane of motion and elastic slip.
 class ExactWalk {
  public:
-  /// \param length |ds| [L], \param sign of ds in one dimension
+  /// \param length |ds| [L]
+  /// \param sign of ds in one dimension
   /// \param tolerance of forces and energies as a part of the limit
   ExactWalk(const FrictionDefinition& definition, const PathSegment& segment,
             const FrictionState& old, const PlaneSlip& begin, double length, double sign,
@@ -76,7 +77,7 @@ class ExactWalk {
   /// Energy of the spring [F L], of a constant stick stiffness.
   double stored(double square) const { return 0.5 * definition_.stick.value * square; }
 
-  /// Where a slip from `least` on is that has moved the spring's end by `sum` - R.
+  /// Search for the slip from `least` on that has moved the spring's end by `sum` - R.
   struct Follower {
     double slip = 0.0;
     bool falls = false;  ///< x + R is below `sum` there, and falls behind it: the force jumps
@@ -86,8 +87,8 @@ class ExactWalk {
   Follower follow(double tau, double sum, double least) noexcept;
   /// The root of x + R(tau, x) = sum in [low, high], below the sum at `low`.
   double slip_between(double tau, double sum, double low, double high) noexcept;
-  /// Where a spring that nothing holds meets its limit again: the root behind `from`, or the place
-  /// where the limit is worn away.
+  /// Returns where a spring that nothing holds meets its limit again: the root behind `from`, or
+  /// the place where the limit is worn away.
   double landing(double tau, double sum, double from) noexcept;
   /// Up to where x + R rises in a smooth piece: `low` if it falls at once.
   double rises_until(double tau, double low, double high) noexcept;
@@ -111,7 +112,7 @@ class ExactWalk {
     constexpr double kAhead = 1e-9;
     piece_->enter(piece_->values(way(from)), piece_->values(way(from + kAhead * (to - from))));
   }
-  /// Where the smooth piece ends that begins at `from`, at rest.
+  /// Returns where the smooth piece ends that begins at `from`, at rest.
   double end_at_rest(double from, double to) noexcept;
   bool has_constant_radius(double from, double to) noexcept;
   /// dR/dtau at the begin of [from, to], wear held.

@@ -15,18 +15,18 @@ namespace {
 constexpr double kSameFraction = 1e-13;
 /// A change so near behind the begin of the segment is at its begin.
 constexpr double kSoon = 1e-9;
-/// How far behind the begin of a piece it is looked what the piece is to have in common.
+/// Distance behind the begin of a piece at which its common traits are taken.
 constexpr double kAhead = 1e-11;
-/// How far behind the begin of a piece the rate of a viscous slip is looked at.
+/// Distance behind the begin of a piece at which the rate of a viscous slip is taken.
 constexpr double kNearRate = 1e-9;
-/// How far behind the begin of a piece it is looked what still pulls on the limit.
+/// Distance behind the begin of a piece at which terms that still pull on the limit are found.
 constexpr double kNearLetGo = 1e-6;
-/// How far behind the end of a piece it is looked whether it goes on alike; what lets go within is
+/// Distance behind the end of a piece at which it is seen to go on alike; what lets go within is
 /// the square of that.
 constexpr double kBeyond = 1e-7;
 /// A limit below this part of the segment's is that of an instant without one.
 constexpr double kNoLimit = 1e-11;
-/// Where the segment's limit is looked at for its size.
+/// Places at which the segment's limit is looked at for its size.
 constexpr std::array kSamples{0.0, 0.25, 0.5, 0.75, 1.0};
 /// First piece of slip, in parts of the motion that turns a force: the elastic slip.
 constexpr double kFirst = 1e-4;
@@ -35,7 +35,7 @@ constexpr double kRounding = 1e-10;
 /// Attempts after which rounding is in the way and pieces are taken as they are.
 constexpr int kMostAttempts = 100000;
 
-/// What is extrapolated: values at the end of a piece, and sums over it.
+/// Values that are extrapolated: those at the end of a piece, and sums over it.
 struct Sums {
   SlipVector held{};
   double slip = 0.0;

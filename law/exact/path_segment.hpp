@@ -62,8 +62,8 @@ class SegmentPoints {
   SegmentPoints(const SegmentPoints&) = delete;
   SegmentPoints& operator=(const SegmentPoints&) = delete;
 
-  /// What is prescribed at tau, as the end of an increment from the begin; its duration is the
-  /// whole segment's.
+  /// Returns what is prescribed at tau, as the end of an increment from the begin; its duration is
+  /// the whole segment's.
   const ConnectorIncrement& increment(double tau) noexcept {
     const ConnectorIncrement& to = segment_.increment;
     if (tau == tau_) return here_;

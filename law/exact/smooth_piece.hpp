@@ -51,9 +51,9 @@ class SmoothPiece {
   /// outside of the piece, by more than rounding.
   double reserve(const Values& values) const noexcept;
 
-  /// Where a way [from, to] from inside of the piece leaves it: the place just behind; `to` if it
-  /// does not. The way is looked at in `samples` parts, and where a quantity turns around near a
-  /// corner between them.
+  /// Returns where a way [from, to] from inside of the piece leaves it: the place just behind; `to`
+  /// if it does not. The way is looked at in `samples` parts, and where a quantity turns around
+  /// near a corner between them.
   /// \param point t -> LimitPoint
   template <class Way>
   double end_of(Way&& point, double from, double to, int samples) noexcept;

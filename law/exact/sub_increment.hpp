@@ -13,7 +13,7 @@
 
 namespace slipbench::law {
 
-/// What sub-increments of one smooth piece have in common, apart from the piece of the limit
+/// Traits that sub-increments of one smooth piece share, apart from the piece of the limit
 /// (smooth_piece.hpp): the regime, and where the leaves of a potential end.
 struct Signature {
   enum Leaf : std::uint8_t { kNotPulled, kAtZero, kAbove, kBelow };
@@ -38,7 +38,7 @@ struct SubIncrement {
   Limit limit;
   double slip = 0.0;       ///< of the step [L]
   double slip_rate = 0.0;  ///< of the slip, in units of the segment [L]
-  /// How steeply wear lets the limit fall, as a part of the spring's slope.
+  /// Steepness with which wear lets the limit fall, as a part of the spring's slope.
   double snap_back = 0.0;
   LimitPoint point;       ///< where the limit was asked for
   bool negative = false;  ///< F_C + F_int there
@@ -78,7 +78,7 @@ class SubIncrements {
   /// True if a step with this signature can begin here: on the limit where it slips, its leaves
   /// where the signature has them.
   bool can_begin(const Signature& signature, const SlipPoint& at, double tau) noexcept;
-  /// What the limit leaves to the force, as a part of the limit.
+  /// Returns what the limit leaves to the force, as a part of the limit.
   double holds(const SlipPoint& at, double tau) noexcept;
   /// True if the force is beyond the limit, as after a jump of it.
   bool beyond(const SlipPoint& at, double tau) noexcept;

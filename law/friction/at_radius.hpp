@@ -7,7 +7,7 @@ namespace slipbench::law {
 
 /// The law as a rotation sees it that rubs at one radius: at an angular rate w [1/T] and a normal
 /// moment M [F L] its coefficient is that of `law` at the speed w R and the force M/R
-/// (docs/theory.md, section 4.2). Once converted it costs nothing: rates enter a law with its
+/// (docs/theory, section 4.2). Once converted it costs nothing: rates enter a law with its
 /// numbers per time, forces through its area, and both as columns of a table.
 /// \param radius R [L], above 0
 FrictionLaw at_radius(FrictionLaw law, double radius);

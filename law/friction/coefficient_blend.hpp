@@ -5,7 +5,7 @@
 
 namespace slipbench::law {
 
-/// A change of friction in progress (specification section 8):
+/// A change of friction in progress (docs/theory, section 9.2):
 ///   mu = start + weight (law - start),
 /// with `start` [1] the coefficient in force when the change began and `weight` in [0, 1]. The
 /// default is the law alone.

@@ -15,7 +15,7 @@
 
 namespace slipbench::law {
 
-/// Exponential decay from the static to the kinetic coefficient (specification section 8):
+/// Exponential decay from the static to the kinetic coefficient (docs/theory, section 9):
 ///   mu = kinetic + (static - kinetic) exp(-decay rate),  rate >= 0 the equivalent slip rate.
 /// Continuous and monotone; mu(0) = static, mu(inf) = kinetic. No other dependence and no force
 /// limit together with it. Admissible: static >= kinetic >= 0, decay >= 0 [T/L].

@@ -14,7 +14,7 @@
 
 namespace slipbench::law {
 
-/// Exponential decay through measured points (specification section 8): mu1 at rate 0, mu2 at
+/// Exponential decay through measured points (docs/theory, section 9): mu1 at rate 0, mu2 at
 /// rate2, and mu_inf at high rates:
 ///   static = mu1,   kinetic = mu_inf,   decay = -ln((mu2 - mu_inf)/(mu1 - mu_inf)) / rate2.
 /// Without mu_inf the ratio of the differences is taken as 5 %:

@@ -65,7 +65,7 @@ inline double next_belt_bend(const FrictionLaw& law, const SlipLine& line, doubl
   return std::visit([&](const auto& l) { return l.next_belt_bend(line, wrap_angle, sense); }, law);
 }
 
-/// Whether the law keeps its coefficient above kCoefficientFloor.
+/// Tells whether the law keeps its coefficient above kCoefficientFloor.
 inline bool has_floor(const FrictionLaw& law) {
   return std::visit([](const auto& l) { return l.kHasFloor; }, law);
 }
@@ -82,7 +82,7 @@ inline double raw_coefficient(const FrictionLaw& law, const Ambient& ambient,
       },
       law);
 }
-/// Whether the floor holds the coefficient up.
+/// Tells whether the floor holds the coefficient up.
 inline bool is_clamped(const FrictionLaw& law, const Ambient& ambient,
                        const SlipArguments& slip) noexcept {
   return has_floor(law) && !(raw_coefficient(law, ambient, slip) >= kCoefficientFloor);
@@ -93,7 +93,7 @@ inline std::string_view overflow(const FrictionLaw& law, double slip_rate) {
   const auto* darmstad = std::get_if<ModifiedDarmstad>(&law);
   return darmstad == nullptr ? std::string_view{} : darmstad->overflow(slip_rate);
 }
-/// Whether the law sees the pressure and has no area to take it from.
+/// Tells whether the law sees the pressure and has no area to take it from.
 inline bool needs_area(const FrictionLaw& law) {
   return std::visit(
       [](const auto& l) {

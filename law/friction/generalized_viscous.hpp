@@ -85,7 +85,7 @@ struct GeneralizedViscous {
     const bool grows = c1 > 0.0 || c2 > 0.0 || c3 > 0.0 || c4 > 0.0 || c5 > 0.0;
     return grows ? std::numeric_limits<double>::infinity() : std::max(fric, kCoefficientFloor);
   }
-  /// Where no term of p rises, the limit grows most steeply at p = 0.
+  /// Returns the steepest growth of the limit; where no term of p rises, it is that at p = 0.
   double largest_growth() const { return largest(); }
   double steepest_weakening() const {
     return c3 < 0.0 || c5 < 0.0 ? std::numeric_limits<double>::infinity() : std::max(-c2, 0.0);

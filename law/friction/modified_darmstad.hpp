@@ -106,7 +106,7 @@ struct ModifiedDarmstad {
     }
     return std::max(fric + std::max(c5, 0.0), kCoefficientFloor);
   }
-  /// Where no term of p rises, the limit grows most steeply at p = 0.
+  /// Returns the steepest growth of the limit; where no term of p rises, it is that at p = 0.
   double largest_growth() const { return largest(); }
   double steepest_weakening() const {
     const auto falls = [](double factor, double exponent) { return factor * exponent < 0.0; };
@@ -151,7 +151,8 @@ struct ModifiedDarmstad {
   bool outside(const Ambient& /*ambient*/, const SlipArguments& /*slip*/) const { return false; }
 
  private:
-  /// Where the search stands the coefficient is infinite, and so it is from there on.
+  /// Tells whether an exponent overflows where the search stands: the coefficient is infinite from
+  /// there on.
   bool overflows_at(const SlipLine& line) const noexcept {
     return !overflow(line.rate_at(line.slip)).empty();
   }

@@ -17,7 +17,7 @@ struct PartPair {
   std::vector<int> side2;
 };
 
-/// Whether a record joins the parts `a` and `b`, whichever of them stands on which side.
+/// Tells whether a record joins the parts `a` and `b`, whichever of them stands on which side.
 inline bool joins(const PartPair& pair, int a, int b) {
   const auto has = [](const std::vector<int>& side, int part) {
     return std::find(side.begin(), side.end(), part) != side.end();

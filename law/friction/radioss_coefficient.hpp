@@ -7,7 +7,7 @@
 
 namespace slipbench::law {
 
-/// What the coefficients of the Radioss laws are kept above (theory 9.3):
+/// Floor of the coefficients of the Radioss laws (theory 9.3):
 /// mu = max(raw, 1e-30). There is no upper bound.
 inline constexpr double kCoefficientFloor = 1.0e-30;
 
@@ -18,7 +18,7 @@ inline CoefficientPoint clamped(const CoefficientPoint& raw) {
 
 /// An exponent above this one counts as overflow; exp(709.8) is the largest a double holds.
 inline constexpr double kLargestExponent = 700.0;
-/// What a law gives where an exponent overflows: the run fails there, but a search may look.
+/// Value of a law where an exponent overflows: the run fails there, but a search may look.
 inline constexpr CoefficientPoint kOverflown{std::numeric_limits<double>::infinity(), 0.0, 0.0};
 
 }  // namespace slipbench::law

@@ -18,7 +18,7 @@
 
 namespace slipbench::law {
 
-/// What becomes of a rule of Renard's constants that is broken.
+/// Fate of a broken rule of Renard's constants.
 enum class RenardRules : std::uint8_t {
   kStrict,  ///< an error
   kLenient  ///< a warning, where mu still has a meaning
@@ -80,7 +80,7 @@ struct Renard {
     return law;
   }
 
-  /// Whether the rules hold, in the order of kRules.
+  /// Tells whether the rules hold, in the order of kRules.
   std::array<bool, kRules.size()> rules_held() const {
     return {c5 > 0.0, c5 < c6,   c4 <= c2,  c1 <= c3,  c2 <= c3,
             c4 <= c1, c1 >= 0.0, c2 >= 0.0, c3 >= 0.0, c4 >= 0.0};

@@ -21,7 +21,8 @@ struct SlipLine {
 
 inline constexpr double kNoBend = std::numeric_limits<double>::infinity();
 
-/// Whether a place lies ahead: one that rounding puts just ahead is the one the search stands on.
+/// Tells whether a place lies ahead: one that rounding puts just ahead is the one the search stands
+/// on.
 inline bool is_ahead(const SlipLine& line, double x) { return x > line.slip + 1e-14 * x; }
 
 }  // namespace slipbench::law

@@ -15,8 +15,8 @@
 
 namespace slipbench::law {
 
-/// mu from a table over slip rate, contact force F_N, temperature and fields (specification
-/// sections 8 and 12). Piecewise linear, so continuous with kinks at the knots, where the
+/// mu from a table over slip rate, contact force F_N, temperature and fields (docs/theory,
+/// sections 9 and 9.1). Piecewise linear, so continuous with kinks at the knots, where the
 /// right-hand slope is reported. Source: C1785 for the form mu F_N, the table is the user's.
 /// Proven by law/friction/friction_law_test and law/table/table_test.
 struct TabularCoefficient {

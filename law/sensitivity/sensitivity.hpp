@@ -21,7 +21,7 @@ struct NumberSlope {
   double slope = 0.0;
 };
 
-/// How the numbers of a definition depend on unknowns, by add_slopes; what is not listed does not.
+/// Slopes of the numbers of a definition to unknowns, by add_slopes; a number not listed has none.
 struct DefinitionSlopes {
   std::size_t unknowns = 0;              ///< columns; may be set beforehand to more
   std::vector<NumberSlope> stick;        ///< of StickStiffness::value, number 0
@@ -49,7 +49,7 @@ bool add_slopes(const FrictionDefinition& below, const FrictionDefinition& above
 /// Derivatives of the state of one definition to the unknowns, carried from increment to increment
 /// beside law::update: forward sensitivities by the implicit function theorem, exact within a
 /// regime and a cell of each table; at kinks they are one-sided, as the law's own slopes are
-/// (docs/theory.md, section 17).
+/// (docs/theory, section 17).
 ///
 /// advance() allocates nothing and does not throw. Both arguments of the constructor must outlive
 /// it; it starts at rest, where nothing depends on anything.

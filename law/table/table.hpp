@@ -20,7 +20,7 @@ enum class Extrapolation : std::uint8_t {
   kLinear     ///< the end segment is prolonged
 };
 
-/// What is wrong with the rows of a table; `row` and `other_row` are 0-based.
+/// Fault of the rows of a table; `row` and `other_row` are 0-based.
 struct TableError {
   enum class Kind : std::uint8_t {
     kNoRows,
@@ -37,7 +37,7 @@ struct TableError {
   int column = -1;
 };
 
-/// Where a point lies along one independent of a table.
+/// Place of a point along one independent of a table.
 struct TableInterval {
   enum class Place : std::uint8_t { kInside, kBelow, kAbove };
   double lower = 0.0;  ///< neighbouring grid points; the same where the block has only one
@@ -52,13 +52,13 @@ struct TableInterval {
 struct TableCell {
   int independents = 0;
   std::array<TableInterval, kMaxIndependents> along{};
-  /// Whether the blocks between which the value is interpolated have different grids; `along` is
+  /// True if the blocks between which the value is interpolated have different grids; `along` is
   /// of the block that counts for more.
   bool ragged = false;
 };
 
 /// Piecewise linear table of any number of dependents over any number of independents, with ragged
-/// blocks (specification section 12): the first independent varies fastest, every block of fixed
+/// blocks (docs/theory, section 9.1): the first independent varies fastest, every block of fixed
 /// later independents has its own grid of the earlier ones. Interpolation runs inside the two
 /// neighbouring blocks first and then between them, from the last independent inwards.
 ///
@@ -78,18 +78,19 @@ class Table {
   int independents() const { return static_cast<int>(levels_.size()); }
   Extrapolation extrapolation() const { return extrapolation_; }
 
-  /// How many rows it was built from; rows are numbered from 0 in the order given.
+  /// Returns how many rows it was built from; rows are numbered from 0 in the order given.
   std::size_t rows() const {
     return dependents_ > 0 ? ordinates_.size() / static_cast<std::size_t>(dependents_) : 0;
   }
   double ordinate(std::size_t row, int column = 0) const { return ordinates_[index(row, column)]; }
-  /// \param value finite; whether it is admissible, who uses the table has to know
+  /// \param value finite; whether it is admissible, the user of the table has to know
   void set_ordinate(std::size_t row, int column, double value) {
     ordinates_[index(row, column)] = value;
   }
   /// The independents of a row; for reading, not for the update path.
   std::vector<double> point(std::size_t row) const;
-  /// Whether the other has the same points, dependents and extrapolation: all but the ordinates.
+  /// Tells whether the other has the same points, dependents and extrapolation: all but the
+  /// ordinates.
   bool same_grid(const Table& other) const;
 
   /// Value of dependent `column` at `x` (as many entries as independents) without slopes.

@@ -10,7 +10,7 @@
 
 namespace slipbench::law {
 
-/// What a column of independents in a table stands for.
+/// Meaning of a column of independents in a table.
 enum class IndependentKind : std::uint8_t {
   kSlipRate,           ///< equivalent slip rate [L/T]
   kContactForce,       ///< F_N [F]
@@ -27,7 +27,7 @@ struct Independent {
   friend constexpr bool operator==(const Independent&, const Independent&) = default;
 };
 
-/// Where the connector is: everything a table may depend on besides the slip itself.
+/// State of the connector: everything a table may depend on besides the slip itself.
 struct Ambient {
   RelativePosition position;            ///< CP at the end of the increment
   ConstitutiveMotion motion;            ///< CCU at the end of the increment
@@ -42,7 +42,7 @@ struct SlipArguments {
   double accumulated_slip = 0.0;  ///< [L]
 };
 
-/// What an independent is at a place and a slip, in its own unit.
+/// Returns what an independent is at a place and a slip, in its own unit.
 double argument(const Independent& independent, const Ambient& ambient,
                 const SlipArguments& slip) noexcept;
 
@@ -77,7 +77,7 @@ class TableFunction {
     table_.for_each_weight(gather(ambient, slip, &x), visit);
   }
 
-  /// What the table is asked for: as many numbers as it has independents, in their order.
+  /// Returns what the table is asked for: as many numbers as it has independents, in their order.
   std::array<double, kMaxIndependents> arguments(const Ambient& ambient,
                                                  const SlipArguments& slip) const noexcept;
   /// The cell a value is taken from.

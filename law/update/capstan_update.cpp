@@ -99,14 +99,15 @@ FrictionUpdate update_capstan(const FrictionDefinition& definition,
   }
   const double y_trial = fixed ? predictor : (l.force / stick) * s_trial;
 
-  // 4b. A coefficient that vanishes at some rate of slip: the grip is lost (section 10.6).
+  // 4b. A coefficient that vanishes at some rate of slip: the grip is lost (docs/theory,
+  // section 11.5).
   const bool opens = slips && !(l.force > 0.0);
   if (opens) {
     slip = first_zero(limit, slip);
     y = s_elastic = 0.0;
   }
 
-  // 5. The new state, bookkeeping and energy (section 10.8).
+  // 5. The new state, bookkeeping and energy (docs/theory, section 13).
   report(l, &result);
   result.state.force[0] = y;
   result.state.elastic_slip[0] = s_elastic;
@@ -132,7 +133,7 @@ FrictionUpdate update_capstan(const FrictionDefinition& definition,
   if (slips || y != 0.0) result.direction[0] = z;
   if (ds != 0.0) result.motion_direction[0] = ds < 0.0 ? -1.0 : 1.0;
 
-  // 6. Consistent tangent: that of section 10.7 with the slopes of this side's limit.
+  // 6. Consistent tangent: that of docs/theory, section 12, with the slopes of this side's limit.
   if (opens) return result;
   SlipTangent& t = result.tangent;
   const double by_rate = l.to_rate * limit.motion_in_rate();

@@ -6,7 +6,7 @@
 namespace slipbench::law {
 
 /// `update` for a definition whose criterion is a Capstan: one entry of slip space, the flow Psi_b,
-/// with a limit of its own on either side (connector-friction specification, section 4.3). The
+/// with a limit of its own on either side (docs/theory, section 4.1). The
 /// predictor's sign picks the side; stick is elastic in the flow, with kappa = limit / g_c of that
 /// side or with a constant kappa.
 FrictionUpdate update_capstan(const FrictionDefinition& definition,

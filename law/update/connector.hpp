@@ -9,16 +9,16 @@
 
 namespace slipbench::law {
 
-/// How a definition was written; the rules on mixing depend on it.
+/// Form in which a definition was written; the rules on mixing depend on it.
 enum class FrictionForm : std::uint8_t { kComponent, kPotential, kPredefined };
 
-/// What the rules of several definitions on one connector look at.
+/// Traits that the rules of several definitions on one connector look at.
 struct FrictionOutline {
   FrictionForm form = FrictionForm::kComponent;
   ComponentSet components;
 };
 
-/// A broken rule of specification section 11; the indices count the definitions as written.
+/// A broken rule of docs/theory, section 13.1; the indices count the definitions as written.
 struct FrictionRuleViolation {
   enum class Rule : std::uint8_t {
     kNotAvailable,       ///< friction on a component the connection holds or does not have

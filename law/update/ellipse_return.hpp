@@ -8,7 +8,7 @@ namespace slipbench::law {
 /// Two entries along the axes of an ellipse.
 using PlaneVector = std::array<double, 2>;
 
-/// Whether (F1/a1)^2 + (F2/a2)^2 <= 1, up to the rounding of a force that was returned there.
+/// Tells whether (F1/a1)^2 + (F2/a2)^2 <= 1, up to the rounding of a force that was returned there.
 /// With a_i = 0 the entry i has to vanish and the other one is bounded alone.
 /// \param force F [F]
 /// \param bounds a1, a2 >= 0 [F]
@@ -20,8 +20,9 @@ bool within_ellipse(const PlaneVector& force, const PlaneVector& bounds) noexcep
 /// ellipse to rounding, whatever the size of the numbers; equal axes give the radial return.
 /// Found by Newton's method for 1/|h| = 1, h_i = a_i F*_i / (a_i^2 + L), a concave function of L
 /// whose iterates rise to the root from any lower bound. Source: closest-point projection; theory
-/// of orthotropic friction, docs/theory.md.
-/// \param trial F* [F], \param bounds a1, a2 >= 0 [F]
+/// of orthotropic friction, docs/theory.
+/// \param trial F* [F]
+/// \param bounds a1, a2 >= 0 [F]
 PlaneVector closest_on_ellipse(const PlaneVector& trial, const PlaneVector& bounds) noexcept;
 
 /// The return OpenRadioss (2026) computes: with q_i = F*_i/a_i^2 and e = q . F* the point
@@ -39,9 +40,10 @@ PlaneVector steady_on_ellipse(const PlaneVector& motion, const PlaneVector& boun
 /// Distance of the ellipse from the origin [F] along a direction of length 1.
 double ellipse_radius(const PlaneVector& direction, const PlaneVector& bounds) noexcept;
 
-/// How the closest point and the ratio point change with trial and bounds, by implicit
+/// Returns how the closest point and the ratio point change with trial and bounds, by implicit
 /// differentiation.
-/// \param trial_change dF*, \param bounds_change da
+/// \param trial_change dF*
+/// \param bounds_change da
 /// \return dF
 PlaneVector closest_on_ellipse_change(const PlaneVector& trial, const PlaneVector& bounds,
                                       const PlaneVector& trial_change,

@@ -17,12 +17,15 @@ ViscousCoefficient viscous_coefficient(const ViscousPenalty& penalty, Convention
                                        const Ambient& end, double normal_force) noexcept;
 
 /// dF*/ds [F/L] of an increment: C/dt or K_t, as coded alpha K_t.
-/// \param viscous C [F T/L], \param duration dt [T], \param alpha of the filter
-/// \param motion |ds| [L], \param widest the largest limit, > 0 [F]
+/// \param viscous C [F T/L]
+/// \param duration dt [T]
+/// \param alpha of the filter
+/// \param motion |ds| [L]
+/// \param widest the largest limit, > 0 [F]
 double predictor_stiffness(const Formulation& formulation, double viscous, double duration,
                            double alpha, double motion, double widest) noexcept;
 
-/// Whether the filter smooths the output: as coded a stiffness penalty scales its increment
+/// Tells whether the filter smooths the output: as coded a stiffness penalty scales its increment
 /// instead.
 bool smooths(const Formulation& formulation) noexcept;
 

@@ -15,7 +15,7 @@ namespace {
 
 using SixVector = Eigen::Matrix<double, kComponents, 1>;
 
-/// What the tangents of both kinds of limit are made of.
+/// Slopes that the tangents of both kinds of limit are made of.
 struct Slopes {
   Eigen::Matrix<double, kComponents, kComponents> to_slip;  ///< dy/ds
   SixVector to_contact;                                     ///< dy/d(F_C + F_int)

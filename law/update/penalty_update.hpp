@@ -20,7 +20,7 @@ namespace slipbench::law {
 /// then holds the force it has, down to the limit; motion in no time puts it on the limit.
 ///
 /// Slip is the plastic part of the motion, (F* - F)/K_t; as coded a filter leaves the rest, (1 -
-/// alpha) of the motion, to nobody, and the work is not what is stored and dissipated. Under a
+/// alpha) of the motion, to no solver, and the work is not what is stored and dissipated. Under a
 /// viscous penalty all motion is slip, and the regime says whether the force is on the limit.
 /// `dissipation` is the power of the force before the filter, `work` that of the force behind it:
 /// of a viscous force the product of its end, of a filtered one the trapezoid, else as `update`

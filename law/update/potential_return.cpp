@@ -68,7 +68,7 @@ bool first_slip(const Search& start, double* slip) noexcept {
   return false;
 }
 
-/// Whether the force is beyond the limit again at a knot behind the root.
+/// Tells whether the force is beyond the limit again at a knot behind the root.
 bool beyond_again(const Search& start, double slip, double end) noexcept {
   for (double x = start.limit.next_knot(slip, end); x < end; x = start.limit.next_knot(x, end)) {
     if (distance(start, x).value > 0.0) return true;
@@ -352,7 +352,7 @@ class Linearised {
     return std::copysign(1.0, v) * dot(leaf.direction, by_trial);
   }
 
-  /// What is left of the length of leaf g.
+  /// Returns what is left of the length of leaf g.
   double rest(std::size_t g) const noexcept {
     const PotentialLeaf& leaf = potential_.leaf[g];
     const double pull = parts_[static_cast<std::size_t>(leaf.part)].pull;

@@ -10,7 +10,7 @@ namespace slipbench::law {
 /// `update` for a definition whose criterion is a Potential: the associated return
 ///   y = y_tr - kappa dL dP/dy,   P(y) = F_lim(dL),
 /// in both stick modes; with an elastic slip kappa = F_lim/g_c and the equivalent elastic slip is
-/// measured by the potential itself (specification section 10.5, theory 11.7). Where F_lim does not
+/// measured by the potential itself (docs/theory, section 11.7). Where F_lim does not
 /// exceed P(0) the force-free state is not admissible and the definition is open.
 FrictionUpdate update_potential(const FrictionDefinition& definition,
                                 const ConnectorIncrement& increment,

@@ -31,7 +31,7 @@ inline SlipVector sum_of(const SlipVector& a, double factor, const SlipVector& b
   return result;
 }
 
-/// What an increment starts its return from; `limit` gives F_lim at a slip, and its slope there.
+/// Start of the return of an increment; `limit` gives F_lim at a slip, and its slope there.
 template <class LimitOf>
 struct Start {
   const Potential& potential;
@@ -60,7 +60,7 @@ Scale scale_at(const Start<LimitOf>& start, double limit) {
   return {limit, kappa, scaled(start.trial, kappa)};
 }
 
-/// How far the force still is from the limit after the slip dL: positive before it comes to rest.
+/// Distance of the force from the limit after the slip dL: positive before it comes to rest.
 struct Distance {
   double value = 0.0;  ///< relative to the limit
   double slope = 0.0;  ///< to dL; without the part that shifts have in it

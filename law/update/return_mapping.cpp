@@ -18,7 +18,7 @@
 namespace slipbench::law {
 namespace {
 
-/// What an update holds.
+/// Extent of what an update computes.
 enum class Detail : std::uint8_t { kAll, kForce };
 
 template <int D, Detail kDetail>
@@ -54,8 +54,8 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
     result.wear = l.wear;
   };
 
-  // 3. Nothing to hold on to: start again from a stress-free state (section 10.6). A coefficient
-  //    that vanishes only at rest still grips as soon as there is slip.
+  // 3. Nothing to hold on to: start again from a stress-free state (docs/theory, section 11.5).
+  //    A coefficient that vanishes only at rest still grips as soon as there is slip.
   if (!(at_rest.force > 0.0) &&
       (!(at_rest.normal_force > 0.0) || !(limit.at(0.0, limit.motion_rate(motion)).force > 0.0))) {
     report(at_rest);
@@ -73,7 +73,7 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
   double trial = 0.0;
 
   if (fixed) {
-    // 4a. Admissibility and return mapping with constant kappa (section 10.3).
+    // 4a. Admissibility and return mapping with constant kappa (docs/theory, section 11.4).
     const double kappa = kappa_or_g;
     y_trial = y_old + kappa * ds;
     trial = norm<D>(y_trial);
@@ -107,7 +107,7 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
     }
   } else {
     // 4b. The same with the allowable elastic slip g_c: dL does not depend on F_lim, so the
-    //     return is closed (section 10.2).
+    //     return is closed (docs/theory, section 11.3).
     const double g = kappa_or_g;
     const double q = norm<D>(s_trial);
     slips = q > g * kLimitSlack;
@@ -126,7 +126,7 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
   }
 
   // 4c. The slip has worn the limit away: the grip is lost at the first slip without limit, and
-  //     what follows is no friction any more (section 10.6).
+  //     what follows is no friction any more (docs/theory, section 11.5).
   bool opens = false;
   if (slips && !(l.force > 0.0)) {
     opens = true;
@@ -140,7 +140,7 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
     result.snap_back = largest_snap_back(limit, kappa_or_g, slip);
   }
 
-  // 5. The new state, bookkeeping and energy (section 10.8).
+  // 5. The new state, bookkeeping and energy (docs/theory, section 13).
   report(l);
   store<D>(y, &result.state.force);
   store<D>(s_elastic, &result.state.elastic_slip);
@@ -169,7 +169,7 @@ FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIn
   if (!slips && p > 0.0) n = y / p;
   if (slips || p > 0.0) store<D>(n, &result.direction);
 
-  // 6. Consistent tangent (section 10.7, with wear and the rate of the relative motion).
+  // 6. Consistent tangent (docs/theory, section 12, with wear and the rate of the relative motion).
   if (opens) return result;
   SlipTangent& t = result.tangent;
   const double by_rate = l.to_rate * limit.motion_in_rate();

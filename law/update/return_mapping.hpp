@@ -13,10 +13,10 @@ namespace slipbench::law {
 ///   dy/ds    = transverse (I - n n^T) + radial n n^T + rate n m^T     [F/L], unsymmetric by `rate`
 ///   dy/dF_C  = contact n                                             [1]
 /// with n the direction of y, m that of ds. In stick transverse = radial.
-/// F_C stands for all that changes the contact force F_C + F_int from outside; section 10.7.
-/// With a Potential the four are what its tangent is made of: kappa, dF_lim/d(dL), dF_lim/d|ds| and
-/// dF_lim/dF_C (potential_tangent). With a formulation n is the direction before the filter, and
-/// penalty_tangent has the whole.
+/// F_C stands for all that changes the contact force F_C + F_int from outside; docs/theory,
+/// section 12. With a Potential the four are what its tangent is made of: kappa, dF_lim/d(dL),
+/// dF_lim/d|ds| and dF_lim/dF_C (potential_tangent). With a formulation n is the direction before
+/// the filter, and penalty_tangent has the whole.
 struct SlipTangent {
   double transverse = 0.0;
   double radial = 0.0;
@@ -73,7 +73,7 @@ double equivalent_elastic_slip(const FrictionDefinition& definition,
                                const FrictionState& state) noexcept;
 
 /// One increment of one definition: predictor, admissibility, return mapping, tangent
-/// (specification section 10). Pure: the old state is not touched, nothing is allocated, nothing is
+/// (docs/theory, section 11). Pure: the old state is not touched, nothing is allocated, nothing is
 /// thrown. Preconditions (checked where a definition is built): stick.value > 0, scales > 0,
 /// ordinates of mu and of F_int not negative, increment.end.fields as long as the tables need.
 FrictionUpdate update(const FrictionDefinition& definition, const ConnectorIncrement& increment,
@@ -82,7 +82,7 @@ FrictionUpdate update(const FrictionDefinition& definition, const ConnectorIncre
 /// The same without what only tells of the increment: energies, work, onset, phi, direction of the
 /// motion, jumps and further roots stay as they are by default where a definition has the Euclidean
 /// norm.
-/// For those who run a history many times over; state and `tangent` are those of update(), bit by
+/// For running a history many times over; state and `tangent` are those of update(), bit by
 /// bit. Not for connector_tangent(), which needs the direction of the motion.
 FrictionUpdate update_force(const FrictionDefinition& definition,
                             const ConnectorIncrement& increment, const FrictionState& old) noexcept;

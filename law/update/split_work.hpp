@@ -42,7 +42,7 @@ double work_split_at(double onset, const Slip<D>& y0, const Slip<D>& trial, cons
 
 /// Work of the force going from y0 to y1 over ds. The force first rises along the straight line to
 /// the predictor `trial`; where that meets the limit the increment is split, so that the trapezoid
-/// is exact for an elastic-plastic path in one dimension (reference cases, section 10, property 3).
+/// is exact for an elastic-plastic path in one dimension (docs/theory, section 13).
 /// \param[out] onset the fraction of the increment before the split
 template <int D>
 double split_work(const Slip<D>& y0, const Slip<D>& trial, const Slip<D>& y1, const Slip<D>& ds,

@@ -32,7 +32,7 @@ struct SnapBack {
 SnapBack snap_back(const FrictionDefinition& definition);
 
 /// The increments that decide what backward Euler makes of a coefficient that falls with the slip
-/// rate (theory 11.4, reference cases K3 and K5). Both are 0 where they decide nothing: where the
+/// rate (theory 11.4, 14.9). Both are 0 where they decide nothing: where the
 /// coefficient does not fall or sees the rate of the relative motion, where the cap holds, and
 /// where the stick stiffness follows the limit, which makes dL independent of it.
 struct IncrementThresholds {
@@ -44,7 +44,7 @@ struct IncrementThresholds {
   /// belt a bound, exp(A) at the largest coefficient.
   double unique = 0.0;
 };
-/// How far a coefficient goes: its largest value [1] and its steepest fall with the slip rate
+/// Bounds of a coefficient: its largest value [1] and its steepest fall with the slip rate
 /// [T/L]. Of a table both take a walk over all cells, so they are kept between increments. Infinity
 /// where the law has no bound over all rates and contact forces.
 struct CoefficientBounds {
@@ -57,8 +57,8 @@ CoefficientBounds coefficient_bounds(const FrictionLaw& law);
 CoefficientBounds coefficient_bounds(const FrictionLaw& law, const Ambient& ambient,
                                      double contact_force, double rate);
 
-/// Where the law has no bounds over all rates, `unique` is taken over those up to `rate`: it is
-/// always finite.
+/// Returns the thresholds; where the law has no bounds over all rates, `unique` is taken over those
+/// up to `rate`: it is always finite.
 /// \param bounds of the definition's law
 /// \param rate |ds|/dt of the relative motion [L/T]
 IncrementThresholds increment_thresholds(const FrictionDefinition& definition,
@@ -70,7 +70,7 @@ inline IncrementThresholds increment_thresholds(const FrictionDefinition& defini
   return increment_thresholds(definition, coefficient_bounds(definition.law), end, normal_force,
                               rate);
 }
-/// Whether a definition may have such thresholds at all.
+/// Tells whether a definition may have such thresholds at all.
 bool has_increment_thresholds(const FrictionDefinition& definition);
 
 }  // namespace slipbench::law
