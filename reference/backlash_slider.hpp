@@ -22,7 +22,7 @@
 ///           dissipation [F L], p = u - z - f/k play [L], in [-g/2, g/2].
 /// Sign      f has the sign of the slip it resists, like a spring k u.
 /// Source    Jenkins 1962 behind a dead-band (play) operator: Tao and Kokotovic, Adaptive Control
-///           of Systems with Actuator and Sensor Nonlinearities, 1996. Energies: docs/theory.md.
+///           of Systems with Actuator and Sensor Nonlinearities, 1996. Energies: docs/theory.
 /// Range     k > 0, g >= 0, limits > 0. Exact on every piecewise-linear path whose turning points
 ///           are rows, at any step.
 namespace slipbench::reference::backlash_slider {

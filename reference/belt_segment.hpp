@@ -17,7 +17,7 @@
 ///           Psi_a flow in at a, Psi_b flow out at b [L], d_p initial stretch [1], EA axial
 ///           stiffness [F].
 /// Sign      flows count from their first value; a segment of negative strain is slack.
-/// Source    connector-friction specification, section 2.2.
+/// Source    docs/theory, section 4.1.
 /// Range     d, l_ref > 0, EA >= 0, initial strain > -1; each row by itself. A segment from which
 ///           all material has flowed out has an infinite strain.
 namespace slipbench::reference::belt_segment {

@@ -17,7 +17,7 @@
 ///           coefficient [1], alpha wrap angle [1], any size, Psi material flow at b [L], k stick
 ///           stiffness [F/L], D dissipation [F L].
 /// Sign      Psi grows with flow from a to c; f has the sign of the slip it resists.
-/// Source    Euler 1769; Eytelwein 1808; connector-friction specification, section 4.3.
+/// Source    Euler 1769; Eytelwein 1808; docs/theory, section 4.1.
 /// Range     mu, alpha >= 0. A slack belt (T <= 0) has no friction. Exact where flow and tension
 ///           are linear between rows; while the band is empty no slip is accumulated.
 namespace slipbench::reference::capstan {
@@ -46,8 +46,8 @@ inline double mobilised_exponent(double tension_ab, double tension_bc) {
   return std::log1p((tension_bc - tension_ab) / tension_ab);
 }
 
-/// Whether two given tensions [F] stick on a guide of exponent A: |ln(f_bc/f_ab)| < A. A belt slack
-/// on either side never does.
+/// Tells whether two given tensions [F] stick on a guide of exponent A: |ln(f_bc/f_ab)| < A. A belt
+/// slack on either side never does.
 inline bool sticks(double exponent, double tension_ab, double tension_bc) {
   if (!(tension_ab > 0.0) || !(tension_bc > 0.0)) return false;
   return std::abs(mobilised_exponent(tension_ab, tension_bc)) < exponent;
@@ -194,7 +194,7 @@ inline constexpr ClosedForm kForm{
     .make = make,
     .violation = no_violation};
 
-/// What every steady belt law of this family answers for one tension.
+/// Outputs of every steady belt law of this family for one tension.
 inline constexpr std::array kBandOutputs{
     Signal{"upper_limit", "F", "friction force f_bc - f_ab of slip from a to c"},
     Signal{"lower_limit", "F", "friction force of slip from c to a, not positive"},

@@ -24,7 +24,7 @@
 ///           L], 1 the driver, 2 the driven one; masses and forces in their place for a
 ///           translation.
 /// Sign      loads and speeds of one sense; the moment of friction on the driven one is s M.
-/// Source    textbook result, derived in docs/theory.md.
+/// Source    textbook result, derived in docs/theory.
 /// Range     J > 0, M > 0, a > 0 (the clutch does engage), and the load it holds afterwards not
 ///           beyond M.
 namespace slipbench::reference::clutch_engagement {

@@ -17,7 +17,7 @@
 /// Symbols   f1..f3 reaction forces [F], m1..m3 reaction moments [F L], radii and lengths [L],
 ///           internal contact force [F] or moment [F L].
 /// Sign      the result is never negative; the signs of the reactions do not matter.
-/// Source    connector-friction specification, section 4.1; derived in docs/theory.md.
+/// Source    docs/theory, section 4.
 /// Range     radii, lengths and internal forces >= 0. A length or radius of 0 switches its term
 ///           off.
 namespace slipbench::reference::contact_force {

@@ -20,8 +20,8 @@
 ///           R_a friction arm of the axial force, L_s overlap of pin and bearing, L_a length of the
 ///           cross's arms [L], k_ax, t_ax, k_tw, t_tw slenderness factors [1].
 /// Sign      shares are magnitudes; the results are never negative.
-/// Source    connector-friction specification, section 4.2 (the factors are a fit to a published
-///           plot, good to 0.0022); trigonometric form derived in docs/theory.md.
+/// Source    docs/theory, section 5 (the factors are a fit to a published
+///           plot, good to 0.0022); trigonometric form derived in docs/theory.
 /// Range     R_p > 0, L_a > 0, |b| < pi/2; R_a, L_s, M_int >= 0 and 0 switches their term off.
 namespace slipbench::reference::contact_force_ujoint {
 

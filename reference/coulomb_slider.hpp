@@ -17,7 +17,7 @@
 ///           coefficient [1], f_max force limit [F], s accumulated slip [L], D dissipation [F L],
 ///           s_c = lim/k elastic slip [L]. In a rotational use: L is replaced by radians, F by F L.
 /// Sign      f has the sign of the slip it resists, like a spring k u.
-/// Source    Coulomb 1785; Jenkins 1962; harmonic balance: Griffin 1980. Energies: docs/theory.md.
+/// Source    Coulomb 1785; Jenkins 1962; harmonic balance: Griffin 1980. Energies: docs/theory.
 /// Range     k > 0, lim >= 0. Exact on every piecewise-linear path whose turning points are rows,
 ///           at any step. With lim = 0 the contact counts as open: no force and no slip is
 ///           accumulated.

@@ -17,7 +17,7 @@
 /// Symbols   x motion from the relaxed spring [L], x_0 its start, released at rest, m mass [F
 ///           T^2/L], k spring [F/L], w = sqrt(k/m) [1/T], F = mu N friction force [F].
 /// Sign      the friction force has the sign of the velocity it resists; at rest it is -k x.
-/// Source    textbook result, derived in docs/theory.md; numbers: Ansys verification manual, VM73.
+/// Source    textbook result, derived in docs/theory; numbers: Ansys verification manual, VM73.
 /// Range     m, k > 0, F >= 0, static and kinetic friction alike.
 namespace slipbench::reference::coulomb_vibration {
 

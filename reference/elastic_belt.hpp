@@ -20,7 +20,7 @@
 ///           radius [L], EA axial stiffness of the belt [F], mu coefficient [1], alpha wrap angle
 ///           [1], theta angle from the far end [1].
 /// Sign      x grows as the end is pulled out.
-/// Source    derived in docs/theory.md; creep of elastic belts: Reynolds 1874; memory: Masing 1926.
+/// Source    derived in docs/theory; creep of elastic belts: Reynolds 1874; memory: Masing 1926.
 /// Range     mu, alpha, R, EA, T0 > 0; no bending stiffness, no mass, small strain. Exact where the
 ///           turning points of the travel are rows.
 namespace slipbench::reference::elastic_belt {
@@ -75,8 +75,8 @@ inline double reversal_loop_energy(const Belt& belt) {
   return compliance(belt) / 3.0 * (high + low) * fall * fall * fall;
 }
 
-/// How far [F] a ring with one straight stick line over the same reversal lies above the belt, at
-/// worst: sqrt(T_max) (sqrt(T_max) - sqrt(T_min))/2, after a quarter of the travel.
+/// Returns how far [F] a ring with one straight stick line over the same reversal lies above the
+/// belt, at worst: sqrt(T_max) (sqrt(T_max) - sqrt(T_min))/2, after a quarter of the travel.
 inline double straight_line_error(const Belt& belt) {
   const double high = std::sqrt(highest_tension(belt));
   return 0.5 * high * (high - std::sqrt(lowest_tension(belt)));

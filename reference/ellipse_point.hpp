@@ -30,7 +30,7 @@ struct Vector {
   double y;
 };
 
-/// Whether the trial [F] lies in the ellipse with these semi-axes > 0 [F].
+/// Tells whether the trial [F] lies in the ellipse with these semi-axes > 0 [F].
 inline bool inside(Vector trial, Vector axes) {
   return std::hypot(trial.x / axes.x, trial.y / axes.y) <= 1.0;
 }

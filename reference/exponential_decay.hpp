@@ -19,7 +19,7 @@
 ///           (mu2 - mu_inf)/(mu1 - mu_inf) is taken as 5 %: mu_inf = (mu2 - 0.05 mu1)/0.95, d =
 ///           ln(20)/v2.
 /// Symbols   v slip rate [L/T], mu coefficients [1], d decay coefficient [T/L].
-/// Source    connector-friction specification, section 8; docs/theory.md. The 5 % are a convention.
+/// Source    docs/theory, section 9. The 5 % are a convention.
 /// Range     d >= 0; test data: v2 > 0 and mu_inf < mu2 < mu1.
 namespace slipbench::reference::exponential_decay {
 

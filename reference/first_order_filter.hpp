@@ -24,7 +24,7 @@
 ///           increment [F], w angle that the harmonic turns in an increment [1], g gain [1], phi
 ///           phase [1].
 /// Source    solution of the recursion of the Radioss reference guide, /FRICTION (Ifiltr);
-///           derived in docs/theory.md.
+///           derived in docs/theory.
 /// Range     equal increments; 0 < a < 2 settles, a = 1 passes all, 1 < a < 2 overshoots from
 ///           increment to increment, a >= 2 grows without bound. Half power only for a <= 2
 ///           (sqrt(2) - 1).

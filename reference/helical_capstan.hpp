@@ -18,7 +18,7 @@
 ///           helix angle between the belt and a circle around the cylinder [1].
 /// Sign      see capstan: a-side first, rising with flow from a to c.
 /// Source    any geodesic: Euler 1769 with the turning angle of the curve; non-circular guides:
-///           Jayawardana 2020 (arXiv:2012.13353). docs/theory.md.
+///           Jayawardana 2020 (arXiv:2012.13353). docs/theory.
 /// Range     mu, theta >= 0, 0 <= psi <= pi/2; the belt slips along its helix only. Bending
 ///           stiffness, which changes the law (arXiv:2205.04348), is left out.
 namespace slipbench::reference::helical_capstan {

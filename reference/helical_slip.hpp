@@ -17,7 +17,7 @@
 /// Symbols   v velocity along the axis [L/T], omega rate of rotation [1/T], R radius [L], L overlap
 ///           [L], f2, f3, m2, m3 reactions [F, F L], f1, m1 friction force and moment [F, F L].
 /// Sign      f1 and m1 have the signs of v and omega.
-/// Source    connector-friction specification, section 4.1; docs/theory.md.
+/// Source    docs/theory, sections 4 and 14.7.
 /// Range     R > 0, mu, L, F_int >= 0 (L = 0 switches bending off); steady slip, each row by
 ///           itself.
 namespace slipbench::reference::helical_slip {

@@ -21,7 +21,7 @@
 /// Symbols   u motion [L], N normal force [F], N0 normal force at u = 0 [F], g its gradient [F/L],
 ///           A amplitude [L], f friction force [F], k stick stiffness [F/L], mu [1], E [F L].
 /// Sign      f has the sign of the slip it resists.
-/// Source    Menq, Griffin and Bielak 1986; Yang and Menq 1998; loop derived in docs/theory.md.
+/// Source    Menq, Griffin and Bielak 1986; Yang and Menq 1998; loop derived in docs/theory.
 /// Range     k > 0, mu >= 0. Exact on piecewise-linear motion with its turning points on rows;
 ///           parting and meeting need no row.
 namespace slipbench::reference::lift_off {

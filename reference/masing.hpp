@@ -62,7 +62,7 @@ class Path {
     double force;
   };
 
-  /// Where the present branch meets an older one.
+  /// Returns where the present branch meets an older one.
   [[nodiscard]] double end_of_branch() const {
     return turns_.size() == 1 ? -turns_.front().motion : turns_[turns_.size() - 2].motion;
   }

@@ -16,7 +16,7 @@
 /// Symbols   T_1 >= T_2 tensions [F], m mass per length [F T^2/L^2], v speed [L/T], mu coefficient
 ///           [1], alpha wrap angle [1].
 /// Sign      see capstan: a-side first, rising with slip from a to c.
-/// Source    textbook belt drives; derived in docs/theory.md.
+/// Source    textbook belt drives; derived in docs/theory.
 /// Range     mu, alpha, m >= 0; where T <= m v^2 the belt has left the pulley and both tensions are
 ///           equal.
 namespace slipbench::reference::moving_belt {

@@ -16,7 +16,7 @@
 ///           [F].
 /// Sign      f_i has the sign of v_i; the vector is parallel to v only along the two directions or
 ///           for equal coefficients.
-/// Source    principle of maximum dissipation; derived in docs/theory.md.
+/// Source    principle of maximum dissipation; derived in docs/theory.
 /// Range     mu_i, N >= 0; each row by itself. No force where w = 0. Reached from any start for
 ///           every size of increment by the closest point of the ellipse.
 namespace slipbench::reference::orthotropic_sliding {

@@ -23,7 +23,7 @@
 /// Symbols   f_i forces [F] (or moments), R_i scales [1] (or [L]), v_i slip rates [L/T] (or [1/T]),
 ///           d_i scaled slip rates [L/T], lim = mu N limit [F].
 /// Sign      f has the sign of the slip it resists.
-/// Source    connector-friction specification, section 6; Hoelder's inequality, docs/theory.md.
+/// Source    docs/theory, section 7.1; Hoelder's inequality, docs/theory.
 /// Range     p >= 1 for P, p > 1 for the slip direction (p = 1 has corners), R_i > 0.
 namespace slipbench::reference::p_norm {
 

@@ -19,7 +19,7 @@
 /// Symbols   u motion [L], f friction force [F], k stick stiffness [F/L], lim = mu N limit [F],
 ///           s accumulated slip [L], phi, th, psi angles [1].
 /// Sign      f has the direction of the slip it resists.
-/// Source    derived in docs/theory.md; discrete circle: radial return of Simo and Hughes 1998.
+/// Source    derived in docs/theory; discrete circle: radial return of Simo and Hughes 1998.
 /// Range     k > 0, lim >= 0. Exact on polylines whose corners are rows; second order in the step
 ///           on curves. With lim = 0 the contact counts as open: no force and no slip.
 namespace slipbench::reference::planar_slider {
@@ -120,10 +120,10 @@ struct DiscreteCircle {
   double slip_per_turn;  ///< [L]
 };
 
-/// What backward Euler with n >= 3 equal increments a turn settles to on a circle of radius R [L]
-/// (the algorithm's answer, not physics). With a = 2 pi/n and the chord c = 2 R sin(a/2): lag = a/2
-/// + chi, sin(chi) = (lim/(kR)) cos(a/2), slip = n [c cos(chi) - (lim/k)(1 - cos a)]. NaN if the
-/// circle does not slip.
+/// Returns what backward Euler with n >= 3 equal increments a turn settles to on a circle of radius
+/// R [L] (the algorithm's answer, not physics). With a = 2 pi/n and the chord c = 2 R sin(a/2): lag
+/// = a/2 + chi, sin(chi) = (lim/(kR)) cos(a/2), slip = n [c cos(chi) - (lim/k)(1 - cos a)]. NaN if
+/// the circle does not slip.
 inline DiscreteCircle discrete_circle(const Slider& slider, double radius, int increments) {
   const double elastic = slider.limit / slider.stick_stiffness;
   const double half = std::numbers::pi / increments;

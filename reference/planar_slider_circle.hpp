@@ -24,7 +24,7 @@
 /// Symbols   p phase [1], R radius [L], a0 = kR/lim, q = sqrt(a0^2 - 1), t1,2 = a0 -+ q, others as
 ///           in planar_slider.
 /// Sign      counter-clockwise; f has the direction of the slip it resists.
-/// Source    derived in docs/theory.md; increments: radial return of Simo and Hughes 1998.
+/// Source    derived in docs/theory; increments: radial return of Simo and Hughes 1998.
 /// Range     R > lim/k > 0; exact at every phase p >= 0.
 namespace slipbench::reference::planar_slider_circle {
 

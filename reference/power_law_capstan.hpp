@@ -18,7 +18,7 @@
 /// Symbols   T tensions [F], w normal force per length [F/L], a coefficient [(F/L)^(1-n)], n
 ///           exponent [1], R radius [L], alpha wrap angle [1].
 /// Sign      rising with flow from a to c, falling with the opposite flow.
-/// Source    Howell 1953 and 1954 (fibres); integrated in docs/theory.md.
+/// Source    Howell 1953 and 1954 (fibres); integrated in docs/theory.
 /// Range     0 < n <= 1, a >= 0, R > 0, alpha > 0. With n < 1 a falling tension may end before the
 ///           angle does: then it is 0.
 namespace slipbench::reference::power_law_capstan {

@@ -11,7 +11,7 @@
 
 #include "reference/closed_form.hpp"
 
-/// What the coefficients that depend on contact pressure and speed have in common: what drives
+/// Common parts of the coefficients that depend on contact pressure and speed: what drives
 /// them, what they answer and the floor under them.
 ///
 /// Formula   p = N/A; coefficient = max(mu(p, |v|), floor).

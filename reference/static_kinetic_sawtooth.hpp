@@ -11,8 +11,8 @@
 #include "reference/closed_form.hpp"
 #include "reference/exponential_decay.hpp"
 
-/// What a stick stiffness and a coefficient that falls with the slip rate make of a steady pull: a
-/// saw-tooth in the limit of short increments, a smooth answer for long ones, and the threshold.
+/// Saw-tooth of a steady pull on a stick stiffness and a coefficient that falls with the slip rate:
+/// a saw-tooth in the limit of short increments, a smooth answer for long ones, and the threshold.
 ///
 /// Formula   Saw-tooth: |f| rises with k to mu_s N, then drops to mu_k N at once; the next drop is
 ///           due after the travel (mu_s - mu_k) N/k. Smooth: f = N mu(v). Backward Euler over dt
@@ -21,7 +21,7 @@
 /// Symbols   f force [F], N normal force [F], k stick stiffness [F/L], mu_s, mu_k coefficients at
 ///           rest and at speed [1], d decay coefficient [T/L], v speed of the pull [L/T], dt [T].
 /// Sign      f has the sign of the slip it resists.
-/// Source    derived in docs/theory.md.
+/// Source    derived in docs/theory.
 /// Range     k > 0, N >= 0, mu_s > mu_k, d > 0; the saw-tooth is the limit dt -> 0 and does not
 ///           depend on d and v.
 namespace slipbench::reference::static_kinetic_sawtooth {

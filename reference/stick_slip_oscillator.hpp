@@ -22,7 +22,7 @@
 /// Symbols   x motion of the mass from the relaxed spring [L], m mass [F T^2/L], k spring [F/L],
 ///           w = sqrt(k/m) [1/T], N normal force [F], v belt velocity [L/T], f friction force [F].
 /// Sign      slip is that of the belt over the mass, v - x'; f has its sign, so it pushes the mass.
-/// Source    derived in docs/theory.md.
+/// Source    derived in docs/theory.
 /// Range     m, k > 0, N >= 0, mu_s >= mu_k >= 0. Exact at any time.
 namespace slipbench::reference::stick_slip_oscillator {
 
@@ -77,7 +77,7 @@ struct State {
   int sense = 0;                  ///< 1 belt ahead, -1 mass ahead, 0 stick
 };
 
-/// Whether the mass sticks at this motion and velocity, and if not, the sense of slip.
+/// Tells whether the mass sticks at this motion and velocity, and if not, the sense of slip.
 inline State classify(const Oscillator& o, double motion, double velocity) {
   State state{motion, velocity, 0.0, 0};
   const double gap = o.belt_velocity - velocity;
@@ -106,7 +106,7 @@ inline State within_phase(const Oscillator& o, const State& begin, double t) {
   return end;
 }
 
-/// How long the phase lasts [T]; infinite if for ever.
+/// Returns how long the phase lasts [T]; infinite if for ever.
 inline double phase_duration(const Oscillator& o, const State& begin) {
   constexpr double kForever = std::numeric_limits<double>::infinity();
   const double v = o.belt_velocity;

@@ -18,7 +18,7 @@
 /// Symbols   v velocity [L/T], v_0 regularisation velocity [L/T], f friction force [F], N normal
 ///           force [F], mu [1], P load [F].
 /// Sign      f has the sign of the velocity it resists.
-/// Source    textbook regularisation; creep derived in docs/theory.md.
+/// Source    textbook regularisation; creep derived in docs/theory.
 /// Range     v_0 > 0, mu, N >= 0; creep for |P| < mu N only.
 namespace slipbench::reference::tanh_friction {
 

@@ -17,7 +17,7 @@
 /// Symbols   T tensions [F], mu coefficient [1], mu' apparent coefficient [1], alpha wrap angle
 ///           [1], gamma full angle between the flanks [1].
 /// Sign      see capstan: a-side first, rising with flow from a to c.
-/// Source    textbook belt drives; derived in docs/theory.md.
+/// Source    textbook belt drives; derived in docs/theory.
 /// Range     mu, alpha >= 0, 0 < gamma <= pi; slip along the belt only, none into the groove.
 namespace slipbench::reference::v_groove_capstan {
 

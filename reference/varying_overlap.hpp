@@ -21,7 +21,7 @@
 /// Symbols   x position, 0 at the full overlap L [L], beta weight [1/L], f2, f3, m2, m3 reactions
 ///           [F, F L], F_int internal contact force [F].
 /// Sign      the result is never negative.
-/// Source    connector-friction specification, sections 4.1 and 5; docs/theory.md.
+/// Source    docs/theory, sections 4 and 6.
 /// Range     table positions rising, weights >= 0; the true weight needs x < L. A table with few
 ///           points lies above the true weight in between, for 2/(L - x) is convex.
 namespace slipbench::reference::varying_overlap {

@@ -19,7 +19,7 @@
 ///           P load [F], VISF damping factor [1], e its exponent [1]: 1 as documented, 1/2 as
 ///           OpenRadioss (2026) computes, K normal stiffness [F/L], m mass [F T^2/L].
 /// Sign      f has the direction of the velocity it resists.
-/// Source    Radioss reference guide, /FRICTION (Iform = 1); creep derived in docs/theory.md.
+/// Source    Radioss reference guide, /FRICTION (Iform = 1); creep derived in docs/theory.
 /// Range     C > 0, mu, N >= 0; each row by itself: it has no memory. Creep for |P| < mu N only.
 namespace slipbench::reference::viscous_penalty {
 

@@ -24,7 +24,7 @@
 ///           slip [L], c wear rate [F/L], l wear length [L], F_0, F_z, F_i internal contact force
 ///           new and worn [F].
 /// Sign      f has the sign of the slip it resists.
-/// Source    derived in docs/theory.md; W0: Corless, Gonnet, Hare, Jeffrey and Knuth 1996.
+/// Source    derived in docs/theory; W0: Corless, Gonnet, Hare, Jeffrey and Knuth 1996.
 /// Range     b < 1 and h < l, else the force snaps back at the onset of slip; F_int >= 0.
 namespace slipbench::reference::wear {
 

@@ -16,7 +16,7 @@
 /// Formula   linear over the slip within each temperature, then linear over the temperature; beyond
 ///           the first and the last value of either, the value there.
 /// Symbols   s accumulated slip [L], T temperature, F_int internal contact force [F].
-/// Source    connector-friction specification, section 12.
+/// Source    docs/theory, section 9.1.
 /// Range     slips and temperatures rise strictly; as many forces as slips times temperatures,
 ///           all slips of the first temperature first.
 namespace slipbench::reference::wear_table {
