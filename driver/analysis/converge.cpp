@@ -28,7 +28,7 @@ Case refined(const Case& problem, int factor) {
   return finer;
 }
 
-/// What the three runs have in common, of one definition.
+/// Rows that the three runs share, of one definition.
 struct Comparison {
   ForceDistance first;
   ForceDistance second;

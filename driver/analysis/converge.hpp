@@ -10,7 +10,7 @@
 
 namespace slipbench::driver {
 
-/// What increments of dt, dt/2, dt/4 say about a number.
+/// Convergence of a number over increments of dt, dt/2, dt/4.
 struct Convergence {
   double first = 0.0;   ///< |a - b|: between dt and dt/2
   double second = 0.0;  ///< |b - c|: between dt/2 and dt/4

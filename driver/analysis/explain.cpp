@@ -160,8 +160,8 @@ std::string force_unit(const law::FrictionDefinition& definition, const Case& pr
   return unit_text(is_rotational(definition) ? kMoment : kForce, problem.units);
 }
 
-/// Where the play of a dead zone is.
-/// Whether the play lies between its ends and nothing slips: no force, whatever the limit is.
+/// Tells whether the play of a dead zone lies between its ends and nothing slips: no force,
+/// whatever the limit is.
 bool is_in_gap(const CaseDefinition& definition, const DefinitionRow& row) {
   return definition.dead_zone && row.update.state.regime == law::Regime::kStick &&
          std::abs(row.play) < 0.5 * definition.dead_zone->width;
@@ -236,7 +236,7 @@ std::pair<double, std::string> magnitude(const law::FrictionDefinition& definiti
   return {std::sqrt(square), "sqrt(" + text + ")"};
 }
 
-/// What a law with a floor saw and what it gave before it.
+/// Returns what a law with a floor saw and what it gave before it.
 std::string floored_text(const law::FrictionLaw& law, double speed, double normal_force,
                          double raw) {
   return std::visit(
@@ -270,7 +270,7 @@ std::string directions_text(const law::FrictionDefinition& definition, const Def
          one(definition.law, 0) + one(two.second, 1);
 }
 
-/// How the coefficient comes about.
+/// Returns how the coefficient comes about.
 std::string coefficient_text(const law::FrictionDefinition& definition, const DefinitionRow& row,
                              const law::Ambient& end) {
   const law::FrictionUpdate& update = row.update;

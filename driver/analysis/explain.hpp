@@ -8,7 +8,7 @@
 
 namespace slipbench::driver {
 
-/// Why there is no explanation: a message with a line feed, and the exit code.
+/// Failure of an explanation: a message with a line feed, and the exit code.
 struct ExplainFailure {
   int code = 0;
   std::string message;

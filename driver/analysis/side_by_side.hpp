@@ -11,13 +11,13 @@
 
 namespace slipbench::driver {
 
-/// Why a command has no answer: a message with a line feed, and the exit code.
+/// Failure of a command: a message with a line feed, and the exit code.
 struct CommandFailure {
   int code = 0;
   std::string message;
 };
 
-/// How far the friction of one definition is apart in two runs, over the rows they share.
+/// Distance between the friction of one definition in two runs, over the rows they share.
 struct ForceDistance {
   double most = 0.0;     ///< largest |y_a - y_b| [F]
   double sum = 0.0;      ///< of |y_a - y_b| over the rows [F]

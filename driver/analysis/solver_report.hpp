@@ -11,7 +11,7 @@
 
 namespace slipbench::driver {
 
-/// What an implicit solver would meet in one definition over one increment. The tangents are taken
+/// Demands of one definition on an implicit solver over one increment. The tangents are taken
 /// in the scaled slip space, so that forces and moments compare.
 struct SolverDemand {
   double asymmetry = 0.0;  ///< |K - K^T|/|K| of K = dy/ds, Frobenius norms [1]

@@ -34,7 +34,7 @@ struct ConnectorForces {
   law::ConnectorForce pressing;
 };
 
-/// Whether a case has such forces at all.
+/// Tells whether a case has such forces at all.
 bool has_component_forces(const Case& problem);
 
 /// Springs and dampers at the end of an increment: sets CEF and CVF of every component, and the

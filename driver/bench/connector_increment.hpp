@@ -10,7 +10,7 @@
 
 namespace slipbench::driver {
 
-/// Where the connector is at the end of a row; refers to the fields of `quantities`.
+/// Returns where the connector is at the end of a row; refers to the fields of `quantities`.
 inline law::Ambient ambient_of(const Quantities& quantities,
                                const law::RelativePosition& reference) {
   law::Ambient ambient;
@@ -21,8 +21,8 @@ inline law::Ambient ambient_of(const Quantities& quantities,
   return ambient;
 }
 
-/// What the law was given for the increment of a row, kinetic forces that press included; refers to
-/// the row's fields. Of a belt, the first ring's.
+/// Returns what the law was given for the increment of a row, kinetic forces that press included;
+/// refers to the row's fields. Of a belt, the first ring's.
 inline law::ConnectorIncrement connector_increment(const Case& problem, const Row& row) {
   law::ConnectorIncrement increment;
   increment.duration = row.duration;

@@ -9,14 +9,14 @@
 
 namespace slipbench::driver {
 
-/// What an increment does to the play, and what it leaves for the friction behind it.
+/// Effect of an increment on the play, and the motion it leaves for the friction behind it.
 struct PlayStep {
   double play = 0.0;    ///< p at the end of the increment
   double travel = 0.0;  ///< p_end - p_begin: passes without force
   double motion = 0.0;  ///< du - travel: what the law gets
 };
 
-/// Moves the play in series with an elastic slip by `motion` (docs/theory.md, section 13.6). The
+/// Moves the play in series with an elastic slip by `motion` (docs/theory, section 13.6). The
 /// extension s + p takes all of the motion as if nothing slipped; the play takes of it what fits
 /// between its ends, so that a reversal first unloads the spring, then crosses the gap, then loads
 /// the other way. Exact for a straight increment of any length.

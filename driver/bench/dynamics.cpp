@@ -365,7 +365,8 @@ double Dynamics::friction_force(double time) const {
   return forces(time, state_[kMotion], data_.belt_velocity).drive();
 }
 
-/// Whether stick or slip began, or slip turned against friction: without a limit nothing does.
+/// Tells whether stick or slip began, or slip turned against friction: without a limit nothing
+/// does.
 bool Dynamics::changes_since(int old, double time) const {
   if ((old == 0) != (sense_ == 0)) return true;
   return old != sense_ && static_limit(time, state_).force > 0.0;

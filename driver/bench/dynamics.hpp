@@ -14,7 +14,7 @@
 
 namespace slipbench::driver {
 
-/// Why an increment of a dynamic case cannot be stepped.
+/// Reason why an increment of a dynamic case cannot be stepped.
 struct DynamicsFailure {
   double fraction = 0.0;  ///< of the increment that is behind
   std::string message;
@@ -62,8 +62,9 @@ class Dynamics {
  private:
   struct Stepper;
 
-  /// What is integrated while the mass slips: position x, velocity w over the belt, accumulated
-  /// slip, heat of friction, work of load and belt, heat of the damper, velocity V of both masses.
+  /// Unknowns that are integrated while the mass slips: position x, velocity w over the belt,
+  /// accumulated slip, heat of friction, work of load and belt, heat of the damper, velocity V of
+  /// both masses.
   enum Entry : std::size_t {
     kMotion,
     kRelative,
@@ -77,7 +78,7 @@ class Dynamics {
   static constexpr std::size_t kEntries = 8;
   using State = std::array<double, kEntries>;
 
-  /// What drives the mass and what resists, at one time of the increment.
+  /// Forces that drive the mass and that resist, at one time of the increment.
   struct Forces {
     double load = 0.0, elastic = 0.0, viscous = 0.0, driver = 0.0;
     double push =
@@ -99,7 +100,7 @@ class Dynamics {
   /// Each goes on until the end of the increment or the next event, and returns its time.
   double slip(double time);
   double stick(double time);
-  /// Whether a mass that keeps up with its belt sticks, or in which sense it slips.
+  /// Decides whether a mass that keeps up with its belt sticks, or in which sense it slips.
   void decide(double time);
   void choose_scales(double time);
   double friction_force(double time) const;

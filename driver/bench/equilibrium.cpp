@@ -221,7 +221,7 @@ void Equilibrium::evaluate(Trial& trial) {
   }
 }
 
-/// Whether an unknown lies at a stop and is pushed against it.
+/// Tells whether an unknown lies at a stop and is pushed against it.
 bool Equilibrium::at_stop(const Trial& trial, int k) const {
   const auto i = static_cast<std::size_t>(k);
   return (trial.q[i] >= upper_[i] && trial.imbalance[i] < 0.0) ||

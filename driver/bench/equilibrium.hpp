@@ -21,7 +21,7 @@ namespace slipbench::driver {
 using IntegrateDefinition = std::function<law::FrictionUpdate(
     std::size_t definition, const law::ConnectorIncrement&, const law::FrictionState& old)>;
 
-/// Why an increment has no equilibrium.
+/// Reason why an increment has no equilibrium.
 struct NoEquilibrium {
   double fraction = 0.0;  ///< of the increment that could be solved
   std::string message;    ///< names components, loads and what holds against them

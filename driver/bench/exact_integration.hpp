@@ -40,7 +40,7 @@ class ExactIntegration {
   std::vector<Begin> definitions_;
 };
 
-/// Why a case cannot be integrated exactly.
+/// Reason why a case cannot be integrated exactly.
 struct ExactRefusal {
   std::string message;  ///< begins with the definition it is about, if it is one
   std::string hint;

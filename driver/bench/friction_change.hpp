@@ -12,7 +12,7 @@
 
 namespace slipbench::driver {
 
-/// The changes of friction of the step that runs (connector-friction specification, section 8):
+/// The changes of friction of the step that runs (docs/theory, section 9.2):
 ///   mu(t) = mu_start + A(t) (mu_end - mu_start),
 /// with mu_start [1] the coefficient in force when the step began, a number, and mu_end the new law
 /// at the current rate, force, temperature and fields. The force limit and a stick stiffness switch
@@ -29,7 +29,7 @@ class FrictionChanges {
                                               std::span<const double> mu,
                                               std::vector<law::FrictionDefinition>& definitions);
 
-  /// Whether something changes at all.
+  /// Tells whether something changes at all.
   bool active() const { return !running_.empty(); }
 
   /// The first corner of an amplitude after `t`; kNoBreakpoint if none.

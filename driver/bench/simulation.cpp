@@ -74,7 +74,7 @@ const char* not_finite(const law::FrictionUpdate& update) {
   return nullptr;
 }
 
-/// Whether a coefficient of the definition is kept above a floor at some time.
+/// Tells whether a coefficient of the definition is kept above a floor at some time.
 bool has_floor(const Case& problem, std::size_t index) {
   const law::FrictionDefinition& definition = problem.definitions[index].law;
   bool found =

@@ -37,14 +37,14 @@ using Quantities = std::array<double, kQuantities>;
 /// a formula has no value.
 using FollowPositions = std::function<void(double part, Quantities& quantities)>;
 
-/// What one friction definition did over an increment, and since the start.
+/// State and work of one friction definition over an increment, and since the start.
 struct DefinitionRow {
   law::FrictionUpdate update;
   double dissipation = 0.0;  ///< since the start [F L]
   double work = 0.0;         ///< of the friction force over the motion, since the start [F L]
   double lost = 0.0;         ///< in jumps of the force at constant motion, since the start [F L]
   std::int64_t jumps = 0;    ///< so far
-  /// What the increment should be longer than; 0 where that does not matter.
+  /// Length that the increment should exceed; 0 where that does not matter.
   law::IncrementThresholds thresholds;
   /// Changes of regime within the increment, where the integration locates them.
   law::RegimeChanges changes;
@@ -102,7 +102,7 @@ struct MotionJump {
   std::string step;
 };
 
-/// Why a run ended early.
+/// Reason why a run ended early.
 struct SimulationFailure {
   enum class Kind {
     kInput,        ///< the history has no value, or its data are faulty
@@ -171,7 +171,7 @@ class Simulation {
   law::FrictionUpdate integrate_with_options(std::size_t definition,
                                              law::ConnectorIncrement increment,
                                              const law::FrictionState& old);
-  /// Whether the update of a definition can be used; else why not.
+  /// Judges whether the update of a definition can be used; the error says why not.
   tl::expected<void, SimulationFailure> judge(std::size_t definition) const;
   /// That the force of a definition would jump in this increment, and what helps.
   SimulationFailure snap_back_failure(std::size_t definition) const;
@@ -180,7 +180,7 @@ class Simulation {
   /// Those of the current increment; empty where no force follows a position.
   FollowPositions following();
   void follow_positions(double step_time, Quantities& quantities);
-  /// Who is driven by force from now on, and with what load it starts.
+  /// Chooses the components driven by force from now on, and the loads they start with.
   void choose_force_driven(const Step& step);
   tl::expected<void, SimulationFailure> solve_equilibrium();
   tl::expected<void, SimulationFailure> advance_mass(bool start);

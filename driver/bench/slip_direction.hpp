@@ -8,9 +8,9 @@
 
 namespace slipbench::driver {
 
-/// Whether an increment loads a definition of one component backward: its elastic slip at the end
-/// is negative if nothing slips. A spring that ends relaxed takes the direction of the motion, and
-/// is loaded forward where nothing moves.
+/// Tells whether an increment loads a definition of one component backward: its elastic slip at the
+/// end is negative if nothing slips. A spring that ends relaxed takes the direction of the motion,
+/// and is loaded forward where nothing moves.
 /// \param elastic_slip at the begin of the increment
 /// \param left of the motion of the increment for the friction, behind a dead zone
 /// \param motion of the connector

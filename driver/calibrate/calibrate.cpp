@@ -111,7 +111,7 @@ std::string all_of(std::size_t unknowns) {
   return unknowns == 1 ? "the unknown" : fmt::format("all {} unknowns", unknowns);
 }
 
-/// How the derivatives of the fitted experiments are found, in a sentence.
+/// Returns how the derivatives of the fitted experiments are found, in a sentence.
 std::string derivatives_text(const Fit& fit, const Models& models, std::size_t unknowns) {
   std::vector<std::string> parts;
   bool all_alike = true;
@@ -232,7 +232,7 @@ void take_experiments(const Models& models, const ModelOptions& options, const M
   calibration.experiments = std::move(fitted);
 }
 
-/// Whether the histories that were recorded at the start are still those of the optimum.
+/// Tells whether the histories that were recorded at the start are still those of the optimum.
 bool still_replays(const Models& models, std::span<const double> x) {
   return std::all_of(models.begin(), models.end(), [&](const auto& model) {
     if (model->exact().empty() && model->by_differences().empty()) return true;
@@ -241,7 +241,7 @@ bool still_replays(const Models& models, std::span<const double> x) {
   });
 }
 
-/// Whether what was taken as linear at the start is so at the optimum.
+/// Tells whether what was taken as linear at the start is so at the optimum.
 bool keep_slopes(const Models& models, std::span<const double> x) {
   return std::all_of(models.begin(), models.end(),
                      [&](const auto& model) { return model->keeps_slopes(x); });

@@ -12,7 +12,7 @@
 
 namespace slipbench::driver {
 
-/// How far a fit is, for those who wait for it.
+/// Progress of a fit, to show while it runs.
 struct CalibrateStep {
   const char* stage = "";  ///< "search", "resamplings", "profiles", ...
   long evaluations = 0;    ///< of the model so far, runs with derivatives among them
@@ -22,7 +22,7 @@ struct CalibrateProgress {
   std::function<void(const CalibrateStep&)> step = {};  ///< may be empty; called by one thread
 };
 
-/// Why there is no fit at all; a search that did not converge is a Calibration, too.
+/// Reason why there is no fit at all; a search that did not converge is a Calibration, too.
 struct CalibrationFailure {
   int code = kExitBadInput;  ///< for the shell: kExitBadInput, kExitNumerical or kExitEnvironment
   std::string message;       ///< with its place where a file is at fault
@@ -35,7 +35,7 @@ struct CalibrateSettings {
 };
 
 /// Fits the cases to the data: the given start, the search, statistics, and the values before and
-/// after of every experiment, held-out ones included (docs/theory.md, section 17). The same fit
+/// after of every experiment, held-out ones included (docs/theory, section 17). The same fit
 /// gives the same bits, whatever the number of threads.
 /// Errors: faulty data, cases that have no run at the start values, nothing left to compare.
 tl::expected<Calibration, CalibrationFailure> calibrate(const Fit& fit,

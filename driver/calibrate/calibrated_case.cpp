@@ -202,8 +202,9 @@ class CaseWriter {
     return found;
   }
 
-  /// Whether an entry of `friction:` has the definition of a varied table. Predefined friction may
-  /// give several, `name.force` and `name.moment`, without a name just `force` and `moment`.
+  /// Tells whether an entry of `friction:` has the definition of a varied table. Predefined
+  /// friction may give several, `name.force` and `name.moment`, without a name just `force` and
+  /// `moment`.
   [[nodiscard]] bool belongs(const VariedTable& table, const Place& entry, std::size_t i) const {
     if (table.definition.empty()) return true;
     const auto name = entry.find("name");
@@ -213,7 +214,7 @@ class CaseWriter {
     return !name && entry.find("predefined") && !names_an_entry(table.definition);
   }
 
-  /// Whether a definition is that of an entry of `friction:` by its name or number.
+  /// Tells whether a definition is that of an entry of `friction:` by its name or number.
   [[nodiscard]] bool names_an_entry(const std::string& definition) const {
     const auto friction = root().find("friction");
     for (std::size_t i = 0; i < friction->node.size(); ++i) {
@@ -362,7 +363,7 @@ class CaseWriter {
   bool outside_ = false;
 };
 
-/// Whether the first line of a file ends in CRLF, and so all of them, usually.
+/// Tells whether the first line of a file ends in CRLF, and so all of them, usually.
 bool has_windows_line_ends(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::string line;

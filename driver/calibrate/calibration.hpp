@@ -49,7 +49,7 @@ struct FittedExperiment {
   std::vector<FittedResponse> responses;
 };
 
-/// Whether the data tell an unknown's value.
+/// Power of the data to tell an unknown's value.
 enum class Identifiability : std::uint8_t {
   kGood,
   kWeak,         ///< the interval is wider than the value, or its bounds; or lost in a combination

@@ -9,10 +9,10 @@
 
 namespace slipbench::driver {
 
-/// Where the numbers of a calibrated case come from, as lines that start with "# ": program, fit,
-/// date (if the fit gives one), whether it converged, cost, data files with their SHA-256, errors
-/// of the experiments, estimates with standard errors and intervals, what was never visited.
-/// Without a date the same fit gives the same bytes.
+/// Returns where the numbers of a calibrated case come from, as lines that start with "# ":
+/// program, fit, date (if the fit gives one), whether it converged, cost, data files with their
+/// SHA-256, errors of the experiments, estimates with standard errors and intervals, what was never
+/// visited. Without a date the same fit gives the same bytes.
 /// \param experiments in Fit::experiments, those that the case stands for: the others are named
 /// after them
 /// \param unknowns that the case has, in Calibration::unknowns

@@ -8,10 +8,10 @@
 
 namespace slipbench::driver {
 
-/// Whether the errors of a fit can be trusted, a sentence each, with what to do: no more values
-/// than unknowns; responses of different noise without sigma; a robust loss whose threshold is far
-/// below the noise; a bootstrap or profiles that were asked for and not made, or whose refits
-/// failed.
+/// Tells whether the errors of a fit can be trusted, a sentence each, with what to do: no more
+/// values than unknowns; responses of different noise without sigma; a robust loss whose threshold
+/// is far below the noise; a bootstrap or profiles that were asked for and not made, or whose
+/// refits failed.
 std::vector<std::string> error_notes(const Fit& fit, const Calibration& calibration);
 
 }  // namespace slipbench::driver

@@ -26,7 +26,7 @@ std::string interval_text(double lower, double upper, double error);
 /// A number for reading, to four significant digits: "0.01235", "12680", "1.268e+07".
 std::string short_number(double value);
 
-/// Why a search stopped, without the verdict that the sentence may begin with.
+/// Returns why a search stopped, without the verdict that the sentence may begin with.
 std::string stop_reason_text(const LeastSquaresFit& fit);
 
 /// One unknown as the cells of a table.
@@ -42,10 +42,10 @@ EstimateText estimate_text(const Calibration& calibration, std::size_t unknown);
 /// Costs within this part of one another are the same minimum.
 inline constexpr double kSameMinimum = 1e-6;
 
-/// Whether a search had a value at all; a cost of one that had none means nothing.
+/// Tells whether a search had a value at all; a cost of one that had none means nothing.
 bool has_value(const SearchTrace& search);
 
-/// Whether a search ended at the least cost of all.
+/// Tells whether a search ended at the least cost of all.
 bool found_the_minimum(const LeastSquaresFit& fit, const SearchTrace& search);
 
 /// "9 of 12 starts found this minimum, the next best has 3.4 times its cost, 2 had no value"; empty

@@ -22,7 +22,7 @@ constexpr double kWideDifference = 0.05;
 /// Below so many increments in all, threads cost more than they bring.
 constexpr std::size_t kWorthThreads = 20000;
 
-/// What an unknown is large against.
+/// Returns what an unknown is large against.
 double size_of(const UnknownRange& range, double value) {
   if (value != 0.0) return std::abs(value);
   if (range.start != 0.0) return std::abs(range.start);
@@ -36,7 +36,7 @@ double largest_magnitude(std::span<const double> numbers) {
   return largest > 0.0 ? largest : 1.0;
 }
 
-/// Whether two lists of slopes are the same but for the rounding of differences.
+/// Tells whether two lists of slopes are the same but for the rounding of differences.
 bool same_slopes(const std::vector<law::NumberSlope>& a, const std::vector<law::NumberSlope>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
     constexpr double kRounding = 1e-8;

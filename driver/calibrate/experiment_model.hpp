@@ -21,7 +21,7 @@ namespace slipbench::driver {
 
 class Coverage;
 
-/// What a model may do, whatever the experiment.
+/// Choices of a model, whatever the experiment.
 struct ModelOptions {
   std::vector<UnknownRange> unknowns;
   std::vector<VariedOrdinates> ordinates;
@@ -67,7 +67,7 @@ class ExperimentModel {
   std::size_t points() const { return points_; }
   /// Rows of its run.
   std::size_t run_rows() const { return run_rows_; }
-  /// What was left out, a sentence each.
+  /// Returns what was left out, a sentence each.
   const std::vector<std::string>& notes() const { return notes_; }
 
   /// The values at all points, response by response; false if there are none for these unknowns.
@@ -89,15 +89,16 @@ class ExperimentModel {
   /// Unknowns of this case whose derivatives are exact, and those whose are differences.
   std::span<const std::size_t> exact() const { return exact_; }
   std::span<const std::size_t> by_differences() const { return by_differences_; }
-  /// Why runs are whole runs; empty where they are replays.
+  /// Returns why runs are whole runs; empty where they are replays.
   const std::string& whole_runs_because() const { return because_; }
-  /// Whether a replay is still right for a case at other unknowns.
+  /// Tells whether a replay is still right for a case at other unknowns.
   bool replays(const Case& problem) const { return !replay_ || replay_->same_history(problem); }
-  /// Whether numbers that followed linearly from a parameter at the start do so at other unknowns.
+  /// Tells whether numbers that followed linearly from a parameter at the start do so at other
+  /// unknowns.
   bool keeps_slopes(std::span<const double> x) const;
 
  private:
-  /// How the quantity of a response follows from its force: gain * force + offset.
+  /// Line by which the quantity of a response follows from its force: gain * force + offset.
   struct Line {
     double gain = 1.0;
     double offset = 0.0;
@@ -109,13 +110,14 @@ class ExperimentModel {
         options_(options) {}
 
   tl::expected<void, Failure> prepare();
-  /// Records the history if it can be replayed. \param trace of its run
+  /// Records the history if it can be replayed.
+  /// \param trace of its run
   /// \param positions names of its position columns
   void try_replay(RunTrace& trace, std::vector<std::string>& positions);
   void choose_derivatives();
   std::vector<double> starts() const;
   std::string dependent_history() const;
-  /// Whether the quantities stay linear in their forces over the measured range.
+  /// Tells whether the quantities stay linear in their forces over the measured range.
   bool check_lines();
   Observations observe(const MeasuredSeries& measured, std::size_t response,
                        const RunTrace& trace) const;
@@ -123,7 +125,7 @@ class ExperimentModel {
   bool values_by_replay(std::span<const double> x, std::span<double> values) const;
   bool values_by_run(std::span<const double> x, std::span<double> values) const;
   std::optional<std::vector<Line>> lines_at(std::span<const double> x) const;
-  /// Where unknown `u` is moved to, for differences, within its bounds.
+  /// Returns where unknown `u` is moved to, for differences, within its bounds.
   /// \param step as a part of the unknown
   std::pair<double, double> sides(std::span<const double> x, std::size_t u, double step) const;
   /// Slopes of all definitions to the unknown, as a column; false where they are not covered.

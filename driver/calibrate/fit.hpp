@@ -101,14 +101,14 @@ struct VariedTable {
   std::string definition;   ///< name of the friction definition
   std::string free;         ///< the dependent column whose ordinates are varied: "mu", "force"
   Shape shape;              ///< monotone, convex
-  double smoothness = 0.0;  ///< >= 0, see docs/theory.md, section 17
+  double smoothness = 0.0;  ///< >= 0, see docs/theory, section 17
   double lower = 0.0;       ///< bounds of every ordinate
   double upper = std::numeric_limits<double>::infinity();
   Scale scale = Scale::kLinear;
   SourcePosition where;
 };
 
-/// What `slipbench calibrate` works on.
+/// Input of `slipbench calibrate`.
 struct Fit {
   std::string file;  ///< as the user typed it
   std::string title;

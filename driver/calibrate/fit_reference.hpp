@@ -20,7 +20,7 @@ Json fit_schema();
 /// The section on fit files of the case reference, as Markdown.
 std::string fit_reference_markdown();
 
-/// What messages about a fit say of its keys.
+/// Words of messages about the keys of a fit.
 extern const FileWords kFitWords;
 
 }  // namespace slipbench::driver

@@ -167,7 +167,7 @@ std::string head(const Fit& fit, const Calibration& calibration) {
   return text;
 }
 
-/// How the searches from several starts ended; empty for one start.
+/// Returns how the searches from several starts ended; empty for one start.
 std::string starts_line(const Calibration& calibration) {
   const std::string text = starts_text(calibration.fit);
   return text.empty() ? text : wrapped(text, 2);

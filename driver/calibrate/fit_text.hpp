@@ -58,7 +58,7 @@ struct OverColumnText {
   }
 };
 
-/// What one quantity of the result is compared with.
+/// Comparison of one quantity of the result.
 struct CompareText {
   static constexpr bool kIsDeclared = true;
   At<std::string> column, unit;

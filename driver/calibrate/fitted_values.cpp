@@ -175,7 +175,7 @@ void note_weights(const Fit& fit, std::vector<std::string>& notes) {
   }
 }
 
-/// How many starts ended where is told with the verdict; other minima that fit nearly as well are
+/// Notes how many starts ended where, for the verdict; other minima that fit nearly as well are
 /// something to look at.
 void note_minima(const Calibration& calibration, std::vector<std::string>& notes) {
   constexpr double kNearlyAsGood = 2.0;

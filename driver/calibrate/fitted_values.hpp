@@ -22,9 +22,9 @@ FittedExperiment fitted_experiment(const ExperimentModel& model, std::size_t ind
 /// 1 of a trend.
 double lag_one_autocorrelation(std::span<const double> residuals);
 
-/// What the user should look at, a sentence each: unknowns at their bounds, residuals that are a
-/// trend and no noise, hold-outs that are met worse than the fitted data, other minima, points that
-/// a robust loss gives little weight. (Identifiability has its own.)
+/// Returns what the user should look at, a sentence each: unknowns at their bounds, residuals that
+/// are a trend and no noise, hold-outs that are met worse than the fitted data, other minima,
+/// points that a robust loss gives little weight. (Identifiability has its own.)
 std::vector<std::string> calibration_notes(const Fit& fit, const Calibration& calibration);
 
 }  // namespace slipbench::driver

@@ -52,7 +52,7 @@ std::string_view word_of(VariedTable::Use use) {
   return use == VariedTable::Use::kCoefficient ? "coefficient" : "internal_contact_force";
 }
 
-/// What the derivatives at the optimum say of one unknown.
+/// Verdict of the derivatives at the optimum on one unknown.
 struct Sight {
   std::int64_t points = 0;  ///< compared ones that depend on it
   bool tied = false;        ///< by smoothness
@@ -163,7 +163,7 @@ void note_held(const Fit& fit, const Calibration& calibration, const FittedTable
                   fit.tables[table.index].name, shape_words(table.shape), held, table.count));
 }
 
-/// Why an interval says little, or nothing.
+/// Returns why an interval says little, or nothing.
 std::string width_fault(const FittedUnknown& unknown, double lower, double upper) {
   if (!std::isfinite(lower) || !std::isfinite(upper)) return {};
   const UnknownRange& range = unknown.range;

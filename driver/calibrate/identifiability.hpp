@@ -26,9 +26,9 @@ void add_visits(const VariedTable& table, const Case& problem, const Coverage& c
 /// tables, problem, fit and statistics to be there.
 void judge_identifiability(Calibration* calibration);
 
-/// What to know of it, a sentence each: table ranges that were never visited and what to measure,
-/// combinations of unknowns of which the data see only one ("only the product of mu and N is
-/// seen"), pairs that move together. Wants judge_identifiability to have been called.
+/// Returns what to know of it, a sentence each: table ranges that were never visited and what to
+/// measure, combinations of unknowns of which the data see only one ("only the product of mu and N
+/// is seen"), pairs that move together. Wants judge_identifiability to have been called.
 std::vector<std::string> identifiability_notes(const Fit& fit, const Calibration& calibration);
 
 /// Correlations from here on are told to the user.

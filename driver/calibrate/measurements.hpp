@@ -32,7 +32,7 @@ struct Measurements {
 /// every column; the time range; the dead band; the mean cycle; the resampling; the range of each
 /// response. Neither mean cycle nor resampling interpolates across rows that the dead band left
 /// out.
-/// \param with_hash false leaves `hash` empty, for those who write no provenance: it takes about as
+/// \param with_hash false leaves `hash` empty, where no provenance is written: it takes about as
 /// long again as reading the numbers, or more
 /// Errors, with the file's line where one is concerned: what CsvReader refuses, times that do not
 /// ascend, nothing left to compare, less than one whole cycle.

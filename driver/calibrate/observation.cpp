@@ -63,7 +63,7 @@ std::vector<Branch> split_at_extremes(std::span<const double> position, double n
   return parts;
 }
 
-/// How far a curve goes back inside its branches: its noise, 0 if it has none.
+/// Returns how far a curve goes back inside its branches: its noise, 0 if it has none.
 double largest_relapse(std::span<const double> position, std::span<const Branch> parts) {
   double largest = 0.0;
   for (const Branch& part : parts) {
@@ -88,7 +88,7 @@ void drop_short_ends(std::vector<Branch>& parts, std::span<const double> positio
   if (parts.size() > wanted && is_short(parts.front())) parts.erase(parts.begin());
 }
 
-/// Where a branch of the run first reaches a position.
+/// Search for the place where a branch of the run first reaches a position.
 class BranchSearch {
  public:
   BranchSearch(std::span<const double> position, const Branch& branch, double slack)

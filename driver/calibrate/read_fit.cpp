@@ -44,7 +44,7 @@ void name_experiments(std::vector<ReadExperiment>& experiments) {
   }
 }
 
-/// Whether a text is a day of the calendar, YYYY-MM-DD.
+/// Tells whether a text is a day of the calendar, YYYY-MM-DD.
 bool is_date(std::string_view text) {
   constexpr std::string_view kForm = "dddd-dd-dd";
   const bool formed =
@@ -62,7 +62,7 @@ bool is_date(std::string_view text) {
       .ok();
 }
 
-/// What is wrong among the experiments as a whole.
+/// Reader of a fit and of the faults among its experiments as a whole.
 class FitReader {
  public:
   FitReader(const Node& root, const std::string& path, const ReadFitOptions& options, ReadFit& out)

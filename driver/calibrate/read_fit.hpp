@@ -11,7 +11,7 @@
 
 namespace slipbench::driver {
 
-/// What reading a fit gave: the fit, unless there were errors, and everything there is to say.
+/// Result of reading a fit: the fit, unless there were errors, and all messages.
 struct ReadFit {
   std::optional<Fit> value;
   Diagnostics diagnostics;          ///< of the fit, and of its cases under their own names

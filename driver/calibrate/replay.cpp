@@ -19,7 +19,7 @@ namespace {
 
 // --- Which cases can be replayed ------------------------------------------------------------
 
-/// Why the law is not all that moves in a case, or nothing.
+/// Returns why the law is not all that moves in a case, or nothing.
 std::optional<std::string> obstacle(const Case& problem) {
   if (problem.dynamics) return "it has a mass";
   if (!problem.force_driven.empty()) return "it has a component that is driven by force";
@@ -39,7 +39,7 @@ std::optional<std::string> obstacle(const Case& problem) {
 
 // --- Whether two histories are the same -----------------------------------------------------
 
-/// Whether a formula mentions a name.
+/// Tells whether a formula mentions a name.
 bool mentions(std::string_view text, std::string_view name) {
   const auto is_part = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
@@ -218,7 +218,7 @@ class Replay::Increments {
 
 namespace {
 
-/// Whether the forces of an increment can be used; Simulation asks the same of its energies.
+/// Tells whether the forces of an increment can be used; Simulation asks the same of its energies.
 inline bool is_sound(const law::FrictionUpdate& update, bool jumps) {
   if (update.snap_back >= 1.0 && !jumps) return false;
   // One infinity or NaN spoils the sum: the single numbers are only looked at when it happened.

@@ -26,8 +26,8 @@ struct Row;
 /// A replay is const: several threads may run it at once.
 class Replay {
  public:
-  /// Where a response is read: between rows `row` and `row + 1` of the run, `fraction` of the way.
-  /// With fraction 0 the row alone counts, which may then be the last.
+  /// Place where a response is read: between rows `row` and `row + 1` of the run, `fraction` of the
+  /// way. With fraction 0 the row alone counts, which may then be the last.
   struct Point {
     std::size_t row = 0;
     double fraction = 0.0;  ///< in [0, 1]
@@ -43,15 +43,16 @@ class Replay {
   /// Walks through the history once, without the law. Errors, in a sentence: why the case cannot be
   /// replayed (it has a mass, a component driven by force, a belt, a contact penalty, a friction
   /// that changes, a dead zone, a coefficient that depends on the direction, exact integration), or
-  /// what is wrong with it. \param watch sees every row, row 0 first; they have no updates
+  /// what is wrong with it.
+  /// \param watch sees every row, row 0 first; they have no updates
   static tl::expected<Replay, std::string> record(
       const Case& problem, const std::function<void(const Row&)>& watch = {});
 
   /// Total times of all rows, row 0 first.
   std::span<const double> times() const { return times_; }
 
-  /// Whether another case has the same history, bit by bit, and can be replayed: compares what the
-  /// histories are made of, so that files are taken to be unchanged.
+  /// Tells whether another case has the same history, bit by bit, and can be replayed: compares
+  /// what the histories are made of, so that files are taken to be unchanged.
   bool same_history(const Case& other) const;
 
   /// Runs the law with other definitions over the recorded increments: the forces are those of a
@@ -78,7 +79,7 @@ class Replay {
   bool show(std::span<const law::FrictionDefinition> definitions, const Watch& watch = {}) const;
 
  private:
-  /// Where the numbers go that a row of `increments_` holds behind its duration.
+  /// Columns of the numbers that a row of `increments_` holds behind its duration.
   struct Columns {
     std::vector<int> motions;  ///< components
     std::vector<int> others;   ///< quantities

@@ -16,7 +16,7 @@ namespace slipbench::driver {
 /// Called at every evaluation: how many there were, and the sum of squares of the latest over 2.
 using EvaluationWatch = std::function<void(long evaluations, double cost)>;
 
-/// What the models gave where they were evaluated first and last with derivatives: before and after
+/// Values of the models where they were evaluated first and last with derivatives: before and after
 /// the fit, as a rule. All rows of the data.
 struct ModelValues {
   std::vector<double> first_x;
@@ -25,7 +25,7 @@ struct ModelValues {
   std::vector<double> last;
 };
 
-/// The experiments of a fit as one least-squares problem (docs/theory.md, section 17): rows are
+/// The experiments of a fit as one least-squares problem (docs/theory, section 17): rows are
 ///   sqrt(w_experiment w_response) (model - measured)/sigma
 /// of all compared points with a weight above 0, experiment by experiment and response by response,
 /// then the rows of smoothness, sqrt(smoothness S) d2, with S the weighted sum of squares of the
@@ -38,10 +38,11 @@ ResidualProblem residual_problem(const Fit& fit,
                                  const ModelOptions& options, EvaluationWatch watch,
                                  std::shared_ptr<ModelValues> values);
 
-/// What a residual of a response is, in the quantity's unit, times this.
+/// Returns what a residual of a response is, in the quantity's unit, times this.
 double residual_factor(const ExperimentFit& experiment, const ResponseFit& response);
 
-/// Whether a response has rows in the problem: with a weight of 0 it has none, and is only scored.
+/// Tells whether a response has rows in the problem: with a weight of 0 it has none, and is only
+/// scored.
 bool is_fitted(const ExperimentFit& experiment, const ResponseFit& response);
 
 /// Rows that an experiment has in the problem: the points of its fitted responses.

@@ -64,7 +64,7 @@ Range range_of(Binder& binder, const At<BoundsText>& bounds, const At<Scale>& sc
   return range;
 }
 
-/// Whether a start lies within its range; says otherwise where `say` puts it.
+/// Tells whether a start lies within its range; says otherwise where `say` puts it.
 template <class Say>
 bool start_in_range(double start, const UnknownRange& range, Say say) {
   if (range.scale == Scale::kLog && !(start > 0.0)) {
@@ -278,7 +278,7 @@ std::vector<Owned> owned_definitions(const ReadExperiment& experiment) {
   return all;
 }
 
-/// Where a case writes what a varied table stands for.
+/// Returns where a case writes what a varied table stands for.
 std::optional<Node> value_node(const ReadExperiment& experiment, const Owned& owned,
                                VariedTable::Use use) {
   const std::string_view key = word_of(use);
@@ -314,7 +314,7 @@ struct FoundTable {
   std::vector<std::string> columns;
 };
 
-/// What the cases say of one key of `tables:`.
+/// Search of the cases for one key of `tables:`.
 class TableSearch {
  public:
   TableSearch(Binder& binder, const Named<VariedTableText>& text,
@@ -378,7 +378,8 @@ class TableSearch {
                  "0], [12, 5]]}'; a single number is varied as a parameter";
   }
 
-  /// Looks the table up in every case. \return whether a fitted one has it
+  /// Looks the table up in every case.
+  /// \return whether a fitted one has it
   bool find(const TableName& name) {
     bool fitted = false;
     bool all_read = any_fitted(experiments_);
@@ -578,7 +579,7 @@ std::vector<VariedTable> varied_tables(Binder& binder, const NamedMap<VariedTabl
 
 namespace {
 
-/// Whether the ordinates of one block keep a shape.
+/// Tells whether the ordinates of one block keep a shape.
 bool has_shape(std::span<const double> x, std::span<const double> y, const Shape& shape) {
   double before = 0.0;
   for (std::size_t i = 1; i < x.size(); ++i) {

@@ -41,7 +41,7 @@ void settle_parameters(Binder& binder, const NamedMap<VaryText>& texts,
 std::vector<VariedTable> varied_tables(Binder& binder, const NamedMap<VariedTableText>& texts,
                                        std::span<const ReadExperiment> experiments);
 
-/// Whether the numbers of a varied table in a case have the shape that the fit wants of them.
+/// Tells whether the numbers of a varied table in a case have the shape that the fit wants of them.
 bool has_shape(const Case& problem, const VariedTable& table);
 
 }  // namespace slipbench::driver

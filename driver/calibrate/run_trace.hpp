@@ -77,7 +77,8 @@ class RunTracer {
 tl::expected<RunTrace, std::string> trace_run(const Case& problem, const ExperimentFit& experiment,
                                               std::vector<std::string>* positions = nullptr);
 
-/// Whether a column is a relative position, which no law has a say in where motions are prescribed.
+/// Tells whether a column is a relative position, which no law has a say in where motions are
+/// prescribed.
 bool is_position(const Case& problem, std::string_view name);
 
 }  // namespace slipbench::driver

@@ -129,7 +129,7 @@ class Editor {
   explicit Editor(const Node& root)
       : may_have_aliases_(root.source().text().find('*') != std::string_view::npos) {}
 
-  /// What changes where it stands.
+  /// Collects the changes in the order of the text.
   void collect(const Node& node, const NodeChange* change) {
     if (change == nullptr && !may_have_aliases_) return;
     if (may_have_aliases_ && is_alias(node)) {
@@ -194,7 +194,7 @@ class Editor {
     touched_.insert(offset_of(node));
   }
 
-  /// Whether something that an alias stands for is replaced where its anchor is.
+  /// Tells whether something that an alias stands for is replaced where its anchor is.
   [[nodiscard]] bool is_touched(const Node& node, bool outermost = false) const {
     // The alias itself has its own place: of a scalar, the anchor's is that of its text.
     if (node.is_scalar() || node.is_null()) {

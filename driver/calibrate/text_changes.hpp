@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// New values for a YAML text that somebody wrote by hand: only they change, not a blank else.
+// New values for a YAML text that was written by hand: only they change, not a blank else.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace slipbench::driver {
 
-/// What changes in a node and below it.
+/// Changes in a node and below it.
 struct NodeChange {
   std::optional<std::string> text;  ///< YAML in flow style, in place of the scalar that was there
   std::optional<std::string> key;   ///< another name of the entry that has the node as its value

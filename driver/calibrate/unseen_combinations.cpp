@@ -62,7 +62,7 @@ std::string names(const Calibration& calibration, const std::vector<std::size_t>
   return in_words(list, "and");
 }
 
-/// What of two unknowns is seen whose columns are parallel, dr/db = a dr/da.
+/// Returns what of two unknowns is seen whose columns are parallel, dr/db = a dr/da.
 std::string_view seen_function(double a, double value_a, double value_b) {
   const auto is = [&](double wanted) { return std::abs(a - wanted) <= 1e-3 * std::abs(wanted); };
   const bool nonzero = value_a != 0.0 && value_b != 0.0;

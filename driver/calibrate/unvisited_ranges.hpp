@@ -21,13 +21,13 @@ std::size_t count_cells(const std::vector<std::vector<double>>& knots);
 std::pair<double, double> neighbours(const FittedTable& table, std::size_t row, std::size_t k);
 
 /// Marks the cells of which increments only met the edge, as they do at exactly a knot: an ordinate
-/// at one of their corners is unseen. Everybody who tells of cells goes by
-/// FittedTable::Cell::visited. \param seen rows of the table on whose ordinates a compared point
-/// depends
+/// at one of their corners is unseen. All that is told of cells goes by FittedTable::Cell::visited.
+/// \param seen rows of the table on whose ordinates a compared point depends
 void mark_edge_cells(const std::vector<char>& seen, FittedTable* table);
 
-/// Where no compared point lies: "with temperature above 80 degC, nor with slip_rate 0 .. 10 mm/s,
-/// temperature 20 .. 90 degC"; empty if there is none such cell, or the cells were not counted.
+/// Returns where no compared point lies: "with temperature above 80 degC, nor with slip_rate 0 ..
+/// 10 mm/s, temperature 20 .. 90 degC"; empty if there is none such cell, or the cells were not
+/// counted.
 std::string unvisited_ranges(const FittedTable& table);
 
 }  // namespace slipbench::driver

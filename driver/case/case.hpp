@@ -64,7 +64,7 @@ struct Belt {
       false;  ///< f_bc is prescribed beside f1: stick is judged, no flow integrated
 };
 
-/// Whether a connection is a SLIPRING.
+/// Tells whether a connection is a SLIPRING.
 inline bool is_belt(const law::Connection& connection) {
   return connection.type && std::holds_alternative<law::SlipRing>(*connection.type);
 }
@@ -95,7 +95,7 @@ struct Drive {
   Profile profile;
 };
 
-/// Friction that changes in the course of a step (connector-friction specification, section 8).
+/// Friction that changes in the course of a step (docs/theory, section 9.2).
 struct FrictionChange {
   std::size_t definition = 0;               ///< in Case::definitions
   Profile amplitude = LinearTo{1.0};        ///< A(t), 0 at the start of the step and 1 at its end
@@ -142,7 +142,7 @@ struct CurveReference {
   CsvFormat format = {};
 };
 
-/// deviation <= max(absolute, relative * scale); what both are, the criterion says (docs/theory.md,
+/// deviation <= max(absolute, relative * scale); what both are, the criterion says (docs/theory,
 /// section 16): pointwise, |quantity - reference| and the range of the reference.
 struct Tolerance {
   std::optional<double> absolute;
@@ -158,7 +158,7 @@ struct Check {
   std::vector<std::string> variables;  ///< of `quantity`, in this order
   std::variant<ExpressionReference, ClosedFormReference, CurveReference> against;
   Criterion criterion = Criterion::kPointwise;
-  /// What quantity and reference are compared over; total time if there is none.
+  /// Abscissa of the comparison; total time if there is none.
   std::optional<ExpressionReference> abscissa = {};
   std::string abscissa_text = "time";  ///< as the case names it
   std::optional<std::string> step;     ///< only the rows of this step

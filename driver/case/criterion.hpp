@@ -5,7 +5,7 @@
 
 namespace slipbench::driver {
 
-/// How a check compares its quantity with a reference; all there is to say of each is in
+/// Way in which a check compares its quantity with a reference; all there is to say of each is in
 /// driver/check/criteria/criteria.hpp.
 enum class Criterion : std::uint8_t {
   kPointwise,

@@ -5,7 +5,7 @@
 
 namespace slipbench::driver {
 
-/// How a definition gets from one row to the next.
+/// Step of a definition from one row to the next.
 enum class IntegrationMethod : std::uint8_t {
   kBackwardEuler,  ///< one implicit increment, as finite element solvers do
   kExact           ///< the continuous solution between rows that are joined by straight lines

@@ -10,9 +10,10 @@
 
 namespace slipbench::driver {
 
-/// What a case can prescribe, in one flat numbering: 0..5 relative positions CP1..CPR3, 6..11
-/// constraint forces f1..m3, 12 temperature, 13.. fields; of a belt, behind the fields, the tension
-/// f_bc; of a dynamic case the load on its driver; of a belt the coordinates of its nodes a, b, c.
+/// Quantities that a case can prescribe, in one flat numbering: 0..5 relative positions
+/// CP1..CPR3, 6..11 constraint forces f1..m3, 12 temperature, 13.. fields; of a belt, behind the
+/// fields, the tension f_bc; of a dynamic case the load on its driver; of a belt the coordinates of
+/// its nodes a, b, c.
 inline constexpr int kFirstMotion = 0;
 inline constexpr int kFirstForce = law::kComponents;
 inline constexpr int kTemperatureQuantity = 2 * law::kComponents;

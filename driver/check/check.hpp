@@ -17,10 +17,10 @@
 
 namespace slipbench::driver {
 
-/// Whether a check keeps what it compared, for a picture.
+/// Choice of keeping the compared series, for a picture.
 enum class Trace : std::uint8_t { kNone, kKeep };
 
-/// What a check compared, all of it in the case's units: two series over one abscissa.
+/// Series that a check compared, in the case's units: two series over one abscissa.
 struct CheckTrace {
   std::string abscissa_label;  ///< "t", "CU1", "= CU1 + CU2"
   std::string abscissa_unit;   ///< empty if unknown
@@ -37,7 +37,7 @@ struct CheckTrace {
 ///
 /// Point by point against an expression or a closed form, rows are judged as they come and nothing
 /// grows with their number (PointJudge). Against a curve, and by any other criterion, the compared
-/// rows are kept and judged at the end (docs/theory.md, section 16).
+/// rows are kept and judged at the end (docs/theory, section 16).
 class CheckProgress {
  public:
   /// `problem` and `check` must outlive it.
@@ -45,7 +45,7 @@ class CheckProgress {
 
   void add(const Row& row);
   Verdict verdict() const;
-  /// What was compared so far; empty unless the check was told to keep it.
+  /// Returns what was compared so far; empty unless the check was told to keep it.
   CheckTrace trace() const;
 
  private:

@@ -7,8 +7,8 @@
 
 namespace slipbench::driver {
 
-/// What messages need to know of a check's numbers; a unit is empty where it is not known or there
-/// is none.
+/// Names and units of a check's numbers for messages; a unit is empty where it is not known or
+/// there is none.
 struct CheckLabels {
   std::string unit;      ///< of the quantity
   std::string abscissa;  ///< "t", "CU1", "= CU1 + CU2"

@@ -35,11 +35,11 @@ struct GoldenCurve {
 };
 
 /// The curves that `slipbench bless` may write: those of the case's checks that are missing or
-/// golden. Errors, in a sentence: no check names a curve; all of them are somebody else's; a golden
+/// golden. Errors, in a sentence: no check names a curve; all of them have another origin; a golden
 /// one is that of another case; two checks mean different things by one column.
 tl::expected<std::vector<GoldenCurve>, std::string> golden_curves(const Case& problem);
 
-/// What stands above the numbers. Of blessings, the latest comes first.
+/// Head above the numbers. Of blessings, the latest comes first.
 struct GoldenHeader {
   std::vector<std::string> origin;     ///< lines on program, case, units, parameters and columns
   std::vector<std::string> blessings;  ///< "# blessed: new liner" or "# blessed 2026-01-31: .."
@@ -48,8 +48,8 @@ struct GoldenHeader {
 /// That of a golden curve which is there.
 GoldenHeader read_golden_header(const std::filesystem::path& file);
 
-/// Whether these rows, that of the names included, are all that stands in a golden curve behind its
-/// comments; a file that is cut off has others.
+/// Tells whether these rows, that of the names included, are all that stands in a golden curve
+/// behind its comments; a file that is cut off has others.
 bool has_golden_rows(const std::filesystem::path& file, std::string_view rows);
 
 /// That of a curve which is about to be written. The date of a blessing is that of

@@ -11,9 +11,9 @@ namespace slipbench::driver {
 /// Returns whether a check keeps the rows that it compares until the end of the run.
 bool keeps_rows(const Check& check, Trace trace);
 
-/// Why the checks of a case cannot be judged: those that keep the rows they compare need more
-/// memory than there is. A sentence with the need, what is free and what helps; empty if they fit,
-/// or if nothing is known of the number of rows.
+/// Returns why the checks of a case cannot be judged: those that keep the rows they compare need
+/// more memory than there is. A sentence with the need, what is free and what helps; empty if they
+/// fit, or if nothing is known of the number of rows.
 std::string memory_fault(const Case& problem, Trace trace = Trace::kNone);
 
 }  // namespace slipbench::driver

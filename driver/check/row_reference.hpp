@@ -12,11 +12,11 @@
 
 namespace slipbench::driver {
 
-/// What an expression or a closed form says the quantity should be, row by row. It keeps references
+/// Reference by an expression or a closed form, row by row. It keeps references
 /// to the case and the check.
 class RowReference {
  public:
-  /// Why a row has no reference.
+  /// Reason why a row has no reference.
   struct Fault {
     std::string message;
     bool breaks_path = false;  ///< nothing that follows has one either

@@ -22,8 +22,8 @@
 namespace slipbench::driver {
 namespace {
 
-/// What is doubtful about a tolerance. A program may agree with its own past to the last digit, and
-/// that says nothing of the tolerance.
+/// Adds what is doubtful about a tolerance. A program may agree with its own past to the last
+/// digit, and that says nothing of the tolerance.
 void doubt(const Tolerance& tolerance, const ToleranceUse& use, bool golden, Verdict& verdict) {
   // Met but for rounding, which another machine may do otherwise: as it was blessed.
   constexpr double kRounding = 1e-9;

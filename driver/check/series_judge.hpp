@@ -24,7 +24,7 @@ struct ComparedRows {
 /// The reference at these rows as a curve.
 Series reference_of(const ComparedRows& rows);
 
-/// How exactly the numbers of a reference are known.
+/// Digits to which the numbers of a reference are known.
 struct ReferenceDigits {
   /// Half a unit of the last printed digit, if it was printed with fewer than it has.
   std::optional<double> resolution;

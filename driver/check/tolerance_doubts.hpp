@@ -12,7 +12,7 @@
 
 namespace slipbench::driver {
 
-/// What a tolerance met.
+/// Deviations that a tolerance met.
 struct ToleranceUse {
   double scale = 0.0;  ///< what a relative tolerance is relative to
   double worst = 0.0;  ///< largest deviation seen, in the same unit
@@ -22,7 +22,8 @@ struct ToleranceUse {
   std::string unit;  ///< of all of these; may be empty
 };
 
-/// What is doubtful about a tolerance, in sentences for a person, without a period at the end:
+/// Returns what is doubtful about a tolerance, in sentences for a person, without a period at the
+/// end:
 /// - it is more than 1000 times the largest deviation, and more than 1e-6 of the scale: what it
 ///   would let pass is orders worse than the agreement. The sentence names a tolerance that would
 ///   do: ten times the deviation, at least 1e-6 of the scale, rounded up to one digit. Nothing is
@@ -34,16 +35,17 @@ struct ToleranceUse {
 /// kind nothing if the scale is 0 (a quantity that is zero throughout has no natural tolerance).
 std::vector<std::string> tolerance_doubts(const Tolerance& tolerance, const ToleranceUse& use);
 
-/// Whether the digits that a reference was printed with are all there are, as of round numbers or
-/// of exact integers: most of its values agree with the result far better than rounded ones could.
-/// Rounded values deviate by anything up to `resolution`, so that one in a hundred agrees to a
-/// hundredth of it. Counted are different values that are not 0, of each its first point: zeros and
-/// the level of a plateau agree in a rounded file, too. Fewer than three say something only if all
-/// points agree that well.
+/// Tells whether the digits that a reference was printed with are all there are, as of round
+/// numbers or of exact integers: most of its values agree with the result far better than rounded
+/// ones could. Rounded values deviate by anything up to `resolution`, so that one in a hundred
+/// agrees to a hundredth of it. Counted are different values that are not 0, of each its first
+/// point: zeros and the level of a plateau agree in a rounded file, too. Fewer than three say
+/// something only if all points agree that well.
 bool has_all_digits(std::span<const CurvePoint> points, double resolution);
 
-/// What a check did not see of its reference, in a sentence, if it saw less than half of its rows
-/// or of its range; else empty. \param compared rows of the reference
+/// Returns what a check did not see of its reference, in a sentence, if it saw less than half of
+/// its rows or of its range; else empty.
+/// \param compared rows of the reference
 std::string coverage_doubt(const Series& result, const Series& reference, std::int64_t compared);
 
 }  // namespace slipbench::driver

@@ -12,7 +12,7 @@
 
 namespace slipbench::driver {
 
-/// How far a check's quantity was off at one place.
+/// Deviation of a check's quantity at one place.
 struct Deviation {
   double time = 0.0;  ///< total time; NaN where a curve does not tell
   double value = 0.0;
@@ -42,7 +42,7 @@ struct Verdict {
   std::optional<double> first_failing;  ///< total times, of pointwise checks
   std::optional<double> last_failing;
 
-  /// What the tolerance bounds: of the worst point, or of the worst measure.
+  /// Returns what the tolerance bounds: of the worst point, or of the worst measure.
   double worst_deviation() const;
   /// The worst deviation as a part of the tolerance; infinite if the tolerance is 0 and it is not.
   double worst_fraction() const;

@@ -71,7 +71,7 @@ Diagnostics warnings_of(const Diagnostics& diagnostics) {
   return warnings;
 }
 
-/// What was written, and what is told of it.
+/// Files written, and the words about them.
 struct Written {
   std::vector<fs::path> files;
   std::vector<std::string> remarks;
@@ -123,8 +123,8 @@ tl::expected<Written, std::string> write_results(const Fit& fit, const Calibrati
   return written;
 }
 
-/// Whether all results can be written, as a sentence where one cannot: that is known before the
-/// work.
+/// Tells whether all results can be written, as a sentence where one cannot: that is known before
+/// the work.
 std::string fault_of_targets(const Fit& fit, const CalibrateOptions& options, const fs::path& page,
                              const Overwriting& overwriting) {
   const fs::path folder = options.folder;

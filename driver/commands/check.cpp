@@ -71,7 +71,7 @@ std::vector<Candidate> reordered(const std::vector<Candidate>& cases,
   return result;
 }
 
-/// Everybody who wants to know how the cases went.
+/// All that are told how the cases went.
 struct Told {
   SuiteTotals totals;
   TrailingNotes notes;

@@ -97,7 +97,7 @@ std::string symbol(std::string_view name, std::string_view dimension, std::strin
                      wanted.empty() ? "" : fmt::format(" ({})", wanted));
 }
 
-/// What the reader wants of a parameter: its bounds, and its default.
+/// Returns what the reader wants of a parameter: its bounds, and its default.
 template <class Member>
 std::string wanted(const KeyInfo& info) {
   std::string text = in_words(info.bounds);
@@ -210,7 +210,7 @@ std::string describe() {
   return text + fmt::format("\n  source: {}\n", Law::kSource);
 }
 
-/// What a map of the case format is about, where a table of its keys does not say it.
+/// Subject of a map of the case format, where a table of its keys does not say it.
 struct Topic {
   std::string_view key;
   std::string_view title;

@@ -26,14 +26,15 @@ std::string duration_words(double seconds);
 std::string run_progress_text(std::int64_t increments, double done, double seconds);
 
 /// Foresees from its first rows what a long run will take, once, and tells it on standard error if
-/// that is more than anybody waits for without a word; then shows how far it is.
+/// that is too long to wait for without a word; then shows how far it is.
 class Outlook {
  public:
   /// \param folder where the result goes
   Outlook(const Case& problem, std::filesystem::path folder);
 
   /// Cheap enough to be called for every row. Throws NoRoom if the disk has less room than the rows
-  /// need. \param rows the file they are written to; null for none
+  /// need.
+  /// \param rows the file they are written to; null for none
   /// \param progress shows how far the run is
   void look(const Row& row, OutputFile* rows, Progress& progress) {
     if ((row.index & (kFirst - 1)) != 0 || row.index == 0) return;

@@ -30,7 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What one place of the page is made of.
+/// Source of one place of the page.
 struct Source {
   Candidate candidate;
   bool is_result = false;

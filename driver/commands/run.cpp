@@ -125,7 +125,7 @@ Diagnostics warnings_of(const Diagnostics& diagnostics) {
   return warnings;
 }
 
-/// Whether the case names data files that are not found from `folder`.
+/// Tells whether the case names data files that are not found from `folder`.
 bool reads_data_elsewhere(const Case& problem, const fs::path& folder) {
   std::error_code ignored;
   return input_files(problem).size() > 1 &&
@@ -296,7 +296,7 @@ int explain_one(const Case& problem, double time) {
   return kExitOk;
 }
 
-/// What smaller increments, or none, would change.
+/// Judges what smaller increments, or none, would change.
 int judge_increments(const Case& problem, const RunOptions& options) {
   int code = kExitOk;
   const auto tell = [&](const tl::expected<std::string, CommandFailure>& text) {

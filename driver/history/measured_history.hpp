@@ -20,7 +20,7 @@ struct MeasuredColumn {
   UnitConversion conversion;  ///< From the column's unit to the case's.
 };
 
-/// Where a measured history comes from.
+/// Origin of a measured history.
 struct MeasuredSource {
   DataSource data;
   std::string time_column;
@@ -63,7 +63,7 @@ class MeasuredHistory {
 
   const MeasuredSource& source() const { return source_; }
 
-  /// How errors name the file.
+  /// Returns how errors name the file.
   const std::string& name() const { return reader_.name(); }
 
   /// An input error at the line of the last row read.

@@ -81,7 +81,7 @@ struct PositionFormula {
 using Profile = std::variant<Constant, LinearTo, SmoothTo, Wave, Tabular, CsvColumn,
                              ExpressionProfile, PositionFormula>;
 
-/// How many positions a PositionFormula knows.
+/// Number of positions that a PositionFormula knows.
 inline constexpr std::size_t kPositions = 6;
 
 /// Compiles a profile's formula over t, T and the case's parameters. Errors: those of
@@ -89,22 +89,22 @@ inline constexpr std::size_t kPositions = 6;
 tl::expected<ExpressionProfile, ExpressionError> compile_profile(std::string_view text,
                                                                  const NamedNumbers& parameters);
 
-/// What is wrong with the points of `table` (too few, times not increasing, sizes that differ, not
-/// finite), as a sentence; nothing when it is sound.
+/// Returns what is wrong with the points of `table` (too few, times not increasing, sizes that
+/// differ, not finite), as a sentence; nothing when it is sound.
 std::optional<std::string> violation(const Tabular& table);
 
-/// What is wrong with `wave` (a period that is not positive, anything not finite).
+/// Returns what is wrong with `wave` (a period that is not positive, anything not finite).
 std::optional<std::string> violation(const Wave& wave);
 
-/// Whether the table's times reach from the start of a step to its end at `duration`, apart from
-/// the last digits of numbers in text (`kCoverageSlack`).
+/// Tells whether the table's times reach from the start of a step to its end at `duration`, apart
+/// from the last digits of numbers in text (`kCoverageSlack`).
 bool covers(const Tabular& table, double duration);
 
 /// Times in text have finitely many digits: data that miss an end of the step by no more than this
 /// part of its duration still cover it, and are held over the gap.
 inline constexpr double kCoverageSlack = 1e-9;
 
-/// How a step begins for one quantity.
+/// Start of a step for one quantity.
 struct StepStart {
   double duration = 1.0;       ///< > 0
   double current_value = 0.0;  ///< The value at the end of the step before, where LinearTo starts.

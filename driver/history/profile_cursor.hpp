@@ -44,7 +44,7 @@ class ProfileCursor {
   /// The value just after `t`: the limit from the right where the profile jumps, else `value(t)`.
   double value_after(double t);
 
-  /// Whether the value depends on where the connector is.
+  /// Tells whether the value depends on where the connector is.
   bool follows_position() const { return std::holds_alternative<PositionFormula>(profile_); }
 
   /// Says where the connector is at the times that are asked for next, CP1 .. CPR3; `begin` takes
@@ -59,7 +59,7 @@ class ProfileCursor {
   /// The first corner, jump, point of a table or row of a file after `t`; kNoBreakpoint if none.
   double next_breakpoint(double t);
 
-  /// What went wrong since `begin`, if anything.
+  /// Returns what went wrong since `begin`, if anything.
   const std::optional<HistoryError>& error() const { return error_; }
 
  private:

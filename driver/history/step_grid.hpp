@@ -27,7 +27,7 @@ class StepGrid {
   /// The end of the last increment; 0 before the first.
   double time() const { return time_; }
 
-  /// Whether the step's end has been reached.
+  /// Tells whether the step's end has been reached.
   bool at_end() const { return at_end_; }
 
   /// Moves to the end of the next increment and returns it. `breakpoint` is the first breakpoint

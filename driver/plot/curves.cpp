@@ -46,7 +46,7 @@ struct Range {
   double width() const { return high > low ? high - low : 0.0; }
 };
 
-/// What a picture of several inputs is told, input by input.
+/// Data of a picture of several inputs, input by input.
 class Curves {
  public:
   Curves(std::string x, std::vector<std::string> y) : x_(std::move(x)), y_(std::move(y)) {}
@@ -219,7 +219,7 @@ tl::expected<void, PlotFailure> draw_over_each_other(PlotOptions options, const 
                                          ": nothing moves, or its velocity is no column of this "
                                          "result; name the columns with --x and --y");
       }
-      // Over time, unless one of the usual pair is drawn: columns that nobody named go together.
+      // Over time, unless one of the usual pair is drawn: columns that were not named go together.
       if (x.empty()) {
         x = y.empty() || portrait ? usual->position : "t";
         if (x.empty()) x = "t";

@@ -25,12 +25,12 @@ std::string rows_text(const PlotData& data, const std::vector<double>& rows);
 const PlotColumn& column_of(const PlotData& data, int number);
 /// The largest magnitude a column has; 0 for none.
 double magnitude_of(const PlotData& data, int number);
-/// Whether the numbers of a column differ.
+/// Tells whether the numbers of a column differ.
 bool moves(const PlotData& data, int number);
 
 /// "friction force CSF1 [N]".
 std::string axis_label(std::string_view what, const PlotColumn& column);
-/// Whether all forces of a definition are moments.
+/// Tells whether all forces of a definition are moments.
 bool is_moment(const PlotData& data, const PlotDefinition& definition);
 std::string force_label(const PlotData& data, int force);
 /// Of a position: "position CP1 [mm]" or "angle CPR1 [rad]".

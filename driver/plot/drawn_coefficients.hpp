@@ -11,7 +11,7 @@
 
 namespace slipbench::driver {
 
-/// What a coefficient is drawn over.
+/// Abscissa of a drawn coefficient.
 using DrawnArgument = law::Independent;
 
 /// A state that a run visited.
@@ -67,7 +67,7 @@ class DrawnCoefficients {
   void visit(const Simulation& simulation);
 
   const std::vector<DrawnCoefficient>& list() const { return list_; }
-  /// What tables may depend on besides the slip, as the run left it.
+  /// Returns what tables may depend on besides the slip, as the run left it.
   const law::Ambient& ambient() const { return ambient_; }
   /// The accumulated slip of the definition of an entry, as the run left it.
   double accumulated_slip(std::size_t entry) const { return slips_[entry]; }

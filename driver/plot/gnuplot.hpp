@@ -14,7 +14,7 @@
 
 namespace slipbench::driver {
 
-/// Why no picture came about.
+/// Reason why no picture came about.
 struct PlotFailure {
   int code = kExitEnvironment;
   std::string message;  ///< whole, with its line feed

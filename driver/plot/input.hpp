@@ -19,7 +19,7 @@
 
 namespace slipbench::driver {
 
-/// Whether the input is a result of 'run', not a case.
+/// Tells whether the input is a result of 'run', not a case.
 bool is_result(const PlotOptions& options);
 
 /// The case of `options`, or its faults as they are told to the user.
@@ -45,10 +45,10 @@ tl::unexpected<PlotFailure> unreadable(const std::string& shown_name, const Hist
 tl::expected<void, PlotFailure> follow_for_plot(const Case& problem,
                                                 const std::function<void(const Simulation&)>& take);
 
-/// What a picture of a case is called: its title, or the file's stem.
+/// Returns what a picture of a case is called: its title, or the file's stem.
 std::string picture_title(const Case& problem);
 
-/// Whether a picture needs loops (PlotDefinition::loops).
+/// Need of a picture for loops (PlotDefinition::loops).
 enum class WithLoops : std::uint8_t { kNo, kYes };
 
 /// The result that is drawn: the one given, or that of the case, which is run for it. Its title is

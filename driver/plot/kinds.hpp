@@ -38,8 +38,8 @@ tl::expected<void, PlotFailure> draw_history(const PlotOptions& options,
 /// (plots/bands.gp).
 tl::expected<void, PlotFailure> draw_bands(const PlotOptions& options,
                                            const std::filesystem::path& picture);
-/// What the normal force is made of, over time (plots/shares.gp). A result does not say it: a case
-/// is needed.
+/// Draws what the normal force is made of, over time (plots/shares.gp). A result does not say it: a
+/// case is needed.
 tl::expected<void, PlotFailure> draw_shares(const PlotOptions& options,
                                             const std::filesystem::path& picture);
 /// The coefficient over two of its arguments with the states that the run visited

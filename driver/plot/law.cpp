@@ -39,7 +39,7 @@ constexpr int kMapRows = 80;
 /// said.
 constexpr double kFarthest = 6.0;
 
-/// How far an axis goes: what the law has to show, and what the run visited.
+/// Extent of an axis: the features of the law, and the range that the run visited.
 struct Extent {
   double end = 1.0;
   bool cut = false;  ///< the run goes further

@@ -18,7 +18,7 @@ class PathRows {
  public:
   static constexpr double kStep = 1.0 / 1500.0;
 
-  /// What a path is drawn over or up, and its range.
+  /// Column that a path is drawn over or up, and its range.
   struct Column {
     std::size_t number = 0;
     double range = 0.0;

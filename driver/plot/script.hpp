@@ -30,7 +30,7 @@ tl::expected<Picture, PlotFailure> begin_picture(const std::filesystem::path& na
                                                  const PlotOptions& options,
                                                  std::string_view pattern);
 
-/// What a template is told: variables, arrays with an entry for each panel, and blocks of data.
+/// Input of a template: variables, arrays with an entry for each panel, and blocks of data.
 class PlotScript {
  public:
   void set(std::string_view name, std::string_view text);

@@ -24,7 +24,7 @@ namespace {
 /// More parts than this are drawn as one.
 constexpr std::size_t kMostShares = 6;
 
-/// What the normal forces of all drawn definitions are made of at one row.
+/// Returns what the normal forces of all drawn definitions are made of at one row.
 std::vector<std::vector<NormalShare>> shares_of(const Case& problem, const Simulation& simulation,
                                                 std::size_t definitions) {
   const Row& row = simulation.row();
@@ -45,7 +45,7 @@ std::vector<std::vector<NormalShare>> shares_of(const Case& problem, const Simul
   return all;
 }
 
-/// When a run without interruption ends.
+/// Returns when a run without interruption ends.
 double end_time(const Case& problem) {
   double end = 0.0;
   for (const Step& step : problem.steps) {
@@ -97,7 +97,7 @@ class ShareRows {
   std::vector<double> row_;
 };
 
-/// What the template is told about one definition, whose columns begin at `first`.
+/// Tells the template about one definition, whose columns begin at `first`.
 void tell(PlotScript& script, const Case& problem, std::size_t definition, const ShareRows& table,
           const std::vector<double>& rows, std::size_t first) {
   const auto& names = table.names(definition);

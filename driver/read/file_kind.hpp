@@ -23,8 +23,8 @@ std::optional<Node> key_of_fit(const Node& root);
 /// A key of a file that is a case and no fit, such as `connector`; nothing of any other file.
 std::optional<Node> key_of_case(const Node& root);
 
-/// Whether a file says at the beginning of a line that it is a fit (`calibrate:`), which is known
-/// without parsing it. False for a file that cannot be read: whoever reads it says why.
+/// Tells whether a file says at the beginning of a line that it is a fit (`calibrate:`), which is
+/// known without parsing it. False for a file that cannot be read: reading it says why.
 bool looks_like_fit(const std::filesystem::path& file);
 
 }  // namespace slipbench::driver

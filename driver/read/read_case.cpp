@@ -163,7 +163,7 @@ Parameters read_parameters(const Node& root, const UnitSystem& units, const Read
   return result;
 }
 
-/// What stands between the text of a case and its values: parameters, and a binder that knows them.
+/// Means of making values of the text of a case: parameters, and a binder that knows them.
 struct Reading {
   Reading(const Node& root, const std::string& folder, const ReadOptions& options, Diagnostics& out)
       : units(units_of(root)),
@@ -205,7 +205,7 @@ bool resolve_to_friction(Reading& reading, const Node& root, CaseText& text, Cas
   return columns_known && !is_any_connection(problem.connection);
 }
 
-/// Whether a key of a case has a say in its friction definitions.
+/// Tells whether a key of a case has a say in its friction definitions.
 bool is_about_friction(std::string_view key) {
   constexpr std::array<std::string_view, 3> kOthers{"history", "output", "checks"};
   return std::find(kOthers.begin(), kOthers.end(), key) == kOthers.end();
@@ -217,7 +217,7 @@ tl::expected<ParsedCase, Diagnostics> ParsedCase::parse(const SourceText& source
                                                         std::string folder) {
   auto tree = parse_yaml(source);
   if (!tree) {
-    // Faults of YAML say nothing to people who gave another kind of file.
+    // Faults of YAML say nothing about another kind of file.
     if (auto foreign = foreign_file(source)) {
       tree.error() = {};
       tree.error().add(std::move(*foreign));

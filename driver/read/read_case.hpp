@@ -15,7 +15,7 @@
 
 namespace slipbench::driver {
 
-/// What reading a case gave: the case, unless there were errors, and everything there is to say.
+/// Result of reading a case: the case, unless there were errors, and all messages.
 struct ReadCase {
   std::optional<Case> value;
   Diagnostics diagnostics;
@@ -37,7 +37,7 @@ class ParsedCase {
   /// Data files are looked for in `folder`. Errors: those of the text itself.
   static tl::expected<ParsedCase, Diagnostics> parse(const SourceText& source, std::string folder);
 
-  /// What the text says, for those who look for names in it.
+  /// Returns the text of the case, for searches for names in it.
   Node root() const { return tree_.root(); }
 
   /// The case. All errors are collected.

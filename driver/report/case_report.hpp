@@ -50,7 +50,7 @@ struct ReportDefinition {
   std::vector<RegimeSpan> spans;  ///< of slip and of no contact, in the order of their begin
 };
 
-/// How often which part of a table was used, small enough to be drawn.
+/// Use of the parts of a table, small enough to be drawn.
 struct ReportTable {
   struct Axis {
     std::string name;

@@ -14,7 +14,7 @@
 
 namespace slipbench::driver {
 
-/// Gathers what the page tells about a case while somebody runs it. The memory has a bound that
+/// Gathers what the page tells about a case while it runs. The memory has a bound that
 /// does not depend on the number of rows. Of a case that is thinned, the rows where its checks are
 /// worst are known at its end only: up to the last of them it is run once more. A command that
 /// judges checks anyway uses it so:
@@ -34,7 +34,7 @@ class CaseCollector {
   /// Takes the next row, row 0 first.
   void add(const Row& row);
 
-  /// What there is to tell; to be called once, at the end.
+  /// Returns what there is to tell; to be called once, at the end.
   /// \param name what the case is called in the table
   /// \param checks those of the case, in its order, at the end of the run
   /// \param jumps what the run returned

@@ -456,8 +456,8 @@ std::vector<std::string> unique_ids(std::span<const std::string> names) {
   return ids;
 }
 
-/// What two results have to share to be drawn in one picture: the force and motion of their first
-/// definition.
+/// Returns what two results have to share to be drawn in one picture: the force and motion of their
+/// first definition.
 std::string drawn_columns(const CaseReport& one) {
   if (!one.is_result || !one.has_details || one.definitions.empty()) return {};
   const ReportDefinition& first = one.definitions.front();

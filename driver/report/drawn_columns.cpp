@@ -17,7 +17,7 @@ class Choice {
 
   DrawnColumns take() && { return std::move(drawn_); }
 
-  /// What a picture of friction needs; never left out.
+  /// Takes what a picture of friction needs; never left out.
   void take_friction() {
     const PlotData plot = select_plot_columns(layout_);
     for (const PlotColumn& column : plot.columns) drawn_.names.push_back(column.name);

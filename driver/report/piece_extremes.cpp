@@ -6,7 +6,7 @@
 namespace slipbench::driver {
 namespace {
 
-// What compares with nothing is no extreme: the other one is taken.
+// Returns the lower; a NaN is no extreme: the other one is taken.
 double lower(double a, double b) { return !(a <= b) && b == b ? b : a; }
 double higher(double a, double b) { return !(a >= b) && b == b ? b : a; }
 

@@ -60,7 +60,7 @@ std::vector<std::string> texts_in(const Node& node, std::string_view name) {
   return texts;
 }
 
-/// What the unit of a measure's number is, told by its text; keeps the text in the verdict.
+/// Returns what the unit of a measure's number is, told by its text; keeps the text in the verdict.
 MeasureUnit measure_unit(const std::string& unit, Verdict& verdict) {
   if (unit.empty()) return MeasureUnit::kNone;
   if (unit == verdict.unit) return MeasureUnit::kQuantity;
@@ -145,7 +145,7 @@ void warn_of(const fs::path& file, const std::string& why, const char* lost, Cas
       fmt::format("{} cannot be read ({}): {}", file.filename().string(), why, lost));
 }
 
-/// Takes what the JSON beside a result tells; one that is missing, or of anybody else, tells
+/// Takes what the JSON beside a result tells; one that is missing, or of another origin, tells
 /// nothing, and one that is broken is warned of.
 void add_summary(const fs::path& file, const UnitSystem& units, CaseReport& report) {
   constexpr const char* kLost = "the verdicts of the checks are unknown";

@@ -47,7 +47,7 @@ class ReportCollection {
   void keep_first(std::set<std::size_t>& places, std::size_t most) const;
 
   // As long as cases may still be put in anew, as many of either kind keep their details as may be
-  // needed; whoever looks gets the final choice.
+  // needed; a reader gets the final choice.
   mutable std::mutex mutex_;
   mutable std::vector<CaseReport> cases_;
   mutable std::set<std::size_t> failed_;  ///< places with details

@@ -53,7 +53,7 @@ struct DrawnRows {
 class CycleFinder {
  public:
   enum class Turn : std::uint8_t { kNone, kDown, kUp };
-  /// What the motion is found to do at its next value.
+  /// Takes the next value of the motion and returns the turn found.
   Turn take(double value);
   /// Largest minus smallest of all values.
   double range() const { return high_ - low_; }
@@ -85,7 +85,7 @@ class RowChoice {
 
   std::int64_t count() const { return count_; }
   bool thinned() const { return count_ > static_cast<std::int64_t>(limit_); }
-  /// What was chosen, and `more` rows of the same run.
+  /// Returns what was chosen, and `more` rows of the same run.
   DrawnRows finish(const IndexedRows& more = {}) const;
 
  private:
@@ -128,7 +128,7 @@ class RowsAtTimes {
 
   /// Takes the next row, whose first number is its time.
   void add(std::span<const double> row);
-  /// Whether no later row is wanted.
+  /// Tells whether no later row is wanted.
   bool done() const { return next_ == times_.size() && behind_ == 0; }
   const IndexedRows& rows() const { return rows_; }
 

@@ -6,9 +6,9 @@
 
 namespace slipbench::driver {
 
-/// How many significant digits the numbers of a page need, so that what differs in a run differs on
-/// the page, too: never fewer than kFewestDigits, never more than kMostDigits, with which any
-/// number is told from those that rounding could have made of it.
+/// Number of significant digits that the numbers of a page need, so that what differs in a run
+/// differs on the page, too: never fewer than kFewestDigits, never more than kMostDigits, with
+/// which any number is told from those that rounding could have made of it.
 inline constexpr int kFewestDigits = 6;
 inline constexpr int kMostDigits = 15;
 
@@ -29,8 +29,8 @@ class SeriesDigits {
   double least_step_ = 0.0;
 };
 
-/// What times are told to within: a thousandth of the shortest time between two rows, so that
-/// events within an increment are told apart, too. 0 if there are no two times.
+/// Returns what times are told to within: a thousandth of the shortest time between two rows, so
+/// that events within an increment are told apart, too. 0 if there are no two times.
 double time_resolution(std::span<const double> times);
 
 }  // namespace slipbench::driver

@@ -56,7 +56,7 @@ double normal_force(const Cell& at);
 double mu_along(const Cell& at);
 double speed_along(const Cell& at);
 double ring_angle(const Cell& at);
-/// How far CSF2 may go on one side, with the coefficient of the row.
+/// Returns how far CSF2 may go on one side, with the coefficient of the row.
 double band_end(const Cell& at, law::FlowSense sense);
 
 }  // namespace number

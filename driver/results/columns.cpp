@@ -242,7 +242,7 @@ void add_belt(const Case& problem, std::vector<Column>& columns) {
   }
 }
 
-/// What a law that sees pressure and speed saw, and what it gave before its floor.
+/// Adds what a law that sees pressure and speed saw, and what it gave before its floor.
 void add_coefficient(const Case& problem, int d, const std::string& suffix,
                      std::vector<Column>& columns) {
   const auto index = static_cast<std::size_t>(d);

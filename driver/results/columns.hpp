@@ -44,9 +44,8 @@ struct Cell {
   const ComponentForces& forces() const { return row.forces.component[index()]; }
 };
 
-/// All columns a case has, in the order of the result file (specification, section 13; the case
-/// format, section 3). Names of one definition's columns end in `.name` where there are several
-/// definitions.
+/// All columns a case has, in the order of the result file (docs/guide, "Read the result"). Names
+/// of one definition's columns end in `.name` where there are several definitions.
 std::vector<Column> result_columns(const Case& problem);
 
 /// The columns of the result file: those the case selects under `output.columns`, in its order and
@@ -72,8 +71,8 @@ bool is_accumulated_slip(const Column& column);  ///< of a definition
 /// From here on law::limit_use says only that the limit is 0, or kept at a floor next to it.
 inline constexpr double kUseWithoutLimit = 1e9;
 
-/// Whether y of the definition is a moment: its slip space has rotations only, none of them scaled
-/// to a force.
+/// Tells whether y of the definition is a moment: its slip space has rotations only, none of them
+/// scaled to a force.
 bool is_rotational(const law::FrictionDefinition& definition);
 
 }  // namespace slipbench::driver

@@ -13,7 +13,7 @@
 
 namespace slipbench::driver {
 
-/// How often a run used which part of a table. A cell is what lies between neighbouring grid
+/// Use that a run made of the parts of a table. A cell is what lies between neighbouring grid
 /// points in every independent, the grid points of all blocks taken together.
 struct TableCoverage {
   struct Axis {
@@ -61,7 +61,8 @@ class Coverage {
   std::span<const TableCoverage> tables() const { return tables_; }
 
   /// A line for each table that has cells never visited, or was asked outside; indented by two
-  /// blanks. \param last_line at most so many lines; more tables are counted in one
+  /// blanks.
+  /// \param last_line at most so many lines; more tables are counted in one
   std::string text(std::size_t most_lines = 3) const;
   /// All tables; of those with many unvisited cells the first thousand.
   json::Value to_json() const;

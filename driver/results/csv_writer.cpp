@@ -25,8 +25,8 @@ std::string friction_line(const ResultLayout& layout) {
   return text.empty() ? text : text + "\n";
 }
 
-/// Where direction 1 of an orthotropic definition points in its two components: "# direction1:
-/// friction1 = 0.6 0.8".
+/// Returns where direction 1 of an orthotropic definition points in its two components: "#
+/// direction1: friction1 = 0.6 0.8".
 std::string direction_line(const ResultLayout& layout) {
   std::string text;
   for (const FrictionColumns& friction : layout.friction) {

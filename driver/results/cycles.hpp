@@ -35,7 +35,7 @@ class CycleCounter {
   void add(const Row& row);
   /// One for each definition of the case.
   std::span<const CycleEnergy> energies() const { return energies_; }
-  /// What made the cycles: "period of the waves", "repeated step", both, or empty.
+  /// Returns what made the cycles: "period of the waves", "repeated step", both, or empty.
   std::string found_by() const;
 
  private:

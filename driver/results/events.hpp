@@ -26,7 +26,8 @@ struct Event {
   bool jump = false;              ///< the force jumps (snap-back), the regime does not change
 };
 
-/// Where within its increment a position stood at the event; the motion is straight within it.
+/// Returns where within its increment a position stood at the event; the motion is straight within
+/// it.
 double position_at(const Event& event, const Row& row, int component);
 
 /// Finds the events of a run, row by row. Where the integration has located them, they are its own.

@@ -13,8 +13,8 @@ constexpr double kDecays = 4.0;
 /// The size of a change of mu that is worth seeing, where the law has none itself.
 constexpr double kTypicalCoefficient = 0.1;
 
-/// Where constant + linear x + square x^2 has turned (twice the vertex), or else has changed by its
-/// own size; 0 if it never does.
+/// Returns where constant + linear x + square x^2 has turned (twice the vertex), or else has
+/// changed by its own size; 0 if it never does.
 double polynomial_scale(double constant, double linear, double square) {
   if (linear * square < 0.0) return -linear / square;
   const double size = std::max(std::abs(constant), kTypicalCoefficient);
@@ -22,7 +22,7 @@ double polynomial_scale(double constant, double linear, double square) {
   return square != 0.0 ? std::sqrt(size / std::abs(square)) : 0.0;
 }
 
-/// Where exp(rate x) has died away, or grown e times.
+/// Returns where exp(rate x) has died away, or grown e times.
 double exponential_scale(double rate) {
   if (rate == 0.0) return 0.0;
   return rate < 0.0 ? -kDecays / rate : 1.0 / rate;

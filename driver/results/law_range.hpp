@@ -14,7 +14,8 @@ struct Landmark {
   double slip_rate = 0.0;  ///< [L/T]
 };
 
-/// How far a coefficient has to be drawn to be understood; 0 where the law has no scale of its own.
+/// Range over which a coefficient is drawn to be understood; 0 where the law has no scale of its
+/// own.
 struct LawRange {
   double slip_rate = 0.0;      ///< [L/T]
   double contact_force = 0.0;  ///< F_N [F]

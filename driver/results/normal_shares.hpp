@@ -17,7 +17,7 @@ struct NormalShare {
   double value = 0.0;
 };
 
-/// What the components of a term carry: "forces across axis 1", "moment about axis 2".
+/// Returns what the components of a term carry: "forces across axis 1", "moment about axis 2".
 std::string term_words(const law::DerivedTerm& term);
 
 /// The value of one term of a derived component [F], [F L].

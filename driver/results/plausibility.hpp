@@ -10,7 +10,7 @@
 
 namespace slipbench::driver {
 
-/// What is to be known of one friction definition to judge whether its result is plausible.
+/// Extremes of one friction definition, to judge whether its result is plausible.
 struct DefinitionExtremes {
   /// The slip-space motion s [L] of each entry.
   std::array<double, law::kComponents> lowest_motion{};

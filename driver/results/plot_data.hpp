@@ -17,7 +17,7 @@
 
 namespace slipbench::driver {
 
-/// What a picture needs to know about one column of a result.
+/// Column of a result, as a picture needs it.
 struct PlotColumn {
   std::string name;
   std::string unit;  ///< empty if there is none, or the result does not state it
@@ -55,7 +55,7 @@ struct PlotDefinition {
   std::optional<double> energy;  ///< dissipated in the last full cycle
 };
 
-/// What is drawn of each definition.
+/// Quantities drawn of each definition.
 enum class PlotDetail : std::uint8_t {
   kForces,  ///< forces, their motions and limits
   kState    ///< normal force, coefficient and energies, too

@@ -19,8 +19,8 @@ std::string case_name(const Case& problem);
 /// The file name of a case without folders and extension: what its results are named after.
 std::string case_stem(const Case& problem);
 
-/// Where a result comes from, as lines that start with "# ": program, case, title, units and
-/// parameter values. No date, no machine: the same input gives the same bytes.
+/// Returns where a result comes from, as lines that start with "# ": program, case, title, units
+/// and parameter values. No date, no machine: the same input gives the same bytes.
 std::string provenance_lines(const Case& problem);
 
 /// The same as a JSON object.

@@ -21,7 +21,7 @@ struct RegimeMark {
 /// it: exact integration locates an instant to 1e-12 of its increment.
 inline bool lasts(double part, double whole) { return part > 1e-9 * whole; }
 
-/// When one friction definition stuck, slipped and was open.
+/// Times at which one friction definition stuck, slipped and was open.
 struct RegimeHistory {
   std::vector<RegimeSpan> spans;  ///< of slip and of no contact; the rest is stick
   std::vector<RegimeMark> marks;  ///< in their order; of very many, some
@@ -40,7 +40,7 @@ class RegimeRecorder {
   void change(int to, double time);
   /// Stick between two times of slip, of which no event tells: slip that turns within an increment.
   void pause(double from, double to);
-  /// What there was until the end of the run. The sums are of unmerged spans.
+  /// Returns what there was until the end of the run. The sums are of unmerged spans.
   RegimeHistory end(double time);
 
  private:

@@ -21,7 +21,7 @@ struct FrictionColumns {
   std::vector<std::string> forces;  ///< of its components
 };
 
-/// What a result says about itself, in the lines that begin with '#' and its header.
+/// Words of a result about itself, in the lines that begin with '#' and its header.
 struct ResultLayout {
   std::string title;
   std::vector<std::pair<std::string, std::string>> units;       ///< length, force, ..., as stated
@@ -29,7 +29,7 @@ struct ResultLayout {
   std::vector<std::string> columns;
   std::map<std::string, std::string, std::less<>> column_units;
   std::vector<FrictionColumns> friction;
-  /// Where direction 1 of an orthotropic definition points in its two components.
+  /// Direction 1 of an orthotropic definition in its two components.
   std::map<std::string, std::array<double, 2>, std::less<>> directions;
 };
 

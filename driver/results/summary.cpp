@@ -33,7 +33,7 @@ bool is_viscous(const law::FrictionDefinition& definition) {
 bool has_directions(const law::FrictionDefinition& definition) {
   return definition.formulation && definition.formulation->orthotropy;
 }
-/// What to think of the energy balance of a definition with a filter.
+/// Returns what to think of the energy balance of a definition with a filter.
 std::string_view energy_note(const law::FrictionDefinition& definition) {
   if (!definition.formulation || definition.formulation->filter.kind == law::Filter::Kind::kNone) {
     return "";
@@ -274,7 +274,7 @@ void Summary::add_creep(const DefinitionRow& here, std::size_t index) {
   start.regime = now.regime;
 }
 
-/// Why there was no friction all along: only a contact force of 0 is no contact.
+/// Returns why there was no friction all along: only a contact force of 0 is no contact.
 std::string Summary::open_text(std::size_t index) const {
   const DefinitionExtremes& all = plausibility_.definitions()[index];
   if (!all.open_under_force) return "never in contact";
@@ -415,7 +415,7 @@ std::string Summary::falling_warning(const DefinitionSummary& sum, std::size_t i
   const auto time = [&](double value) {
     return with_unit(fmt::format("{:.6g}", value), units.time);
   };
-  // Who never slips has no falling coefficient to follow.
+  // A definition that never slips has no falling coefficient to follow.
   const bool jumps = sum.short_increments > 0 && sum.first_slip;
   // With a coefficient that does not fall the roots are those of wear, and the first of them is
   // where the force arrives.

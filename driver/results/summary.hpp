@@ -29,7 +29,7 @@ struct FloorCount {
   double lowest = 0.0;       ///< before the floor
 };
 
-/// What one friction definition did over a run.
+/// Summary of one friction definition over a run.
 struct DefinitionSummary {
   std::string name;
   double slip_time = 0.0;      ///< between the events that begin and end slip [T]
@@ -85,7 +85,7 @@ class Summary {
   double end_time() const { return end_time_; }
   std::span<const DefinitionSummary> definitions() const { return definitions_; }
 
-  /// What happened, in lines indented by two blanks, with the case's units. Four digits.
+  /// Returns what happened, in lines indented by two blanks, with the case's units. Four digits.
   std::string text() const;
   /// Returns what the user should change or know, one sentence each: what is not plausible,
   /// increments too short for a falling coefficient (with the thresholds), motions that jump at the

@@ -45,9 +45,9 @@ class RowThinner {
   /// The same with their places, and of a run that is thinned at most `most` of them, as far as the
   /// ends, the extremes and the kept rows allow.
   Rows indexed_rows(std::size_t most) const;
-  /// How many rows came.
+  /// Returns how many rows came.
   std::int64_t count() const { return count_; }
-  /// Whether `rows` gives fewer.
+  /// Tells whether `rows` gives fewer.
   bool thinned() const { return count_ > static_cast<std::int64_t>(limit_); }
 
  private:

@@ -12,7 +12,7 @@
 
 namespace slipbench::driver {
 
-/// Whether this is a job of GitHub Actions.
+/// Tells whether this is a job of GitHub Actions.
 bool in_github_actions();
 
 /// A workflow command of GitHub Actions: "::error file=a.yaml,line=7,col=5,title=T::message", with

@@ -43,7 +43,7 @@ CaseOutcome failure(const std::string& path, int code, const char* kind,
   return outcome;
 }
 
-/// What `work` gives; what it throws becomes an outcome.
+/// Returns what `work` gives; what it throws becomes an outcome.
 template <class Work>
 auto guarded(const std::string& path, const Work& work)
     -> tl::expected<decltype(work()), CaseOutcome> {

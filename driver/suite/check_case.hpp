@@ -19,7 +19,7 @@ struct Reading {
   CaseOutcome failure;
   double seconds = 0.0;  ///< reading took
 
-  /// How many checks the case has; 0 if it cannot be run.
+  /// Returns how many checks the case has; 0 if it cannot be run.
   std::size_t checks() const;
 
   /// The files the case is read from, as far as they are known, for one that has errors, too.

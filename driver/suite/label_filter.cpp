@@ -8,8 +8,8 @@
 namespace slipbench::driver {
 namespace {
 
-/// Whether a pattern with `*` and `?` describes the whole text. Only the last `*` ever has to be
-/// tried again, one character later, so the time is at most that of length times length.
+/// Tells whether a pattern with `*` and `?` describes the whole text. Only the last `*` ever has to
+/// be tried again, one character later, so the time is at most that of length times length.
 bool describes(std::string_view pattern, std::string_view text) {
   std::size_t p = 0;
   std::size_t t = 0;

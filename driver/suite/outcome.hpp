@@ -20,7 +20,7 @@ struct CheckOutcome {
   SourcePosition where;  ///< of the check in the case's file
 };
 
-/// Why a case was not run to its end, for those who want it in one line.
+/// Reason, in one line, why a case was not run to its end.
 struct CaseFault {
   std::string file;
   SourcePosition where;  ///< line 0 where there is none
@@ -62,7 +62,7 @@ constexpr const char* word_for(CaseOutcome::Kind kind) {
   return "not_run";
 }
 
-/// How many cases of a suite went how.
+/// Counts of the cases of a suite by outcome.
 struct SuiteTotals {
   std::size_t passed = 0;
   std::size_t failed = 0;

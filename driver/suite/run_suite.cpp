@@ -19,7 +19,7 @@ class InOrder {
           const SuiteListener& listener)
       : cases_(cases), options_(&options), listener_(&listener), end_(cases.size()) {}
 
-  /// Whether the case of that index will not be told any more.
+  /// Tells whether the case of that index will not be told any more.
   bool is_past_end(std::size_t index) const {
     return index >= end_.load(std::memory_order_relaxed);
   }
@@ -42,7 +42,7 @@ class InOrder {
     });
   }
 
-  /// A sign of life in the middle of a case. It is left out while somebody else is talking.
+  /// A sign of life in the middle of a case. It is left out while another thread is printing.
   void tick() {
     const std::unique_lock lock(mutex_, std::try_to_lock);
     if (lock) guarded([&] { show(); });

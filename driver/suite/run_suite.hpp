@@ -30,7 +30,7 @@ struct SuiteOptions {
   std::function<void(std::size_t, CaseReport&&)> report = {};
 };
 
-/// Who is told about a suite, by one thread at a time.
+/// Listener to a suite, called by one thread at a time.
 struct SuiteListener {
   /// A case, in the order of the candidates, as soon as all before it are done.
   std::function<void(const Candidate&, CaseOutcome&&)> tell;

@@ -12,7 +12,7 @@
 
 namespace slipbench::driver {
 
-/// Where the verdicts of a suite go beside the terminal; empty for nowhere.
+/// Files that the verdicts of a suite go to beside the terminal; empty for nowhere.
 struct SuiteTargets {
   std::string junit;
   std::string json;

@@ -9,7 +9,7 @@
 
 namespace slipbench::driver {
 
-/// What is told below the table: doubts about checks, and why cases were not run. A flood is cut:
+/// Notes below the table: doubts about checks, and why cases were not run. A flood is cut:
 /// of each kind the first are told and the others counted.
 class TrailingNotes {
  public:

@@ -11,7 +11,7 @@ namespace slipbench::driver {
 /// Everything written to standard output goes through here, so that `finish_output` knows whether
 /// it arrived.
 void print(std::string_view text);
-/// Lets what was printed be seen now, by those who follow a long work.
+/// Lets what was printed be seen now, while a long work runs.
 void flush_output();
 /// A message for standard error.
 void print_error(std::string_view text);

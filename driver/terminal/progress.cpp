@@ -22,14 +22,14 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kPatience{500};
 constexpr std::chrono::milliseconds kPause{100};  ///< between two drawings of the line
 
-/// Whether standard error is a terminal on which a line can be taken back.
+/// Tells whether standard error is a terminal on which a line can be taken back.
 bool can_erase() {
   const char* terminal = std::getenv("TERM");
   const bool dumb = terminal == nullptr || std::string_view(terminal) == "dumb";
   return isatty(STDERR_FILENO) == 1 && !dumb;
 }
 
-/// How many characters a line of the terminal holds; 0 if it does not say.
+/// Returns how many characters a line of the terminal holds; 0 if it does not say.
 std::size_t terminal_width() {
   winsize size{};
   return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
@@ -82,7 +82,7 @@ Progress::~Progress() {
   if (shown_) print_error("\r\033[K");
 }
 
-/// Whether it is time to draw the line.
+/// Tells whether it is time to draw the line.
 bool Progress::due() {
   const auto now = Clock::now();
   if (now < next_) return false;

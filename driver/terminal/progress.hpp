@@ -10,7 +10,7 @@
 
 namespace slipbench::driver {
 
-/// How far a work of many equal parts is.
+/// Progress of a work of many equal parts.
 struct WorkDone {
   std::size_t done = 0;
   std::size_t total = 0;
@@ -20,8 +20,8 @@ struct WorkDone {
 /// "[=====>    ] 52 of 100 cases, 1 failed, 3 s left"; `seconds` is what `work` took so far [s].
 std::string progress_text(const WorkDone& work, const std::string& what, double seconds);
 
-/// What fits into a line of that many characters, without any that could harm the terminal: a
-/// longer line could not be taken back. 0 stands for a width that is not known.
+/// Returns what fits into a line of that many characters, without any that could harm the terminal:
+/// a longer line could not be taken back. 0 stands for a width that is not known.
 std::string fitting(const std::string& text, std::size_t width);
 
 /// A line on standard error that shows how far a long work is; shown only on a terminal, and only

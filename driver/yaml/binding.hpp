@@ -44,7 +44,7 @@ constexpr Dimension declared(const law::Dimension& dimension) {
   return {dimension.force, dimension.length, dimension.time};
 }
 
-/// What a declaration says of a key besides its type.
+/// Declaration of a key besides its type.
 struct KeyInfo {
   bool required = false;
   std::string_view text = {};          ///< one sentence for the user
@@ -69,15 +69,15 @@ struct LaterKey {
   std::string_view in_place_of = {};  ///< the key this version wants instead, if any
 };
 
-/// What messages about one kind of file say of keys and names that are not known. A function that
+/// Words of messages about one kind of file on keys and names that are not known. A function that
 /// has nothing to say returns an empty text, or nothing; none is null.
 struct FileWords {
   std::optional<LaterKey> (*later_key)(std::string_view key);
-  /// What is written in place of the key at a path, or where it belongs if that is certain.
+  /// Returns what is written in place of the key at a path, or where it belongs if that is certain.
   std::string (*other_name)(std::string_view key, std::string_view path);
-  /// Where in such a file a key is known.
+  /// Returns where in such a file a key is known.
   std::string (*places_of_key)(std::string_view key);
-  /// What brings a result column.
+  /// Returns what brings a result column.
   std::string (*origin_of_column)(std::string_view name);
   /// The hint for a name in an expression that is defined nowhere.
   std::string_view undefined_name;
@@ -198,7 +198,7 @@ std::string in_words(const law::Bounds& bounds);
 std::string nearest_or(std::string_view name, std::span<const std::string_view> names,
                        std::string otherwise);
 
-/// How one type is read, described in JSON Schema, and listed in the case reference:
+/// Rules by which one type is read, described in JSON Schema, and listed in the case reference:
 ///   static bool read(Binder&, const Node&, const Path&, const KeyInfo&, T& out);
 ///   static Json schema(const KeyInfo&);
 ///   static std::string wanted(const KeyInfo&);            // "a number"
@@ -312,8 +312,8 @@ std::vector<std::string_view> keys_of() {
   return keys;
 }
 
-/// Whether a map has keys that T does not: then a message that something is missing would only
-/// repeat that one of them is misspelt.
+/// Tells whether a map has keys that T does not: then a message that something is missing would
+/// only repeat that one of them is misspelt.
 template <class T>
 bool has_unknown_key(const Node& node) {
   const std::vector<std::string_view> allowed = keys_of<T>();
@@ -323,7 +323,7 @@ bool has_unknown_key(const Node& node) {
   return false;
 }
 
-/// Whether a map lacks `key` because it is misspelt.
+/// Tells whether a map lacks `key` because it is misspelt.
 template <class T>
 bool is_misspelt(const Node& node, std::string_view key) {
   if (!node.is_map() || node.find(key)) return false;

@@ -94,7 +94,7 @@ class LayoutScanner {
   }
 
   // Gives up on the open brackets. After a quote that is not closed they may have been closed
-  // where nobody looked, so nothing is said about them.
+  // where nothing was looked at, so nothing is said about them.
   void report_unclosed(std::optional<std::size_t> next_key) {
     const Bracket& innermost = open_.back();
     if (brackets_trusted_) {
@@ -404,7 +404,7 @@ class LayoutScanner {
     return true;
   }
 
-  // "[= max(a, b)]" is two entries to YAML; nobody means that.
+  // "[= max(a, b)]" is two entries to YAML, which is never meant.
   void check_cut_expression(std::size_t begin, std::size_t end) {
     if (text_[begin] != '=' || at_ >= line_end_ || text_[at_] != ',') return;
     const std::string_view words = text_.substr(begin, end - begin);

@@ -86,7 +86,7 @@ bool ends_word(std::string_view rest, std::size_t length) {
   return rest.size() <= length || rest.find_first_of(" \n\t,]}", length) == length;
 }
 
-// How many bytes of a spelled-out null stand here; 0 if none does, or if it is a key.
+// Returns how many bytes of a spelled-out null stand here; 0 if none does, or if it is a key.
 std::size_t null_word_length(std::string_view rest) {
   for (const std::string_view word : {"~", "null", "Null", "NULL"}) {
     if (!rest.starts_with(word) || !ends_word(rest, word.size())) continue;
@@ -466,7 +466,7 @@ struct Said {
   std::size_t length = 1;
 };
 
-// What the library's exceptions mean to someone who wrote a case.
+// Returns what the library's exceptions mean for the text of a case.
 Said in_plain_words(const std::string& message, std::string_view text, std::size_t offset) {
   namespace Msg = YAML::ErrorMsg;
   const std::string_view rest = text.substr(std::min(offset, text.size()));

@@ -11,7 +11,7 @@
 namespace slipbench::driver {
 
 inline constexpr int kDeepestNesting = 64;
-/// How many nodes all aliases of a file together may stand for.
+/// Number of nodes that all aliases of a file together may stand for.
 inline constexpr unsigned kAliasBudget = 1'000'000;
 
 /// Parses one YAML document whose root is a map. Accepted: maps, lists, plain and quoted scalars,

@@ -23,9 +23,9 @@ namespace slipbench::driver {
 /// header row with the columns' names, then rows of numbers. Lines end with LF or CRLF, a UTF-8
 /// byte order mark is skipped, names and numbers may stand in double quotes; separator and decimal
 /// mark are those of the format, whatever the locale. A column is found by its name in the header,
-/// or by that without the unit behind it: 'Force' is 'Force (N)' too. Columns nobody asked for may
-/// hold anything. Every error names the line, the column where one is concerned, and the option of
-/// a data source that would read the file if there is one.
+/// or by that without the unit behind it: 'Force' is 'Force (N)' too. Columns that are not asked
+/// for may hold anything. Every error names the line, the column where one is concerned, and the
+/// option of a data source that would read the file if there is one.
 class CsvReader {
  public:
   /// Opens the file and finds `columns` in its header.
@@ -84,7 +84,7 @@ class CsvReader {
   /// The samples that were missing up to here, since the first row.
   const MissingSamples& missing() const;
 
-  /// How errors name the file.
+  /// Returns how errors name the file.
   const std::string& name() const;
 
   /// An input error at the line of the last row read.

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether `path` is `folder` or lies in it; both without links and dots.
+/// Tells whether `path` is `folder` or lies in it; both without links and dots.
 bool lies_in(const fs::path& path, const fs::path& folder) {
   const auto [at_folder, at_path] =
       std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());

@@ -10,7 +10,8 @@
 
 namespace slipbench::driver {
 
-/// Where a file that a case names is: `text` relative to `case_folder`, the folder of the case.
+/// Returns where a file that a case names is: `text` relative to `case_folder`, the folder of the
+/// case.
 ///
 /// A case may come from anywhere, so it may name files of its own folder only. Errors of the kind
 /// kInput: an empty text; a `~` or an address (`file://...`), which are never expanded; and, unless
@@ -20,8 +21,9 @@ namespace slipbench::driver {
 tl::expected<std::filesystem::path, HistoryError> resolve_data_path(
     const std::filesystem::path& case_folder, std::string_view text, bool allow_outside = false);
 
-/// Where a file or folder is that comes with the program, such as "plots/friction.gp": under
-/// share/slipbench of the installation, else in the source folder; nothing if it is in neither.
+/// Returns where a file or folder is that comes with the program, such as "plots/friction.gp":
+/// under share/slipbench of the installation, else in the source folder; nothing if it is in
+/// neither.
 std::optional<std::filesystem::path> shipped_path(const std::filesystem::path& name);
 
 }  // namespace slipbench::driver

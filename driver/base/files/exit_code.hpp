@@ -3,7 +3,7 @@
 
 namespace slipbench::driver {
 
-/// What the program tells its caller. An interruption ends it with 130 or 143.
+/// Answer of the program to its caller. An interruption ends it with 130 or 143.
 enum ExitCode : int {
   kExitOk = 0,
   kExitCheckFailed = 1,

@@ -6,7 +6,7 @@
 
 namespace slipbench::driver {
 
-/// What a file carries that this program wrote for one purpose, so that the next one like it may
+/// Mark in a file that this program wrote for one purpose, so that the next one like it may
 /// take its place.
 struct FileMark {
   std::string owner = {};         ///< whose file it is, for messages: "a result of shock.yaml"

@@ -51,7 +51,7 @@ void handle_interruption() {
   action.sa_mask = interruptions();
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
-  // Who starts the program under nohup wants it to go on.
+  // A program started under nohup is meant to go on.
   struct sigaction before {};
   sigaction(SIGHUP, nullptr, &before);
   if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);

@@ -72,7 +72,7 @@ std::string foreign_fault(const fs::path& target, const fs::path& place, const F
       mark.owner.empty() ? "is there already" : "is there already and is not " + mark.owner);
 }
 
-/// What is wrong with writing to `place`, which `target` leads to, or nothing.
+/// Returns what is wrong with writing to `place`, which `target` leads to, or nothing.
 std::string obstacle(const fs::path& target, const fs::path& place, const FileMark& mark,
                      const Overwriting& overwriting) {
   std::error_code error;
@@ -106,7 +106,7 @@ bool is_same_file(const fs::path& a, const fs::path& b) {
 }
 
 FolderLocks::FolderLocks(std::span<const fs::path> files) {
-  // In one order, whoever locks: two programs never wait for each other in a circle.
+  // In one order for all: two programs never wait for each other in a circle.
   std::set<fs::path> sorted;
   std::error_code ignored;
   for (const fs::path& file : files) {
@@ -170,7 +170,7 @@ tl::expected<void, std::string> OutputFile::begin() {
     temporary_ = name;
     registered_ = register_file(name);
   }
-  // mkostemp lets nobody else read; a result is as readable as any new file.
+  // mkostemp gives the owner alone the right to read; a result is as readable as any new file.
   const mode_t mask = umask(0);
   umask(mask);
   constexpr mode_t kReadWrite = 0666;

@@ -12,13 +12,14 @@
 
 namespace slipbench::driver {
 
-/// Whether two names mean one file, be it there or not; links are followed.
+/// Tells whether two names mean one file, be it there or not; links are followed.
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
 
-/// Why `target` must not be written: it is one of the files that are read. A sentence, or nothing.
+/// Returns why `target` must not be written: it is one of the files that are read. A sentence, or
+/// nothing.
 std::string input_fault(const std::filesystem::path& target, std::span<const std::string> inputs);
 
-/// What a new file may take the place of, besides an empty file and one with its own mark.
+/// Files that a new one may take the place of, besides an empty file and one with its own mark.
 struct Overwriting {
   std::span<const std::string> inputs = {};  ///< never these, by whatever name
   bool force = false;                        ///< anything else, too
@@ -27,8 +28,8 @@ struct Overwriting {
 /// Of a file that is read under its temporary name and then dropped.
 inline constexpr Overwriting kNeverNamed{.force = true};
 
-/// Why nothing can be written to `target`, as OutputFile::create would find it; a sentence, or
-/// nothing. Makes nothing and writes nothing.
+/// Returns why nothing can be written to `target`, as OutputFile::create would find it; a sentence,
+/// or nothing. Makes nothing and writes nothing.
 std::string target_fault(const std::filesystem::path& target, const FileMark& mark,
                          const Overwriting& overwriting = {});
 
@@ -61,7 +62,8 @@ class OutputFile {
  public:
   /// Makes the folder, too, if it is missing. Errors: a folder that is no folder, or cannot be made
   /// or written to; a target that exists and is no regular file (a folder, a device, a descriptor
-  /// such as /dev/stdout); links in a circle; a target that is an input or somebody else's file.
+  /// such as /dev/stdout); links in a circle; a target that is an input or a file of another
+  /// origin.
   static tl::expected<OutputFile, std::string> create(const std::filesystem::path& target,
                                                       const FileMark& mark,
                                                       const Overwriting& overwriting = {});
@@ -116,7 +118,7 @@ class OutputFile {
 /// them their names. Two programs that complete files in one folder do so one after the other.
 /// The error is that of the first file that has one; then none appears under its name.
 tl::expected<void, std::string> commit(std::span<OutputFile* const> files);
-/// The same for somebody who holds the locks of the files' folders already, to look at what is
+/// The same for a caller that holds the locks of the files' folders already, to look at what is
 /// there before it is replaced.
 tl::expected<void, std::string> commit(std::span<OutputFile* const> files,
                                        const FolderLocks& locks);

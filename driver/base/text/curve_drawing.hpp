@@ -22,8 +22,8 @@ struct DrawnPoint {
   double y = 0.0;
 };
 
-/// What to draw: x from 0 to `x_end` > 0, y from 0 to a round number above all curves. Values that
-/// are no numbers, or negative, are left out.
+/// Curves to draw: x from 0 to `x_end` > 0, y from 0 to a round number above all curves. Values
+/// that are no numbers, or negative, are left out.
 struct CurveDrawing {
   double x_end = 1.0;
   std::string x_name;

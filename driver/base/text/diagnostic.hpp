@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is told to the user: messages that know their place, collected rather than thrown.
+// Messages to the user that know their place, collected rather than thrown.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace slipbench::driver {
 
 class SourceText;
 
-/// How bad a message is; only errors stop a command.
+/// Weight of a message; only errors stop a command.
 enum class Severity { kError, kWarning, kNote };
 
 /// A place in a text. Lines and columns count from 1, columns and length in code points, so that a
@@ -61,7 +61,7 @@ class Diagnostics {
   [[nodiscard]] bool has_errors() const { return count(Severity::kError) > 0; }
   /// True if nothing was added.
   [[nodiscard]] bool empty() const;
-  /// How many messages of this severity were added, kept or not.
+  /// Returns how many messages of this severity were added, kept or not.
   [[nodiscard]] std::size_t count(Severity severity) const;
   /// The kept messages by file (in order of appearance) and position; equal places keep the order
   /// in which they were added, messages without a place come first in their file.

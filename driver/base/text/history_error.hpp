@@ -7,7 +7,7 @@
 
 namespace slipbench::driver {
 
-/// What went wrong while a history, its data file or its units were read.
+/// Fault met while a history, its data file or its units were read.
 struct HistoryError {
   enum class Kind {
     kInput,        ///< The user's text or data is wrong.

@@ -49,7 +49,7 @@ std::size_t count_digits(std::string_view text) {
   return n;
 }
 
-// How many characters at the front are a decimal number; 0 if there is none.
+// Returns how many characters at the front are a decimal number; 0 if there is none.
 std::size_t number_prefix(std::string_view text) {
   std::size_t i = !text.empty() && is_sign(text.front()) ? 1 : 0;
   const std::size_t whole = count_digits(text.substr(i));
@@ -224,7 +224,7 @@ std::string fortran_exponent(std::string_view number, std::string_view rest) {
   return is_number(with_e) ? with_e : "";
 }
 
-// What begins like a number and goes on as something else.
+// Returns what begins like a number and goes on as something else.
 std::optional<std::string> explain_rest(std::string_view text) {
   const std::size_t length = number_prefix(text);
   if (length == 0) return std::nullopt;

@@ -22,7 +22,7 @@ class SourceText {
 
   [[nodiscard]] const std::string& name() const;
   [[nodiscard]] std::string_view text() const;
-  /// How many lines there are; a text without a line feed has one.
+  /// Returns how many lines there are; a text without a line feed has one.
   [[nodiscard]] int line_count() const;
   /// Line `number` (from 1) without its line feed; empty if there is no such line.
   [[nodiscard]] std::string_view line(int number) const;
@@ -35,7 +35,7 @@ class SourceText {
   std::shared_ptr<const Data> data_;
 };
 
-/// Who must act on a file that could not be read: the file's author (exit 2) or whoever owns the
+/// Side at fault for a file that could not be read: the file itself (exit 2) or the owner of the
 /// machine (exit 4).
 enum class ReadFailure { kBadInput, kEnvironment };
 
@@ -52,8 +52,9 @@ inline constexpr std::size_t kDefaultSizeLimit = std::size_t{64} << 20U;
 [[nodiscard]] tl::expected<SourceText, ReadError> read_source(
     const std::string& path, std::size_t size_limit = kDefaultSizeLimit);
 
-/// What makes bytes no text: UTF-16 or UTF-32, invalid UTF-8, NUL and other control characters, a
-/// carriage return without a line feed. The first of each kind is reported, with its place.
+/// Returns what makes bytes no text: UTF-16 or UTF-32, invalid UTF-8, NUL and other control
+/// characters, a carriage return without a line feed. The first of each kind is reported, with its
+/// place.
 [[nodiscard]] Diagnostics check_text(const SourceText& source);
 
 }  // namespace slipbench::driver

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names to show to somebody whose own name nobody knows: few, and the nearest first.
+// Names to show in place of one that is not known: few, and the nearest first.
 #pragma once
 
 #include <cstddef>

@@ -35,7 +35,7 @@ struct CodePoint {
   return {value, length, true};
 }
 
-/// How many code points a text has; a byte that is no UTF-8 counts as one.
+/// Returns how many code points a text has; a byte that is no UTF-8 counts as one.
 [[nodiscard]] constexpr std::size_t count_code_points(std::string_view text) {
   std::size_t count = 0;
   while (!text.empty()) {

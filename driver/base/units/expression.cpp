@@ -151,7 +151,7 @@ std::string syntax_message(const mu::ParserError& error) {
 
 }  // namespace
 
-/// What a copy needs to compile again, the compiled formula and the numbers it reads. muParser
+/// Needs of a copy to compile again, the compiled formula and the numbers it reads. muParser
 /// holds pointers into `numbers`, so a program never moves.
 struct Expression::Program {
   struct Slot {

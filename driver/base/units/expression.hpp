@@ -14,11 +14,11 @@ namespace slipbench::driver {
 /// Numbers with names: the parameters of a case.
 using NamedNumbers = std::map<std::string, double, std::less<>>;
 
-/// Why an expression could not be read or evaluated.
+/// Reason why an expression could not be read or evaluated.
 struct ExpressionError {
   std::string message;       ///< What was found and what was wanted.
   int offset = -1;           ///< Byte in the given text, counted from 0; -1 when unknown.
-  std::string unknown_name;  ///< The name nobody defined, for suggesting the nearest one.
+  std::string unknown_name;  ///< The name that is not defined, for suggesting the nearest one.
 };
 
 /// A formula over named numbers, e.g. `2/li + 0.1*sin(2*pi*t)`: compiled once, evaluated often.
@@ -54,7 +54,7 @@ class Expression {
   /// out of a double's range.
   tl::expected<double, ExpressionError> operator()(std::span<const double> values) const;
 
-  /// Whether the text mentions the variable `name`.
+  /// Tells whether the text mentions the variable `name`.
   bool uses(std::string_view name) const;
 
   /// The variables the text mentions, in the order in which they first appear.
@@ -72,10 +72,11 @@ class Expression {
 /// The functions an expression may call, sorted by name.
 const std::vector<std::string>& function_names();
 
-/// Whether `name` can name a parameter: a letter or '_', then letters, digits and '_'.
+/// Tells whether `name` can name a parameter: a letter or '_', then letters, digits and '_'.
 bool is_identifier(std::string_view name);
 
-/// Whether an expression gives `name` a meaning of its own: pi, _pi, _e, t, T, a function's name.
+/// Tells whether an expression gives `name` a meaning of its own: pi, _pi, _e, t, T, a function's
+/// name.
 bool is_reserved_name(std::string_view name);
 
 }  // namespace slipbench::driver

@@ -19,7 +19,7 @@ struct ParameterText {
   std::variant<double, std::string> value;
 };
 
-/// What is wrong with one parameter.
+/// Fault of one parameter.
 struct ParameterError {
   std::size_t index = 0;       ///< Which of the parameters, or of the overrides.
   bool in_override = false;    ///< Whether `index` counts overrides.

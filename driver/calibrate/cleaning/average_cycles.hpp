@@ -14,9 +14,9 @@ struct MeanCycle {
   std::vector<double> scatter;  ///< of each column: rms deviation of the cycles from their mean
 };
 
-/// How many whole cycles there are from a first to a last time. A cycle whose end is missed by no
-/// more than `step`, the time between two rows, counts: its last row is the one before the next
-/// cycle's first.
+/// Returns how many whole cycles there are from a first to a last time. A cycle whose end is missed
+/// by no more than `step`, the time between two rows, counts: its last row is the one before the
+/// next cycle's first.
 std::size_t whole_cycles(double first, double last, double period, double step);
 
 /// Interpolates every cycle at the phases 0, 1/points, ..., (points - 1)/points and takes the mean.

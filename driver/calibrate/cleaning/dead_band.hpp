@@ -8,8 +8,8 @@
 
 namespace slipbench::driver {
 
-/// How many rows on either side of a row its slope is taken from: enough that the noise of one row
-/// does not pass for motion.
+/// Number of rows on either side of a row that its slope is taken from: enough that the noise of
+/// one row does not pass for motion.
 inline constexpr int kSlopeReach = 4;
 
 /// The slope of values over time at every row: of the line with the least squares through the row

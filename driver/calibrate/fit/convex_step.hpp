@@ -16,7 +16,7 @@ struct Inequality {
   double least = 0.0;
 };
 
-/// What a step of all unknowns would gain.
+/// Gain that a step of all unknowns promises.
 struct ConvexStep {
   Eigen::VectorXd change;
   double gain = 0.0;  ///< fall of the linearised cost, >= 0

@@ -7,8 +7,8 @@
 
 namespace slipbench::driver {
 
-/// What turns the linearised problem into errors: covariance = s^2 a (a G^T G + H^T H)^-1, G the
-/// data rows of dr/dx, H the others.
+/// Factors that turn the linearised problem into errors: covariance = s^2 a (a G^T G + H^T H)^-1, G
+/// the data rows of dr/dx, H the others.
 ///
 /// Squares: a = 1, s^2 = sum r^2/(data - p). Robust losses: Huber's estimate with psi = rho' r, a
 /// the mean of psi' over the data, and s^2 = K^2 sum psi^2/(data - p)/a^2, K = 1 + p/data var(psi')
@@ -27,12 +27,13 @@ ErrorScale error_scale(const ResidualProblem& problem, const LeastSquaresFit& fi
 /// p of a fit.
 double effective_unknowns(const ResidualProblem& problem, const LeastSquaresFit& fit);
 
-/// What each data row has in p: the diagonal of G (G^T G + H^T H)^-1 G^T, in [0, 1].
+/// Returns what each data row has in p: the diagonal of G (G^T G + H^T H)^-1 G^T, in [0, 1].
 std::vector<double> leverages(const ResidualProblem& problem, const LeastSquaresFit& fit);
 
-/// Whether a refit ended where its cost is least, or within 0.01 standard errors of it by its
+/// Tells whether a refit ended where its cost is least, or within 0.01 standard errors of it by its
 /// gradient: nothing can be gained where it began at its minimum.
-/// \param effective p; \param freedom data - p
+/// \param effective p
+/// \param freedom data - p
 bool is_minimum(const LeastSquaresFit& refit, double effective, double freedom);
 
 }  // namespace slipbench::driver

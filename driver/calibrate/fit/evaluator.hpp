@@ -12,7 +12,7 @@
 
 namespace slipbench::driver {
 
-/// Whether no number is infinite or none.
+/// Tells whether no number is infinite or none.
 bool all_finite(std::span<const double> values);
 
 class Evaluator {
@@ -34,7 +34,7 @@ class Evaluator {
   bool derivatives(std::span<const double> x, std::span<double> r, std::span<double> jacobian,
                    bool fine);
 
-  /// Whether r with dr/dx costs little more than r and, if that was in vain, r again.
+  /// Tells whether r with dr/dx costs little more than r and, if that was in vain, r again.
   bool has_cheap_derivatives() const {
     constexpr double kCheap = 4.0;
     return problem_->derivatives && problem_->derivative_effort <= kCheap;

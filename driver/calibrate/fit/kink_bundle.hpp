@@ -15,7 +15,7 @@ struct KinkCut {
   Eigen::VectorXd slope;  ///< d cost/dx
 };
 
-/// What the cuts leave to gain, and the step to it.
+/// Gain that the cuts leave, and the step to it.
 struct KinkStep {
   Eigen::VectorXd step;
   double gain = 0.0;             ///< predicted fall of the cost
@@ -24,7 +24,7 @@ struct KinkStep {
 
 /// A bundle method in the metric of Gauss and Newton. The cost is taken for |R s|^2/2 plus the
 /// greatest of the planes that touch what remains at the points seen. With the plane of one point
-/// the step is that of Gauss and Newton. (docs/theory.md, section 17; Lemarechal 1978, Kiwiel
+/// the step is that of Gauss and Newton. (docs/theory, section 17; Lemarechal 1978, Kiwiel
 /// 1985.)
 class KinkBundle {
  public:

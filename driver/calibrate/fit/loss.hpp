@@ -10,7 +10,7 @@
 namespace slipbench::driver {
 
 /// rho(r^2): squares r^2; Huber r^2 up to |r| = t and 2 t |r| - t^2 beyond; soft-L1
-/// 2 t^2 (sqrt(1 + r^2/t^2) - 1). (docs/theory.md, section 17.)
+/// 2 t^2 (sqrt(1 + r^2/t^2) - 1). (docs/theory, section 17.)
 double loss_value(const Loss& loss, double residual);
 
 /// rho'(r^2), the weight of the squared residual in reweighted least squares: 1 for squares, in

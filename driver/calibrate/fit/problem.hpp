@@ -24,7 +24,7 @@ struct UnknownRange {
   Scale scale = Scale::kLinear;  ///< kLog needs 0 < start, 0 <= lower
 };
 
-/// What a row of unknowns, the ordinates of a curve, has to keep.
+/// Order that a row of unknowns, the ordinates of a curve, has to keep.
 struct Shape {
   enum class Monotone : std::uint8_t { kFree, kIncreasing, kDecreasing } monotone = Monotone::kFree;
   enum class Curvature : std::uint8_t { kFree, kConvex, kConcave } curvature = Curvature::kFree;
@@ -39,7 +39,7 @@ struct ShapedBlock {
   Shape shape;
 };
 
-/// How a residual r counts: the cost is the sum of rho(r^2)/2 (docs/theory.md, section 17).
+/// Weight of a residual r: the cost is the sum of rho(r^2)/2 (docs/theory, section 17).
 struct Loss {
   enum class Kind : std::uint8_t { kSquares, kHuber, kSoftL1 } kind = Kind::kSquares;
   double threshold = 1.0;  ///< residual at which it turns from squares to magnitudes, > 0
@@ -61,7 +61,7 @@ struct ResidualProblem {
   /// r(x) and dr/dx, row-major rows x unknowns; empty: central differences of `residuals`.
   std::function<bool(std::span<const double> x, std::span<double> r, std::span<double> jacobian)>
       derivatives;
-  /// What `derivatives` takes, in calls of `residuals`. Where that is little, points are tried with
+  /// Effort of `derivatives`, in calls of `residuals`. Where that is little, points are tried with
   /// derivatives at once.
   double derivative_effort = 2.0;
   /// First row of every response, ascending, within the data: rows of one response follow each
@@ -85,7 +85,7 @@ struct SolverOptions {
   bool polish = true;                 ///< a derivative-free polish where kinks defeat the gradient
 };
 
-/// Why a search ended.
+/// Reason why a search ended.
 enum class StopReason : std::uint8_t {
   kStep,          ///< the steps have become negligible
   kGradient,      ///< the gradient has become negligible
@@ -98,7 +98,7 @@ enum class StopReason : std::uint8_t {
   kTooFewData,    ///< fewer rows than unknowns
   kSilent         ///< an unknown has no effect at the end, though it has one elsewhere
 };
-/// Whether a search that ended so may be called converged.
+/// Tells whether a search that ended so may be called converged.
 bool is_convergence(StopReason reason);
 /// A sentence for the user, which says what to look at where it is no convergence. Whether it is
 /// one is left to is_convergence.
@@ -114,7 +114,7 @@ struct SearchTrace {
   StopReason stop = StopReason::kNoIteration;
 };
 
-/// What a fit found.
+/// Findings of a fit.
 struct LeastSquaresFit {
   std::vector<double> x;  ///< the best point, natural unknowns
   double start_cost = 0.0;
@@ -126,7 +126,7 @@ struct LeastSquaresFit {
   long residual_evaluations = 0;  ///< of all
   long derivative_evaluations = 0;
   /// Part of the weighted residuals that lies in the range of the Jacobian, |Q^T f|/|f|: 0 at a
-  /// minimum, whatever the units and the scales of the unknowns (docs/theory.md, section 17).
+  /// minimum, whatever the units and the scales of the unknowns (docs/theory, section 17).
   double gradient_norm = 0.0;
   bool polished = false;          ///< the polish lowered the cost
   std::vector<double> residuals;  ///< at x

@@ -16,9 +16,9 @@ namespace slipbench::driver {
 Eigen::MatrixXd products(std::span<const double> matrix, std::size_t columns,
                          std::span<const double> side, std::span<const double> root_weights = {});
 
-/// What tall_qr gives of A and b, from their products (Cholesky, columns of unit length). Products
-/// square the condition: none where that would cost more than half of the digits, or where the rank
-/// is not full.
+/// Returns what tall_qr gives of A and b, from their products (Cholesky, columns of unit length).
+/// Products square the condition: none where that would cost more than half of the digits, or where
+/// the rank is not full.
 std::optional<TallQr> triangle_of(const Eigen::MatrixXd& products);
 
 /// R of a row-major A, whichever way is the faster one that keeps the digits.

@@ -24,11 +24,11 @@ namespace {
 constexpr double kRounding = 1e-14;
 /// Standard errors, all unknowns together, from where a minimum counts as near.
 constexpr double kNearErrors = 5.0;
-/// Standard errors, in the mean of all unknowns, that nobody can see.
+/// Standard errors, in the mean of all unknowns, that are too small to matter.
 constexpr double kInvisible = 0.01;
 
-/// Whether the slope jumps between the point and all that holds it: rises by much more than the
-/// curvature has it. Asked of the unknowns, since coordinates are curved near their folds.
+/// Tells whether the slope jumps between the point and all that holds it: rises by much more than
+/// the curvature has it. Asked of the unknowns, since coordinates are curved near their folds.
 bool at_kink(const KinkCut& here, std::span<const KinkCut> holders,
              const Eigen::MatrixXd& products) {
   constexpr double kJump = 10.0;
@@ -74,7 +74,7 @@ class Search {
   SearchEnd end_;
 };
 
-/// Whether the point is a minimum.
+/// Tells whether the point is a minimum.
 std::optional<StopReason> Search::judge(const Linearisation& linear) const {
   const SearchPoint& point = end_.point;
   // A cost of zero, but for rounding, has no angle.
@@ -179,8 +179,9 @@ double Search::total_offset() const {
   return end_.offset * std::sqrt(std::max(data - unknowns, 1.0));
 }
 
-/// Whether a cost has a kink between t = first and t = last: its second difference on ever shorter
-/// parts of the way, where it is the greatest, falls with their length instead of its square.
+/// Tells whether a cost has a kink between t = first and t = last: its second difference on ever
+/// shorter parts of the way, where it is the greatest, falls with their length instead of its
+/// square.
 /// \param threads that may ask for costs at once
 template <typename Cost>
 bool kinks_between(double first, double last, int halvings, unsigned threads, const Cost& cost) {
@@ -215,7 +216,7 @@ bool kinks_between(double first, double last, int halvings, unsigned threads, co
   return greatest * std::pow(2.0, halvings) > kKink * whole;
 }
 
-/// Whether the cost has a kink along Gauss and Newton's step, within so many standard errors.
+/// Tells whether the cost has a kink along Gauss and Newton's step, within so many standard errors.
 bool Search::bends_sharply(double errors) {
   const SearchPoint& point = end_.point;
   const Linearisation linear = objective_.linearise(end_.point);
@@ -233,8 +234,8 @@ bool Search::bends_sharply(double errors) {
   });
 }
 
-/// Whether the slope jumps on the way to the holder where it rises least. A strongly curved cost
-/// may look like a kink from its two ends.
+/// Tells whether the slope jumps on the way to the holder where it rises least. A strongly curved
+/// cost may look like a kink from its two ends.
 bool Search::jumps(const KinkCut& here, std::span<const KinkCut> holders) {
   const KinkCut* mildest = nullptr;
   double least = std::numeric_limits<double>::infinity();
@@ -266,8 +267,8 @@ bool Search::jumps(const KinkCut& here, std::span<const KinkCut> holders) {
 }
 
 /// Tries steps of so many standard errors, both ways along as many directions as there are
-/// unknowns, independent of one another by the linearised problem. \return whether one of them
-/// lowers the cost by what can be seen; the point is then the lowest
+/// unknowns, independent of one another by the linearised problem.
+/// \return whether one of them lowers the cost by what can be seen; the point is then the lowest
 bool Search::poll(double errors) {
   constexpr double kSeen = 1e-3;  // of the variance
   SearchPoint& point = end_.point;
@@ -301,7 +302,7 @@ KinkCut Search::cut_of(const SearchPoint& point, const Linearisation& linear) co
   return cut;
 }
 
-/// Whether some unknown could change by its own size without any effect.
+/// Tells whether some unknown could change by its own size without any effect.
 bool Search::has_idle_unknown(const Linearisation& linear) const {
   constexpr double kEffect = 1e-6;  // as a part of the residuals
   const Eigen::Index n = linear.products.cols() - 1;

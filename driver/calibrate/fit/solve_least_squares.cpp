@@ -16,11 +16,11 @@
 namespace slipbench::driver {
 namespace {
 
-/// How far inside of a fold a start is moved, in its coordinate: 0.25 % of the way between two
-/// bounds.
+/// Distance by which a start is moved inside of a fold, in its coordinate: 0.25 % of the way
+/// between two bounds.
 constexpr double kInset = 0.1;
 
-/// Whether an unknown changes any residual.
+/// Tells whether an unknown changes any residual.
 std::vector<char> silent_unknowns(std::span<const double> jacobian, std::size_t unknowns) {
   std::vector<char> silent(unknowns, 1);
   for (std::size_t j = 0; j < unknowns; ++j) {
@@ -31,7 +31,7 @@ std::vector<char> silent_unknowns(std::span<const double> jacobian, std::size_t 
   return silent;
 }
 
-/// Whether `a` is the better end: a clearly lower cost, or the same and converged.
+/// Tells whether `a` is the better end: a clearly lower cost, or the same and converged.
 bool better(const SearchEnd& a, const SearchEnd& b) {
   constexpr double kSame = 1e-9;
   const bool a_failed = a.stop == StopReason::kModelFailure;
@@ -42,7 +42,7 @@ bool better(const SearchEnd& a, const SearchEnd& b) {
   return is_convergence(a.stop) && !is_convergence(b.stop);
 }
 
-/// Whether a search found no minimum, or one at which some unknown has no effect: it may have
+/// Tells whether a search found no minimum, or one at which some unknown has no effect: it may have
 /// escaped along a valley.
 bool lost(const SearchEnd& end) {
   return end.stop == StopReason::kIterations ||
@@ -79,7 +79,7 @@ SearchEnd search_from(Evaluator& evaluator, const UnknownMap& map, std::span<con
   return best;
 }
 
-/// Whether x is on a bound or beyond, within a part of what the scale measures.
+/// Tells whether x is on a bound or beyond, within a part of what the scale measures.
 bool on_bound(const UnknownRange& range, double x, bool upper, double part) {
   const double bound = upper ? range.upper : range.lower;
   if (!std::isfinite(bound)) return false;
@@ -244,7 +244,8 @@ std::vector<char> Searches::lost_unknowns(const Trace& trace) const {
   return silent;
 }
 
-/// Where an unknown without effect may have one: factors, or parts of what the bounds leave.
+/// Returns where an unknown without effect may have one: factors, or parts of what the bounds
+/// leave.
 std::vector<double> Searches::probes_of(std::size_t unknown, double value) const {
   const UnknownRange& range = problem_.unknowns[unknown];
   std::vector<double> probes;

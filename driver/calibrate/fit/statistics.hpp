@@ -10,7 +10,7 @@
 
 namespace slipbench::driver {
 
-/// How well the unknowns of a fit are known. NaN where an unknown is not identifiable, not even by
+/// Errors of the unknowns of a fit. NaN where an unknown is not identifiable, not even by
 /// the rows that are no data (smoothness). Bounds and shapes are looked through: errors are those
 /// of the unknowns as if they could move; intervals end at the bounds.
 struct FitStatistics {
@@ -30,7 +30,7 @@ struct FitStatistics {
 };
 
 /// Covariance s^2 (J^T W J)^-1 of the linearised problem, with intervals by Student's t; those of
-/// log-scaled unknowns are symmetric in the logarithm. (docs/theory.md, section 17.)
+/// log-scaled unknowns are symmetric in the logarithm. (docs/theory, section 17.)
 FitStatistics fit_statistics(const ResidualProblem& problem, const LeastSquaresFit& fit,
                              double confidence);
 

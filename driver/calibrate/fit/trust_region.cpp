@@ -38,7 +38,7 @@ void multiply(const std::vector<double>& entries, CBLAS_TRANSPOSE_t transposed, 
   }
 }
 
-/// What GSL's callbacks work on. The model is never asked twice for the same.
+/// State that GSL's callbacks work on. The model is never asked twice for the same.
 class Callbacks {
  public:
   Callbacks(Objective& objective, SearchPoint& here, SearchPoint& trial)

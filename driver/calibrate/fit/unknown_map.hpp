@@ -14,12 +14,12 @@
 
 namespace slipbench::driver {
 
-/// How the unknowns change with one coordinate: pairs of an unknown and dx/dz.
+/// Change of the unknowns with one coordinate: pairs of an unknown and dx/dz.
 using CoordinateColumn = std::vector<std::pair<std::size_t, double>>;
 
 /// x(z). A scalar unknown has one coordinate (see fold.hpp; the logarithm is folded where the scale
 /// is one). The ordinates of a shaped block share as many coordinates, each ordinate moving between
-/// limits that those before it leave (triangular; docs/theory.md, section 17):
+/// limits that those before it leave (triangular; docs/theory, section 17):
 /// - ascending: between the ordinate before it and the upper bound; descending: from the far end;
 /// - convex: the first ordinate, the last one, then each between the extension of the last interval
 ///   and the chord to the last ordinate; concave: the same of -x. Curved blocks are searched
@@ -37,7 +37,7 @@ class UnknownMap {
   UnknownMap(const ResidualProblem& problem, std::span<const char> frozen,
              Unbounded unbounded = Unbounded::kLinear, std::span<const double> kept = {});
 
-  /// Whether searching magnitudes makes a difference.
+  /// Tells whether searching magnitudes makes a difference.
   static bool has_magnitudes(const ResidualProblem& problem);
 
   /// Number of coordinates.
@@ -55,10 +55,10 @@ class UnknownMap {
   std::vector<CoordinateColumn> columns(std::span<const double> z,
                                         std::span<const char> held) const;
 
-  /// What bounds and shapes demand of the unknowns that are not frozen.
+  /// Returns what bounds and shapes demand of the unknowns that are not frozen.
   std::vector<Inequality> inequalities() const;
 
-  /// Whether a coordinate is one of a shaped block.
+  /// Tells whether a coordinate is one of a shaped block.
   std::vector<char> shaped() const;
 
   /// The nearest fold of every coordinate, whose principal value replaces it in z.

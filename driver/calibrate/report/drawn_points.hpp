@@ -19,7 +19,7 @@ struct DrawnPoints {
   bool thinned = false;
 };
 
-/// What the loops of a response are drawn over: what it is compared over, else its position.
+/// Axis of the loops of a response: that it is compared over, else its position.
 struct LoopAxis {
   std::string name;  ///< empty: no loop
   std::string unit;

@@ -34,7 +34,7 @@ constexpr std::size_t kFewPoints = 300;
 constexpr std::size_t kTextLength = 130;
 constexpr std::size_t kTitleLength = 80;
 
-/// What an axis shows: the range of the numbers with some air, wider where they are all alike.
+/// Span of an axis: the range of the numbers with some air, wider where they are all alike.
 struct Span {
   double low = 0.0;
   double high = 1.0;

@@ -10,7 +10,7 @@
 
 namespace slipbench::driver {
 
-/// What is left of a measurement when a fit is taken from it: model - measured, of all points.
+/// Rest of a measurement when a fit is taken from it: model - measured, of all points.
 struct ResidualView {
   std::vector<double> residuals;  ///< in the quantity's unit; not finite where either value is not
   Outliers outliers;              ///< of them

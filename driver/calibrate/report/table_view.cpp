@@ -22,8 +22,8 @@ bool same_block(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && !a.empty() && std::equal(a.begin() + 1, a.end(), b.begin() + 1);
 }
 
-/// Whether the largest step between knots is many times the smallest; of many knots none can be
-/// told by its number, equally far apart or not.
+/// Tells whether the largest step between knots is many times the smallest; of many knots none can
+/// be told by its number, equally far apart or not.
 bool is_uneven(const std::vector<double>& knots) {
   constexpr std::size_t kMostTold = 12;
   constexpr double kRatio = 15.0;

@@ -9,7 +9,7 @@
 
 namespace slipbench::driver {
 
-/// How a fitted table is laid out for drawing.
+/// Layout of a fitted table for drawing.
 struct TableView {
   struct Axis {
     std::string name;           ///< "slip rate", "temperature", "CP1"

@@ -69,7 +69,8 @@ class Walker {
     const double part = part_of(s);
     return {a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)};
   }
-  /// Where in the rows of the curve that is: "3.25" is a quarter of the way from row 3 to row 4.
+  /// Returns where in the rows of the curve that is: "3.25" is a quarter of the way from row 3 to
+  /// row 4.
   double row(double s) {
     seek(s);
     const double a = path_->place[i_], b = path_->place[last()];
@@ -165,7 +166,7 @@ double between_rows(const std::vector<double>& column, double row) {
   return (1.0 - part) * column[i] + part * column[next];
 }
 
-/// Whether lengths between these points are numbers.
+/// Tells whether lengths between these points are numbers.
 bool measurable(const std::vector<Vec>& points) {
   constexpr double kFarthest = 1e150;
   return std::all_of(points.begin(), points.end(), [](const Vec& p) {

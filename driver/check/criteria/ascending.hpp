@@ -18,7 +18,7 @@ struct AscendingCurve {
   std::vector<double> value;
 };
 
-/// What two curves have in common, of an abscissa that does not turn.
+/// Common part of two curves, of an abscissa that does not turn.
 struct AscendingCurves {
   std::string fault;  ///< why the two cannot be compared; empty if they can
   AscendingCurve result;
@@ -41,7 +41,7 @@ class AscendingReader {
   void advance(double x) {
     while (next_ < curve_->at.size() && curve_->at[next_] <= x) ++next_;
   }
-  /// Where the next row is; the last one's place after the end.
+  /// Returns where the next row is; the last one's place after the end.
   double next() const { return next_ < curve_->at.size() ? curve_->at[next_] : curve_->at.back(); }
   /// The value at a place of the present segment; that of the nearest row outside of the curve.
   double operator()(double x) const {

@@ -12,14 +12,14 @@
 
 namespace slipbench::driver {
 
-/// What a relative tolerance of values is relative to: their range, or their magnitude if they are
-/// constant but for rounding (range below 1e-9 of it). Of no values, 0.
+/// Returns what a relative tolerance of values is relative to: their range, or their magnitude if
+/// they are constant but for rounding (range below 1e-9 of it). Of no values, 0.
 double scale_of(std::span<const double> values);
 
 /// The same of values that reach from the smallest to the largest of this range.
 double scale_of(const Interval& values);
 
-/// What the scale cannot fall below, whatever other values join these.
+/// Returns what the scale cannot fall below, whatever other values join these.
 double least_scale(const Interval& values);
 
 /// The bound of a measure in the quantity's unit, or in quantity x abscissa: the larger of
@@ -29,10 +29,10 @@ double value_bound(const Tolerance& tolerance, double scale);
 /// The bound of a position: the larger of `abscissa` and relative * scale; infinite without them.
 double position_bound(const Tolerance& tolerance, double scale);
 
-/// What a criterion returns for curves that cannot be compared.
+/// Returns what a criterion returns for curves that cannot be compared.
 CurveComparison incomparable(std::string fault);
 
-/// What it returns for others.
+/// Returns the comparison of all.
 CurveComparison compared(std::size_t points, std::vector<Measure> measures);
 
 /// A measure with its deviation |value - reference|; scale and tolerance are left to the caller.

@@ -16,7 +16,7 @@
 namespace slipbench::driver {
 namespace {
 
-/// How far below its initial slope a curve has left it, as a part of its largest change.
+/// Distance below its initial slope where a curve has left it, as a part of its largest change.
 constexpr double kOffset = 0.02;
 /// The initial slope is sought in so many tenths of the largest change.
 constexpr int kInitialTenths = 5;
@@ -51,7 +51,7 @@ Course course_of(const Series& curve, const Branch& branch) {
   return course;
 }
 
-/// Where a polyline y(u) first reaches a level, and the row at its end of that piece.
+/// Place where a polyline y(u) first reaches a level, and the row at its end of that piece.
 struct Crossing {
   double u = 0.0;
   std::size_t row = 0;
@@ -91,7 +91,7 @@ InitialSlope initial_slope(const Course& course) {
   return steepest;
 }
 
-/// Where the course of a rigid curve ends its vertical part.
+/// Returns where the course of a rigid curve ends its vertical part.
 std::pair<double, double> end_of_rigid_part(const Course& course, const InitialSlope& initial) {
   double reached = course.g[initial.end.row];
   for (std::size_t i = initial.end.row;
@@ -101,7 +101,7 @@ std::pair<double, double> end_of_rigid_part(const Course& course, const InitialS
   return {initial.end.u, reached};
 }
 
-/// Where the course leaves the initial slope, as changes (u, g); nothing if it never does.
+/// Returns where the course leaves the initial slope, as changes (u, g); nothing if it never does.
 std::optional<std::pair<double, double>> departure(const Course& course,
                                                    const InitialSlope& initial) {
   // How far the course is below the line, from the end of the tenth on.

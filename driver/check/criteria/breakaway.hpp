@@ -8,7 +8,7 @@
 
 namespace slipbench::driver {
 
-/// Where a curve first leaves its initial slope.
+/// Place where a curve first leaves its initial slope.
 struct Breakaway {
   std::string fault;  ///< why there is none; empty if there is
   double abscissa = 0.0;
@@ -16,7 +16,7 @@ struct Breakaway {
   double time = 0.0;  ///< NaN where it is not known
 };
 
-/// The breakaway of the first branch of a curve over a position (docs/theory.md, section 16): with
+/// The breakaway of the first branch of a curve over a position (docs/theory, section 16): with
 /// u and g the changes of abscissa and value from the first row, positive the way the curve goes,
 /// and G the largest g of the branch,
 ///   - the initial slope is the steepest of the first five tenths of G, which leaves aside

@@ -32,7 +32,7 @@ struct CriterionInfo {
   std::string_view one = {};        ///< what a measure of 1 is already, of those without a unit
 };
 
-/// In the order of `Criterion`. The formulas are in docs/theory.md, section 16.
+/// In the order of `Criterion`. The formulas are in docs/theory, section 16.
 inline constexpr std::array<CriterionInfo, 10> kCriteria{{
     {.criterion = Criterion::kPointwise,
      .word = "pointwise",

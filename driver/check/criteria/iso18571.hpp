@@ -7,7 +7,7 @@
 namespace slipbench::driver {
 
 /// The objective rating of ISO/TS 18571 (2014, 2nd edition 2024) over the common range of the
-/// abscissa (time, or anything else that does not turn), with the specification's constants:
+/// abscissa (time, or anything else that does not turn), with the constants of ISO/TS 18571:
 ///
 ///     R = 0.4 Z + 0.2 E_P + 0.2 E_M + 0.2 E_S
 ///
@@ -20,7 +20,7 @@ namespace slipbench::driver {
 /// - slope E_S: 1 - e/2, e = sum |f' - r'| / sum |r'|, the derivatives by central differences and
 ///   their moving mean over 9 points, fewer at the ends, again of the shifted, truncated curves.
 ///
-/// The specification samples crash signals at 10 kHz. Here the common range is divided into N =
+/// ISO/TS 18571 samples crash signals at 10 kHz. Here the common range is divided into N =
 /// 1000 equal parts, a signal of 100 ms at this rate, and each is represented by the curve's mean
 /// over it: the rows' distances do not matter, nor do jumps between or on the samples. Where
 /// several warping paths cost the same (to 1e-12 T^2) the shortest is taken, so that a plateau

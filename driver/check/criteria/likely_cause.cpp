@@ -68,7 +68,7 @@ std::string ratio_text(double ratio) {
   return fmt::format("{:.{}g}", ratio, std::clamp(needed, 3, 15));
 }
 
-/// Whether a ratio is 100, 1000, 0.01 or the like, as units are.
+/// Tells whether a ratio is 100, 1000, 0.01 or the like, as units are.
 bool is_unit_ratio(double ratio) {
   const double decades = std::log10(std::abs(ratio));
   return ratio > 0.0 && std::abs(std::round(decades)) >= 2.0 &&
@@ -164,7 +164,7 @@ class Inquiry {
     return std::abs(p.f - expected) <= allowed(p);
   }
 
-  /// Whether f is what `expected(point)` says, everywhere.
+  /// Tells whether f is what `expected(point)` says, everywhere.
   template <class Expected>
   bool explains(Expected&& expected) const {
     Count all, failing;
@@ -221,7 +221,7 @@ class Inquiry {
     return ratio->value;
   }
 
-  /// What a factor that holds in stick may come from.
+  /// Returns what a factor that holds in stick may come from.
   const char* in_stick_and_slip() const {
     if (!fails_in(kSlip)) return "the stick stiffness (or the motion), or a factor";
     return scales_.stiffness_follows_limit ? "the coefficient (or the normal force), or a factor"
@@ -233,7 +233,7 @@ class Inquiry {
                        [&](const Point& p) { return p.failing && p.status == status; });
   }
 
-  /// Whether a factor holds where it cannot be that of the limit: in stick, well below it.
+  /// Tells whether a factor holds where it cannot be that of the limit: in stick, well below it.
   bool holds_in_stick(double factor) const {
     constexpr double kBelowLimit = 0.9;
     double largest = 0.0;
@@ -245,8 +245,8 @@ class Inquiry {
     return static_cast<std::size_t>(count) >= kFewest;
   }
 
-  /// Whether the reference may have reached its limit while the result, whose limit is `ratio`
-  /// times as large, still sticks as both did from the start.
+  /// Tells whether the reference may have reached its limit while the result, whose limit is
+  /// `ratio` times as large, still sticks as both did from the start.
   bool awaits_limit(const Point& p, double ratio) const {
     constexpr double kNearLimit = 0.9;
     const double limit = ratio * p.r;
@@ -294,8 +294,8 @@ class Inquiry {
     return ratio->value;
   }
 
-  /// Where one of the curves has reached the limit and the other one has not, the result lies
-  /// between the two lines; where both have, they agree.
+  /// Returns where one of the curves has reached the limit and the other one has not, the result
+  /// lies between the two lines; where both have, they agree.
   std::optional<double> stick_stiffness() const {
     constexpr double kExact = 0.6;
     const auto ratio = ratio_of(kStick, true);
@@ -330,7 +330,7 @@ class Inquiry {
     return a.r + (time - a.at) / (next->at - a.at) * (next->r - a.r);
   }
 
-  /// How much later than the reference the result has the value of point `i`.
+  /// Returns how much later than the reference the result has the value of point `i`.
   std::optional<double> lateness(std::size_t i) const {
     const double wanted = points_[i].f;
     const auto crossing = [&](std::size_t k) -> std::optional<double> {

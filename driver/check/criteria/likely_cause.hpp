@@ -17,13 +17,13 @@ struct CausePoint {
   bool failing = false;
 };
 
-/// What the deviations are measured with, and how they are told.
+/// Scales and units of the deviations.
 struct CauseScales {
   double tolerance = 0.0;  ///< of the check, in the quantity's unit
   std::string unit;        ///< of the quantity; may be empty
   bool over_time = true;   ///< whether the points' abscissa is a time
   std::string time_unit;   ///< may be empty
-  /// Whether the stick stiffness is that of an allowed elastic slip: then a larger coefficient
+  /// True if the stick stiffness is that of an allowed elastic slip: then a larger coefficient
   /// makes the whole curve larger, in stick and slip alike.
   bool stiffness_follows_limit = false;
 };

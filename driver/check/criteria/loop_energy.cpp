@@ -31,7 +31,7 @@ std::vector<std::size_t> turning_rows(const std::vector<Branch>& parts) {
   return rows;
 }
 
-/// How far the loop from turning point `p` to p + 2 is from closed, as a part of its longer
+/// Returns how far the loop from turning point `p` to p + 2 is from closed, as a part of its longer
 /// branch; at most kOpen, whatever is beyond.
 double gap(const Series& curve, const std::vector<std::size_t>& turns, std::size_t p) {
   const auto x = [&](std::size_t i) { return curve.abscissa[turns[i]]; };

@@ -40,7 +40,7 @@ std::vector<CurvePoint> row_by_row(const Series& result, const Series& reference
   return points;
 }
 
-/// Whether no two rows of a curve, one after the other, are in one place.
+/// Tells whether no two rows of a curve, one after the other, are in one place.
 bool always_moves(const Series& curve, double slack) {
   for (std::size_t i = 1; i < curve.size(); ++i) {
     if (std::abs(curve.abscissa[i] - curve.abscissa[i - 1]) <= slack) return false;
@@ -96,7 +96,7 @@ std::string uncovered(const MatchedBranches& matched, std::size_t b) {
       b + 1, matched.reference_branches.size(), theirs.from, theirs.to, ours.from, ours.to);
 }
 
-/// Why too few rows of a reference were met; empty if there are enough.
+/// Returns why too few rows of a reference were met; empty if there are enough.
 std::string too_few(const std::vector<CurvePoint>& points, const Series& result,
                     const Series& reference, const Interval& common) {
   const std::string range =

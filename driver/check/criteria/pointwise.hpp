@@ -16,7 +16,7 @@ struct PointwiseComparison {
 };
 
 /// The result at each row of the reference that lies in the common range, interpolated linearly
-/// within the branch of the same number (docs/theory.md, section 16). An abscissa that only
+/// within the branch of the same number (docs/theory, section 16). An abscissa that only
 /// increases, such as time, is one branch.
 ///
 /// Where the result has several rows at the reference's abscissa (equal but for rounding,

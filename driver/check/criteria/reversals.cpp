@@ -26,7 +26,7 @@ CurveComparison compare_reversals(const Series& result, const Series& reference,
                           static_cast<double>(ours.size() - 1), static_cast<double>(count));
   number.scale = static_cast<double>(count);
   comparison.measures.push_back(std::move(number));
-  // Of different numbers, nobody knows which one belongs to which.
+  // Of different numbers, it is unknown which one belongs to which.
   if (ours.size() != theirs.size()) return comparison;
   const double positions = scale_of(reference.abscissa);
   const double values = scale_of(reference.value);

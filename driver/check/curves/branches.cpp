@@ -44,7 +44,7 @@ std::string about_noise(const Series& curve, const std::vector<Branch>& parts, d
                      shortest, taken);
 }
 
-/// Whether the abscissa of a curve is its time.
+/// Tells whether the abscissa of a curve is its time.
 bool is_over_time(const Series& curve) {
   return !curve.time.empty() && curve.abscissa == curve.time;
 }

@@ -19,7 +19,7 @@ std::string not_finite(std::string_view name, std::string_view what, std::size_t
   return fmt::format("{} of the {} is not a finite number in row {}", what, name, row + 1);
 }
 
-/// Why nothing can be compared with a curve; empty if something can.
+/// Returns why nothing can be compared with a curve; empty if something can.
 std::string unusable(const Series& curve, std::string_view name) {
   const std::size_t rows = curve.value.size();
   if (curve.abscissa.size() != rows || (!curve.time.empty() && curve.time.size() != rows)) {

@@ -24,7 +24,7 @@ struct CommonRange {
   double slack = 0.0;  ///< abscissas that differ by no more are the same but for rounding
 };
 
-/// Whether two curves are at the same abscissas at the same known times: the same rows.
+/// Tells whether two curves are at the same abscissas at the same known times: the same rows.
 bool are_same_rows(const Series& result, const Series& reference);
 
 /// Faults: a curve that is empty, has columns of different lengths or a number that is not finite;

@@ -22,7 +22,7 @@ inline constexpr std::string_view kGoldenTime = "time";
 std::span<const std::string> golden_time_names();
 
 /// The columns of a reference curve that the checks of a case want, read at the first need and
-/// once, whoever asks. Several threads may ask at a time.
+/// once for all callers. Several threads may ask at a time.
 class CurveFile {
  public:
   struct Column {
@@ -40,7 +40,7 @@ class CurveFile {
   /// such column, naming those there are.
   tl::expected<const Column*, std::string> column(std::span<const std::string> names) const;
 
-  /// Whether `slipbench bless` made it.
+  /// Tells whether `slipbench bless` made it.
   bool golden() const;
 
   const std::filesystem::path& path() const { return source_.file; }
@@ -59,12 +59,12 @@ class CurveFile {
   mutable std::vector<Column> columns_;  ///< in the order of `names_`
 };
 
-/// Whether the file can be opened and read; what stands in it is not judged. Errors are of the kind
-/// kEnvironment: missing, unreadable, no regular file.
+/// Opens the file and reads of it, to tell whether it can be; what stands in it is not judged.
+/// Errors are of the kind kEnvironment: missing, unreadable, no regular file.
 tl::expected<void, HistoryError> openable_curve(const std::filesystem::path& file,
                                                 const std::string& shown_name);
 
-/// Whether the file's first line is that of a golden curve.
+/// Tells whether the file's first line is that of a golden curve.
 bool is_golden_curve(const std::filesystem::path& file);
 
 }  // namespace slipbench::driver

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the curves are: beside an installed program, or in the source folder.
+/// Returns where the curves are: beside an installed program, or in the source folder.
 std::optional<fs::path> curve_folder() { return shipped_path(fs::path("reference") / "curves"); }
 
 std::string first_line(const fs::path& file) {

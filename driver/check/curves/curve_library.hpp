@@ -20,7 +20,8 @@ struct ShippedCurve {
 /// All of them, by name; none where the program was installed without them.
 std::vector<ShippedCurve> shipped_curves();
 
-/// Whether a case means a shipped curve by this: a name has neither a '/' nor a '.', a file has.
+/// Tells whether a case means a shipped curve by this: a name has neither a '/' nor a '.', a file
+/// has.
 bool is_curve_name(std::string_view text);
 
 /// The file of a shipped curve.

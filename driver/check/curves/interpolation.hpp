@@ -42,11 +42,11 @@ class BranchInterpolation {
   /// Costs the logarithm of the rows, but for the first question about a place with many rows.
   std::optional<Interpolated> at(double abscissa, double wanted, double reach = 0.0);
 
-  /// Whether a row may be met by a rest: only then `reach` matters.
+  /// Tells whether a row may be met by a rest: only then `reach` matters.
   bool has_rests() const { return rests_possible_; }
 
-  /// Where the other curve has several rows in the place of a rest, too, the two do not lie apart,
-  /// and rows beside this rest are not met by it.
+  /// Matches rests: where the other curve has several rows in the place of a rest, too, the two do
+  /// not lie apart, and rows beside this rest are not met by it.
   void match_rests(const Series& other, const Branch& branch);
 
  private:
@@ -55,7 +55,7 @@ class BranchInterpolation {
     std::size_t from = 0;
     std::size_t to = 0;
   };
-  /// What the curve does in a place: its values in order, and ranges of values it goes through.
+  /// Course of the curve in a place: its values in order, and ranges of values it goes through.
   struct PlaceValues {
     std::size_t from = 0;
     std::size_t to = 0;

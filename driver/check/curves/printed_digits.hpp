@@ -6,7 +6,7 @@
 
 namespace slipbench::driver {
 
-/// How finely the numbers of a column were printed.
+/// Fineness of the printed numbers of a column.
 ///
 /// Programs print either a fixed number of decimals or a fixed number of significant digits, and
 /// some drop the zeros at the end ("20" beside "19.99818"). Both are met by taking the most
@@ -14,7 +14,7 @@ namespace slipbench::driver {
 ///   u = 10^(e - d + 1)/2,
 /// with d these digits and e the decimal exponent of the largest magnitude. That is the coarsest
 /// rounding in the column where all have the same number of digits, and coarser than any where
-/// round numbers have dropped theirs: 1e5 beside 0.12 gives 5000. Who takes it for the error of the
+/// round numbers have dropped theirs: 1e5 beside 0.12 gives 5000. Taken for the error of the
 /// numbers has to ask them first (has_all_digits).
 class PrintedDigits {
  public:

@@ -19,7 +19,7 @@ struct Series {
   std::size_t size() const { return value.size(); }
 };
 
-/// Where on a curve something is, for a person who looks it up.
+/// Place on a curve, as it is looked up in the file.
 struct CurvePoint {
   double abscissa = 0.0;
   double value = 0.0;
@@ -27,7 +27,7 @@ struct CurvePoint {
   double time = std::numeric_limits<double>::quiet_NaN();  ///< NaN where it is not known
 };
 
-/// What the number of a measure is in.
+/// Unit of the number of a measure.
 enum class MeasureUnit : std::uint8_t {
   kQuantity,  ///< of the compared quantity
   kAbscissa,
@@ -49,7 +49,7 @@ struct Measure {
   bool passed() const { return deviation <= tolerance; }
 };
 
-/// What a criterion found.
+/// Findings of a criterion.
 struct CurveComparison {
   std::string fault;          ///< why the two cannot be compared; empty if they can
   std::int64_t compared = 0;  ///< points of the reference in the common range

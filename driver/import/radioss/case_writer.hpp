@@ -10,14 +10,14 @@
 
 namespace slipbench::driver {
 
-/// What the deck does not say.
+/// Choices that the deck does not make.
 struct SkeletonOptions {
   std::string deck;                             ///< name of its file, for the heading
   std::optional<UnitSystem> units;              ///< that its numbers are in
   std::optional<std::array<double, 3>> normal;  ///< of the contact plane, in the deck's frame
 };
 
-/// What a side is called in the case: the id of its part, or its group.
+/// Returns what a side is called in the case: the id of its part, or its group.
 std::string side_text(const DeckSide& side);
 
 /// A case in YAML with the friction of a deck: a contact point that is pressed and slid. What a

@@ -14,10 +14,10 @@
 namespace slipbench::driver {
 namespace {
 
-/// How many records get a check of their own.
+/// Number of records that get a check of their own.
 constexpr std::size_t kMostRecords = 20;
 
-/// What a coefficient is compared with; nothing if there is no closed form for it.
+/// Returns what a coefficient is compared with; nothing if there is no closed form for it.
 /// \param speed that it sees, a column or an expression in quotes if need be
 std::optional<std::string> reference_text(const DeckFriction& friction, const DeckCoefficients& set,
                                           std::string_view speed) {

@@ -102,7 +102,7 @@ class BlockReader {
     }
     return std::move(read->values);
   }
-  /// Where field i of the line read last stands.
+  /// Returns where field i of the line read last stands.
   [[nodiscard]] std::string_view text(std::size_t i) const { return texts_[i]; }
 
   void error(std::string_view piece, std::string message, std::string hint = {}) {
@@ -691,7 +691,7 @@ class Judge {
     }
   }
 
-  /// What interfaces make of a friction that they refer to.
+  /// Adds remarks on what interfaces make of a friction that they refer to.
   void remarks() {
     if (deck_.has_submodels) {
       tell(Severity::kNote, friction_.where,

@@ -69,17 +69,17 @@ struct DeckOrientation {
   int line = 0;
 };
 
-/// Whether a set gives no friction at any speed and pressure, because the constants that its law
-/// (Ifric) uses are 0. Constants of other laws do not count.
+/// Tells whether a set gives no friction at any speed and pressure, because the constants that its
+/// law (Ifric) uses are 0. Constants of other laws do not count.
 bool is_empty(int law, const DeckCoefficients& set);
 
-/// Whether a set of Ifric 4 falls from Fric to C1 (or stays) without becoming negative.
+/// Tells whether a set of Ifric 4 falls from Fric to C1 (or stays) without becoming negative.
 bool falls(const DeckCoefficients& set);
 
-/// Whether some record of a friction is orthotropic.
+/// Tells whether some record of a friction is orthotropic.
 bool is_orthotropic(const DeckFriction& friction);
 
-/// What a deck has on friction.
+/// Contents of a deck on friction.
 struct DeckContents {
   std::vector<DeckFriction> frictions;
   std::vector<DeckOrientation> orientations;
@@ -97,8 +97,8 @@ struct DeckContents {
 /// none is), and warnings in other /FRICTION blocks, or in directions if it is not orthotropic.
 DeckContents read_contents(const StarterDeck& deck, std::optional<int> chosen, Diagnostics& out);
 
-/// Whether the parts of a deck are all there are: none can stand in another file or have an id that
-/// an offset of a submodel changes.
+/// Tells whether the parts of a deck are all there are: none can stand in another file or have an
+/// id that an offset of a submodel changes.
 bool has_all_parts(const DeckContents& deck);
 
 /// The group with an id; null if the deck has none.
@@ -120,7 +120,7 @@ void judge(const DeckContents& deck, const DeckFriction& friction, const SourceT
 std::optional<std::array<double, 3>> direction_in_plane(const DeckOrientation& entry,
                                                         const std::array<double, 3>& normal);
 
-/// Whether the coefficients of a set see the pressure.
+/// Tells whether the coefficients of a set see the pressure.
 bool sees_pressure(const DeckFriction& friction, const DeckCoefficients& set);
 
 /// The rules that a Renard set breaks, each as the rule itself: "C1 <= C3".

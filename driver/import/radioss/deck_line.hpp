@@ -27,7 +27,7 @@ struct DeckNumbers {
   bool free_format = false;             ///< the fields did not stand in their columns
 };
 
-/// What is wrong with a line: a sentence, and the part of the line it speaks of.
+/// Fault of a line: a sentence, and the part of the line it speaks of.
 struct DeckFault {
   std::string message;
   std::string_view text;

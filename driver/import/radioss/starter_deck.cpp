@@ -32,7 +32,7 @@ std::vector<std::string> words_of(std::string_view keyword) {
   return words;
 }
 
-/// Whether the lines of a block are of use, or only that it is there.
+/// Use of a block: none, that it is there, or its lines.
 enum class Use { kNone, kKeyword, kLines };
 
 Use use_of(std::string_view word) {

@@ -43,7 +43,7 @@ bool has_key(const Node& node, std::string_view key) {
   return node.is_map() && node.find(key).has_value();
 }
 
-/// Whether an unquoted text is meant as a number, sound or not.
+/// Tells whether an unquoted text is meant as a number, sound or not.
 bool looks_like_number(std::string_view text) {
   const char first = text.empty() ? ' ' : text.front();
   return first == '-' || first == '+' || first == '.' || (first >= '0' && first <= '9');

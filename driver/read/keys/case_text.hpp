@@ -49,7 +49,7 @@ struct NumberOrList {
   bool list = false;
 };
 
-/// Where the nodes of a belt are.
+/// Nodes of a belt.
 struct NodesText {
   static constexpr bool kIsDeclared = true;
   At<std::vector<double>> a, b, c;
@@ -585,7 +585,7 @@ struct PartOrGroup {
   std::variant<int, std::string> value = 0;
 };
 
-/// What a record of a table of part pairs says of the friction.
+/// Friction of a record of a table of part pairs.
 struct PairDefaultText {
   static constexpr bool kIsDeclared = true;
   At<CoefficientText> coefficient;
@@ -710,7 +710,7 @@ struct ProfileText {
   At<std::string> unit, time_unit;  ///< of a CsvColumn
 };
 
-/// How the nodes of a belt move in a step.
+/// Motion of the nodes of a belt in a step.
 struct NodeMotionText {
   static constexpr bool kIsDeclared = true;
   At<std::vector<At<ProfileText>>> a, b, c;
@@ -734,7 +734,7 @@ struct EnumWords<AmplitudeShape> {
   static constexpr std::array<std::string_view, 2> kWords{"linear", "smooth"};
 };
 
-/// How a change of friction sets in: by a word, or by a table of weights over the time in the step.
+/// Course of a change of friction: by a word, or by a table of weights over the time in the step.
 struct AmplitudeText {
   Profile profile = LinearTo{1.0};  ///< from 0 to 1
 };
@@ -1101,7 +1101,7 @@ struct StopText {
   }
 };
 
-/// Where the play of a dead zone is at the start: at one of its places, or a number.
+/// Position of the play of a dead zone at the start: at one of its places, or a number.
 enum class PlayPlace { kCentred, kLower, kUpper };
 template <>
 struct EnumWords<PlayPlace> {

@@ -12,8 +12,8 @@
 namespace slipbench::driver {
 namespace {
 
-/// How this format says what an option of a Radioss /FRICTION block says (Ifric, Ifiltr, Iform,
-/// Idir), or a key of old drafts; empty for other keys.
+/// Returns how this format says what an option of a Radioss /FRICTION block says (Ifric, Ifiltr,
+/// Iform, Idir), or a key of old drafts; empty for other keys.
 std::string_view key_for_option(std::string_view option) {
   struct Option {
     std::string_view name;
@@ -47,7 +47,8 @@ std::string_view key_for_option(std::string_view option) {
   return {};
 }
 
-/// What is written in place of a key of other programs or of another place; empty for other keys.
+/// Returns what is written in place of a key of other programs or of another place; empty for other
+/// keys.
 std::string other_name(std::string_view key, std::string_view path) {
   if (const std::string_view here = key_for_option(key); !here.empty()) return std::string(here);
   if (key.starts_with('*')) return "a case has keys of its own, such as 'connector' and 'friction'";

@@ -10,23 +10,25 @@
 
 namespace slipbench::driver {
 
-/// Where in a case file a key is known: "connector", "history[] or friction[]"; empty if nowhere.
+/// Returns where in a case file a key is known: "connector", "history[] or friction[]"; empty if
+/// nowhere.
 std::string places_of_key(std::string_view key);
 
 /// The same among the keys of another kind of file.
 std::string places_of_key(std::string_view key, std::span<const KeyRow> rows);
 
-/// Where CP1, f1, field1 and the like are prescribed; empty for other keys.
+/// Returns where CP1, f1, field1 and the like are prescribed; empty for other keys.
 std::string place_of_quantity(std::string_view key);
 
-/// What there is to say of a key or connection type that this version does not have, or nothing.
+/// Returns what there is to say of a key or connection type that this version does not have, or
+/// nothing.
 std::optional<LaterKey> later_key(std::string_view key);
 
-/// What brings a result column that not every case has, such as CSF2_RAW: a sentence; empty for
-/// other names.
+/// Returns what brings a result column that not every case has, such as CSF2_RAW: a sentence; empty
+/// for other names.
 std::string origin_of_column(std::string_view name);
 
-/// What messages about a case say of its keys.
+/// Words of messages about the keys of a case.
 extern const FileWords kCaseWords;
 
 }  // namespace slipbench::driver

@@ -18,9 +18,11 @@ void resolve_connector(Binder& binder, const CaseText& text, Case& out);
 /// The belt of a SLIPRING: wrap angles or nodes, initial strain. Goes before the friction, which
 /// needs the angles.
 void resolve_belt(Binder& binder, const CaseText& text, Case& out);
-/// What of a belt can only be judged with its history: tensions, and whether its length is known.
+/// Finishes what of a belt can only be judged with its history: tensions, and whether its length is
+/// known.
 void finish_belt(Binder& binder, const CaseText& text, Case& out);
-/// The drives of `nodes:` in a step. \param drive is called with each coordinate that is driven
+/// The drives of `nodes:` in a step.
+/// \param drive is called with each coordinate that is driven
 void drive_nodes(Binder& binder, const StepText& text, const Case& problem,
                  const std::function<void(int quantity, const At<ProfileText>&)>& drive);
 /// Picks the record of `friction_pairs:` that joins the connector's parts and gives its coefficient
@@ -34,9 +36,10 @@ void resolve_friction_pairs(Binder& binder, CaseText& text, bool table_known, Ca
 bool resolve_friction(Binder& binder, const CaseText& text, bool derived_known, Case& out);
 /// Springs, dampers, stops and the mass of a dynamic case; goes after the friction.
 void resolve_forces(Binder& binder, const CaseText& text, Case& out);
-/// What of them can only be judged with the history: components driven by force and by motion.
+/// Finishes what of them can only be judged with the history: components driven by force and by
+/// motion.
 void finish_forces(Binder& binder, const CaseText& text, Case& out);
-/// The free components whose kinetic force some contact force sees (docs/theory.md, section 6), and
+/// The free components whose kinetic force some contact force sees (docs/theory, section 6), and
 /// what is to be said of contact forces that nothing or only a load drives; goes after
 /// finish_forces().
 void finish_contact_forces(Binder& binder, const CaseText& text, Case& out);
@@ -67,8 +70,8 @@ void explain_table_arguments(Binder& binder, const CaseText& text, const Case& p
 std::string nearest_component(std::string_view name, law::ComponentSet set,
                               std::string (*name_of_component)(int), std::string otherwise);
 
-/// What a case has while its connection type is faulty: all components, held and free at once, so
-/// that nothing else in the case looks wrong because of it. No real connection does that.
+/// Returns what a case has while its connection type is faulty: all components, held and free at
+/// once, so that nothing else in the case looks wrong because of it. No real connection does that.
 law::Connection any_connection();
 bool is_any_connection(const law::Connection& connection);
 

@@ -94,7 +94,7 @@ void read_lengths(Binder& binder, const At<std::vector<double>>& text, std::size
   out.belt->lengths = text.value;
 }
 
-/// Whether the history drives a quantity.
+/// Tells whether the history drives a quantity.
 bool drives(const Case& problem, int quantity) {
   for (const Step& step : problem.steps) {
     for (const Drive& drive : step.drives) {
@@ -108,7 +108,8 @@ bool drives(const Case& problem, int quantity) {
   });
 }
 
-/// Where a history drives a motion or tension: its key in the first step or column that names it.
+/// Returns where a history drives a motion or tension: its key in the first step or column that
+/// names it.
 std::pair<Node, Path> place_of(const CaseText& text, NamedMap<ProfileText> StepText::*list,
                                std::string_view name) {
   const HistoryText& history = text.history.value;

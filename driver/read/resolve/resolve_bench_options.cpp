@@ -16,7 +16,7 @@
 namespace slipbench::driver {
 namespace {
 
-/// Whether a definition slips in one component, by the return mapping of the connector.
+/// Tells whether a definition slips in one component, by the return mapping of the connector.
 bool is_single(const law::FrictionDefinition& definition) {
   return definition.slip.dimension == 1 &&
          std::holds_alternative<law::EuclideanPotential>(definition.criterion);

@@ -20,7 +20,7 @@
 namespace slipbench::driver {
 namespace {
 
-/// What a check's expressions may name: time in the step, total time, result columns.
+/// Returns what a check's expressions may name: time in the step, total time, result columns.
 std::vector<std::string> check_variables(const Case& problem) {
   std::vector<std::string> names{"t", "T"};
   for (std::string& name : column_names(problem)) {
@@ -103,8 +103,8 @@ std::optional<std::string> default_input(std::string_view signal, const Case& pr
   return std::nullopt;
 }
 
-/// What drives one input of a closed form: the column or the expression that the case names, else
-/// the column of the same meaning. Nothing after reporting an error.
+/// Returns what drives one input of a closed form: the column or the expression that the case
+/// names, else the column of the same meaning. Nothing after reporting an error.
 std::optional<ExpressionReference> input_of(Binder& binder, const AgainstText& text,
                                             const reference::Signal& signal, const Case& problem,
                                             const std::vector<std::string>& variables) {

@@ -64,7 +64,7 @@ bool complete_speed_unit(Binder& binder, Law& law, const Node& node, const Path&
   return true;
 }
 
-/// What a user may not expect of the coefficients he gave.
+/// Warns of what a user may not expect of the coefficients given.
 void warn_of(Binder& binder, const law::GeneralizedViscous& law, const Node& node,
              const Path& path) {
   if (law.c6 == 0.0) return;

@@ -61,7 +61,7 @@ std::optional<Column> accumulated_slip(const Case& problem, std::string_view qua
   return found == columns.end() ? std::nullopt : std::optional(*found);
 }
 
-/// What a name means as an abscissa; nothing if it means nothing.
+/// Returns what a name means as an abscissa; nothing if it means nothing.
 std::optional<AbscissaChoice> named_abscissa(const std::string& name, std::string_view quantity,
                                              const Case& problem) {
   if (is_time(name)) return over_time();

@@ -12,7 +12,7 @@
 
 namespace slipbench::driver {
 
-/// What quantity and reference are compared over.
+/// Abscissa of a comparison.
 struct AbscissaChoice {
   std::optional<ExpressionReference> value;  ///< nothing for total time
   std::string text = "time";                 ///< as the case names it

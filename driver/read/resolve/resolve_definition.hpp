@@ -14,7 +14,7 @@
 
 namespace slipbench::driver {
 
-/// What a coefficient law may take from the rest of its case.
+/// Numbers that a coefficient law may take from the rest of its case.
 struct LawSurroundings {
   const At<double>& area;   ///< `connector: {area: ..}` [L^2]
   const UnitSystem& units;  ///< of the case

@@ -133,7 +133,8 @@ std::optional<double> xfreq_coefficient(Binder& binder, const FilterText& text) 
   return std::nullopt;
 }
 
-/// Whether a filter of this formulation smooths the force, as law::smooths has it of a sound one.
+/// Tells whether a filter of this formulation smooths the force, as law::smooths has it of a sound
+/// one.
 bool would_smooth(const FormulationText& text) {
   law::Formulation formulation;
   formulation.filter.kind = law::Filter::Kind::kSimple;

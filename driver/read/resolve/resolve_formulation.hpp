@@ -14,8 +14,8 @@ namespace slipbench::driver {
 /// The coefficient of one direction as a coefficient of its own.
 At<CoefficientText> coefficient_of(const At<DirectionText>& direction);
 
-/// Whether a definition has or implies a formulation: `formulation:`, or an orthotropic coefficient
-/// beside `stick: {stiffness: ..}`. Then no default of `stick:` is in force.
+/// Tells whether a definition has or implies a formulation: `formulation:`, or an orthotropic
+/// coefficient beside `stick: {stiffness: ..}`. Then no default of `stick:` is in force.
 bool has_formulation(const FrictionText& text);
 
 /// The formulation of a definition with its filter and second direction; nothing if it has none or

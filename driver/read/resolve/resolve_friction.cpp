@@ -21,7 +21,7 @@ namespace {
 
 using law::ComponentSet;
 
-constexpr double kDefaultSlipTolerance = 1.0e-4;  // the connector default of section 9
+constexpr double kDefaultSlipTolerance = 1.0e-4;  // the default of docs/theory, section 10
 
 /// Reports a force of a component that the connection does not have.
 bool has_component(Binder& binder, const law::Connection& connection, int component, const Node& at,
@@ -125,7 +125,7 @@ DerivedComponents derived_components(Binder& binder, const CaseText& text, const
       negative = negative || term->sign < 0.0;
       component.push_back(std::move(*term));
     }
-    // The rules of specification section 5 on contact forces.
+    // The rules of docs/theory, section 6, on contact forces.
     if (norms && sums) {
       binder.error(*named.key, named.path,
                    "norm and sum terms do not mix in one contact force (macauley_sum and norm do)");
@@ -372,9 +372,9 @@ class Resolver {
     }
   }
 
-  /// Whether it is known which components slip.
+  /// Tells whether it is known which components slip.
   [[nodiscard]] bool outlines_known() const { return outlines_known_; }
-  /// Whether it is known which columns the laws and formulations bring with them.
+  /// Tells whether it is known which columns the laws and formulations bring with them.
   [[nodiscard]] bool columns_known() const { return columns_known_; }
 
  private:
@@ -762,7 +762,8 @@ bool name_definitions(Binder& binder, const CaseText& text, Case& out) {
   return good;
 }
 
-/// Where a definition says that it slips in `component` (index 0..5), or that it slips at all.
+/// Returns where a definition says that it slips in `component` (index 0..5), or that it slips at
+/// all.
 std::pair<Node, Path> place_of(const At<FrictionText>& friction, const CaseText& all,
                                int component) {
   const FrictionText& text = friction.value;

@@ -75,7 +75,7 @@ class Changes {
                         "nothing to reset: no earlier step changes the friction of '" +
                             out_.definitions[definition].name + "'");
       }
-      // Specification section 8: not with the exponential law, not in the first step.
+      // docs/theory, section 9.2: not with the exponential law, not in the first step.
       result.blends_elastic_slip = index_ > 0 && !law::exponential_decay(result.law) &&
                                    result.stick.mode == law::StickStiffness::Mode::kElasticSlip;
       in_force_[definition].law = result.law;

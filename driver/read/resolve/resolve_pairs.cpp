@@ -25,8 +25,8 @@ bool begins_with_letter(std::string_view name) {
                            (name.front() >= 'a' && name.front() <= 'z'));
 }
 
-/// What kind of law a coefficient is, as a word. A number goes with every law that has a constant
-/// part of its own.
+/// Returns what kind of law a coefficient is, as a word. A number goes with every law that has a
+/// constant part of its own.
 std::string_view kind_of(const CoefficientText& text) {
   if (text.orthotropic) return kind_of(text.orthotropic->direction1.value.coefficient);
   if (text.with_direction) return kind_of(text.with_direction->forward.value.coefficient);
@@ -43,7 +43,8 @@ class PairTable {
     std::sort(known_.begin(), known_.end());
   }
 
-  /// The sides of every record as lists of parts. \return whether the table is sound
+  /// The sides of every record as lists of parts.
+  /// \return whether the table is sound
   bool resolve() {
     const FrictionPairsText& table = text_.value;
     bool good = text_.sound;
@@ -61,7 +62,7 @@ class PairTable {
     return good;
   }
 
-  /// Whether a part is one of the known ones, which is reported.
+  /// Tells whether a part is one of the known ones, which is reported.
   bool known(int part, const Node& node, const Path& path) {
     const At<std::vector<At<int>>>& list = text_.value.parts;
     if (!list.given() || list.faulty()) return true;
@@ -143,7 +144,7 @@ class PairTable {
       side.group = &group->second;
       return true;
     }
-    // A search for the name that was meant; nobody reads so many messages.
+    // A search for the name that was meant; so many messages are not read.
     if (++unknown_groups_ > Diagnostics::kMaxKept) {
       binder_.error(*at.node, at.path, "unknown group '" + printable(name) + "'");
       return false;

@@ -13,7 +13,7 @@
 namespace slipbench::driver {
 namespace {
 
-/// What a term is of, where that can be said.
+/// Returns what a term is of, where that can be said.
 std::optional<law::PotentialContribution> contribution(
     Binder& binder, const At<PotentialTermText>& at,
     const std::function<const law::DerivedComponent*(const At<std::string>&)>& derived) {

@@ -21,14 +21,15 @@ struct ResolvedPotential {
   bool components_known = false;  ///< false: there may be more
 };
 
-/// Builds a potential of its text and reports what breaks the rules of specification section 6,
-/// each fault at the term that has it. \param derived finds a derived component by its name, or
-/// reports why it cannot and returns null
+/// Builds a potential of its text and reports what breaks the rules of docs/theory, section 7, each
+/// fault at the term that has it.
+/// \param derived finds a derived component by its name, or reports why it cannot and returns null
 ResolvedPotential resolve_potential(
     Binder& binder, const At<PotentialText>& text,
     const std::function<const law::DerivedComponent*(const At<std::string>& name)>& derived);
 
-/// Where a potential brings in `component` (index 0..5): the key of the term, or the potential.
+/// Returns where a potential brings in `component` (index 0..5): the key of the term, or the
+/// potential.
 std::pair<Node, Path> place_in_potential(const At<PotentialText>& text, const CaseText& all,
                                          int component);
 

@@ -232,7 +232,7 @@ std::optional<law::TableFunction> table_function(Binder& binder, const TableText
       if (found) {
         binder.error(*column.node, column.path,
                      "'" + column.value + "' is an independent: the dependent columns come first");
-        // What the others then are is anybody's guess.
+        // The others are then unknown.
         return std::nullopt;
       }
       continue;
