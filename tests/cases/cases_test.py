@@ -20,8 +20,8 @@ TEST is one of
   suite      a suite with hostile names and broken cases: JUnit XML keeps the schema junit.xsd, JSON, annotations, what
              files are written and which are refused, --filter, --failed-first, --fail-fast, --quiet, interruption, the
              progress bar on a terminal and nowhere else
-  guide      the complete cases in docs/user-guide.md and README.md pass, and what they show of the program's
-             output is what it says
+  guide      the complete cases in docs/guide and README.md pass, and what they show of the program's output is what
+             it says; a page of the guide may use the files of those before it
 The needs beyond python3 itself are python3-yaml, python3-jsonschema and xmllint.
 """
 
@@ -302,37 +302,47 @@ def unhurried(text):
 
 
 def guide():
-    fence = re.compile(r"^```(\w+) ?([^\n]*)\n(.*?)^```", re.MULTILINE | re.DOTALL)
-    for document in ("docs/user-guide.md", "README.md"):
-        cases = 0
+    contents = (source / "docs/guide/README.md").read_text()
+    pages = list(dict.fromkeys(re.findall(r"\]\((\w[\w-]*\.md)\)", contents)))
+    on_disk = {path.name for path in (source / "docs/guide").glob("*.md")} - {"README.md"}
+    expect(set(pages) == on_disk, f"docs/guide/README.md: its pages are {pages}, the folder has {sorted(on_disk)}")
+    for documents in ([f"docs/guide/{page}" for page in pages], ["README.md"]):
         with tempfile.TemporaryDirectory() as folder:
             folder = pathlib.Path(folder)
             (folder / "bin").mkdir()
             (folder / "bin/slipbench").symlink_to(program)
-            path = f"{folder / 'bin'}:{os.environ['PATH']}"
-            for kind, title, body in fence.findall((source / document).read_text()):
-                if kind == "csv":
-                    (folder / title).write_text(body)
-                elif kind == "yaml" and title.startswith("file "):
-                    (folder / title.removeprefix("file ")).write_text(body)
-                elif kind == "yaml" and title.endswith(".yml"):
-                    # A file for a continuous integration, to be pasted: at least it can be read.
-                    expect(isinstance(yaml.safe_load(body), dict), f"{document}: {title} is no YAML map")
-                elif kind == "yaml" and title.startswith("case "):
-                    cases += 1
-                    name = title.removeprefix("case ")
-                    (folder / name).write_text(body)
-                    code, output = run("check", name, cwd=folder)
-                    expect(code == 0, f"{document}, {name}: check ended with {code}:\n{output}")
-                elif kind == "console":
-                    commands = [line[2:] for line in body.splitlines() if line.startswith("$ ")]
-                    shown = "\n".join(line for line in body.splitlines() if not line.startswith("$ "))
-                    done = subprocess.run(["bash", "-c", "\n".join(commands)], cwd=folder, text=True, timeout=120,
-                                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                                          env={**os.environ, "PATH": path, "LC_ALL": "C.UTF-8"})
-                    expect(unhurried(shown.strip()) == unhurried(done.stdout.strip()),
-                           f"{document}: '{commands[0]}' shows other words than it says:\n{done.stdout}")
-        expect(cases, f"{document}: no complete case found")
+            cases = sum(examples(document, folder) for document in documents)
+        expect(cases, f"{documents}: no complete case found")
+
+
+def examples(document, folder):
+    """Runs what one page shows, in a folder; returns how many complete cases there are."""
+    fence = re.compile(r"^```(\w+) ?([^\n]*)\n(.*?)^```", re.MULTILINE | re.DOTALL)
+    path = f"{folder / 'bin'}:{os.environ['PATH']}"
+    cases = 0
+    for kind, title, body in fence.findall((source / document).read_text()):
+        if kind == "csv":
+            (folder / title).write_text(body)
+        elif kind == "yaml" and title.startswith("file "):
+            (folder / title.removeprefix("file ")).write_text(body)
+        elif kind == "yaml" and title.endswith(".yml"):
+            # A file for a continuous integration, to be pasted: at least it can be read.
+            expect(isinstance(yaml.safe_load(body), dict), f"{document}: {title} is no YAML map")
+        elif kind == "yaml" and title.startswith("case "):
+            cases += 1
+            name = title.removeprefix("case ")
+            (folder / name).write_text(body)
+            code, output = run("check", name, cwd=folder)
+            expect(code == 0, f"{document}, {name}: check ended with {code}:\n{output}")
+        elif kind == "console":
+            commands = [line[2:] for line in body.splitlines() if line.startswith("$ ")]
+            shown = "\n".join(line for line in body.splitlines() if not line.startswith("$ "))
+            done = subprocess.run(["bash", "-c", "\n".join(commands)], cwd=folder, text=True, timeout=120,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                  env={**os.environ, "PATH": path, "LC_ALL": "C.UTF-8"})
+            expect(unhurried(shown.strip()) == unhurried(done.stdout.strip()),
+                   f"{document}: '{commands[0]}' shows other words than it says:\n{done.stdout}")
+    return cases
 
 
 SLIDER = """slipbench: 1

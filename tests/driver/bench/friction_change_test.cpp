@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Friction that changes in the course of a step (connector-friction specification, section 8).
+// Friction that changes in the course of a step (docs/theory, section 9.2).
 #include "driver/bench/friction_change.hpp"
 
 #include <catch2/catch.hpp>
