@@ -70,7 +70,7 @@ inline constexpr ClosedForm kForm{
     .name = "belt_segment",
     .title = "Strain and tension of a belt segment through which material flows",
     .formula = "strain = d/l_ref - 1, l_ref = d(0)/(1 + initial strain) + Psi_a - Psi_b",
-    .source = "connector-friction specification, section 2.2",
+    .source = "docs/theory, section 4.1",
     .range = "d > 0 and l_ref > 0; each row by itself, flows from the first row",
     .parameters = kParameters,
     .inputs = kInputs,

@@ -285,7 +285,7 @@ inline constexpr ClosedForm kWrapAngleForm{
     .name = "wrap_angle",
     .title = "Wrap angle of a slip ring from the positions of its three nodes",
     .formula = "alpha = atan2(|ab x bc|, ab . bc)",
-    .source = "connector-friction specification, section 2.2",
+    .source = "docs/theory, section 4.1",
     .range = "0 .. pi; each row by itself",
     .parameters = {},
     .inputs = kWrapAngleInputs,

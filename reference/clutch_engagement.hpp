@@ -147,7 +147,7 @@ inline constexpr ClosedForm kForm{
     .name = "clutch_engagement",
     .title = "Engagement of a clutch of constant moment between two inertias",
     .formula = "J_1 w_1' = L_1 - s M, J_2 w_2' = L_2 + s M, s = sign(w_1 - w_2), then together",
-    .source = "derived in docs/theory.md",
+    .source = "derived in docs/theory",
     .range = "J, M > 0; the clutch engages, and holds its loads afterwards",
     .parameters = kParameters,
     .inputs = kInputs,

@@ -109,7 +109,7 @@ inline double planar_spinning(const Ring& ring, double internal_contact_moment, 
   return mean_arm(ring) * std::abs(f1) + std::hypot(m2, m3) + internal_contact_moment;
 }
 
-inline constexpr std::string_view kSource = "connector-friction specification, section 4.1";
+inline constexpr std::string_view kSource = "docs/theory, section 4";
 inline constexpr std::string_view kRange =
     "lengths, radii and internal forces >= 0; 0 drops a term";
 

@@ -134,7 +134,7 @@ PathEvaluator make(std::span<const std::vector<double>> values) {
   };
 }
 
-inline constexpr std::string_view kSource = "connector-friction specification, section 4.2";
+inline constexpr std::string_view kSource = "docs/theory, section 5";
 inline constexpr std::string_view kRange =
     "R_p > 0, L_a > 0, |beta| < pi/2; the factors are a fit to a plot, good to 0.0022";
 

@@ -119,7 +119,7 @@ inline constexpr ClosedForm kForm{
     .name = "coulomb_vibration",
     .title = "Free vibration of a mass on a spring with Coulomb friction",
     .formula = "x = +-[(a_n - F/k) cos(w t - n pi) + F/k], a_n = |x_0| - 2 n F/k, F = mu N",
-    .source = "derived in docs/theory.md; numbers: Ansys verification manual, VM73",
+    .source = "derived in docs/theory; numbers: Ansys verification manual, VM73",
     .range = "m, k > 0; released at rest; static and kinetic friction alike",
     .parameters = kParameters,
     .inputs = kInputs,

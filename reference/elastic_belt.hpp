@@ -299,7 +299,7 @@ inline constexpr ClosedForm kForm{
     .name = "elastic_belt",
     .title = "An elastic belt pulled around a guide against a constant tension",
     .formula = "|x - x_r| = (R/(mu EA)) (sqrt(T_r) - sqrt(T))^2; full slip at T0 e^(+-mu alpha)",
-    .source = "derived in docs/theory.md",
+    .source = "derived in docs/theory",
     .range = "mu, alpha, R, EA, T0 > 0; turning points of the travel on rows",
     .parameters = kParameters,
     .inputs = kInputs,

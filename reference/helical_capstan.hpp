@@ -51,7 +51,7 @@ inline PathEvaluator make(std::span<const std::vector<double>> values) {
 inline constexpr ClosedForm kForm{.name = "helical_capstan",
                                   .title = "A belt slipping along a helix around a cylinder",
                                   .formula = "T_2/T_1 = e^(mu theta cos psi)",
-                                  .source = "Euler 1769 on a geodesic; derived in docs/theory.md",
+                                  .source = "Euler 1769 on a geodesic; derived in docs/theory",
                                   .range = "mu, theta >= 0; 0 <= psi <= pi/2",
                                   .parameters = kParameters,
                                   .inputs = kInputs,

@@ -75,7 +75,7 @@ inline constexpr ClosedForm kForm{
     .name = "helical_slip",
     .title = "Steady slip of a CYLINDRICAL shaft that slides and turns",
     .formula = "f1 = lim v/V, m1 = lim R^2 omega/V, V = sqrt(v^2 + (R omega)^2)",
-    .source = "connector-friction specification, section 4.1; derived in docs/theory.md",
+    .source = "docs/theory, sections 4 and 14.7",
     .range = "R > 0; steady slip, no force while nothing moves",
     .parameters = kParameters,
     .inputs = kInputs,

@@ -52,7 +52,7 @@ inline constexpr ClosedForm kForm{
     .name = "moving_belt",
     .title = "A running belt with mass slipping on its pulley",
     .formula = "(T_1 - m v^2)/(T_2 - m v^2) = e^(mu alpha)",
-    .source = "textbook belt drives; derived in docs/theory.md",
+    .source = "textbook belt drives; derived in docs/theory",
     .range = "mu, alpha, m >= 0; steady speed; T <= m v^2: no contact, no friction",
     .parameters = kParameters,
     .inputs = kInputs,

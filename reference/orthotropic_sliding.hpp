@@ -63,7 +63,7 @@ inline constexpr ClosedForm kForm{
     .name = "orthotropic_steady_sliding",
     .title = "Steady sliding with two coefficients of friction: the force of the greatest power",
     .formula = "f_i = N mu_i^2 v_i/sqrt((mu1 v1)^2 + (mu2 v2)^2)",
-    .source = "principle of maximum dissipation; derived in docs/theory.md",
+    .source = "principle of maximum dissipation; derived in docs/theory",
     .range = "mu_i, N >= 0; steady slip, each row by itself",
     .parameters = {},
     .inputs = kInputs,

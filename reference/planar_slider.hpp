@@ -229,7 +229,7 @@ inline constexpr ClosedForm kForm{
     .name = "planar_slider",
     .title = "Elastic stick and Coulomb slip in two coupled directions, constant normal force",
     .formula = "stick: f += k du; slip: tan(psi/2) falls as exp(-k r/lim), ds = cos(psi) dr",
-    .source = "derived in docs/theory.md",
+    .source = "derived in docs/theory",
     .range = "k > 0; exact on polylines with their corners on rows, second order on curves",
     .parameters = kParameters,
     .inputs = kInputs,

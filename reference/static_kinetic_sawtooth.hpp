@@ -184,7 +184,7 @@ inline constexpr ClosedForm kForm{
     .name = "static_kinetic_sawtooth",
     .title = "Saw-tooth, smooth answer and threshold of a falling coefficient with elastic stick",
     .formula = "drop (mu_s - mu_k) N each (mu_s - mu_k) N/k; dt > 2 N (mu_s - mu_k) d e^(-d v)/k",
-    .source = "derived in docs/theory.md",
+    .source = "derived in docs/theory",
     .range = "mu_s > mu_k, d > 0, N > 0, k > 0; time rises wherever there is motion",
     .parameters = kParameters,
     .inputs = kInputs,

@@ -228,7 +228,7 @@ inline constexpr ClosedForm kForm{
     .title = "Mass and spring on a moving belt, static and kinetic coefficient",
     .formula =
         "slip: m x'' + k x = z mu_k N, z = sign(v - x'); stick: x' = v while |k x| <= mu_s N",
-    .source = "derived in docs/theory.md",
+    .source = "derived in docs/theory",
     .range = "m, k > 0, mu_s >= mu_k; rigid stick; exact at any time",
     .parameters = kParameters,
     .inputs = kInputs,

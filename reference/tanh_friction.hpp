@@ -99,7 +99,7 @@ inline constexpr ClosedForm kCreepForm{
     .name = "tanh_creep",
     .title = "Creep of regularised Coulomb friction under a constant load below the limit",
     .formula = "v = v_0 atanh(P/(mu N))",
-    .source = "derived in docs/theory.md",
+    .source = "derived in docs/theory",
     .range = "|P| < mu N; quasi-static",
     .parameters = kCreepParameters,
     .inputs = kCreepInputs,

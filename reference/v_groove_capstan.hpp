@@ -46,7 +46,7 @@ inline PathEvaluator make(std::span<const std::vector<double>> values) {
 inline constexpr ClosedForm kForm{.name = "v_groove_capstan",
                                   .title = "A belt slipping in a V-shaped groove",
                                   .formula = "T_2/T_1 = e^(mu alpha/sin(gamma/2))",
-                                  .source = "textbook belt drives; derived in docs/theory.md",
+                                  .source = "textbook belt drives; derived in docs/theory",
                                   .range = "mu, alpha >= 0; 0 < gamma <= pi, pi is a flat rim",
                                   .parameters = kParameters,
                                   .inputs = kInputs,

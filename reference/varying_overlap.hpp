@@ -107,7 +107,7 @@ inline constexpr ClosedForm kForm{
     .name = "contact_force_varying_overlap",
     .title = "Normal force of a shaft drawn out of its bushing: tabulated and true weight",
     .formula = "F_N = sqrt(f2^2 + f3^2) + beta(x) sqrt(m2^2 + m3^2) + F_int; true 2/(L - x)",
-    .source = "connector-friction specification, sections 4.1 and 5",
+    .source = "docs/theory, sections 4 and 6",
     .range = "table positions rising; the true weight needs x < L",
     .parameters = kParameters,
     .inputs = kInputs,

@@ -139,7 +139,7 @@ inline constexpr ClosedForm kCreepForm{
     .name = "viscous_penalty_creep",
     .title = "Creep of viscous penalty friction under a constant load below the limit",
     .formula = "v = P/C",
-    .source = "derived in docs/theory.md",
+    .source = "derived in docs/theory",
     .range = "|P| < mu N; quasi-static",
     .parameters = kCreepParameters,
     .inputs = kCreepInputs,

@@ -87,7 +87,7 @@ inline constexpr ClosedForm kForm{
     .name = "wear_table",
     .title = "Internal contact force from a table over accumulated slip and temperature",
     .formula = "linear over slip within each temperature, then over temperature; ends held",
-    .source = "connector-friction specification, section 12",
+    .source = "docs/theory, section 9.1",
     .range = "rising slips and temperatures; forces of the first temperature first",
     .parameters = kParameters,
     .inputs = kInputs,
