@@ -383,7 +383,7 @@ TEST_CASE("stretching time changes nothing where the coefficient does not see th
   });
 }
 
-/// The user-defined twin of a predefined check, written from the table of section 4.1.
+/// The user-defined twin of a predefined check, written from the table of docs/theory, section 4.
 struct Twin {
   PredefinedFriction predefined;
   SlipSpace slip;

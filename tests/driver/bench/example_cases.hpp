@@ -47,8 +47,8 @@ inline Step step(std::string name, int increments, int quantity, Profile profile
   return {std::move(name), duration, increments, repeat, {{quantity, std::move(profile)}}};
 }
 
-/// PLANAR with predefined friction: R = 0.5, F_int = 20, M_int = 3, mu = 0.2 (specification,
-/// section 15), pressed by f1 = -100, m2 = 6, m3 = 8.
+/// PLANAR with predefined friction: R = 0.5, F_int = 20, M_int = 3, mu = 0.2, a known
+/// example, pressed by f1 = -100, m2 = 6, m3 = 8.
 inline Case puck_case(std::vector<Step> steps) {
   Case problem;
   problem.file = "puck.yaml";

@@ -53,7 +53,7 @@ TEST_CASE("with several definitions each has its own columns, named after it") {
   }
   CHECK(std::count(all.begin(), all.end(), "FLIM") == 0);
   const Row last = rows_of(problem).back();
-  // Specification, section 15: sliding F_N 140, spinning M_N 46.3333; mu = 0.2.
+  // By hand: sliding F_N 140, spinning M_N 46.3333; mu = 0.2.
   CHECK(value(problem, last, "FLIM.sliding") == Approx(28.0).epsilon(1e-14));
   CHECK(value(problem, last, "CNFC") == Approx(140.0).epsilon(1e-14));
   CHECK(value(problem, last, "FN.spinning") == Approx(46.0 + 1.0 / 3.0).epsilon(1e-14));

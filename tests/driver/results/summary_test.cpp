@@ -177,7 +177,7 @@ TEST_CASE("a mass that turns slips all the time, up to and beyond its turn") {
 
 TEST_CASE("a coefficient that falls too fast is warned of, with the increment that would do") {
   Case problem = slider_case({step("out", 100, 0, LinearTo{1.0}, 0.01)});
-  // Reference cases, section 6: 2 N (mu_s - mu_k) d/k/2 = N 0.1 0.05/k = 5e-4 s.
+  // By hand: 2 N (mu_s - mu_k) d/k/2 = N 0.1 0.05/k = 5e-4 s.
   problem.definitions[0].law.law = law::ExponentialDecay{0.3, 0.2, 0.05};
   const Summary summary = summary_of(problem);
   REQUIRE(summary.definitions()[0].multiple_roots > 0);

@@ -23,7 +23,7 @@ struct Row {
   bool predefined;
 };
 
-// Section 2.1 of the connector-friction specification.
+// docs/theory, section 2.
 const std::vector<Row> kTypes = {
     {"SLOT", ComponentSet::of(2, 3), ComponentSet::of(1), true},
     {"SLIDE-PLANE", ComponentSet::of(1), ComponentSet::of(2, 3), true},
@@ -60,7 +60,7 @@ double limit(const Type& type, const ConnectorForce& force, double mu, std::size
   return update(definition, rest, state).limit;
 }
 
-TEST_CASE("every connection type holds and frees what the specification says") {
+TEST_CASE("every connection type holds and frees what the theory says") {
   std::size_t seen = 0;
   for_each_connection_type([&]<class Type>(std::type_identity<Type>) {
     ++seen;
@@ -195,7 +195,7 @@ TEST_CASE("two types of one kind of motion, or an assembled one, make no pair") 
   CHECK_FALSE(assemble(*find_connection("SLOT"), *find_connection("SLOT")));
 }
 
-// The numbers of section 15 of the specification are given to six digits: half of the last one.
+// The numbers of the example are given to six digits: half of the last one.
 
 TEST_CASE("the mean arm of a ring is that of a disc without a hole, to the last bit") {
   for (const double R : {0.3, 7.0, 1e-3, 12.3456789}) CHECK(Planar{R}.mean_arm() == 2.0 / 3.0 * R);

@@ -19,7 +19,7 @@ RelativePosition angles(double alpha, double beta) { return {{0, 0, 0, alpha, be
 
 const ConnectorForce kForce{{100, 50, 20, 0, 8, 0}};
 
-TEST_CASE("the shares of the hinges are those of the specification at slenderness 10") {
+TEST_CASE("the shares of the hinges are those of the theory at slenderness 10") {
   const HingeShares shares = hinge_shares(10.0);
   // The numbers are given to six digits.
   CHECK(shares.k_ax == Approx(0.456731).margin(5e-7));

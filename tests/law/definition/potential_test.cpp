@@ -71,7 +71,7 @@ DerivedComponent shear() {
   return {term(TermOperator::kNorm, {{1, 1.0}, {2, 1.0}}), term(TermOperator::kNorm, {{6, 0.4}})};
 }
 
-TEST_CASE("a spot weld's two derived components meet the specification's number") {
+TEST_CASE("a spot weld's two derived components meet the number of the example") {
   const BuiltPotential built = sum({of_derived(tension(), 0.02), of_derived(shear(), 0.05)}, 1.5);
   REQUIRE(built.violations.empty());
   CHECK(built.slip.dimension == 6);
@@ -82,7 +82,7 @@ TEST_CASE("a spot weld's two derived components meet the specification's number"
                                     {1, -0.72},
                                     {2, 0.96},
                                     {6, -1.11606 / 0.4}});
-  // The specification, section 15, prints six digits.
+  // The example prints six digits.
   CHECK(p == Approx(193.693).epsilon(3e-6));
   // A push does not count.
   CHECK(value_of(built, {{3, -100.0}}) == 0.0);

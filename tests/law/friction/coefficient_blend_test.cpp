@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A change of friction in progress: mu = start + weight (law - start), specification section 8.
+// A change of friction in progress: mu = start + weight (law - start), docs/theory, section 9.2.
 #include "law/friction/coefficient_blend.hpp"
 
 #include <catch2/catch.hpp>

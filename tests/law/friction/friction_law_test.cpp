@@ -148,7 +148,7 @@ TEST_CASE("the decay through measured points has the reference values (K2)") {
   CHECK(two.decay == Approx(0.1497866136777).epsilon(1e-13));
 }
 
-TEST_CASE("the decay through measured points has the specification's values (section 15)") {
+TEST_CASE("the decay through measured points has the values of the example") {
   // The numbers are given to six digits.
   const ExponentialTestData two{0.3, 0.2, 5.0, {}};
   CHECK(two.fit().kinetic == Approx(0.194737).margin(5e-7));

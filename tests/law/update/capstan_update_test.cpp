@@ -44,7 +44,7 @@ FrictionRun under(double tension, FrictionDefinition definition) {
 
 const std::vector<StickStiffness> kBothModes = {allowable_slip(0.01), fixed_stiffness(5000.0)};
 
-TEST_CASE("the stick band of the specification: T = 5, mu = 0.1, a quarter turn") {
+TEST_CASE("the stick band of the example: T = 5, mu = 0.1, a quarter turn") {
   for (const StickStiffness stick : kBothModes) {
     FrictionRun run = under(5.0, belt(0.1, pi / 2, stick));
     // Documented with six digits.

@@ -66,7 +66,7 @@ TEST_CASE("the onset is the part of the increment before slip begins") {
     CHECK(run.move_to(1, 0.1).onset == exactly(0.4));  // back through both elastic slips
     CHECK(run.move_to(1, 0.11).onset == 0.0);          // sticks
   }
-  // Within one step of a path in two directions: reference cases, section 4, (14.7) of the theory.
+  // Within one step of a path in two directions: (14.7) of the theory.
   FrictionRun plane(slider(0.2, 100.0, fixed_stiffness(kStiffness), {2, 3}));
   plane.position[1] = 0.03;
   plane.position[2] = 0.04;
@@ -364,7 +364,7 @@ TEST_CASE("after lift-off the force restarts from zero, counted from re-contact 
   }
 }
 
-TEST_CASE("the two-dimensional path of the specification is met, elastic-slip mode") {
+TEST_CASE("the two-dimensional path of the example is met, elastic-slip mode") {
   for (const StickStiffness stick : {allowable_slip(0.01), fixed_stiffness(2000.0)}) {
     FrictionRun run(slider(0.2, 100.0, stick, {2, 3}));
     struct Leg {

@@ -354,7 +354,7 @@ TEST_CASE("without contact the tangent is zero") {
   CHECK(tangent.to_force.isZero(0.0));
 }
 
-TEST_CASE("the tangent has the entries of the specification's table (section 10.7)") {
+TEST_CASE("the tangent has the entries of the table of docs/theory, section 12") {
   // Slip along 2 at constant coefficient: no stiffness along, limit/q across.
   FrictionDefinition definition = slider(0.2, 0.0, allowable_slip(0.02), {2, 3});
   definition.contact_force = DerivedComponent{norm_term({1}, 1.0)};
