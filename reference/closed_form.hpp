@@ -50,9 +50,10 @@ inline constexpr Parameter kPeriod{.name = "period",
                                    .lower_open = true};
 
 /// Streaming evaluation along a sampled path: called once a row, in order. `inputs` and `outputs`
-/// have the sizes and the order of ClosedForm::inputs and ::outputs. The first call is the start of
-/// the path: the body is at rest and free of force there, and only differences of motion count from
-/// then on, unless the closed form says otherwise. Time is that of the row; it never falls.
+/// have the sizes and the order of ClosedForm::inputs and ClosedForm::outputs. The first call is
+/// the start of the path: the body is at rest and free of force there, and only differences of
+/// motion count from then on, unless the closed form says otherwise. Time is that of the row; it
+/// never falls.
 using PathEvaluator =
     std::function<void(std::span<const double> inputs, std::span<double> outputs)>;
 

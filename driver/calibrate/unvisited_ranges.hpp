@@ -25,9 +25,9 @@ std::pair<double, double> neighbours(const FittedTable& table, std::size_t row, 
 /// \param seen rows of the table on whose ordinates a compared point depends
 void mark_edge_cells(const std::vector<char>& seen, FittedTable* table);
 
-/// Returns where no compared point lies: "with temperature above 80 degC, nor with slip_rate 0 ..
-/// 10 mm/s, temperature 20 .. 90 degC"; empty if there is none such cell, or the cells were not
-/// counted.
+/// Returns where no compared point lies: "with temperature above 80 degC, nor with slip_rate
+/// 0 .. 10 mm/s, temperature 20 .. 90 degC"; empty if there is none such cell, or the cells were
+/// not counted.
 std::string unvisited_ranges(const FittedTable& table);
 
 }  // namespace slipbench::driver

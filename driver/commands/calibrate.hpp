@@ -16,12 +16,12 @@ struct CalibrateOptions {
   bool force = false;            ///< --force: replace files that are no results of the fit
   std::optional<int> bootstrap;  ///< resamplings; the fit's choice if absent
   bool profile = false;          ///< profile likelihood, whatever the fit says
-  std::string report;            ///< an HTML page; empty: <fit>.html in `folder`
+  std::string report;            ///< an HTML page; empty: `FIT.html` in `folder`
 };
 
 /// `slipbench calibrate`: fits parameters and tables of cases to measured data, tells how well they
-/// are known, and writes <fit>.json, <fit>.html, the pictures <fit>.*.svg and one calibrated case a
-/// fitted case, <case>.calibrated.yaml. Returns the exit code: 0 if the fit converged, 3 if not.
+/// are known, and writes FIT.json, FIT.html, the pictures FIT.NAME.svg and one calibrated case a
+/// fitted case, CASE.calibrated.yaml. Returns the exit code: 0 if the fit converged, 3 if not.
 int calibrate_command(const CalibrateOptions& options);
 
 }  // namespace slipbench::driver

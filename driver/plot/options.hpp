@@ -10,7 +10,7 @@ namespace slipbench::driver {
 
 struct PlotOptions {
   std::string input;   ///< a case, or a result if it ends in .csv
-  std::string output;  ///< .svg, .png or .pdf; empty: <stem of the input>.svg, .law.svg, .KIND.svg
+  std::string output;  ///< .svg, .png or .pdf; empty: STEM.svg, STEM.law.svg, STEM.KIND.svg
   std::vector<std::string> settings;  ///< --set, as typed; for a case only
   bool allow_outside = false;
   bool force = false;             ///< --force: replace a file that is no picture of the input

@@ -62,7 +62,7 @@ class Coverage {
 
   /// A line for each table that has cells never visited, or was asked outside; indented by two
   /// blanks.
-  /// \param last_line at most so many lines; more tables are counted in one
+  /// \param most_lines at most so many lines; more tables are counted in one
   std::string text(std::size_t most_lines = 3) const;
   /// All tables; of those with many unvisited cells the first thousand.
   json::Value to_json() const;

@@ -12,7 +12,7 @@ namespace slipbench::law {
 enum class TermOperator : std::uint8_t {
   kNorm,        ///< s sqrt(sum (w_j f_j)^2)
   kSum,         ///< s sum w_j f_j
-  kMacauleySum  ///< s sum <w_j f_j>, <x> = max(x, 0)
+  kMacauleySum  ///< s sum max(w_j f_j, 0)
 };
 
 /// One term of a derived component (docs/theory, section 6). Weights carry the unit that makes

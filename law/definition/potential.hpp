@@ -19,7 +19,7 @@ enum class PotentialOperator : std::uint8_t {
 /// vector y of the scaled forces and the unit vector e = `direction`:
 ///   kNorm      r = |y over the entries with e_k != 0|
 ///   kLine      r = |v|, v = e.y - center
-///   kHalfLine  r = <v>, the same with <x> = max(x, 0)
+///   kHalfLine  r = max(v, 0), else as kLine
 struct PotentialLeaf {
   enum class Kind : std::uint8_t { kNorm, kLine, kHalfLine };
   Kind kind = Kind::kLine;

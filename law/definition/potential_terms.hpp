@@ -17,7 +17,7 @@ namespace slipbench::law {
 /// H of a contribution: what becomes of X = (E - a)/R.
 enum class ContributionFunction : std::uint8_t {
   kAbs,       ///< |X|
-  kMacauley,  ///< <X> = max(X, 0)
+  kMacauley,  ///< max(X, 0)
   kIdentity   ///< X
 };
 

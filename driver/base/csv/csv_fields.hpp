@@ -73,8 +73,8 @@ inline const char* read_number(const char* begin, const char* end, char decimal,
 /// The number that `text` is, all of it; nothing if it is none in the range of a double.
 std::optional<double> number_in(std::string_view text, char decimal);
 
-/// True for what stands where a sample is missing: nothing at all, nan, na, n/a, #n/a, null, none
-/// (in any case), 1.#QNAN, and dashes alone.
+/// True for what stands where a sample is missing: nothing at all, nan, na, n/a, \#n/a, null, none
+/// (in any case), 1.\#QNAN, and dashes alone.
 bool is_missing(std::string_view text);
 
 struct Field {

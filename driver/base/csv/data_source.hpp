@@ -19,7 +19,7 @@ enum class MissingSample : std::uint8_t {
 /// The ways in which files of numbers differ.
 struct CsvFormat {
   char decimal = '.';      ///< or ','
-  char separator = '\0';   ///< ',', ';', '\t', ' ' (runs of blanks); '\0': as the header shows
+  char separator = '\0';   ///< `,` `;` tab or blanks; 0: as the header shows
   int skip = 0;            ///< lines before the header
   bool units_row = false;  ///< the line below the header holds the units of the columns
   MissingSample missing = MissingSample::kError;

@@ -24,9 +24,9 @@ struct FitPictures {
 std::vector<std::string> fit_picture_names(const Fit& fit, std::string_view stem);
 
 /// Draws with gnuplot, into `folder`, under names that start with `stem`:
-///   <stem>.<experiment>.loop.svg       measured, before and after, over time and over the position
-///   <stem>.<experiment>.residuals.svg  what is left, over time and as a histogram
-///   <stem>.<table>.table.svg           ordinates before and after with their intervals
+///   `STEM.EXPERIMENT.loop.svg`       measured, before and after, over time and over the position
+///   `STEM.EXPERIMENT.residuals.svg`  what is left, over time and as a histogram
+///   `STEM.TABLE.table.svg`           ordinates before and after with their intervals
 /// Characters of a name that do not belong into a file's name become '-'. A picture that does not
 /// come about is a note, no failure: the page has the same curves; one that would take the place of
 /// what must stay is not drawn.
