@@ -316,8 +316,9 @@ class Pieces {
     const bool slips = signature.regime == Regime::kSlip;
     const bool sticks = signature.regime == Regime::kStick && steps_.holds(at_, from) < kAhead;
     if (!slips && !sticks) return true;
-    // By a motion that turns no force.
-    const double far = kNearLetGo * std::min(elastic_ / steps_.length(), 1.0);
+    // By a motion that turns no force; a viscous one may still be beyond its limit at rest.
+    const double far =
+        (steps_.viscous() ? kNearRate : kNearLetGo) * std::min(elastic_ / steps_.length(), 1.0);
     const double near = from + std::min(far, 0.5 * (to - from));
     const Signature here = steps_.step(at_, from, near).signature;
     return sticks ? here.regime == Regime::kStick : !lets_go(here, signature);
