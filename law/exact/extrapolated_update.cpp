@@ -76,7 +76,7 @@ class Pieces {
          const FrictionState& old, RegimeChanges* changes)
       : definition_(definition),
         steps_(definition, segment, old),
-        tolerance_(std::max(0.05 * tolerance, 1e-13)),
+        tolerance_(std::max(0.02 * tolerance, 1e-13)),
         begin_slip_(old.accumulated_slip),
         regime_(old.regime),
         changes_(changes) {

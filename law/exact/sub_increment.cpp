@@ -25,7 +25,7 @@ constexpr double kMoved = 1e-10;
 constexpr double kRateSlack = 1e-6;
 
 /// F_N below this part of F_C and F_int is the rounding of their sum, and of where it vanishes.
-constexpr double kNoContact = 1e-11;
+constexpr double kNoContact = 1e-13;
 
 SlipVector motion_of(const FrictionDefinition& definition, const ConnectorIncrement& increment) {
   SlipVector ds{};
