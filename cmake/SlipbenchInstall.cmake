@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # What `cmake --install` writes, and how an outside project finds it again.
 #
-#   include/slipbench/<room>/...     headers; the include root is include/slipbench, as it is the root here
+#   include/slipbench/<room>/...     headers, for `#include <slipbench/law/update/return_mapping.hpp>`
 #   lib/, lib/cmake/slipbench/       libraries; one targets file for each room, so that a room's consumer
 #                                    needs the dependencies of that room only
 #   bin/slipbench                    the program
@@ -10,19 +10,34 @@
 include(CMakePackageConfigHelpers)
 
 set(SLIPBENCH_INSTALL_CMAKEDIR ${CMAKE_INSTALL_LIBDIR}/cmake/slipbench)
-set(SLIPBENCH_INSTALL_INCLUDEDIR ${CMAKE_INSTALL_INCLUDEDIR}/slipbench)
+
+# slipbench_include_root(TARGET SCOPE): where an outside project that links TARGET finds <slipbench/ROOM/...>: in the
+# installation, or, after add_subdirectory, in a folder of links to the rooms. Here headers are "ROOM/...".
+function(slipbench_include_root target scope)
+  target_include_directories(${target} ${scope}
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  if(NOT PROJECT_IS_TOP_LEVEL)
+    target_include_directories(${target} ${scope} $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>)
+  endif()
+endfunction()
 
 # slipbench_install_room(TARGET ROOM): the library as slipbench::ROOM, and the headers of the current folder.
 function(slipbench_install_room target room)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${room})
+  if(NOT PROJECT_IS_TOP_LEVEL)
+    file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include/slipbench)
+    file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/include/slipbench/${room} SYMBOLIC)
+  endif()
   if(NOT SLIPBENCH_INSTALL)
     return()
   endif()
   install(TARGETS ${target} EXPORT slipbench-${room}-targets)
   install(EXPORT slipbench-${room}-targets NAMESPACE slipbench::
           DESTINATION ${SLIPBENCH_INSTALL_CMAKEDIR})
-  install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${SLIPBENCH_INSTALL_INCLUDEDIR}/${room}
-          FILES_MATCHING PATTERN *.hpp)
+  set(headers "${PROJECT_BINARY_DIR}/installed-headers/${room}")
+  install(CODE "include(\"${PROJECT_SOURCE_DIR}/cmake/SlipbenchHeaders.cmake\")
+slipbench_write_headers(\"${CMAKE_CURRENT_SOURCE_DIR}\" \"${headers}\")")
+  install(DIRECTORY "${headers}" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/slipbench)
 endfunction()
 
 # slipbench_install_program(TARGET): the program, for projects that find the package the target slipbench::slipbench.

@@ -30,6 +30,22 @@ file(GLOB_RECURSE stray RELATIVE ${prefix} ${prefix}/include/*.cpp ${prefix}/inc
 if(stray)
   message(FATAL_ERROR "only headers belong under include: ${stray}")
 endif()
+file(GLOB_RECURSE headers RELATIVE ${prefix}/include ${prefix}/include/*.hpp)
+foreach(header IN LISTS headers)
+  if(NOT header MATCHES "^slipbench/(law|reference|driver)/")
+    message(FATAL_ERROR "only rooms belong under include/slipbench: ${header}")
+  endif()
+  file(STRINGS ${prefix}/include/${header} includes REGEX "^ *# *include *\"")
+  foreach(line IN LISTS includes)
+    string(REGEX REPLACE "^[^\"]*\"([^\"]*)\".*" "\\1" included "${line}")
+    if(NOT included IN_LIST headers)
+      message(FATAL_ERROR "${header} includes \"${included}\", which the installation does not have")
+    endif()
+  endforeach()
+endforeach()
+if(NOT headers MATCHES "slipbench/law/")
+  message(FATAL_ERROR "no header of the law is installed")
+endif()
 expect_file(share/doc/slipbench/LICENSE)
 expect_file(share/doc/slipbench/NOTICE)
 expect_file(share/slipbench/cases)
@@ -48,6 +64,12 @@ if(WITH_DRIVER)
     message(FATAL_ERROR "the installed program does not say version ${VERSION}: ${text}")
   endif()
 endif()
+
+# One that takes the source in includes the headers by the same names.
+run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${work}/inside
+    -D CMAKE_BUILD_TYPE=${CONFIG} -D CMAKE_CXX_COMPILER=${CXX_COMPILER} "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}"
+    -D SOURCE=${CMAKE_CURRENT_LIST_DIR}/../..)
+run(${CMAKE_COMMAND} --build ${work}/inside --config ${CONFIG} --target compiled)
 
 # An outside project without a compiler checks its cases: its own program finds what passes, what fails, and what is new.
 if(WITH_DRIVER)

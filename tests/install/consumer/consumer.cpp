@@ -3,10 +3,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <slipbench/law/update/return_mapping.hpp>
+#include <slipbench/reference/catalogue.hpp>
 #include <vector>
-
-#include "law/update/return_mapping.hpp"
-#include "reference/catalogue.hpp"
 
 int main() {
   namespace law = slipbench::law;

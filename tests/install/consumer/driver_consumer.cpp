@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Links the driver library: its own dependencies must come with the package.
-#include "driver/base/text/format_number.hpp"
+#include <slipbench/driver/base/text/format_number.hpp>
 
 int main() { return slipbench::driver::format_number(0.1) == "0.1" ? 0 : 1; }
