@@ -11,11 +11,13 @@
 namespace slipbench::driver {
 namespace {
 
+/// A summary knows its case, which has to outlive it.
 Summary summary_of(const Case& problem) {
   Summary summary(problem);
   for (const Row& row : rows_of(problem)) summary.add(row);
   return summary;
 }
+Summary summary_of(Case&&) = delete;
 
 /// m = 1 t, k = 100 N/mm, N = 10 N, mu_s = 0.4, mu_k = 0.3 on a belt of 0.05 mm/s.
 Case belt_case(int increments, double end = 12.0) {
@@ -30,7 +32,8 @@ Case belt_case(int increments, double end = 12.0) {
 TEST_CASE("stick-slip is told with the frequency and the amplitude of the closed form") {
   const reference::stick_slip_oscillator::Oscillator oscillator{1.0, 100.0, 10.0, 0.4, 0.3, 0.05};
   const auto exact = reference::stick_slip_oscillator::limit_cycle(oscillator);
-  const Summary summary = summary_of(belt_case(3000));
+  const Case problem = belt_case(3000);
+  const Summary summary = summary_of(problem);
   const StickSlip& found = summary.definitions()[0].stick_slip;
   CHECK(found.cycles == 13);
   CHECK(found.frequency() == Approx(1.0 / exact.period).epsilon(1e-10));
@@ -50,8 +53,10 @@ TEST_CASE("stick-slip is told with the frequency and the amplitude of the closed
 }
 
 TEST_CASE("a few rows a cycle find the same frequency, and nearly the amplitude") {
-  const Summary fine = summary_of(belt_case(3000));
-  const Summary coarse = summary_of(belt_case(300));
+  const Case of_many_rows = belt_case(3000);
+  const Case of_few_rows = belt_case(300);
+  const Summary fine = summary_of(of_many_rows);
+  const Summary coarse = summary_of(of_few_rows);
   CHECK(coarse.definitions()[0].stick_slip.frequency() ==
         Approx(fine.definitions()[0].stick_slip.frequency()).epsilon(1e-10));
   CHECK(coarse.definitions()[0].stick_slip.place.highest ==

@@ -197,7 +197,8 @@ Case falling_case(double increment, int count) {
 }
 
 TEST_CASE("increments below the smooth threshold are warned of, with both thresholds (K3)") {
-  const Summary summary = summary_of(falling_case(1e-5, 4000));
+  const Case problem = falling_case(1e-5, 4000);
+  const Summary summary = summary_of(problem);
   const DefinitionSummary& sum = summary.definitions()[0];
   CHECK(sum.short_increments == 4000);
   CHECK(sum.worst.smooth == Approx(9.51229424500714e-4).epsilon(1e-12));
