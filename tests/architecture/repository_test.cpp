@@ -81,6 +81,8 @@ TEST_CASE("the law builds no strings, writes nothing and throws nothing") {
 
 TEST_CASE("plot templates read result files only") { CHECK(broken(plot_violations) == ""); }
 
+TEST_CASE("every test case is one that ctest runs") { CHECK(broken(test_case_violations) == ""); }
+
 TEST_CASE("every source states its licence") { CHECK(broken(licence_violations) == ""); }
 
 TEST_CASE("no file names a place outside of the repository") {

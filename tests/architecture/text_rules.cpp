@@ -65,6 +65,12 @@ std::vector<Violation> plot_violations(const SourceFile& file) {
                     "a plot template reads result files and nothing else");
 }
 
+std::vector<Violation> test_case_violations(const SourceFile& file) {
+  static const std::regex kTestCase(R"(^\s*((TEMPLATE_)?TEST_CASE|SCENARIO)\w*\s*\()");
+  if (!is_cpp(file.path) || file.path.ends_with("_test.cpp")) return {};
+  return find_lines(file.path, file.text, kTestCase, "a test case stands in a file *_test.cpp");
+}
+
 std::vector<Violation> licence_violations(const SourceFile& file) {
   // In two parts, so that this line is not taken for a licence line itself.
   static const std::string kLicence = std::string("SPDX-License-") + "Identifier: Apache-2.0";

@@ -14,6 +14,9 @@ std::vector<Violation> law_violations(const SourceFile& file);
 /// Plot templates read result files: they name no case and run no other program.
 std::vector<Violation> plot_violations(const SourceFile& file);
 
+/// Test cases stand in files *_test.cpp, which ctest runs; in another file they would never be run.
+std::vector<Violation> test_case_violations(const SourceFile& file);
+
 /// C++, CMake, shell and Python sources carry the licence in their first line (after a #! line).
 std::vector<Violation> licence_violations(const SourceFile& file);
 

@@ -48,6 +48,14 @@ TEST_CASE("a plot template that reads a case or runs a program is found") {
   CHECK(found("plot \"< cat a.csv\"") == 1);
 }
 
+TEST_CASE("a test case that ctest would not run is found") {
+  const std::string text = "\nTEST_CASE(\"a\") {}\n  TEMPLATE_TEST_CASE(\"b\", \"\", int) {}\n";
+  CHECK(test_case_violations({"tests/law/a.cpp", text}).size() == 2);
+  CHECK(test_case_violations({"tests/law/a.hpp", "SCENARIO(\"a\") {}\n"}).size() == 1);
+  CHECK(test_case_violations({"tests/law/a_test.cpp", text}).empty());
+  CHECK(test_case_violations({"tests/law/a.cpp", "// no TEST_CASE(here)\n"}).empty());
+}
+
 TEST_CASE("a source without its licence line is found") {
   const std::string licence = std::string("SPDX-License-") + "Identifier: Apache-2.0\n";
   const auto ok = [](const std::string& path, const std::string& text) {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "driver/commands/check.hpp"
-
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -11,6 +9,7 @@
 #include "driver/base/files/exit_code.hpp"
 #include "driver/commands/arguments.hpp"
 #include "driver/commands/bless.hpp"
+#include "driver/commands/check.hpp"
 #include "driver/commands/run.hpp"
 #include "tests/driver/report/case_for_test.hpp"
 #include "tests/driver/support/environment_for_test.hpp"
