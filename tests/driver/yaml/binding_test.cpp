@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/yaml/binding.hpp"
+
+#include <catch2/catch.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "driver/yaml/parse.hpp"
+
+namespace slipbench::driver {
+namespace {
+
+/// A file that nobody has, so that what is tested are the rules and no key of a case.
+struct Spoke {
+  double length = 0.0;
+  At<int> holes;
+
+  static constexpr bool kIsDeclared = true;
+  template <class Visitor>
+  static void declare(Visitor&& key) {
+    key("length", &Spoke::length,
+        KeyInfo{.required = true, .dimension = {.length = 1}, .bounds = law::kPositive});
+    key("holes", &Spoke::holes, KeyInfo{.text = "Holes of the rim"});
+  }
+};
+struct Wheel {
+  std::string name;
+  std::optional<bool> driven;
+  std::vector<double> loads;
+  NamedMap<Spoke> spokes;
+
+  static constexpr bool kIsDeclared = true;
+  template <class Visitor>
+  static void declare(Visitor&& key) {
+    key("name", &Wheel::name, KeyInfo{.required = true});
+    key("driven", &Wheel::driven, KeyInfo{});
+    key("loads", &Wheel::loads, KeyInfo{.dimension = {.force = 1}});
+    key("spokes", &Wheel::spokes, KeyInfo{});
+  }
+};
+
+const FileWords kWords{[](std::string_view) { return std::optional<LaterKey>(); },
+                       [](std::string_view, std::string_view) { return std::string(); },
+                       [](std::string_view) { return std::string(); },
+                       [](std::string_view) { return std::string(); }, "no such name"};
+
+struct Bound {
+  std::optional<Tree> tree;  ///< nodes point into it
+  Wheel wheel;
+  bool good = false;
+  Diagnostics messages;
+  std::string text;  ///< the messages, as a user sees them
+};
+
+Bound bound(const std::string& text) {
+  Bound result;
+  const SourceText source("wheel.yaml", text);
+  const auto tree = parse_yaml(source);
+  if (tree) {
+    result.tree = *tree;
+    const NamedNumbers parameters{{"r", 300.0}};
+    Binder binder(result.messages, parameters, {}, ".", false, kWords);
+    binder.set_units(UnitSystem{"mm", "N", "s", "K"});
+    result.good = read_struct(binder, tree->root(), {}, result.wheel);
+  } else {
+    result.messages = tree.error();
+  }
+  result.text = render(result.messages, {&source, 1});
+  return result;
+}
+
+const std::string kWheel =
+    "name: \"front\"\n"
+    "driven: true\n"
+    "loads: [100, 0.2 kN, = 2*r]\n"
+    "spokes:\n"
+    "  left: {length: 28 cm, holes: 16}\n"
+    "  right: {length: = r - 10}\n";
+
+TEST_CASE("declared keys are read, with units, expressions and names of the user") {
+  const Bound found = bound(kWheel);
+  REQUIRE(found.text == "");
+  REQUIRE(found.good);
+  CHECK(found.wheel.name == "front");
+  CHECK(found.wheel.driven == true);
+  CHECK(found.wheel.loads == std::vector<double>{100.0, 200.0, 600.0});
+  REQUIRE(found.wheel.spokes.size() == 2);
+  const Spoke& left = found.wheel.spokes[0].value;
+  CHECK(found.wheel.spokes[0].name == "left");
+  CHECK(left.length == 280.0);
+  CHECK(left.holes.value == 16);
+  CHECK(left.holes.path.text() == "spokes.left.holes");
+  CHECK(left.holes.node->where().line == 5);
+  CHECK(found.wheel.spokes[1].value.length == 290.0);
+  CHECK_FALSE(found.wheel.spokes[1].value.holes.given());
+}
+
+TEST_CASE("every fault of a map is reported once, at its place, and what is sound is kept") {
+  const Bound found = bound(
+      "nam: front\n"
+      "driven: perhaps\n"
+      "loads: {a: 1}\n"
+      "spokes:\n"
+      "  left: {length: -1, holes: 1.5}\n"
+      "  right: [1]\n"
+      "  last: {holes: 3}\n");
+  CHECK_FALSE(found.good);
+  std::string places;
+  for (const Diagnostic& one : found.messages.sorted()) {
+    places += std::to_string(one.where.line) + " " + one.path + "\n";
+  }
+  CHECK(places ==
+        "1 nam\n2 driven\n3 loads\n5 spokes.left.length\n5 spokes.left.holes\n6 spokes.right\n"
+        "7 spokes.last\n");
+  CHECK(found.text.find("nam: unknown key; did you mean 'name'?") != std::string::npos);
+  REQUIRE(found.wheel.spokes.size() == 3);
+  CHECK(found.wheel.spokes[0].value.holes.faulty());
+  CHECK(found.wheel.spokes[2].value.holes.value == 3);
+}
+
+TEST_CASE("a wheel with any character replaced is read or refused at a place of the text") {
+  std::size_t read = 0;
+  std::size_t refused = 0;
+  for (std::size_t at = 0; at < kWheel.size(); ++at) {
+    for (const char character : std::string_view("\"'[{:=*-#\n 9e\xC3")) {
+      std::string text = kWheel;
+      text[at] = character;
+      const Bound found = bound(text);
+      INFO(text);
+      REQUIRE(found.good != found.messages.has_errors());
+      ++(found.messages.has_errors() ? refused : read);
+      const int lines = SourceText("wheel.yaml", text).line_count();
+      for (const Diagnostic& one : found.messages.sorted()) {
+        REQUIRE(one.where.line >= 1);
+        REQUIRE(one.where.line <= lines);
+      }
+    }
+  }
+  // Both kinds must be met, or the test tests nothing.
+  CHECK(read > 100);
+  CHECK(refused > 1000);
+}
+
+}  // namespace
+}  // namespace slipbench::driver
