@@ -96,17 +96,17 @@ Problem twenty_ordinates() {
   return problem;
 }
 
-driver::Case path(const law::FrictionDefinition& definition) {
-  const auto formula = [](const std::string& text) -> driver::Profile {
-    return *driver::compile_profile(text, {});
+driver::cases::Case path(const law::FrictionDefinition& definition) {
+  const auto formula = [](const std::string& text) -> driver::history::Profile {
+    return *driver::history::compile_profile(text, {});
   };
-  driver::Case problem;
+  driver::cases::Case problem;
   problem.connection = law::find_connection("SLIDE-PLANE").value();
   problem.definitions = {{"plane", true, definition}};
-  driver::Step step{"path", 10.0, kIncrements, 1, {}};
+  driver::cases::Step step{"path", 10.0, kIncrements, 1, {}};
   step.drives.push_back({1, formula("(0.3 + 0.07*t)*sin(2*pi*t)")});
   step.drives.push_back({2, formula("(0.15 + 0.035*t)*sin(2.74*pi*t + 0.3)")});
-  step.drives.push_back({driver::kFirstForce, formula("500 + 200*sin(0.62*pi*t)")});
+  step.drives.push_back({driver::cases::kFirstForce, formula("500 + 200*sin(0.62*pi*t)")});
   problem.initial[2] = 0.15 * std::sin(0.3);
   problem.steps.push_back(std::move(step));
   return problem;
@@ -119,11 +119,11 @@ void count_increments(benchmark::State& state) {
 }
 
 /// The increments of a case as its run gives them.
-std::vector<law::ConnectorIncrement> increments_of(const driver::Case& path) {
+std::vector<law::ConnectorIncrement> increments_of(const driver::cases::Case& path) {
   std::vector<law::ConnectorIncrement> increments;
-  auto run = driver::Simulation::start(path);
+  auto run = driver::bench::Simulation::start(path);
   while (run && *run->advance()) {
-    increments.push_back(driver::connector_increment(path, run->row()));
+    increments.push_back(driver::bench::connector_increment(path, run->row()));
     increments.back().end.fields = {};
   }
   return increments;
@@ -138,9 +138,9 @@ law::FrictionState end_of(const law::FrictionDefinition& definition,
   return now;
 }
 
-std::vector<driver::Replay::Response> both_forces() {
-  std::vector<driver::Replay::Response> responses = {{1, 1.0, {}}, {2, 1.0, {}}};
-  for (driver::Replay::Response& response : responses) {
+std::vector<driver::calibrate::Replay::Response> both_forces() {
+  std::vector<driver::calibrate::Replay::Response> responses = {{1, 1.0, {}}, {2, 1.0, {}}};
+  for (driver::calibrate::Replay::Response& response : responses) {
     for (std::size_t row = 1; row <= kIncrements; ++row) response.points.push_back({row, 0.0});
   }
   return responses;
@@ -161,8 +161,8 @@ void law_alone(benchmark::State& state, const Problem& problem) {
 
 /// \param derivatives of all unknowns besides
 void replayed(benchmark::State& state, const Problem& problem, bool derivatives) {
-  const driver::Case history = path(problem.definition);
-  const auto replay = driver::Replay::record(history);
+  const driver::cases::Case history = path(problem.definition);
+  const auto replay = driver::calibrate::Replay::record(history);
   if (!replay) {
     state.SkipWithError("not recorded");
     return;

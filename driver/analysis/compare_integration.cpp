@@ -14,11 +14,13 @@
 #include "driver/results/provenance.hpp"
 #include "driver/terminal/progress.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::analysis {
 namespace {
 
-tl::unexpected<CommandFailure> failed(const Case& problem, const SimulationFailure& failure) {
-  return tl::unexpected(CommandFailure{exit_code(failure), failure_text(problem, failure)});
+tl::unexpected<CommandFailure> failed(const cases::Case& problem,
+                                      const bench::SimulationFailure& failure) {
+  return tl::unexpected(
+      CommandFailure{bench::exit_code(failure), bench::failure_text(problem, failure)});
 }
 
 /// "0.0663 by backward Euler, 0.0662 exactly: 0.02 % more"
@@ -32,23 +34,23 @@ std::string pair_text(double euler, double exact) {
 
 }  // namespace
 
-tl::expected<std::string, CommandFailure> compare_integration(const Case& problem) {
-  Case exact_case = problem;
-  exact_case.integration.method = IntegrationMethod::kExact;
-  if (const auto refusal = refuse_exact(exact_case)) {
-    return tl::unexpected(
-        CommandFailure{kExitBadInput, fmt::format("{}: error: integration cannot be compared: {}\n",
-                                                  problem.file, refusal->message)});
+tl::expected<std::string, CommandFailure> compare_integration(const cases::Case& problem) {
+  cases::Case exact_case = problem;
+  exact_case.integration.method = cases::IntegrationMethod::kExact;
+  if (const auto refusal = bench::refuse_exact(exact_case)) {
+    return tl::unexpected(CommandFailure{
+        base::kExitBadInput, fmt::format("{}: error: integration cannot be compared: {}\n",
+                                         problem.file, refusal->message)});
   }
-  Case euler_case = problem;
-  euler_case.integration.method = IntegrationMethod::kBackwardEuler;
+  cases::Case euler_case = problem;
+  euler_case.integration.method = cases::IntegrationMethod::kBackwardEuler;
 
-  auto euler = Simulation::start(euler_case);
+  auto euler = bench::Simulation::start(euler_case);
   if (!euler) return failed(euler_case, euler.error());
-  auto exact = Simulation::start(exact_case);
+  auto exact = bench::Simulation::start(exact_case);
   if (!exact) return failed(exact_case, exact.error());
   std::vector<ForceDistance> distances(problem.definitions.size());
-  Progress progress(case_stem(problem));
+  terminal::Progress progress(results::case_stem(problem));
   while (true) {
     for (std::size_t d = 0; d < distances.size(); ++d) {
       distances[d].add(exact->row(), d, euler->row().definitions[d].update.state);
@@ -62,11 +64,11 @@ tl::expected<std::string, CommandFailure> compare_integration(const Case& proble
   }
 
   std::string text = fmt::format("{}: backward_euler against exact, {} increments\n",
-                                 case_stem(problem), exact->row().index);
+                                 results::case_stem(problem), exact->row().index);
   for (std::size_t d = 0; d < distances.size(); ++d) {
     const ForceDistance& distance = distances[d];
-    const DefinitionRow& a = euler->row().definitions[d];
-    const DefinitionRow& b = exact->row().definitions[d];
+    const bench::DefinitionRow& a = euler->row().definitions[d];
+    const bench::DefinitionRow& b = exact->row().definitions[d];
     text += fmt::format("  {}\n", problem.definitions[d].name);
     // Below that the two differ by the rounding of their sums.
     constexpr double kRounding = 1e-12;
@@ -86,4 +88,4 @@ tl::expected<std::string, CommandFailure> compare_integration(const Case& proble
   return text;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::analysis

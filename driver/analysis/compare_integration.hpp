@@ -7,7 +7,7 @@
 #include "driver/analysis/side_by_side.hpp"
 #include "driver/case/case.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::analysis {
 
 /// `slipbench run --compare-integration`: the case by backward Euler and exactly, row beside row on
 /// the case's own increments, whichever method it names. Tells for each definition how far the
@@ -15,6 +15,6 @@ namespace slipbench::driver {
 /// size. Exact is the history that goes straight from row to row: what a curved history loses
 /// between its rows is in neither. Writes nothing.
 /// Errors: a case that exact integration refuses; a run that fails.
-tl::expected<std::string, CommandFailure> compare_integration(const Case& problem);
+tl::expected<std::string, CommandFailure> compare_integration(const cases::Case& problem);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::analysis

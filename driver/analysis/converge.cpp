@@ -16,14 +16,14 @@
 #include "driver/terminal/progress.hpp"
 #include "law/update/penalty_predictor.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::analysis {
 namespace {
 
 constexpr std::array kRefinement{1, 2, 4};
 
-Case refined(const Case& problem, int factor) {
-  Case finer = problem;
-  for (Step& step : finer.steps) step.increments *= factor;
+cases::Case refined(const cases::Case& problem, int factor) {
+  cases::Case finer = problem;
+  for (cases::Step& step : finer.steps) step.increments *= factor;
   finer.measured_pieces *= factor;
   return finer;
 }
@@ -118,21 +118,22 @@ ConvergenceVerdict judge(const Convergence& convergence) {
   return order >= 0.3 ? ConvergenceVerdict::kSlow : ConvergenceVerdict::kNone;
 }
 
-tl::expected<std::string, CommandFailure> converge(const Case& problem) {
+tl::expected<std::string, CommandFailure> converge(const cases::Case& problem) {
   const std::array cases{refined(problem, kRefinement[0]), refined(problem, kRefinement[1]),
                          refined(problem, kRefinement[2])};
-  std::vector<Simulation> runs;
-  for (const Case& one : cases) {
-    auto run = Simulation::start(one);
+  std::vector<bench::Simulation> runs;
+  for (const cases::Case& one : cases) {
+    auto run = bench::Simulation::start(one);
     if (!run) {
-      return tl::unexpected(CommandFailure{exit_code(run.error()), failure_text(one, run.error())});
+      return tl::unexpected(
+          CommandFailure{bench::exit_code(run.error()), bench::failure_text(one, run.error())});
     }
     runs.push_back(std::move(*run));
   }
   std::vector<Comparison> definitions(problem.definitions.size());
-  Progress progress(case_stem(problem));
+  terminal::Progress progress(results::case_stem(problem));
   for (bool more = true; more;) {
-    const Row& row = runs[0].row();
+    const bench::Row& row = runs[0].row();
     for (std::size_t d = 0; d < definitions.size(); ++d) {
       Comparison& of = definitions[d];
       const law::FrictionState& second = runs[1].row().definitions[d].update.state;
@@ -152,17 +153,17 @@ tl::expected<std::string, CommandFailure> converge(const Case& problem) {
       do {
         auto advanced = runs[i].advance();
         if (!advanced) {
-          return tl::unexpected(CommandFailure{exit_code(advanced.error()),
-                                               failure_text(cases[i], advanced.error())});
+          return tl::unexpected(CommandFailure{bench::exit_code(advanced.error()),
+                                               bench::failure_text(cases[i], advanced.error())});
         }
         if (!*advanced) more = false;
       } while (more && i > 0 && runs[i].row().time < target);
       if (!more) break;
     }
   }
-  std::string text =
-      fmt::format("{}: {}, {} and {} increments\n", case_stem(problem), runs[0].row().index,
-                  runs[0].row().index * kRefinement[1], runs[0].row().index * kRefinement[2]);
+  std::string text = fmt::format("{}: {}, {} and {} increments\n", results::case_stem(problem),
+                                 runs[0].row().index, runs[0].row().index * kRefinement[1],
+                                 runs[0].row().index * kRefinement[2]);
   for (std::size_t d = 0; d < definitions.size(); ++d) {
     Comparison& of = definitions[d];
     for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -193,4 +194,4 @@ tl::expected<std::string, CommandFailure> converge(const Case& problem) {
   return text;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::analysis

@@ -8,7 +8,7 @@
 #include "driver/analysis/side_by_side.hpp"
 #include "driver/case/case.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::analysis {
 
 /// Convergence of a number over increments of dt, dt/2, dt/4.
 struct Convergence {
@@ -35,6 +35,6 @@ ConvergenceVerdict judge(const Convergence& convergence);
 /// each definition how far the forces are apart, the dissipated energy, the observed order, and a
 /// verdict in words; where a coefficient falls with the slip rate, the increment that decides.
 /// Writes nothing. Errors: a run that fails.
-tl::expected<std::string, CommandFailure> converge(const Case& problem);
+tl::expected<std::string, CommandFailure> converge(const cases::Case& problem);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::analysis

@@ -28,20 +28,20 @@
 #include "law/update/penalty_predictor.hpp"
 #include "law/update/penalty_update.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::analysis {
 namespace {
 
 /// Events told on either side of the instant.
 constexpr std::size_t kEventsTold = 2;
 
-std::string digits(double value) { return rounded(value == 0.0 ? 0.0 : value, 6); }
+std::string digits(double value) { return base::rounded(value == 0.0 ? 0.0 : value, 6); }
 
 /// The instant and what is around it.
 struct Instant {
-  Row row;
+  bench::Row row;
   std::vector<law::FrictionDefinition> in_force;
-  std::vector<std::deque<Event>> before;  ///< of each definition, the last ones
-  std::vector<std::vector<Event>> after;
+  std::vector<std::deque<results::Event>> before;  ///< of each definition, the last ones
+  std::vector<std::vector<results::Event>> after;
   double end_time = 0.0;  ///< of the history, as far as it was followed
   bool to_the_end = false;
 };
@@ -56,19 +56,19 @@ std::string cell_text(const law::TableFunction& function, const law::Ambient& am
   std::string text;
   for (std::size_t k = 0; k < function.independents().size(); ++k) {
     const law::TableInterval& at = cell.along[k];
-    text += (text.empty() ? "" : ", ") + independent_name(function.independents()[k]) + " " +
-            digits(x[k]);
+    text += (text.empty() ? "" : ", ") + results::independent_name(function.independents()[k]) +
+            " " + digits(x[k]);
     if (at.place != Place::kInside) {
       const bool below = at.place == Place::kBelow;
       // The end of the block, whichever segment is prolonged.
       text += fmt::format(
-          " {} {}: {}", below ? "below" : "above", format_number(below ? at.lower : at.upper),
+          " {} {}: {}", below ? "below" : "above", base::format_number(below ? at.lower : at.upper),
           held || at.lower == at.upper ? "clamped to the end value" : "extrapolated");
     } else if (at.lower == at.upper) {
       text += " at the only point";
     } else {
-      text += fmt::format(" in {} .. {} ({:.4g} %)", format_number(at.lower),
-                          format_number(at.upper), 100.0 * at.fraction);
+      text += fmt::format(" in {} .. {} ({:.4g} %)", base::format_number(at.lower),
+                          base::format_number(at.upper), 100.0 * at.fraction);
     }
   }
   if (cell.ragged) text += ", between blocks with other grid points";
@@ -83,7 +83,7 @@ std::string term_text(const law::DerivedTerm& term, const law::ConnectorForce& f
     const double weight =
         term.weight_table ? term.weight_table->value(ambient, {}, j) : term.weight[k];
     const std::string component =
-        force_name(term.component[k]) + " " + digits(force[term.component[k]]);
+        cases::force_name(term.component[k]) + " " + digits(force[term.component[k]]);
     const std::string entry = weight == 1.0 ? component : digits(weight) + " x " + component;
     switch (term.combine) {
       case law::TermOperator::kNorm:
@@ -97,10 +97,10 @@ std::string term_text(const law::DerivedTerm& term, const law::ConnectorForce& f
         break;
     }
   }
-  std::string text = fmt::format("{} = {}{}{}{}", digits(term_value(term, force, ambient)),
-                                 term.sign < 0.0 ? "-" : "",
-                                 term.combine == law::TermOperator::kNorm ? "sqrt" : "",
-                                 "(" + inside + ")", std::string("   ") + term_words(term));
+  std::string text = fmt::format(
+      "{} = {}{}{}{}", digits(results::term_value(term, force, ambient)),
+      term.sign < 0.0 ? "-" : "", term.combine == law::TermOperator::kNorm ? "sqrt" : "",
+      "(" + inside + ")", std::string("   ") + results::term_words(term));
   if (term.weight_table) {
     text += "; weights from their table, " + cell_text(*term.weight_table, ambient, {});
   }
@@ -108,25 +108,25 @@ std::string term_text(const law::DerivedTerm& term, const law::ConnectorForce& f
 }
 
 /// Returns a line for each free component that a contact force names: the sum its force is.
-std::vector<std::string> kinetic_lines(const Case& problem, const Row& row,
+std::vector<std::string> kinetic_lines(const cases::Case& problem, const bench::Row& row,
                                        const law::ContactForce& contact) {
   std::vector<std::string> lines;
   const law::ComponentSet named = law::components_of(contact) & problem.kinetic.pressing;
   for (int c = 0; c < law::kComponents; ++c) {
     if (!named.contains(c)) continue;
-    const ComponentForces& f = row.forces.component[static_cast<std::size_t>(c)];
+    const bench::ComponentForces& f = row.forces.component[static_cast<std::size_t>(c)];
     std::string sum;
     const auto add = [&](const char* sign, const char* prefix, double force, bool there) {
       if (!there) return;
       if (!sum.empty() || *sign == '-') sum += fmt::format("{}{} ", sum.empty() ? "" : " ", sign);
-      sum += fmt::format("{} {}", force_column(prefix, c), digits(force));
+      sum += fmt::format("{} {}", cases::force_column(prefix, c), digits(force));
     };
     add("+", "CEF", f.elastic, problem.kinetic.is_elastic(c));
     add("+", "CVF", f.viscous, problem.kinetic.is_damped(c));
     add("+", "CRF", f.reaction, problem.stop[static_cast<std::size_t>(c)].has_value());
     const bool mass = problem.dynamics && problem.dynamics->component == c;
     add("-", "CCF", f.applied, mass || problem.force_driven.contains(c));
-    lines.push_back(fmt::format("{} {} = {}   component {} is free{}", force_name(c),
+    lines.push_back(fmt::format("{} {} = {}   component {} is free{}", cases::force_name(c),
                                 digits(row.forces.pressing[c]), sum.empty() ? "0" : sum, c + 1,
                                 sum.empty() ? ", and nothing acts along it" : ""));
   }
@@ -141,7 +141,7 @@ std::vector<std::string> contact_lines(const law::ContactForce& contact,
   if (const auto* component = std::get_if<law::ComponentContactForce>(&contact)) {
     lines.push_back(fmt::format("{} = {}   component with its sign",
                                 digits(force[component->component]),
-                                force_name(component->component)));
+                                cases::force_name(component->component)));
   } else if (const auto* derived = std::get_if<law::DerivedComponent>(&contact)) {
     for (const law::DerivedTerm& term : *derived) {
       lines.push_back(term_text(term, force, increment.end));
@@ -156,40 +156,42 @@ std::vector<std::string> contact_lines(const law::ContactForce& contact,
   return lines;
 }
 
-std::string force_unit(const law::FrictionDefinition& definition, const Case& problem) {
-  return unit_text(is_rotational(definition) ? kMoment : kForce, problem.units);
+std::string force_unit(const law::FrictionDefinition& definition, const cases::Case& problem) {
+  return base::unit_text(results::is_rotational(definition) ? base::kMoment : base::kForce,
+                         problem.units);
 }
 
 /// Tells whether the play of a dead zone lies between its ends and nothing slips: no force,
 /// whatever the limit is.
-bool is_in_gap(const CaseDefinition& definition, const DefinitionRow& row) {
+bool is_in_gap(const cases::CaseDefinition& definition, const bench::DefinitionRow& row) {
   return definition.dead_zone && row.update.state.regime == law::Regime::kStick &&
          std::abs(row.play) < 0.5 * definition.dead_zone->width;
 }
 
-std::string dead_zone_text(const DeadZone& zone, double play, const std::string& unit) {
+std::string dead_zone_text(const cases::DeadZone& zone, double play, const std::string& unit) {
   const double half = 0.5 * zone.width;
   const char* where = play >= half    ? "at its upper end"
                       : play <= -half ? "at its lower end"
                                       : "between its ends: no force";
-  return fmt::format("  play {} of a dead zone of {}, {}\n", with_unit(digits(play), unit),
-                     with_unit(digits(zone.width), unit), where);
+  return fmt::format("  play {} of a dead zone of {}, {}\n", base::with_unit(digits(play), unit),
+                     base::with_unit(digits(zone.width), unit), where);
 }
 
 /// "CSF1 74.2 N, CSM1 17.8 N mm".
-std::string forces_text(const Case& problem, const law::FrictionDefinition& definition,
+std::string forces_text(const cases::Case& problem, const law::FrictionDefinition& definition,
                         const law::FrictionState& state, double limit) {
   law::ConnectorForce force = law::friction_force(definition, state);
   std::string text;
   for (int k = 0; k < definition.slip.dimension; ++k) {
     const int c = definition.slip.component[static_cast<std::size_t>(k)];
-    const std::string unit = unit_text(law::is_rotation(c) ? kMoment : kForce, problem.units);
+    const std::string unit =
+        base::unit_text(law::is_rotation(c) ? base::kMoment : base::kForce, problem.units);
     // Rounding of a force that went through zero.
     if (std::abs(force[c]) <= 1e-12 * definition.slip.scale[static_cast<std::size_t>(k)] * limit) {
       force[c] = 0.0;
     }
-    text += (text.empty() ? "" : ", ") + force_column("CSF", c) + " " +
-            with_unit(fmt::format("{}{}", force[c] > 0.0 ? "+" : "", digits(force[c])), unit);
+    text += (text.empty() ? "" : ", ") + cases::force_column("CSF", c) + " " +
+            base::with_unit(fmt::format("{}{}", force[c] > 0.0 ? "+" : "", digits(force[c])), unit);
   }
   return text;
 }
@@ -210,7 +212,8 @@ std::pair<double, std::string> magnitude(const law::FrictionDefinition& definiti
         for (int k = 0; k < slip.dimension; ++k) {
           const auto entry = static_cast<std::size_t>(k);
           if (leaf.direction[entry] == 0.0) continue;
-          members += (members.empty() ? "" : " ") + force_column("CSF", slip.component[entry]);
+          members +=
+              (members.empty() ? "" : " ") + cases::force_column("CSF", slip.component[entry]);
         }
       }
       text += fmt::format("{}{} [{}]", i == 0 ? "" : ", ", digits(parts[part]), members);
@@ -218,18 +221,18 @@ std::pair<double, std::string> magnitude(const law::FrictionDefinition& definiti
     const std::string how = potential->combine == law::PotentialOperator::kMax
                                 ? "the largest of the contributions "
                                 : fmt::format("the sum of powers {} of the contributions ",
-                                              format_number(potential->exponent));
+                                              base::format_number(potential->exponent));
     return {law::value(*potential, state.force), how + text};
   }
   if (slip.dimension == 1 && slip.scale[0] == 1.0) {
-    return {std::abs(state.force[0]), "abs(" + force_column("CSF", slip.component[0]) + ")"};
+    return {std::abs(state.force[0]), "abs(" + cases::force_column("CSF", slip.component[0]) + ")"};
   }
   double square = 0.0;
   std::string text;
   for (int k = 0; k < slip.dimension; ++k) {
     const auto i = static_cast<std::size_t>(k);
     square += state.force[i] * state.force[i];
-    const std::string name = force_column("CSF", slip.component[i]);
+    const std::string name = cases::force_column("CSF", slip.component[i]);
     text += fmt::format("{}({}{})^2", text.empty() ? "" : " + ", name,
                         slip.scale[i] == 1.0 ? "" : "/" + digits(slip.scale[i]));
   }
@@ -258,7 +261,8 @@ std::string floored_text(const law::FrictionLaw& law, double speed, double norma
 }
 
 /// Both coefficients of an orthotropic one.
-std::string directions_text(const law::FrictionDefinition& definition, const DefinitionRow& row) {
+std::string directions_text(const law::FrictionDefinition& definition,
+                            const bench::DefinitionRow& row) {
   const law::Orthotropy& two = *definition.formulation->orthotropy;
   const double normal_force = row.update.normal_force;
   const auto one = [&](const law::FrictionLaw& law, std::size_t i) {
@@ -271,8 +275,8 @@ std::string directions_text(const law::FrictionDefinition& definition, const Def
 }
 
 /// Returns how the coefficient comes about.
-std::string coefficient_text(const law::FrictionDefinition& definition, const DefinitionRow& row,
-                             const law::Ambient& end) {
+std::string coefficient_text(const law::FrictionDefinition& definition,
+                             const bench::DefinitionRow& row, const law::Ambient& end) {
   const law::FrictionUpdate& update = row.update;
   if (definition.formulation && definition.formulation->orthotropy) {
     return directions_text(definition, row);
@@ -314,7 +318,8 @@ std::string vector_text(const law::SlipSpace& slip,
 }
 
 /// The way of the force through penalty, limit and filter.
-std::string formulation_text(const law::FrictionDefinition& definition, const DefinitionRow& row) {
+std::string formulation_text(const law::FrictionDefinition& definition,
+                             const bench::DefinitionRow& row) {
   const law::Formulation& formulation = *definition.formulation;
   const law::PenaltyDetail& detail = row.penalty;
   const bool as_coded = formulation.convention == law::Convention::kAsCoded;
@@ -364,7 +369,7 @@ std::string formulation_text(const law::FrictionDefinition& definition, const De
   if (formulation.filter.clip) text += ", taken back to the limit";
   text += "\n";
   const double use = law::limit_use(definition, row.update, row.penalty);
-  if (use < kUseWithoutLimit) {
+  if (use < results::kUseWithoutLimit) {
     text += fmt::format("     given out at {:.4g} % of the limit{}\n", 100.0 * use,
                         use > 1.0 + 1e-9 ? ": overshoot" : "");
   } else {
@@ -399,27 +404,28 @@ std::string limit_text(const law::FrictionDefinition& definition,
 
 void append_events(std::string& text, const Instant& instant, std::size_t d, bool in_gap,
                    const std::string& unit, const std::string& time_unit) {
-  const auto one = [&](const Event& event) {
+  const auto one = [&](const results::Event& event) {
     return fmt::format("t = {} {} -> {}{} (force {}, accumulated slip {})",
-                       with_unit(digits(event.time), time_unit), regime_name(event.from),
-                       goal_name(event), event.reversal ? ", reversed" : "",
-                       with_unit(digits(event.force), unit), digits(event.accumulated_slip));
+                       base::with_unit(digits(event.time), time_unit),
+                       results::regime_name(event.from), results::goal_name(event),
+                       event.reversal ? ", reversed" : "",
+                       base::with_unit(digits(event.force), unit), digits(event.accumulated_slip));
   };
-  const std::string now = regime_name(instant.row.definitions[d].update.state.regime);
+  const std::string now = results::regime_name(instant.row.definitions[d].update.state.regime);
   const std::string doing = now == "open"   ? "open"
                             : now == "slip" ? "slipping"
                             : in_gap        ? "without slip"
                                             : "sticking";
-  const std::deque<Event>& before = instant.before[d];
+  const std::deque<results::Event>& before = instant.before[d];
   text += before.empty() ? "  " + doing + " since the start\n"
                          : fmt::format("  {} since t = {}\n", doing,
-                                       with_unit(digits(before.back().time), time_unit));
-  for (const Event& event : before) text += "    before: " + one(event) + "\n";
-  for (const Event& event : instant.after[d]) text += "    next:   " + one(event) + "\n";
+                                       base::with_unit(digits(before.back().time), time_unit));
+  for (const results::Event& event : before) text += "    before: " + one(event) + "\n";
+  for (const results::Event& event : instant.after[d]) text += "    next:   " + one(event) + "\n";
   if (instant.after[d].empty()) text += "    next:   none until the end of the history\n";
 }
 
-std::string definition_text(const Case& problem, const Instant& instant, std::size_t d,
+std::string definition_text(const cases::Case& problem, const Instant& instant, std::size_t d,
                             const law::ConnectorIncrement& increment) {
   const law::FrictionDefinition& definition = instant.in_force[d];
   const law::FrictionUpdate& update = instant.row.definitions[d].update;
@@ -429,18 +435,19 @@ std::string definition_text(const Case& problem, const Instant& instant, std::si
   const bool in_gap = is_in_gap(problem.definitions[d], instant.row.definitions[d]);
   std::string text = fmt::format(
       "{}{}   {}\n", problem.definitions.size() > 1 ? "'" + problem.definitions[d].name + "' " : "",
-      in_gap ? "in the gap of the dead zone" : regime_name(regime),
+      in_gap ? "in the gap of the dead zone" : results::regime_name(regime),
       forces_text(problem, definition, update.state, update.limit));
   // The limit bounds the force before a filter.
   const bool filtered = definition.formulation && law::smooths(*definition.formulation);
-  auto [p, how] = magnitude(definition, limited_state(definition, instant.row.definitions[d]));
+  auto [p, how] =
+      magnitude(definition, results::limited_state(definition, instant.row.definitions[d]));
   if (p <= 1e-12 * update.limit) p = 0.0;
-  text += fmt::format("  P {}{} = {}{}\n", with_unit(digits(p), unit),
+  text += fmt::format("  P {}{} = {}{}\n", base::with_unit(digits(p), unit),
                       filtered ? " before the filter" : "", how,
                       filtered ? " of the force within the limit" : "");
   // Rounding of a force that was put on its limit is no distance.
   const double phi = std::abs(update.phi) <= 1e-12 * update.limit ? 0.0 : update.phi;
-  text += fmt::format("  Phi {} = P - limit", with_unit(digits(phi), unit));
+  text += fmt::format("  Phi {} = P - limit", base::with_unit(digits(phi), unit));
   if (regime == law::Regime::kStick && !in_gap && update.limit > 0.0) {
     text += fmt::format("   at {:.4g} % of the limit", 100.0 * p / update.limit);
   }
@@ -453,8 +460,8 @@ std::string definition_text(const Case& problem, const Instant& instant, std::si
   }
   text += "\n";
   if (const auto& zone = problem.definitions[d].dead_zone) {
-    const std::string length =
-        unit_text(is_rotational(definition) ? kAngle : kLength, problem.units);
+    const std::string length = base::unit_text(
+        results::is_rotational(definition) ? base::kAngle : base::kLength, problem.units);
     text += dead_zone_text(*zone, instant.row.definitions[d].play, length);
   }
   if (definition.formulation && instant.row.index > 0) {
@@ -464,16 +471,16 @@ std::string definition_text(const Case& problem, const Instant& instant, std::si
   const double contact = law::evaluate(definition.contact_force, increment.force, increment.end);
   if (belt) {
     text += fmt::format("  F_N {} = tension T before the ring{}\n",
-                        with_unit(digits(update.normal_force), unit),
+                        base::with_unit(digits(update.normal_force), unit),
                         contact > 0.0 ? "" : ", which is slack");
     text += fmt::format("     behind the ring f_bc {}\n",
-                        with_unit(digits(law::tension_behind(update)), unit));
+                        base::with_unit(digits(law::tension_behind(update)), unit));
   } else {
-    const double slip = slip_of_internal_force(definition, update);
+    const double slip = results::slip_of_internal_force(definition, update);
     const double internal =
         law::evaluate(definition.internal_contact_force, increment.end, slip).value;
     text += fmt::format("  F_N {} = abs(contact {} + internal {})\n",
-                        with_unit(digits(update.normal_force), unit), digits(contact),
+                        base::with_unit(digits(update.normal_force), unit), digits(contact),
                         digits(internal));
     const auto lines = contact_lines(definition.contact_force, increment);
     for (const std::string& line : lines) text += "     contact:  " + line + "\n";
@@ -506,7 +513,7 @@ std::string definition_text(const Case& problem, const Instant& instant, std::si
       const bool own_flow = d > 0 && problem.belt && !problem.belt->lengths.empty();
       names += fmt::format("{}{}{}{}", names.empty() ? "" : ", ",
                            scale == 1.0 ? "" : digits(scale) + " ",
-                           motion_name(definition.slip.component[i]),
+                           cases::motion_name(definition.slip.component[i]),
                            own_flow ? "." + problem.definitions[d].name : "");
     }
     text += fmt::format("  slip direction ({}) in ({}); slip rate {}\n", numbers, names,
@@ -517,21 +524,22 @@ std::string definition_text(const Case& problem, const Instant& instant, std::si
 }
 
 /// Follows the run to the instant and on to the events behind it.
-tl::expected<Instant, ExplainFailure> find(const Case& problem, double time) {
-  const auto failed = [&](const SimulationFailure& failure) {
-    return tl::unexpected(ExplainFailure{exit_code(failure), failure_text(problem, failure)});
+tl::expected<Instant, ExplainFailure> find(const cases::Case& problem, double time) {
+  const auto failed = [&](const bench::SimulationFailure& failure) {
+    return tl::unexpected(
+        ExplainFailure{bench::exit_code(failure), bench::failure_text(problem, failure)});
   };
-  auto simulation = Simulation::start(problem);
+  auto simulation = bench::Simulation::start(problem);
   if (!simulation) return failed(simulation.error());
   const std::size_t count = problem.definitions.size();
   Instant instant;
   instant.before.resize(count);
   instant.after.resize(count);
-  EventDetector detector(problem);
+  results::EventDetector detector(problem);
   bool found = false;
   const double start_time = simulation->row().time;
   while (true) {
-    const Row& row = simulation->row();
+    const bench::Row& row = simulation->row();
     instant.end_time = row.time;
     const auto events = detector.take(row);
     constexpr double kSame = 1e-9;
@@ -540,7 +548,7 @@ tl::expected<Instant, ExplainFailure> find(const Case& problem, double time) {
       instant.row = row;
       for (std::size_t d = 0; d < count; ++d) instant.in_force.push_back(simulation->definition(d));
     }
-    for (const Event& event : events) {
+    for (const results::Event& event : events) {
       // Those of the increment itself have led to what it ends with.
       if (!found || row.index == instant.row.index) {
         auto& before = instant.before[event.definition];
@@ -563,44 +571,46 @@ tl::expected<Instant, ExplainFailure> find(const Case& problem, double time) {
   instant.to_the_end = true;
   if (found) return instant;
   return tl::unexpected(ExplainFailure{
-      kExitBadInput, fmt::format("slipbench: error: --explain {}: {} runs from t = {} to t = {}\n",
-                                 format_number(time), case_stem(problem), format_number(start_time),
-                                 format_number(instant.end_time))});
+      base::kExitBadInput,
+      fmt::format("slipbench: error: --explain {}: {} runs from t = {} to t = {}\n",
+                  base::format_number(time), results::case_stem(problem),
+                  base::format_number(start_time), base::format_number(instant.end_time))});
 }
 
 }  // namespace
 
-tl::expected<std::string, ExplainFailure> explain(const Case& problem, double time) {
+tl::expected<std::string, ExplainFailure> explain(const cases::Case& problem, double time) {
   auto instant = find(problem, time);
   if (!instant) return tl::unexpected(std::move(instant.error()));
-  const Row& row = instant->row;
+  const bench::Row& row = instant->row;
   const std::string& unit = problem.units.time;
-  std::string where = row.index == 0
-                          ? "the start"
-                          : fmt::format("increment {}, from t = {}", row.index,
-                                        with_unit(format_number(row.time - row.duration), unit));
+  std::string where =
+      row.index == 0
+          ? "the start"
+          : fmt::format("increment {}, from t = {}", row.index,
+                        base::with_unit(base::format_number(row.time - row.duration), unit));
   if (!problem.steps.empty()) {
-    const Step& step = problem.steps[static_cast<std::size_t>(row.step)];
+    const cases::Step& step = problem.steps[static_cast<std::size_t>(row.step)];
     where += fmt::format(", step '{}'", step.name);
     if (step.repeat > 1) where += fmt::format(", pass {} of {}", row.pass + 1, step.repeat);
   }
-  std::string text = fmt::format("{}: t = {}   {}\n", case_stem(problem),
-                                 with_unit(format_number(row.time), unit), where);
+  std::string text = fmt::format("{}: t = {}   {}\n", results::case_stem(problem),
+                                 base::with_unit(base::format_number(row.time), unit), where);
   if (std::abs(row.time - time) > 1e-9 * row.duration) {
     text += fmt::format("  the first increment that ends at or after t = {}\n",
-                        with_unit(format_number(time), unit));
+                        base::with_unit(base::format_number(time), unit));
   }
   if (problem.pair) {
     text += fmt::format("  parts {} and {} take the friction of {}\n", problem.pair->parts[0],
                         problem.pair->parts[1], problem.pair->record);
   }
-  law::ConnectorIncrement increment = connector_increment(problem, row);
+  law::ConnectorIncrement increment = bench::connector_increment(problem, row);
   for (std::size_t d = 0; d < problem.definitions.size(); ++d) {
     text += definition_text(problem, *instant, d, increment);
-    if (problem.belt) meet_next_ring(problem, d, row, increment);
+    if (problem.belt) bench::meet_next_ring(problem, d, row, increment);
   }
   if (problem.definitions.empty()) text += "  no friction\n";
   return text;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::analysis

@@ -6,7 +6,7 @@
 
 #include "driver/case/case.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::analysis {
 
 /// Failure of an explanation: a message with a line feed, and the exit code.
 struct ExplainFailure {
@@ -20,6 +20,6 @@ struct ExplainFailure {
 /// contact force with its cell, slip direction, and the events before and after. The numbers have
 /// six digits, so that what is printed as a product is one.
 /// Errors: a time outside the history; a run that fails.
-tl::expected<std::string, ExplainFailure> explain(const Case& problem, double time);
+tl::expected<std::string, ExplainFailure> explain(const cases::Case& problem, double time);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::analysis

@@ -5,9 +5,10 @@
 
 #include <cmath>
 
-namespace slipbench::driver {
+namespace slipbench::driver::analysis {
 
-void ForceDistance::add(const Row& row, std::size_t definition, const law::FrictionState& other) {
+void ForceDistance::add(const bench::Row& row, std::size_t definition,
+                        const law::FrictionState& other) {
   const law::FrictionState& state = row.definitions[definition].update.state;
   double apart = 0.0;
   double size = 0.0;
@@ -29,9 +30,9 @@ void ForceDistance::add(const Row& row, std::size_t definition, const law::Frict
 
 std::string percent_text(double part) { return fmt::format("{:.2g} %", 100.0 * part); }
 
-std::string step_text(const Case& problem, int step) {
+std::string step_text(const cases::Case& problem, int step) {
   if (problem.steps.empty()) return {};
   return fmt::format(", step '{}'", problem.steps[static_cast<std::size_t>(step)].name);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::analysis

@@ -9,7 +9,7 @@
 #include "driver/bench/simulation.hpp"
 #include "driver/case/case.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::analysis {
 
 /// Failure of a command: a message with a line feed, and the exit code.
 struct CommandFailure {
@@ -27,7 +27,7 @@ struct ForceDistance {
   int step = 0;
 
   /// Takes the row of the one, and the other's state at the same time.
-  void add(const Row& row, std::size_t definition, const law::FrictionState& other);
+  void add(const bench::Row& row, std::size_t definition, const law::FrictionState& other);
   double mean() const { return rows == 0 ? 0.0 : sum / static_cast<double>(rows); }
   /// A distance as a part of the largest force; 0 where there is none.
   double relative(double distance) const { return largest > 0.0 ? distance / largest : 0.0; }
@@ -37,6 +37,6 @@ struct ForceDistance {
 std::string percent_text(double part);
 
 /// ", step 'cycle'" of a case with steps.
-std::string step_text(const Case& problem, int step);
+std::string step_text(const cases::Case& problem, int step);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::analysis

@@ -19,7 +19,7 @@
 #include "law/update/snap_back.hpp"
 #include "law/update/uniqueness.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::analysis {
 namespace {
 
 using Square = Eigen::Matrix<double, law::kComponents, law::kComponents>;
@@ -115,11 +115,11 @@ SolverDemand solver_demand(const law::FrictionDefinition& definition,
   return demand;
 }
 
-SolverReport::SolverReport(const Case& problem, OutputFile* file)
+SolverReport::SolverReport(const cases::Case& problem, base::OutputFile* file)
     : case_(&problem), file_(file), worst_(problem.definitions.size()) {
   if (file_ == nullptr) return;
-  std::string text = provenance_lines(problem) + "t,duration";
-  for (const CaseDefinition& definition : problem.definitions) {
+  std::string text = results::provenance_lines(problem) + "t,duration";
+  for (const cases::CaseDefinition& definition : problem.definitions) {
     for (const std::string_view column : kColumns) {
       text += "," + std::string(column);
       if (problem.definitions.size() > 1) text += "." + definition.name;
@@ -128,19 +128,19 @@ SolverReport::SolverReport(const Case& problem, OutputFile* file)
   file_->append(text + "\n");
 }
 
-void SolverReport::add(const Simulation& simulation) {
-  const Row& row = simulation.row();
+void SolverReport::add(const bench::Simulation& simulation) {
+  const bench::Row& row = simulation.row();
   if (row.index == 0) return;
   ++increments_;
-  law::ConnectorIncrement increment = connector_increment(*case_, row);
+  law::ConnectorIncrement increment = bench::connector_increment(*case_, row);
   std::string* text = file_ == nullptr ? nullptr : &file_->buffer();
   if (text != nullptr) {
-    append_number(*text, row.time);
+    base::append_number(*text, row.time);
     *text += ',';
-    append_number(*text, row.duration);
+    base::append_number(*text, row.duration);
   }
   for (std::size_t d = 0; d < worst_.size(); ++d) {
-    const DefinitionRow& here = row.definitions[d];
+    const bench::DefinitionRow& here = row.definitions[d];
     const law::FrictionDefinition& definition = simulation.definition(d);
     const SolverDemand demand = solver_demand(definition, increment, here.update, case_->kinetic);
     Worst& worst = worst_[d];
@@ -163,10 +163,10 @@ void SolverReport::add(const Simulation& simulation) {
                                   demand.force_coupling, demand.snap_back, here.thresholds.unique,
                                   here.thresholds.smooth, here.update.multiple_roots ? 1.0 : 0.0}) {
         *text += ',';
-        append_number(*text, number);
+        base::append_number(*text, number);
       }
     }
-    if (case_->belt) meet_next_ring(*case_, d, row, increment);
+    if (case_->belt) bench::meet_next_ring(*case_, d, row, increment);
   }
   if (text != nullptr) {
     *text += '\n';
@@ -177,7 +177,9 @@ void SolverReport::add(const Simulation& simulation) {
 std::string SolverReport::definition_text(const Worst& worst, std::size_t index) const {
   const SolverDemand& demand = worst.demand;
   const std::string& unit = case_->units.time;
-  const auto at = [&](double time) { return " (t = " + with_unit(rounded(time), unit) + ")"; };
+  const auto at = [&](double time) {
+    return " (t = " + base::with_unit(base::rounded(time), unit) + ")";
+  };
   std::string text = case_->definitions.size() > 1
                          ? "  solver, '" + case_->definitions[index].name + "': "
                          : "  solver: ";
@@ -194,8 +196,8 @@ std::string SolverReport::definition_text(const Worst& worst, std::size_t index)
               ? fmt::format(
                     "increments longer than {} have one answer; the shortest is {}, {} of "
                     "{} are below their bound",
-                    with_unit(rounded(worst.unique), unit),
-                    with_unit(rounded(worst.shortest), unit), worst.below, increments_)
+                    base::with_unit(base::rounded(worst.unique), unit),
+                    base::with_unit(base::rounded(worst.shortest), unit), worst.below, increments_)
               : fmt::format("no bound that makes the answer unique");
   if (worst.several > 0) text += fmt::format(", {} may have several", worst.several);
   if (demand.snap_back > 0.0) {
@@ -236,4 +238,4 @@ std::string SolverReport::text() const {
   return text;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::analysis

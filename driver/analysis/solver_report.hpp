@@ -9,7 +9,7 @@
 #include "driver/bench/simulation.hpp"
 #include "driver/case/case.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::analysis {
 
 /// Demands of one definition on an implicit solver over one increment. The tangents are taken
 /// in the scaled slip space, so that forces and moments compare.
@@ -33,9 +33,9 @@ SolverDemand solver_demand(const law::FrictionDefinition& definition,
 class SolverReport {
  public:
   /// \param file null if nothing is to be written; else it and `problem` must outlive the report
-  SolverReport(const Case& problem, OutputFile* file);
+  SolverReport(const cases::Case& problem, base::OutputFile* file);
   /// The row the simulation stands at; row 0 counts nothing.
-  void add(const Simulation& simulation);
+  void add(const bench::Simulation& simulation);
 
   /// The summary of each definition and the verdict, in lines indented by two blanks.
   std::string text() const;
@@ -53,10 +53,10 @@ class SolverReport {
   };
   std::string definition_text(const Worst& worst, std::size_t index) const;
 
-  const Case* case_;
-  OutputFile* file_;
+  const cases::Case* case_;
+  base::OutputFile* file_;
   std::vector<Worst> worst_;
   std::int64_t increments_ = 0;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::analysis

@@ -15,13 +15,13 @@
 #include "driver/case/quantity.hpp"
 #include "law/update/capstan_update.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 namespace {
 
 law::Point node(const Quantities& quantities, std::size_t index) {
   law::Point point{};
   for (std::size_t i = 0; i < point.size(); ++i) {
-    point[i] = quantities[static_cast<std::size_t>(kFirstNode) + 3 * index + i];
+    point[i] = quantities[static_cast<std::size_t>(cases::kFirstNode) + 3 * index + i];
   }
   return point;
 }
@@ -37,7 +37,7 @@ struct Pull {
 /// strained: its damper sees the change of the positive strain, and may take away what the spring
 /// pulls, but does not push. A negative pull of the spring is kept: exact integration finds by it
 /// where the belt goes slack.
-Pull pull(const Case& problem, const law::Ambient& ambient, double strain, double before,
+Pull pull(const cases::Case& problem, const law::Ambient& ambient, double strain, double before,
           double duration) {
   const law::KineticBehavior& belt = problem.kinetic;
   Pull result;
@@ -49,8 +49,8 @@ Pull pull(const Case& problem, const law::Ambient& ambient, double strain, doubl
 }
 
 /// Returns the strain at which spring and damper pull with a tension; nothing if no strain does.
-std::optional<double> strain_under(const Case& problem, const law::Ambient& ambient, double tension,
-                                   double before, double duration) {
+std::optional<double> strain_under(const cases::Case& problem, const law::Ambient& ambient,
+                                   double tension, double before, double duration) {
   const law::KineticBehavior& belt = problem.kinetic;
   if (!belt.elasticity[0]) return problem.belt->initial_strain;
   const bool damped = belt.damping[0] && duration > 0.0;
@@ -78,30 +78,30 @@ std::optional<double> strain_under(const Case& problem, const law::Ambient& ambi
 
 /// Returns "the distance CP1 = 0.1 of the nodes is below 1, a hundredth of the initial one", or a
 /// stop that it is beyond.
-std::optional<std::string> out_of_reach(const Case& problem, const Quantities& quantities) {
+std::optional<std::string> out_of_reach(const cases::Case& problem, const Quantities& quantities) {
   law::RelativePosition position;
-  position[0] = quantities[kFirstMotion];
+  position[0] = quantities[cases::kFirstMotion];
   if (auto fault = beyond_stop(problem, {}, position)) return fault;
   const double shortest = law::kShortestPart * problem.initial[0];
   if (position[0] >= shortest) return std::nullopt;
   return fmt::format(
       "the distance CP1 = {} of the nodes is below {}, a hundredth of the initial one: the belt "
       "locks there, and nothing says with what force",
-      format_number(position[0]), format_number(shortest));
+      base::format_number(position[0]), base::format_number(shortest));
 }
 
 }  // namespace
 
-double reference_length(const Case& problem, const law::RelativePosition& position) {
+double reference_length(const cases::Case& problem, const law::RelativePosition& position) {
   return law::reference_length(
       law::initial_reference_length(problem.initial[0], problem.belt->initial_strain),
       position[2] - problem.initial[2], position[1] - problem.initial[1]);
 }
 
-std::optional<std::string> move_belt(const Case& problem, Row& row) {
-  const Belt& belt = *problem.belt;
+std::optional<std::string> move_belt(const cases::Case& problem, Row& row) {
+  const cases::Belt& belt = *problem.belt;
   Quantities& q = row.quantities;
-  double& distance = q[kFirstMotion];
+  double& distance = q[cases::kFirstMotion];
   if (belt.nodes) {
     const law::Point a = node(q, 0), b = node(q, 1), c = node(q, 2);
     distance = law::distance(a, b);
@@ -121,7 +121,7 @@ std::optional<std::string> move_belt(const Case& problem, Row& row) {
   if (belt.has_length) {
     if (!(distance > 0.0)) {
       return fmt::format("the distance CP1 of the nodes is {}: it must be greater than 0",
-                         format_number(distance));
+                         base::format_number(distance));
     }
     if (auto fault = out_of_reach(problem, q)) return fault;
     const law::Ambient ambient = ambient_of(q, problem.reference);
@@ -130,25 +130,25 @@ std::optional<std::string> move_belt(const Case& problem, Row& row) {
       return fmt::format(
           "no material is left in segment ab: its reference length is {}, more has flowed out at b "
           "(CP2) than there was and came in at a (CP3)",
-          format_number(length));
+          base::format_number(length));
     }
     row.belt.reference_length = length;
     const double before = std::exchange(row.belt.strain, law::strain(distance, length));
     if (problem.kinetic.elasticity[0]) {
       const Pull here = pull(problem, ambient, row.belt.strain, before, row.duration);
-      q[kFirstForce] = here.tension();
+      q[cases::kFirstForce] = here.tension();
       row.forces.component[0].elastic = std::max(here.elastic, 0.0);
       row.forces.component[0].viscous = here.viscous;
     }
   }
-  if (belt.both_tensions && q[kTensionBehind] < 0.0) {
+  if (belt.both_tensions && q[cases::kTensionBehind] < 0.0) {
     return fmt::format("the tension f_bc is {}: a belt pulls, it does not push",
-                       format_number(q[kTensionBehind]));
+                       base::format_number(q[cases::kTensionBehind]));
   }
   return std::nullopt;
 }
 
-void prepare_belt(const Case& problem, const Row& row, law::ConnectorIncrement& increment,
+void prepare_belt(const cases::Case& problem, const Row& row, law::ConnectorIncrement& increment,
                   std::span<law::FrictionDefinition> definitions) {
   increment.end.motion[0] = row.belt.strain;
   if (!problem.belt->angle_from_nodes) return;
@@ -159,7 +159,7 @@ void prepare_belt(const Case& problem, const Row& row, law::ConnectorIncrement& 
   }
 }
 
-std::optional<std::string> move_behind(const Case& problem, std::size_t ring, Row& row) {
+std::optional<std::string> move_behind(const cases::Case& problem, std::size_t ring, Row& row) {
   if (problem.belt->lengths.empty()) return std::nullopt;
   law::SegmentBehind& segment = row.definitions[ring].behind;
   const double tension = law::tension_behind(row.definitions[ring].update);
@@ -167,7 +167,7 @@ std::optional<std::string> move_behind(const Case& problem, std::size_t ring, Ro
                                    segment.strain, row.duration);
   if (!strain) {
     return fmt::format("the elasticity of the belt never reaches the tension {} behind ring {}",
-                       format_number(tension), ring + 1);
+                       base::format_number(tension), ring + 1);
   }
   segment.strain = *strain;
   const double length = problem.belt->lengths[ring] / (1.0 + segment.strain);
@@ -175,14 +175,14 @@ std::optional<std::string> move_behind(const Case& problem, std::size_t ring, Ro
   segment.flow_before = segment.flow;
   if (row.index == 0) return std::nullopt;
   // What came in and did not stay has left at the end.
-  const double in = ring == 0 ? row.quantities[kFirstMotion + 1] - row.begin[1]
+  const double in = ring == 0 ? row.quantities[cases::kFirstMotion + 1] - row.begin[1]
                               : row.definitions[ring - 1].behind.flow -
                                     row.definitions[ring - 1].behind.flow_before;
   segment.flow += in - (length - before);
   return std::nullopt;
 }
 
-void meet_next_ring(const Case& problem, std::size_t ring, const Row& row,
+void meet_next_ring(const cases::Case& problem, std::size_t ring, const Row& row,
                     law::ConnectorIncrement& increment) {
   const DefinitionRow& here = row.definitions[ring];
   increment.force[0] = law::tension_behind(here.update);
@@ -191,4 +191,4 @@ void meet_next_ring(const Case& problem, std::size_t ring, const Row& row,
   increment.end.position[1] = here.behind.flow;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

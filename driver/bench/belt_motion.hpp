@@ -11,7 +11,7 @@
 #include "driver/case/case.hpp"
 #include "law/update/return_mapping.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 
 /// Puts the belt where a row's quantities say: the distance CP1 and the wrap angle from the nodes,
 /// reference length and strain from distance and flows, the tension f1 from the strain and its rate
@@ -20,25 +20,25 @@ namespace slipbench::driver {
 /// has the same belt. `problem.belt` must be there.
 /// \return what cannot be, in words: no material left, no distance, one beyond a stop or below a
 ///         hundredth of the first, a negative tension
-std::optional<std::string> move_belt(const Case& problem, Row& row);
+std::optional<std::string> move_belt(const cases::Case& problem, Row& row);
 
 /// Returns the reference length of segment ab at the flows CP2 and CP3 of a position [L].
 /// `problem.belt` must be there.
-double reference_length(const Case& problem, const law::RelativePosition& position);
+double reference_length(const cases::Case& problem, const law::RelativePosition& position);
 
 /// Gives the law what a belt adds: the strain as the constitutive motion of component 1, and the
 /// wrap angle where nodes make it.
-void prepare_belt(const Case& problem, const Row& row, law::ConnectorIncrement& increment,
+void prepare_belt(const cases::Case& problem, const Row& row, law::ConnectorIncrement& increment,
                   std::span<law::FrictionDefinition> definitions);
 
 /// Puts the segment behind a ring where the ring's update and the flow over it say, if its length
 /// is known: strain and reference length from the tension, and from both flows what leaves at its
 /// end. \return what cannot be, in words: a tension beyond the elasticity
-std::optional<std::string> move_behind(const Case& problem, std::size_t ring, Row& row);
+std::optional<std::string> move_behind(const cases::Case& problem, std::size_t ring, Row& row);
 
 /// Gives the law what the ring after `ring` meets: the tension behind `ring`, and the flow out of
 /// the segment between them where that is known; else all rings share CP2.
-void meet_next_ring(const Case& problem, std::size_t ring, const Row& row,
+void meet_next_ring(const cases::Case& problem, std::size_t ring, const Row& row,
                     law::ConnectorIncrement& increment);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

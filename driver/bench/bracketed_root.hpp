@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 
 /// An interval in which a function changes its sign.
 struct Bracket {
@@ -49,4 +49,4 @@ Bracket narrow(Bracket bracket, double fa, double fb, double tolerance, Function
   return bracket;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

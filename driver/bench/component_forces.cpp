@@ -10,18 +10,18 @@
 #include "driver/base/text/format_number.hpp"
 #include "driver/case/quantity.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 
-bool has_component_forces(const Case& problem) {
+bool has_component_forces(const cases::Case& problem) {
   if (problem.belt) return false;
   if (problem.dynamics || !problem.force_driven.empty()) return true;
   for (int c = 0; c < law::kComponents; ++c) {
-    if (acts_beside_friction(problem, c)) return true;
+    if (cases::acts_beside_friction(problem, c)) return true;
   }
   return false;
 }
 
-void take_springs_and_dampers(const Case& problem, const law::ConnectorIncrement& increment,
+void take_springs_and_dampers(const cases::Case& problem, const law::ConnectorIncrement& increment,
                               ConnectorForces& forces, int mass) {
   const law::KineticBehavior& kinetic = problem.kinetic;
   forces.elastic_energy = 0.0;
@@ -40,7 +40,7 @@ void take_springs_and_dampers(const Case& problem, const law::ConnectorIncrement
   }
 }
 
-std::optional<std::string> beyond_stop(const Case& problem, law::ComponentSet solved,
+std::optional<std::string> beyond_stop(const cases::Case& problem, law::ComponentSet solved,
                                        const law::RelativePosition& position) {
   for (int c = 0; c < law::kComponents; ++c) {
     const auto& stop = problem.stop[static_cast<std::size_t>(c)];
@@ -49,11 +49,11 @@ std::optional<std::string> beyond_stop(const Case& problem, law::ComponentSet so
     const double rounding = 16.0 * std::numeric_limits<double>::epsilon() * std::abs(at);
     const bool above = at > stop->upper + rounding;
     if (!above && at >= stop->lower - rounding) continue;
-    return fmt::format("{} = {} is beyond the {} stop of component {} at {}", motion_name(c),
-                       format_number(at), above ? "upper" : "lower", c + 1,
-                       format_number(above ? stop->upper : stop->lower));
+    return fmt::format("{} = {} is beyond the {} stop of component {} at {}", cases::motion_name(c),
+                       base::format_number(at), above ? "upper" : "lower", c + 1,
+                       base::format_number(above ? stop->upper : stop->lower));
   }
   return std::nullopt;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

@@ -9,7 +9,7 @@
 #include "law/base/component.hpp"
 #include "law/definition/increment.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 
 /// The forces of one component beside friction, in the sign of result columns: in equilibrium
 ///   CEF + CVF + CSF + CRF - CCF = 0.
@@ -35,19 +35,19 @@ struct ConnectorForces {
 };
 
 /// Tells whether a case has such forces at all.
-bool has_component_forces(const Case& problem);
+bool has_component_forces(const cases::Case& problem);
 
 /// Springs and dampers at the end of an increment: sets CEF and CVF of every component, and the
 /// elastic energy; adds the viscous dissipation, the force at the end over the motion of the
 /// increment. Not for a SLIPRING, whose tension is its spring's.
 /// \param mass the component of a dynamic case, whose forces the dynamics know: of it only the
 ///        elastic energy is taken; -1 for none
-void take_springs_and_dampers(const Case& problem, const law::ConnectorIncrement& increment,
+void take_springs_and_dampers(const cases::Case& problem, const law::ConnectorIncrement& increment,
                               ConnectorForces& forces, int mass = -1);
 
 /// "CP1 = 0.3 is beyond the upper stop of component 1 at 0.25" for the first component that is
 /// driven by its motion, that is not `solved`, beyond a stop by more than rounding.
-std::optional<std::string> beyond_stop(const Case& problem, law::ComponentSet solved,
+std::optional<std::string> beyond_stop(const cases::Case& problem, law::ComponentSet solved,
                                        const law::RelativePosition& position);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

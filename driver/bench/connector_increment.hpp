@@ -8,27 +8,28 @@
 #include "driver/case/case.hpp"
 #include "law/definition/increment.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 
 /// Returns where the connector is at the end of a row; refers to the fields of `quantities`.
 inline law::Ambient ambient_of(const Quantities& quantities,
                                const law::RelativePosition& reference) {
   law::Ambient ambient;
-  std::copy_n(quantities.begin() + kFirstMotion, law::kComponents, ambient.position.values.begin());
+  std::copy_n(quantities.begin() + cases::kFirstMotion, law::kComponents,
+              ambient.position.values.begin());
   ambient.motion = law::constitutive_motion(ambient.position, reference);
-  ambient.temperature = quantities[kTemperatureQuantity];
-  ambient.fields = std::span(quantities).subspan(kFirstField, law::kMaxFields);
+  ambient.temperature = quantities[cases::kTemperatureQuantity];
+  ambient.fields = std::span(quantities).subspan(cases::kFirstField, law::kMaxFields);
   return ambient;
 }
 
 /// Returns what the law was given for the increment of a row, kinetic forces that press included;
 /// refers to the row's fields. Of a belt, the first ring's.
-inline law::ConnectorIncrement connector_increment(const Case& problem, const Row& row) {
+inline law::ConnectorIncrement connector_increment(const cases::Case& problem, const Row& row) {
   law::ConnectorIncrement increment;
   increment.duration = row.duration;
   increment.begin_position = row.begin;
   increment.end = ambient_of(row.quantities, problem.reference);
-  std::copy_n(row.quantities.begin() + kFirstForce, law::kComponents,
+  std::copy_n(row.quantities.begin() + cases::kFirstForce, law::kComponents,
               increment.force.values.begin());
   if (!problem.kinetic.pressing.empty()) {
     for (int c = 0; c < law::kComponents; ++c) {
@@ -38,4 +39,4 @@ inline law::ConnectorIncrement connector_increment(const Case& problem, const Ro
   return increment;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

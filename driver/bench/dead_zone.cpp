@@ -3,9 +3,10 @@
 
 #include <algorithm>
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 
-PlayStep move_play(const DeadZone& zone, double play, double elastic_slip, double motion) noexcept {
+PlayStep move_play(const cases::DeadZone& zone, double play, double elastic_slip,
+                   double motion) noexcept {
   const double half = 0.5 * zone.width;
   const double extension = elastic_slip + play + motion;
   PlayStep step;
@@ -36,4 +37,4 @@ void place_onset(const PlayStep& step, law::FrictionUpdate& update) noexcept {
   update.onset = std::clamp((update.onset * step.motion + step.travel) / whole, 0.0, 1.0);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

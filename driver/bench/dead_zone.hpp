@@ -7,7 +7,7 @@
 #include "law/definition/friction_state.hpp"
 #include "law/update/return_mapping.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 
 /// Effect of an increment on the play, and the motion it leaves for the friction behind it.
 struct PlayStep {
@@ -22,7 +22,8 @@ struct PlayStep {
 /// the other way. Exact for a straight increment of any length.
 /// \param play p at the begin of the increment
 /// \param elastic_slip s at its begin, in the unit of the component
-PlayStep move_play(const DeadZone& zone, double play, double elastic_slip, double motion) noexcept;
+PlayStep move_play(const cases::DeadZone& zone, double play, double elastic_slip,
+                   double motion) noexcept;
 
 /// The signed elastic slip of a definition of one component, in the unit of the component: the
 /// extension of its spring at the force it has, also where a change of friction altered the
@@ -38,4 +39,4 @@ void relax(law::FrictionUpdate& update) noexcept;
 /// of the connector: the play is crossed before.
 void place_onset(const PlayStep& step, law::FrictionUpdate& update) noexcept;
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

@@ -13,7 +13,7 @@
 #include "driver/bench/connector_increment.hpp"
 #include "driver/case/quantity.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 namespace {
 
 // Of what is integrated, in units of its size: far below what is asked of a result.
@@ -63,7 +63,7 @@ struct Dynamics::Stepper {
   }
 };
 
-Dynamics::Dynamics(const Case& problem)
+Dynamics::Dynamics(const cases::Case& problem)
     : case_(&problem), data_(*problem.dynamics), stepper_(std::make_unique<Stepper>()) {
   // What goes wrong is told by return values; GSL's own handler would end the program.
   gsl_set_error_handler_off();
@@ -89,7 +89,7 @@ law::ConnectorIncrement Dynamics::conditions(double time, double motion) const {
   if (follow_ != nullptr) (*follow_)(duration_ > 0.0 ? time / duration_ : 1.0, now_);
   law::ConnectorIncrement increment;
   increment.end = ambient_of(now_, case_->reference);
-  std::copy_n(now_.begin() + kFirstForce, law::kComponents, increment.force.values.begin());
+  std::copy_n(now_.begin() + cases::kFirstForce, law::kComponents, increment.force.values.begin());
   return increment;
 }
 
@@ -99,7 +99,7 @@ Dynamics::Forces Dynamics::forces(double time, double motion, double velocity) c
   Forces forces;
   forces.load = forces.push = here.force[data_.component];
   if (data_.driver) {
-    forces.driver = now_[kDriverLoad];
+    forces.driver = now_[cases::kDriverLoad];
     forces.push = (1.0 - driver_share_) * forces.load - driver_share_ * forces.driver;
   }
   forces.elastic = law::elastic_force(kinetic, data_.component, here.end).force;
@@ -500,4 +500,4 @@ tl::expected<void, DynamicsFailure> Dynamics::advance(const Quantities& begin,
   return {};
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

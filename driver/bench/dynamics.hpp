@@ -12,7 +12,7 @@
 #include "driver/case/case.hpp"
 #include "law/definition/limit_function.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 
 /// Reason why an increment of a dynamic case cannot be stepped.
 struct DynamicsFailure {
@@ -39,7 +39,7 @@ struct DynamicsFailure {
 class Dynamics {
  public:
   /// \pre problem.dynamics
-  explicit Dynamics(const Case& problem);
+  explicit Dynamics(const cases::Case& problem);
   Dynamics(Dynamics&&) noexcept;
   ~Dynamics();
 
@@ -111,8 +111,8 @@ class Dynamics {
   void note_change(double time, Row& row) const;
   void report(double time, Row& row);
 
-  const Case* case_;
-  DynamicsData data_;
+  const cases::Case* case_;
+  cases::DynamicsData data_;
   double mass_ = 1.0;          ///< m, or m_r
   double driver_share_ = 0.0;  ///< m/(m + M) of a driver: its part of w
   int definition_ = -1;
@@ -136,4 +136,4 @@ class Dynamics {
   mutable Quantities now_{};
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

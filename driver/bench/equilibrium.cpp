@@ -14,7 +14,7 @@
 #include "driver/case/quantity.hpp"
 #include "law/update/connector_tangent.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
@@ -23,7 +23,7 @@ constexpr double kSmallestPiece = 1.0 / 4096.0;
 
 }  // namespace
 
-Equilibrium::Equilibrium(const Case& problem)
+Equilibrium::Equilibrium(const cases::Case& problem)
     : case_(&problem), old_(problem.definitions.size()), updates_(problem.definitions.size()) {
   component_.fill(0);
   pressing_slopes_.setZero();
@@ -32,7 +32,7 @@ Equilibrium::Equilibrium(const Case& problem)
 }
 
 tl::expected<std::vector<std::size_t>, std::vector<std::size_t>> order_of_evaluation(
-    const Case& problem) {
+    const cases::Case& problem) {
   const std::size_t count = problem.definitions.size();
   const law::ComponentSet balanced = problem.kinetic.pressing & problem.force_driven;
   // The definition that has to come before `d` and is not in `order`; `count` if there is none.
@@ -88,7 +88,7 @@ void Equilibrium::prepare(double from, double to, const Quantities& begin, const
   for (int k = 0; k < count_; ++k) {
     const auto i = static_cast<std::size_t>(k);
     const auto c = static_cast<std::size_t>(component_[i]);
-    load_[i] = end_[kFirstForce + c];
+    load_[i] = end_[cases::kFirstForce + c];
     scale_[i] = std::abs(load_[i]);
     begin_friction_[i] = 0.0;
     for (std::size_t d = 0; d < old_.size(); ++d) {
@@ -96,7 +96,7 @@ void Equilibrium::prepare(double from, double to, const Quantities& begin, const
     }
   }
   increment_.end = ambient_of(end_, case_->reference);
-  std::copy_n(end_.begin() + kFirstForce, kSize, increment_.force.values.begin());
+  std::copy_n(end_.begin() + cases::kFirstForce, kSize, increment_.force.values.begin());
 }
 
 void Equilibrium::press() {
@@ -122,7 +122,7 @@ void Equilibrium::follow_positions(const Trial& trial) {
     }
     (*follow_)(part_, end_);
     Vector forces;
-    std::copy_n(end_.begin() + kFirstForce, kSize, forces.begin());
+    std::copy_n(end_.begin() + cases::kFirstForce, kSize, forces.begin());
     return forces;
   };
   for (int k = 0; k < count_; ++k) {
@@ -410,23 +410,23 @@ std::string Equilibrium::explain(const Trial& trial) const {
   std::string text = "no static solution: ";
   if (count_ == 1) {
     const int c = component_[0];
-    text += fmt::format("component {} is loaded with {} = {}{}", c + 1, force_name(c),
-                        format_number(load_[0]), follow_ != nullptr ? " " : ", ");
+    text += fmt::format("component {} is loaded with {} = {}{}", c + 1, cases::force_name(c),
+                        base::format_number(load_[0]), follow_ != nullptr ? " " : ", ");
     if (follow_ != nullptr) {
-      text += fmt::format("at {} = {}, and no position on its way holds it", motion_name(c),
-                          format_number(trial.q[0]));
+      text += fmt::format("at {} = {}, and no position on its way holds it", cases::motion_name(c),
+                          base::format_number(trial.q[0]));
     } else if (jumped_) {
-      text += fmt::format("but its force jumps past that at {} = {}", motion_name(c),
-                          format_number(trial.q[0]));
+      text += fmt::format("but its force jumps past that at {} = {}", cases::motion_name(c),
+                          base::format_number(trial.q[0]));
     } else {
-      text += fmt::format("but only {} can hold against it", format_number(held_[0]));
+      text += fmt::format("but only {} can hold against it", base::format_number(held_[0]));
     }
   } else {
     text += "the loads";
     for (int k = 0; k < count_; ++k) {
       const auto i = static_cast<std::size_t>(k);
-      text += fmt::format("{} {} = {}", k == 0 ? "" : ",", force_name(component_[i]),
-                          format_number(load_[i]));
+      text += fmt::format("{} {} = {}", k == 0 ? "" : ",", cases::force_name(component_[i]),
+                          base::format_number(load_[i]));
     }
     text += " cannot be held together";
   }
@@ -441,7 +441,7 @@ std::string Equilibrium::explain(const Trial& trial) const {
     }
     if (!concerned) continue;
     limits += fmt::format("{}friction '{}' has the limit {}", limits.empty() ? "" : ", ",
-                          case_->definitions[d].name, format_number(updates_[d].limit));
+                          case_->definitions[d].name, base::format_number(updates_[d].limit));
   }
   return limits.empty() ? text : text + " (" + limits + ")";
 }
@@ -505,4 +505,4 @@ tl::expected<void, NoEquilibrium> Equilibrium::solve(
   return {};
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

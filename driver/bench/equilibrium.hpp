@@ -15,7 +15,7 @@
 #include "driver/case/case.hpp"
 #include "law/update/return_mapping.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 
 /// One increment of one definition, without memory: the case's integration method.
 using IntegrateDefinition = std::function<law::FrictionUpdate(
@@ -32,7 +32,7 @@ struct NoEquilibrium {
 /// after the definition that slips there. As they stand where nothing asks for another order.
 /// Fails with definitions that wait for each other, or for themselves, in the order of waiting.
 tl::expected<std::vector<std::size_t>, std::vector<std::size_t>> order_of_evaluation(
-    const Case& problem);
+    const cases::Case& problem);
 
 /// Finds the positions q of all components that are driven by force, together, at the end of an
 /// increment (theory, force-driven components):
@@ -50,7 +50,7 @@ tl::expected<std::vector<std::size_t>, std::vector<std::size_t>> order_of_evalua
 /// Solving allocates nothing.
 class Equilibrium {
  public:
-  explicit Equilibrium(const Case& problem);
+  explicit Equilibrium(const cases::Case& problem);
 
   /// Solves one increment: sets the positions of `unknown` in the row, the updates, dissipation and
   /// work of its definitions, and its component forces but CCF and CRF of other components.
@@ -94,7 +94,7 @@ class Equilibrium {
   void accept(double from, double to, Row& row);
   std::string explain(const Trial& trial) const;
 
-  const Case* case_;
+  const cases::Case* case_;
   std::span<const law::FrictionDefinition> definitions_;
   const IntegrateDefinition* integrate_ = nullptr;
   const FollowPositions* follow_ = nullptr;  ///< null where no force follows a position
@@ -119,4 +119,4 @@ class Equilibrium {
   std::vector<law::FrictionUpdate> updates_;  ///< at the last trial
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

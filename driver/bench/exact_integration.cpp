@@ -8,7 +8,7 @@
 #include "driver/bench/connector_increment.hpp"
 #include "law/connection/belt.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 namespace {
 
 double wrap_angle(const law::FrictionDefinition& definition) {
@@ -50,7 +50,7 @@ std::optional<ExactRefusal> refuse_definition(const std::string& name,
 
 }  // namespace
 
-ExactIntegration::ExactIntegration(const Case& problem)
+ExactIntegration::ExactIntegration(const cases::Case& problem)
     : case_(&problem), kinetic_(problem.kinetic), definitions_(problem.definitions.size()) {
   if (problem.belt && kinetic_.elasticity[0]) kinetic_.pressing.insert(0);
 }
@@ -80,7 +80,7 @@ law::FrictionUpdate ExactIntegration::update(std::size_t index,
     segment.end_length = reference_length(*case_, increment.end.position);
     segment.begin.motion[0] = law::strain(segment.begin.position[0], segment.begin_length);
   }
-  std::copy_n(quantities_.begin() + kFirstForce, law::kComponents,
+  std::copy_n(quantities_.begin() + cases::kFirstForce, law::kComponents,
               segment.begin_force.values.begin());
   const law::ComponentSet named = law::components_of(definition.contact_force);
   if (!(kinetic_.pressing & named).empty()) {
@@ -97,7 +97,7 @@ law::FrictionUpdate ExactIntegration::update(std::size_t index,
   return law::continuous_update(definition, segment, old, case_->integration.tolerance, &changes);
 }
 
-std::optional<ExactRefusal> refuse_exact(const Case& problem) {
+std::optional<ExactRefusal> refuse_exact(const cases::Case& problem) {
   if (problem.dynamics) {
     return ExactRefusal{"a dynamic case locates its changes itself: there is nothing to choose",
                         "leave the method out"};
@@ -127,7 +127,7 @@ std::optional<ExactRefusal> refuse_exact(const Case& problem) {
         "integration does not follow such a jump",
         "use backward_euler and small increments"};
   }
-  for (const CaseDefinition& definition : problem.definitions) {
+  for (const cases::CaseDefinition& definition : problem.definitions) {
     if (definition.dead_zone) {
       return ExactRefusal{"friction '" + definition.name +
                               "' has a dead zone, which only backward_euler crosses: an increment "
@@ -142,9 +142,9 @@ std::optional<ExactRefusal> refuse_exact(const Case& problem) {
     }
     if (auto refusal = refuse_definition(definition.name, definition.law)) return refusal;
   }
-  for (const Step& step : problem.steps) {
-    for (const FrictionChange& change : step.friction_changes) {
-      const CaseDefinition& of = problem.definitions[change.definition];
+  for (const cases::Step& step : problem.steps) {
+    for (const cases::FrictionChange& change : step.friction_changes) {
+      const cases::CaseDefinition& of = problem.definitions[change.definition];
       law::FrictionDefinition changed = of.law;
       changed.law = change.law;
       changed.stick = change.stick;
@@ -154,4 +154,4 @@ std::optional<ExactRefusal> refuse_exact(const Case& problem) {
   return std::nullopt;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

@@ -12,13 +12,13 @@
 #include "driver/case/case.hpp"
 #include "law/exact/continuous_update.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 
 /// Keeps what the straight piece of history under way began with, and integrates definitions over
 /// it. Allocates nothing after its construction.
 class ExactIntegration {
  public:
-  explicit ExactIntegration(const Case& problem);
+  explicit ExactIntegration(const cases::Case& problem);
 
   /// An increment begins: the quantities just after its begin, and the definitions in force there.
   void begin(const Quantities& quantities, std::span<const law::FrictionDefinition> definitions);
@@ -34,7 +34,7 @@ class ExactIntegration {
     double stick = 1.0;
     double wrap_angle = 0.0;
   };
-  const Case* case_;
+  const cases::Case* case_;
   law::KineticBehavior kinetic_;  ///< of the case; the spring of an elastic belt presses too
   Quantities quantities_{};
   std::vector<Begin> definitions_;
@@ -45,6 +45,6 @@ struct ExactRefusal {
   std::string message;  ///< begins with the definition it is about, if it is one
   std::string hint;
 };
-std::optional<ExactRefusal> refuse_exact(const Case& problem);
+std::optional<ExactRefusal> refuse_exact(const cases::Case& problem);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

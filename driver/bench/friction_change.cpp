@@ -4,15 +4,15 @@
 #include <cmath>
 #include <utility>
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 
-tl::expected<void, HistoryError> FrictionChanges::begin_step(
-    const Step& step, bool first, double total_time, std::span<const double> mu,
+tl::expected<void, base::HistoryError> FrictionChanges::begin_step(
+    const cases::Step& step, bool first, double total_time, std::span<const double> mu,
     std::vector<law::FrictionDefinition>& definitions) {
   running_.clear();
   amplitudes_.clear();
-  for (const FrictionChange& change : step.friction_changes) {
-    auto amplitude = ProfileCursor::open(change.amplitude);
+  for (const cases::FrictionChange& change : step.friction_changes) {
+    auto amplitude = history::ProfileCursor::open(change.amplitude);
     if (!amplitude) return tl::unexpected(std::move(amplitude.error()));
     if (auto begun = amplitude->begin({step.duration, 0.0, total_time}); !begun) return begun;
     law::FrictionDefinition& definition = definitions[change.definition];
@@ -45,4 +45,4 @@ void FrictionChanges::advance(double t, bool at_end,
   amplitudes_.clear();
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

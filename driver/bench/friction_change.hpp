@@ -10,7 +10,7 @@
 #include "driver/history/profile_cursor.hpp"
 #include "law/definition/friction_definition.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 
 /// The changes of friction of the step that runs (docs/theory, section 9.2):
 ///   mu(t) = mu_start + A(t) (mu_end - mu_start),
@@ -25,15 +25,15 @@ class FrictionChanges {
   /// \param mu the coefficients in force, one a definition; in the first step of a case they do not
   ///        matter: mu_start is 0 there
   /// Errors: those of `ProfileCursor`.
-  tl::expected<void, HistoryError> begin_step(const Step& step, bool first, double total_time,
-                                              std::span<const double> mu,
-                                              std::vector<law::FrictionDefinition>& definitions);
+  tl::expected<void, base::HistoryError> begin_step(
+      const cases::Step& step, bool first, double total_time, std::span<const double> mu,
+      std::vector<law::FrictionDefinition>& definitions);
 
   /// Tells whether something changes at all.
   bool active() const { return !running_.empty(); }
 
   /// The first corner of an amplitude after `t`; kNoBreakpoint if none.
-  double next_breakpoint(double t) { return driver::next_breakpoint(amplitudes_, t); }
+  double next_breakpoint(double t) { return driver::history::next_breakpoint(amplitudes_, t); }
 
   /// Puts the friction of the time `t` in force. At the end of the step the new friction holds
   /// alone and nothing changes any more.
@@ -47,7 +47,7 @@ class FrictionChanges {
     bool blends_elastic_slip = false;
   };
   std::vector<Running> running_;
-  std::vector<ProfileCursor> amplitudes_;  ///< of running_, in its order
+  std::vector<history::ProfileCursor> amplitudes_;  ///< of running_, in its order
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

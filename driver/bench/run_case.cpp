@@ -7,15 +7,15 @@
 
 #include "driver/base/files/exit_code.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 
 tl::expected<std::vector<MotionJump>, SimulationFailure> run_case(
-    const Case& problem, const std::function<void(const Row&)>& take) {
+    const cases::Case& problem, const std::function<void(const Row&)>& take) {
   return follow_case(problem, [&](const Simulation& simulation) { take(simulation.row()); });
 }
 
 tl::expected<std::vector<MotionJump>, SimulationFailure> follow_case(
-    const Case& problem, const std::function<void(const Simulation&)>& take) {
+    const cases::Case& problem, const std::function<void(const Simulation&)>& take) {
   auto simulation = Simulation::start(problem);
   if (!simulation) return tl::unexpected(std::move(simulation.error()));
   while (true) {
@@ -30,20 +30,20 @@ tl::expected<std::vector<MotionJump>, SimulationFailure> follow_case(
 int exit_code(const SimulationFailure& failure) {
   switch (failure.kind) {
     case SimulationFailure::Kind::kInput:
-      return kExitBadInput;
+      return base::kExitBadInput;
     case SimulationFailure::Kind::kEnvironment:
-      return kExitEnvironment;
+      return base::kExitEnvironment;
     case SimulationFailure::Kind::kNumerical:
       break;
   }
-  return kExitNumerical;
+  return base::kExitNumerical;
 }
 
-std::string failure_text(const Case& problem, const SimulationFailure& failure) {
+std::string failure_text(const cases::Case& problem, const SimulationFailure& failure) {
   return fmt::format(
       "{}: {}: {}\n", problem.file,
       failure.kind == SimulationFailure::Kind::kNumerical ? "numerical failure" : "error",
       failure.message);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

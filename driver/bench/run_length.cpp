@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 
-RunLength::RunLength(const Case& problem) {
+RunLength::RunLength(const cases::Case& problem) {
   double time = 0.0;
-  for (const Step& step : problem.steps) {
+  for (const cases::Step& step : problem.steps) {
     const double passes = step.repeat;
     const double end = time + passes * step.duration;
     const auto increments = static_cast<double>(step.increments);
@@ -35,4 +35,4 @@ double RunLength::done(const Row& row) const {
   return std::clamp(behind / increments_, 0.0, 1.0);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

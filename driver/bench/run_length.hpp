@@ -8,13 +8,13 @@
 #include "driver/bench/simulation.hpp"
 #include "driver/case/case.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 
 /// The number of increments of a case before it is run: those its steps ask for. Breakpoints of
 /// profiles add to them. Of a measured history nothing is known, and all numbers are 0.
 class RunLength {
  public:
-  explicit RunLength(const Case& problem);
+  explicit RunLength(const cases::Case& problem);
 
   double increments() const { return increments_; }
 
@@ -38,4 +38,4 @@ class RunLength {
   double increments_ = 0.0;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

@@ -22,26 +22,26 @@
 #include "law/update/capstan_update.hpp"
 #include "law/update/penalty_update.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 namespace {
 
-SimulationFailure failure(const HistoryError& error) {
+SimulationFailure failure(const base::HistoryError& error) {
   using Kind = SimulationFailure::Kind;
   std::string place = error.file;
   if (error.line > 0) place += fmt::format(":{}", error.line);
   if (error.line > 0 && error.column > 0) place += fmt::format(":{}", error.column);
   if (!place.empty()) place += ": ";
-  return {error.kind == HistoryError::Kind::kInput ? Kind::kInput : Kind::kEnvironment,
+  return {error.kind == base::HistoryError::Kind::kInput ? Kind::kInput : Kind::kEnvironment,
           place + error.message};
 }
 
 /// The positions CP1 .. CPR3.
-std::span<const double, kPositions> position_of(const Quantities& quantities) {
-  return std::span(quantities).first<kPositions>();
+std::span<const double, history::kPositions> position_of(const Quantities& quantities) {
+  return std::span(quantities).first<history::kPositions>();
 }
 
-bool is_motion(int quantity) { return quantity < kFirstForce; }
-bool is_node(int quantity) { return quantity >= kFirstNode; }
+bool is_motion(int quantity) { return quantity < cases::kFirstForce; }
+bool is_node(int quantity) { return quantity >= cases::kFirstNode; }
 
 /// The name of the first number of an update that is not finite; null if there is none.
 const char* not_finite(const law::FrictionUpdate& update) {
@@ -75,15 +75,15 @@ const char* not_finite(const law::FrictionUpdate& update) {
 }
 
 /// Tells whether a coefficient of the definition is kept above a floor at some time.
-bool has_floor(const Case& problem, std::size_t index) {
+bool has_floor(const cases::Case& problem, std::size_t index) {
   const law::FrictionDefinition& definition = problem.definitions[index].law;
   bool found =
       law::has_floor(definition.law) ||
       (definition.formulation && definition.formulation->orthotropy &&
        law::has_floor(definition.formulation->orthotropy->second)) ||
       (problem.definitions[index].backward && law::has_floor(*problem.definitions[index].backward));
-  for (const Step& step : problem.steps) {
-    for (const FrictionChange& change : step.friction_changes) {
+  for (const cases::Step& step : problem.steps) {
+    for (const cases::FrictionChange& change : step.friction_changes) {
       found = found || (change.definition == index && law::has_floor(change.law));
     }
   }
@@ -99,7 +99,7 @@ std::optional<std::string> overflow(const law::FrictionDefinition& definition,
     return fmt::format(
         "the exponent {} V of the coefficient passes 700 at V = {}: exp({} V) is "
         "beyond any friction",
-        name, format_number(speed), name);
+        name, base::format_number(speed), name);
   };
   if (!definition.formulation || !definition.formulation->orthotropy) {
     return words(definition.law, row.update.slip_rate);
@@ -110,9 +110,9 @@ std::optional<std::string> overflow(const law::FrictionDefinition& definition,
 
 }  // namespace
 
-Simulation::Simulation(const Case& problem) : case_(&problem) {
+Simulation::Simulation(const cases::Case& problem) : case_(&problem) {
   row_.definitions.resize(problem.definitions.size());
-  for (const CaseDefinition& definition : problem.definitions) {
+  for (const cases::CaseDefinition& definition : problem.definitions) {
     definitions_.push_back(definition.law);
     const std::size_t index = definitions_.size() - 1;
     row_.definitions[index].behind.flow = problem.initial[1];
@@ -126,18 +126,18 @@ Simulation::Simulation(const Case& problem) : case_(&problem) {
   }
   note_falling_definitions();
   std::copy(problem.initial.values.begin(), problem.initial.values.end(),
-            row_.quantities.begin() + kFirstMotion);
+            row_.quantities.begin() + cases::kFirstMotion);
   row_.begin = problem.initial;
   begin_ = row_.quantities;
   if (problem.dynamics) dynamics_ = std::make_unique<Dynamics>(problem);
   has_forces_ = has_component_forces(problem);
   if (!problem.force_driven.empty()) equilibrium_ = std::make_unique<Equilibrium>(problem);
-  if (problem.integration.method == IntegrationMethod::kExact &&
+  if (problem.integration.method == cases::IntegrationMethod::kExact &&
       !(problem.belt && problem.belt->both_tensions)) {
     exact_ = std::make_unique<ExactIntegration>(problem);
   }
   if (problem.belt && problem.belt->nodes) {
-    auto coordinate = row_.quantities.begin() + kFirstNode;
+    auto coordinate = row_.quantities.begin() + cases::kFirstNode;
     for (const law::Point& node : *problem.belt->nodes) {
       coordinate = std::copy(node.begin(), node.end(), coordinate);
     }
@@ -147,7 +147,7 @@ Simulation::Simulation(const Case& problem) : case_(&problem) {
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;
 
-tl::expected<Simulation, SimulationFailure> Simulation::start(const Case& problem) {
+tl::expected<Simulation, SimulationFailure> Simulation::start(const cases::Case& problem) {
   Simulation simulation(problem);
   if (auto begun = simulation.start_history(); !begun) return tl::unexpected(begun.error());
   // An update without motion: the initial limits, coefficients and regimes.
@@ -157,7 +157,7 @@ tl::expected<Simulation, SimulationFailure> Simulation::start(const Case& proble
   return simulation;
 }
 
-tl::expected<Simulation, SimulationFailure> Simulation::resume(const Case& problem,
+tl::expected<Simulation, SimulationFailure> Simulation::resume(const cases::Case& problem,
                                                                const SimulationState& state) {
   // Where motions follow from the law, the walk needs it.
   const bool solved = problem.dynamics || !problem.force_driven.empty();
@@ -194,7 +194,7 @@ tl::expected<Simulation, SimulationFailure> Simulation::resume(const Case& probl
 }
 
 tl::expected<void, SimulationFailure> Simulation::walk(
-    const Case& problem, const std::function<void(const Row&)>& watch) {
+    const cases::Case& problem, const std::function<void(const Row&)>& watch) {
   Simulation simulation(problem);
   if (auto begun = simulation.start_history(); !begun) return begun;
   while (true) {
@@ -233,7 +233,7 @@ SimulationState Simulation::state() const {
 
 tl::expected<void, SimulationFailure> Simulation::start_history() {
   if (case_->measured) {
-    auto opened = MeasuredHistory::open(*case_->measured);
+    auto opened = history::MeasuredHistory::open(*case_->measured);
     if (!opened) return tl::unexpected(failure(opened.error()));
     measured_ = std::move(*opened);
     force_driven_ = case_->force_driven;
@@ -242,7 +242,7 @@ tl::expected<void, SimulationFailure> Simulation::start_history() {
     take_measured_row();
     earlier_.assign(measured_->values().begin(), measured_->values().end());
     // A measured path starts where its first row says.
-    std::copy_n(row_.quantities.begin() + kFirstMotion, law::kComponents,
+    std::copy_n(row_.quantities.begin() + cases::kFirstMotion, law::kComponents,
                 row_.begin.values.begin());
     row_.time = row_.step_time = measured_->time();
     return move_belt();
@@ -250,7 +250,7 @@ tl::expected<void, SimulationFailure> Simulation::start_history() {
   if (case_->steps.empty()) return move_belt();
   if (auto begun = begin_step(); !begun) return begun;
   // Motions start where the connector is; whatever else is driven has its first value.
-  const Step& step = case_->steps.front();
+  const cases::Step& step = case_->steps.front();
   for (std::size_t i = 0; i < step.drives.size(); ++i) {
     const int quantity = step.drives[i].quantity;
     if (!is_motion(quantity) && !is_node(quantity)) {
@@ -262,7 +262,7 @@ tl::expected<void, SimulationFailure> Simulation::start_history() {
 
 tl::expected<void, SimulationFailure> Simulation::move_belt() {
   if (!case_->belt) return {};
-  if (auto fault = driver::move_belt(*case_, row_)) {
+  if (auto fault = driver::bench::move_belt(*case_, row_)) {
     return tl::unexpected(
         SimulationFailure{SimulationFailure::Kind::kInput, place() + ": " + *std::move(fault)});
   }
@@ -290,16 +290,17 @@ tl::expected<bool, SimulationFailure> Simulation::advance_measured() {
   }
   if (dynamics_) begin_ = row_.quantities;
   if (exact_) exact_->begin(row_.quantities, definitions_);
-  std::copy_n(row_.quantities.begin() + kFirstMotion, law::kComponents, row_.begin.values.begin());
+  std::copy_n(row_.quantities.begin() + cases::kFirstMotion, law::kComponents,
+              row_.begin.values.begin());
   double time = measured_->time();
   if (++piece_ == pieces) {
     piece_ = 0;
     take_measured_row();
   } else {
-    const MeasuredSource& source = *case_->measured;
+    const history::MeasuredSource& source = *case_->measured;
     const double between = std::lerp(earlier_time_, time, static_cast<double>(piece_) / pieces);
     for (std::size_t i = 0; i < source.columns.size(); ++i) {
-      row_.quantities[source.columns[i].quantity] = between_rows(
+      row_.quantities[source.columns[i].quantity] = history::between_rows(
           earlier_time_, earlier_[i], time, measured_->values()[i], between, source.hold);
     }
     time = between;
@@ -313,10 +314,10 @@ tl::expected<bool, SimulationFailure> Simulation::advance_measured() {
 
 /// Opens the profiles of the current step and begins its first pass.
 tl::expected<void, SimulationFailure> Simulation::begin_step() {
-  const Step& step = case_->steps[static_cast<std::size_t>(row_.step)];
+  const cases::Step& step = case_->steps[static_cast<std::size_t>(row_.step)];
   cursors_.clear();
-  for (const Drive& drive : step.drives) {
-    auto cursor = ProfileCursor::open(drive.profile);
+  for (const cases::Drive& drive : step.drives) {
+    auto cursor = history::ProfileCursor::open(drive.profile);
     if (!cursor) return tl::unexpected(failure(cursor.error()));
     cursors_.push_back(std::move(*cursor));
   }
@@ -327,7 +328,7 @@ tl::expected<void, SimulationFailure> Simulation::begin_step() {
 }
 
 tl::expected<void, SimulationFailure> Simulation::begin_friction_changes() {
-  const Step& step = case_->steps[static_cast<std::size_t>(row_.step)];
+  const cases::Step& step = case_->steps[static_cast<std::size_t>(row_.step)];
   if (step.friction_changes.empty()) return {};
   std::vector<double> mu;
   for (const DefinitionRow& definition : row_.definitions) mu.push_back(definition.update.mu);
@@ -385,32 +386,34 @@ void Simulation::note_thresholds() {
 }
 
 tl::expected<void, SimulationFailure> Simulation::begin_pass() {
-  const Step& step = case_->steps[static_cast<std::size_t>(row_.step)];
+  const cases::Step& step = case_->steps[static_cast<std::size_t>(row_.step)];
   pass_start_ = row_.time;
-  grid_ = StepGrid(step.duration, step.increments);
+  grid_ = history::StepGrid(step.duration, step.increments);
   varying_.clear();
   following_.clear();
   for (std::size_t i = 0; i < step.drives.size(); ++i) {
     const int quantity = step.drives[i].quantity;
     const double current = row_.quantities[static_cast<std::size_t>(quantity)];
-    StepStart start{step.duration, current, pass_start_};
-    std::copy_n(row_.quantities.begin() + kFirstMotion, kPositions, start.position.begin());
+    history::StepStart start{step.duration, current, pass_start_};
+    std::copy_n(row_.quantities.begin() + cases::kFirstMotion, history::kPositions,
+                start.position.begin());
     auto begun = cursors_[i].begin(start);
     if (!begun) {
       SimulationFailure fault = failure(begun.error());
-      fault.message =
-          fmt::format("step '{}', {}: {}", step.name, quantity_name(quantity), fault.message);
+      fault.message = fmt::format("step '{}', {}: {}", step.name, cases::quantity_name(quantity),
+                                  fault.message);
       return tl::unexpected(std::move(fault));
     }
     if (is_motion(quantity)) note_jump(quantity, current, cursors_[i].start_value());
-    if (!is_motion(quantity) && std::holds_alternative<Constant>(step.drives[i].profile)) {
+    if (!is_motion(quantity) && std::holds_alternative<history::Constant>(step.drives[i].profile)) {
       row_.quantities[static_cast<std::size_t>(quantity)] = cursors_[i].start_value();
     } else {
       varying_.push_back(i);
       if (cursors_[i].follows_position()) following_.push_back(i);
     }
   }
-  breakpoint_ = std::min(next_breakpoint(cursors_, 0.0), friction_changes_.next_breakpoint(0.0));
+  breakpoint_ =
+      std::min(history::next_breakpoint(cursors_, 0.0), friction_changes_.next_breakpoint(0.0));
   in_step_ = true;
   return {};
 }
@@ -422,7 +425,7 @@ void Simulation::note_jump(int component, double from, double to) {
   const double extent = extent_[static_cast<std::size_t>(component)];
   if (std::abs(to - from) <= kRounding * std::max({std::abs(from), std::abs(to), extent})) return;
   if (jumps_.size() < kMostJumps) {
-    const Step& step = case_->steps[static_cast<std::size_t>(row_.step)];
+    const cases::Step& step = case_->steps[static_cast<std::size_t>(row_.step)];
     jumps_.push_back({component, to - from, row_.time, step.name});
   }
 }
@@ -430,7 +433,7 @@ void Simulation::note_jump(int component, double from, double to) {
 tl::expected<bool, SimulationFailure> Simulation::advance_history() {
   if (measured_) return advance_measured();
   if (!in_step_) return false;
-  const Step* step = &case_->steps[static_cast<std::size_t>(row_.step)];
+  const cases::Step* step = &case_->steps[static_cast<std::size_t>(row_.step)];
   if (grid_.at_end()) {
     if (row_.pass + 1 < step->repeat) {
       ++row_.pass;
@@ -444,9 +447,9 @@ tl::expected<bool, SimulationFailure> Simulation::advance_history() {
     }
   }
   const double from = grid_.time();
-  if (from + kSameTime * step->duration >= breakpoint_) {
+  if (from + history::kSameTime * step->duration >= breakpoint_) {
     breakpoint_ =
-        std::min(next_breakpoint(cursors_, from), friction_changes_.next_breakpoint(from));
+        std::min(history::next_breakpoint(cursors_, from), friction_changes_.next_breakpoint(from));
   }
   if (dynamics_ || exact_) {
     begin_ = row_.quantities;
@@ -456,7 +459,8 @@ tl::expected<bool, SimulationFailure> Simulation::advance_history() {
   }
   if (exact_) exact_->begin(begin_, definitions_);
   const double to = grid_.advance(breakpoint_);
-  std::copy_n(row_.quantities.begin() + kFirstMotion, law::kComponents, row_.begin.values.begin());
+  std::copy_n(row_.quantities.begin() + cases::kFirstMotion, law::kComponents,
+              row_.begin.values.begin());
   double sum = 0.0;
   for (const std::size_t i : varying_) {
     // A step drives its motions first. Those that a load makes are not known yet.
@@ -470,8 +474,8 @@ tl::expected<bool, SimulationFailure> Simulation::advance_history() {
   if (!std::isfinite(sum)) {
     for (const std::size_t i : varying_) {
       const int quantity = step->drives[i].quantity;
-      const auto where = fmt::format("step '{}', t = {}, {}: ", step->name, format_number(to),
-                                     quantity_name(quantity));
+      const auto where = fmt::format("step '{}', t = {}, {}: ", step->name, base::format_number(to),
+                                     cases::quantity_name(quantity));
       if (const auto& error = cursors_[i].error()) {
         SimulationFailure fault = failure(*error);
         fault.message = where + fault.message;
@@ -496,7 +500,7 @@ tl::expected<bool, SimulationFailure> Simulation::advance_history() {
 
 void Simulation::follow_positions(double step_time, Quantities& quantities) {
   for (const std::size_t i : following_) {
-    const Step& step = case_->steps[static_cast<std::size_t>(row_.step)];
+    const cases::Step& step = case_->steps[static_cast<std::size_t>(row_.step)];
     cursors_[i].set_position(position_of(quantities));
     quantities[static_cast<std::size_t>(step.drives[i].quantity)] = cursors_[i].value(step_time);
   }
@@ -509,17 +513,17 @@ FollowPositions Simulation::following() {
   };
 }
 
-void Simulation::choose_force_driven(const Step& step) {
+void Simulation::choose_force_driven(const cases::Step& step) {
   if (!equilibrium_) return;
   law::ComponentSet now;
   for (int c = 0; c < law::kComponents; ++c) {
     const auto drives = [&](int quantity) {
       return std::any_of(step.drives.begin(), step.drives.end(),
-                         [&](const Drive& drive) { return drive.quantity == quantity; });
+                         [&](const cases::Drive& drive) { return drive.quantity == quantity; });
     };
-    const auto load = static_cast<std::size_t>(kFirstForce + c);
-    const bool loaded = drives(kFirstForce + c) && case_->force_driven.contains(c);
-    if (loaded || (force_driven_.contains(c) && !drives(kFirstMotion + c))) now.insert(c);
+    const auto load = static_cast<std::size_t>(cases::kFirstForce + c);
+    const bool loaded = drives(cases::kFirstForce + c) && case_->force_driven.contains(c);
+    if (loaded || (force_driven_.contains(c) && !drives(cases::kFirstMotion + c))) now.insert(c);
     if (loaded && !force_driven_.contains(c)) {
       // What held the component until now is the load it starts with.
       row_.quantities[load] = begin_[load] = row_.index > 0 ? carried_force(c) : 0.0;
@@ -615,7 +619,7 @@ tl::expected<void, SimulationFailure> Simulation::take_forces() {
   for (int c = 0; c < law::kComponents; ++c) {
     if (!force_driven_.contains(c)) continue;
     row_.forces.component[static_cast<std::size_t>(c)].applied =
-        row_.quantities[static_cast<std::size_t>(kFirstForce + c)];
+        row_.quantities[static_cast<std::size_t>(cases::kFirstForce + c)];
   }
   if (equilibrium_) begin_ = row_.quantities;
   return {};
@@ -671,7 +675,7 @@ tl::expected<void, SimulationFailure> Simulation::judge(std::size_t definition) 
         fmt::format("{}: definition '{}': alpha = 2 pi dt/T = {:.6g} of its filter is above 1: dt "
                     "= {}, T = {}; take shorter increments or a longer period",
                     place(), case_->definitions[definition].name, row.penalty.alpha,
-                    format_number(row_.duration), format_number(period))});
+                    base::format_number(row_.duration), base::format_number(period))});
   }
   const char* what = not_finite(row.update);
   // The limit along an ellipse is finite beside one infinite coefficient.
@@ -690,7 +694,7 @@ tl::expected<void, SimulationFailure> Simulation::judge(std::size_t definition) 
                              "exact integration; use backward_euler"
                            : "the return to the limit surface of its potential found no solution"));
   }
-  if (row.update.snap_back >= 1.0 && case_->integration.snap_back == SnapBackAction::kStop) {
+  if (row.update.snap_back >= 1.0 && case_->integration.snap_back == cases::SnapBackAction::kStop) {
     return tl::unexpected(snap_back_failure(definition));
   }
   return {};
@@ -699,9 +703,9 @@ tl::expected<void, SimulationFailure> Simulation::judge(std::size_t definition) 
 SimulationFailure Simulation::snap_back_failure(std::size_t definition) const {
   const law::FrictionDefinition& in_force = definitions_[definition];
   const double beta = row_.definitions[definition].update.snap_back;
-  const std::string unit =
-      unit_text(law::is_rotational(in_force.slip) ? kMoment : Dimension{.force = 1, .length = -1},
-                case_->units);
+  const std::string unit = base::unit_text(
+      law::is_rotational(in_force.slip) ? base::kMoment : base::Dimension{.force = 1, .length = -1},
+      case_->units);
   const std::string enough = fmt::format("{:.6g}", beta * in_force.stick.value);
   return numerical_failure(
       definition,
@@ -746,7 +750,8 @@ law::FrictionUpdate Simulation::integrate(std::size_t definition,
                                &row_.definitions[definition].penalty);
   }
   if (case_->belt && case_->belt->both_tensions) {
-    return law::judge_capstan(definitions_[definition], increment, row_.quantities[kTensionBehind]);
+    return law::judge_capstan(definitions_[definition], increment,
+                              row_.quantities[cases::kTensionBehind]);
   }
   return law::update(definitions_[definition], increment, old);
 }
@@ -754,7 +759,7 @@ law::FrictionUpdate Simulation::integrate(std::size_t definition,
 law::FrictionUpdate Simulation::integrate_with_options(std::size_t definition,
                                                        law::ConnectorIncrement increment,
                                                        const law::FrictionState& old) {
-  const CaseDefinition& own = case_->definitions[definition];
+  const cases::CaseDefinition& own = case_->definitions[definition];
   if (!own.dead_zone && !own.backward) return integrate(definition, increment, old);
   law::FrictionDefinition& in_force = definitions_[definition];
   DefinitionRow& here = row_.definitions[definition];
@@ -792,8 +797,8 @@ std::string Simulation::place(double before) const {
                               case_->steps.empty()
                                   ? std::string()
                                   : case_->steps[static_cast<std::size_t>(row_.step)].name,
-                              format_number(row_.step_time - before));
-  return fmt::format("{} (total time {})", step, format_number(row_.time - before));
+                              base::format_number(row_.step_time - before));
+  return fmt::format("{} (total time {})", step, base::format_number(row_.time - before));
 }
 
 SimulationFailure Simulation::numerical_failure(std::size_t definition,
@@ -803,4 +808,4 @@ SimulationFailure Simulation::numerical_failure(std::size_t definition,
       fmt::format("{}: definition '{}': {}", place(), case_->definitions[definition].name, what)};
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

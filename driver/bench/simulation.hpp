@@ -24,14 +24,14 @@
 #include "law/update/return_mapping.hpp"
 #include "law/update/uniqueness.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 
 class Dynamics;
 class Equilibrium;
 class ExactIntegration;
 
 /// Values of all quantities a case can prescribe, in the numbering of quantity.hpp.
-using Quantities = std::array<double, kQuantities>;
+using Quantities = std::array<double, cases::kQuantities>;
 
 /// Sets the forces that follow the positions in `quantities`, at a part of an increment; NaN where
 /// a formula has no value.
@@ -124,19 +124,19 @@ class Simulation {
 
   /// The initial state; `problem` must outlive the simulation. Errors: a history that has no first
   /// value, an initial state that is not finite.
-  static tl::expected<Simulation, SimulationFailure> start(const Case& problem);
+  static tl::expected<Simulation, SimulationFailure> start(const cases::Case& problem);
 
   /// The state in which another run of the same case was cut; its history is walked through again
   /// up to there, without the law where nothing that moves depends on it. The next row is the one
   /// the other run would have given; `row()` before it has no updates. Errors: those of `start`; a
   /// history shorter than that.
-  static tl::expected<Simulation, SimulationFailure> resume(const Case& problem,
+  static tl::expected<Simulation, SimulationFailure> resume(const cases::Case& problem,
                                                             const SimulationState& state);
 
   /// Walks through a history whose motions are prescribed, without friction: `watch` sees every
   /// row, row 0 first, with no updates in it. Errors: those of the history, and a motion beyond a
   /// stop.
-  static tl::expected<void, SimulationFailure> walk(const Case& problem,
+  static tl::expected<void, SimulationFailure> walk(const cases::Case& problem,
                                                     const std::function<void(const Row&)>& watch);
 
   /// Goes to the end of the next increment; false at the end of the history. After an error or the
@@ -156,7 +156,7 @@ class Simulation {
   static constexpr std::size_t kMostJumps = 8;
 
  private:
-  explicit Simulation(const Case& problem);
+  explicit Simulation(const cases::Case& problem);
 
   tl::expected<void, SimulationFailure> start_history();
   tl::expected<bool, SimulationFailure> advance_history();
@@ -181,7 +181,7 @@ class Simulation {
   FollowPositions following();
   void follow_positions(double step_time, Quantities& quantities);
   /// Chooses the components driven by force from now on, and the loads they start with.
-  void choose_force_driven(const Step& step);
+  void choose_force_driven(const cases::Step& step);
   tl::expected<void, SimulationFailure> solve_equilibrium();
   tl::expected<void, SimulationFailure> advance_mass(bool start);
   /// Sets the kinetic forces that press, of an increment whose motions are known.
@@ -199,7 +199,7 @@ class Simulation {
   std::string place(double before = 0.0) const;
   SimulationFailure numerical_failure(std::size_t definition, const std::string& what) const;
 
-  const Case* case_;
+  const cases::Case* case_;
   /// The definitions in force; a change of friction puts others in place of the case's.
   std::vector<law::FrictionDefinition> definitions_;
   FrictionChanges friction_changes_;
@@ -224,12 +224,12 @@ class Simulation {
   std::vector<MotionJump> jumps_;
   std::array<double, law::kComponents> extent_{};  ///< largest magnitude of each position so far
 
-  std::vector<ProfileCursor> cursors_;  ///< one for each drive of the current step
-  std::vector<std::size_t> varying_;    ///< the drives that are not constant over the step
-  std::vector<std::size_t> following_;  ///< those of them that follow the positions
-  StepGrid grid_{1.0, 1};
+  std::vector<history::ProfileCursor> cursors_;  ///< one for each drive of the current step
+  std::vector<std::size_t> varying_;             ///< the drives that are not constant over the step
+  std::vector<std::size_t> following_;           ///< those of them that follow the positions
+  history::StepGrid grid_{1.0, 1};
   bool in_step_ = false;
-  std::optional<MeasuredHistory> measured_;
+  std::optional<history::MeasuredHistory> measured_;
   std::vector<double> earlier_;  ///< the row before, where increments divide the rows
   double earlier_time_ = 0.0;
   int piece_ = 0;            ///< how many of them lie behind since the row before
@@ -237,4 +237,4 @@ class Simulation {
   double breakpoint_ = 0.0;  ///< the next one
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

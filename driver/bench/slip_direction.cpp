@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 
 bool loads_backward(double elastic_slip, double left, double motion) noexcept {
   const double trial = elastic_slip + left;
@@ -31,4 +31,4 @@ void split_at_zero_force(const law::FrictionDefinition& definition, const law::F
   }
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

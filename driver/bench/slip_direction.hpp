@@ -6,7 +6,7 @@
 #include "law/definition/friction_state.hpp"
 #include "law/update/return_mapping.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 
 /// Tells whether an increment loads a definition of one component backward: its elastic slip at the
 /// end is negative if nothing slips. A spring that ends relaxed takes the direction of the motion,
@@ -26,4 +26,4 @@ bool loads_backward(double elastic_slip, double left, double motion) noexcept;
 void split_at_zero_force(const law::FrictionDefinition& definition, const law::FrictionState& old,
                          double left, law::FrictionUpdate& update) noexcept;
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

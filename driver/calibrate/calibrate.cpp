@@ -23,14 +23,14 @@
 #include "driver/calibrate/varied_case.hpp"
 #include "driver/results/coverage.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 using Models = std::vector<std::shared_ptr<const ExperimentModel>>;
 
 /// The case and definition that a table is fitted in first.
 struct TableHome {
-  const Case* problem = nullptr;
+  const cases::Case* problem = nullptr;
   const law::FrictionDefinition* definition = nullptr;
 };
 
@@ -65,7 +65,7 @@ void describe_unknowns(const Fit& fit, std::span<const VariedOrdinates> ordinate
     fitted.count = here.count;
     fitted.shape = varied.shape;
     for (const law::Independent& independent : function.independents()) {
-      fitted.columns.push_back(independent_name(independent));
+      fitted.columns.push_back(results::independent_name(independent));
     }
     const bool moment = law::is_rotational(home.definition->slip);
     for (std::size_t row = 0; row < here.count; ++row) {
@@ -73,7 +73,7 @@ void describe_unknowns(const Fit& fit, std::span<const VariedOrdinates> ordinate
       FittedUnknown unknown;
       unknown.name = fmt::format("{}[{}].{}", varied.name, row, varied.free);
       if (varied.use == VariedTable::Use::kInternalContactForce) {
-        unknown.unit = unit_text(moment ? kMoment : kForce, home.problem->units);
+        unknown.unit = base::unit_text(moment ? base::kMoment : base::kForce, home.problem->units);
       }
       unknown.range = {table.ordinate(row, here.column), varied.lower, varied.upper, varied.scale};
       calibration.unknowns.push_back(std::move(unknown));
@@ -86,7 +86,7 @@ tl::expected<Models, CalibrationFailure> build_models(const Fit& fit, const Mode
   const std::size_t count = fit.experiments.size();
   Models models(count);
   std::vector<ExperimentModel::Failure> failures(count);
-  for_each_index(count, options.threads, [&](std::size_t i) {
+  base::for_each_index(count, options.threads, [&](std::size_t i) {
     auto model = ExperimentModel::make(fit, fit.experiments[i], options);
     if (model) {
       models[i] = std::make_shared<const ExperimentModel>(std::move(*model));
@@ -97,10 +97,10 @@ tl::expected<Models, CalibrationFailure> build_models(const Fit& fit, const Mode
   CalibrationFailure failure;
   for (std::size_t i = 0; i < count; ++i) {
     if (models[i] != nullptr) continue;
-    const int code = failures[i].environment ? kExitEnvironment
-                     : failures[i].numerical ? kExitNumerical
-                                             : kExitBadInput;
-    failure.code = failure.message.empty() ? code : worse(failure.code, code);
+    const int code = failures[i].environment ? base::kExitEnvironment
+                     : failures[i].numerical ? base::kExitNumerical
+                                             : base::kExitBadInput;
+    failure.code = failure.message.empty() ? code : base::worse(failure.code, code);
     failure.message += (failure.message.empty() ? "" : "\n") + failures[i].message;
   }
   if (!failure.message.empty()) return tl::unexpected(failure);
@@ -151,16 +151,16 @@ void count_visits(const Fit& fit, const Models& models, unsigned threads,
                   Calibration& calibration) {
   if (calibration.tables.empty()) return;
   struct Visit {
-    std::unique_ptr<Case> problem;
-    std::unique_ptr<Coverage> coverage;
+    std::unique_ptr<cases::Case> problem;
+    std::unique_ptr<results::Coverage> coverage;
   };
   std::vector<Visit> visits(models.size());
-  for_each_index(models.size(), threads, [&](std::size_t i) {
+  base::for_each_index(models.size(), threads, [&](std::size_t i) {
     if (fit.experiments[i].held_out) return;
     auto problem = models[i]->case_at(calibration.fit.x);
     if (!problem) return;
-    visits[i].problem = std::make_unique<Case>(std::move(*problem));
-    visits[i].coverage = std::make_unique<Coverage>(*visits[i].problem);
+    visits[i].problem = std::make_unique<cases::Case>(std::move(*problem));
+    visits[i].coverage = std::make_unique<results::Coverage>(*visits[i].problem);
     models[i]->count_cells(calibration.fit.x, *visits[i].problem, *visits[i].coverage);
   });
   for (FittedTable& table : calibration.tables) {
@@ -180,10 +180,10 @@ double distance(double from, double to, double width) {
 void take_values(Calibration& calibration) {
   for (std::size_t u = 0; u < calibration.unknowns.size(); ++u) {
     FittedUnknown& unknown = calibration.unknowns[u];
-    const UnknownRange& range = unknown.range;
+    const fit::UnknownRange& range = unknown.range;
     unknown.value = u < calibration.fit.x.size() ? calibration.fit.x[u] : range.start;
     // On the axis that it was searched on.
-    const auto at = [&](double x) { return range.scale == Scale::kLog ? std::log(x) : x; };
+    const auto at = [&](double x) { return range.scale == fit::Scale::kLog ? std::log(x) : x; };
     const double width = at(range.upper) - at(range.lower);
     unknown.distance_to_lower = distance(at(range.lower), at(unknown.value), width);
     unknown.distance_to_upper = distance(at(unknown.value), at(range.upper), width);
@@ -195,13 +195,13 @@ void take_values(Calibration& calibration) {
 void take_experiments(const Models& models, const ModelOptions& options, const ModelValues& seen,
                       Calibration& calibration) {
   std::vector<double> start;
-  for (const UnknownRange& range : options.unknowns) start.push_back(range.start);
+  for (const fit::UnknownRange& range : options.unknowns) start.push_back(range.start);
   std::vector<std::size_t> first(models.size(), 0);
   for (std::size_t i = 1; i < models.size(); ++i) {
     first[i] = first[i - 1] + models[i - 1]->points();
   }
   std::vector<FittedExperiment> fitted(models.size());
-  for_each_index(models.size(), options.threads, [&](std::size_t i) {
+  base::for_each_index(models.size(), options.threads, [&](std::size_t i) {
     const std::size_t points = models[i]->points();
     const auto values_at = [&](std::span<const double> x) {
       // Those held out come last, and have no rows.
@@ -225,7 +225,7 @@ void take_experiments(const Models& models, const ModelOptions& options, const M
     double cost = 0.0;
     const std::size_t end = row + fitted_points(*models[i]);
     for (; row < end; ++row) {
-      cost += 0.5 * loss_value(calibration.problem.loss, residuals[row]);
+      cost += 0.5 * fit::loss_value(calibration.problem.loss, residuals[row]);
     }
     if (calibration.fit.cost > 0.0) fitted[i].share_of_cost = cost / calibration.fit.cost;
   }
@@ -250,8 +250,8 @@ bool keep_slopes(const Models& models, std::span<const double> x) {
 struct Search {
   Models models;
   std::shared_ptr<ModelValues> seen = std::make_shared<ModelValues>();
-  ResidualProblem problem;
-  LeastSquaresFit fit;
+  fit::ResidualProblem problem;
+  fit::LeastSquaresFit fit;
 };
 
 tl::expected<Search, CalibrationFailure> search(const Fit& fit, const ModelOptions& options,
@@ -265,7 +265,7 @@ tl::expected<Search, CalibrationFailure> search(const Fit& fit, const ModelOptio
     if (!fit.experiments[i].held_out) fitted.push_back(found.models[i]);
   }
   found.problem = residual_problem(fit, std::move(fitted), options, watch, found.seen);
-  found.fit = solve_least_squares(found.problem, fit.solver);
+  found.fit = fit::solve_least_squares(found.problem, fit.solver);
   return found;
 }
 
@@ -277,7 +277,7 @@ tl::expected<Calibration, CalibrationFailure> calibrate(const Fit& fit,
   const auto begun = std::chrono::steady_clock::now();
   Calibration calibration;
   ModelOptions options;
-  options.threads = settings.threads == 0 ? core_count() : settings.threads;
+  options.threads = settings.threads == 0 ? base::core_count() : settings.threads;
   options.ordinates = varied_ordinates(fit);
   options.with_hash = settings.with_hashes;
   describe_unknowns(fit, options.ordinates, calibration);
@@ -306,18 +306,20 @@ tl::expected<Calibration, CalibrationFailure> calibrate(const Fit& fit,
   take_experiments(models, options, *found->seen, calibration);
   const bool has_optimum = !calibration.fit.jacobian.empty();
   if (has_optimum) {
-    calibration.statistics = fit_statistics(calibration.problem, calibration.fit, fit.confidence);
+    calibration.statistics =
+        fit::fit_statistics(calibration.problem, calibration.fit, fit.confidence);
     count_visits(fit, models, options.threads, calibration);
     if (fit.bootstrap > 0 && calibration.fit.converged) {
       *stage = "resamplings";
-      calibration.bootstrap = bootstrap(calibration.problem, calibration.fit, fit.bootstrap,
-                                        fit.confidence, fit.solver.seed);
+      calibration.bootstrap = fit::bootstrap(calibration.problem, calibration.fit, fit.bootstrap,
+                                             fit.confidence, fit.solver.seed);
     }
     *stage = "profiles";
     for (std::size_t u = 0; u < fit.vary.size(); ++u) {
       const bool frozen = u < calibration.fit.frozen.size() && calibration.fit.frozen[u] != 0;
       if (!fit.profile || frozen || !calibration.fit.converged) continue;
-      auto profile = profile_likelihood(calibration.problem, calibration.fit, u, fit.confidence);
+      auto profile =
+          fit::profile_likelihood(calibration.problem, calibration.fit, u, fit.confidence);
       if (std::isfinite(profile.threshold)) calibration.profiles.push_back(std::move(profile));
     }
     judge_identifiability(&calibration);
@@ -335,4 +337,4 @@ tl::expected<Calibration, CalibrationFailure> calibrate(const Fit& fit,
   return calibration;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

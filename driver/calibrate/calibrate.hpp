@@ -10,7 +10,7 @@
 #include "driver/calibrate/calibration.hpp"
 #include "driver/calibrate/fit.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// Progress of a fit, to show while it runs.
 struct CalibrateStep {
@@ -24,8 +24,9 @@ struct CalibrateProgress {
 
 /// Reason why there is no fit at all; a search that did not converge is a Calibration, too.
 struct CalibrationFailure {
-  int code = kExitBadInput;  ///< for the shell: kExitBadInput, kExitNumerical or kExitEnvironment
-  std::string message;       ///< with its place where a file is at fault
+  int code = base::kExitBadInput;  ///< for the shell: base::kExitBadInput, base::kExitNumerical or
+                                   ///< base::kExitEnvironment
+  std::string message;             ///< with its place where a file is at fault
 };
 
 struct CalibrateSettings {
@@ -42,4 +43,4 @@ tl::expected<Calibration, CalibrationFailure> calibrate(const Fit& fit,
                                                         const CalibrateProgress& progress = {},
                                                         const CalibrateSettings& settings = {});
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -25,16 +25,16 @@
 #include "driver/check/curves/curve_library.hpp"
 #include "driver/yaml/parse.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 namespace fs = std::filesystem;
 
 /// A node and the way to it from the root: indices of items and entries.
 struct Place {
-  Node node;
+  yaml::Node node;
   std::vector<std::size_t> way;
-  Path path;
+  yaml::Path path;
 
   [[nodiscard]] std::optional<Place> find(std::string_view key) const {
     for (std::size_t i = 0; node.is_map() && i < node.size(); ++i) {
@@ -96,7 +96,7 @@ std::vector<std::string> file_names(const Fit& fit, const std::vector<Group>& gr
     const auto same = std::count_if(groups.begin(), groups.end(),
                                     [&](const Group& other) { return stem(other) == stem(group); });
     if (same > 1) {
-      name += "." + file_part(fit.experiments[group.experiments.front()].name);
+      name += "." + base::file_part(fit.experiments[group.experiments.front()].name);
     }
     const std::string wanted = name;
     for (int n = 2; !taken.insert(name).second; ++n) name = fmt::format("{}.{}", wanted, n);
@@ -108,7 +108,7 @@ std::vector<std::string> file_names(const Fit& fit, const std::vector<Group>& gr
 /// One case that is being given its numbers.
 class CaseWriter {
  public:
-  CaseWriter(const Fit& fit, const Calibration& calibration, const Tree& tree,
+  CaseWriter(const Fit& fit, const Calibration& calibration, const yaml::Tree& tree,
              const ExperimentFit& experiment)
       : fit_(fit), calibration_(calibration), tree_(tree), experiment_(experiment) {}
 
@@ -122,8 +122,8 @@ class CaseWriter {
     const auto edited = with_changes(tree_, changes_);
     if (!edited) return tl::unexpected(edited.error());
     std::string comment = calibration_comment(fit_, calibration_, experiments, unknowns_);
-    for (const std::string& remark : remarks_) comment += "# " + printable(remark) + "\n";
-    for (const std::string& note : notes_) comment += "# " + printable(note) + "\n";
+    for (const std::string& remark : remarks_) comment += "# " + base::printable(remark) + "\n";
+    for (const std::string& note : notes_) comment += "# " + base::printable(note) + "\n";
     return comment + *edited;
   }
 
@@ -136,7 +136,7 @@ class CaseWriter {
   /// its unit, are kept in the comments.
   void replace(const Place& place, std::string text) {
     const std::string_view old = place.node.text();
-    if (place.node.is_scalar() && (old.starts_with('=') || carries_unit(old))) {
+    if (place.node.is_scalar() && (old.starts_with('=') || base::carries_unit(old))) {
       remarks_.push_back(fmt::format("{} was {}'{}'", place.path.text(),
                                      old.starts_with('=') ? "the expression " : "",
                                      std::string(old)));
@@ -147,20 +147,20 @@ class CaseWriter {
   void set_parameters() {
     const auto parameters = root().find("parameters");
     if (!parameters) return;
-    const std::vector<ParameterText>& settings = experiment_.settings;
+    const std::vector<base::ParameterText>& settings = experiment_.settings;
     for (auto setting = settings.begin(); setting != settings.end(); ++setting) {
       const auto place = parameters->find(setting->name);
-      const bool last = std::none_of(setting + 1, settings.end(), [&](const ParameterText& later) {
-        return later.name == setting->name;
-      });
+      const bool last = std::none_of(
+          setting + 1, settings.end(),
+          [&](const base::ParameterText& later) { return later.name == setting->name; });
       if (!place || !last) continue;
       std::string text;
       if (const double* number = std::get_if<double>(&setting->value)) {
-        text = format_number(*number);
+        text = base::format_number(*number);
       } else {
         const std::string& written = std::get<std::string>(setting->value);
-        const bool plain =
-            written.starts_with('=') || parse_number(written).has_value() || carries_unit(written);
+        const bool plain = written.starts_with('=') || base::parse_number(written).has_value() ||
+                           base::carries_unit(written);
         text = yaml_scalar(plain ? written : "= " + written);
       }
       remarks_.push_back(
@@ -170,7 +170,7 @@ class CaseWriter {
     for (std::size_t u = 0; u < fit_.vary.size() && u < calibration_.unknowns.size(); ++u) {
       const auto place = parameters->find(fit_.vary[u].name);
       if (!place) continue;
-      replace(*place, format_number(calibration_.unknowns[u].value));
+      replace(*place, base::format_number(calibration_.unknowns[u].value));
       unknowns_.push_back(u);
     }
   }
@@ -227,7 +227,7 @@ class CaseWriter {
   }
 
   /// The coefficient of the record of a table of part pairs.
-  [[nodiscard]] std::optional<Place> record_of(const PickedPair& pair) const {
+  [[nodiscard]] std::optional<Place> record_of(const cases::PickedPair& pair) const {
     const auto table = root().find("friction_pairs");
     if (!table) return std::nullopt;
     if (const auto otherwise = table->find("default");
@@ -242,7 +242,7 @@ class CaseWriter {
   }
 
   [[nodiscard]] static std::size_t free_column(const Place& table, const std::string& name) {
-    const Node columns = *table.node.find("columns");
+    const yaml::Node columns = *table.node.find("columns");
     for (std::size_t i = 0; i < columns.size(); ++i) {
       if (columns[i].text() == name) return i;
     }
@@ -279,7 +279,7 @@ class CaseWriter {
     for (std::size_t r = 0; r < table.count; ++r) {
       const Place row = rows.at(r);
       if (row.node.size() <= column) return false;
-      replace(row.at(column), format_number(ordinate(table, r)));
+      replace(row.at(column), base::format_number(ordinate(table, r)));
     }
     return true;
   }
@@ -294,14 +294,14 @@ class CaseWriter {
   void write_rows(const Place& csv, const FittedTable& table) {
     Place parent = root();
     for (std::size_t i = 0; i + 1 < csv.way.size(); ++i) parent = parent.at(csv.way[i]);
-    const Node key = parent.node.entry(csv.way.back()).key;
+    const yaml::Node key = parent.node.entry(csv.way.back()).key;
     // Lines of a flow list have to be indented deeper than the key.
     const std::string feed =
         ",\n" + std::string(static_cast<std::size_t>(key.where().column) + 7, ' ');
     std::string text = "[";
     for (std::size_t r = 0; r < table.count; ++r) {
-      text += (r > 0 ? feed : "") + "[" + format_number(ordinate(table, r));
-      for (const double x : table.points[r]) text += ", " + format_number(x);
+      text += (r > 0 ? feed : "") + "[" + base::format_number(ordinate(table, r));
+      for (const double x : table.points[r]) text += ", " + base::format_number(x);
       text += "]";
     }
     remarks_.push_back(fmt::format("{} was the file '{}'", csv.path.text(),
@@ -338,7 +338,7 @@ class CaseWriter {
         continue;
       }
       const std::string_view file = below.node.text();
-      if (file == "-" || (key == "curve" && is_curve_name(file))) continue;
+      if (file == "-" || (key == "curve" && check::is_curve_name(file))) continue;
       if (became_rows_.contains(source.path.text())) continue;
       const fs::path written(file);
       std::string now(file);
@@ -346,13 +346,13 @@ class CaseWriter {
         now = (old_folder / written).lexically_normal().lexically_relative(new_folder_).string();
       }
       if (now != file) change_at(changes_, below.way).text = yaml_scalar(now, below.node.quoted());
-      outside_ = outside_ || !resolve_data_path(new_folder_, now);
+      outside_ = outside_ || !base::resolve_data_path(new_folder_, now);
     }
   }
 
   const Fit& fit_;
   const Calibration& calibration_;
-  const Tree& tree_;
+  const yaml::Tree& tree_;
   const ExperimentFit& experiment_;
   NodeChange changes_;
   std::vector<std::size_t> unknowns_;  ///< that the case has
@@ -382,11 +382,11 @@ std::string with_windows_line_ends(const std::string& text) {
 
 }  // namespace
 
-FileMark calibrated_case_mark(const Fit& fit) {
+base::FileMark calibrated_case_mark(const Fit& fit) {
   const std::string name = fs::path(fit.file).filename().string();
   return {.owner = "an unchanged case calibrated by " + name,
           .start = "# Calibrated by slipbench ",
-          .text = "\n# fit: " + printable(name),
+          .text = "\n# fit: " + base::printable(name),
           .sealed = true};
 }
 
@@ -405,12 +405,12 @@ CalibratedCases calibrated_cases(const Fit& fit, const Calibration& calibration,
       result.faults.push_back(
           fmt::format("{}: no calibrated case: {}", experiment.case_file, sentence));
     };
-    const auto source = read_source(experiment.case_path.string());
+    const auto source = base::read_source(experiment.case_path.string());
     if (!source) {
       fault(source.error().diagnostic.message);
       continue;
     }
-    const auto tree = parse_yaml(*source);
+    const auto tree = yaml::parse_yaml(*source);
     if (!tree) {
       fault("its text is no longer what it was");
       continue;
@@ -427,4 +427,4 @@ CalibratedCases calibrated_cases(const Fit& fit, const Calibration& calibration,
   return result;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

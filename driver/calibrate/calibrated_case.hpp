@@ -10,7 +10,7 @@
 #include "driver/base/files/file_mark.hpp"
 #include "driver/calibrate/calibration.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// A case as the user wrote it, with other numbers.
 struct CalibratedCase {
@@ -26,7 +26,7 @@ struct CalibratedCases {
 };
 
 /// The mark of a case that was calibrated by a fit.
-FileMark calibrated_case_mark(const Fit& fit);
+base::FileMark calibrated_case_mark(const Fit& fit);
 
 /// The names of the files of calibrated_cases.
 std::vector<std::string> calibrated_case_names(const Fit& fit);
@@ -41,4 +41,4 @@ std::vector<std::string> calibrated_case_names(const Fit& fit);
 CalibratedCases calibrated_cases(const Fit& fit, const Calibration& calibration,
                                  const std::filesystem::path& folder);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

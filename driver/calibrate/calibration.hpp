@@ -11,7 +11,7 @@
 #include "driver/calibrate/fit/statistics.hpp"
 #include "driver/calibrate/outliers.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// Measured and modelled values of one compared quantity, at the compared points.
 struct FittedResponse {
@@ -60,7 +60,7 @@ enum class Identifiability : std::uint8_t {
 struct FittedUnknown {
   std::string name;  ///< "mu", or "sleeve.coefficient[3].mu"
   std::string unit;
-  UnknownRange range;
+  fit::UnknownRange range;
   double value = 0.0;
   Identifiability identifiability = Identifiability::kGood;
   std::string why;          ///< a sentence where it is not kGood
@@ -78,7 +78,7 @@ struct FittedTable {
   std::size_t index = 0;          ///< in Fit::tables
   std::size_t first_unknown = 0;  ///< its ordinates are consecutive unknowns, in the rows' order
   std::size_t count = 0;
-  Shape shape = {};                         ///< that its blocks are to have
+  fit::Shape shape = {};                    ///< that its blocks are to have
   std::vector<std::string> columns;         ///< independents' names, fastest first
   std::vector<std::string> units = {};      ///< theirs; empty texts where none is stated
   std::vector<std::vector<double>> points;  ///< independents of each row
@@ -96,14 +96,14 @@ struct Calibration {
   std::vector<FittedUnknown> unknowns;  ///< parameters in the fit's order, then tables' ordinates
   std::vector<FittedTable> tables;
   std::vector<FittedExperiment> experiments;  ///< in the fit's order, those held out last
-  ResidualProblem problem;                    ///< refers to the calibration's models
-  LeastSquaresFit fit;
-  FitStatistics statistics;
-  Bootstrap bootstrap;                      ///< done = 0 if not asked for
-  std::vector<LikelihoodProfile> profiles;  ///< empty if not asked for
-  std::string derivatives;                  ///< how they were found, a sentence
-  std::vector<std::string> notes;           ///< what the user should look at, a sentence each
+  fit::ResidualProblem problem;               ///< refers to the calibration's models
+  fit::LeastSquaresFit fit;
+  fit::FitStatistics statistics;
+  fit::Bootstrap bootstrap;                      ///< done = 0 if not asked for
+  std::vector<fit::LikelihoodProfile> profiles;  ///< empty if not asked for
+  std::string derivatives;                       ///< how they were found, a sentence
+  std::vector<std::string> notes;                ///< what the user should look at, a sentence each
   double seconds = 0.0;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -13,17 +13,18 @@
 #include "driver/calibrate/estimate_text.hpp"
 #include "driver/results/provenance.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 std::string with_unit(const std::string& unit) { return unit.empty() ? "" : " " + unit; }
 
 std::string estimate(const Calibration& calibration, std::size_t u, double confidence) {
   const FittedUnknown& unknown = calibration.unknowns[u];
-  const FitStatistics& statistics = calibration.statistics;
+  const fit::FitStatistics& statistics = calibration.statistics;
   const double error =
       u < statistics.standard_error.size() ? statistics.standard_error[u] : std::nan("");
-  std::string text = unknown.name + " = " + format_number(unknown.value) + with_unit(unknown.unit);
+  std::string text =
+      unknown.name + " = " + base::format_number(unknown.value) + with_unit(unknown.unit);
   if (unknown.identifiability == Identifiability::kNeverVisited) {
     return text + ": " + unknown.why;
   }
@@ -41,7 +42,7 @@ std::string estimate(const Calibration& calibration, std::size_t u, double confi
     text += ", at its upper bound";
   }
   if (!unknown.held_by.empty()) text += ", held by " + unknown.held_by;
-  text += ", start " + format_number(unknown.range.start);
+  text += ", start " + base::format_number(unknown.range.start);
   if (unknown.identifiability == Identifiability::kWeak) text += "; " + unknown.why;
   return text;
 }
@@ -74,11 +75,11 @@ std::string calibration_comment(const Fit& fit, const Calibration& calibration,
                                 std::span<const std::size_t> experiments,
                                 std::span<const std::size_t> unknowns) {
   std::vector<std::string> lines;
-  lines.push_back(fmt::format("Calibrated by slipbench {}{}", program_version(),
+  lines.push_back(fmt::format("Calibrated by slipbench {}{}", results::program_version(),
                               fit.date ? ", " + *fit.date : std::string()));
   lines.push_back(
       fmt::format("fit: {}{}", file_name(fit.file), fit.title.empty() ? "" : ", " + fit.title));
-  const LeastSquaresFit& found = calibration.fit;
+  const fit::LeastSquaresFit& found = calibration.fit;
   lines.push_back(fmt::format("{}: {}", found.converged ? "converged" : "NOT CONVERGED",
                               stop_reason_text(found)));
   lines.push_back(fmt::format(
@@ -98,8 +99,8 @@ std::string calibration_comment(const Fit& fit, const Calibration& calibration,
     lines.push_back("  " + estimate(calibration, u, fit.confidence));
   }
   std::string text;
-  for (const std::string& line : lines) text += "# " + printable(line) + "\n";
+  for (const std::string& line : lines) text += "# " + base::printable(line) + "\n";
   return text;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

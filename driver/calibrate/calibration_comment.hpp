@@ -7,7 +7,7 @@
 
 #include "driver/calibrate/calibration.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// Returns where the numbers of a calibrated case come from, as lines that start with "# ":
 /// program, fit, date (if the fit gives one), whether it converged, cost, data files with their
@@ -20,4 +20,4 @@ std::string calibration_comment(const Fit& fit, const Calibration& calibration,
                                 std::span<const std::size_t> experiments,
                                 std::span<const std::size_t> unknowns);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

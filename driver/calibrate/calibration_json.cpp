@@ -11,35 +11,35 @@
 #include "driver/calibrate/estimate_text.hpp"
 #include "driver/results/provenance.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 /// Of a response with more points not all are written: a file for other programs, no copy of the
 /// measurements.
 constexpr std::size_t kMostPointsTold = 10000;
 
-json::Value list(std::span<const double> values) {
-  json::Array array;
+base::json::Value list(std::span<const double> values) {
+  base::json::Array array;
   array.reserve(values.size());
   for (const double value : values) array.emplace_back(value);
   return array;
 }
 
-json::Value list(std::span<const std::string> texts) {
-  json::Array array;
+base::json::Value list(std::span<const std::string> texts) {
+  base::json::Array array;
   for (const std::string& text : texts) array.emplace_back(text);
   return array;
 }
 
-json::Value pair(double lower, double upper) { return json::Array{lower, upper}; }
+base::json::Value pair(double lower, double upper) { return base::json::Array{lower, upper}; }
 
 /// Null where there is no such entry.
-json::Value entry(const std::vector<double>& values, std::size_t i) {
-  return i < values.size() ? json::Value(values[i]) : json::Value();
+base::json::Value entry(const std::vector<double>& values, std::size_t i) {
+  return i < values.size() ? base::json::Value(values[i]) : base::json::Value();
 }
 
-json::Value interval(const std::vector<double>& lower, const std::vector<double>& upper,
-                     std::size_t i) {
+base::json::Value interval(const std::vector<double>& lower, const std::vector<double>& upper,
+                           std::size_t i) {
   if (i >= lower.size() || i >= upper.size()) return {};
   if (std::isnan(lower[i]) || std::isnan(upper[i])) return {};
   return pair(lower[i], upper[i]);
@@ -53,55 +53,55 @@ std::string file_name(const std::string& path) {
   return std::filesystem::path(path).filename().string();
 }
 
-std::string_view word_of(StopReason reason) {
+std::string_view word_of(fit::StopReason reason) {
   switch (reason) {
-    case StopReason::kStep:
+    case fit::StopReason::kStep:
       return "step";
-    case StopReason::kGradient:
+    case fit::StopReason::kGradient:
       return "gradient";
-    case StopReason::kCost:
+    case fit::StopReason::kCost:
       return "cost";
-    case StopReason::kIterations:
+    case fit::StopReason::kIterations:
       return "iterations";
-    case StopReason::kNoProgress:
+    case fit::StopReason::kNoProgress:
       return "no_progress";
-    case StopReason::kZeroGradient:
+    case fit::StopReason::kZeroGradient:
       return "zero_gradient";
-    case StopReason::kNoIteration:
+    case fit::StopReason::kNoIteration:
       return "no_iteration";
-    case StopReason::kModelFailure:
+    case fit::StopReason::kModelFailure:
       return "model_failure";
-    case StopReason::kSilent:
+    case fit::StopReason::kSilent:
       return "silent";
-    case StopReason::kTooFewData:
+    case fit::StopReason::kTooFewData:
       break;
   }
   return "too_few_data";
 }
 
-std::string_view word_of(Loss::Kind kind) {
+std::string_view word_of(fit::Loss::Kind kind) {
   switch (kind) {
-    case Loss::Kind::kSquares:
+    case fit::Loss::Kind::kSquares:
       return "squares";
-    case Loss::Kind::kHuber:
+    case fit::Loss::Kind::kHuber:
       return "huber";
-    case Loss::Kind::kSoftL1:
+    case fit::Loss::Kind::kSoftL1:
       break;
   }
   return "soft_l1";
 }
 
-json::Value origin(const Fit& fit, const Calibration& calibration) {
-  json::Value value;
+base::json::Value origin(const Fit& fit, const Calibration& calibration) {
+  base::json::Value value;
   value["program"] = "slipbench";
-  value["version"] = program_version();
+  value["version"] = results::program_version();
   value["fit"] = file_name(fit.file);
   value["title"] = fit.title;
-  value["date"] = fit.date ? json::Value(*fit.date) : json::Value();
-  json::Value experiments = json::Array{};
+  value["date"] = fit.date ? base::json::Value(*fit.date) : base::json::Value();
+  base::json::Value experiments = base::json::Array{};
   for (const FittedExperiment& fitted : calibration.experiments) {
     const ExperimentFit& experiment = fit.experiments[fitted.index];
-    json::Value one;
+    base::json::Value one;
     one["name"] = experiment.name;
     one["case"] = experiment.case_file;
     one["data"] = experiment.data_file;
@@ -112,16 +112,17 @@ json::Value origin(const Fit& fit, const Calibration& calibration) {
   return value;
 }
 
-json::Value result(const Fit& fit, const Calibration& calibration) {
-  const LeastSquaresFit& found = calibration.fit;
-  json::Value value;
+base::json::Value result(const Fit& fit, const Calibration& calibration) {
+  const fit::LeastSquaresFit& found = calibration.fit;
+  base::json::Value value;
   value["converged"] = found.converged;
   value["stop"] = word_of(found.stop);
   value["sentence"] = found.stop_sentence;
-  json::Value loss;
+  base::json::Value loss;
   loss["kind"] = word_of(fit.loss.kind);
-  loss["threshold"] =
-      fit.loss.kind == Loss::Kind::kSquares ? json::Value() : json::Value(fit.loss.threshold);
+  loss["threshold"] = fit.loss.kind == fit::Loss::Kind::kSquares
+                          ? base::json::Value()
+                          : base::json::Value(fit.loss.threshold);
   value["loss"] = loss;
   value["start_cost"] = found.start_cost;
   value["cost"] = found.cost;
@@ -131,14 +132,14 @@ json::Value result(const Fit& fit, const Calibration& calibration) {
   value["gradient"] = found.gradient_norm;
   value["polished"] = found.polished;
   value["derivatives"] = calibration.derivatives;
-  json::Value searches = json::Array{};
-  for (const SearchTrace& search : found.searches) {
-    json::Value one;
+  base::json::Value searches = base::json::Array{};
+  for (const fit::SearchTrace& search : found.searches) {
+    base::json::Value one;
     one["start"] = list(search.start);
     one["end"] = list(search.end);
     const bool known = has_value(search);
-    one["start_cost"] = known ? json::Value(search.start_cost) : json::Value();
-    one["cost"] = known ? json::Value(search.cost) : json::Value();
+    one["start_cost"] = known ? base::json::Value(search.start_cost) : base::json::Value();
+    one["cost"] = known ? base::json::Value(search.cost) : base::json::Value();
     one["iterations"] = search.iterations;
     one["stop"] = word_of(search.stop);
     one["same_minimum"] = found_the_minimum(found, search);
@@ -148,16 +149,16 @@ json::Value result(const Fit& fit, const Calibration& calibration) {
   return value;
 }
 
-json::Value statistics_of(const Fit& fit, const Calibration& calibration) {
-  const FitStatistics& statistics = calibration.statistics;
-  json::Value value;
+base::json::Value statistics_of(const Fit& fit, const Calibration& calibration) {
+  const fit::FitStatistics& statistics = calibration.statistics;
+  base::json::Value value;
   value["points"] = statistics.data;
   value["unknowns"] = statistics.unknowns;
   value["deviation"] = statistics.deviation;
   value["confidence"] = fit.confidence;
   value["condition"] = statistics.condition;
   if (calibration.bootstrap.wanted > 0) {
-    json::Value bootstrap;
+    base::json::Value bootstrap;
     bootstrap["wanted"] = calibration.bootstrap.wanted;
     bootstrap["done"] = calibration.bootstrap.done;
     bootstrap["block"] = calibration.bootstrap.block;
@@ -166,10 +167,10 @@ json::Value statistics_of(const Fit& fit, const Calibration& calibration) {
   return value;
 }
 
-json::Value unknown_of(const Calibration& calibration, std::size_t u) {
+base::json::Value unknown_of(const Calibration& calibration, std::size_t u) {
   const FittedUnknown& unknown = calibration.unknowns[u];
-  const FitStatistics& statistics = calibration.statistics;
-  json::Value value;
+  const fit::FitStatistics& statistics = calibration.statistics;
+  base::json::Value value;
   value["name"] = unknown.name;
   value["unit"] = unknown.unit;
   value["value"] = unknown.value;
@@ -177,10 +178,10 @@ json::Value unknown_of(const Calibration& calibration, std::size_t u) {
   value["interval"] = interval(statistics.lower, statistics.upper, u);
   value["start"] = unknown.range.start;
   value["bounds"] = pair(unknown.range.lower, unknown.range.upper);
-  value["scale"] = unknown.range.scale == Scale::kLog ? "log" : "linear";
-  value["at_bound"] = holds(calibration.fit.at_lower, u)   ? json::Value("lower")
-                      : holds(calibration.fit.at_upper, u) ? json::Value("upper")
-                                                           : json::Value();
+  value["scale"] = unknown.range.scale == fit::Scale::kLog ? "log" : "linear";
+  value["at_bound"] = holds(calibration.fit.at_lower, u)   ? base::json::Value("lower")
+                      : holds(calibration.fit.at_upper, u) ? base::json::Value("upper")
+                                                           : base::json::Value();
   value["distance_to_lower"] = unknown.distance_to_lower;
   value["distance_to_upper"] = unknown.distance_to_upper;
   value["identifiability"] = word_of(unknown.identifiability);
@@ -190,7 +191,7 @@ json::Value unknown_of(const Calibration& calibration, std::size_t u) {
   value["points"] = unknown.visits;
   value["frozen"] = holds(calibration.fit.frozen, u);
   if (calibration.bootstrap.done > 0) {
-    json::Value bootstrap;
+    base::json::Value bootstrap;
     bootstrap["standard_error"] = entry(calibration.bootstrap.standard_error, u);
     bootstrap["interval"] = interval(calibration.bootstrap.lower, calibration.bootstrap.upper, u);
     value["bootstrap"] = bootstrap;
@@ -199,24 +200,25 @@ json::Value unknown_of(const Calibration& calibration, std::size_t u) {
 }
 
 /// Row by row; null if it is not known.
-json::Value matrix(const std::vector<double>& values, std::size_t n) {
+base::json::Value matrix(const std::vector<double>& values, std::size_t n) {
   if (n == 0 || values.size() != n * n) return {};
-  json::Value rows = json::Array{};
+  base::json::Value rows = base::json::Array{};
   for (std::size_t i = 0; i < n; ++i) rows.push_back(list(std::span(values).subspan(i * n, n)));
   return rows;
 }
 
-json::Value table_of(const Fit& fit, const Calibration& calibration, const FittedTable& fitted) {
+base::json::Value table_of(const Fit& fit, const Calibration& calibration,
+                           const FittedTable& fitted) {
   const VariedTable& varied = fit.tables[fitted.index];
-  json::Value value;
+  base::json::Value value;
   value["name"] = varied.name;
   value["free"] = varied.free;
   value["independents"] = list(fitted.columns);
   value["units"] = list(fitted.units);
   value["smoothness"] = varied.smoothness;
-  json::Value rows = json::Array{};
+  base::json::Value rows = base::json::Array{};
   for (std::size_t r = 0; r < fitted.count; ++r) {
-    json::Value row;
+    base::json::Value row;
     row["unknown"] = fitted.first_unknown + r;
     row["at"] = list(fitted.points[r]);
     row["value"] = calibration.unknowns[fitted.first_unknown + r].value;
@@ -224,9 +226,9 @@ json::Value table_of(const Fit& fit, const Calibration& calibration, const Fitte
     rows.push_back(row);
   }
   value["rows"] = rows;
-  json::Value cells = json::Array{};
+  base::json::Value cells = base::json::Array{};
   for (const FittedTable::Cell& cell : fitted.cells) {
-    json::Value one;
+    base::json::Value one;
     one["cell"] = cell.text;
     one["increments"] = cell.visits;
     one["visited"] = cell.visited();
@@ -245,22 +247,23 @@ std::vector<std::size_t> told_points(std::size_t count) {
   return told;
 }
 
-json::Value some_of(const std::vector<double>& values, const std::vector<std::size_t>& some) {
-  json::Array array;
+base::json::Value some_of(const std::vector<double>& values, const std::vector<std::size_t>& some) {
+  base::json::Array array;
   array.reserve(some.size());
   for (const std::size_t i : some) array.push_back(entry(values, i));
   return array;
 }
 
 /// The points that do not belong to the noise of the others.
-json::Value outliers_of(const FittedResponse& response) {
+base::json::Value outliers_of(const FittedResponse& response) {
   const Outliers& outliers = response.outliers;
-  json::Value points = json::Array{};
+  base::json::Value points = base::json::Array{};
   for (std::size_t i = 0; i < outliers.points.size(); ++i) {
     const std::size_t point = outliers.points[i];
-    json::Value one;
+    base::json::Value one;
     one["time"] = response.time[point];
-    one["line"] = i < response.lines.size() ? json::Value(response.lines[i]) : json::Value();
+    one["line"] =
+        i < response.lines.size() ? base::json::Value(response.lines[i]) : base::json::Value();
     one["measured"] = response.measured[point];
     one["after"] = response.after[point];
     one["sigmas"] = (response.after[point] - response.measured[point]) / outliers.scale;
@@ -269,9 +272,9 @@ json::Value outliers_of(const FittedResponse& response) {
   return points;
 }
 
-json::Value experiment_of(const Fit& fit, const FittedExperiment& fitted) {
+base::json::Value experiment_of(const Fit& fit, const FittedExperiment& fitted) {
   const ExperimentFit& experiment = fit.experiments[fitted.index];
-  json::Value value;
+  base::json::Value value;
   value["name"] = experiment.name;
   value["held_out"] = experiment.held_out;
   value["rows_read"] = fitted.rows_read;
@@ -279,9 +282,9 @@ json::Value experiment_of(const Fit& fit, const FittedExperiment& fitted) {
   value["cleaning"] = list(fitted.cleaning);
   value["weight"] = experiment.weight;
   value["share_of_cost"] = fitted.share_of_cost;
-  json::Value responses = json::Array{};
+  base::json::Value responses = base::json::Array{};
   for (const FittedResponse& response : fitted.responses) {
-    json::Value one;
+    base::json::Value one;
     one["quantity"] = response.quantity;
     one["unit"] = response.unit;
     one["over"] = response.over.empty() ? "time" : response.over;
@@ -310,8 +313,9 @@ json::Value experiment_of(const Fit& fit, const FittedExperiment& fitted) {
   return value;
 }
 
-json::Value profile_of(const Calibration& calibration, const LikelihoodProfile& profile) {
-  json::Value value;
+base::json::Value profile_of(const Calibration& calibration,
+                             const fit::LikelihoodProfile& profile) {
+  base::json::Value value;
   value["unknown"] = calibration.unknowns[profile.unknown].name;
   value["value"] = list(profile.value);
   value["cost"] = list(profile.cost);
@@ -324,29 +328,29 @@ json::Value profile_of(const Calibration& calibration, const LikelihoodProfile& 
 
 }  // namespace
 
-json::Value calibration_json(const Fit& fit, const Calibration& calibration) {
+base::json::Value calibration_json(const Fit& fit, const Calibration& calibration) {
   const std::size_t n = calibration.unknowns.size();
-  json::Value document;
+  base::json::Value document;
   document["provenance"] = origin(fit, calibration);
   document["result"] = result(fit, calibration);
   document["statistics"] = statistics_of(fit, calibration);
-  json::Value unknowns = json::Array{};
+  base::json::Value unknowns = base::json::Array{};
   for (std::size_t u = 0; u < n; ++u) unknowns.push_back(unknown_of(calibration, u));
   document["unknowns"] = unknowns;
   document["correlation"] = matrix(calibration.statistics.correlation, n);
   document["covariance"] = matrix(calibration.statistics.covariance, n);
-  json::Value tables = json::Array{};
+  base::json::Value tables = base::json::Array{};
   for (const FittedTable& table : calibration.tables) {
     tables.push_back(table_of(fit, calibration, table));
   }
   document["tables"] = tables;
-  json::Value experiments = json::Array{};
+  base::json::Value experiments = base::json::Array{};
   for (const FittedExperiment& fitted : calibration.experiments) {
     experiments.push_back(experiment_of(fit, fitted));
   }
   document["experiments"] = experiments;
-  json::Value profiles = json::Array{};
-  for (const LikelihoodProfile& profile : calibration.profiles) {
+  base::json::Value profiles = base::json::Array{};
+  for (const fit::LikelihoodProfile& profile : calibration.profiles) {
     profiles.push_back(profile_of(calibration, profile));
   }
   document["profiles"] = profiles;
@@ -354,10 +358,10 @@ json::Value calibration_json(const Fit& fit, const Calibration& calibration) {
   return document;
 }
 
-FileMark calibration_mark(const Fit& fit) {
+base::FileMark calibration_mark(const Fit& fit) {
   const std::string name = file_name(fit.file);
   return {"a result of " + name, "{\n  \"provenance\": {\n    \"program\": \"slipbench\",",
-          "\"fit\": " + json::Value(name).dump() + ","};
+          "\"fit\": " + base::json::Value(name).dump() + ","};
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

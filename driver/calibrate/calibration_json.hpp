@@ -6,7 +6,7 @@
 #include "driver/calibrate/calibration.hpp"
 #include "driver/calibrate/fit.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// Everything a calibration found, for other programs; the same fit gives the same bytes (no time
 /// taken, no machine). Values are in the units of the cases, which stand beside them; what is not
@@ -31,9 +31,9 @@ namespace slipbench::driver {
 ///                before, after: all, or of more than 10000 every n-th and the last
 ///   profiles     unknown, value, cost, threshold, interval, open_below, open_above
 ///   notes        sentences
-json::Value calibration_json(const Fit& fit, const Calibration& calibration);
+base::json::Value calibration_json(const Fit& fit, const Calibration& calibration);
 
 /// The mark of the file of calibration_json.
-FileMark calibration_mark(const Fit& fit);
+base::FileMark calibration_mark(const Fit& fit);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -11,7 +11,7 @@
 #include "driver/calibrate/outliers.hpp"
 #include "driver/calibrate/residuals.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 bool has_residuals(const Calibration& calibration) {
@@ -71,7 +71,7 @@ std::optional<Left> left_of(const ExperimentFit& experiment, const ResponseFit& 
 
 void note_noises(const Fit& fit, const Calibration& calibration, std::vector<std::string>& notes) {
   constexpr double kAlike = 3.0;
-  const bool robust = fit.loss.kind != Loss::Kind::kSquares;
+  const bool robust = fit.loss.kind != fit::Loss::Kind::kSquares;
   std::vector<Left> all;
   for (const FittedExperiment& fitted : calibration.experiments) {
     const ExperimentFit& experiment = fit.experiments[fitted.index];
@@ -99,7 +99,7 @@ void note_noises(const Fit& fit, const Calibration& calibration, std::vector<std
 void note_threshold(const Fit& fit, const Calibration& calibration,
                     std::vector<std::string>& notes) {
   constexpr double kFewest = 0.2;  // of the points within the threshold
-  if (fit.loss.kind == Loss::Kind::kSquares || !has_residuals(calibration)) return;
+  if (fit.loss.kind == fit::Loss::Kind::kSquares || !has_residuals(calibration)) return;
   std::vector<double> sizes(calibration.problem.data_rows);
   std::transform(calibration.fit.residuals.begin(),
                  calibration.fit.residuals.begin() + static_cast<std::ptrdiff_t>(sizes.size()),
@@ -119,7 +119,7 @@ void note_threshold(const Fit& fit, const Calibration& calibration,
 
 void note_bootstrap(const Calibration& calibration, std::vector<std::string>& notes) {
   constexpr double kEnough = 0.9;
-  const Bootstrap& bootstrap = calibration.bootstrap;
+  const fit::Bootstrap& bootstrap = calibration.bootstrap;
   if (bootstrap.wanted <= 0 || !has_freedom(calibration)) return;
   if (bootstrap.done < kEnough * bootstrap.wanted) {
     notes.push_back(fmt::format(
@@ -136,7 +136,7 @@ void note_bootstrap(const Calibration& calibration, std::vector<std::string>& no
 }
 
 void note_profiles(const Calibration& calibration, std::vector<std::string>& notes) {
-  for (const LikelihoodProfile& profile : calibration.profiles) {
+  for (const fit::LikelihoodProfile& profile : calibration.profiles) {
     if (profile.unconverged == 0) continue;
     notes.push_back(fmt::format(
         "profile of {}: {} of {} refits of the other unknowns did not converge: its interval may "
@@ -157,4 +157,4 @@ std::vector<std::string> error_notes(const Fit& fit, const Calibration& calibrat
   return notes;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

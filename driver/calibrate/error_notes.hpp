@@ -6,7 +6,7 @@
 
 #include "driver/calibrate/calibration.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// Tells whether the errors of a fit can be trusted, a sentence each, with what to do: no more
 /// values than unknowns; responses of different noise without sigma; a robust loss whose threshold
@@ -14,4 +14,4 @@ namespace slipbench::driver {
 /// refits failed.
 std::vector<std::string> error_notes(const Fit& fit, const Calibration& calibration);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 constexpr int kMostDigits = 10;
@@ -62,7 +62,7 @@ std::string short_number(double value) {
   return fmt::format("{:.0f}", std::round(value / unit) * unit);
 }
 
-std::string stop_reason_text(const LeastSquaresFit& fit) {
+std::string stop_reason_text(const fit::LeastSquaresFit& fit) {
   const std::string_view verdict = fit.converged ? "converged: " : "not converged: ";
   const std::string& sentence = fit.stop_sentence;
   return sentence.starts_with(verdict) ? sentence.substr(verdict.size()) : sentence;
@@ -70,7 +70,7 @@ std::string stop_reason_text(const LeastSquaresFit& fit) {
 
 EstimateText estimate_text(const Calibration& calibration, std::size_t u) {
   const FittedUnknown& unknown = calibration.unknowns[u];
-  const FitStatistics& statistics = calibration.statistics;
+  const fit::FitStatistics& statistics = calibration.statistics;
   const auto at = [&](const std::vector<double>& values) {
     return u < values.size() ? values[u] : std::nan("");
   };
@@ -96,21 +96,21 @@ EstimateText estimate_text(const Calibration& calibration, std::size_t u) {
   return text;
 }
 
-bool has_value(const SearchTrace& search) {
-  return search.stop != StopReason::kModelFailure && std::isfinite(search.cost);
+bool has_value(const fit::SearchTrace& search) {
+  return search.stop != fit::StopReason::kModelFailure && std::isfinite(search.cost);
 }
 
-bool found_the_minimum(const LeastSquaresFit& fit, const SearchTrace& search) {
+bool found_the_minimum(const fit::LeastSquaresFit& fit, const fit::SearchTrace& search) {
   const double slack = kSameMinimum * std::abs(fit.cost) + 1e-15 * std::abs(fit.start_cost);
   return has_value(search) && search.cost <= fit.cost + slack;
 }
 
-std::string starts_text(const LeastSquaresFit& fit) {
+std::string starts_text(const fit::LeastSquaresFit& fit) {
   if (fit.searches.size() < 2) return {};
   std::size_t same = 0;
   std::size_t failed = 0;
   std::optional<double> next;
-  for (const SearchTrace& search : fit.searches) {
+  for (const fit::SearchTrace& search : fit.searches) {
     if (!has_value(search)) {
       ++failed;
     } else if (found_the_minimum(fit, search)) {
@@ -161,4 +161,4 @@ std::string_view word_of(Identifiability identifiability) {
   return "never_visited";
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

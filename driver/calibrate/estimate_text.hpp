@@ -8,7 +8,7 @@
 
 #include "driver/calibrate/calibration.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// The digits of a value that its standard error leaves, and the error to two significant digits:
 /// {"0.2310", "0.0020"}, {"4213", "50"}, {"1.235e+09", "1.2e+06"}. At most ten significant digits;
@@ -27,7 +27,7 @@ std::string interval_text(double lower, double upper, double error);
 std::string short_number(double value);
 
 /// Returns why a search stopped, without the verdict that the sentence may begin with.
-std::string stop_reason_text(const LeastSquaresFit& fit);
+std::string stop_reason_text(const fit::LeastSquaresFit& fit);
 
 /// One unknown as the cells of a table.
 struct EstimateText {
@@ -43,14 +43,14 @@ EstimateText estimate_text(const Calibration& calibration, std::size_t unknown);
 inline constexpr double kSameMinimum = 1e-6;
 
 /// Tells whether a search had a value at all; a cost of one that had none means nothing.
-bool has_value(const SearchTrace& search);
+bool has_value(const fit::SearchTrace& search);
 
 /// Tells whether a search ended at the least cost of all.
-bool found_the_minimum(const LeastSquaresFit& fit, const SearchTrace& search);
+bool found_the_minimum(const fit::LeastSquaresFit& fit, const fit::SearchTrace& search);
 
 /// "9 of 12 starts found this minimum, the next best has 3.4 times its cost, 2 had no value"; empty
 /// for one start.
-std::string starts_text(const LeastSquaresFit& fit);
+std::string starts_text(const fit::LeastSquaresFit& fit);
 
 /// An unknown for people: a parameter's name; an ordinate by its knots, "mu at slip_rate 3.5 mm/s",
 /// with its table, "sleeve.coefficient.mu at ..", where several are fitted.
@@ -59,4 +59,4 @@ std::string told_name(const Calibration& calibration, std::size_t unknown);
 /// "good", "weak" or "never_visited": the word of files that programs read.
 std::string_view word_of(Identifiability identifiability);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -12,7 +12,7 @@
 #include "driver/bench/simulation.hpp"
 #include "driver/results/coverage.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 /// Steps of central differences, as a part of the unknown: the cube root of the rounding.
@@ -23,7 +23,7 @@ constexpr double kWideDifference = 0.05;
 constexpr std::size_t kWorthThreads = 20000;
 
 /// Returns what an unknown is large against.
-double size_of(const UnknownRange& range, double value) {
+double size_of(const fit::UnknownRange& range, double value) {
   if (value != 0.0) return std::abs(value);
   if (range.start != 0.0) return std::abs(range.start);
   const double width = range.upper - range.lower;
@@ -86,7 +86,7 @@ auto ExperimentModel::make(const Fit& fit, const ExperimentFit& experiment,
 
 tl::expected<void, ExperimentModel::Failure> ExperimentModel::prepare() {
   // Data and run do not need one another.
-  tl::expected<Measurements, HistoryError> read;
+  tl::expected<Measurements, base::HistoryError> read;
   tl::expected<RunTrace, std::string> traced;
   std::vector<std::string> positions;
   const auto read_data = [&] { read = read_measurements(*experiment_, options_.with_hash); };
@@ -99,13 +99,14 @@ tl::expected<void, ExperimentModel::Failure> ExperimentModel::prepare() {
       traced = trace_run(experiment_->base, *experiment_, &positions);
     }
   };
-  for_each_index(2, options_.threads, [&](std::size_t i) { i == 0 ? run_case() : read_data(); });
+  base::for_each_index(2, options_.threads,
+                       [&](std::size_t i) { i == 0 ? run_case() : read_data(); });
   if (!read) {
-    const HistoryError& error = read.error();
+    const base::HistoryError& error = read.error();
     std::string place = error.file;
     if (error.line > 0) place += fmt::format(":{}", error.line);
     return tl::unexpected(Failure{place + (place.empty() ? "" : ": ") + error.message,
-                                  error.kind == HistoryError::Kind::kEnvironment, false});
+                                  error.kind == base::HistoryError::Kind::kEnvironment, false});
   }
   if (!traced) {
     return tl::unexpected(
@@ -166,7 +167,7 @@ Observations ExperimentModel::observe(const MeasuredSeries& measured, std::size_
 }
 
 void ExperimentModel::try_replay(RunTrace& trace, std::vector<std::string>& positions) {
-  const Case& problem = experiment_->base;
+  const cases::Case& problem = experiment_->base;
   const auto refuse = [&](std::string because) { because_ = std::move(because); };
   if (options_.whole_runs) return refuse("another run did not repeat the history");
   for (const ResponseFit& response : experiment_->responses) {
@@ -181,14 +182,14 @@ void ExperimentModel::try_replay(RunTrace& trace, std::vector<std::string>& posi
   }
   auto tracer = RunTracer::make(problem, *experiment_, false);
   if (!tracer) return refuse(tracer.error());
-  auto replay = Replay::record(problem, [&](const Row& row) {
+  auto replay = Replay::record(problem, [&](const bench::Row& row) {
     // Without values, nothing can fail.
     static_cast<void>(tracer->take(row));
   });
   if (!replay) return refuse(replay.error());
   // Also what no response reads has to run: a calibrated case is there to be run.
   std::vector<law::FrictionDefinition> definitions;
-  for (const CaseDefinition& definition : problem.definitions) {
+  for (const cases::CaseDefinition& definition : problem.definitions) {
     definitions.push_back(definition.law);
   }
   if (!replay->show(definitions)) return refuse("it cannot be run at the start values");
@@ -208,7 +209,7 @@ std::string ExperimentModel::dependent_history() const {
   std::vector<double> moved = start;
   for (std::size_t i = 0; i < varied_.parameters(); ++i) {
     const std::size_t u = varied_.unknowns()[i];
-    const UnknownRange& range = options_.unknowns[u];
+    const fit::UnknownRange& range = options_.unknowns[u];
     const double step = 1e-3 * (1.0 + 0.1 * static_cast<double>(i)) * size_of(range, start[u]);
     moved[u] += moved[u] + step < range.upper ? step : -step;
   }
@@ -247,7 +248,7 @@ void ExperimentModel::choose_derivatives() {
     by_differences_.assign(unknowns.begin(), unknowns.end());
     return;
   }
-  const Case& problem = experiment_->base;
+  const cases::Case& problem = experiment_->base;
   relevant_.assign(problem.definitions.size(), 0);
   for (std::size_t d = 0; d < problem.definitions.size(); ++d) {
     const law::SlipSpace& slip = problem.definitions[d].law.slip;
@@ -304,13 +305,13 @@ bool ExperimentModel::keeps_slopes(std::span<const double> x) const {
 
 std::vector<double> ExperimentModel::starts() const {
   std::vector<double> start;
-  for (const UnknownRange& range : options_.unknowns) start.push_back(range.start);
+  for (const fit::UnknownRange& range : options_.unknowns) start.push_back(range.start);
   return start;
 }
 
 std::pair<double, double> ExperimentModel::sides(std::span<const double> x, std::size_t u,
                                                  double step) const {
-  const UnknownRange& range = options_.unknowns[u];
+  const fit::UnknownRange& range = options_.unknowns[u];
   const double width = step * size_of(range, x[u]);
   return {std::max(x[u] - width, std::min(range.lower, x[u])),
           std::min(x[u] + width, std::max(range.upper, x[u]))};
@@ -348,7 +349,7 @@ auto ExperimentModel::lines_at(std::span<const double> x) const
     if (forces_[r].plain) continue;
     const ResponseFit& response = experiment_->responses[r];
     // A copy: evaluations are not for several threads.
-    const Expression quantity = response.quantity;
+    const base::Expression quantity = response.quantity;
     std::vector<double> arguments;
     for (const std::string& name : response.variables) {
       const auto number = numbers->find(name);
@@ -370,8 +371,8 @@ bool ExperimentModel::values(std::span<const double> x, std::span<double> values
   return replay_ ? values_by_replay(x, values) : values_by_run(x, values);
 }
 
-void ExperimentModel::count_cells(std::span<const double> x, const Case& problem,
-                                  Coverage& coverage) const {
+void ExperimentModel::count_cells(std::span<const double> x, const cases::Case& problem,
+                                  results::Coverage& coverage) const {
   if (replay_) {
     const auto definitions = varied_.definitions_at(x);
     if (!definitions) return;
@@ -381,7 +382,7 @@ void ExperimentModel::count_cells(std::span<const double> x, const Case& problem
     });
     return;
   }
-  auto simulation = Simulation::start(problem);
+  auto simulation = bench::Simulation::start(problem);
   while (simulation) {
     const auto advanced = simulation->advance();
     if (!advanced || !*advanced) return;
@@ -528,7 +529,7 @@ bool ExperimentModel::add_differences(std::span<const double> x,
     std::copy(values.begin(), values.end(), here.begin());
   };
   const bool worth = steps.size() * std::max(run_rows_, points_) >= kWorthThreads;
-  for_each_index(steps.size(), worth ? options_.threads : 1, run);
+  base::for_each_index(steps.size(), worth ? options_.threads : 1, run);
   for (std::size_t k = 0; k < unknowns.size(); ++k) {
     const double width = steps[2 * k + 1] - steps[2 * k];
     if (!(width > 0.0)) return false;
@@ -541,4 +542,4 @@ bool ExperimentModel::add_differences(std::span<const double> x,
   return true;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

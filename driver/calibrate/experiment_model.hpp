@@ -17,13 +17,15 @@
 #include "driver/calibrate/run_trace.hpp"
 #include "driver/calibrate/varied_case.hpp"
 
-namespace slipbench::driver {
-
+namespace slipbench::driver::results {
 class Coverage;
+}
+
+namespace slipbench::driver::calibrate {
 
 /// Choices of a model, whatever the experiment.
 struct ModelOptions {
-  std::vector<UnknownRange> unknowns;
+  std::vector<fit::UnknownRange> unknowns;
   std::vector<VariedOrdinates> ordinates;
   unsigned threads = 1;
   bool whole_runs = false;  ///< replay nothing, even what could be
@@ -79,10 +81,11 @@ class ExperimentModel {
 
   /// Counts the cells that the experiment visits at some unknowns; nothing where there is no run.
   /// \param coverage of the case there
-  void count_cells(std::span<const double> x, const Case& problem, Coverage& coverage) const;
+  void count_cells(std::span<const double> x, const cases::Case& problem,
+                   results::Coverage& coverage) const;
 
   /// The whole case at some unknowns.
-  tl::expected<Case, std::string> case_at(std::span<const double> x) const {
+  tl::expected<cases::Case, std::string> case_at(std::span<const double> x) const {
     return varied_.case_at(x);
   }
 
@@ -92,7 +95,9 @@ class ExperimentModel {
   /// Returns why runs are whole runs; empty where they are replays.
   const std::string& whole_runs_because() const { return because_; }
   /// Tells whether a replay is still right for a case at other unknowns.
-  bool replays(const Case& problem) const { return !replay_ || replay_->same_history(problem); }
+  bool replays(const cases::Case& problem) const {
+    return !replay_ || replay_->same_history(problem);
+  }
   /// Tells whether numbers that followed linearly from a parameter at the start do so at other
   /// unknowns.
   bool keeps_slopes(std::span<const double> x) const;
@@ -162,4 +167,4 @@ class ExperimentModel {
   std::vector<std::size_t> by_differences_;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

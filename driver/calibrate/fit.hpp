@@ -15,13 +15,13 @@
 #include "driver/calibrate/fit/problem.hpp"
 #include "driver/case/case.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// A column of a measured file: which, and how its numbers become those of the case:
 ///   value = factor * conversion(number) + offset.
 struct DataColumn {
   std::string name;
-  UnitConversion conversion;
+  base::UnitConversion conversion;
   double factor = 1.0;  ///< [1]; -1 turns the sign
   double offset = 0.0;  ///< in the case's unit
 };
@@ -29,11 +29,12 @@ struct DataColumn {
 /// One compared quantity of an experiment.
 struct ResponseFit {
   std::string quantity_text;  ///< as the fit names it: "CSF1", "= -TF1"
-  Expression quantity;        ///< over t, T, result columns and parameters of the case
+  base::Expression quantity;  ///< over t, T, result columns and parameters of the case
   /// Names that `quantity` uses, in this order: t, T, a result column, or else a parameter of the
   /// case, whose value is that of the case at the unknowns (an offset may be fitted so).
   std::vector<std::string> variables;
-  std::optional<Dimension> dimension = {};  ///< of a plain result column; unknown of an expression
+  std::optional<base::Dimension> dimension =
+      {};  ///< of a plain result column; unknown of an expression
   DataColumn column = {};
   double weight = 1.0;  ///< of the squared residual, >= 0
   /// Standard deviation of the measurement, in the case's unit, > 0.
@@ -43,7 +44,7 @@ struct ResponseFit {
   /// Result column that is compared over instead of time: loops against position, branch by branch.
   std::optional<std::string> over = {};
   DataColumn over_column = {};  ///< the data's column of it
-  Dimension over_dimension = kLength;
+  base::Dimension over_dimension = base::kLength;
 };
 
 /// Rows spread evenly in time, by linear interpolation.
@@ -61,7 +62,7 @@ struct DeadBand {
   DataColumn column;         ///< a speed [L/T], or a position when `of_position`
   bool of_position = false;  ///< the speed is the slope of a position over time
   double below = 0.0;        ///< speed, > 0
-  Dimension speed = {.length = 1, .time = -1};
+  base::Dimension speed = {.length = 1, .time = -1};
 };
 
 /// One measured history with the case that is to meet it.
@@ -70,10 +71,10 @@ struct ExperimentFit {
   std::string case_file;  ///< as the user named it, relative to the fit's folder
   std::filesystem::path case_path;
   /// Of parameters of the case that are not varied; the last of a name counts. --set included.
-  std::vector<ParameterText> settings;
+  std::vector<base::ParameterText> settings;
   std::string data_file;  ///< as the user named it
   std::filesystem::path data_path;
-  CsvFormat data_format = {};
+  base::CsvFormat data_format = {};
   DataColumn time;
   std::vector<ResponseFit> responses;
   double weight = 1.0;         ///< of all squared residuals of the experiment, >= 0
@@ -83,15 +84,15 @@ struct ExperimentFit {
   std::optional<CycleAveraging> average_cycles;
   std::optional<DeadBand> dead_band;
   bool held_out = false;  ///< scored, never fitted
-  Case base;              ///< the case at the start values
-  SourcePosition where;
+  cases::Case base;       ///< the case at the start values
+  base::SourcePosition where;
 };
 
 /// A parameter of the cases that is varied.
 struct VariedParameter {
   std::string name;
-  UnknownRange range;  ///< start, bounds, scale
-  SourcePosition where;
+  fit::UnknownRange range;  ///< start, bounds, scale
+  base::SourcePosition where;
 };
 
 /// A table whose ordinates are varied.
@@ -100,12 +101,12 @@ struct VariedTable {
   enum class Use : std::uint8_t { kCoefficient, kInternalContactForce } use = Use::kCoefficient;
   std::string definition;   ///< name of the friction definition
   std::string free;         ///< the dependent column whose ordinates are varied: "mu", "force"
-  Shape shape;              ///< monotone, convex
+  fit::Shape shape;         ///< monotone, convex
   double smoothness = 0.0;  ///< >= 0, see docs/theory, section 17
   double lower = 0.0;       ///< bounds of every ordinate
   double upper = std::numeric_limits<double>::infinity();
-  Scale scale = Scale::kLinear;
-  SourcePosition where;
+  fit::Scale scale = fit::Scale::kLinear;
+  base::SourcePosition where;
 };
 
 /// Input of `slipbench calibrate`.
@@ -116,12 +117,12 @@ struct Fit {
   std::vector<ExperimentFit> experiments;  ///< fitted ones first, then those held out
   std::vector<VariedParameter> vary;
   std::vector<VariedTable> tables;
-  Loss loss;
-  SolverOptions solver;
+  fit::Loss loss;
+  fit::SolverOptions solver;
   double confidence = 0.95;         ///< of intervals and bands, in (0, 1)
   int bootstrap = 0;                ///< resamplings; 0: none
   bool profile = false;             ///< profile likelihood of every parameter
   std::optional<std::string> date;  ///< as the user gave it, for the provenance
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

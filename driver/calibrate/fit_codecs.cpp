@@ -5,10 +5,13 @@
 
 #include "driver/calibrate/fit_text.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::yaml {
+
+using namespace calibrate;  // specialisations belong to the namespace of their template
+
 namespace {
 
-Json any_of(json::Array alternatives) {
+Json any_of(base::json::Array alternatives) {
   Json schema;
   schema["anyOf"] = Json(std::move(alternatives));
   return schema;
@@ -119,10 +122,10 @@ namespace {
 
 struct RobustLoss {
   std::string_view name;
-  Loss::Kind kind;
+  fit::Loss::Kind kind;
 };
-constexpr std::array kRobust{RobustLoss{"huber", Loss::Kind::kHuber},
-                             RobustLoss{"soft_l1", Loss::Kind::kSoftL1}};
+constexpr std::array kRobust{RobustLoss{"huber", fit::Loss::Kind::kHuber},
+                             RobustLoss{"soft_l1", fit::Loss::Kind::kSoftL1}};
 constexpr std::string_view kSquares = "squares";
 
 }  // namespace
@@ -157,12 +160,12 @@ bool Codec<LossText>::read(Binder& binder, const Node& node, const Path& path, c
 Json Codec<LossText>::schema(const KeyInfo&) {
   Json squares;
   squares["const"] = kSquares;
-  json::Array alternatives = {std::move(squares)};
+  base::json::Array alternatives = {std::move(squares)};
   for (const RobustLoss& robust : kRobust) {
     Json map;
     map["type"] = "object";
     map["properties"][robust.name] = Codec<double>::schema(KeyInfo{.bounds = law::kPositive});
-    Json required = Json(json::Array{});
+    Json required = Json(base::json::Array{});
     required.push_back(robust.name);
     map["required"] = std::move(required);
     map["additionalProperties"] = false;
@@ -175,4 +178,4 @@ std::string Codec<LossText>::wanted(const KeyInfo&) {
 }
 void Codec<LossText>::rows(const std::string&, std::vector<KeyRow>&) {}
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::yaml

@@ -5,19 +5,19 @@
 #include "driver/read/keys/case_reference.hpp"
 #include "driver/read/keys/key_index.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
-std::vector<KeyRow> fit_rows() {
-  std::vector<KeyRow> rows;
-  struct_rows<FitText>("", rows);
+std::vector<yaml::KeyRow> fit_rows() {
+  std::vector<yaml::KeyRow> rows;
+  yaml::struct_rows<FitText>("", rows);
   return rows;
 }
 
-Json fit_schema() {
-  Json schema;
+yaml::Json fit_schema() {
+  yaml::Json schema;
   schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";
   schema["title"] = "slipbench fit, version 1";
-  Json body = struct_schema<FitText>();
+  yaml::Json body = yaml::struct_schema<FitText>();
   for (const std::string_view key : {"type", "properties", "required", "additionalProperties"}) {
     schema[key] = body[key];
   }
@@ -31,16 +31,16 @@ std::string fit_reference_markdown() {
          "(`= 2/3`) is one of plain numbers. Times, and numbers without a unit, are in the units "
          "of the\n"
          "experiment's case. `slipbench schema --fit` prints the JSON Schema.\n\n" +
-         key_table(fit_rows());
+         read::key_table(fit_rows());
 }
 
-const FileWords kFitWords{[](std::string_view) { return std::optional<LaterKey>(); },
-                          [](std::string_view, std::string_view) { return std::string(); },
-                          [](std::string_view key) {
-                            static const std::vector<KeyRow> rows = fit_rows();
-                            return places_of_key(key, rows);
-                          },
-                          origin_of_column,
-                          "known are t, T, the case's result columns and its parameters"};
+const yaml::FileWords kFitWords{[](std::string_view) { return std::optional<yaml::LaterKey>(); },
+                                [](std::string_view, std::string_view) { return std::string(); },
+                                [](std::string_view key) {
+                                  static const std::vector<yaml::KeyRow> rows = fit_rows();
+                                  return read::places_of_key(key, rows);
+                                },
+                                read::origin_of_column,
+                                "known are t, T, the case's result columns and its parameters"};
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -8,19 +8,19 @@
 
 #include "driver/yaml/binding.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// One row for every key of a fit file, in the order of the declarations; the keys of experiments
 /// that are held out are those of experiments and listed once.
-std::vector<KeyRow> fit_rows();
+std::vector<yaml::KeyRow> fit_rows();
 
 /// JSON Schema (draft 2020-12) of a fit file.
-Json fit_schema();
+yaml::Json fit_schema();
 
 /// The section on fit files of the case reference, as Markdown.
 std::string fit_reference_markdown();
 
 /// Words of messages about the keys of a fit.
-extern const FileWords kFitWords;
+extern const yaml::FileWords kFitWords;
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

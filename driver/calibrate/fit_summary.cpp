@@ -17,7 +17,7 @@
 #include "driver/calibrate/identifiability.hpp"
 #include "driver/terminal/print.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 constexpr std::size_t kWidth = 80;
@@ -32,14 +32,14 @@ class TextTable {
     for (const auto& row : rows_) {
       widths.resize(std::max(widths.size(), row.size()), 0);
       for (std::size_t c = 0; c < row.size(); ++c) {
-        widths[c] = std::max(widths[c], count_code_points(row[c]));
+        widths[c] = std::max(widths[c], base::count_code_points(row[c]));
       }
     }
     std::string text;
     for (const auto& row : rows_) {
       std::string line(indent, ' ');
       for (std::size_t c = 0; c < row.size(); ++c) {
-        line += row[c] + std::string(widths[c] - count_code_points(row[c]), ' ');
+        line += row[c] + std::string(widths[c] - base::count_code_points(row[c]), ' ');
         // An empty column takes no room.
         if (widths[c] > 0) line += "  ";
       }
@@ -63,7 +63,7 @@ std::string wrapped(const std::string& sentence, std::size_t indent) {
     const std::size_t end = std::min(rest.find(' '), rest.size());
     const std::string_view word = rest.substr(0, end);
     rest.remove_prefix(std::min(end + 1, rest.size()));
-    if (!empty && count_code_points(line) + 1 + count_code_points(word) > kWidth) {
+    if (!empty && base::count_code_points(line) + 1 + base::count_code_points(word) > kWidth) {
       text += line + "\n";
       line.assign(indent + 2, ' ');
       empty = true;
@@ -80,7 +80,7 @@ std::string counted(std::size_t count, std::string_view thing) {
 }
 
 std::string with_unit(const std::string& name, const std::string& unit) {
-  return printable(unit.empty() ? name : fmt::format("{} [{}]", name, unit));
+  return base::printable(unit.empty() ? name : fmt::format("{} [{}]", name, unit));
 }
 
 /// Root mean square over all compared points of one quantity.
@@ -133,7 +133,7 @@ std::string error_line(const Error& error) {
         fmt::format(" (hold-out {}{})",
                     short_number(root_mean(error.held_out_squares, error.held_out_points)), unit);
   }
-  return printable(text);
+  return base::printable(text);
 }
 
 std::string head(const Fit& fit, const Calibration& calibration) {
@@ -151,13 +151,13 @@ std::string head(const Fit& fit, const Calibration& calibration) {
     }
   }
   std::string text = fmt::format(
-      "{}: {}, {} of {}{}, {}\n", printable(std::filesystem::path(fit.file).stem().string()),
+      "{}: {}, {} of {}{}, {}\n", base::printable(std::filesystem::path(fit.file).stem().string()),
       counted(calibration.unknowns.size(), "unknown"), counted(points, "point"),
       counted(fitted, "experiment"),
       held_out > 0 ? fmt::format(", {} held out", held_out) : std::string(),
-      elapsed_text(std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+      terminal::elapsed_text(std::chrono::duration_cast<std::chrono::steady_clock::duration>(
           std::chrono::duration<double>(calibration.seconds))));
-  const LeastSquaresFit& found = calibration.fit;
+  const fit::LeastSquaresFit& found = calibration.fit;
   const std::string after =
       counted(static_cast<std::size_t>(std::max(0, found.iterations)), "iteration");
   text += wrapped(fmt::format("{} after {}: {}", found.converged ? "converged" : "NOT CONVERGED",
@@ -189,14 +189,14 @@ std::string parameters_table(const Fit& fit, const Calibration& calibration) {
 }
 
 std::string bootstrap_lines(const Fit& fit, const Calibration& calibration) {
-  const Bootstrap& bootstrap = calibration.bootstrap;
+  const fit::Bootstrap& bootstrap = calibration.bootstrap;
   if (bootstrap.done == 0) return {};
   TextTable table;
   table.add({"bootstrap", "+-", fmt::format("{:.6g} % interval", 100.0 * fit.confidence)});
   for (std::size_t u = 0; u < bootstrap.standard_error.size(); ++u) {
     const double error = bootstrap.standard_error[u];
     if (calibration.unknowns[u].identifiability == Identifiability::kNeverVisited) continue;
-    table.add({printable(told_name(calibration, u)),
+    table.add({base::printable(told_name(calibration, u)),
                value_and_error(calibration.unknowns[u].value, error).error,
                interval_text(bootstrap.lower[u], bootstrap.upper[u], error)});
   }
@@ -210,7 +210,7 @@ std::string profile_lines(const Calibration& calibration) {
   if (calibration.profiles.empty()) return {};
   TextTable table;
   table.add({"profile likelihood", "interval", ""});
-  for (const LikelihoodProfile& profile : calibration.profiles) {
+  for (const fit::LikelihoodProfile& profile : calibration.profiles) {
     const double error = profile.unknown < calibration.statistics.standard_error.size()
                              ? calibration.statistics.standard_error[profile.unknown]
                              : std::nan("");
@@ -222,7 +222,7 @@ std::string profile_lines(const Calibration& calibration) {
     } else if (profile.open_above) {
       open = "open above: the data do not bound it there";
     }
-    table.add({printable(calibration.unknowns[profile.unknown].name),
+    table.add({base::printable(calibration.unknowns[profile.unknown].name),
                interval_text(profile.lower, profile.upper, error), open});
   }
   return "\n" + table.text(2);
@@ -245,8 +245,8 @@ std::string correlation_line(const Calibration& calibration) {
   }
   if (largest == 0.0 || std::abs(largest) >= kStrongCorrelation) return {};
   return wrapped(fmt::format("strongest correlation: {} and {} {:.2f}",
-                             printable(told_name(calibration, pair.first)),
-                             printable(told_name(calibration, pair.second)), largest),
+                             base::printable(told_name(calibration, pair.first)),
+                             base::printable(told_name(calibration, pair.second)), largest),
                  2);
 }
 
@@ -274,7 +274,7 @@ std::string ordinates_table(const Fit& fit, const Calibration& calibration,
                                short_number(calibration.unknowns[u].range.start), estimate.remark});
     table.add(std::move(cells));
   }
-  std::string text = "\n  table " + printable(varied.name) + "\n" + table.text(2);
+  std::string text = "\n  table " + base::printable(varied.name) + "\n" + table.text(2);
   if (fitted.count > kMostRows) {
     text += fmt::format("  {} more rows in the JSON file and the page\n", fitted.count - kMostRows);
   }
@@ -296,7 +296,7 @@ std::string experiments_table(const Fit& fit, const Calibration& calibration) {
     for (std::size_t r = 0; r < fitted.responses.size(); ++r) {
       const FittedResponse& response = fitted.responses[r];
       const double part = response.range > 0.0 ? response.rmse_after / response.range : 0.0;
-      table.add({r == 0 ? printable(experiment.name) : "",
+      table.add({r == 0 ? base::printable(experiment.name) : "",
                  r == 0 && experiment.held_out ? "hold-out" : "",
                  with_unit(response.quantity, response.unit),
                  fmt::format("{}", response.measured.size()), short_number(response.rmse_before),
@@ -308,7 +308,7 @@ std::string experiments_table(const Fit& fit, const Calibration& calibration) {
   std::string text = "\n" + table.text(2);
   for (const FittedExperiment& fitted : calibration.experiments) {
     for (const std::string& sentence : fitted.cleaning) {
-      text += wrapped(printable(fit.experiments[fitted.index].name + ": " + sentence), 2);
+      text += wrapped(base::printable(fit.experiments[fitted.index].name + ": " + sentence), 2);
     }
   }
   return text;
@@ -328,10 +328,11 @@ std::string fit_summary(const Fit& fit, const Calibration& calibration) {
   text += profile_lines(calibration);
   text += experiments_table(fit, calibration);
   if (!calibration.derivatives.empty()) {
-    text += wrapped("derivatives: " + printable(calibration.derivatives), 2);
+    text += wrapped("derivatives: " + base::printable(calibration.derivatives), 2);
   }
-  for (const std::string& note : calibration.notes) text += wrapped("note: " + printable(note), 2);
+  for (const std::string& note : calibration.notes)
+    text += wrapped("note: " + base::printable(note), 2);
   return text;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -5,7 +5,7 @@
 
 #include "driver/calibrate/calibration.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// Returns what a calibration found, for a terminal: why it stopped, errors of fit and hold-out,
 /// starts, the parameters with standard errors, intervals and bounds, the ordinates of tables,
@@ -13,4 +13,4 @@ namespace slipbench::driver {
 /// notes. Ends with a line feed; at most 80 columns unless names are long.
 std::string fit_summary(const Fit& fit, const Calibration& calibration);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

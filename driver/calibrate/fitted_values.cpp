@@ -10,7 +10,7 @@
 #include "driver/calibrate/estimate_text.hpp"
 #include "driver/calibrate/residuals.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 /// Part of the measured range below which residuals are rounding, as of data without noise.
@@ -54,7 +54,7 @@ void note_bounds(const Calibration& calibration, std::vector<std::string>& notes
 }
 
 void note_starts(const Calibration& calibration, std::vector<std::string>& notes) {
-  const LeastSquaresFit& fit = calibration.fit;
+  const fit::LeastSquaresFit& fit = calibration.fit;
   for (std::size_t u = 0; u < calibration.unknowns.size(); ++u) {
     if (u >= fit.moved_inside.size() || fit.moved_inside[u] == 0 || fit.searches.empty()) continue;
     const FittedUnknown& unknown = calibration.unknowns[u];
@@ -81,7 +81,8 @@ void note_trends(const Fit& fit, const Calibration& calibration, std::vector<std
       const bool rounding = !(response.rmse_after > kRounding * response.range);
       if (response.measured.size() < kFewest || rounding) continue;
       // Outliers bend a fit by squares until what is left of the others looks like a trend.
-      const bool bent = fit.loss.kind == Loss::Kind::kSquares && !response.outliers.points.empty();
+      const bool bent =
+          fit.loss.kind == fit::Loss::Kind::kSquares && !response.outliers.points.empty();
       if (bent || !(response.autocorrelation > kTrend)) continue;
       notes.push_back(fmt::format(
           "{}, {}: what is left ({} rms) is a trend, not noise (autocorrelation {:.2f} from one "
@@ -179,11 +180,11 @@ void note_weights(const Fit& fit, std::vector<std::string>& notes) {
 /// something to look at.
 void note_minima(const Calibration& calibration, std::vector<std::string>& notes) {
   constexpr double kNearlyAsGood = 2.0;
-  const LeastSquaresFit& fit = calibration.fit;
+  const fit::LeastSquaresFit& fit = calibration.fit;
   std::size_t others = 0;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const SearchTrace& search : fit.searches) {
-    if (!is_convergence(search.stop) || found_the_minimum(fit, search)) continue;
+  for (const fit::SearchTrace& search : fit.searches) {
+    if (!fit::is_convergence(search.stop) || found_the_minimum(fit, search)) continue;
     if (!(search.cost <= kNearlyAsGood * fit.cost)) continue;
     ++others;
     nearest = std::min(nearest, search.cost);
@@ -235,13 +236,13 @@ FittedExperiment fitted_experiment(const ExperimentModel& model, std::size_t ind
     const ResponseFit& asked = experiment.responses[r];
     const ComparedResponse& compared = model.responses()[r];
     const std::size_t count = compared.measured.time.size();
-    const UnitSystem& units = experiment.base.units;
+    const base::UnitSystem& units = experiment.base.units;
     FittedResponse response;
     response.quantity = asked.quantity_text;
-    if (asked.dimension) response.unit = unit_text(*asked.dimension, units);
+    if (asked.dimension) response.unit = base::unit_text(*asked.dimension, units);
     if (asked.over) {
       response.over = *asked.over;
-      response.over_unit = unit_text(asked.over_dimension, units);
+      response.over_unit = base::unit_text(asked.over_dimension, units);
     }
     response.time = compared.measured.time;
     response.abscissa = compared.measured.over;
@@ -264,7 +265,7 @@ FittedExperiment fitted_experiment(const ExperimentModel& model, std::size_t ind
     if (!compared.position.empty()) {
       response.position = compared.position;
       const bool angle = compared.position.starts_with("CPR");
-      response.position_unit = unit_text(angle ? kAngle : kLength, units);
+      response.position_unit = base::unit_text(angle ? base::kAngle : base::kLength, units);
       response.positions = compared.positions;
     }
     fitted.responses.push_back(std::move(response));
@@ -284,4 +285,4 @@ std::vector<std::string> calibration_notes(const Fit& fit, const Calibration& ca
   return notes;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

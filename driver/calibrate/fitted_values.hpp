@@ -10,7 +10,7 @@
 #include "driver/calibrate/calibration.hpp"
 #include "driver/calibrate/experiment_model.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// An experiment with the model's values at the start and at the optimum, row for row, and their
 /// errors. The share of the cost is left at 0.
@@ -27,4 +27,4 @@ double lag_one_autocorrelation(std::span<const double> residuals);
 /// points that a robust loss gives little weight. (Identifiability has its own.)
 std::vector<std::string> calibration_notes(const Fit& fit, const Calibration& calibration);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -19,29 +19,29 @@
 #include "driver/calibrate/varied_case.hpp"
 #include "driver/results/columns.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 /// A derivative below this part of the largest is the rounding of the others.
 constexpr double kNoDependence = 1e-9;
 
 std::string independent_unit(const law::Independent& independent, bool rotational,
-                             const UnitSystem& units) {
+                             const base::UnitSystem& units) {
   using Kind = law::IndependentKind;
   const int length = rotational ? 0 : 1;
   const int angle = rotational ? 1 : 0;
   switch (independent.kind) {
     case Kind::kSlipRate:
-      return unit_text({.length = length, .time = -1, .angle = angle}, units);
+      return base::unit_text({.length = length, .time = -1, .angle = angle}, units);
     case Kind::kContactForce:
-      return unit_text(rotational ? kMoment : kForce, units);
+      return base::unit_text(rotational ? base::kMoment : base::kForce, units);
     case Kind::kAccumulatedSlip:
-      return unit_text({.length = length, .angle = angle}, units);
+      return base::unit_text({.length = length, .angle = angle}, units);
     case Kind::kTemperature:
-      return unit_text(kTemperature, units);
+      return base::unit_text(base::kTemperature, units);
     case Kind::kPosition:
     case Kind::kConstitutiveMotion:
-      return unit_text(independent.index < 3 ? kLength : kAngle, units);
+      return base::unit_text(independent.index < 3 ? base::kLength : base::kAngle, units);
     case Kind::kField:
       break;
   }
@@ -85,28 +85,29 @@ std::vector<Sight> sights(const Calibration& calibration) {
 }
 
 /// Returns what holds ordinates to their neighbours, in the words of a fit file.
-std::string shape_words(const Shape& shape) {
+std::string shape_words(const fit::Shape& shape) {
   std::string words;
-  if (shape.monotone != Shape::Monotone::kFree) {
-    words = shape.monotone == Shape::Monotone::kIncreasing ? "`monotone: increasing`"
-                                                           : "`monotone: decreasing`";
+  if (shape.monotone != fit::Shape::Monotone::kFree) {
+    words = shape.monotone == fit::Shape::Monotone::kIncreasing ? "`monotone: increasing`"
+                                                                : "`monotone: decreasing`";
   }
-  if (shape.curvature != Shape::Curvature::kFree) {
+  if (shape.curvature != fit::Shape::Curvature::kFree) {
     words += words.empty() ? "" : " and ";
-    words += shape.curvature == Shape::Curvature::kConvex ? "`shape: convex`" : "`shape: concave`";
+    words +=
+        shape.curvature == fit::Shape::Curvature::kConvex ? "`shape: convex`" : "`shape: concave`";
   }
   return words;
 }
 
 /// Returns what moves an unknown that no compared point depends on.
 /// \param shape of its block; that of a parameter is free
-std::string mover_of(const FittedUnknown& unknown, const Shape& shape) {
+std::string mover_of(const FittedUnknown& unknown, const fit::Shape& shape) {
   std::string words = unknown.tied ? "`smoothness`" : "";
   if (!shape.any()) return words.empty() ? "its bounds" : words;
   return words.empty() ? shape_words(shape) : words + " within " + shape_words(shape);
 }
 
-void judge_unseen(std::string_view because, const Shape& shape, FittedUnknown& unknown) {
+void judge_unseen(std::string_view because, const fit::Shape& shape, FittedUnknown& unknown) {
   unknown.identifiability = Identifiability::kNeverVisited;
   const std::string start = fmt::format("{:.6g}", unknown.range.start);
   const std::string value = fmt::format("{:.6g}", unknown.value);
@@ -136,10 +137,11 @@ void mark_held(const FittedTable& table, std::vector<FittedUnknown>& unknowns) {
     if (!same_block(r, r - 1) || !seen(r) || !seen(r - 1)) continue;
     const double size = kRounding * std::abs(at(r).value);
     const double step = at(r).value - at(r - 1).value;
-    if (table.shape.monotone != Shape::Monotone::kFree && std::abs(step) <= size) {
+    if (table.shape.monotone != fit::Shape::Monotone::kFree && std::abs(step) <= size) {
       at(r).held_by = at(r - 1).held_by = words;
     }
-    if (table.shape.curvature == Shape::Curvature::kFree || r + 1 == table.points.size()) continue;
+    if (table.shape.curvature == fit::Shape::Curvature::kFree || r + 1 == table.points.size())
+      continue;
     if (!same_block(r, r + 1) || !seen(r + 1)) continue;
     const double next = at(r + 1).value - at(r).value;
     const double ratio = (table.points[r + 1][0] - table.points[r][0]) /
@@ -166,7 +168,7 @@ void note_held(const Fit& fit, const Calibration& calibration, const FittedTable
 /// Returns why an interval says little, or nothing.
 std::string width_fault(const FittedUnknown& unknown, double lower, double upper) {
   if (!std::isfinite(lower) || !std::isfinite(upper)) return {};
-  const UnknownRange& range = unknown.range;
+  const fit::UnknownRange& range = unknown.range;
   const double width = upper - lower;
   const std::string interval =
       fmt::format("its interval, {:.3g} .. {:.3g}, is wider than ", lower, upper);
@@ -184,7 +186,7 @@ std::string width_fault(const FittedUnknown& unknown, double lower, double upper
 
 void judge_one(const Calibration& calibration, std::size_t u, const Sight& sight,
                FittedUnknown& unknown) {
-  const FitStatistics& statistics = calibration.statistics;
+  const fit::FitStatistics& statistics = calibration.statistics;
   unknown.visits = sight.points;
   unknown.tied = sight.tied;
   unknown.why.clear();
@@ -317,11 +319,11 @@ void add_correlated_pairs(const Calibration& calibration, std::vector<std::strin
 
 }  // namespace
 
-void add_visits(const VariedTable& table, const Case& problem, const Coverage& coverage,
-                FittedTable* fitted) {
+void add_visits(const VariedTable& table, const cases::Case& problem,
+                const results::Coverage& coverage, FittedTable* fitted) {
   const std::vector<std::size_t> wanted = definitions_of(problem, table.definition);
-  for (const TableCoverage& counted : coverage.tables()) {
-    const CaseDefinition& definition = problem.definitions[counted.definition];
+  for (const results::TableCoverage& counted : coverage.tables()) {
+    const cases::CaseDefinition& definition = problem.definitions[counted.definition];
     const bool belongs =
         std::find(wanted.begin(), wanted.end(), counted.definition) != wanted.end();
     if (counted.what != word_of(table.use) || !belongs) continue;
@@ -329,7 +331,7 @@ void add_visits(const VariedTable& table, const Case& problem, const Coverage& c
       if (const law::TableFunction* function = varied_table(definition.law, table.use)) {
         for (const law::Independent& independent : function->independents()) {
           fitted->units.push_back(
-              independent_unit(independent, is_rotational(definition.law), problem.units));
+              independent_unit(independent, results::is_rotational(definition.law), problem.units));
         }
       }
     }
@@ -391,7 +393,7 @@ std::vector<std::string> identifiability_notes(const Fit& fit, const Calibration
   }
   for (std::size_t u = 0; u < calibration.unknowns.size() && u < fit.vary.size(); ++u) {
     const FittedUnknown& unknown = calibration.unknowns[u];
-    const FitStatistics& statistics = calibration.statistics;
+    const fit::FitStatistics& statistics = calibration.statistics;
     const bool in_combination =
         unknown.visits > 0 && u < statistics.identifiable.size() && statistics.identifiable[u] == 0;
     if (unknown.identifiability == Identifiability::kWeak && !in_combination) {
@@ -402,4 +404,4 @@ std::vector<std::string> identifiability_notes(const Fit& fit, const Calibration
   return notes;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -8,7 +8,7 @@
 #include "driver/calibrate/calibration.hpp"
 #include "driver/results/coverage.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// Adds the increments of one run to the cells of a fitted table, and makes the cells at the first
 /// call. Runs of cases that do not have the table add nothing.
@@ -17,8 +17,8 @@ namespace slipbench::driver {
 /// \param coverage of the whole run
 /// \param[in,out] fitted gets `cells` (first independent fastest; none of a table too large to be
 /// counted) and `units`
-void add_visits(const VariedTable& table, const Case& problem, const Coverage& coverage,
-                FittedTable* fitted);
+void add_visits(const VariedTable& table, const cases::Case& problem,
+                const results::Coverage& coverage, FittedTable* fitted);
 
 /// Fills `visits`, `identifiability` and `why` of every unknown: from the derivatives at the
 /// optimum (compared points that depend on it), the statistics (an interval wider than the value or
@@ -34,4 +34,4 @@ std::vector<std::string> identifiability_notes(const Fit& fit, const Calibration
 /// Correlations from here on are told to the user.
 inline constexpr double kStrongCorrelation = 0.95;
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -18,7 +18,7 @@
 #include "driver/calibrate/cleaning/dead_band.hpp"
 #include "driver/calibrate/cleaning/resample.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -28,17 +28,17 @@ double converted(const DataColumn& column, double number) {
 }
 
 /// "0.31 kN": a number as messages show it.
-std::string amount(double value, const Dimension& dimension, const UnitSystem& units) {
-  const std::string unit = unit_text(dimension, units);
+std::string amount(double value, const base::Dimension& dimension, const base::UnitSystem& units) {
+  const std::string unit = base::unit_text(dimension, units);
   return unit.empty() ? fmt::format("{:.4g}", value) : fmt::format("{:.4g} {}", value, unit);
 }
 
 /// "within 3 .. 5 s", "from 3 s on", "up to 5 s".
 std::string range_words(const std::optional<double>& from, const std::optional<double>& to,
-                        const UnitSystem& units) {
-  if (!to) return "from " + amount(*from, kTime, units) + " on";
-  if (!from) return "up to " + amount(*to, kTime, units);
-  return fmt::format("within {:.4g} .. {}", *from, amount(*to, kTime, units));
+                        const base::UnitSystem& units) {
+  if (!to) return "from " + amount(*from, base::kTime, units) + " on";
+  if (!from) return "up to " + amount(*to, base::kTime, units);
+  return fmt::format("within {:.4g} .. {}", *from, amount(*to, base::kTime, units));
 }
 
 std::string rows_word(std::size_t count) {
@@ -52,7 +52,7 @@ struct Span {
   double step = 0.0;  ///< between two rows, on average
 
   std::size_t whole_cycles(double period) const {
-    return slipbench::driver::whole_cycles(first, last, period, step);
+    return slipbench::driver::cleaning::whole_cycles(first, last, period, step);
   }
 };
 
@@ -68,7 +68,7 @@ class Cleaner {
   explicit Cleaner(const ExperimentFit& experiment)
       : experiment_(experiment), units_(experiment.base.units) {}
 
-  tl::expected<Measurements, HistoryError> clean() {
+  tl::expected<Measurements, base::HistoryError> clean() {
     if (auto read = read_rows(); !read) return tl::unexpected(std::move(read.error()));
     result_.rows_read = rows_.size();
     tell_conversions();
@@ -84,7 +84,7 @@ class Cleaner {
   }
 
  private:
-  tl::expected<void, HistoryError> read_rows() {
+  tl::expected<void, base::HistoryError> read_rows() {
     columns_.push_back(&experiment_.time);
     for (const ResponseFit& response : experiment_.responses) {
       columns_.push_back(&response.column);
@@ -93,8 +93,9 @@ class Cleaner {
     if (experiment_.dead_band) columns_.push_back(&experiment_.dead_band->column);
     std::vector<std::string> names;
     for (const DataColumn* column : columns_) names.push_back(column->name);
-    auto reader = CsvReader::open(
-        DataSource{experiment_.data_path, experiment_.data_file, experiment_.data_format}, names);
+    auto reader = base::CsvReader::open(
+        base::DataSource{experiment_.data_path, experiment_.data_file, experiment_.data_format},
+        names);
     if (!reader) return tl::unexpected(std::move(reader.error()));
 
     rows_.columns.resize(columns_.size());
@@ -112,7 +113,7 @@ class Cleaner {
             fmt::format("the time '{}' does not increase: {} after {} in "
                         "line {}{}",
                         experiment_.time.name, raw, raw_before, line_before,
-                        of_held_time(experiment_.data_format, raw, raw_before)));
+                        base::of_held_time(experiment_.data_format, raw, raw_before)));
       }
       bool finite = true;
       for (std::size_t c = 0; c < columns_.size(); ++c) {
@@ -132,8 +133,8 @@ class Cleaner {
       rows_.columns.front().push_back(static_cast<double>(line_before));
       for (std::size_t c = 1; c < columns_.size(); ++c) rows_.columns[c].push_back(row[c]);
     }
-    const MissingSample answer = experiment_.data_format.missing;
-    if (std::string text = in_words(reader->missing(), answer); !text.empty()) {
+    const base::MissingSample answer = experiment_.data_format.missing;
+    if (std::string text = base::in_words(reader->missing(), answer); !text.empty()) {
       tell(std::move(text));
     }
     return {};
@@ -178,23 +179,24 @@ class Cleaner {
     const std::size_t before = rows_.size();
     std::vector<double> speed = rows_.columns.back();
     // A single row tells no speed.
-    if (band.of_position) speed = before > 1 ? slopes(rows_.time, speed) : std::vector(1, 0.0);
-    rows_ = without_slow_rows(rows_, speed, band.below);
+    if (band.of_position)
+      speed = before > 1 ? cleaning::slopes(rows_.time, speed) : std::vector(1, 0.0);
+    rows_ = cleaning::without_slow_rows(rows_, speed, band.below);
     tell(fmt::format("{} with a speed below {} left out", rows_word(before - rows_.size()),
                      amount(band.below, band.speed, units_)));
   }
 
-  tl::expected<void, HistoryError> average() {
+  tl::expected<void, base::HistoryError> average() {
     if (!experiment_.average_cycles) return {};
     const auto& [period, points] = *experiment_.average_cycles;
     const std::size_t cycles = in_range_.whole_cycles(period);
     const std::size_t all = in_file_.whole_cycles(period);
     if (cycles == 0) {
       return refused(fmt::format("there is no whole cycle of {} from {:.6g} to {}",
-                                 amount(period, kTime, units_), in_range_.first,
-                                 amount(in_range_.last, kTime, units_)));
+                                 amount(period, base::kTime, units_), in_range_.first,
+                                 amount(in_range_.last, base::kTime, units_)));
     }
-    MeanCycle mean = mean_cycle(rows_, in_range_.first, period, cycles, points);
+    cleaning::MeanCycle mean = cleaning::mean_cycle(rows_, in_range_.first, period, cycles, points);
     rows_ = std::move(mean.rows);
     if (rows_.size() == 0) return refused("every row is in the dead band");
     const std::string of_all = all > cycles
@@ -218,25 +220,25 @@ class Cleaner {
     return {};
   }
 
-  tl::expected<void, HistoryError> resample() {
+  tl::expected<void, base::HistoryError> resample() {
     if (!experiment_.resample) return {};
     const Resampling& resampling = *experiment_.resample;
     const double extent = rows_.time.back() - rows_.time.front();
-    if (resampling.every && !(extent / *resampling.every < kMostResampledRows)) {
+    if (resampling.every && !(extent / *resampling.every < cleaning::kMostResampledRows)) {
       return refused(fmt::format(
           "resample: one row every {} makes {:.2g} of {}, more than {:.0e}: write a longer 'every'",
-          amount(*resampling.every, kTime, units_), extent / *resampling.every,
-          amount(extent, kTime, units_), kMostResampledRows));
+          amount(*resampling.every, base::kTime, units_), extent / *resampling.every,
+          amount(extent, base::kTime, units_), cleaning::kMostResampledRows));
     }
-    rows_ = resampling.every ? resampled(rows_, *resampling.every)
-                             : resampled(rows_, resampling.points.value_or(2));
+    rows_ = resampling.every ? cleaning::resampled(rows_, *resampling.every)
+                             : cleaning::resampled(rows_, resampling.points.value_or(2));
     tell(resampling.every ? fmt::format("resampled to {}, one every {}", rows_word(rows_.size()),
-                                        amount(*resampling.every, kTime, units_))
+                                        amount(*resampling.every, base::kTime, units_))
                           : fmt::format("resampled to {}", rows_word(rows_.size())));
     return {};
   }
 
-  tl::expected<Measurements, HistoryError> split() {
+  tl::expected<Measurements, base::HistoryError> split() {
     std::size_t column = 1;
     for (const ResponseFit& response : experiment_.responses) {
       MeasuredSeries& series = result_.responses.emplace_back();
@@ -266,15 +268,15 @@ class Cleaner {
     return std::move(result_);
   }
 
-  tl::unexpected<HistoryError> refused(std::string message) const {
-    return tl::unexpected(
-        HistoryError{HistoryError::Kind::kInput, experiment_.data_file, 0, 0, std::move(message)});
+  tl::unexpected<base::HistoryError> refused(std::string message) const {
+    return tl::unexpected(base::HistoryError{base::HistoryError::Kind::kInput,
+                                             experiment_.data_file, 0, 0, std::move(message)});
   }
 
   const ExperimentFit& experiment_;
-  const UnitSystem& units_;
+  const base::UnitSystem& units_;
   std::vector<const DataColumn*> columns_;  ///< the time first
-  DataRows rows_;                           ///< its first column is the line of the file
+  cleaning::DataRows rows_;                 ///< its first column is the line of the file
   Span in_file_;
   Span in_range_;
   Measurements result_;
@@ -282,14 +284,14 @@ class Cleaner {
 
 }  // namespace
 
-tl::expected<Measurements, HistoryError> read_measurements(const ExperimentFit& experiment,
-                                                           bool with_hash) {
+tl::expected<Measurements, base::HistoryError> read_measurements(const ExperimentFit& experiment,
+                                                                 bool with_hash) {
   auto result = Cleaner(experiment).clean();
   if (!result || !with_hash) return result;
-  auto hash = sha256_of_file(experiment.data_path);
+  auto hash = base::sha256_of_file(experiment.data_path);
   if (!hash) return tl::unexpected(std::move(hash.error()));
   result->hash = std::move(*hash);
   return result;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -10,7 +10,7 @@
 #include "driver/base/text/history_error.hpp"
 #include "driver/calibrate/fit.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// The measurement of one response, in the case's units, in the order of the file.
 struct MeasuredSeries {
@@ -36,7 +36,7 @@ struct Measurements {
 /// long again as reading the numbers, or more
 /// Errors, with the file's line where one is concerned: what CsvReader refuses, times that do not
 /// ascend, nothing left to compare, less than one whole cycle.
-tl::expected<Measurements, HistoryError> read_measurements(const ExperimentFit& experiment,
-                                                           bool with_hash = true);
+tl::expected<Measurements, base::HistoryError> read_measurements(const ExperimentFit& experiment,
+                                                                 bool with_hash = true);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

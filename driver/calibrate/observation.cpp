@@ -12,7 +12,7 @@
 #include "driver/check/curves/common_range.hpp"
 #include "driver/history/step_grid.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 constexpr double kPositionNoise = 1e-3;  // of the range: what turns by less does not turn
@@ -26,7 +26,7 @@ struct Window {
 };
 
 Window window_of(std::span<const double> time, std::span<const double> measured) {
-  const double slack = kSameTime * std::max(std::abs(time.front()), std::abs(time.back()));
+  const double slack = history::kSameTime * std::max(std::abs(time.front()), std::abs(time.back()));
   const auto first = std::upper_bound(time.begin(), time.end(), measured.front() + slack);
   const auto last = std::lower_bound(time.begin(), time.end(), measured.back() - slack);
   Window window;
@@ -40,11 +40,11 @@ Window window_of(std::span<const double> time, std::span<const double> measured)
 /// however near it still is. Rows before the start of the first branch, or behind the end of the
 /// last one, are on none. Rows that stay at a turn, but for `slack`, belong to the branch before
 /// it.
-std::vector<Branch> split_at_extremes(std::span<const double> position, double noise,
-                                      double slack) {
-  std::vector<Branch> parts = branches(position, noise);
+std::vector<check::Branch> split_at_extremes(std::span<const double> position, double noise,
+                                             double slack) {
+  std::vector<check::Branch> parts = check::branches(position, noise);
   for (std::size_t b = 0; b < parts.size(); ++b) {
-    Branch& part = parts[b];
+    check::Branch& part = parts[b];
     const auto way = [&](std::size_t row) { return part.direction * position[row]; };
     std::size_t last = part.first;
     for (std::size_t row = part.first; row <= part.last; ++row) {
@@ -64,9 +64,9 @@ std::vector<Branch> split_at_extremes(std::span<const double> position, double n
 }
 
 /// Returns how far a curve goes back inside its branches: its noise, 0 if it has none.
-double largest_relapse(std::span<const double> position, std::span<const Branch> parts) {
+double largest_relapse(std::span<const double> position, std::span<const check::Branch> parts) {
   double largest = 0.0;
-  for (const Branch& part : parts) {
+  for (const check::Branch& part : parts) {
     double furthest = part.direction * position[part.first];
     for (std::size_t row = part.first; row <= part.last; ++row) {
       const double way = part.direction * position[row];
@@ -78,10 +78,10 @@ double largest_relapse(std::span<const double> position, std::span<const Branch>
 }
 
 /// Takes short branches off the ends of the curve that has more of them.
-void drop_short_ends(std::vector<Branch>& parts, std::span<const double> position,
+void drop_short_ends(std::vector<check::Branch>& parts, std::span<const double> position,
                      std::size_t wanted) {
-  const double range = extent(position).width();
-  const auto is_short = [&](const Branch& branch) {
+  const double range = check::extent(position).width();
+  const auto is_short = [&](const check::Branch& branch) {
     return std::abs(position[branch.last] - position[branch.first]) <= kShortestBranch * range;
   };
   if (parts.size() > wanted && is_short(parts.back())) parts.pop_back();
@@ -91,7 +91,7 @@ void drop_short_ends(std::vector<Branch>& parts, std::span<const double> positio
 /// Search for the place where a branch of the run first reaches a position.
 class BranchSearch {
  public:
-  BranchSearch(std::span<const double> position, const Branch& branch, double slack)
+  BranchSearch(std::span<const double> position, const check::Branch& branch, double slack)
       : position_(position), branch_(branch), slack_(slack), row_(branch.first) {}
 
   /// Positions come about in the direction of the branch.
@@ -121,7 +121,7 @@ class BranchSearch {
   double way(std::size_t row) const { return branch_.direction * position_[row]; }
 
   std::span<const double> position_;
-  Branch branch_;
+  check::Branch branch_;
   double slack_;
   std::size_t row_;
 };
@@ -132,7 +132,7 @@ Observations observe_times(std::span<const double> run, std::span<const double> 
   Observations found;
   found.kept.reserve(measured.size());
   found.points.reserve(measured.size());
-  const double slack = kSameTime * std::max(std::abs(run.front()), std::abs(run.back()));
+  const double slack = history::kSameTime * std::max(std::abs(run.front()), std::abs(run.back()));
   std::size_t row = 0;
   for (std::size_t i = 0; i < measured.size(); ++i) {
     const double time = measured[i];
@@ -162,10 +162,11 @@ Observations observe_positions(std::span<const double> time, std::span<const dou
   found = {};
   const Window window = window_of(time, measured.time);
   const auto path = position.subspan(window.first, window.last - window.first + 1);
-  const double range = extent(measured.over).width();
-  const double slack = kSameTime * range;
-  std::vector<Branch> theirs = split_at_extremes(measured.over, kPositionNoise * range, slack);
-  std::vector<Branch> ours = split_at_extremes(path, kPositionNoise * range, slack);
+  const double range = check::extent(measured.over).width();
+  const double slack = history::kSameTime * range;
+  std::vector<check::Branch> theirs =
+      split_at_extremes(measured.over, kPositionNoise * range, slack);
+  std::vector<check::Branch> ours = split_at_extremes(path, kPositionNoise * range, slack);
   const double noise = std::max(slack, largest_relapse(measured.over, theirs));
   const std::size_t count = theirs.size();
   drop_short_ends(theirs, measured.over, ours.size());
@@ -229,4 +230,4 @@ void read_points(std::span<const double> column, std::span<const Replay::Point> 
   }
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

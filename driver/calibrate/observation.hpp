@@ -10,7 +10,7 @@
 #include "driver/calibrate/measurements.hpp"
 #include "driver/calibrate/replay.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// The places of a run that measured points are compared with.
 struct Observations {
@@ -46,4 +46,4 @@ Observations observe_positions(std::span<const double> time, std::span<const dou
 void read_points(std::span<const double> column, std::span<const Replay::Point> points,
                  std::span<double> values);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -14,7 +14,7 @@
 #include "driver/calibrate/outliers.hpp"
 #include "driver/calibrate/residuals.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 std::string amount(double number, const std::string& unit) {
@@ -62,7 +62,7 @@ bool alike(const Fit& fit, const Calibration& calibration) {
 
 /// "; mu is then 0.3002 instead of 0.3561", of the unknown that moves by most of its error; empty
 /// if that is less than one.
-std::string move_text(const Calibration& calibration, const LeastSquaresFit& mended) {
+std::string move_text(const Calibration& calibration, const fit::LeastSquaresFit& mended) {
   double most = 1.0;
   std::string text;
   for (std::size_t u = 0; u < mended.x.size(); ++u) {
@@ -91,16 +91,16 @@ std::string remedy(const Fit& fit, const Calibration& calibration) {
   }
   const std::size_t data = calibration.problem.data_rows;
   double threshold = usual_threshold(std::span(calibration.fit.residuals).first(data));
-  const bool asked = fit.loss.kind != Loss::Kind::kSquares;
+  const bool asked = fit.loss.kind != fit::Loss::Kind::kSquares;
   if (asked && fit.loss.threshold <= kNear * threshold) return {};
-  ResidualProblem problem = calibration.problem;
-  SolverOptions options = fit.solver;
+  fit::ResidualProblem problem = calibration.problem;
+  fit::SolverOptions options = fit.solver;
   options.starts = 1;
-  LeastSquaresFit mended = calibration.fit;
+  fit::LeastSquaresFit mended = calibration.fit;
   for (int round = 0; round < kMostRounds && problem.residuals; ++round) {
     for (std::size_t u = 0; u < mended.x.size(); ++u) problem.unknowns[u].start = mended.x[u];
-    problem.loss = {Loss::Kind::kHuber, threshold};
-    mended = solve_least_squares(problem, options);
+    problem.loss = {fit::Loss::Kind::kHuber, threshold};
+    mended = fit::solve_least_squares(problem, options);
     if (!mended.converged) break;
     const double next = usual_threshold(std::span(mended.residuals).first(data));
     if (!(next < kSettled * threshold)) break;
@@ -149,4 +149,4 @@ std::vector<std::string> outlier_notes(const Fit& fit, const Calibration& calibr
   return notes;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

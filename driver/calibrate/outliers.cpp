@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 /// Neighbours on each side that a point is compared with.
@@ -88,4 +88,4 @@ std::vector<double> other_residuals(std::span<const double> residuals, const Out
   return others;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

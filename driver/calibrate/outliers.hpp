@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// Standard deviations over the median magnitude of normal noise.
 inline constexpr double kNormalOverMedian = 1.4826;
@@ -39,4 +39,4 @@ Outliers find_outliers(std::span<const double> residuals, double rounding);
 /// The finite residuals that are no outliers, in their order.
 std::vector<double> other_residuals(std::span<const double> residuals, const Outliers& outliers);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

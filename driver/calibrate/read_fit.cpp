@@ -18,12 +18,12 @@
 #include "driver/read/keys/case_units.hpp"
 #include "driver/yaml/parse.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string in_quotes(std::string_view name) { return "'" + printable(name) + "'"; }
+std::string in_quotes(std::string_view name) { return "'" + base::printable(name) + "'"; }
 
 /// Names for experiments that have none: the case's, else the data's, with a number if need be.
 void name_experiments(std::vector<ReadExperiment>& experiments) {
@@ -65,7 +65,8 @@ bool is_date(std::string_view text) {
 /// Reader of a fit and of the faults among its experiments as a whole.
 class FitReader {
  public:
-  FitReader(const Node& root, const std::string& path, const ReadFitOptions& options, ReadFit& out)
+  FitReader(const yaml::Node& root, const std::string& path, const ReadFitOptions& options,
+            ReadFit& out)
       : root_(root),
         options_(options),
         out_(out),
@@ -78,10 +79,10 @@ class FitReader {
   void read() {
     binder_.set_units(units_of_cases());
     FitText text;
-    const bool bound = read_struct(binder_, root_, Path(), text);
+    const bool bound = yaml::read_struct(binder_, root_, yaml::Path(), text);
     const CalibrateText& calibrate = text.calibrate.value;
     fit_.title = text.title.empty() ? fs::path(fit_.file).stem().string() : text.title;
-    for (const Named<VaryText>& vary : calibrate.vary.value) {
+    for (const yaml::Named<VaryText>& vary : calibrate.vary.value) {
       fit_.vary.push_back(varied_parameter(binder_, vary));
     }
     reader_.emplace(binder_, options_, fit_.vary, out_);
@@ -123,33 +124,33 @@ class FitReader {
 
  private:
   /// The system of units that all cases state, for numbers with a unit; nothing if they differ.
-  [[nodiscard]] std::optional<UnitSystem> units_of_cases() const {
-    std::optional<UnitSystem> units;
+  [[nodiscard]] std::optional<base::UnitSystem> units_of_cases() const {
+    std::optional<base::UnitSystem> units;
     const auto calibrate = root_.find("calibrate");
     for (const char* list : {"experiments", "holdout"}) {
       const auto all = calibrate && calibrate->is_map() ? calibrate->find(list) : std::nullopt;
       for (std::size_t i = 0; all && all->is_sequence() && i < all->size(); ++i) {
         const auto file = (*all)[i].is_map() ? (*all)[i].find("case") : std::nullopt;
         if (!file || !file->is_scalar()) continue;
-        const auto source = read_source((folder_ / fs::path(file->text())).string());
-        const auto tree = source ? parse_yaml(*source) : tl::unexpected(Diagnostics());
+        const auto source = base::read_source((folder_ / fs::path(file->text())).string());
+        const auto tree = source ? yaml::parse_yaml(*source) : tl::unexpected(base::Diagnostics());
         if (!tree) continue;
-        const UnitSystem here = units_of(tree->root());
-        const auto names = [](const UnitSystem& of) {
+        const base::UnitSystem here = read::units_of(tree->root());
+        const auto names = [](const base::UnitSystem& of) {
           return std::tie(of.length, of.force, of.time, of.temperature);
         };
         if (units && names(*units) != names(here)) return std::nullopt;
         units = here;
       }
     }
-    return units.value_or(UnitSystem{});
+    return units.value_or(base::UnitSystem{});
   }
 
   void read_experiments(const CalibrateText& text) {
-    for (const At<ExperimentText>& one : text.experiments.value) {
+    for (const yaml::At<ExperimentText>& one : text.experiments.value) {
       experiments_.push_back(reader_->read(one.value, *one.node));
     }
-    for (const At<HoldoutText>& one : text.holdout.value) {
+    for (const yaml::At<HoldoutText>& one : text.holdout.value) {
       experiments_.push_back(reader_->read(one.value.experiment, *one.node));
       experiments_.back().fit.held_out = true;
     }
@@ -165,12 +166,12 @@ class FitReader {
 
   void check_names(const CalibrateText& text) {
     const std::size_t fitted = text.experiments.value.size();
-    const auto name_of = [&](std::size_t i) -> const At<std::string>& {
+    const auto name_of = [&](std::size_t i) -> const yaml::At<std::string>& {
       return i < fitted ? text.experiments.value[i].value.name
                         : text.holdout.value[i - fitted].value.experiment.name;
     };
     for (std::size_t i = 0; i < experiments_.size(); ++i) {
-      const At<std::string>& name = name_of(i);
+      const yaml::At<std::string>& name = name_of(i);
       for (std::size_t j = 0; j < i && name.sound; ++j) {
         if (!name_of(j).sound || name_of(j).value != name.value) continue;
         binder_.error(*name.node, name.path,
@@ -180,11 +181,11 @@ class FitReader {
     }
   }
 
-  void check_something_is_varied(const At<CalibrateText>& text) {
+  void check_something_is_varied(const yaml::At<CalibrateText>& text) {
     const CalibrateText& calibrate = text.value;
     if (!text.given() || !text.node->is_map()) return;
-    const bool misspelt = is_misspelt<CalibrateText>(*text.node, "vary") ||
-                          is_misspelt<CalibrateText>(*text.node, "tables");
+    const bool misspelt = yaml::is_misspelt<CalibrateText>(*text.node, "vary") ||
+                          yaml::is_misspelt<CalibrateText>(*text.node, "tables");
     if (misspelt || calibrate.vary.faulty() || calibrate.tables.faulty()) return;
     if (!calibrate.vary.value.empty() || !calibrate.tables.value.empty()) return;
     binder_.error(*text.node, text.path, "nothing is varied",
@@ -196,7 +197,7 @@ class FitReader {
   void check_shapes() {
     for (const VariedTable& table : fit_.tables) {
       if (!table.shape.any() || keeps_shape(table)) continue;
-      const Path path = Path() / "calibrate" / "tables" / table.name;
+      const yaml::Path path = yaml::Path() / "calibrate" / "tables" / table.name;
       out_.diagnostics.note(root_.source().name(), table.where, path.text(),
                             "the numbers of the case do not have the wanted shape: the search "
                             "begins at near ones that have");
@@ -225,7 +226,7 @@ class FitReader {
                   "every weight is 0: nothing is left to fit");
   }
 
-  void check_date(const At<std::string>& date) {
+  void check_date(const yaml::At<std::string>& date) {
     if (!date.sound || is_date(date.value)) return;
     binder_.error(
         *date.node, date.path,
@@ -243,7 +244,7 @@ class FitReader {
       }
     }
     const std::vector<std::string_view> names(known.begin(), known.end());
-    for (const ParameterText& override : options_.overrides) {
+    for (const base::ParameterText& override : options_.overrides) {
       const auto say = [&](std::string message, std::string hint) {
         out_.diagnostics.error(root_.source().name(), {}, "--set " + override.name,
                                std::move(message), std::move(hint));
@@ -255,18 +256,19 @@ class FitReader {
       } else if (all_parsed &&
                  std::find(known.begin(), known.end(), override.name) == known.end()) {
         say("no case has a parameter " + in_quotes(override.name),
-            nearest_or(override.name, names,
-                       known.empty() ? "" : "parameters there are: " + few_in_words(names)));
+            yaml::nearest_or(
+                override.name, names,
+                known.empty() ? "" : "parameters there are: " + base::few_in_words(names)));
       }
     }
   }
 
-  Node root_;
+  yaml::Node root_;
   const ReadFitOptions& options_;
   ReadFit& out_;
   fs::path folder_;
-  NamedNumbers no_parameters_;
-  Binder binder_;
+  base::NamedNumbers no_parameters_;
+  yaml::Binder binder_;
   Fit fit_;
   std::optional<ExperimentReader> reader_;  ///< owns the texts that the experiments point into
   std::vector<ReadExperiment> experiments_;
@@ -276,27 +278,27 @@ class FitReader {
 
 ReadFit read_fit(const std::string& path, const ReadFitOptions& options) {
   ReadFit result;
-  const auto source = read_source(path);
+  const auto source = base::read_source(path);
   if (!source) {
     result.diagnostics.add(source.error().diagnostic);
-    result.environment_failure = source.error().failure == ReadFailure::kEnvironment;
+    result.environment_failure = source.error().failure == base::ReadFailure::kEnvironment;
     return result;
   }
   result.sources.push_back(*source);
-  const auto tree = parse_yaml(*source);
+  const auto tree = yaml::parse_yaml(*source);
   if (!tree) {
     result.diagnostics = tree.error();
     return result;
   }
-  if (const auto key = key_of_case(tree->root())) {
-    result.diagnostics.error(
-        source->name(), key->where(), std::string(key->text()),
-        "this is a case, not a fit file: 'slipbench run " + printable(source->name()) + "' runs it",
-        "a fit file has 'calibrate:' and names its cases");
+  if (const auto key = read::key_of_case(tree->root())) {
+    result.diagnostics.error(source->name(), key->where(), std::string(key->text()),
+                             "this is a case, not a fit file: 'slipbench run " +
+                                 base::printable(source->name()) + "' runs it",
+                             "a fit file has 'calibrate:' and names its cases");
     return result;
   }
   FitReader(tree->root(), path, options, result).read();
   return result;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -9,13 +9,13 @@
 #include "driver/base/units/parameters.hpp"
 #include "driver/calibrate/fit.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// Result of reading a fit: the fit, unless there were errors, and all messages.
 struct ReadFit {
   std::optional<Fit> value;
-  Diagnostics diagnostics;          ///< of the fit, and of its cases under their own names
-  std::vector<SourceText> sources;  ///< texts the diagnostics quote from: the fit, the cases
+  base::Diagnostics diagnostics;          ///< of the fit, and of its cases under their own names
+  std::vector<base::SourceText> sources;  ///< texts the diagnostics quote from: the fit, the cases
   /// Every file that the fit and its cases name: none of them may be overwritten. The fit itself is
   /// not among them.
   std::vector<std::string> data_files;
@@ -25,7 +25,7 @@ struct ReadFit {
 struct ReadFitOptions {
   /// --set name=value, for every case that has a parameter of the name; stronger than an
   /// experiment's own `set`.
-  std::vector<ParameterText> overrides = {};
+  std::vector<base::ParameterText> overrides = {};
   bool allow_outside = false;  ///< cases and data may lie outside the fit's folder
 };
 
@@ -34,4 +34,4 @@ struct ReadFitOptions {
 /// read_measurements.
 ReadFit read_fit(const std::string& path, const ReadFitOptions& options = {});
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

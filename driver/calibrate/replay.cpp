@@ -14,24 +14,25 @@
 #include "driver/bench/simulation.hpp"
 #include "law/update/return_mapping.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 // --- Which cases can be replayed ------------------------------------------------------------
 
 /// Returns why the law is not all that moves in a case, or nothing.
-std::optional<std::string> obstacle(const Case& problem) {
+std::optional<std::string> obstacle(const cases::Case& problem) {
   if (problem.dynamics) return "it has a mass";
   if (!problem.force_driven.empty()) return "it has a component that is driven by force";
   if (problem.belt) return "it has a belt";
   if (!problem.kinetic.pressing.empty()) return "a free component presses";
-  if (problem.integration.method == IntegrationMethod::kExact) return "it is integrated exactly";
-  for (const CaseDefinition& definition : problem.definitions) {
+  if (problem.integration.method == cases::IntegrationMethod::kExact)
+    return "it is integrated exactly";
+  for (const cases::CaseDefinition& definition : problem.definitions) {
     if (definition.law.formulation) return "its friction is a contact penalty";
     if (definition.dead_zone) return "it has a dead zone";
     if (definition.backward) return "its coefficient depends on the direction";
   }
-  for (const Step& step : problem.steps) {
+  for (const cases::Step& step : problem.steps) {
     if (!step.friction_changes.empty()) return "its friction changes in step '" + step.name + "'";
   }
   return std::nullopt;
@@ -54,8 +55,8 @@ bool mentions(std::string_view text, std::string_view name) {
   return false;
 }
 
-bool same(const Expression& a, const Expression& b, const NamedNumbers& parameters,
-          const NamedNumbers& others) {
+bool same(const base::Expression& a, const base::Expression& b,
+          const base::NamedNumbers& parameters, const base::NamedNumbers& others) {
   const auto matters = [&](const auto& parameter) {
     const auto other = others.find(parameter.first);
     const bool differs = other == others.end() || other->second != parameter.second;
@@ -64,18 +65,18 @@ bool same(const Expression& a, const Expression& b, const NamedNumbers& paramete
   return a.text() == b.text() && std::none_of(parameters.begin(), parameters.end(), matters);
 }
 
-bool same(const Profile& a, const Profile& b, const NamedNumbers& parameters,
-          const NamedNumbers& others) {
+bool same(const history::Profile& a, const history::Profile& b,
+          const base::NamedNumbers& parameters, const base::NamedNumbers& others) {
   if (a.index() != b.index()) return false;
   return std::visit(
       [&]<class Kind>(const Kind& one) {
         const Kind& other = *std::get_if<Kind>(&b);
-        if constexpr (std::is_same_v<Kind, Wave>) {
+        if constexpr (std::is_same_v<Kind, history::Wave>) {
           return one.shape == other.shape && one.amplitude == other.amplitude &&
                  one.period == other.period && one.mean == other.mean && one.phase == other.phase;
-        } else if constexpr (std::is_same_v<Kind, Tabular>) {
+        } else if constexpr (std::is_same_v<Kind, history::Tabular>) {
           return one.times == other.times && one.values == other.values;
-        } else if constexpr (std::is_same_v<Kind, CsvColumn>) {
+        } else if constexpr (std::is_same_v<Kind, history::CsvColumn>) {
           return one.data == other.data && one.time_column == other.time_column &&
                  one.time_conversion == other.time_conversion &&
                  one.value_column == other.value_column &&
@@ -89,21 +90,21 @@ bool same(const Profile& a, const Profile& b, const NamedNumbers& parameters,
       a);
 }
 
-bool same(const Step& a, const Step& b, const NamedNumbers& parameters,
-          const NamedNumbers& others) {
+bool same(const cases::Step& a, const cases::Step& b, const base::NamedNumbers& parameters,
+          const base::NamedNumbers& others) {
   return a.duration == b.duration && a.increments == b.increments && a.repeat == b.repeat &&
          std::equal(a.drives.begin(), a.drives.end(), b.drives.begin(), b.drives.end(),
-                    [&](const Drive& one, const Drive& other) {
+                    [&](const cases::Drive& one, const cases::Drive& other) {
                       return one.quantity == other.quantity &&
                              same(one.profile, other.profile, parameters, others);
                     });
 }
 
-bool same(const MeasuredSource& a, const MeasuredSource& b) {
+bool same(const history::MeasuredSource& a, const history::MeasuredSource& b) {
   return a.data == b.data && a.time_column == b.time_column &&
          a.time_conversion == b.time_conversion && a.hold == b.hold &&
          std::equal(a.columns.begin(), a.columns.end(), b.columns.begin(), b.columns.end(),
-                    [](const MeasuredColumn& one, const MeasuredColumn& other) {
+                    [](const history::MeasuredColumn& one, const history::MeasuredColumn& other) {
                       return one.quantity == other.quantity && one.column == other.column &&
                              one.conversion == other.conversion;
                     });
@@ -113,33 +114,33 @@ bool same(const MeasuredSource& a, const MeasuredSource& b) {
 
 // --- Recording ------------------------------------------------------------------------------
 
-tl::expected<Replay, std::string> Replay::record(const Case& problem,
-                                                 const std::function<void(const Row&)>& watch) {
+tl::expected<Replay, std::string> Replay::record(
+    const cases::Case& problem, const std::function<void(const bench::Row&)>& watch) {
   if (auto why = obstacle(problem)) return tl::unexpected(*std::move(why));
   Replay replay;
   replay.parameters_ = problem.parameters;
-  replay.jumps_ = problem.integration.snap_back == SnapBackAction::kJump;
+  replay.jumps_ = problem.integration.snap_back == cases::SnapBackAction::kJump;
   replay.initial_ = problem.initial;
   replay.reference_ = problem.reference;
   replay.steps_ = problem.steps;
   replay.measured_ = problem.measured;
   replay.measured_pieces_ = problem.measured_pieces;
 
-  std::array<bool, kQuantities> driven{};
-  for (const Step& step : problem.steps) {
-    for (const Drive& drive : step.drives)
+  std::array<bool, cases::kQuantities> driven{};
+  for (const cases::Step& step : problem.steps) {
+    for (const cases::Drive& drive : step.drives)
       driven.at(static_cast<std::size_t>(drive.quantity)) = true;
   }
   if (problem.measured) {
-    for (const MeasuredColumn& column : problem.measured->columns)
+    for (const history::MeasuredColumn& column : problem.measured->columns)
       driven.at(column.quantity) = true;
   }
-  for (int q = 0; q < kTensionBehind; ++q) {
+  for (int q = 0; q < cases::kTensionBehind; ++q) {
     if (!driven[static_cast<std::size_t>(q)]) continue;
-    (q < kFirstForce ? replay.columns_.motions : replay.columns_.others).push_back(q);
+    (q < cases::kFirstForce ? replay.columns_.motions : replay.columns_.others).push_back(q);
   }
 
-  const auto walked = Simulation::walk(problem, [&](const Row& row) {
+  const auto walked = bench::Simulation::walk(problem, [&](const bench::Row& row) {
     if (watch) watch(row);
     if (replay.times_.empty()) replay.first_ = row.quantities;
     replay.times_.push_back(row.time);
@@ -157,13 +158,13 @@ void Replay::record_row(double duration, std::span<const double> quantities) {
     increments_.push_back(quantities[static_cast<std::size_t>(q)]);
 }
 
-bool Replay::same_history(const Case& other) const {
+bool Replay::same_history(const cases::Case& other) const {
   return !obstacle(other) && initial_ == other.initial && reference_ == other.reference &&
          measured_pieces_ == other.measured_pieces &&
          measured_.has_value() == other.measured.has_value() &&
          (!measured_ || same(*measured_, *other.measured)) &&
          std::equal(steps_.begin(), steps_.end(), other.steps.begin(), other.steps.end(),
-                    [&](const Step& a, const Step& b) {
+                    [&](const cases::Step& a, const cases::Step& b) {
                       return same(a, b, parameters_, other.parameters);
                     });
 }
@@ -177,19 +178,19 @@ class Replay::Increments {
       : row_(replay.increments_.data()), columns_(replay.columns_), reference_(replay.reference_) {
     for (int c = 0; c < law::kComponents; ++c) {
       const auto k = static_cast<std::size_t>(c);
-      increment_.end.position[c] = replay.first_[kFirstMotion + k];
-      increment_.force[c] = replay.first_[kFirstForce + k];
+      increment_.end.position[c] = replay.first_[cases::kFirstMotion + k];
+      increment_.force[c] = replay.first_[cases::kFirstForce + k];
     }
     increment_.begin_position = increment_.end.position;
     increment_.end.motion = law::constitutive_motion(increment_.end.position, reference_);
-    increment_.end.temperature = replay.first_[kTemperatureQuantity];
-    std::copy_n(replay.first_.begin() + kFirstField, fields_.size(), fields_.begin());
+    increment_.end.temperature = replay.first_[cases::kTemperatureQuantity];
+    std::copy_n(replay.first_.begin() + cases::kFirstField, fields_.size(), fields_.begin());
     increment_.end.fields = fields_;
     for (const int q : columns_.others) {
-      targets_.push_back(q < kTemperatureQuantity ? &increment_.force[q - kFirstForce]
-                         : q == kTemperatureQuantity
+      targets_.push_back(q < cases::kTemperatureQuantity ? &increment_.force[q - cases::kFirstForce]
+                         : q == cases::kTemperatureQuantity
                              ? &increment_.end.temperature
-                             : &fields_[static_cast<std::size_t>(q) - kFirstField]);
+                             : &fields_[static_cast<std::size_t>(q) - cases::kFirstField]);
     }
   }
   Increments(const Increments&) = delete;
@@ -456,4 +457,4 @@ bool Replay::run(std::span<const law::FrictionDefinition> definitions,
   return run_all<true>(definitions, slopes, unknowns, responses, values.data(), jacobian.data());
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -16,9 +16,11 @@
 #include "driver/case/quantity.hpp"
 #include "law/sensitivity/sensitivity.hpp"
 
-namespace slipbench::driver {
-
+namespace slipbench::driver::bench {
 struct Row;
+}
+
+namespace slipbench::driver::calibrate {
 
 /// The increments of a case: all that the law is given, without the case.
 ///
@@ -46,14 +48,14 @@ class Replay {
   /// what is wrong with it.
   /// \param watch sees every row, row 0 first; they have no updates
   static tl::expected<Replay, std::string> record(
-      const Case& problem, const std::function<void(const Row&)>& watch = {});
+      const cases::Case& problem, const std::function<void(const bench::Row&)>& watch = {});
 
   /// Total times of all rows, row 0 first.
   std::span<const double> times() const { return times_; }
 
   /// Tells whether another case has the same history, bit by bit, and can be replayed: compares
   /// what the histories are made of, so that files are taken to be unchanged.
-  bool same_history(const Case& other) const;
+  bool same_history(const cases::Case& other) const;
 
   /// Runs the law with other definitions over the recorded increments: the forces are those of a
   /// Simulation, bit by bit. Definitions that no response reads are left out.
@@ -95,18 +97,18 @@ class Replay {
                std::span<const Response> responses, double* values, double* jacobian) const;
 
   Columns columns_;
-  std::array<double, kQuantities> first_{};  ///< all quantities of row 0
-  std::vector<double> increments_;           ///< row-major: duration, motions, others
+  std::array<double, cases::kQuantities> first_{};  ///< all quantities of row 0
+  std::vector<double> increments_;                  ///< row-major: duration, motions, others
   std::vector<double> times_;
   bool jumps_ = false;  ///< a run goes through jumps of the force (snap-back); else it ends there
 
   // What the history was made of.
-  NamedNumbers parameters_;
+  base::NamedNumbers parameters_;
   law::RelativePosition initial_;
   law::RelativePosition reference_;
-  std::vector<Step> steps_;
-  std::optional<MeasuredSource> measured_;
+  std::vector<cases::Step> steps_;
+  std::optional<history::MeasuredSource> measured_;
   int measured_pieces_ = 1;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -10,7 +10,7 @@
 #include "driver/base/files/work_crew.hpp"
 #include "driver/calibrate/table_lines.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 /// All that the functions of a problem work with.
@@ -123,7 +123,7 @@ struct Assembly {
         good[m] = run_partly(m, x, here, values, slopes);
       }
     };
-    for_each_index(models.size(), threads, run);
+    base::for_each_index(models.size(), threads, run);
     const long count = ++evaluations;
     if (std::find(good.begin(), good.end(), 0) != good.end()) return false;
     if (!jacobian.empty()) keep(x, all.empty() ? r.first(data_rows) : std::span<double>(all));
@@ -160,7 +160,7 @@ double measured_squares(std::span<const std::shared_ptr<const ExperimentModel>> 
 const law::Table* start_table(std::span<const std::shared_ptr<const ExperimentModel>> models,
                               const VariedTable& varied) {
   for (const auto& model : models) {
-    const Case& problem = model->experiment().base;
+    const cases::Case& problem = model->experiment().base;
     const auto with = definitions_with(problem, varied);
     if (with.empty()) continue;
     return &varied_table(problem.definitions[with.front()].law, varied.use)->table();
@@ -187,12 +187,12 @@ std::size_t fitted_points(const ExperimentModel& model) {
   return count;
 }
 
-ResidualProblem residual_problem(const Fit& fit,
-                                 std::vector<std::shared_ptr<const ExperimentModel>> models,
-                                 const ModelOptions& options, EvaluationWatch watch,
-                                 std::shared_ptr<ModelValues> values) {
+fit::ResidualProblem residual_problem(const Fit& fit,
+                                      std::vector<std::shared_ptr<const ExperimentModel>> models,
+                                      const ModelOptions& options, EvaluationWatch watch,
+                                      std::shared_ptr<ModelValues> values) {
   const auto assembly = std::make_shared<Assembly>();
-  ResidualProblem problem;
+  fit::ResidualProblem problem;
   problem.unknowns = options.unknowns;
   problem.loss = fit.loss;
   std::size_t work = 0;
@@ -213,7 +213,7 @@ ResidualProblem residual_problem(const Fit& fit,
     const VariedTable& varied = fit.tables[ordinates.table];
     const law::Table* table = start_table(models, varied);
     if (table == nullptr) continue;
-    for (ShapedBlock& block : shaped_blocks(*table, varied.shape, ordinates.first_unknown)) {
+    for (fit::ShapedBlock& block : shaped_blocks(*table, varied.shape, ordinates.first_unknown)) {
       problem.shapes.push_back(std::move(block));
     }
     if (varied.smoothness == 0.0) continue;
@@ -246,4 +246,4 @@ ResidualProblem residual_problem(const Fit& fit,
   return problem;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -11,7 +11,7 @@
 #include "driver/calibrate/fit.hpp"
 #include "driver/calibrate/fit/problem.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// Called at every evaluation: how many there were, and the sum of squares of the latest over 2.
 using EvaluationWatch = std::function<void(long evaluations, double cost)>;
@@ -33,10 +33,10 @@ struct ModelValues {
 ///
 /// \param models of the experiments that are fitted
 /// \param values is filled by the evaluations
-ResidualProblem residual_problem(const Fit& fit,
-                                 std::vector<std::shared_ptr<const ExperimentModel>> models,
-                                 const ModelOptions& options, EvaluationWatch watch,
-                                 std::shared_ptr<ModelValues> values);
+fit::ResidualProblem residual_problem(const Fit& fit,
+                                      std::vector<std::shared_ptr<const ExperimentModel>> models,
+                                      const ModelOptions& options, EvaluationWatch watch,
+                                      std::shared_ptr<ModelValues> values);
 
 /// Returns what a residual of a response is, in the quantity's unit, times this.
 double residual_factor(const ExperimentFit& experiment, const ResponseFit& response);
@@ -48,4 +48,4 @@ bool is_fitted(const ExperimentFit& experiment, const ResponseFit& response);
 /// Rows that an experiment has in the problem: the points of its fitted responses.
 std::size_t fitted_points(const ExperimentModel& model);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

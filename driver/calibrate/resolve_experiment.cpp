@@ -17,15 +17,15 @@
 #include "driver/read/resolve/resolve_expression.hpp"
 #include "driver/results/columns.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr Dimension kSpeed{.length = 1, .time = -1};
-constexpr Dimension kAngularSpeed{.time = -1, .angle = 1};
+constexpr base::Dimension kSpeed{.length = 1, .time = -1};
+constexpr base::Dimension kAngularSpeed{.time = -1, .angle = 1};
 
-std::string in_quotes(std::string_view name) { return "'" + printable(name) + "'"; }
+std::string in_quotes(std::string_view name) { return "'" + base::printable(name) + "'"; }
 
 std::vector<std::string_view> views(const std::vector<std::string>& names) {
   return {names.begin(), names.end()};
@@ -34,9 +34,9 @@ std::vector<std::string_view> views(const std::vector<std::string>& names) {
 /// A data column of one dimension, none if it is not known; `text` has unit, factor and offset.
 /// \param name of the column, as the fit gives it
 template <class Text>
-DataColumn data_column(Binder& binder, const Text& text, const At<std::string>& name,
-                       const CsvReader* file, std::span<const Dimension> dimensions,
-                       const UnitSystem& system) {
+DataColumn data_column(yaml::Binder& binder, const Text& text, const yaml::At<std::string>& name,
+                       const base::CsvReader* file, std::span<const base::Dimension> dimensions,
+                       const base::UnitSystem& system) {
   DataColumn result;
   result.name = name.value;
   result.factor = text.factor.value;
@@ -45,42 +45,42 @@ DataColumn data_column(Binder& binder, const Text& text, const At<std::string>& 
     binder.error(*text.factor.node, text.factor.path, "the factor 0 turns every number into 0");
   }
   if (!name.sound) return result;
-  const auto found =
-      column_unit(binder, file, name.value, *name.node, name.path, text.unit, dimensions, system);
+  const auto found = read::column_unit(binder, file, name.value, *name.node, name.path, text.unit,
+                                       dimensions, system);
   if (!found) return result;
   result.conversion = found->conversion;
-  const bool by_file = !text.unit.given() && found->conversion != UnitConversion{};
+  const bool by_file = !text.unit.given() && found->conversion != base::UnitConversion{};
   if (by_file && std::abs(result.factor) != 1.0) {
-    const std::string unit = printable(file->unit(name.value));
+    const std::string unit = base::printable(file->unit(name.value));
     binder.error(*text.factor.node, text.factor.path,
                  "the file gives column " + in_quotes(name.value) + " in " + unit +
                      ": is it to be converted before the factor?",
-                 "say so: 'unit: " + unit + "', or 'unit: " + unit_text(found->dimension, system) +
-                     "' for the factor alone");
+                 "say so: 'unit: " + unit + "', or 'unit: " +
+                     base::unit_text(found->dimension, system) + "' for the factor alone");
   }
   return result;
 }
 
-std::optional<double> number(const At<double>& at) {
+std::optional<double> number(const yaml::At<double>& at) {
   return at.sound ? std::optional(at.value) : std::nullopt;
 }
 
 /// A range of times must have an extent.
-void check_range(Binder& binder, const At<double>& from, const At<double>& to) {
+void check_range(yaml::Binder& binder, const yaml::At<double>& from, const yaml::At<double>& to) {
   if (!from.sound || !to.sound || from.value < to.value) return;
   binder.error(*to.node, to.path,
-               "'to' must be later than 'from', which is " + format_number(from.value) +
-                   "; found " + format_number(to.value));
+               "'to' must be later than 'from', which is " + base::format_number(from.value) +
+                   "; found " + base::format_number(to.value));
 }
 
 /// Every data column that an experiment names and was read without fault.
-std::vector<const At<std::string>*> column_uses(const ExperimentText& text) {
-  std::vector<const At<std::string>*> uses;
-  const auto add = [&](const At<std::string>& at) {
+std::vector<const yaml::At<std::string>*> column_uses(const ExperimentText& text) {
+  std::vector<const yaml::At<std::string>*> uses;
+  const auto add = [&](const yaml::At<std::string>& at) {
     if (at.sound) uses.push_back(&at);
   };
   add(text.time.value.column);
-  for (const Named<CompareText>& compare : text.compare.value) {
+  for (const yaml::Named<CompareText>& compare : text.compare.value) {
     add(compare.value.column);
     const OverColumnText& over = compare.value.over.value;
     add(over.column.given() ? over.column : over.quantity);
@@ -92,34 +92,34 @@ std::vector<const At<std::string>*> column_uses(const ExperimentText& text) {
 
 }  // namespace
 
-void ExperimentReader::pass_on(const Diagnostics& diagnostics) {
-  const auto same = [](const Diagnostic& a, const Diagnostic& b) {
+void ExperimentReader::pass_on(const base::Diagnostics& diagnostics) {
+  const auto same = [](const base::Diagnostic& a, const base::Diagnostic& b) {
     return a.file == b.file && a.where == b.where && a.path == b.path && a.message == b.message;
   };
-  const std::vector<Diagnostic> known = out_.diagnostics.sorted();
-  for (Diagnostic& one : diagnostics.sorted()) {
+  const std::vector<base::Diagnostic> known = out_.diagnostics.sorted();
+  for (base::Diagnostic& one : diagnostics.sorted()) {
     const bool said = std::any_of(known.begin(), known.end(),
-                                  [&](const Diagnostic& other) { return same(one, other); });
+                                  [&](const base::Diagnostic& other) { return same(one, other); });
     if (!said) out_.diagnostics.add(std::move(one));
   }
 }
 
-const ExperimentReader::Parsed& ExperimentReader::parse(const At<std::string>& name,
+const ExperimentReader::Parsed& ExperimentReader::parse(const yaml::At<std::string>& name,
                                                         const fs::path& file) {
   const auto [entry, is_new] = parsed_.try_emplace(file.string());
   Parsed& parsed = entry->second;
   if (!is_new) return parsed;
-  auto source = read_source(file.string());
+  auto source = base::read_source(file.string());
   if (!source) {
-    out_.environment_failure |= source.error().failure == ReadFailure::kEnvironment;
+    out_.environment_failure |= source.error().failure == base::ReadFailure::kEnvironment;
     binder_.error(*name.node, name.path,
-                  printable(name.value) + ": " + source.error().diagnostic.message,
+                  base::printable(name.value) + ": " + source.error().diagnostic.message,
                   source.error().diagnostic.hint);
     return parsed;
   }
   out_.sources.push_back(*source);
   const std::string folder = file.parent_path().string();
-  auto read = ParsedCase::parse(*source, folder.empty() ? "." : folder);
+  auto read = read::ParsedCase::parse(*source, folder.empty() ? "." : folder);
   if (read) {
     parsed = std::move(*read);
   } else {
@@ -137,14 +137,15 @@ void ExperimentReader::read_settings(const ExperimentText& text, ReadExperiment&
     return std::any_of(varied_.begin(), varied_.end(),
                        [&](const VariedParameter& varied) { return varied.name == name; });
   };
-  for (const Named<double>& set : text.set) {
+  for (const yaml::Named<double>& set : text.set) {
     if (!is_known(set.name)) {
-      binder_.error(
-          *set.key, set.path, result.case_name + " has no parameter " + in_quotes(set.name),
-          nearest_or(set.name, views(result.parameters),
-                     result.parameters.empty()
-                         ? "it has none at all"
-                         : "its parameters are: " + in_words(views(result.parameters), "and")));
+      binder_.error(*set.key, set.path,
+                    result.case_name + " has no parameter " + in_quotes(set.name),
+                    yaml::nearest_or(set.name, views(result.parameters),
+                                     result.parameters.empty()
+                                         ? "it has none at all"
+                                         : "its parameters are: " +
+                                               base::in_words(views(result.parameters), "and")));
       continue;
     }
     if (is_varied(set.name)) {
@@ -155,7 +156,7 @@ void ExperimentReader::read_settings(const ExperimentText& text, ReadExperiment&
     }
     if (set.sound) result.fit.settings.push_back({set.name, set.value});
   }
-  for (const ParameterText& override : options_.overrides) {
+  for (const base::ParameterText& override : options_.overrides) {
     if (is_known(override.name) && !is_varied(override.name)) {
       result.fit.settings.push_back(override);
     }
@@ -171,15 +172,15 @@ void ExperimentReader::read_case_file(const ExperimentText& text, ReadExperiment
   result.fit.case_path = file->lexically_normal();
   const Parsed& parsed = parse(text.case_file, result.fit.case_path);
   if (!parsed) return;
-  const Node root = parsed->root();
-  if (!key_of_fit(root)) result.root = root;
+  const yaml::Node root = parsed->root();
+  if (!read::key_of_fit(root)) result.root = root;
   if (const auto parameters = root.find("parameters")) {
-    for (const Entry entry : parameters->entries()) {
+    for (const yaml::Entry entry : parameters->entries()) {
       result.parameters.emplace_back(entry.key.text());
     }
   }
   read_settings(text, result);
-  ReadOptions options;
+  read::ReadOptions options;
   options.allow_outside = options_.allow_outside;
   options.overrides = result.fit.settings;
   for (const VariedParameter& varied : varied_) {
@@ -189,7 +190,7 @@ void ExperimentReader::read_case_file(const ExperimentText& text, ReadExperiment
       options.overrides.push_back({varied.name, varied.range.start});
     }
   }
-  ReadCase read = parsed->resolve(options);
+  read::ReadCase read = parsed->resolve(options);
   pass_on(read.diagnostics);
   out_.environment_failure |= read.environment_failure;
   out_.data_files.insert(out_.data_files.end(), read.data_files.begin(), read.data_files.end());
@@ -200,44 +201,46 @@ void ExperimentReader::read_case_file(const ExperimentText& text, ReadExperiment
 
 void ExperimentReader::read_data(const ExperimentText& text, ExperimentFit& fit) {
   data_.reset();
-  const auto source = data_source(binder_, text.data);
+  const auto source = read::data_source(binder_, text.data);
   if (!source) return;
   fit.data_file = source->shown_name;
   fit.data_path = source->file.lexically_normal();
   fit.data_format = source->format;
-  const auto fail = [&](const HistoryError& error) {
+  const auto fail = [&](const base::HistoryError& error) {
     binder_.history_error(*text.data.node, text.data.path, error);
   };
-  auto header = CsvReader::open(*source, {});
+  auto header = base::CsvReader::open(*source, {});
   if (!header) return fail(header.error());
   const std::vector<std::string> names(header->header().begin(), header->header().end());
   std::vector<std::string> wanted;
-  std::vector<const At<std::string>*> unknown;
-  for (const At<std::string>* use : column_uses(text)) {
+  std::vector<const yaml::At<std::string>*> unknown;
+  for (const yaml::At<std::string>* use : column_uses(text)) {
     // A name that may be two columns' is the reader's to refuse.
-    if (const auto found = match_column(names, use->value); found && !*found) {
+    if (const auto found = base::match_column(names, use->value); found && !*found) {
       unknown.push_back(use);
     } else {
       wanted.push_back(use->value);
     }
   }
   std::vector<std::string> all = wanted;
-  for (const At<std::string>* use : unknown) all.push_back(use->value);
+  for (const yaml::At<std::string>* use : unknown) all.push_back(use->value);
   const std::string remedy = unknown.empty() ? "" : header->remedy(all);
-  const std::string columns = "its columns are: " + few_in_words(views(names));
-  for (const At<std::string>* use : unknown) {
+  const std::string columns = "its columns are: " + base::few_in_words(views(names));
+  for (const yaml::At<std::string>* use : unknown) {
     binder_.error(
-        *use->node, use->path, printable(fit.data_file) + " has no column " + in_quotes(use->value),
-        remedy.empty() ? nearest_or(use->value, views(names), columns) : columns + remedy);
+        *use->node, use->path,
+        base::printable(fit.data_file) + " has no column " + in_quotes(use->value),
+        remedy.empty() ? yaml::nearest_or(use->value, views(names), columns) : columns + remedy);
   }
-  if (const auto chosen = CsvReader::open(*source, wanted); !chosen) return fail(chosen.error());
+  if (const auto chosen = base::CsvReader::open(*source, wanted); !chosen)
+    return fail(chosen.error());
   data_ = std::move(*header);
 }
 
 void ExperimentReader::read_responses(const ExperimentText& text, ReadExperiment& result) {
-  const Case& problem = result.fit.base;
-  const std::vector<Column> columns = result_columns(problem);
-  std::vector<std::string> names = column_names(problem);
+  const cases::Case& problem = result.fit.base;
+  const std::vector<results::Column> columns = results::result_columns(problem);
+  std::vector<std::string> names = results::column_names(problem);
   std::vector<std::string> variables{"T"};
   variables.insert(variables.end(), names.begin(), names.end());
   if (std::find(names.begin(), names.end(), "t") == names.end()) variables.push_back("t");
@@ -246,27 +249,27 @@ void ExperimentReader::read_responses(const ExperimentText& text, ReadExperiment
       variables.push_back(parameter);
     }
   }
-  const auto no_column = [&](const Node& node, const Path& path, const std::string& name,
-                             std::string otherwise) {
-    std::string hint = origin_of_column(name);
-    if (hint.empty()) hint = nearest_or(name, views(names), std::move(otherwise));
+  const auto no_column = [&](const yaml::Node& node, const yaml::Path& path,
+                             const std::string& name, std::string otherwise) {
+    std::string hint = read::origin_of_column(name);
+    if (hint.empty()) hint = yaml::nearest_or(name, views(names), std::move(otherwise));
     binder_.error(node, path, result.case_name + " has no result column " + in_quotes(name),
                   std::move(hint));
   };
-  for (const Named<CompareText>& compare : text.compare.value) {
+  for (const yaml::Named<CompareText>& compare : text.compare.value) {
     const CompareText& value = compare.value;
-    const auto column = find_column(problem, columns, compare.name);
-    if (!column && !Binder::is_expression(*compare.key)) {
+    const auto column = results::find_column(problem, columns, compare.name);
+    if (!column && !yaml::Binder::is_expression(*compare.key)) {
       no_column(*compare.key, compare.path, compare.name,
                 "an expression begins with '=', in quotes: \"= CSF1 + 10\"");
       continue;
     }
-    At<std::string> quantity;
+    yaml::At<std::string> quantity;
     quantity.value = compare.name;
     quantity.node = compare.key;
     quantity.path = compare.path;
     quantity.sound = true;
-    auto compiled = compile_expression(binder_, quantity, variables);
+    auto compiled = read::compile_expression(binder_, quantity, variables);
     if (!compiled) continue;
     if (compiled->variables.empty()) {
       binder_.error(*compare.key, compare.path, "is the same number whatever the model does");
@@ -278,20 +281,20 @@ void ExperimentReader::read_responses(const ExperimentText& text, ReadExperiment
                     "compare the result column itself, with 'factor' and 'offset' for its data");
       continue;
     }
-    const Dimension dimension = column ? column->dimension : Dimension{};
+    const base::Dimension dimension = column ? column->dimension : base::Dimension{};
     ResponseFit response{.quantity_text = compare.name,
                          .quantity = std::move(compiled->expression),
                          .variables = std::move(compiled->variables)};
     if (column) response.dimension = dimension;
-    const std::span<const Dimension> known(&dimension, column ? 1 : 0);
+    const std::span<const base::Dimension> known(&dimension, column ? 1 : 0);
     response.column = data_column(binder_, value, value.column, data(), known, problem.units);
     response.weight = value.weight.value;
     response.sigma = number(value.sigma);
     response.from = number(value.from);
     response.to = number(value.to);
-    if (const At<OverColumnText>& over = value.over; over.sound) {
-      const At<std::string>& name = over.value.quantity;
-      const auto position = find_column(problem, columns, name.value);
+    if (const yaml::At<OverColumnText>& over = value.over; over.sound) {
+      const yaml::At<std::string>& name = over.value.quantity;
+      const auto position = results::find_column(problem, columns, name.value);
       if (name.value == "t" || name.value == "T" || name.value == "time") {
         binder_.error(*name.node, name.path, "quantities are compared over time anyway",
                       "leave 'over' out");
@@ -314,7 +317,7 @@ void ExperimentReader::read_responses(const ExperimentText& text, ReadExperiment
 void ExperimentReader::read_cleaning(const ExperimentText& text, const ReadExperiment& known,
                                      ExperimentFit& fit) {
   check_range(binder_, text.from, text.to);
-  for (const Named<CompareText>& compare : text.compare.value) {
+  for (const yaml::Named<CompareText>& compare : text.compare.value) {
     check_range(binder_, compare.value.from, compare.value.to);
   }
   fit.from = number(text.from);
@@ -322,7 +325,7 @@ void ExperimentReader::read_cleaning(const ExperimentText& text, const ReadExper
   if (text.resample.given() && text.resample.node->is_map()) {
     const ResampleText& resample = text.resample.value;
     if (resample.every.given() == resample.points.given() &&
-        !has_unknown_key<ResampleText>(*text.resample.node)) {
+        !yaml::has_unknown_key<ResampleText>(*text.resample.node)) {
       binder_.error(*text.resample.node, text.resample.path,
                     resample.every.given() ? "takes 'every' or 'points', not both"
                                            : "needs 'every' or 'points'");
@@ -339,7 +342,7 @@ void ExperimentReader::read_cleaning(const ExperimentText& text, const ReadExper
   if (text.dead_band.given() && text.dead_band.node->is_map()) {
     const DeadBandText& band = text.dead_band.value;
     if (band.column.given() == band.position.given() &&
-        !has_unknown_key<DeadBandText>(*text.dead_band.node)) {
+        !yaml::has_unknown_key<DeadBandText>(*text.dead_band.node)) {
       binder_.error(*text.dead_band.node, text.dead_band.path,
                     band.column.given() ? "takes 'column' or 'position', not both"
                                         : "needs the 'column' of a speed, or a 'position'");
@@ -349,13 +352,14 @@ void ExperimentReader::read_cleaning(const ExperimentText& text, const ReadExper
     result.column.name = result.of_position ? band.position.value : band.column.value;
     result.below = band.below.value;
     if (known.read) {
-      const std::array<Dimension, 2> dimensions =
-          result.of_position ? std::array{kLength, kAngle} : std::array{kSpeed, kAngularSpeed};
-      const At<std::string>& column = result.of_position ? band.position : band.column;
-      const auto found = column.sound
-                             ? column_unit(binder_, data(), column.value, *column.node, column.path,
+      const std::array<base::Dimension, 2> dimensions =
+          result.of_position ? std::array{base::kLength, base::kAngle}
+                             : std::array{kSpeed, kAngularSpeed};
+      const yaml::At<std::string>& column = result.of_position ? band.position : band.column;
+      const auto found =
+          column.sound ? read::column_unit(binder_, data(), column.value, *column.node, column.path,
                                            band.unit, dimensions, known.fit.base.units)
-                             : std::nullopt;
+                       : std::nullopt;
       if (found) {
         result.column.conversion = found->conversion;
         if (found->dimension == dimensions[1]) result.speed = kAngularSpeed;
@@ -365,13 +369,13 @@ void ExperimentReader::read_cleaning(const ExperimentText& text, const ReadExper
   }
 }
 
-ReadExperiment ExperimentReader::read(const ExperimentText& text, const Node& node) {
+ReadExperiment ExperimentReader::read(const ExperimentText& text, const yaml::Node& node) {
   ReadExperiment result;
   ExperimentFit& fit = result.fit;
   fit.where = node.where();
   fit.weight = text.weight.value;
   if (text.name.sound) fit.name = text.name.value;
-  result.case_name = printable(text.case_file.value);
+  result.case_name = base::printable(text.case_file.value);
   read_case_file(text, result);
   read_data(text, fit);
   if (text.compare.sound && text.compare.value.empty()) {
@@ -381,12 +385,12 @@ ReadExperiment ExperimentReader::read(const ExperimentText& text, const Node& no
   if (result.read) {
     const DataColumnText& time = text.time.value;
     if (time.column.sound) {
-      fit.time =
-          data_column(binder_, time, time.column, data(), std::span(&kTime, 1), fit.base.units);
+      fit.time = data_column(binder_, time, time.column, data(), std::span(&base::kTime, 1),
+                             fit.base.units);
       if (time.factor.sound && time.factor.value < 0.0) {
         binder_.error(*time.factor.node, time.factor.path,
                       "time cannot run backwards: the factor must be greater than 0, found " +
-                          format_number(time.factor.value));
+                          base::format_number(time.factor.value));
       }
     }
     read_responses(text, result);
@@ -395,7 +399,7 @@ ReadExperiment ExperimentReader::read(const ExperimentText& text, const Node& no
   if (text.name.sound) {
     const std::string& name = text.name.value;
     if (name.empty() || name.front() == '.' || name.find('/') != std::string::npos ||
-        printable(name) != name) {
+        base::printable(name) != name) {
       binder_.error(*text.name.node, text.name.path,
                     "files are called by this name: it must not be empty, begin with '.' or "
                     "contain '/', found " +
@@ -405,4 +409,4 @@ ReadExperiment ExperimentReader::read(const ExperimentText& text, const Node& no
   return result;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

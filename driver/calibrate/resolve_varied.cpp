@@ -12,17 +12,17 @@
 #include "driver/base/text/suggestions.hpp"
 #include "law/friction/tabular_coefficient.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kFromCase = std::numeric_limits<double>::quiet_NaN();
 
-std::string in_quotes(std::string_view name) { return "'" + printable(name) + "'"; }
+std::string in_quotes(std::string_view name) { return "'" + base::printable(name) + "'"; }
 
 /// "between 0 and 1", "at least 0": bounds in words.
 std::string range_text(double lower, double upper) {
-  return in_words(law::Bounds{.lower = lower, .upper = upper});
+  return yaml::in_words(law::Bounds{.lower = lower, .upper = upper});
 }
 
 /// Bounds and scale, checked against each other.
@@ -32,9 +32,9 @@ struct Range {
   bool sound = true;
 };
 
-Range range_of(Binder& binder, const At<BoundsText>& bounds, const At<Scale>& scale,
-               double default_lower) {
-  const bool log = scale.value == Scale::kLog;
+Range range_of(yaml::Binder& binder, const yaml::At<BoundsText>& bounds,
+               const yaml::At<fit::Scale>& scale, double default_lower) {
+  const bool log = scale.value == fit::Scale::kLog;
   Range range{default_lower, kInfinity};
   if (!bounds.given()) {
     if (log) range.lower = std::max(range.lower, 0.0);
@@ -50,7 +50,7 @@ Range range_of(Binder& binder, const At<BoundsText>& bounds, const At<Scale>& sc
     range.sound = false;
   };
   const auto found = [&] {
-    return "[" + format_number(range.lower) + ", " + format_number(range.upper) + "]";
+    return "[" + base::format_number(range.lower) + ", " + base::format_number(range.upper) + "]";
   };
   if (range.lower > range.upper) {
     error("the bounds stand upside down: " + found());
@@ -58,7 +58,7 @@ Range range_of(Binder& binder, const At<BoundsText>& bounds, const At<Scale>& sc
     error("the bounds are equal: " + found() + " leaves nothing to vary",
           "a fixed number goes under 'set' of the experiments");
   } else if (log && lower && *lower <= 0.0) {
-    error("a logarithmic scale has positive bounds, found " + format_number(*lower),
+    error("a logarithmic scale has positive bounds, found " + base::format_number(*lower),
           "write 'none' for the lower bound, or a small number");
   }
   return range;
@@ -66,13 +66,13 @@ Range range_of(Binder& binder, const At<BoundsText>& bounds, const At<Scale>& sc
 
 /// Tells whether a start lies within its range; says otherwise where `say` puts it.
 template <class Say>
-bool start_in_range(double start, const UnknownRange& range, Say say) {
-  if (range.scale == Scale::kLog && !(start > 0.0)) {
-    say("a logarithmic scale needs a positive start, found " + format_number(start));
+bool start_in_range(double start, const fit::UnknownRange& range, Say say) {
+  if (range.scale == fit::Scale::kLog && !(start > 0.0)) {
+    say("a logarithmic scale needs a positive start, found " + base::format_number(start));
     return false;
   }
   if (start >= range.lower && start <= range.upper) return true;
-  say("the start " + format_number(start) + " is outside the bounds: it must be " +
+  say("the start " + base::format_number(start) + " is outside the bounds: it must be " +
       range_text(range.lower, range.upper));
   return false;
 }
@@ -80,7 +80,7 @@ bool start_in_range(double start, const UnknownRange& range, Say say) {
 /// Names of a list, for messages.
 std::string list_of(const std::vector<std::string>& names) {
   const std::vector<std::string_view> views(names.begin(), names.end());
-  return few_in_words(views);
+  return base::few_in_words(views);
 }
 
 void add_once(std::vector<std::string>& names, const std::string& name) {
@@ -99,7 +99,7 @@ bool any_fitted(std::span<const ReadExperiment> experiments) {
 
 }  // namespace
 
-std::vector<std::size_t> definitions_of(const Case& problem, std::string_view definition) {
+std::vector<std::size_t> definitions_of(const cases::Case& problem, std::string_view definition) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < problem.definitions.size(); ++i) {
     const std::string_view name = problem.definitions[i].name;
@@ -110,7 +110,7 @@ std::vector<std::size_t> definitions_of(const Case& problem, std::string_view de
   return found;
 }
 
-VariedParameter varied_parameter(Binder& binder, const Named<VaryText>& text) {
+VariedParameter varied_parameter(yaml::Binder& binder, const yaml::Named<VaryText>& text) {
   VariedParameter result;
   result.name = text.name;
   result.where = text.key->where();
@@ -128,7 +128,7 @@ VariedParameter varied_parameter(Binder& binder, const Named<VaryText>& text) {
   return result;
 }
 
-void settle_parameters(Binder& binder, const NamedMap<VaryText>& texts,
+void settle_parameters(yaml::Binder& binder, const yaml::NamedMap<VaryText>& texts,
                        std::span<const ReadExperiment> experiments,
                        std::vector<VariedParameter>& parameters) {
   std::vector<std::string> known;
@@ -140,7 +140,7 @@ void settle_parameters(Binder& binder, const NamedMap<VaryText>& texts,
   }
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     VariedParameter& parameter = parameters[i];
-    const Named<VaryText>& text = texts[i];
+    const yaml::Named<VaryText>& text = texts[i];
     const ReadExperiment* first = nullptr;
     bool fitted = false;
     for (const ReadExperiment& experiment : experiments) {
@@ -151,11 +151,12 @@ void settle_parameters(Binder& binder, const NamedMap<VaryText>& texts,
     if (first == nullptr) {
       if (!all_parsed) continue;
       const std::vector<std::string_view> names(known.begin(), known.end());
-      binder.error(*text.key, text.path, "no case has a parameter " + in_quotes(text.name),
-                   nearest_or(text.name, names,
-                              known.empty() ? "give the number a name under 'parameters:' of its "
-                                              "case, and write '= NAME' in its place"
-                                            : "parameters there are: " + list_of(known)));
+      binder.error(
+          *text.key, text.path, "no case has a parameter " + in_quotes(text.name),
+          yaml::nearest_or(text.name, names,
+                           known.empty() ? "give the number a name under 'parameters:' of its "
+                                           "case, and write '= NAME' in its place"
+                                         : "parameters there are: " + list_of(known)));
       continue;
     }
     if (!fitted && all_parsed) {
@@ -174,8 +175,8 @@ void settle_parameters(Binder& binder, const NamedMap<VaryText>& texts,
         parameter.range.start = value;
       } else if (value != parameter.range.start) {
         binder.error(*text.key, text.path,
-                     "is " + format_number(parameter.range.start) + " in " + from->case_name +
-                         " and " + format_number(value) + " in " + experiment.case_name +
+                     "is " + base::format_number(parameter.range.start) + " in " + from->case_name +
+                         " and " + base::format_number(value) + " in " + experiment.case_name +
                          ": where is the search to begin?",
                      "give it a 'start'");
         break;
@@ -217,10 +218,10 @@ std::string_view word_of(VariedTable::Use use) {
 /// One entry of `friction:` as a case's text has it.
 struct FrictionEntry {
   std::string name;
-  Node node;
+  yaml::Node node;
 };
 
-std::vector<FrictionEntry> friction_entries(const Node& root) {
+std::vector<FrictionEntry> friction_entries(const yaml::Node& root) {
   std::vector<FrictionEntry> entries;
   const auto list = root.find("friction");
   if (!list || !list->is_sequence()) return entries;
@@ -233,7 +234,7 @@ std::vector<FrictionEntry> friction_entries(const Node& root) {
 }
 
 /// The record of part pairs that gives a case its coefficient.
-std::optional<Node> pair_record(const Node& root, const Case& problem) {
+std::optional<yaml::Node> pair_record(const yaml::Node& root, const cases::Case& problem) {
   const auto pairs = root.find("friction_pairs");
   if (!pairs || !problem.pair) return std::nullopt;
   std::string_view record = problem.pair->record;
@@ -246,8 +247,9 @@ std::optional<Node> pair_record(const Node& root, const Case& problem) {
 }
 
 /// The key under which predefined friction has the internal contact force of a definition.
-std::optional<Node> predefined_internal_force(const Node& predefined, std::size_t definition,
-                                              std::size_t definitions) {
+std::optional<yaml::Node> predefined_internal_force(const yaml::Node& predefined,
+                                                    std::size_t definition,
+                                                    std::size_t definitions) {
   constexpr std::array<std::array<std::string_view, 2>, 2> kKeys{
       {{"internal_contact_force", "internal_contact_moment_1"},
        {"internal_contact_moment", "internal_contact_moment_3"}}};
@@ -279,8 +281,8 @@ std::vector<Owned> owned_definitions(const ReadExperiment& experiment) {
 }
 
 /// Returns where a case writes what a varied table stands for.
-std::optional<Node> value_node(const ReadExperiment& experiment, const Owned& owned,
-                               VariedTable::Use use) {
+std::optional<yaml::Node> value_node(const ReadExperiment& experiment, const Owned& owned,
+                                     VariedTable::Use use) {
   const std::string_view key = word_of(use);
   if (const auto value = owned.entry.node.find(key)) return value;
   if (use == VariedTable::Use::kInternalContactForce) {
@@ -294,7 +296,7 @@ std::optional<Node> value_node(const ReadExperiment& experiment, const Owned& ow
 }
 
 /// The table that a definition has; null if it has none.
-const law::TableFunction* table_of(const CaseDefinition& definition, VariedTable::Use use) {
+const law::TableFunction* table_of(const cases::CaseDefinition& definition, VariedTable::Use use) {
   if (use == VariedTable::Use::kInternalContactForce) {
     return std::get_if<law::TableFunction>(&definition.law.internal_contact_force);
   }
@@ -302,7 +304,7 @@ const law::TableFunction* table_of(const CaseDefinition& definition, VariedTable
   return tabular == nullptr ? nullptr : &tabular->table;
 }
 
-bool has_two_laws(const CaseDefinition& definition) {
+bool has_two_laws(const cases::CaseDefinition& definition) {
   return definition.backward ||
          (definition.law.formulation && definition.law.formulation->orthotropy);
 }
@@ -317,7 +319,7 @@ struct FoundTable {
 /// Search of the cases for one key of `tables:`.
 class TableSearch {
  public:
-  TableSearch(Binder& binder, const Named<VariedTableText>& text,
+  TableSearch(yaml::Binder& binder, const yaml::Named<VariedTableText>& text,
               std::span<const ReadExperiment> experiments)
       : binder_(binder), text_(text), experiments_(experiments) {}
 
@@ -348,7 +350,7 @@ class TableSearch {
     for (const ReadExperiment& experiment : experiments_) {
       if (!experiment.read) continue;
       for (const Owned& owned : owned_definitions(experiment)) {
-        const CaseDefinition& definition = experiment.fit.base.definitions[owned.definition];
+        const cases::CaseDefinition& definition = experiment.fit.base.definitions[owned.definition];
         using Use = VariedTable::Use;
         if (table_of(definition, Use::kCoefficient) != nullptr) {
           add_once(names, owned.entry.name + "." + std::string(kCoefficient));
@@ -365,9 +367,9 @@ class TableSearch {
     const std::vector<std::string> tables = all_tables();
     const std::vector<std::string_view> names(tables.begin(), tables.end());
     error("no case has a table " + in_quotes(text_.name),
-          nearest_or(text_.name, names,
-                     tables.empty() ? how_to_write(VariedTable::Use::kCoefficient)
-                                    : "tables there are: " + list_of(tables)));
+          yaml::nearest_or(text_.name, names,
+                           tables.empty() ? how_to_write(VariedTable::Use::kCoefficient)
+                                          : "tables there are: " + list_of(tables)));
   }
 
   static std::string how_to_write(VariedTable::Use use) {
@@ -401,7 +403,7 @@ class TableSearch {
       const std::string* entry_name = nullptr;
       const std::vector<Owned> all = owned_definitions(experiment);
       for (const Owned& owned : all) {
-        const CaseDefinition& definition = experiment.fit.base.definitions[owned.definition];
+        const cases::CaseDefinition& definition = experiment.fit.base.definitions[owned.definition];
         if (!name.definition.empty() && owned.entry.name != name.definition &&
             definition.name != name.definition) {
           continue;
@@ -457,11 +459,11 @@ class TableSearch {
     return same_everywhere();
   }
 
-  static std::vector<std::string> columns_of(const std::optional<Node>& node) {
+  static std::vector<std::string> columns_of(const std::optional<yaml::Node>& node) {
     std::vector<std::string> names;
     const auto columns = node ? node->find("columns") : std::nullopt;
     if (!columns || !columns->is_sequence()) return names;
-    for (const Node column : columns->items()) names.emplace_back(column.text());
+    for (const yaml::Node column : columns->items()) names.emplace_back(column.text());
     return names;
   }
 
@@ -484,7 +486,7 @@ class TableSearch {
         const double there = compared.ordinate(row, 0);
         if (here == there) continue;
         error("row " + std::to_string(row + 1) + " of the tables of " + both + " begins at " +
-                  format_number(here) + " and " + format_number(there),
+                  base::format_number(here) + " and " + base::format_number(there),
               "write the same numbers: they are where the search begins");
         return false;
       }
@@ -528,7 +530,7 @@ class TableSearch {
     if (range.sound && range.lower < 0.0) {
       binder_.error(*text.bounds.node, text.bounds.path,
                     "the numbers of this table must be at least 0, found the bound " +
-                        format_number(range.lower));
+                        base::format_number(range.lower));
       good = false;
     }
     return good && range.sound && starts_in_range(result);
@@ -538,7 +540,7 @@ class TableSearch {
     const law::Table& table = found_.front().table->table();
     for (std::size_t row = 0; row < table.rows(); ++row) {
       const double start = table.ordinate(row, 0);
-      const UnknownRange range{start, result.lower, result.upper, result.scale};
+      const fit::UnknownRange range{start, result.lower, result.upper, result.scale};
       if (!start_in_range(start, range, [&](const std::string& message) {
             error("row " + std::to_string(row + 1) + " of the table in " +
                   found_.front().experiment->case_name + ": " + message);
@@ -549,8 +551,8 @@ class TableSearch {
     return true;
   }
 
-  Binder& binder_;
-  const Named<VariedTableText>& text_;
+  yaml::Binder& binder_;
+  const yaml::Named<VariedTableText>& text_;
   std::span<const ReadExperiment> experiments_;
   std::vector<FoundTable> found_;
   std::optional<std::string> definition_;  ///< name in all cases; empty: every definition
@@ -558,10 +560,11 @@ class TableSearch {
 
 }  // namespace
 
-std::vector<VariedTable> varied_tables(Binder& binder, const NamedMap<VariedTableText>& texts,
+std::vector<VariedTable> varied_tables(yaml::Binder& binder,
+                                       const yaml::NamedMap<VariedTableText>& texts,
                                        std::span<const ReadExperiment> experiments) {
   std::vector<VariedTable> tables;
-  for (const Named<VariedTableText>& text : texts) {
+  for (const yaml::Named<VariedTableText>& text : texts) {
     auto table = TableSearch(binder, text, experiments).read();
     if (!table) continue;
     for (const VariedTable& other : tables) {
@@ -580,18 +583,18 @@ std::vector<VariedTable> varied_tables(Binder& binder, const NamedMap<VariedTabl
 namespace {
 
 /// Tells whether the ordinates of one block keep a shape.
-bool has_shape(std::span<const double> x, std::span<const double> y, const Shape& shape) {
+bool has_shape(std::span<const double> x, std::span<const double> y, const fit::Shape& shape) {
   double before = 0.0;
   for (std::size_t i = 1; i < x.size(); ++i) {
     const double slope = (y[i] - y[i - 1]) / (x[i] - x[i - 1]);
-    if (shape.monotone == Shape::Monotone::kIncreasing && slope < 0.0) return false;
-    if (shape.monotone == Shape::Monotone::kDecreasing && slope > 0.0) return false;
+    if (shape.monotone == fit::Shape::Monotone::kIncreasing && slope < 0.0) return false;
+    if (shape.monotone == fit::Shape::Monotone::kDecreasing && slope > 0.0) return false;
     // Slopes that are equal but for rounding are a straight line.
     const double rounding = 1e-12 * (std::abs(slope) + std::abs(before));
-    if (i > 1 && shape.curvature == Shape::Curvature::kConvex && slope < before - rounding) {
+    if (i > 1 && shape.curvature == fit::Shape::Curvature::kConvex && slope < before - rounding) {
       return false;
     }
-    if (i > 1 && shape.curvature == Shape::Curvature::kConcave && slope > before + rounding) {
+    if (i > 1 && shape.curvature == fit::Shape::Curvature::kConcave && slope > before + rounding) {
       return false;
     }
     before = slope;
@@ -601,7 +604,7 @@ bool has_shape(std::span<const double> x, std::span<const double> y, const Shape
 
 }  // namespace
 
-bool has_shape(const Case& problem, const VariedTable& table) {
+bool has_shape(const cases::Case& problem, const VariedTable& table) {
   for (const std::size_t i : definitions_of(problem, table.definition)) {
     const law::TableFunction* function = table_of(problem.definitions[i], table.use);
     if (function == nullptr) continue;
@@ -625,4 +628,4 @@ bool has_shape(const Case& problem, const VariedTable& table) {
   return true;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -11,12 +11,12 @@
 #include "driver/calibrate/fit.hpp"
 #include "driver/calibrate/fit_text.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// An experiment as far as it was read, with its case.
 struct ReadExperiment {
   ExperimentFit fit;                    ///< its base only where `read` says so
-  std::optional<Node> root;             ///< of the case's text
+  std::optional<yaml::Node> root;       ///< of the case's text
   std::vector<std::string> parameters;  ///< names, in the order of the case
   bool read = false;                    ///< whether the case is sound
   std::string case_name;                ///< for messages
@@ -25,23 +25,24 @@ struct ReadExperiment {
 /// The definitions of a case to which a varied table belongs: of the friction entry of that name,
 /// one or, where predefined friction gives several, all of them; of every one if the fit names
 /// none.
-std::vector<std::size_t> definitions_of(const Case& problem, std::string_view definition);
+std::vector<std::size_t> definitions_of(const cases::Case& problem, std::string_view definition);
 
 /// Start, bounds and scale of a parameter, checked against each other. The start is not a number
 /// if the fit leaves it to the case.
-VariedParameter varied_parameter(Binder& binder, const Named<VaryText>& text);
+VariedParameter varied_parameter(yaml::Binder& binder, const yaml::Named<VaryText>& text);
 
 /// Gives every parameter its start, and reports those that no fitted case has, or whose start is
 /// outside their bounds.
-void settle_parameters(Binder& binder, const NamedMap<VaryText>& texts,
+void settle_parameters(yaml::Binder& binder, const yaml::NamedMap<VaryText>& texts,
                        std::span<const ReadExperiment> experiments,
                        std::vector<VariedParameter>& parameters);
 
 /// The tables of a fit; every fault is reported.
-std::vector<VariedTable> varied_tables(Binder& binder, const NamedMap<VariedTableText>& texts,
+std::vector<VariedTable> varied_tables(yaml::Binder& binder,
+                                       const yaml::NamedMap<VariedTableText>& texts,
                                        std::span<const ReadExperiment> experiments);
 
 /// Tells whether the numbers of a varied table in a case have the shape that the fit wants of them.
-bool has_shape(const Case& problem, const VariedTable& table);
+bool has_shape(const cases::Case& problem, const VariedTable& table);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

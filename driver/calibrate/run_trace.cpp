@@ -10,33 +10,35 @@
 
 #include "law/base/notation.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
-std::optional<int> component_of(const Case& problem, const Column& column) {
-  if (!is_friction_force(column) || column.definition < 0) return std::nullopt;
+std::optional<int> component_of(const cases::Case& problem, const results::Column& column) {
+  if (!results::is_friction_force(column) || column.definition < 0) return std::nullopt;
   const law::SlipSpace& slip =
       problem.definitions[static_cast<std::size_t>(column.definition)].law.slip;
   return slip.component[static_cast<std::size_t>(column.index)];
 }
 
 /// The position of the component whose friction force is the only one that a quantity uses.
-std::optional<Column> position_column(const Case& problem, std::span<const Column> columns,
-                                      const ResponseFit& response) {
+std::optional<results::Column> position_column(const cases::Case& problem,
+                                               std::span<const results::Column> columns,
+                                               const ResponseFit& response) {
   std::optional<int> component;
   for (const std::string& name : response.variables) {
-    const auto column = find_column(problem, columns, name);
+    const auto column = results::find_column(problem, columns, name);
     if (!column) continue;
     const auto here = component_of(problem, *column);
     if (!here || (component && *component != *here)) return std::nullopt;
     component = here;
   }
   if (!component) return std::nullopt;
-  const auto is_its_position = [&](const Column& column) {
-    return is_position(column) && column.index == *component && column.name.starts_with("CP");
+  const auto is_its_position = [&](const results::Column& column) {
+    return results::is_position(column) && column.index == *component &&
+           column.name.starts_with("CP");
   };
   const auto found = std::find_if(columns.begin(), columns.end(), is_its_position);
-  return found == columns.end() ? std::nullopt : std::optional<Column>(*found);
+  return found == columns.end() ? std::nullopt : std::optional<results::Column>(*found);
 }
 
 /// The text of a quantity that is nothing but a column.
@@ -49,15 +51,15 @@ bool is_plain(const ResponseFit& response) {
 
 }  // namespace
 
-std::optional<ForceResponse> force_response(const Case& problem, const ResponseFit& response,
+std::optional<ForceResponse> force_response(const cases::Case& problem, const ResponseFit& response,
                                             double scale) {
-  const std::vector<Column> columns = result_columns(problem);
+  const std::vector<results::Column> columns = results::result_columns(problem);
   std::optional<ForceResponse> found;
   std::vector<double> arguments(response.variables.size(), 0.0);
   for (std::size_t i = 0; i < response.variables.size(); ++i) {
     const std::string& name = response.variables[i];
     if (name == "t" || name == "T") return std::nullopt;
-    if (const auto column = find_column(problem, columns, name)) {
+    if (const auto column = results::find_column(problem, columns, name)) {
       const auto component = component_of(problem, *column);
       if (!component || found) return std::nullopt;
       found = ForceResponse{*component, i, is_plain(response)};
@@ -87,23 +89,23 @@ std::optional<ForceResponse> force_response(const Case& problem, const ResponseF
   return found;
 }
 
-tl::expected<RunTracer, std::string> RunTracer::make(const Case& problem,
+tl::expected<RunTracer, std::string> RunTracer::make(const cases::Case& problem,
                                                      const ExperimentFit& experiment,
                                                      bool with_values) {
   RunTracer tracer(problem);
-  const std::vector<Column> columns = result_columns(problem);
+  const std::vector<results::Column> columns = results::result_columns(problem);
   tracer.expressions_.reserve(experiment.responses.size());  // readers keep references
   for (const ResponseFit& response : experiment.responses) {
     Reader reader;
     if (with_values) {
       tracer.expressions_.push_back(response.quantity);
-      auto value =
-          RowExpression::make(problem, columns, tracer.expressions_.back(), response.variables);
+      auto value = check::RowExpression::make(problem, columns, tracer.expressions_.back(),
+                                              response.variables);
       if (!value) return tl::unexpected(value.error());
       reader.value = std::move(*value);
     }
     if (response.over) {
-      reader.over = find_column(problem, columns, *response.over);
+      reader.over = results::find_column(problem, columns, *response.over);
       if (!reader.over) {
         return tl::unexpected("there is no result column '" + *response.over + "'");
       }
@@ -117,7 +119,7 @@ tl::expected<RunTracer, std::string> RunTracer::make(const Case& problem,
   return tracer;
 }
 
-tl::expected<void, std::string> RunTracer::take(const Row& row) {
+tl::expected<void, std::string> RunTracer::take(const bench::Row& row) {
   trace_.time.push_back(row.time);
   for (std::size_t i = 0; i < readers_.size(); ++i) {
     Reader& reader = readers_[i];
@@ -130,18 +132,20 @@ tl::expected<void, std::string> RunTracer::take(const Row& row) {
       }
       response.value.push_back(*value);
     }
-    if (reader.over) response.over.push_back(column_value(*reader.over, *case_, row));
-    if (reader.position) response.position.push_back(column_value(*reader.position, *case_, row));
+    if (reader.over) response.over.push_back(results::column_value(*reader.over, *case_, row));
+    if (reader.position)
+      response.position.push_back(results::column_value(*reader.position, *case_, row));
   }
   return {};
 }
 
-tl::expected<RunTrace, std::string> trace_run(const Case& problem, const ExperimentFit& experiment,
+tl::expected<RunTrace, std::string> trace_run(const cases::Case& problem,
+                                              const ExperimentFit& experiment,
                                               std::vector<std::string>* positions) {
   auto tracer = RunTracer::make(problem, experiment, true);
   if (!tracer) return tl::unexpected(tracer.error());
   if (positions != nullptr) *positions = tracer->position_names();
-  auto simulation = Simulation::start(problem);
+  auto simulation = bench::Simulation::start(problem);
   if (!simulation) return tl::unexpected(simulation.error().message);
   while (true) {
     if (auto taken = tracer->take(simulation->row()); !taken) return tl::unexpected(taken.error());
@@ -151,9 +155,9 @@ tl::expected<RunTrace, std::string> trace_run(const Case& problem, const Experim
   }
 }
 
-bool is_position(const Case& problem, std::string_view name) {
-  const auto column = find_column(problem, result_columns(problem), name);
-  return column && is_position(*column);
+bool is_position(const cases::Case& problem, std::string_view name) {
+  const auto column = results::find_column(problem, results::result_columns(problem), name);
+  return column && results::is_position(*column);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -15,7 +15,7 @@
 #include "driver/check/row_values.hpp"
 #include "driver/results/columns.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// The friction force of one component that a quantity is linear in: "CSF1", "= -CSF1 + offset".
 struct ForceResponse {
@@ -26,7 +26,7 @@ struct ForceResponse {
 
 /// The force that a response of a case is linear in; nothing if it uses time or another column, or
 /// if it is not linear for forces up to `scale`.
-std::optional<ForceResponse> force_response(const Case& problem, const ResponseFit& response,
+std::optional<ForceResponse> force_response(const cases::Case& problem, const ResponseFit& response,
                                             double scale);
 
 /// The rows of a run, column by column.
@@ -45,12 +45,12 @@ class RunTracer {
  public:
   /// \param with_values false: the values of the responses are not collected
   /// Errors, in a sentence: a quantity that the case does not have.
-  static tl::expected<RunTracer, std::string> make(const Case& problem,
+  static tl::expected<RunTracer, std::string> make(const cases::Case& problem,
                                                    const ExperimentFit& experiment,
                                                    bool with_values);
 
   /// Error, in a sentence: a response without a value.
-  tl::expected<void, std::string> take(const Row& row);
+  tl::expected<void, std::string> take(const bench::Row& row);
 
   RunTrace& trace() { return trace_; }
   /// Names of the columns in RunTrace::Response::position; empty where there is none.
@@ -58,15 +58,15 @@ class RunTracer {
 
  private:
   struct Reader {
-    std::optional<RowExpression> value;
-    std::optional<Column> over;
-    std::optional<Column> position;
+    std::optional<check::RowExpression> value;
+    std::optional<results::Column> over;
+    std::optional<results::Column> position;
   };
 
-  explicit RunTracer(const Case& problem) : case_(&problem) {}
+  explicit RunTracer(const cases::Case& problem) : case_(&problem) {}
 
-  const Case* case_;
-  std::vector<Expression> expressions_;  ///< one run's own: they are not for several threads
+  const cases::Case* case_;
+  std::vector<base::Expression> expressions_;  ///< one run's own: they are not for several threads
   std::vector<Reader> readers_;
   std::vector<std::string> position_names_;
   RunTrace trace_;
@@ -74,11 +74,12 @@ class RunTracer {
 
 /// Runs a case and collects. Errors: those of the run and of RunTracer.
 /// \param[out] positions names of the position columns, if wanted
-tl::expected<RunTrace, std::string> trace_run(const Case& problem, const ExperimentFit& experiment,
+tl::expected<RunTrace, std::string> trace_run(const cases::Case& problem,
+                                              const ExperimentFit& experiment,
                                               std::vector<std::string>* positions = nullptr);
 
 /// Tells whether a column is a relative position, which no law has a say in where motions are
 /// prescribed.
-bool is_position(const Case& problem, std::string_view name);
+bool is_position(const cases::Case& problem, std::string_view name);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

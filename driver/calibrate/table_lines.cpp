@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 std::vector<TableLine> table_lines(const law::Table& table, int independent) {
   const auto along = static_cast<std::size_t>(independent);
@@ -30,9 +30,9 @@ std::vector<TableLine> table_lines(const law::Table& table, int independent) {
   return result;
 }
 
-std::vector<ShapedBlock> shaped_blocks(const law::Table& table, const Shape& shape,
-                                       std::size_t first_unknown) {
-  std::vector<ShapedBlock> blocks;
+std::vector<fit::ShapedBlock> shaped_blocks(const law::Table& table, const fit::Shape& shape,
+                                            std::size_t first_unknown) {
+  std::vector<fit::ShapedBlock> blocks;
   for (TableLine& line : table_lines(table, 0)) {
     // The first independent varies fastest: the rows of a line are neighbours.
     blocks.push_back({.first = first_unknown + line.rows.front(),
@@ -70,4 +70,4 @@ std::vector<SmoothnessRow> smoothness_rows(const law::Table& table, int column,
   return rows;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -10,7 +10,7 @@
 #include "driver/calibrate/fit/problem.hpp"
 #include "law/table/table.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// Rows of a table that differ in one independent only, ascending in it.
 struct TableLine {
@@ -26,8 +26,8 @@ std::vector<TableLine> table_lines(const law::Table& table, int independent);
 /// The rows' blocks along the first independent as blocks of unknowns that keep a shape, also one
 /// that leaves them free. Rows that are alone in their block are in none.
 /// \param first_unknown of the table's ordinates
-std::vector<ShapedBlock> shaped_blocks(const law::Table& table, const Shape& shape,
-                                       std::size_t first_unknown);
+std::vector<fit::ShapedBlock> shaped_blocks(const law::Table& table, const fit::Shape& shape,
+                                            std::size_t first_unknown);
 
 /// One row of smoothness: the sum of weight times ordinate over three neighbours,
 ///   d2 = f[x0, x1, x2] h^2/Y,  h the mean of both intervals, Y the largest |start ordinate|:
@@ -40,4 +40,4 @@ struct SmoothnessRow {
 std::vector<SmoothnessRow> smoothness_rows(const law::Table& table, int column,
                                            std::size_t first_unknown);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

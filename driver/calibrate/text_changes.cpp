@@ -12,7 +12,7 @@
 #include "driver/base/text/utf8.hpp"
 #include "driver/yaml/parse.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 struct Edit {
@@ -21,24 +21,26 @@ struct Edit {
   std::string text;
 };
 
-std::size_t offset_of(const Node& node) {
-  const SourceText& source = node.source();
-  const SourcePosition where = node.where();
+std::size_t offset_of(const yaml::Node& node) {
+  const base::SourceText& source = node.source();
+  const base::SourcePosition where = node.where();
   std::string_view rest = source.line(where.line);
   if (rest.empty()) return 0;
   std::size_t offset = static_cast<std::size_t>(rest.data() - source.text().data());
   for (int column = 1; column < where.column && !rest.empty(); ++column) {
-    const std::size_t length = decode_utf8(rest).length;
+    const std::size_t length = base::decode_utf8(rest).length;
     rest.remove_prefix(length);
     offset += length;
   }
   return offset;
 }
 
-std::string_view rest_of(const Node& node) { return node.source().text().substr(offset_of(node)); }
+std::string_view rest_of(const yaml::Node& node) {
+  return node.source().text().substr(offset_of(node));
+}
 
 /// A plain scalar cannot begin with a '*'.
-bool is_alias(const Node& node) {
+bool is_alias(const yaml::Node& node) {
   const std::string_view rest = rest_of(node);
   return !rest.empty() && rest.front() == '*';
 }
@@ -46,18 +48,18 @@ bool is_alias(const Node& node) {
 std::size_t bytes_of(std::string_view text, int code_points) {
   std::size_t bytes = 0;
   for (int i = 0; i < code_points && bytes < text.size(); ++i) {
-    bytes += decode_utf8(text.substr(bytes)).length;
+    bytes += base::decode_utf8(text.substr(bytes)).length;
   }
   return bytes;
 }
 
 /// Bytes of a key or a value on its line; nothing if it goes on over more.
-std::optional<std::size_t> scalar_length(const Node& node) {
+std::optional<std::size_t> scalar_length(const yaml::Node& node) {
   const std::string_view rest = rest_of(node);
   if (rest.empty()) return std::nullopt;
   const char first = rest.front();
   if (first == '"' || first == '\'') {
-    const std::size_t length = detail::quoted_length(rest);
+    const std::size_t length = yaml::detail::quoted_length(rest);
     const bool closed = length > 1 && rest[length - 1] == first;
     return closed ? std::optional(length) : std::nullopt;
   }
@@ -67,7 +69,7 @@ std::optional<std::size_t> scalar_length(const Node& node) {
 }
 
 /// A value that was left empty is shown at its key: it goes behind the ':'.
-Edit insertion(const Node& node, const std::string& text) {
+Edit insertion(const yaml::Node& node, const std::string& text) {
   const std::string_view source = node.source().text();
   const std::size_t key = offset_of(node);
   const std::size_t end = key + bytes_of(source.substr(key), node.where().length);
@@ -94,7 +96,7 @@ const NodeChange* child_of(const NodeChange* change, std::size_t index) {
   return found == change->children.end() ? nullptr : &found->second;
 }
 
-void append_flow(const Node& node, const NodeChange* change, std::string& out) {
+void append_flow(const yaml::Node& node, const NodeChange* change, std::string& out) {
   if (change != nullptr && change->text) {
     out += joined_lines(*change->text);
   } else if (node.is_null()) {
@@ -113,7 +115,7 @@ void append_flow(const Node& node, const NodeChange* change, std::string& out) {
     for (std::size_t i = 0; i < node.size(); ++i) {
       if (i > 0) out += ", ";
       const NodeChange* below = child_of(change, i);
-      const Node key = node.entry(i).key;
+      const yaml::Node key = node.entry(i).key;
       out += below != nullptr && below->key ? yaml_scalar(*below->key)
                                             : yaml_scalar(key.text(), key.quoted());
       out += ": ";
@@ -126,11 +128,11 @@ void append_flow(const Node& node, const NodeChange* change, std::string& out) {
 /// Collects what is to be written over the text.
 class Editor {
  public:
-  explicit Editor(const Node& root)
+  explicit Editor(const yaml::Node& root)
       : may_have_aliases_(root.source().text().find('*') != std::string_view::npos) {}
 
   /// Collects the changes in the order of the text.
-  void collect(const Node& node, const NodeChange* change) {
+  void collect(const yaml::Node& node, const NodeChange* change) {
     if (change == nullptr && !may_have_aliases_) return;
     if (may_have_aliases_ && is_alias(node)) {
       aliases_.emplace_back(node, change);
@@ -175,7 +177,7 @@ class Editor {
   }
 
  private:
-  void replace(const Node& node, const std::string& text) {
+  void replace(const yaml::Node& node, const std::string& text) {
     if (node.is_null() && node.text().empty()) {
       edits_.push_back(insertion(node, text));
       touched_.insert(offset_of(node));
@@ -195,7 +197,7 @@ class Editor {
   }
 
   /// Tells whether something that an alias stands for is replaced where its anchor is.
-  [[nodiscard]] bool is_touched(const Node& node, bool outermost = false) const {
+  [[nodiscard]] bool is_touched(const yaml::Node& node, bool outermost = false) const {
     // The alias itself has its own place: of a scalar, the anchor's is that of its text.
     if (node.is_scalar() || node.is_null()) {
       return outermost ? scalar_touched(node) : touched_.contains(offset_of(node));
@@ -206,7 +208,7 @@ class Editor {
     }
     return false;
   }
-  [[nodiscard]] bool scalar_touched(const Node& node) const {
+  [[nodiscard]] bool scalar_touched(const yaml::Node& node) const {
     const std::string_view source = node.source().text();
     const std::string_view text = node.text();
     const bool inside = text.data() >= source.data() && text.data() < source.data() + source.size();
@@ -216,16 +218,17 @@ class Editor {
   }
 
   bool may_have_aliases_;
-  std::vector<std::pair<Node, const NodeChange*>> aliases_;
+  std::vector<std::pair<yaml::Node, const NodeChange*>> aliases_;
   std::vector<Edit> edits_;
   std::set<std::size_t> touched_;
   std::string fault_;
 };
 
-bool same(const Node& old_node, const Node& new_node, const NodeChange* change) {
+bool same(const yaml::Node& old_node, const yaml::Node& new_node, const NodeChange* change) {
   if (change != nullptr && change->text) {
     if (new_node.is_scalar() && new_node.text() == *change->text) return true;
-    const auto wanted = parse_yaml(SourceText("", "value: " + joined_lines(*change->text) + "\n"));
+    const auto wanted =
+        yaml::parse_yaml(base::SourceText("", "value: " + joined_lines(*change->text) + "\n"));
     return wanted && same((*wanted).root()[0], new_node, nullptr);
   }
   if (old_node.kind() != new_node.kind() || old_node.size() != new_node.size()) return false;
@@ -255,20 +258,22 @@ std::string yaml_scalar(std::string_view text, bool quoted) {
   const bool signed_number =
       safe && text.size() > 1 && (text.front() == '-' || text.front() == '+') &&
       (std::isdigit(static_cast<unsigned char>(text[1])) != 0 || text[1] == '.');
-  return !quoted && (begins_well || signed_number) ? std::string(text) : json::Value(text).dump();
+  return !quoted && (begins_well || signed_number) ? std::string(text)
+                                                   : base::json::Value(text).dump();
 }
 
-tl::expected<std::string, std::string> with_changes(const Tree& tree, const NodeChange& changes) {
+tl::expected<std::string, std::string> with_changes(const yaml::Tree& tree,
+                                                    const NodeChange& changes) {
   Editor editor(tree.root());
   editor.collect(tree.root(), &changes);
   if (!editor.fault().empty()) return tl::unexpected(editor.fault());
   editor.expand_aliases();
   std::string text = editor.apply(tree.source().text());
-  const auto again = parse_yaml(SourceText(tree.source().name(), text));
+  const auto again = yaml::parse_yaml(base::SourceText(tree.source().name(), text));
   if (!again || !same(tree.root(), (*again).root(), &changes)) {
     return tl::unexpected(std::string("the text with the new numbers would not read back to them"));
   }
   return text;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -11,7 +11,7 @@
 
 #include "driver/yaml/node.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// Changes in a node and below it.
 struct NodeChange {
@@ -25,9 +25,10 @@ struct NodeChange {
 /// The text of the tree with its changes. Comments, layout and anchors stay; an alias that would no
 /// longer mean the same is written out. The result parses to the same tree but for the changes.
 /// Errors, a sentence with the line: a scalar over several lines, for which there is no place.
-tl::expected<std::string, std::string> with_changes(const Tree& tree, const NodeChange& changes);
+tl::expected<std::string, std::string> with_changes(const yaml::Tree& tree,
+                                                    const NodeChange& changes);
 
 /// A text as YAML reads it back wherever it stands, in quotes if need be.
 std::string yaml_scalar(std::string_view text, bool quoted = false);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

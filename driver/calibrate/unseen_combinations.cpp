@@ -11,7 +11,7 @@
 
 #include "driver/base/text/diagnostic.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 /// Sine of the angle between two columns below which they are parallel; derivatives by differences
@@ -59,7 +59,7 @@ std::string names(const Calibration& calibration, const std::vector<std::size_t>
   const std::string more =
       unknowns.size() > kMost ? fmt::format("{} more", unknowns.size() - kMost) : std::string();
   if (!more.empty()) list.push_back(more);
-  return in_words(list, "and");
+  return base::in_words(list, "and");
 }
 
 /// Returns what of two unknowns is seen whose columns are parallel, dr/db = a dr/da.
@@ -136,4 +136,4 @@ std::vector<UnseenCombination> unseen_combinations(const Calibration& calibratio
   return result;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -7,7 +7,7 @@
 
 #include "driver/calibrate/calibration.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// Unknowns that the data see together only.
 struct UnseenCombination {
@@ -21,4 +21,4 @@ struct UnseenCombination {
 /// if a = x_a/x_b, the quotient if a = -x_a/x_b, the sum or the difference if a = 1 or -1.
 std::vector<UnseenCombination> unseen_combinations(const Calibration& calibration);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -7,7 +7,7 @@
 
 #include "driver/base/text/format_number.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 /// Cells of a grid, the first independent fastest.
@@ -44,8 +44,8 @@ std::string cell_text(const FittedTable& table, const Grid& grid, std::size_t ce
   for (std::size_t k = 0; k < grid.axes(); ++k) {
     const std::vector<double>& knots = grid.knots(k);
     const std::size_t i = grid.index(cell, k);
-    text += (text.empty() ? "" : ", ") + table.columns[k] + " " + format_number(knots[i]);
-    if (knots.size() > 1) text += " .. " + format_number(knots[i + 1]);
+    text += (text.empty() ? "" : ", ") + table.columns[k] + " " + base::format_number(knots[i]);
+    if (knots.size() > 1) text += " .. " + base::format_number(knots[i + 1]);
     text += with_unit(table, k);
   }
   return text;
@@ -146,10 +146,10 @@ std::string unvisited_ranges(const FittedTable& table) {
         static_cast<std::size_t>(visited.rend() - std::find(visited.rbegin(), visited.rend(), 1));
     const std::string unit = with_unit(table, k);
     if (first > 0) {
-      tell(table.columns[k] + " below " + format_number(grid.knots(k)[first]) + unit);
+      tell(table.columns[k] + " below " + base::format_number(grid.knots(k)[first]) + unit);
     }
     if (past < count) {
-      tell(table.columns[k] + " above " + format_number(grid.knots(k)[past]) + unit);
+      tell(table.columns[k] + " above " + base::format_number(grid.knots(k)[past]) + unit);
     }
     for (std::size_t cell = 0; cell < grid.cells(); ++cell) {
       const std::size_t i = grid.index(cell, k);
@@ -167,4 +167,4 @@ std::string unvisited_ranges(const FittedTable& table) {
   return text;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -8,7 +8,7 @@
 
 #include "driver/calibrate/calibration.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// The distinct coordinates of a fitted table's rows, ascending, for each independent.
 std::vector<std::vector<double>> knots_of(const FittedTable& table);
@@ -30,4 +30,4 @@ void mark_edge_cells(const std::vector<char>& seen, FittedTable* table);
 /// not counted.
 std::string unvisited_ranges(const FittedTable& table);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

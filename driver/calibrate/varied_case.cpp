@@ -8,17 +8,18 @@
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/calibrate/resolve_varied.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 law::TableFunction* varied_table(law::FrictionDefinition& definition, VariedTable::Use use) {
-  return const_cast<law::TableFunction*>(driver::varied_table(std::as_const(definition), use));
+  return const_cast<law::TableFunction*>(
+      driver::calibrate::varied_table(std::as_const(definition), use));
 }
 
 /// The first error, in one line.
-std::string first_error(const Diagnostics& diagnostics) {
-  for (const Diagnostic& diagnostic : diagnostics.sorted()) {
-    if (diagnostic.severity != Severity::kError) continue;
+std::string first_error(const base::Diagnostics& diagnostics) {
+  for (const base::Diagnostic& diagnostic : diagnostics.sorted()) {
+    if (diagnostic.severity != base::Severity::kError) continue;
     return diagnostic.path + (diagnostic.path.empty() ? "" : ": ") + diagnostic.message;
   }
   return "it cannot be read";
@@ -35,7 +36,7 @@ const law::TableFunction* varied_table(const law::FrictionDefinition& definition
   return law == nullptr ? nullptr : &law->table;
 }
 
-std::vector<std::size_t> definitions_with(const Case& problem, const VariedTable& table) {
+std::vector<std::size_t> definitions_with(const cases::Case& problem, const VariedTable& table) {
   std::vector<std::size_t> found = definitions_of(problem, table.definition);
   std::erase_if(found, [&](std::size_t i) {
     return varied_table(problem.definitions[i].law, table.use) == nullptr;
@@ -66,10 +67,10 @@ std::vector<VariedOrdinates> varied_ordinates(const Fit& fit) {
 tl::expected<VariedCase, std::string> VariedCase::open(const Fit& fit,
                                                        const ExperimentFit& experiment,
                                                        std::span<const VariedOrdinates> ordinates) {
-  auto source = read_source(experiment.case_path.string());
+  auto source = base::read_source(experiment.case_path.string());
   if (!source) return tl::unexpected(source.error().diagnostic.message);
   const std::string folder = experiment.case_path.parent_path().string();
-  auto parsed = ParsedCase::parse(*source, folder.empty() ? "." : folder);
+  auto parsed = read::ParsedCase::parse(*source, folder.empty() ? "." : folder);
   if (!parsed) return tl::unexpected(first_error(parsed.error()));
   VariedCase varied(std::move(*parsed));
   varied.settings_ = experiment.settings;
@@ -89,16 +90,16 @@ tl::expected<VariedCase, std::string> VariedCase::open(const Fit& fit,
     varied.ordinates_.push_back(std::move(table));
   }
   if (varied.parameters_.empty()) {
-    for (const CaseDefinition& definition : experiment.base.definitions) {
+    for (const cases::CaseDefinition& definition : experiment.base.definitions) {
       varied.fixed_.push_back(definition.law);
     }
   }
   return varied;
 }
 
-ReadOptions VariedCase::options_at(std::span<const double> x) const {
+read::ReadOptions VariedCase::options_at(std::span<const double> x) const {
   // The files were judged when the fit was read.
-  ReadOptions options{.overrides = settings_, .allow_outside = true};
+  read::ReadOptions options{.overrides = settings_, .allow_outside = true};
   for (const Parameter& parameter : parameters_) {
     options.overrides.push_back({parameter.name, x[parameter.unknown]});
   }
@@ -129,7 +130,8 @@ tl::expected<std::vector<law::FrictionDefinition>, std::string> VariedCase::defi
     auto resolved = parsed_.resolve_friction_only(options_at(x));
     if (!resolved) return tl::unexpected(first_error(resolved.error()));
     definitions.reserve(resolved->size());
-    for (CaseDefinition& definition : *resolved) definitions.push_back(std::move(definition.law));
+    for (cases::CaseDefinition& definition : *resolved)
+      definitions.push_back(std::move(definition.law));
   }
   for (std::size_t i = 0; i < definitions.size(); ++i) {
     set_ordinates(x, i, definitions[i]);
@@ -137,11 +139,11 @@ tl::expected<std::vector<law::FrictionDefinition>, std::string> VariedCase::defi
   return definitions;
 }
 
-tl::expected<Case, std::string> VariedCase::case_at(std::span<const double> x) const {
-  ReadOptions options = options_at(x);
+tl::expected<cases::Case, std::string> VariedCase::case_at(std::span<const double> x) const {
+  read::ReadOptions options = options_at(x);
   // The checks are none of the fit's business.
   options.curves_may_be_missing = true;
-  ReadCase read = parsed_.resolve(options);
+  read::ReadCase read = parsed_.resolve(options);
   if (!read.value) return tl::unexpected(first_error(read.diagnostics));
   for (std::size_t i = 0; i < read.value->definitions.size(); ++i) {
     set_ordinates(x, i, read.value->definitions[i].law);
@@ -149,10 +151,11 @@ tl::expected<Case, std::string> VariedCase::case_at(std::span<const double> x) c
   return std::move(*read.value);
 }
 
-tl::expected<NamedNumbers, std::string> VariedCase::numbers_at(std::span<const double> x) const {
+tl::expected<base::NamedNumbers, std::string> VariedCase::numbers_at(
+    std::span<const double> x) const {
   auto numbers = parsed_.resolve_parameters_only(options_at(x));
   if (!numbers) return tl::unexpected(first_error(numbers.error()));
   return std::move(*numbers);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

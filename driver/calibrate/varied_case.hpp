@@ -14,7 +14,7 @@
 #include "driver/read/read_case.hpp"
 #include "law/definition/friction_definition.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// A table of a case whose ordinates are unknowns.
 struct VariedOrdinates {
@@ -30,7 +30,7 @@ struct VariedOrdinates {
 std::vector<VariedOrdinates> varied_ordinates(const Fit& fit);
 
 /// The definitions of a case that have a varied table.
-std::vector<std::size_t> definitions_with(const Case& problem, const VariedTable& table);
+std::vector<std::size_t> definitions_with(const cases::Case& problem, const VariedTable& table);
 
 /// The function of a varied table in a definition; null if it has none there.
 const law::TableFunction* varied_table(const law::FrictionDefinition& definition,
@@ -60,10 +60,10 @@ class VariedCase {
       std::span<const double> x) const;
 
   /// The whole case. Errors as before.
-  tl::expected<Case, std::string> case_at(std::span<const double> x) const;
+  tl::expected<cases::Case, std::string> case_at(std::span<const double> x) const;
 
   /// The numbers that expressions may use.
-  tl::expected<NamedNumbers, std::string> numbers_at(std::span<const double> x) const;
+  tl::expected<base::NamedNumbers, std::string> numbers_at(std::span<const double> x) const;
 
  private:
   struct Parameter {
@@ -71,15 +71,15 @@ class VariedCase {
     std::string name;
   };
 
-  explicit VariedCase(ParsedCase parsed) : parsed_(std::move(parsed)) {}
+  explicit VariedCase(read::ParsedCase parsed) : parsed_(std::move(parsed)) {}
 
-  ReadOptions options_at(std::span<const double> x) const;
+  read::ReadOptions options_at(std::span<const double> x) const;
   /// Puts ordinates into the tables.
   void set_ordinates(std::span<const double> x, std::size_t index,
                      law::FrictionDefinition& definition) const;
 
-  ParsedCase parsed_;
-  std::vector<ParameterText> settings_;
+  read::ParsedCase parsed_;
+  std::vector<base::ParameterText> settings_;
   std::vector<Parameter> parameters_;
   std::vector<VariedOrdinates> ordinates_;
   std::vector<VariedTable::Use> uses_;  ///< of each of them
@@ -89,4 +89,4 @@ class VariedCase {
   std::vector<law::FrictionDefinition> fixed_;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -23,7 +23,7 @@
 #include "law/connection/belt.hpp"
 #include "law/update/connector.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cases {
 
 class CurveFile;
 
@@ -92,13 +92,14 @@ struct DynamicsData {
 /// One prescribed quantity of a step.
 struct Drive {
   int quantity = 0;  ///< flat numbering of quantity.hpp
-  Profile profile;
+  history::Profile profile;
 };
 
 /// Friction that changes in the course of a step (docs/theory, section 9.2).
 struct FrictionChange {
-  std::size_t definition = 0;               ///< in Case::definitions
-  Profile amplitude = LinearTo{1.0};        ///< A(t), 0 at the start of the step and 1 at its end
+  std::size_t definition = 0;  ///< in Case::definitions
+  history::Profile amplitude =
+      history::LinearTo{1.0};               ///< A(t), 0 at the start of the step and 1 at its end
   law::FrictionLaw law;                     ///< in force where A = 1
   double force_limit = law::kNoForceLimit;  ///< from the start of the step on
   law::StickStiffness stick;                ///< where A = 1, or from the start of the step on
@@ -116,7 +117,7 @@ struct Step {
 
 /// A value to hold a check against, or to drive a closed form with.
 struct ExpressionReference {
-  Expression expression;  ///< over t, T and result columns: `variables` in this order
+  base::Expression expression;  ///< over t, T and result columns: `variables` in this order
   std::vector<std::string> variables;
 };
 struct ClosedFormReference {
@@ -129,7 +130,7 @@ struct ClosedFormReference {
 /// A column of a CSV file, and how its numbers become those of the case.
 struct CurveColumn {
   std::vector<std::string> names;  ///< the first of these that the file has
-  UnitConversion conversion;
+  base::UnitConversion conversion;
 };
 /// A curve from a file: another program's, a measurement, or the case's own past.
 struct CurveReference {
@@ -139,7 +140,7 @@ struct CurveReference {
   CurveColumn column;
   std::shared_ptr<CurveFile> data;  ///< its columns, for all checks of the case that name it
   bool shipped = false;             ///< comes with the program
-  CsvFormat format = {};
+  base::CsvFormat format = {};
 };
 
 /// deviation <= max(absolute, relative * scale); what both are, the criterion says (docs/theory,
@@ -153,7 +154,7 @@ struct Tolerance {
 
 struct Check {
   std::string name;
-  Expression quantity;  ///< over t, T and result columns
+  base::Expression quantity;  ///< over t, T and result columns
   std::string quantity_text;
   std::vector<std::string> variables;  ///< of `quantity`, in this order
   std::variant<ExpressionReference, ClosedFormReference, CurveReference> against;
@@ -165,7 +166,7 @@ struct Check {
   std::optional<double> from;          ///< only rows with T in [from, to]
   std::optional<double> to;
   Tolerance tolerance;
-  SourcePosition where;
+  base::SourcePosition where;
 };
 
 /// A case, checked and with all expressions evaluated: what the simulation runs.
@@ -173,8 +174,8 @@ struct Case {
   std::string file;                     ///< as the user typed it
   std::vector<std::string> data_files;  ///< that it names: histories, tables, curves
   std::string title;
-  UnitSystem units;
-  NamedNumbers parameters;
+  base::UnitSystem units;
+  base::NamedNumbers parameters;
   law::Connection connection;
   std::optional<Belt> belt;         ///< of a SLIPRING
   law::RelativePosition reference;  ///< constitutive reference positions
@@ -187,8 +188,9 @@ struct Case {
   std::optional<DynamicsData> dynamics;
   law::ComponentSet force_driven;  ///< free components that are driven by force at some time
   std::vector<Step> steps;         ///< empty if `measured`
-  std::optional<MeasuredSource> measured;  ///< drives the case row by row; opened by each run
-  int measured_pieces = 1;                 ///< increments from one row to the next
+  std::optional<history::MeasuredSource>
+      measured;             ///< drives the case row by row; opened by each run
+  int measured_pieces = 1;  ///< increments from one row to the next
   int output_every = 1;
   std::vector<std::string> output_columns;  ///< empty: all
   std::vector<Check> checks;
@@ -202,7 +204,7 @@ inline bool is_driven(const Case& problem, int quantity) {
     }
   }
   if (!problem.measured) return false;
-  for (const MeasuredColumn& column : problem.measured->columns) {
+  for (const history::MeasuredColumn& column : problem.measured->columns) {
     if (column.quantity == static_cast<std::size_t>(quantity)) return true;
   }
   return false;
@@ -214,4 +216,4 @@ inline bool acts_beside_friction(const Case& problem, int component) {
          problem.stop[static_cast<std::size_t>(component)].has_value();
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cases

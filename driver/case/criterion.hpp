@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace slipbench::driver {
+namespace slipbench::driver::cases {
 
 /// Way in which a check compares its quantity with a reference; all there is to say of each is in
 /// driver/check/criteria/criteria.hpp.
@@ -20,4 +20,4 @@ enum class Criterion : std::uint8_t {
   kIso18571
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cases

@@ -3,14 +3,14 @@
 
 #include <variant>
 
-namespace slipbench::driver {
+namespace slipbench::driver::cases {
 
 std::vector<std::string> history_files(const Case& problem) {
   std::vector<std::string> files = {problem.file};
   if (problem.measured) files.push_back(problem.measured->data.file.string());
   for (const Step& step : problem.steps) {
     for (const Drive& drive : step.drives) {
-      if (const auto* csv = std::get_if<CsvColumn>(&drive.profile)) {
+      if (const auto* csv = std::get_if<history::CsvColumn>(&drive.profile)) {
         files.push_back(csv->data.file.string());
       }
     }
@@ -29,4 +29,4 @@ std::vector<std::string> input_files(const Case& problem) {
   return files;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cases

@@ -6,7 +6,7 @@
 
 #include "driver/case/case.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cases {
 
 /// The file of a case and those of its history.
 std::vector<std::string> history_files(const Case& problem);
@@ -15,4 +15,4 @@ std::vector<std::string> history_files(const Case& problem);
 /// tables and the curves of its checks.
 std::vector<std::string> input_files(const Case& problem);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cases

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-namespace slipbench::driver {
+namespace slipbench::driver::cases {
 
 /// Step of a definition from one row to the next.
 enum class IntegrationMethod : std::uint8_t {
@@ -23,4 +23,4 @@ struct Integration {
   SnapBackAction snap_back = SnapBackAction::kStop;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cases

@@ -5,7 +5,7 @@
 
 #include "law/base/component.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cases {
 
 std::string component_suffix(int component) {
   return law::is_rotation(component) ? "R" + std::to_string(component - 2)
@@ -68,4 +68,4 @@ std::optional<int> field_of(std::string_view name) {
   return number - 1;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cases

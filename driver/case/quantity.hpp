@@ -8,7 +8,7 @@
 
 #include "law/base/notation.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cases {
 
 /// Quantities that a case can prescribe, in one flat numbering: 0..5 relative positions
 /// CP1..CPR3, 6..11 constraint forces f1..m3, 12 temperature, 13.. fields; of a belt, behind the
@@ -42,4 +42,4 @@ std::optional<int> component_of_force(std::string_view name);
 /// The index 0.. of field1, field2, ..., or nothing.
 std::optional<int> field_of(std::string_view name);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cases

@@ -5,22 +5,22 @@
 #include "driver/case/quantity.hpp"
 #include "law/base/component.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cases {
 
-Dimension dimension_of(const Case& problem, int quantity) {
+base::Dimension dimension_of(const Case& problem, int quantity) {
   if (quantity != kDriverLoad) return dimension_of(quantity);
   return dimension_of(kFirstForce + (problem.dynamics ? problem.dynamics->component : 0));
 }
 
-Dimension dimension_of(int quantity) {
-  if (quantity < kFirstForce) return law::is_rotation(quantity) ? kAngle : kLength;
+base::Dimension dimension_of(int quantity) {
+  if (quantity < kFirstForce) return law::is_rotation(quantity) ? base::kAngle : base::kLength;
   if (quantity < kTemperatureQuantity) {
-    return law::is_rotation(quantity - kFirstForce) ? kMoment : kForce;
+    return law::is_rotation(quantity - kFirstForce) ? base::kMoment : base::kForce;
   }
-  if (quantity == kTemperatureQuantity) return kTemperature;
-  if (quantity == kTensionBehind) return kForce;
-  if (quantity >= kFirstNode) return kLength;
+  if (quantity == kTemperatureQuantity) return base::kTemperature;
+  if (quantity == kTensionBehind) return base::kForce;
+  if (quantity >= kFirstNode) return base::kLength;
   return {};
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cases

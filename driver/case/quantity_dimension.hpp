@@ -3,13 +3,13 @@
 
 #include "driver/base/units/units.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cases {
 
 struct Case;
 
 /// The dimension of a quantity of the flat numbering of quantity.hpp; none for a field.
-Dimension dimension_of(int quantity);
+base::Dimension dimension_of(int quantity);
 /// The same in a case, which knows what the load on its driver is.
-Dimension dimension_of(const Case& problem, int quantity);
+base::Dimension dimension_of(const Case& problem, int quantity);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cases

@@ -12,16 +12,17 @@
 #include "driver/results/columns.hpp"
 #include "driver/results/summary.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
-CheckProgress::CheckProgress(const Case& problem, const Check& check, Trace trace)
+CheckProgress::CheckProgress(const cases::Case& problem, const cases::Check& check, Trace trace)
     : case_(&problem), check_(&check), judge_(check.tolerance) {
-  const bool against_curve = std::holds_alternative<CurveReference>(check.against);
+  const bool against_curve = std::holds_alternative<cases::CurveReference>(check.against);
   streamed_ = !keeps_rows(check, Trace::kNone);
   kept_ = keeps_rows(check, trace);
-  const std::vector<Column> columns = result_columns(problem);
+  const std::vector<results::Column> columns = results::result_columns(problem);
   definition_ = friction_of(problem, columns, check);
-  const auto make = [&](const Expression& expression, const std::vector<std::string>& variables,
+  const auto make = [&](const base::Expression& expression,
+                        const std::vector<std::string>& variables,
                         std::optional<RowExpression>& target) {
     auto made = RowExpression::make(problem, columns, expression, variables);
     if (made) {
@@ -41,13 +42,13 @@ CheckProgress::CheckProgress(const Case& problem, const Check& check, Trace trac
   }
 }
 
-bool CheckProgress::selected(const Row& row) const {
+bool CheckProgress::selected(const bench::Row& row) const {
   if (check_->step) {
     const auto step = static_cast<std::size_t>(row.step);
     if (step >= case_->steps.size() || case_->steps[step].name != *check_->step) return false;
   }
   // Times are sums of increments: a border given in decimals may lie beside its row by rounding.
-  const double slack = kSameTime * std::abs(row.time);
+  const double slack = history::kSameTime * std::abs(row.time);
   if (check_->from && row.time < *check_->from - slack) return false;
   return !check_->to || row.time <= *check_->to + slack;
 }
@@ -57,12 +58,12 @@ void CheckProgress::stop(std::string message) {
   if (fault_.empty()) fault_ = std::move(message);
 }
 
-void CheckProgress::fault(const Row& row, std::string message) {
-  if (faults_++ == 0) fault_ = fmt::format("{} at t = {}", message, rounded(row.time));
+void CheckProgress::fault(const bench::Row& row, std::string message) {
+  if (faults_++ == 0) fault_ = fmt::format("{} at t = {}", message, base::rounded(row.time));
 }
 
 /// The reference at a row, if there is one to be had.
-std::optional<double> CheckProgress::reference(const Row& row, bool compared) {
+std::optional<double> CheckProgress::reference(const bench::Row& row, bool compared) {
   if (!compared && !reference_->follows_path()) return std::nullopt;
   auto value = (*reference_)(row);
   if (value) return *value;
@@ -75,7 +76,7 @@ std::optional<double> CheckProgress::reference(const Row& row, bool compared) {
   return std::nullopt;
 }
 
-void CheckProgress::add(const Row& row) {
+void CheckProgress::add(const bench::Row& row) {
   if (!fault_.empty() && faults_ == 0) return;
   const bool compared = selected(row);
   std::optional<double> wanted;
@@ -97,7 +98,8 @@ void CheckProgress::add(const Row& row) {
   compare(row, abscissa, *value, wanted.value_or(0.0));
 }
 
-void CheckProgress::compare(const Row& row, double abscissa, double value, double reference) {
+void CheckProgress::compare(const bench::Row& row, double abscissa, double value,
+                            double reference) {
   const int status =
       definition_ ? static_cast<int>(row.definitions[*definition_].update.state.regime) : -1;
   if (streamed_) judge_.add({abscissa, value, reference, row.time}, status);
@@ -145,15 +147,15 @@ CheckTrace CheckProgress::trace() const {
   trace.abscissa_label = labels.abscissa;
   trace.abscissa_unit = labels.abscissa_unit;
   trace.value = rows_.value;
-  if (std::holds_alternative<CurveReference>(check_->against)) {
+  if (std::holds_alternative<cases::CurveReference>(check_->against)) {
     if (auto curve = reference_curve(*check_, rows_.value)) {
       trace.reference = std::move(curve->series);
     }
   } else {
     trace.reference = reference_of(rows_);
   }
-  if (check_->criterion == Criterion::kPointwise) trace.tube = verdict().tolerance;
+  if (check_->criterion == cases::Criterion::kPointwise) trace.tube = verdict().tolerance;
   return trace;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -15,7 +15,7 @@
 #include "driver/check/series_judge.hpp"
 #include "driver/check/verdict.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// Choice of keeping the compared series, for a picture.
 enum class Trace : std::uint8_t { kNone, kKeep };
@@ -41,22 +41,22 @@ struct CheckTrace {
 class CheckProgress {
  public:
   /// `problem` and `check` must outlive it.
-  CheckProgress(const Case& problem, const Check& check, Trace trace = Trace::kNone);
+  CheckProgress(const cases::Case& problem, const cases::Check& check, Trace trace = Trace::kNone);
 
-  void add(const Row& row);
+  void add(const bench::Row& row);
   Verdict verdict() const;
   /// Returns what was compared so far; empty unless the check was told to keep it.
   CheckTrace trace() const;
 
  private:
-  bool selected(const Row& row) const;
-  std::optional<double> reference(const Row& row, bool compared);
+  bool selected(const bench::Row& row) const;
+  std::optional<double> reference(const bench::Row& row, bool compared);
   void stop(std::string message);
-  void fault(const Row& row, std::string message);
-  void compare(const Row& row, double abscissa, double value, double reference);
+  void fault(const bench::Row& row, std::string message);
+  void compare(const bench::Row& row, double abscissa, double value, double reference);
 
-  const Case* case_;
-  const Check* check_;
+  const cases::Case* case_;
+  const cases::Check* check_;
   bool streamed_;
   bool kept_;
   std::optional<RowExpression> quantity_;
@@ -71,4 +71,4 @@ class CheckProgress {
   ComparedRows rows_;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -5,7 +5,7 @@
 
 #include "driver/case/case.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// Names and units of a check's numbers for messages; a unit is empty where it is not known or
 /// there is none.
@@ -18,6 +18,6 @@ struct CheckLabels {
   /// Of a friction force: its stick stiffness is that of an allowed elastic slip.
   bool stiffness_follows_limit = false;
 };
-CheckLabels labels_of(const Case& problem, const Check& check);
+CheckLabels labels_of(const cases::Case& problem, const cases::Check& check);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

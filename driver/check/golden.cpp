@@ -17,12 +17,12 @@
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/format_number.hpp"
 #include "driver/base/text/number.hpp"
+#include "driver/case/curve_file.hpp"
 #include "driver/check/check_labels.hpp"
-#include "driver/check/curves/curve_file.hpp"
 #include "driver/results/provenance.hpp"
 #include "driver/results/summary.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 namespace fs = std::filesystem;
@@ -37,22 +37,22 @@ tl::expected<void, std::string> add(GoldenColumn column, GoldenCurve& curve) {
     if (other.text == column.text && other.conversion == column.conversion) return {};
     return tl::unexpected(fmt::format(
         "{}: its column '{}' is '{}' for one check and '{}' for another; give them other columns",
-        curve.shown_name, printable(column.name), other.text.empty() ? "time" : other.text,
+        curve.shown_name, base::printable(column.name), other.text.empty() ? "time" : other.text,
         column.text.empty() ? "time" : column.text));
   }
   curve.columns.push_back(std::move(column));
   return {};
 }
 
-tl::expected<void, std::string> add_check(const Case& problem, const Check& check,
+tl::expected<void, std::string> add_check(const cases::Case& problem, const cases::Check& check,
                                           GoldenCurve& curve) {
-  const auto& reference = std::get<CurveReference>(check.against);
-  const std::vector<Column> columns = result_columns(problem);
+  const auto& reference = std::get<cases::CurveReference>(check.against);
+  const std::vector<results::Column> columns = results::result_columns(problem);
   const CheckLabels labels = labels_of(problem, check);
   const auto make =
-      [&](const CurveColumn& column, std::string unit, const Expression* expression,
+      [&](const cases::CurveColumn& column, std::string unit, const base::Expression* expression,
           std::span<const std::string> variables) -> tl::expected<GoldenColumn, std::string> {
-    const bool own_unit = column.conversion == UnitConversion{};
+    const bool own_unit = column.conversion == base::UnitConversion{};
     GoldenColumn result{.name = column.names.front(),
                         .unit = own_unit ? std::move(unit) : std::string(),
                         .conversion = column.conversion};
@@ -63,7 +63,7 @@ tl::expected<void, std::string> add_check(const Case& problem, const Check& chec
     result.value = std::move(*value);
     return result;
   };
-  const ExpressionReference* abscissa = check.abscissa ? &*check.abscissa : nullptr;
+  const cases::ExpressionReference* abscissa = check.abscissa ? &*check.abscissa : nullptr;
   auto first = make(reference.abscissa, labels.abscissa_unit,
                     abscissa == nullptr ? nullptr : &abscissa->expression,
                     abscissa == nullptr ? std::span<const std::string>() : abscissa->variables);
@@ -86,7 +86,7 @@ std::string case_of(const GoldenHeader& header) {
 std::string date_of_blessing() {
   const char* text = std::getenv("SOURCE_DATE_EPOCH");
   if (text == nullptr) return {};
-  const auto seconds = parse_integer(text);
+  const auto seconds = base::parse_integer(text);
   constexpr long long kYear10000 = 253402300800;
   if (!seconds || *seconds < 0 || *seconds >= kYear10000) return {};
   return fmt::format(" {:%Y-%m-%d}", fmt::gmtime(static_cast<std::time_t>(*seconds)));
@@ -96,21 +96,21 @@ std::string in_one_line(std::string_view text) {
   std::string line(text);
   std::replace(line.begin(), line.end(), '\n', ' ');
   std::replace(line.begin(), line.end(), '\r', ' ');
-  return printable(line);
+  return base::printable(line);
 }
 
 }  // namespace
 
-tl::expected<std::vector<GoldenCurve>, std::string> golden_curves(const Case& problem) {
+tl::expected<std::vector<GoldenCurve>, std::string> golden_curves(const cases::Case& problem) {
   std::vector<GoldenCurve> curves;
   std::string foreign;
   for (std::size_t i = 0; i < problem.checks.size(); ++i) {
-    const Check& check = problem.checks[i];
-    const auto* reference = std::get_if<CurveReference>(&check.against);
+    const cases::Check& check = problem.checks[i];
+    const auto* reference = std::get_if<cases::CurveReference>(&check.against);
     if (reference == nullptr) continue;
     std::error_code ignored;
     const bool there = fs::exists(fs::symlink_status(reference->file, ignored));
-    if (reference->shipped || (there && !is_golden_curve(reference->file))) {
+    if (reference->shipped || (there && !cases::is_golden_curve(reference->file))) {
       if (foreign.empty()) foreign = reference->shown_name;
       continue;
     }
@@ -119,13 +119,14 @@ tl::expected<std::vector<GoldenCurve>, std::string> golden_curves(const Case& pr
     });
     if (curve == curves.end()) {
       const std::string owner = there ? case_of(read_golden_header(reference->file)) : "";
-      if (!owner.empty() && owner != printable(case_name(problem))) {
+      if (!owner.empty() && owner != base::printable(results::case_name(problem))) {
         return tl::unexpected(
             fmt::format("{} is the golden curve of {}; give this case one of its own, or remove it",
                         reference->shown_name, owner));
       }
       GoldenCurve fresh{.file = reference->file, .shown_name = reference->shown_name};
-      fresh.columns.push_back({.name = std::string(kGoldenTime), .unit = problem.units.time});
+      fresh.columns.push_back(
+          {.name = std::string(cases::kGoldenTime), .unit = problem.units.time});
       curves.push_back(std::move(fresh));
       curve = curves.end() - 1;
     }
@@ -168,11 +169,11 @@ bool has_golden_rows(const fs::path& file, std::string_view rows) {
   return rows.empty();
 }
 
-GoldenHeader golden_header(const Case& problem, const GoldenCurve& curve, std::string_view reason,
-                           const GoldenHeader& before) {
+GoldenHeader golden_header(const cases::Case& problem, const GoldenCurve& curve,
+                           std::string_view reason, const GoldenHeader& before) {
   constexpr std::size_t kMostBlessings = 20;
   GoldenHeader header;
-  const std::string lines = provenance_lines(problem);
+  const std::string lines = results::provenance_lines(problem);
   for (std::size_t begin = 0; begin < lines.size();) {
     const std::size_t end = lines.find('\n', begin);
     header.origin.push_back(lines.substr(begin, end - begin));
@@ -194,7 +195,7 @@ GoldenHeader golden_header(const Case& problem, const GoldenCurve& curve, std::s
 }
 
 std::string to_text(const GoldenHeader& header) {
-  std::string text(kGoldenMark);
+  std::string text(cases::kGoldenMark);
   text += '\n';
   for (const std::string& line : header.origin) text += line + "\n";
   for (const std::string& line : header.blessings) text += line + "\n";
@@ -211,7 +212,7 @@ std::string names_row(const GoldenCurve& curve) {
   return names + "\n";
 }
 
-tl::expected<void, std::string> append_golden_row(GoldenCurve& curve, const Row& row,
+tl::expected<void, std::string> append_golden_row(GoldenCurve& curve, const bench::Row& row,
                                                   std::string& text) {
   for (GoldenColumn& column : curve.columns) {
     double number = row.time;
@@ -219,19 +220,19 @@ tl::expected<void, std::string> append_golden_row(GoldenCurve& curve, const Row&
       const auto value = (*column.value)(row);
       if (!value || !std::isfinite(*value)) {
         return tl::unexpected(fmt::format(
-            "the column '{}' of {} has no value at t = {}{}", printable(column.name),
-            curve.shown_name, rounded(row.time), value ? "" : ": " + value.error().message));
+            "the column '{}' of {} has no value at t = {}{}", base::printable(column.name),
+            curve.shown_name, base::rounded(row.time), value ? "" : ": " + value.error().message));
       }
       number = *value;
     }
-    if (!(column.conversion == UnitConversion{})) {
+    if (!(column.conversion == base::UnitConversion{})) {
       number = (number - column.conversion.offset) / column.conversion.scale;
     }
-    append_number(text, number);
+    base::append_number(text, number);
     text += ',';
   }
   text.back() = '\n';
   return {};
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -13,14 +13,14 @@
 #include "driver/case/case.hpp"
 #include "driver/check/row_values.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// A column of a golden curve: total time, or an expression of a check.
 struct GoldenColumn {
   std::string name;
-  std::string text = {};           ///< the expression; empty for total time
-  std::string unit = {};           ///< empty where it is not known or not the case's own
-  UnitConversion conversion = {};  ///< from the file's unit to the case's, as the check says
+  std::string text = {};                 ///< the expression; empty for total time
+  std::string unit = {};                 ///< empty where it is not known or not the case's own
+  base::UnitConversion conversion = {};  ///< from the file's unit to the case's, as the check says
   /// Nothing for total time.
   std::optional<RowExpression> value = {};
 };
@@ -37,7 +37,7 @@ struct GoldenCurve {
 /// The curves that `slipbench bless` may write: those of the case's checks that are missing or
 /// golden. Errors, in a sentence: no check names a curve; all of them have another origin; a golden
 /// one is that of another case; two checks mean different things by one column.
-tl::expected<std::vector<GoldenCurve>, std::string> golden_curves(const Case& problem);
+tl::expected<std::vector<GoldenCurve>, std::string> golden_curves(const cases::Case& problem);
 
 /// Head above the numbers. Of blessings, the latest comes first.
 struct GoldenHeader {
@@ -54,8 +54,8 @@ bool has_golden_rows(const std::filesystem::path& file, std::string_view rows);
 
 /// That of a curve which is about to be written. The date of a blessing is that of
 /// SOURCE_DATE_EPOCH, or none: the same input gives the same bytes. At most 20 blessings are kept.
-GoldenHeader golden_header(const Case& problem, const GoldenCurve& curve, std::string_view reason,
-                           const GoldenHeader& before);
+GoldenHeader golden_header(const cases::Case& problem, const GoldenCurve& curve,
+                           std::string_view reason, const GoldenHeader& before);
 
 /// The comments of a golden curve.
 std::string to_text(const GoldenHeader& header);
@@ -64,7 +64,7 @@ std::string names_row(const GoldenCurve& curve);
 
 /// Appends a row; every number is the shortest text that reads back to the same double. Error: a
 /// column without a value, in a sentence.
-tl::expected<void, std::string> append_golden_row(GoldenCurve& curve, const Row& row,
+tl::expected<void, std::string> append_golden_row(GoldenCurve& curve, const bench::Row& row,
                                                   std::string& text);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -12,7 +12,7 @@
 
 #include "driver/bench/run_length.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 constexpr double kGigabyte = 1e9;
@@ -37,18 +37,18 @@ double free_memory() {
 
 }  // namespace
 
-bool keeps_rows(const Check& check, Trace trace) {
-  return trace == Trace::kKeep || check.criterion != Criterion::kPointwise ||
-         std::holds_alternative<CurveReference>(check.against);
+bool keeps_rows(const cases::Check& check, Trace trace) {
+  return trace == Trace::kKeep || check.criterion != cases::Criterion::kPointwise ||
+         std::holds_alternative<cases::CurveReference>(check.against);
 }
 
-std::string memory_fault(const Case& problem, Trace trace) {
+std::string memory_fault(const cases::Case& problem, Trace trace) {
   // Abscissa, value, time and reference, and the regime.
   constexpr double kBytes = 4.0 * sizeof(double) + 1.0;
-  const RunLength length(problem);
+  const bench::RunLength length(problem);
   double rows = 0.0;
-  const Check* first = nullptr;
-  for (const Check& check : problem.checks) {
+  const cases::Check* first = nullptr;
+  for (const cases::Check& check : problem.checks) {
     if (!keeps_rows(check, trace)) continue;
     if (first == nullptr) first = &check;
     constexpr double kEver = std::numeric_limits<double>::infinity();
@@ -66,4 +66,4 @@ std::string memory_fault(const Case& problem, Trace trace) {
       first->name, rows, need / kGigabyte, free / kGigabyte);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

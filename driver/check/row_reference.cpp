@@ -9,26 +9,26 @@
 #include "driver/results/summary.hpp"
 #include "reference/catalogue.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
-tl::expected<RowReference, std::string> RowReference::make(const Case& problem,
-                                                           std::span<const Column> columns,
-                                                           const Check& check) {
+tl::expected<RowReference, std::string> RowReference::make(const cases::Case& problem,
+                                                           std::span<const results::Column> columns,
+                                                           const cases::Check& check) {
   RowReference result;
-  const auto add = [&](const ExpressionReference& text) -> tl::expected<void, std::string> {
+  const auto add = [&](const cases::ExpressionReference& text) -> tl::expected<void, std::string> {
     auto input = RowExpression::make(problem, columns, text.expression, text.variables);
     if (!input) return tl::unexpected(std::move(input.error()));
     result.inputs_.push_back(std::move(*input));
     return {};
   };
-  if (const auto* expression = std::get_if<ExpressionReference>(&check.against)) {
+  if (const auto* expression = std::get_if<cases::ExpressionReference>(&check.against)) {
     if (auto added = add(*expression); !added) return tl::unexpected(std::move(added.error()));
     return result;
   }
-  const auto& form = std::get<ClosedFormReference>(check.against);
+  const auto& form = std::get<cases::ClosedFormReference>(check.against);
   const reference::ClosedForm* found = reference::find(form.name);
   if (found == nullptr) return tl::unexpected("there is no closed form '" + form.name + "'");
-  for (const ExpressionReference& input : form.inputs) {
+  for (const cases::ExpressionReference& input : form.inputs) {
     if (auto added = add(input); !added) return tl::unexpected(std::move(added.error()));
   }
   result.form_ = found->make(form.parameters);
@@ -38,7 +38,7 @@ tl::expected<RowReference, std::string> RowReference::make(const Case& problem,
   return result;
 }
 
-tl::expected<double, RowReference::Fault> RowReference::operator()(const Row& row) {
+tl::expected<double, RowReference::Fault> RowReference::operator()(const bench::Row& row) {
   if (!form_) {
     auto value = inputs_.front()(row);
     if (value) return *value;
@@ -49,7 +49,7 @@ tl::expected<double, RowReference::Fault> RowReference::operator()(const Row& ro
     if (!value) {
       return tl::unexpected(
           Fault{fmt::format("an input of the closed form, '{}', has no value: {} at t = {}",
-                            inputs_[i].text(), value.error().message, rounded(row.time)),
+                            inputs_[i].text(), value.error().message, base::rounded(row.time)),
                 true});
     }
     arguments_[i] = *value;
@@ -58,4 +58,4 @@ tl::expected<double, RowReference::Fault> RowReference::operator()(const Row& ro
   return outputs_[output_];
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

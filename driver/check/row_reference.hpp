@@ -10,7 +10,7 @@
 #include "driver/check/row_values.hpp"
 #include "reference/closed_form.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// Reference by an expression or a closed form, row by row. It keeps references
 /// to the case and the check.
@@ -24,15 +24,15 @@ class RowReference {
 
   /// \param check one against an expression or a closed form
   /// Errors, in a sentence: an unknown closed form, a name that is no result column.
-  static tl::expected<RowReference, std::string> make(const Case& problem,
-                                                      std::span<const Column> columns,
-                                                      const Check& check);
+  static tl::expected<RowReference, std::string> make(const cases::Case& problem,
+                                                      std::span<const results::Column> columns,
+                                                      const cases::Check& check);
 
   /// A closed form follows the whole path: it has to be given every row, from the first on.
   bool follows_path() const { return static_cast<bool>(form_); }
 
   /// The reference at a row.
-  tl::expected<double, Fault> operator()(const Row& row);
+  tl::expected<double, Fault> operator()(const bench::Row& row);
 
  private:
   reference::PathEvaluator form_;
@@ -42,4 +42,4 @@ class RowReference {
   std::size_t output_ = 0;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 /// Without the '=' and the blanks around it.
@@ -18,14 +18,14 @@ std::string_view bare(std::string_view text) {
 }  // namespace
 
 tl::expected<RowExpression, std::string> RowExpression::make(
-    const Case& problem, std::span<const Column> columns, const Expression& expression,
-    std::span<const std::string> variables) {
+    const cases::Case& problem, std::span<const results::Column> columns,
+    const base::Expression& expression, std::span<const std::string> variables) {
   RowExpression result(problem, expression);
   for (const std::string& name : variables) {
     Input input;
     if (name == "t" || name == "T") {
       input.kind = name == "t" ? Input::Kind::kStepTime : Input::Kind::kTotalTime;
-    } else if (auto column = find_column(problem, columns, name)) {
+    } else if (auto column = results::find_column(problem, columns, name)) {
       input.column = std::move(*column);
     } else if (const auto number = problem.parameters.find(name);
                number != problem.parameters.end()) {
@@ -41,7 +41,7 @@ tl::expected<RowExpression, std::string> RowExpression::make(
   return result;
 }
 
-double RowExpression::read(const Input& input, const Row& row) const {
+double RowExpression::read(const Input& input, const bench::Row& row) const {
   switch (input.kind) {
     case Input::Kind::kStepTime:
       return row.step_time;
@@ -52,10 +52,10 @@ double RowExpression::read(const Input& input, const Row& row) const {
     case Input::Kind::kColumn:
       break;
   }
-  return column_value(input.column, *case_, row);
+  return results::column_value(input.column, *case_, row);
 }
 
-tl::expected<double, ExpressionError> RowExpression::operator()(const Row& row) {
+tl::expected<double, base::ExpressionError> RowExpression::operator()(const bench::Row& row) {
   if (plain_) {
     const double value = read(inputs_.front(), row);
     if (std::isfinite(value)) return value;
@@ -64,12 +64,13 @@ tl::expected<double, ExpressionError> RowExpression::operator()(const Row& row) 
   return (*expression_)(arguments_);
 }
 
-std::optional<std::size_t> friction_of(const Case& problem, std::span<const Column> columns,
-                                       const Check& check) {
+std::optional<std::size_t> friction_of(const cases::Case& problem,
+                                       std::span<const results::Column> columns,
+                                       const cases::Check& check) {
   std::optional<int> definition;
   for (const std::string& name : check.variables) {
-    const auto column = find_column(problem, columns, name);
-    if (!column || !is_friction_force(*column)) return std::nullopt;
+    const auto column = results::find_column(problem, columns, name);
+    if (!column || !results::is_friction_force(*column)) return std::nullopt;
     if (definition && *definition != column->definition) return std::nullopt;
     definition = column->definition;
   }
@@ -78,4 +79,4 @@ std::optional<std::size_t> friction_of(const Case& problem, std::span<const Colu
   return std::nullopt;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -12,7 +12,7 @@
 #include "driver/case/case.hpp"
 #include "driver/results/columns.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// An expression over t (time in the step), T (total time), result columns and parameters of the
 /// case, evaluated on the rows of a run. It keeps references to the case and the expression.
@@ -21,13 +21,13 @@ class RowExpression {
   /// \param columns all of the case
   /// \param variables of `expression`, in its order
   /// Error: a variable that is none of these, in a sentence.
-  static tl::expected<RowExpression, std::string> make(const Case& problem,
-                                                       std::span<const Column> columns,
-                                                       const Expression& expression,
+  static tl::expected<RowExpression, std::string> make(const cases::Case& problem,
+                                                       std::span<const results::Column> columns,
+                                                       const base::Expression& expression,
                                                        std::span<const std::string> variables);
 
   /// Its value on a row; allocates nothing when it succeeds. Errors: those of the expression.
-  tl::expected<double, ExpressionError> operator()(const Row& row);
+  tl::expected<double, base::ExpressionError> operator()(const bench::Row& row);
 
   const std::string& text() const { return expression_->text(); }
 
@@ -39,17 +39,17 @@ class RowExpression {
       kParameter,
       kColumn
     } kind = Kind::kColumn;
-    Column column;
+    results::Column column;
     double number = 0.0;  ///< of a parameter
   };
 
-  RowExpression(const Case& problem, const Expression& expression)
+  RowExpression(const cases::Case& problem, const base::Expression& expression)
       : case_(&problem), expression_(&expression) {}
 
-  double read(const Input& input, const Row& row) const;
+  double read(const Input& input, const bench::Row& row) const;
 
-  const Case* case_;
-  const Expression* expression_;
+  const cases::Case* case_;
+  const base::Expression* expression_;
   std::vector<Input> inputs_;
   std::vector<double> arguments_;
   bool plain_ = false;  ///< nothing but its only input: most quantities are columns
@@ -58,7 +58,8 @@ class RowExpression {
 /// The definition whose friction force a check compares: the one that all columns of the quantity
 /// belong to, or the only one there is. Nothing if a column is no friction force, so that stick and
 /// slip say nothing of it.
-std::optional<std::size_t> friction_of(const Case& problem, std::span<const Column> columns,
-                                       const Check& check);
+std::optional<std::size_t> friction_of(const cases::Case& problem,
+                                       std::span<const results::Column> columns,
+                                       const cases::Check& check);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -19,12 +19,13 @@
 #include "driver/check/tolerance_doubts.hpp"
 #include "driver/check/verdict_message.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 /// Adds what is doubtful about a tolerance. A program may agree with its own past to the last
 /// digit, and that says nothing of the tolerance.
-void doubt(const Tolerance& tolerance, const ToleranceUse& use, bool golden, Verdict& verdict) {
+void doubt(const cases::Tolerance& tolerance, const ToleranceUse& use, bool golden,
+           Verdict& verdict) {
   // Met but for rounding, which another machine may do otherwise: as it was blessed.
   constexpr double kRounding = 1e-9;
   if (golden && use.worst <= kRounding * use.scale) return;
@@ -34,7 +35,7 @@ void doubt(const Tolerance& tolerance, const ToleranceUse& use, bool golden, Ver
 }
 
 /// Rows that the check picks from the run are on purpose no more than a part of the reference.
-void doubt_coverage(const Check& check, const ComparedRows& rows, const Series& reference,
+void doubt_coverage(const cases::Check& check, const ComparedRows& rows, const Series& reference,
                     std::int64_t compared, Verdict& verdict) {
   if (check.step || (check.abscissa && (check.from || check.to))) return;
   std::string doubt = coverage_doubt(rows.value, reference, compared);
@@ -51,7 +52,7 @@ int status_at(const ComparedRows& rows, double time) {
   return rows.status[static_cast<std::size_t>(index)];
 }
 
-void judge_points(const Check& check, const CheckLabels& labels, const ComparedRows& rows,
+void judge_points(const cases::Check& check, const CheckLabels& labels, const ComparedRows& rows,
                   const ReferenceCurve& reference, Verdict& verdict) {
   const PointwiseComparison comparison = compare_points(rows.value, reference.series);
   verdict.message = comparison.fault;
@@ -92,14 +93,14 @@ const Measure* worst_doubted(const Verdict& verdict) {
 }
 
 /// Distances and errors without a unit have a size beyond which nothing is alike.
-std::string dimensionless_doubt(const Check& check, const Measure& measure) {
+std::string dimensionless_doubt(const cases::Check& check, const Measure& measure) {
   const std::string_view one = info_of(check.criterion).one;
   if (one.empty() || measure.tolerance < 1.0) return {};
   return fmt::format("the tolerance of {:.3g} has no unit, and 1 is already {}", measure.tolerance,
                      one);
 }
 
-void doubt_measures(const Check& check, const ReferenceCurve& reference, Verdict& verdict) {
+void doubt_measures(const cases::Check& check, const ReferenceCurve& reference, Verdict& verdict) {
   const Measure* worst = worst_doubted(verdict);
   if (worst == nullptr || worst->unit == MeasureUnit::kAbscissa) return;
   std::string doubted = dimensionless_doubt(check, *worst);
@@ -124,7 +125,7 @@ std::int64_t rows_in_common(const Series& result, const Series& reference) {
   });
 }
 
-void judge_measures(const Check& check, const CheckLabels& labels, const ComparedRows& rows,
+void judge_measures(const cases::Check& check, const CheckLabels& labels, const ComparedRows& rows,
                     const ReferenceCurve& reference, Verdict& verdict) {
   CurveComparison comparison =
       compare(check.criterion, rows.value, reference.series, check.tolerance);
@@ -158,7 +159,7 @@ Series reference_of(const ComparedRows& rows) {
   return {rows.value.abscissa, rows.reference, rows.value.time};
 }
 
-void conclude(const Check& check, const CheckLabels& labels, const PointJudge& judge,
+void conclude(const cases::Check& check, const CheckLabels& labels, const PointJudge& judge,
               const ReferenceDigits& digits, Verdict& verdict) {
   const PointJudge::Result result = judge.result();
   verdict.compared = judge.count();
@@ -193,10 +194,10 @@ void conclude(const Check& check, const CheckLabels& labels, const PointJudge& j
         digits.golden, verdict);
 }
 
-void judge_rows(const Check& check, const CheckLabels& labels, const ComparedRows& rows,
+void judge_rows(const cases::Check& check, const CheckLabels& labels, const ComparedRows& rows,
                 Verdict& verdict) {
   ReferenceCurve reference;
-  if (std::holds_alternative<CurveReference>(check.against)) {
+  if (std::holds_alternative<cases::CurveReference>(check.against)) {
     auto read = reference_curve(check, rows.value);
     if (!read) {
       verdict.message = std::move(read.error());
@@ -206,11 +207,11 @@ void judge_rows(const Check& check, const CheckLabels& labels, const ComparedRow
   } else {
     reference.series = reference_of(rows);
   }
-  if (check.criterion == Criterion::kPointwise) {
+  if (check.criterion == cases::Criterion::kPointwise) {
     judge_points(check, labels, rows, reference, verdict);
   } else {
     judge_measures(check, labels, rows, reference, verdict);
   }
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

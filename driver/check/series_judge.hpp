@@ -11,7 +11,7 @@
 #include "driver/check/curves/series.hpp"
 #include "driver/check/verdict.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// The rows of a run that a check compares.
 struct ComparedRows {
@@ -32,12 +32,12 @@ struct ReferenceDigits {
 };
 
 /// The verdict of a judge that has seen all points: message, likely cause and warnings.
-void conclude(const Check& check, const CheckLabels& labels, const PointJudge& judge,
+void conclude(const cases::Check& check, const CheckLabels& labels, const PointJudge& judge,
               const ReferenceDigits& digits, Verdict& verdict);
 
 /// Judges a check whose rows were kept, by any criterion. Against a curve, its file is read here; a
 /// fault of it is the check's failure.
-void judge_rows(const Check& check, const CheckLabels& labels, const ComparedRows& rows,
+void judge_rows(const cases::Check& check, const CheckLabels& labels, const ComparedRows& rows,
                 Verdict& verdict);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -10,7 +10,7 @@
 #include "driver/check/curves/common_range.hpp"
 #include "driver/results/summary.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 constexpr double kLoose = 1000.0;      ///< times the largest deviation
@@ -27,12 +27,13 @@ std::string one_digit_up(double value) {
 }
 
 std::string told(double value, const std::string& unit) {
-  return with_unit(fmt::format("{:.3g}", value), unit);
+  return base::with_unit(fmt::format("{:.3g}", value), unit);
 }
 
 }  // namespace
 
-std::vector<std::string> tolerance_doubts(const Tolerance& tolerance, const ToleranceUse& use) {
+std::vector<std::string> tolerance_doubts(const cases::Tolerance& tolerance,
+                                          const ToleranceUse& use) {
   const double absolute = tolerance.absolute.value_or(0.0);
   const double of_scale = tolerance.relative.value_or(0.0) * use.scale;
   const double bound = std::max(absolute, of_scale);
@@ -50,7 +51,7 @@ std::vector<std::string> tolerance_doubts(const Tolerance& tolerance, const Tole
                                  : "not needed at all, there is no deviation";
     const std::string advice = of_scale >= absolute
                                    ? "relative: " + one_digit_up(enough / use.scale)
-                                   : "absolute: " + with_unit(one_digit_up(enough), use.unit);
+                                   : "absolute: " + base::with_unit(one_digit_up(enough), use.unit);
     doubts.push_back(
         fmt::format("the tolerance of {} is {}; {} would do", told(bound, use.unit), seen, advice));
   }
@@ -104,4 +105,4 @@ std::string coverage_doubt(const Series& result, const Series& reference, std::i
       compared, rows, common.interval.from, common.interval.to, theirs.from, theirs.to);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -10,7 +10,7 @@
 #include "driver/case/case.hpp"
 #include "driver/check/curves/series.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// Deviations that a tolerance met.
 struct ToleranceUse {
@@ -33,7 +33,8 @@ struct ToleranceUse {
 ///   said.
 /// At most one of the two is said. Nothing is said where a number is not finite, and of the first
 /// kind nothing if the scale is 0 (a quantity that is zero throughout has no natural tolerance).
-std::vector<std::string> tolerance_doubts(const Tolerance& tolerance, const ToleranceUse& use);
+std::vector<std::string> tolerance_doubts(const cases::Tolerance& tolerance,
+                                          const ToleranceUse& use);
 
 /// Tells whether the digits that a reference was printed with are all there are, as of round
 /// numbers or of exact integers: most of its values agree with the result far better than rounded
@@ -48,4 +49,4 @@ bool has_all_digits(std::span<const CurvePoint> points, double resolution);
 /// \param compared rows of the reference
 std::string coverage_doubt(const Series& result, const Series& reference, std::int64_t compared);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -6,7 +6,7 @@
 
 #include "driver/check/criteria/criteria.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 double fraction(double deviation, double tolerance) {
@@ -14,8 +14,8 @@ double fraction(double deviation, double tolerance) {
   return tolerance > 0.0 ? deviation / tolerance : std::numeric_limits<double>::infinity();
 }
 
-json::Value to_json(const CurvePoint& point) {
-  json::Value one;
+base::json::Value to_json(const CurvePoint& point) {
+  base::json::Value one;
   one["time"] = point.time;
   one["abscissa"] = point.abscissa;
   one["value"] = point.value;
@@ -23,8 +23,8 @@ json::Value to_json(const CurvePoint& point) {
   return one;
 }
 
-json::Value to_json(const Measure& measure, const Verdict& verdict) {
-  json::Value one;
+base::json::Value to_json(const Measure& measure, const Verdict& verdict) {
+  base::json::Value one;
   one["name"] = measure.name;
   one["unit"] = unit_of(measure, verdict);
   one["value"] = measure.value;
@@ -37,8 +37,8 @@ json::Value to_json(const Measure& measure, const Verdict& verdict) {
   return one;
 }
 
-json::Value or_null(const std::optional<double>& number) {
-  return number ? json::Value(*number) : json::Value(nullptr);
+base::json::Value or_null(const std::optional<double>& number) {
+  return number ? base::json::Value(*number) : base::json::Value(nullptr);
 }
 
 }  // namespace
@@ -80,14 +80,14 @@ const std::string& unit_of(const Measure& measure, const Verdict& verdict) {
   return kNothing;
 }
 
-json::Value to_json(const Verdict& verdict) {
-  json::Value one;
+base::json::Value to_json(const Verdict& verdict) {
+  base::json::Value one;
   one["name"] = verdict.name;
   one["criterion"] = info_of(verdict.criterion).word;
   one["passed"] = verdict.passed;
   one["message"] = verdict.message;
   one["likely_cause"] = verdict.likely_cause;
-  json::Value warnings = json::Array{};
+  base::json::Value warnings = base::json::Array{};
   for (const std::string& warning : verdict.warnings) warnings.push_back(warning);
   one["warnings"] = std::move(warnings);
   one["compared"] = verdict.compared;
@@ -104,10 +104,10 @@ json::Value to_json(const Verdict& verdict) {
   one["worst_reference"] = verdict.worst.reference;
   one["first_failing"] = or_null(verdict.first_failing);
   one["last_failing"] = or_null(verdict.last_failing);
-  json::Value measures = json::Array{};
+  base::json::Value measures = base::json::Array{};
   for (const Measure& measure : verdict.measures) measures.push_back(to_json(measure, verdict));
   one["measures"] = std::move(measures);
   return one;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -10,7 +10,7 @@
 #include "driver/case/criterion.hpp"
 #include "driver/check/curves/series.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// Deviation of a check's quantity at one place.
 struct Deviation {
@@ -24,7 +24,7 @@ struct Deviation {
 /// The outcome of one check.
 struct Verdict {
   std::string name;
-  Criterion criterion = Criterion::kPointwise;
+  cases::Criterion criterion = cases::Criterion::kPointwise;
   bool passed = false;
   std::string message;                  ///< in a sentence what is wrong; empty if passed
   std::string likely_cause;             ///< "looks like an offset: +1 N everywhere"
@@ -55,6 +55,6 @@ const Measure* worst_measure(const Verdict& verdict);
 const std::string& unit_of(const Measure& measure, const Verdict& verdict);
 
 /// All of it; what is not finite is null.
-json::Value to_json(const Verdict& verdict);
+base::json::Value to_json(const Verdict& verdict);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -8,7 +8,7 @@
 
 #include "driver/results/summary.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 /// Three digits are enough to judge a deviation; a place needs those that tell its row.
@@ -30,7 +30,7 @@ std::string place(const ToldPoint& told, const CheckLabels& labels) {
   const std::string abscissa = place_text(told.point.abscissa, told.spacing.abscissa);
   if (labels.abscissa == "t") return "t = " + abscissa;
   std::string text =
-      fmt::format("{} = {}", labels.abscissa, with_unit(abscissa, labels.abscissa_unit));
+      fmt::format("{} = {}", labels.abscissa, base::with_unit(abscissa, labels.abscissa_unit));
   if (std::isfinite(told.point.time)) {
     text += fmt::format(" (t = {})", place_text(told.point.time, told.spacing.time));
   }
@@ -39,13 +39,13 @@ std::string place(const ToldPoint& told, const CheckLabels& labels) {
 
 }  // namespace
 
-std::string points_message(const Check& check, const PointJudge::Result& result,
+std::string points_message(const cases::Check& check, const PointJudge::Result& result,
                            std::int64_t compared, const CheckLabels& labels) {
   const CurvePoint& worst = result.worst.point;
   const double deviation = std::abs(worst.value - worst.reference);
   std::string text = fmt::format("{} off by {} (limit {}) at {}", check.quantity_text,
-                                 with_unit(brief(deviation), labels.unit), brief(result.tolerance),
-                                 place(result.worst, labels));
+                                 base::with_unit(brief(deviation), labels.unit),
+                                 brief(result.tolerance), place(result.worst, labels));
   if (result.first && std::isfinite(result.first->time)) {
     text += fmt::format(", first at {}{}, last at {}", labels.abscissa == "t" ? "" : "t = ",
                         place_text(result.first->time, result.first->step),
@@ -65,7 +65,7 @@ std::string measures_message(const Verdict& verdict, const CheckLabels& labels,
     const bool plain = std::abs(difference - measure.deviation) <= 1e-9 * measure.deviation;
     text += fmt::format(
         "{}{}: {} instead of {} ({}limit {})", text.empty() ? "" : "; ", measure.name,
-        with_unit(telling(measure.value, measure.deviation), unit_of(measure, verdict)),
+        base::with_unit(telling(measure.value, measure.deviation), unit_of(measure, verdict)),
         telling(measure.reference, measure.deviation),
         plain ? "" : "off by " + brief(measure.deviation) + ", ", brief(measure.tolerance));
     if (measure.where) text += " at " + place(told_point(*measure.where, result), labels);
@@ -74,4 +74,4 @@ std::string measures_message(const Verdict& verdict, const CheckLabels& labels,
   return text;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -8,11 +8,11 @@
 #include "driver/check/criteria/point_judge.hpp"
 #include "driver/check/verdict.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// "CSF2 off by 3.1 N (limit 0.5) at t = 0.84, first at 0.8, last at 0.9, 41 of 400 points"; over
 /// another abscissa the worst point is "at CU1 = 0.02 mm (t = 0.84)".
-std::string points_message(const Check& check, const PointJudge::Result& result,
+std::string points_message(const cases::Check& check, const PointJudge::Result& result,
                            std::int64_t compared, const CheckLabels& labels);
 
 /// "energy of loop 2: 12.1 mJ instead of 11.0 (limit 0.5); ..." for the measures that fail.
@@ -20,4 +20,4 @@ std::string points_message(const Check& check, const PointJudge::Result& result,
 std::string measures_message(const Verdict& verdict, const CheckLabels& labels,
                              const Series& result);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

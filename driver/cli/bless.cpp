@@ -7,10 +7,10 @@
 #include "driver/cli/declare.hpp"
 #include "driver/commands/arguments.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cli {
 
 void declare_bless(CLI::App& app, Command& command) {
-  const auto options = std::make_shared<BlessOptions>();
+  const auto options = std::make_shared<commands::BlessOptions>();
   CLI::App* declared =
       app.add_subcommand("bless", "Accept today's curves of a case as its golden curves");
   declared->add_option("CASE", options->file, "A case file (YAML)")->required();
@@ -26,9 +26,9 @@ void declare_bless(CLI::App& app, Command& command) {
       "or golden curves already; never anybody else's reference.\n"
       "Example: slipbench bless belt.yaml --reason \"new liner, mu 0.16\"");
   declared->callback([options, &command] {
-    options->file = named_case(options->file);
-    command = [options] { return bless_command(*options); };
+    options->file = commands::named_case(options->file);
+    command = [options] { return commands::bless_command(*options); };
   });
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cli

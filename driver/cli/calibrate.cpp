@@ -7,10 +7,10 @@
 #include "driver/cli/declare.hpp"
 #include "driver/commands/arguments.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cli {
 
 void declare_calibrate(CLI::App& app, Command& command) {
-  const auto options = std::make_shared<CalibrateOptions>();
+  const auto options = std::make_shared<commands::CalibrateOptions>();
   CLI::App* declared =
       app.add_subcommand("calibrate", "Fit parameters and tables of cases to measured data");
   declared->add_option("FIT", options->file, "A fit file (YAML)")->required();
@@ -40,9 +40,9 @@ void declare_calibrate(CLI::App& app, Command& command) {
       "search did not converge; the reason is told in words.\n"
       "Example: slipbench calibrate rig_fit.yaml -o out --bootstrap 200");
   declared->callback([options, &command] {
-    options->file = named_case(options->file);
-    command = [options] { return calibrate_command(*options); };
+    options->file = commands::named_case(options->file);
+    command = [options] { return commands::calibrate_command(*options); };
   });
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cli

@@ -6,10 +6,10 @@
 
 #include "driver/cli/declare.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cli {
 
 void declare_check(CLI::App& app, Command& command) {
-  const auto options = std::make_shared<CheckOptions>();
+  const auto options = std::make_shared<commands::CheckOptions>();
   CLI::App* declared = app.add_subcommand("check", "Run cases and judge their checks");
   declared
       ->add_option("PATH", options->paths,
@@ -53,8 +53,8 @@ void declare_check(CLI::App& app, Command& command) {
   declared->callback([options, &command] {
     if (options->paths.empty()) options->paths = {"."};
     name_cases(options->paths);
-    command = [options] { return check_command(*options); };
+    command = [options] { return commands::check_command(*options); };
   });
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cli

@@ -12,7 +12,7 @@ class App;
 class Validator;
 }  // namespace CLI
 
-namespace slipbench::driver {
+namespace slipbench::driver::cli {
 
 /// The command that was typed, with its options: runs it and returns the exit code.
 using Command = std::function<int()>;
@@ -44,4 +44,4 @@ void declare_force(CLI::App& command, bool& force, const std::string& what);
 /// Completes names of cases that were given without their ending.
 void name_cases(std::vector<std::string>& paths);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cli

@@ -6,7 +6,7 @@
 #include "driver/cli/declare.hpp"
 #include "driver/commands/catalogue.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cli {
 
 void declare_describe(CLI::App& app, Command& command) {
   const auto name = std::make_shared<std::string>();
@@ -15,7 +15,8 @@ void declare_describe(CLI::App& app, Command& command) {
       "Describe a connection type, law, key, closed form, curve, criterion or quantity");
   declared->add_option("NAME", *name, "A name that 'slipbench list' shows")->required();
   declared->footer("Example: slipbench describe CYLINDRICAL");
-  declared->callback([name, &command] { command = [name] { return describe_command(*name); }; });
+  declared->callback(
+      [name, &command] { command = [name] { return commands::describe_command(*name); }; });
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cli

@@ -13,7 +13,7 @@
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/suggestions.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -41,7 +41,7 @@ bool contains(const std::vector<std::string>& names, std::string_view name) {
 /// Without the value behind '='.
 std::string_view flag_of(std::string_view word) { return word.substr(0, word.find('=')); }
 
-std::string in_quotes(std::string_view word) { return "'" + printable(word) + "'"; }
+std::string in_quotes(std::string_view word) { return "'" + base::printable(word) + "'"; }
 
 /// The commands that have an option, in words; empty if none has.
 std::string commands_with(const CLI::App& app, std::string_view flag) {
@@ -49,7 +49,7 @@ std::string commands_with(const CLI::App& app, std::string_view flag) {
   for (const CLI::App* command : app.get_subcommands(nullptr)) {
     if (contains(flags_of(*command), flag)) names.push_back(in_quotes(command->get_name()));
   }
-  return few_in_words(std::vector<std::string_view>(names.begin(), names.end()));
+  return base::few_in_words(std::vector<std::string_view>(names.begin(), names.end()));
 }
 
 /// The command for a file of this kind, if the word names one.
@@ -72,10 +72,11 @@ std::string unknown_flag(const CLI::App& app, const CLI::App& command, std::stri
   const std::vector<std::string> flags = flags_of(command);
   const std::string others = commands_with(app, flag_of(word));
   return "no option " + in_quotes(flag_of(word)) + "; " +
-         (others.empty() ? did_you_mean(flag_of(word),
-                                        std::vector<std::string_view>(flags.begin(), flags.end()),
-                                        "the help lists all")
-                         : "it is an option of " + others);
+         (others.empty()
+              ? base::did_you_mean(flag_of(word),
+                                   std::vector<std::string_view>(flags.begin(), flags.end()),
+                                   "the help lists all")
+              : "it is an option of " + others);
 }
 
 /// The first example in the help of a command, or what is to be typed in its place.
@@ -139,16 +140,16 @@ std::string fault_of_command(const CLI::App& app, std::span<const std::string_vi
     });
     return fmt::format("{} stands before the command; options stand behind it: slipbench {} ... {}",
                        in_quotes(flag_of(word)), command == words.end() ? "COMMAND" : *command,
-                       printable(word));
+                       base::printable(word));
   }
   if (const std::string_view command = command_for_file(word); !command.empty()) {
     return fmt::format("no command before {}; did you mean 'slipbench {} {}'?", in_quotes(word),
-                       command, printable(word));
+                       command, base::printable(word));
   }
   return fmt::format(
       "no command {}; {}", in_quotes(word),
-      did_you_mean(word, std::vector<std::string_view>(commands.begin(), commands.end()),
-                   "'slipbench --help' tells which there are"));
+      base::did_you_mean(word, std::vector<std::string_view>(commands.begin(), commands.end()),
+                         "'slipbench --help' tells which there are"));
 }
 
 std::string fault_of_options(const CLI::App& app, const CLI::ParseError& error) {
@@ -159,7 +160,7 @@ std::string fault_of_options(const CLI::App& app, const CLI::ParseError& error) 
   }
   const CLI::App& command = *typed.front();
   return fmt::format("slipbench: error: {0}: {1}\nSee 'slipbench {0} --help'.\n",
-                     command.get_name(), printable(fault_in(app, command, error)));
+                     command.get_name(), base::printable(fault_in(app, command, error)));
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cli

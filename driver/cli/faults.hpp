@@ -11,7 +11,7 @@ class App;
 class ParseError;
 }  // namespace CLI
 
-namespace slipbench::driver {
+namespace slipbench::driver::cli {
 
 /// The fault of words after the program's name that do not begin with a command or an option of
 /// the program; empty if they do.
@@ -20,4 +20,4 @@ std::string fault_of_command(const CLI::App& app, std::span<const std::string_vi
 /// Returns what parsing refused, and with which command's help to go on: two lines.
 std::string fault_of_options(const CLI::App& app, const CLI::ParseError& error);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cli

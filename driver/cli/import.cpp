@@ -6,10 +6,10 @@
 
 #include "driver/cli/declare.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cli {
 
 void declare_import(CLI::App& app, Command& command) {
-  const auto options = std::make_shared<ImportOptions>();
+  const auto options = std::make_shared<commands::ImportOptions>();
   CLI::App* declared =
       app.add_subcommand("import", "Write a case with the friction of a Radioss starter deck");
   declared->add_option("DECK", options->deck, "A starter deck with a /FRICTION")->required();
@@ -33,7 +33,7 @@ void declare_import(CLI::App& app, Command& command) {
       "  slipbench import model_0000.rad --units \"mm N s\" -o pad.yaml\n"
       "  slipbench run pad.yaml --set K=5000 --set m=1e-6 --set normal_force=100 ...");
   declared->callback(
-      [options, &command] { command = [options] { return import_command(*options); }; });
+      [options, &command] { command = [options] { return commands::import_command(*options); }; });
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cli

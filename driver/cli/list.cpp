@@ -6,7 +6,7 @@
 #include "driver/cli/declare.hpp"
 #include "driver/commands/catalogue.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cli {
 
 void declare_list(CLI::App& app, Command& command) {
   const auto what = std::make_shared<std::string>();
@@ -16,7 +16,8 @@ void declare_list(CLI::App& app, Command& command) {
       ->check(one_of(
           {"connections", "laws", "keys", "closed-forms", "curves", "criteria", "quantities"}));
   declared->footer("Example: slipbench list connections");
-  declared->callback([what, &command] { command = [what] { return list_command(*what); }; });
+  declared->callback(
+      [what, &command] { command = [what] { return commands::list_command(*what); }; });
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cli

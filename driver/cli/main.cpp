@@ -20,7 +20,7 @@
 #include "driver/results/provenance.hpp"
 #include "driver/terminal/print.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cli {
 namespace {
 
 /// A closed standard stream would give its number to the next file opened, and messages would end
@@ -50,7 +50,7 @@ int run(int argc, char** argv) {
       "'slipbench COMMAND --help' tells more about a command.\n"
       "Exit codes: 0 all well, 1 a check failed, 2 bad input, 3 numerical failure,\n"
       "4 file or environment, 70 internal error, 130/143 interrupted, 141 broken pipe.");
-  app.set_version_flag("--version", "slipbench " + std::string(program_version()));
+  app.set_version_flag("--version", "slipbench " + std::string(results::program_version()));
   app.require_subcommand(1);
   Command command;
   for (Declare* const declare : kCommands) declare(app, command);
@@ -62,8 +62,8 @@ int run(int argc, char** argv) {
   }
   const std::vector<std::string_view> words(argv + std::min(argc, 1), argv + argc);
   if (const std::string fault = fault_of_command(app, words); !fault.empty()) {
-    print_error("slipbench: error: " + fault + "\n");
-    return kExitBadInput;
+    terminal::print_error("slipbench: error: " + fault + "\n");
+    return base::kExitBadInput;
   }
   try {
     app.parse(argc, argv);
@@ -71,28 +71,30 @@ int run(int argc, char** argv) {
     std::ostringstream out;
     std::ostringstream err;
     if (app.exit(error, out, err) == 0) {
-      print(out.str());
-      return kExitOk;
+      terminal::print(out.str());
+      return base::kExitOk;
     }
-    print_error(fault_of_options(app, error));
-    return kExitBadInput;
+    terminal::print_error(fault_of_options(app, error));
+    return base::kExitBadInput;
   }
   return command();
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cli
 
 int main(int argc, char** argv) {
   using namespace slipbench::driver;
+  using namespace slipbench::driver::cli;
   fill_closed_streams();
-  handle_interruption();
+  base::handle_interruption();
   try {
-    return finish_output(run(argc, argv));
+    return terminal::finish_output(run(argc, argv));
   } catch (const std::bad_alloc&) {
-    return finish_output(refuse(kExitEnvironment, "this needs more memory than there is"));
+    return terminal::finish_output(
+        terminal::refuse(base::kExitEnvironment, "this needs more memory than there is"));
   } catch (const std::exception& error) {
-    print_error(fmt::format("slipbench: internal error: {}\n", error.what()));
-    return kExitInternal;
+    terminal::print_error(fmt::format("slipbench: internal error: {}\n", error.what()));
+    return base::kExitInternal;
   }
 }

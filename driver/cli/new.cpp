@@ -5,10 +5,10 @@
 #include "driver/cli/declare.hpp"
 #include "driver/commands/new_case.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cli {
 
 void declare_new(CLI::App& app, Command& command) {
-  const auto options = std::make_shared<NewOptions>();
+  const auto options = std::make_shared<commands::NewOptions>();
   CLI::App* declared =
       app.add_subcommand("new", "Print a minimal case of a connection type, to begin with");
   declared->add_option("TYPE", options->type, "A type that 'slipbench list connections' shows")
@@ -21,7 +21,7 @@ void declare_new(CLI::App& app, Command& command) {
       "The case runs and passes its check: slipbench check hinge.yaml\n"
       "Example: slipbench new HINGE -o hinge.yaml");
   declared->callback(
-      [options, &command] { command = [options] { return new_command(*options); }; });
+      [options, &command] { command = [options] { return commands::new_command(*options); }; });
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cli

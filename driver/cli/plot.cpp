@@ -12,10 +12,10 @@
 #include "driver/cli/declare.hpp"
 #include "driver/plot/kinds.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cli {
 
 void declare_plot(CLI::App& app, Command& command) {
-  const auto options = std::make_shared<PlotOptions>();
+  const auto options = std::make_shared<plot::PlotOptions>();
   CLI::App* declared = app.add_subcommand("plot", "Draw a case or a result");
   const auto inputs = std::make_shared<std::vector<std::string>>();
   const auto size = std::make_shared<std::string>();
@@ -33,9 +33,9 @@ void declare_plot(CLI::App& app, Command& command) {
       ->type_name("FILE");
   declared
       ->add_option("--as", options->kind,
-                   fmt::format("One picture only: {}", fmt::join(plot_kinds(), ", ")))
+                   fmt::format("One picture only: {}", fmt::join(plot::plot_kinds(), ", ")))
       ->type_name("KIND")
-      ->check(one_of(plot_kinds()));
+      ->check(one_of(plot::plot_kinds()));
   declared->add_flag("--law", options->law,
                      "Draw the coefficients of a case over slip rate and pressure, also of one "
                      "that cannot run; or a law of that name with its example's parameters");
@@ -73,8 +73,8 @@ void declare_plot(CLI::App& app, Command& command) {
     name_cases(*inputs);
     options->input = inputs->front();
     options->more.assign(inputs->begin() + 1, inputs->end());
-    command = [options, size] { return plot_command(*options, *size); };
+    command = [options, size] { return commands::plot_command(*options, *size); };
   });
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cli

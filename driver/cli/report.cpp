@@ -6,10 +6,10 @@
 
 #include "driver/cli/declare.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cli {
 
 void declare_report(CLI::App& app, Command& command) {
-  const auto options = std::make_shared<ReportOptions>();
+  const auto options = std::make_shared<commands::ReportOptions>();
   CLI::App* declared =
       app.add_subcommand("report", "Write an HTML page about cases and results, to look at");
   declared
@@ -27,8 +27,8 @@ void declare_report(CLI::App& app, Command& command) {
       "Example: slipbench report cases/ -o report.html");
   declared->callback([options, &command] {
     name_cases(options->inputs);
-    command = [options] { return report_command(*options); };
+    command = [options] { return commands::report_command(*options); };
   });
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cli

@@ -7,10 +7,10 @@
 
 #include "driver/cli/declare.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cli {
 
 void declare_run(CLI::App& app, Command& command) {
-  const auto options = std::make_shared<RunOptions>();
+  const auto options = std::make_shared<commands::RunOptions>();
   CLI::App* declared = app.add_subcommand("run", "Run cases and write their results");
   declared->add_option("CASE", options->cases, "Case files (YAML); - is standard input")
       ->required();
@@ -53,8 +53,8 @@ void declare_run(CLI::App& app, Command& command) {
       "Example: slipbench run shock.yaml hinge.yaml -o out --set mu=0.2 --every 10");
   declared->callback([options, &command] {
     name_cases(options->cases);
-    command = [options] { return run_command(*options); };
+    command = [options] { return commands::run_command(*options); };
   });
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cli

@@ -5,7 +5,7 @@
 #include "driver/cli/declare.hpp"
 #include "driver/commands/catalogue.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cli {
 
 void declare_schema(CLI::App& app, Command& command) {
   CLI::App* declared =
@@ -19,8 +19,8 @@ void declare_schema(CLI::App& app, Command& command) {
   declared->add_flag("--markdown", options->markdown,
                      "Print the reference of both kinds of files as Markdown instead");
   declared->callback([options, &command] {
-    command = [options] { return schema_command(options->markdown, options->fit); };
+    command = [options] { return commands::schema_command(options->markdown, options->fit); };
   });
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cli

@@ -13,10 +13,10 @@
 #include "driver/cli/declare.hpp"
 #include "driver/commands/arguments.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cli {
 namespace {
 
-std::string found(const std::string& value) { return ", found '" + printable(value) + "'"; }
+std::string found(const std::string& value) { return ", found '" + base::printable(value) + "'"; }
 
 }  // namespace
 
@@ -33,7 +33,7 @@ void declare_settings(CLI::App& command, std::vector<std::string>& settings, boo
 
 CLI::Validator whole_number(int first, int last) {
   return {[=](std::string& value) {
-            const auto number = parse_number(value);
+            const auto number = base::parse_number(value);
             if (number && *number >= first && *number <= last && *number == std::floor(*number)) {
               return std::string();
             }
@@ -44,7 +44,7 @@ CLI::Validator whole_number(int first, int last) {
 
 CLI::Validator any_number() {
   return {[](std::string& value) {
-            return parse_number(value) ? std::string() : "wanted a number" + found(value);
+            return base::parse_number(value) ? std::string() : "wanted a number" + found(value);
           },
           ""};
 }
@@ -53,8 +53,8 @@ CLI::Validator one_of(std::vector<std::string> words) {
   return {[words = std::move(words)](std::string& value) {
             const std::vector<std::string_view> names(words.begin(), words.end());
             if (std::find(names.begin(), names.end(), value) != names.end()) return std::string();
-            return fmt::format("unknown word '{}'; {}", printable(value),
-                               did_you_mean(value, names, "the help lists all"));
+            return fmt::format("unknown word '{}'; {}", base::printable(value),
+                               base::did_you_mean(value, names, "the help lists all"));
           },
           ""};
 }
@@ -64,7 +64,7 @@ void declare_force(CLI::App& command, bool& force, const std::string& what) {
 }
 
 void name_cases(std::vector<std::string>& paths) {
-  for (std::string& path : paths) path = named_case(path);
+  for (std::string& path : paths) path = commands::named_case(path);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cli

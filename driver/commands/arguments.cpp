@@ -13,7 +13,7 @@
 #include "driver/read/file_kind.hpp"
 #include "driver/terminal/print.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 
 namespace fs = std::filesystem;
 
@@ -32,20 +32,20 @@ std::string folder_fault(const std::string& folder, std::string_view whose) {
 
 std::string named_case(const std::string& path) {
   std::error_code error;
-  if (path == kStandardInput) return path;
+  if (path == base::kStandardInput) return path;
   if (fs::exists(fs::symlink_status(path, error))) return path;
   std::string found;
-  for (const std::string_view ending : kCaseEndings) {
+  for (const std::string_view ending : read::kCaseEndings) {
     const std::string file = path + std::string(ending);
     if (!fs::is_regular_file(file, error)) continue;
     if (found.empty()) {
       found = file;
     } else {
-      print_error(fmt::format("slipbench: warning: there are {0} and {1}; {0} is taken\n",
-                              printable(found), printable(file)));
+      terminal::print_error(fmt::format("slipbench: warning: there are {0} and {1}; {0} is taken\n",
+                                        base::printable(found), base::printable(file)));
     }
   }
   return found.empty() ? path : found;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 
 /// The case that is named: the path as it is, or, if there is nothing of that name, the file
 /// that is called so with .yaml or .yml, as tables show it; with a warning if both are there.
@@ -15,4 +15,4 @@ std::string named_case(const std::string& path);
 /// \param whose of what the files in it bear the name: "case"
 std::string folder_fault(const std::string& folder, std::string_view whose);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

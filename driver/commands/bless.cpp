@@ -21,43 +21,43 @@
 #include "driver/case/case.hpp"
 #include "driver/case/input_files.hpp"
 #include "driver/check/check.hpp"
-#include "driver/check/curves/curve_file.hpp"
+#include "driver/case/curve_file.hpp"
 #include "driver/check/golden.hpp"
 #include "driver/read/read_case.hpp"
 #include "driver/results/provenance.hpp"
 #include "driver/terminal/print.hpp"
 #include "driver/terminal/progress.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 namespace {
 
 namespace fs = std::filesystem;
 
 /// A golden curve on its way into its file.
 struct Writing {
-  GoldenCurve curve;
-  GoldenHeader before;
-  GoldenHeader header;
+  check::GoldenCurve curve;
+  check::GoldenHeader before;
+  check::GoldenHeader header;
   bool was_there = false;
   bool unchanged = false;  ///< all but the blessings stay as they were
   std::string text;        ///< the row of names, and the rows of numbers
-  std::optional<OutputFile> file;
+  std::optional<base::OutputFile> file;
 };
 
 /// A check against a golden curve, held against the old and against the new one.
 struct Held {
-  Check fresh;
-  std::optional<CheckProgress> old;
-  std::optional<CheckProgress> now;
+  cases::Check fresh;
+  std::optional<check::CheckProgress> old;
+  std::optional<check::CheckProgress> now;
 };
 
-std::vector<Writing> prepare(std::vector<GoldenCurve> curves) {
+std::vector<Writing> prepare(std::vector<check::GoldenCurve> curves) {
   std::vector<Writing> all;
-  for (GoldenCurve& curve : curves) {
+  for (check::GoldenCurve& curve : curves) {
     Writing& one = all.emplace_back();
     std::error_code ignored;
     one.was_there = fs::exists(curve.file, ignored);
-    one.text = names_row(curve);
+    one.text = check::names_row(curve);
     one.curve = std::move(curve);
   }
   return all;
@@ -68,12 +68,13 @@ struct Failure {
   int code;
   std::string message;  ///< whole, with its line feed
 };
-tl::expected<std::int64_t, Failure> follow(const Case& problem, std::vector<Writing>& writings,
+tl::expected<std::int64_t, Failure> follow(const cases::Case& problem,
+                                           std::vector<Writing>& writings,
                                            std::vector<Held>& checks) {
   std::string fault;
   std::int64_t increments = 0;
-  Progress progress(case_stem(problem));
-  const auto ended = run_case(problem, [&](const Row& row) {
+  terminal::Progress progress(results::case_stem(problem));
+  const auto ended = bench::run_case(problem, [&](const bench::Row& row) {
     progress.step(row.index, row.time);
     increments = row.index;
     for (Held& check : checks) {
@@ -81,57 +82,59 @@ tl::expected<std::int64_t, Failure> follow(const Case& problem, std::vector<Writ
       check.now->add(row);
     }
     for (Writing& one : writings) {
-      const auto appended = append_golden_row(one.curve, row, one.text);
+      const auto appended = check::append_golden_row(one.curve, row, one.text);
       if (!appended && fault.empty()) fault = appended.error();
     }
   });
   if (!ended) {
-    return tl::unexpected(Failure{exit_code(ended.error()), failure_text(problem, ended.error())});
+    return tl::unexpected(
+        Failure{bench::exit_code(ended.error()), bench::failure_text(problem, ended.error())});
   }
   if (!fault.empty()) {
-    return tl::unexpected(Failure{kExitBadInput, "slipbench: error: " + fault + "\n"});
+    return tl::unexpected(Failure{base::kExitBadInput, "slipbench: error: " + fault + "\n"});
   }
   return increments;
 }
 
 /// Refuses a file that must not be replaced, which may have come while the case ran.
-tl::expected<OutputFile, Failure> create_file(const Writing& one,
-                                              std::span<const std::string> inputs) {
-  if (one.was_there && !is_golden_curve(one.curve.file)) {
-    return tl::unexpected(
-        Failure{kExitEnvironment, "slipbench: error: " + printable(one.curve.shown_name) +
+tl::expected<base::OutputFile, Failure> create_file(const Writing& one,
+                                                    std::span<const std::string> inputs) {
+  if (one.was_there && !cases::is_golden_curve(one.curve.file)) {
+    return tl::unexpected(Failure{base::kExitEnvironment,
+                                  "slipbench: error: " + base::printable(one.curve.shown_name) +
                                       " is no golden curve any more; it is not overwritten\n"});
   }
-  auto file = OutputFile::create(one.curve.file, {}, {inputs, true});
+  auto file = base::OutputFile::create(one.curve.file, {}, {inputs, true});
   if (!file) {
-    return tl::unexpected(Failure{kExitEnvironment, "slipbench: error: " + file.error() + "\n"});
+    return tl::unexpected(
+        Failure{base::kExitEnvironment, "slipbench: error: " + file.error() + "\n"});
   }
   return std::move(*file);
 }
 
 /// Writes the curves under their temporary names and points the checks there. To be called with
 /// the folders locked: the reasons of other blessings are read from what is there now.
-tl::expected<void, Failure> write(const Case& problem, const std::string& reason,
+tl::expected<void, Failure> write(const cases::Case& problem, const std::string& reason,
                                   std::vector<Writing>& writings, std::vector<Held>& checks) {
-  const std::vector<std::string> inputs = history_files(problem);
+  const std::vector<std::string> inputs = cases::history_files(problem);
   for (Writing& one : writings) {
     std::error_code ignored;
     one.was_there = fs::exists(one.curve.file, ignored);
     auto file = create_file(one, inputs);
     if (!file) return tl::unexpected(std::move(file.error()));
-    if (one.was_there) one.before = read_golden_header(one.curve.file);
-    one.header = golden_header(problem, one.curve, reason, one.before);
+    if (one.was_there) one.before = check::read_golden_header(one.curve.file);
+    one.header = check::golden_header(problem, one.curve, reason, one.before);
     one.unchanged = one.was_there && one.before.origin == one.header.origin &&
-                    has_golden_rows(one.curve.file, one.text);
+                    check::has_golden_rows(one.curve.file, one.text);
     if (one.unchanged) continue;
-    file->append(to_text(one.header));
+    file->append(check::to_text(one.header));
     file->append(one.text);
     if (auto closed = file->close(); !closed) {
       return tl::unexpected(
-          Failure{kExitEnvironment, "slipbench: error: " + closed.error() + "\n"});
+          Failure{base::kExitEnvironment, "slipbench: error: " + closed.error() + "\n"});
     }
     for (Held& check : checks) {
-      auto& reference = std::get<CurveReference>(check.fresh.against);
+      auto& reference = std::get<cases::CurveReference>(check.fresh.against);
       if (reference.file == one.curve.file) reference.file = file->temporary();
     }
     one.file.emplace(std::move(*file));
@@ -140,10 +143,11 @@ tl::expected<void, Failure> write(const Case& problem, const std::string& reason
 }
 
 /// "check 'pull': was 6.2 of its tolerance (CSF2 off by 3.1 N ...), now 0".
-std::string told(const Check& check, const std::optional<CheckProgress>& old, const Verdict& now) {
+std::string told(const cases::Check& check, const std::optional<check::CheckProgress>& old,
+                 const check::Verdict& now) {
   std::string before = "no curve before";
   if (old) {
-    const Verdict verdict = old->verdict();
+    const check::Verdict verdict = old->verdict();
     if (verdict.compared == 0 || (!verdict.passed && verdict.failing == 0)) {
       before = "was not to be compared (" + verdict.message + ")";
     } else {
@@ -151,11 +155,11 @@ std::string told(const Check& check, const std::optional<CheckProgress>& old, co
                            verdict.passed ? "" : " (" + verdict.message + ")");
     }
   }
-  return fmt::format("  check '{}': {}, now {:.2g}\n", printable(check.name), before,
+  return fmt::format("  check '{}': {}, now {:.2g}\n", base::printable(check.name), before,
                      now.worst_fraction());
 }
 
-std::string parameters_of(const GoldenHeader& header) {
+std::string parameters_of(const check::GoldenHeader& header) {
   constexpr std::string_view kParameters = "# parameters: ";
   for (const std::string& line : header.origin) {
     if (line.starts_with(kParameters)) return line.substr(kParameters.size());
@@ -164,7 +168,7 @@ std::string parameters_of(const GoldenHeader& header) {
 }
 
 std::string told(const Writing& one) {
-  const std::string name = printable(one.curve.shown_name);
+  const std::string name = base::printable(one.curve.shown_name);
   if (one.unchanged) return fmt::format("  {}: as it was, left alone\n", name);
   const auto rows = std::count(one.text.begin(), one.text.end(), '\n') - 1;
   std::string text =
@@ -182,20 +186,21 @@ std::string told(const Writing& one) {
 int bless_command(const BlessOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   if (options.reason.find_first_not_of(" \t\r\n") == std::string::npos) {
-    return refuse(kExitBadInput, "--reason: wanted a sentence why today's curve is right");
+    return terminal::refuse(base::kExitBadInput,
+                            "--reason: wanted a sentence why today's curve is right");
   }
-  const auto settings = parse_settings(options.settings);
-  if (!settings) return refuse(kExitBadInput, settings.error());
-  ReadCase read = read_case(options.file, {.overrides = *settings,
-                                           .allow_outside = options.allow_outside,
-                                           .curves_may_be_missing = true});
+  const auto settings = base::parse_settings(options.settings);
+  if (!settings) return terminal::refuse(base::kExitBadInput, settings.error());
+  read::ReadCase read = read::read_case(options.file, {.overrides = *settings,
+                                                       .allow_outside = options.allow_outside,
+                                                       .curves_may_be_missing = true});
   if (!read.value || read.diagnostics.has_errors()) {
-    print_error(render(read.diagnostics, read.sources));
-    return read.environment_failure ? kExitEnvironment : kExitBadInput;
+    terminal::print_error(base::render(read.diagnostics, read.sources));
+    return read.environment_failure ? base::kExitEnvironment : base::kExitBadInput;
   }
-  const Case& problem = *read.value;
-  auto curves = golden_curves(problem);
-  if (!curves) return refuse(kExitBadInput, options.file + ": " + curves.error());
+  const cases::Case& problem = *read.value;
+  auto curves = check::golden_curves(problem);
+  if (!curves) return terminal::refuse(base::kExitBadInput, options.file + ": " + curves.error());
   std::vector<Writing> writings = prepare(std::move(*curves));
 
   std::vector<Held> checks;
@@ -203,7 +208,7 @@ int bless_command(const BlessOptions& options) {
     for (const std::size_t index : one.curve.checks) {
       Held& held = checks.emplace_back(Held{problem.checks[index], {}, {}});
       if (one.was_there) held.old.emplace(problem, problem.checks[index]);
-      std::get<CurveReference>(held.fresh.against).data.reset();
+      std::get<cases::CurveReference>(held.fresh.against).data.reset();
     }
   }
   // From here on the checks stay where they are.
@@ -211,42 +216,44 @@ int bless_command(const BlessOptions& options) {
 
   const auto increments = follow(problem, writings, checks);
   if (!increments) {
-    print_error(increments.error().message);
+    terminal::print_error(increments.error().message);
     return increments.error().code;
   }
   std::vector<fs::path> places;
   for (const Writing& one : writings) {
-    make_folders(one.curve.file.parent_path());  // what cannot be made is told below
+    base::make_folders(one.curve.file.parent_path());  // what cannot be made is told below
     places.push_back(one.curve.file);
   }
-  const FolderLocks locks(places);
+  const base::FolderLocks locks(places);
   if (const auto written = write(problem, options.reason, writings, checks); !written) {
-    print_error(written.error().message);
+    terminal::print_error(written.error().message);
     return written.error().code;
   }
-  std::string text = fmt::format("{}: {} increments, {}\n", case_stem(problem), *increments,
-                                 elapsed_text(std::chrono::steady_clock::now() - start));
+  std::string text =
+      fmt::format("{}: {} increments, {}\n", results::case_stem(problem), *increments,
+                  terminal::elapsed_text(std::chrono::steady_clock::now() - start));
   std::string verdicts;
   for (const Held& held : checks) {
-    const Verdict now = held.now->verdict();
+    const check::Verdict now = held.now->verdict();
     if (!now.passed) {
-      return refuse(kExitCheckFailed,
-                    fmt::format("{}: check '{}' would not pass against today's own curve, so "
-                                "nothing was changed: {}",
-                                options.file, printable(held.fresh.name), now.message));
+      return terminal::refuse(
+          base::kExitCheckFailed,
+          fmt::format("{}: check '{}' would not pass against today's own curve, so "
+                      "nothing was changed: {}",
+                      options.file, base::printable(held.fresh.name), now.message));
     }
     verdicts += told(held.fresh, held.old, now);
   }
-  std::vector<OutputFile*> together;
+  std::vector<base::OutputFile*> together;
   for (Writing& one : writings) {
     text += told(one);
     if (one.file) together.push_back(&*one.file);
   }
-  if (auto committed = commit(together, locks); !committed) {
-    return refuse(kExitEnvironment, committed.error());
+  if (auto committed = base::commit(together, locks); !committed) {
+    return terminal::refuse(base::kExitEnvironment, committed.error());
   }
-  print(text + verdicts);
-  return kExitOk;
+  terminal::print(text + verdicts);
+  return base::kExitOk;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 
 struct BlessOptions {
   std::string file;    ///< the case
@@ -17,4 +17,4 @@ struct BlessOptions {
 /// name. Returns the exit code.
 int bless_command(const BlessOptions& options);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

@@ -30,7 +30,7 @@
 #include "driver/terminal/print.hpp"
 #include "driver/terminal/progress.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 namespace {
 
 namespace fs = std::filesystem;
@@ -45,17 +45,17 @@ void keep_freed_memory() {
 #endif
 }
 
-std::string stem_of(const Fit& fit) { return fs::path(fit.file).stem().string(); }
+std::string stem_of(const calibrate::Fit& fit) { return fs::path(fit.file).stem().string(); }
 
-std::string file_name(const Fit& fit) { return fs::path(fit.file).filename().string(); }
+std::string file_name(const calibrate::Fit& fit) { return fs::path(fit.file).filename().string(); }
 
 std::string shown(const fs::path& path) { return path.lexically_normal().string(); }
 
 /// The notes, each with its file.
-std::string remarks(const Diagnostics& diagnostics) {
+std::string remarks(const base::Diagnostics& diagnostics) {
   std::string text;
-  for (const Diagnostic& diagnostic : diagnostics.sorted()) {
-    if (diagnostic.severity != Severity::kNote) continue;
+  for (const base::Diagnostic& diagnostic : diagnostics.sorted()) {
+    if (diagnostic.severity != base::Severity::kNote) continue;
     text += fmt::format("  note: {}: {}{}{}{}{}\n", diagnostic.file, diagnostic.path,
                         diagnostic.path.empty() ? "" : ": ", diagnostic.message,
                         diagnostic.hint.empty() ? "" : "; ", diagnostic.hint);
@@ -63,10 +63,10 @@ std::string remarks(const Diagnostics& diagnostics) {
   return text;
 }
 
-Diagnostics warnings_of(const Diagnostics& diagnostics) {
-  Diagnostics warnings;
-  for (Diagnostic& diagnostic : diagnostics.sorted()) {
-    if (diagnostic.severity == Severity::kWarning) warnings.add(std::move(diagnostic));
+base::Diagnostics warnings_of(const base::Diagnostics& diagnostics) {
+  base::Diagnostics warnings;
+  for (base::Diagnostic& diagnostic : diagnostics.sorted()) {
+    if (diagnostic.severity == base::Severity::kWarning) warnings.add(std::move(diagnostic));
   }
   return warnings;
 }
@@ -78,46 +78,48 @@ struct Written {
 };
 
 /// Numbers and cases, all or none of them; then the page; then pictures, as many as can be drawn.
-tl::expected<Written, std::string> write_results(const Fit& fit, const Calibration& calibration,
+tl::expected<Written, std::string> write_results(const calibrate::Fit& fit,
+                                                 const calibrate::Calibration& calibration,
                                                  const CalibrateOptions& options,
                                                  const fs::path& page,
-                                                 const Overwriting& overwriting) {
+                                                 const base::Overwriting& overwriting) {
   Written written;
   const fs::path folder = options.folder;
-  std::vector<OutputFile> files;
-  const auto add = [&](const fs::path& target, const FileMark& mark,
+  std::vector<base::OutputFile> files;
+  const auto add = [&](const fs::path& target, const base::FileMark& mark,
                        const std::string& text) -> tl::expected<void, std::string> {
-    auto file = OutputFile::create(target, mark, overwriting);
+    auto file = base::OutputFile::create(target, mark, overwriting);
     if (!file) return tl::unexpected(file.error());
     file->append(text);
     files.push_back(std::move(*file));
     written.files.push_back(target);
     return {};
   };
-  const json::Value document = calibration_json(fit, calibration);
-  if (auto done =
-          add(folder / (stem_of(fit) + ".json"), calibration_mark(fit), document.dump(2) + "\n");
+  const base::json::Value document = calibrate::calibration_json(fit, calibration);
+  if (auto done = add(folder / (stem_of(fit) + ".json"), calibrate::calibration_mark(fit),
+                      document.dump(2) + "\n");
       !done) {
     return tl::unexpected(done.error());
   }
-  const CalibratedCases cases = calibrated_cases(fit, calibration, folder);
-  for (const CalibratedCase& one : cases.cases) {
-    if (auto done = add(folder / one.file_name, calibrated_case_mark(fit), sealed(one.text));
+  const calibrate::CalibratedCases cases = calibrate::calibrated_cases(fit, calibration, folder);
+  for (const calibrate::CalibratedCase& one : cases.cases) {
+    if (auto done = add(folder / one.file_name, calibrate::calibrated_case_mark(fit),
+                        base::sealed(one.text));
         !done) {
       return tl::unexpected(done.error());
     }
     written.remarks.insert(written.remarks.end(), one.notes.begin(), one.notes.end());
   }
   written.remarks.insert(written.remarks.end(), cases.faults.begin(), cases.faults.end());
-  std::vector<OutputFile*> together;
-  for (OutputFile& file : files) together.push_back(&file);
-  if (auto committed = commit(together); !committed) return tl::unexpected(committed.error());
-  if (auto size = write_fit_report(fit, calibration, page, overwriting); !size) {
+  std::vector<base::OutputFile*> together;
+  for (base::OutputFile& file : files) together.push_back(&file);
+  if (auto committed = base::commit(together); !committed) return tl::unexpected(committed.error());
+  if (auto size = calibrate::write_fit_report(fit, calibration, page, overwriting); !size) {
     return tl::unexpected(size.error());
   }
   written.files.push_back(page);
-  const FitPictures pictures =
-      draw_fit_pictures(fit, calibration, page.parent_path(), stem_of(fit), overwriting);
+  const calibrate::FitPictures pictures =
+      calibrate::draw_fit_pictures(fit, calibration, page.parent_path(), stem_of(fit), overwriting);
   written.files.insert(written.files.end(), pictures.written.begin(), pictures.written.end());
   written.remarks.insert(written.remarks.end(), pictures.notes.begin(), pictures.notes.end());
   return written;
@@ -125,28 +127,30 @@ tl::expected<Written, std::string> write_results(const Fit& fit, const Calibrati
 
 /// Tells whether all results can be written, as a sentence where one cannot: that is known before
 /// the work.
-std::string fault_of_targets(const Fit& fit, const CalibrateOptions& options, const fs::path& page,
-                             const Overwriting& overwriting) {
+std::string fault_of_targets(const calibrate::Fit& fit, const CalibrateOptions& options,
+                             const fs::path& page, const base::Overwriting& overwriting) {
   const fs::path folder = options.folder;
-  std::vector<std::pair<fs::path, FileMark>> targets = {
-      {folder / (stem_of(fit) + ".json"), calibration_mark(fit)}};
-  for (const std::string& name : calibrated_case_names(fit)) {
-    targets.emplace_back(folder / name, calibrated_case_mark(fit));
+  std::vector<std::pair<fs::path, base::FileMark>> targets = {
+      {folder / (stem_of(fit) + ".json"), calibrate::calibration_mark(fit)}};
+  for (const std::string& name : calibrate::calibrated_case_names(fit)) {
+    targets.emplace_back(folder / name, calibrate::calibrated_case_mark(fit));
   }
-  for (const std::string& name : fit_picture_names(fit, stem_of(fit))) {
-    targets.emplace_back(page.parent_path() / name, picture_mark(fit.file));
+  for (const std::string& name : calibrate::fit_picture_names(fit, stem_of(fit))) {
+    targets.emplace_back(page.parent_path() / name, plot::picture_mark(fit.file));
   }
   for (const auto& [target, mark] : targets) {
-    if (std::string fault = target_fault(target, mark, overwriting); !fault.empty()) return fault;
-    if (is_same_file(page, target)) {
+    if (std::string fault = base::target_fault(target, mark, overwriting); !fault.empty())
+      return fault;
+    if (base::is_same_file(page, target)) {
       return fmt::format("--report {}: is another result of this fit; choose another name",
                          page.string());
     }
   }
   // That a folder takes files is known once one is there.
-  const auto page_probe = OutputFile::create(page, fit_page_mark(file_name(fit)), overwriting);
+  const auto page_probe =
+      base::OutputFile::create(page, report::fit_page_mark(file_name(fit)), overwriting);
   if (!page_probe) return page_probe.error();
-  const auto probe = OutputFile::create(targets[0].first, targets[0].second, overwriting);
+  const auto probe = base::OutputFile::create(targets[0].first, targets[0].second, overwriting);
   return probe ? "" : probe.error();
 }
 
@@ -154,71 +158,71 @@ std::string fault_of_targets(const Fit& fit, const CalibrateOptions& options, co
 
 int calibrate_command(const CalibrateOptions& options) {
   if (options.no_output && !options.report.empty()) {
-    return refuse(kExitBadInput,
-                  "--no-output writes no files: leave it out, or leave out --report");
+    return terminal::refuse(base::kExitBadInput,
+                            "--no-output writes no files: leave it out, or leave out --report");
   }
   if (const std::string fault = folder_fault(options.folder, "fit"); !fault.empty()) {
-    return refuse(kExitBadInput, fault);
+    return terminal::refuse(base::kExitBadInput, fault);
   }
-  const auto settings = parse_settings(options.settings);
-  if (!settings) return refuse(kExitBadInput, settings.error());
+  const auto settings = base::parse_settings(options.settings);
+  if (!settings) return terminal::refuse(base::kExitBadInput, settings.error());
   keep_freed_memory();
-  ReadFit read = read_fit(options.file, {*settings, options.allow_outside});
+  calibrate::ReadFit read = calibrate::read_fit(options.file, {*settings, options.allow_outside});
   if (!read.value || read.diagnostics.has_errors()) {
-    print_error(render(read.diagnostics, read.sources));
-    print_error(summary(read.diagnostics) + ", nothing was fitted\n");
-    return read.environment_failure ? kExitEnvironment : kExitBadInput;
+    terminal::print_error(base::render(read.diagnostics, read.sources));
+    terminal::print_error(base::summary(read.diagnostics) + ", nothing was fitted\n");
+    return read.environment_failure ? base::kExitEnvironment : base::kExitBadInput;
   }
-  if (const Diagnostics warnings = warnings_of(read.diagnostics); !warnings.empty()) {
-    print_error(render(warnings, read.sources));
+  if (const base::Diagnostics warnings = warnings_of(read.diagnostics); !warnings.empty()) {
+    terminal::print_error(base::render(warnings, read.sources));
   }
-  Fit& fit = *read.value;
+  calibrate::Fit& fit = *read.value;
   if (options.bootstrap) fit.bootstrap = *options.bootstrap;
   fit.profile = fit.profile || options.profile;
 
   std::vector<std::string> inputs = read.data_files;
   inputs.push_back(options.file);
-  for (const ExperimentFit& experiment : fit.experiments) {
+  for (const calibrate::ExperimentFit& experiment : fit.experiments) {
     inputs.push_back(experiment.case_path.string());
     inputs.push_back(experiment.data_path.string());
-    for (std::string& file : input_files(experiment.base)) inputs.push_back(std::move(file));
+    for (std::string& file : cases::input_files(experiment.base)) inputs.push_back(std::move(file));
   }
   const fs::path page = options.report.empty() ? fs::path(options.folder) / (stem_of(fit) + ".html")
                                                : fs::path(options.report);
-  const Overwriting overwriting{inputs, options.force};
+  const base::Overwriting overwriting{inputs, options.force};
   if (!options.no_output) {
     const std::string fault = fault_of_targets(fit, options, page, overwriting);
-    if (!fault.empty()) return refuse(kExitEnvironment, fault);
+    if (!fault.empty()) return terminal::refuse(base::kExitEnvironment, fault);
   }
 
   const auto calibration = [&] {
-    Progress line(stem_of(fit));
-    CalibrateProgress progress;
-    progress.step = [&](const CalibrateStep& step) {
+    terminal::Progress line(stem_of(fit));
+    calibrate::CalibrateProgress progress;
+    progress.step = [&](const calibrate::CalibrateStep& step) {
       line.say(
           fmt::format("{}, {} evaluations, cost {:.6g}", step.stage, step.evaluations, step.cost));
     };
-    return calibrate(fit, progress, {.with_hashes = !options.no_output});
+    return calibrate::calibrate(fit, progress, {.with_hashes = !options.no_output});
   }();
   if (!calibration) {
-    print_error(
-        fmt::format("{}: error: {}\n", printable(options.file), calibration.error().message));
+    terminal::print_error(
+        fmt::format("{}: error: {}\n", base::printable(options.file), calibration.error().message));
     return calibration.error().code;
   }
-  std::string text = fit_summary(fit, *calibration) + remarks(read.diagnostics);
-  int code = calibration->fit.converged ? kExitOk : kExitNumerical;
+  std::string text = calibrate::fit_summary(fit, *calibration) + remarks(read.diagnostics);
+  int code = calibration->fit.converged ? base::kExitOk : base::kExitNumerical;
   if (!options.no_output) {
     const auto written = write_results(fit, *calibration, options, page, overwriting);
     if (!written) {
-      print(text);
-      return refuse(kExitEnvironment, written.error());
+      terminal::print(text);
+      return terminal::refuse(base::kExitEnvironment, written.error());
     }
     for (const std::string& remark : written->remarks) text += "  note: " + remark + "\n";
     for (const fs::path& file : written->files) text += "  " + shown(file);
     text += "\n";
   }
-  print(text);
+  terminal::print(text);
   return code;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 
 struct CalibrateOptions {
   std::string file;                   ///< the fit file
@@ -24,4 +24,4 @@ struct CalibrateOptions {
 /// fitted case, CASE.calibrated.yaml. Returns the exit code: 0 if the fit converged, 3 if not.
 int calibrate_command(const CalibrateOptions& options);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

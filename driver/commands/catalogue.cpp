@@ -24,12 +24,12 @@
 #include "driver/terminal/print.hpp"
 #include "reference/catalogue.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 namespace {
 
 template <class... Argument>
 void tell(fmt::format_string<Argument...> text, Argument&&... arguments) {
-  print(fmt::format(text, std::forward<Argument>(arguments)...));
+  terminal::print(fmt::format(text, std::forward<Argument>(arguments)...));
 }
 
 constexpr std::array<std::string_view, 7> kLists{
@@ -46,8 +46,8 @@ void list_connections() {
   tell("connections (type, made of, constraint forces, free motions)\n");
   law::for_each_connection_type([&]<class Type>(std::type_identity<Type>) {
     const law::ConnectionInfo& info = Type::kInfo;
-    tell("  {:<12} {:<24} {:<22} {:<18} {}\n", info.name, info.assembly, force_names(info.held),
-         motion_names(info.available),
+    tell("  {:<12} {:<24} {:<22} {:<18} {}\n", info.name, info.assembly,
+         read::force_names(info.held), read::motion_names(info.available),
          law::HasPredefinedFriction<Type> ? "predefined friction" : "");
   });
 }
@@ -60,7 +60,7 @@ void list_laws() {
 
 void list_keys() {
   tell("keys of a case at its top level; 'slipbench describe' tells of each and of those below\n");
-  for_each_key<CaseText>([&](std::string_view key, auto, const KeyInfo& info) {
+  yaml::for_each_key<read::CaseText>([&](std::string_view key, auto, const yaml::KeyInfo& info) {
     tell("  {:<20} {}\n", key, info.text);
   });
   tell("keys of Radioss friction and of backlash\n");
@@ -76,12 +76,14 @@ void list_closed_forms() {
 
 void list_curves() {
   tell("reference curves to check against\n");
-  for (const ShippedCurve& curve : shipped_curves()) tell("  {:<30} {}\n", curve.name, curve.text);
+  for (const check::ShippedCurve& curve : check::shipped_curves())
+    tell("  {:<30} {}\n", curve.name, curve.text);
 }
 
 void list_criteria() {
   tell("criteria that checks compare by\n");
-  for (const CriterionInfo& info : kCriteria) tell("  {:<20} {}\n", info.word, info.text);
+  for (const check::CriterionInfo& info : check::kCriteria)
+    tell("  {:<20} {}\n", info.word, info.text);
 }
 
 /// Definitions that have all columns of a formulation between them.
@@ -96,11 +98,11 @@ void add_formulations(law::FrictionDefinition definition,
 }
 
 /// All result columns that some connection with predefined friction has, each meaning once.
-std::vector<Column> all_columns() {
-  std::vector<Column> columns;
+std::vector<results::Column> all_columns() {
+  std::vector<results::Column> columns;
   law::for_each_connection_type([&]<class Type>(std::type_identity<Type>) {
     if constexpr (law::HasPredefinedFriction<Type>) {
-      Case problem;
+      cases::Case problem;
       problem.connection = {Type::kInfo, Type{}};
       const auto checks = Type{}.predefined();
       // One definition at a time, so that no name carries a definition's suffix.
@@ -113,11 +115,12 @@ std::vector<Column> all_columns() {
         for (const law::FrictionDefinition& form : forms) {
           problem.definitions = {{"", check.slip.dimension > 1, form}};
           if constexpr (std::is_same_v<Type, law::Slot>)
-            problem.definitions[0].dead_zone = DeadZone{};
-          for (Column& column : result_columns(problem)) {
-            const bool known = std::any_of(columns.begin(), columns.end(), [&](const Column& c) {
-              return c.name == column.name && c.text == column.text;
-            });
+            problem.definitions[0].dead_zone = cases::DeadZone{};
+          for (results::Column& column : results::result_columns(problem)) {
+            const bool known =
+                std::any_of(columns.begin(), columns.end(), [&](const results::Column& c) {
+                  return c.name == column.name && c.text == column.text;
+                });
             if (!known) columns.push_back(std::move(column));
           }
         }
@@ -138,20 +141,22 @@ void list_quantities() {
   tell("  {:<18} {}\n", "temperature", "temperature of the connector");
   tell("  {:<18} field variables, under 'fields:'\n", fmt::format("field1..{}", law::kMaxFields));
   tell("quantities a result has, as far as the connection does\n");
-  for (const Column& column : all_columns()) tell("  {:<18} {}\n", column.name, column.text);
+  for (const results::Column& column : all_columns())
+    tell("  {:<18} {}\n", column.name, column.text);
 }
 
 template <class Struct>
 void describe_fields(int indent) {
-  for_each_key<Struct>([&](std::string_view key, auto member, const KeyInfo& info) {
+  yaml::for_each_key<Struct>([&](std::string_view key, auto member, const yaml::KeyInfo& info) {
     using Member = std::remove_reference_t<decltype(std::declval<Struct&>().*member)>;
-    std::string wanted = Codec<Member>::wanted(info);
-    if (const std::string bounds = in_words(info.bounds); !bounds.empty()) wanted += ", " + bounds;
+    std::string wanted = yaml::Codec<Member>::wanted(info);
+    if (const std::string bounds = yaml::in_words(info.bounds); !bounds.empty())
+      wanted += ", " + bounds;
     wanted += info.required ? ", required" : ", default 0";
     if constexpr (std::is_same_v<Member, std::optional<law::Table>>) {
       wanted = "a table, default: built-in";
     } else if constexpr (std::is_same_v<Member, std::optional<double>>) {
-      wanted = "a number, " + in_words(info.bounds) + ", optional";
+      wanted = "a number, " + yaml::in_words(info.bounds) + ", optional";
     }
     tell("{:{}}{:<28} {}\n{:{}}{:<28} ({})\n", "", indent, key, info.text, "", indent, "", wanted);
   });
@@ -176,12 +181,12 @@ bool describe_connection(std::string_view name) {
     found = true;
     tell("{} (connection type, {})\n  {}\n\n{}\n", info.name, info.assembly, info.text,
          indented(std::string(connection_sketch(info.name))));
-    tell("  holds, forces under 'force:'    {}\n", force_names(info.held));
-    tell("  frees, motions under 'motion:'  {}\n", motion_names(info.available));
+    tell("  holds, forces under 'force:'    {}\n", read::force_names(info.held));
+    tell("  frees, motions under 'motion:'  {}\n", read::motion_names(info.available));
     tell("  contact force; the limit is mu times it\n{}",
          indented(indented(contact_force_formulas(info.name))));
     if constexpr (law::HasPredefinedFriction<Type>) {
-      if (keys_of<Type>().empty()) {
+      if (yaml::keys_of<Type>().empty()) {
         tell("  predefined friction without parameters: 'predefined: {{}}'\n");
       } else {
         tell("  predefined friction, parameters under 'predefined:'\n");
@@ -199,13 +204,13 @@ bool describe_connection(std::string_view name) {
 /// Describes a connection type that is known by name and cannot be run; false for other names.
 bool describe_known_type(std::string_view name) {
   if (name != "RETRACTOR" && name != "FLOW-CONVERTER") return false;
-  tell("{} (connection type, known by name)\n  {}\n", name, later_key(name)->why);
+  tell("{} (connection type, known by name)\n  {}\n", name, read::later_key(name)->why);
   return true;
 }
 
 /// Prints a text if there is one.
 bool told(const std::string& text) {
-  print(text);
+  terminal::print(text);
   return !text.empty();
 }
 
@@ -227,7 +232,7 @@ bool describe_closed_form(std::string_view name) {
 }
 
 bool describe_criterion(std::string_view name) {
-  for (const CriterionInfo& info : kCriteria) {
+  for (const check::CriterionInfo& info : check::kCriteria) {
     if (info.word != name) continue;
     tell("{} (criterion of a check)\n  {}\n", info.word, info.text);
     return true;
@@ -236,15 +241,15 @@ bool describe_criterion(std::string_view name) {
 }
 
 bool describe_quantity(std::string_view name) {
-  if (const auto c = component_of_force(name)) {
+  if (const auto c = cases::component_of_force(name)) {
     tell(
         "{} (prescribed quantity)\n  {} {} of a held component, under 'force:'; result column {}\n",
         name, law::is_rotation(*c) ? "Constraint moment" : "Constraint force", *c % 3 + 1,
-        force_column("CRF", *c));
+        cases::force_column("CRF", *c));
     return true;
   }
   bool found = false;
-  for (const Column& column : all_columns()) {
+  for (const results::Column& column : all_columns()) {
     if (column.name != name) continue;
     // A name may have another meaning with another connection.
     if (!found) tell("{} (result column)\n", column.name);
@@ -255,9 +260,10 @@ bool describe_quantity(std::string_view name) {
 }
 
 int unknown(std::string_view what, std::string_view name, std::span<const std::string_view> known) {
-  print_error(fmt::format("slipbench: no {} '{}'; {}\n", what, printable(name),
-                          did_you_mean(name, known, "'slipbench list' shows what there is")));
-  return kExitBadInput;
+  terminal::print_error(
+      fmt::format("slipbench: no {} '{}'; {}\n", what, base::printable(name),
+                  base::did_you_mean(name, known, "'slipbench list' shows what there is")));
+  return base::kExitBadInput;
 }
 
 }  // namespace
@@ -273,39 +279,39 @@ int list_command(const std::string& what) {
   if (what.empty() || what == "curves") list_curves();
   if (what.empty() || what == "criteria") list_criteria();
   if (what.empty() || what == "quantities") list_quantities();
-  return kExitOk;
+  return base::kExitOk;
 }
 
 int describe_command(const std::string& name) {
   if (describe_connection(name) || describe_known_type(name) || told(describe_law(name)))
-    return kExitOk;
+    return base::kExitOk;
   // Other names may be those of several things.
   bool known_name = describe_closed_form(name);
   known_name = describe_quantity(name) || known_name;
   known_name = told(describe_key(name)) || known_name;
   known_name = told(describe_entries(name)) || known_name;
   known_name = describe_criterion(name) || known_name;
-  known_name = told(curve_description(name)) || known_name;
-  if (known_name) return kExitOk;
+  known_name = told(check::curve_description(name)) || known_name;
+  if (known_name) return base::kExitOk;
   std::vector<std::string_view> known;
   law::for_each_connection_type(
       [&]<class Type>(std::type_identity<Type>) { known.push_back(Type::kInfo.name); });
   for_each_law([&]<class Law>(std::type_identity<Law>) { known.push_back(Law::kName); });
   for (const reference::ClosedForm& form : reference::catalogue()) known.push_back(form.name);
-  const std::vector<Column> columns = all_columns();
-  for (const Column& column : columns) known.push_back(column.name);
+  const std::vector<results::Column> columns = all_columns();
+  for (const results::Column& column : columns) known.push_back(column.name);
   const std::vector<std::string> keys = key_names();
   known.insert(known.end(), keys.begin(), keys.end());
-  for (const CriterionInfo& info : kCriteria) known.push_back(info.word);
-  const std::vector<ShippedCurve> curves = shipped_curves();
-  for (const ShippedCurve& curve : curves) known.push_back(curve.name);
+  for (const check::CriterionInfo& info : check::kCriteria) known.push_back(info.word);
+  const std::vector<check::ShippedCurve> curves = check::shipped_curves();
+  for (const check::ShippedCurve& curve : curves) known.push_back(curve.name);
   return unknown("connection, law, closed form, quantity, key, criterion or curve", name, known);
 }
 
 int schema_command(bool markdown, bool fit) {
-  print(markdown ? case_reference_markdown() + fit_reference_markdown()
-                 : (fit ? fit_schema() : case_schema()).dump(2) + "\n");
-  return kExitOk;
+  terminal::print(markdown ? read::case_reference_markdown() + calibrate::fit_reference_markdown()
+                           : (fit ? calibrate::fit_schema() : read::case_schema()).dump(2) + "\n");
+  return base::kExitOk;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

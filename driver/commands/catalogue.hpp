@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 
 /// `slipbench list`: the names of one kind of thing with one sentence each; `what` is connections,
 /// laws, keys, closed-forms or quantities, and empty for all of them. Returns the exit code.
@@ -18,4 +18,4 @@ int describe_command(const std::string& name);
 /// which tells of both, as Markdown. Returns the exit code.
 int schema_command(bool markdown = false, bool fit = false);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 
 struct CheckOptions {
   std::vector<std::string> paths;     ///< case files, or folders that are searched for them
@@ -34,4 +34,4 @@ struct CheckOptions {
 /// exit code: that of the worst case, or of a file that could not be written.
 int check_command(const CheckOptions& options);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

@@ -4,7 +4,7 @@
 
 #include "driver/commands/minimal_case.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 namespace {
 
 struct Sketch {
@@ -105,4 +105,4 @@ std::string_view connection_sketch(std::string_view type) {
   return {};
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

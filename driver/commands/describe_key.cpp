@@ -12,7 +12,7 @@
 #include "driver/read/keys/case_reference.hpp"
 #include "driver/read/keys/key_examples.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 namespace {
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -31,7 +31,7 @@ std::string_view name_of(std::string_view segment) {
 }
 
 /// True if a row is meant by the segments that were typed; names of the user's may be left out.
-bool is_meant(const KeyRow& row, const std::vector<std::string_view>& asked) {
+bool is_meant(const yaml::KeyRow& row, const std::vector<std::string_view>& asked) {
   std::vector<std::string_view> segments = split(row.path, '.');
   if (name_of(segments.back()) == "NAME") return false;
   std::erase_if(segments, [](std::string_view segment) { return name_of(segment) == "NAME"; });
@@ -79,7 +79,7 @@ std::string unit_text(const std::string& symbols) {
 }
 
 /// Numbers without a dimension of their own that are values of a quantity, which has one.
-bool is_of_quantity(const KeyRow& row) {
+bool is_of_quantity(const yaml::KeyRow& row) {
   static constexpr std::array<std::string_view, 26> kKeys{
       "parameters", "reference", "initial", "weights",   "shift",       "scale",  "rows",
       "lower",      "upper",     "to",      "smooth_to", "amplitude",   "mean",   "absolute",
@@ -89,8 +89,8 @@ bool is_of_quantity(const KeyRow& row) {
   return std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end();
 }
 
-std::string unit_of(const KeyRow& row) {
-  if (const std::string symbols = dimension_text(row.info.dimension); !symbols.empty()) {
+std::string unit_of(const yaml::KeyRow& row) {
+  if (const std::string symbols = read::dimension_text(row.info.dimension); !symbols.empty()) {
     return unit_text(symbols);
   }
   if (row.wanted.find("number") == std::string::npos &&
@@ -120,9 +120,9 @@ std::string in_place(const std::string& path, const std::string& value) {
 
 /// A key, the paths of all rows that mean the same, and the kind of file.
 struct Meaning {
-  const KeyRow* row = nullptr;
+  const yaml::KeyRow* row = nullptr;
   std::vector<std::string> places;
-  std::span<const KeyRow> rows;
+  std::span<const yaml::KeyRow> rows;
   const char* file = "";
 };
 
@@ -131,10 +131,10 @@ std::string place_of(const std::string& path) {
   return dot == std::string::npos ? "the top level" : path.substr(0, dot);
 }
 
-void add_meanings(std::string_view asked, std::span<const KeyRow> rows, const char* file,
+void add_meanings(std::string_view asked, std::span<const yaml::KeyRow> rows, const char* file,
                   std::vector<Meaning>& all) {
   const std::vector<std::string_view> segments = split(asked, '.');
-  for (const KeyRow& row : rows) {
+  for (const yaml::KeyRow& row : rows) {
     if (!is_meant(row, segments)) continue;
     const auto known = std::find_if(all.begin(), all.end(), [&](const Meaning& meaning) {
       return meaning.row->wanted == row.wanted && meaning.row->info.text == row.info.text;
@@ -151,7 +151,7 @@ void add_meanings(std::string_view asked, std::span<const KeyRow> rows, const ch
 std::string keys_below(const Meaning& meaning) {
   std::string text;
   const std::string& path = meaning.row->path;
-  for (const KeyRow& below : meaning.rows) {
+  for (const yaml::KeyRow& below : meaning.rows) {
     if (!below.path.starts_with(path) || below.path.size() == path.size()) continue;
     std::string_view rest = std::string_view(below.path).substr(path.size());
     for (const std::string_view part : {"[]", ".NAME", "[]"}) {
@@ -164,10 +164,11 @@ std::string keys_below(const Meaning& meaning) {
 }
 
 std::string described(const Meaning& meaning) {
-  const KeyRow& row = *meaning.row;
-  const KeyInfo& info = row.info;
+  const yaml::KeyRow& row = *meaning.row;
+  const yaml::KeyInfo& info = row.info;
   std::string type = row.wanted;
-  if (const std::string bounds = in_words(info.bounds); !bounds.empty()) type += ", " + bounds;
+  if (const std::string bounds = yaml::in_words(info.bounds); !bounds.empty())
+    type += ", " + bounds;
   const std::string fallback =
       info.required
           ? "required"
@@ -176,17 +177,17 @@ std::string described(const Meaning& meaning) {
   return fmt::format(
       "{} (key of a {})\n  {}\n  stands in  {}\n  type       {}\n  unit       {}\n"
       "  {}\n  example\n{}{}",
-      name_of(split(row.path, '.').back()), meaning.file, info.text, few_in_words(places), type,
-      unit_of(row), fallback, in_place(row.path, example_of(row, meaning.rows)),
+      name_of(split(row.path, '.').back()), meaning.file, info.text, base::few_in_words(places),
+      type, unit_of(row), fallback, in_place(row.path, read::example_of(row, meaning.rows)),
       keys_below(meaning));
 }
 
-const std::vector<KeyRow>& rows_of_cases() {
-  static const std::vector<KeyRow> rows = case_rows();
+const std::vector<yaml::KeyRow>& rows_of_cases() {
+  static const std::vector<yaml::KeyRow> rows = read::case_rows();
   return rows;
 }
-const std::vector<KeyRow>& rows_of_fits() {
-  static const std::vector<KeyRow> rows = fit_rows();
+const std::vector<yaml::KeyRow>& rows_of_fits() {
+  static const std::vector<yaml::KeyRow> rows = calibrate::fit_rows();
   return rows;
 }
 
@@ -203,8 +204,8 @@ std::string describe_entries(std::string_view asked) {
 
 std::vector<std::string> key_names() {
   std::vector<std::string> names;
-  for (const std::vector<KeyRow>* rows : {&rows_of_cases(), &rows_of_fits()}) {
-    for (const KeyRow& row : *rows) {
+  for (const std::vector<yaml::KeyRow>* rows : {&rows_of_cases(), &rows_of_fits()}) {
+    for (const yaml::KeyRow& row : *rows) {
       if (row.path.find(".coefficient.") != std::string::npos) continue;
       for (const std::string_view way : split(name_of(split(row.path, '.').back()), '|')) {
         if (std::find(names.begin(), names.end(), way) == names.end()) names.emplace_back(way);
@@ -214,4 +215,4 @@ std::vector<std::string> key_names() {
   return names;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

@@ -16,7 +16,7 @@
 #include "driver/results/law_range.hpp"
 #include "law/friction/friction_law.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 namespace {
 
 constexpr std::size_t kLineLength = 100;
@@ -64,9 +64,9 @@ std::string wrapped(std::string_view text, std::size_t indent) {
 }
 
 /// A dimension as a user names it: "1/pressure".
-std::string_view dimension_words(const Dimension& dimension) {
+std::string_view dimension_words(const base::Dimension& dimension) {
   struct Word {
-    Dimension dimension;
+    base::Dimension dimension;
     std::string_view text;
   };
   static constexpr std::array<Word, 11> kWords{{{{}, "a pure number"},
@@ -86,8 +86,8 @@ std::string_view dimension_words(const Dimension& dimension) {
   return "";
 }
 
-std::string dimension_in_words(const Dimension& dimension) {
-  const std::string symbols = dimension_text(dimension);
+std::string dimension_in_words(const base::Dimension& dimension) {
+  const std::string symbols = read::dimension_text(dimension);
   return std::string(dimension_words(dimension)) + (symbols.empty() ? "" : " [" + symbols + "]");
 }
 
@@ -99,10 +99,10 @@ std::string symbol(std::string_view name, std::string_view dimension, std::strin
 
 /// Returns what the reader wants of a parameter: its bounds, and its default.
 template <class Member>
-std::string wanted(const KeyInfo& info) {
-  std::string text = in_words(info.bounds);
+std::string wanted(const yaml::KeyInfo& info) {
+  std::string text = yaml::in_words(info.bounds);
   if constexpr (!std::is_arithmetic_v<Member> && !std::is_same_v<Member, std::optional<double>>) {
-    text = Codec<Member>::wanted(info);
+    text = yaml::Codec<Member>::wanted(info);
   }
   const std::string fallback =
       info.required ? "required"
@@ -113,8 +113,8 @@ std::string wanted(const KeyInfo& info) {
 
 template <class Law>
 std::string symbols(const law::FrictionLaw& example) {
-  constexpr Dimension kSpeed{0, 1, -1};
-  constexpr Dimension kPressure{1, -2, 0};
+  constexpr base::Dimension kSpeed{0, 1, -1};
+  constexpr base::Dimension kPressure{1, -2, 0};
   std::string text;
   if (law::depends_on_slip_rate(example)) {
     text += symbol("V", dimension_in_words(kSpeed),
@@ -123,10 +123,10 @@ std::string symbols(const law::FrictionLaw& example) {
   if constexpr (requires(Law law) { law.area; }) {
     text += symbol("p", dimension_in_words(kPressure), "Pressure F_N/area.", "");
   } else if (law::depends_on_contact_force(example)) {
-    text += symbol("F_N", dimension_in_words(kForce), "Normal force.", "");
+    text += symbol("F_N", dimension_in_words(base::kForce), "Normal force.", "");
   }
-  if constexpr (HasFields<Law>) {
-    for_each_key<Law>([&](std::string_view key, auto member, const KeyInfo& info) {
+  if constexpr (yaml::HasFields<Law>) {
+    yaml::for_each_key<Law>([&](std::string_view key, auto member, const yaml::KeyInfo& info) {
       using Member = std::remove_cvref_t<decltype(std::declval<Law&>().*member)>;
       constexpr bool kNumber =
           std::is_arithmetic_v<Member> || std::is_same_v<Member, std::optional<double>>;
@@ -140,8 +140,8 @@ std::string symbols(const law::FrictionLaw& example) {
 /// mu over the slip rate, or over the pressure where the rate does not enter, of a typical set of
 /// parameters; empty for a constant.
 std::string drawing(const law::FrictionLaw& law) {
-  const LawRange range = law_range(law);
-  const double area = area_of(law);
+  const results::LawRange range = results::law_range(law);
+  const double area = results::area_of(law);
   const bool by_rate = law::depends_on_slip_rate(law);
   const bool by_force = law::depends_on_contact_force(law);
   if (!by_rate && !by_force) return {};
@@ -149,7 +149,7 @@ std::string drawing(const law::FrictionLaw& law) {
   const auto mu = [&](double rate, double force) {
     return law::evaluate(law, ambient, {.slip_rate = rate, .contact_force = force}).mu;
   };
-  CurveDrawing picture;
+  base::CurveDrawing picture;
   picture.y_name = "mu";
   if (by_rate) {
     picture.x_end = range.slip_rate > 0.0 ? range.slip_rate : 1.0;
@@ -164,7 +164,7 @@ std::string drawing(const law::FrictionLaw& law) {
       }
       picture.curves.push_back({kPens[i], name, [=](double v) { return mu(v, force); }});
     }
-    for (const Landmark& landmark : range.landmarks) {
+    for (const results::Landmark& landmark : range.landmarks) {
       picture.points.push_back({landmark.name, landmark.slip_rate, mu(landmark.slip_rate, 0.0)});
     }
   } else {
@@ -173,7 +173,7 @@ std::string drawing(const law::FrictionLaw& law) {
     picture.x_name = area > 0.0 ? "p" : "F_N";
     picture.curves.push_back({'*', "", [=](double x) { return mu(0.0, x * per_force); }});
   }
-  return draw(picture);
+  return base::draw(picture);
 }
 
 template <class Law>
@@ -204,7 +204,7 @@ std::string describe() {
   }
   if (const std::string picture = drawing(law); !picture.empty()) {
     std::string of = "an example";
-    if constexpr (HasFields<Law>) of = numbers(example);
+    if constexpr (yaml::HasFields<Law>) of = read::numbers(example);
     text += fmt::format("\n  mu for {}\n{}", of, picture);
   }
   return text + fmt::format("\n  source: {}\n", Law::kSource);
@@ -270,8 +270,8 @@ std::string_view last_of(std::string_view path) {
 }
 
 /// A key below another one, with what it takes.
-std::string key_below(std::string_view rest, const KeyRow& row) {
-  const std::string dimension = dimension_text(row.info.dimension);
+std::string key_below(std::string_view rest, const yaml::KeyRow& row) {
+  const std::string dimension = read::dimension_text(row.info.dimension);
   std::string fallback = "required";
   if (!row.info.required) {
     const std::string_view text = row.info.default_text;
@@ -283,9 +283,9 @@ std::string key_below(std::string_view rest, const KeyRow& row) {
 }
 
 /// The keys below a path of the case format. The laws of a coefficient are described elsewhere.
-std::string keys_below(std::string_view path, const std::vector<KeyRow>& rows) {
+std::string keys_below(std::string_view path, const std::vector<yaml::KeyRow>& rows) {
   std::string text;
-  for (const KeyRow& row : rows) {
+  for (const yaml::KeyRow& row : rows) {
     const std::string_view inside = row.path;
     if (!inside.starts_with(path) || inside.size() == path.size()) continue;
     const std::string_view rest = inside.substr(path.size());
@@ -334,12 +334,12 @@ std::string describe_law(std::string_view name) {
 
 std::string describe_key(std::string_view name) {
   if (name == "Ifric") return laws_by_number();
-  static const std::vector<KeyRow> rows = case_rows();
+  static const std::vector<yaml::KeyRow> rows = read::case_rows();
   const std::string_view key = key_of_option(name);
   // The same map may stand in several places: its keys are told once.
   std::string places;
   std::string keys;
-  for (const KeyRow& row : rows) {
+  for (const yaml::KeyRow& row : rows) {
     const std::string_view path = row.path;
     if (last_of(path) != key || topic(key).empty()) continue;
     places += fmt::format("  {}\n", path);
@@ -358,4 +358,4 @@ std::vector<DescribedKey> described_keys() {
   return keys;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

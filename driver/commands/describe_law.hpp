@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 
 /// Returns what `slipbench describe` tells of a coefficient law: its formula, every symbol with its
 /// dimension, the rules between them, the source, and a drawing of mu over the slip rate for a
@@ -24,4 +24,4 @@ struct DescribedKey {
 };
 std::vector<DescribedKey> described_keys();
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

@@ -23,15 +23,15 @@
 #include "driver/import/radioss/starter_deck.hpp"
 #include "driver/terminal/print.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 namespace {
 
 // Decks carry the whole mesh.
 constexpr std::size_t kDeckSizeLimit = std::size_t{1} << 30U;
 
 int refuse(const std::string& message) {
-  print_error("slipbench: error: " + message + "\n");
-  return kExitBadInput;
+  terminal::print_error("slipbench: error: " + message + "\n");
+  return base::kExitBadInput;
 }
 
 std::vector<std::string> words_of(const std::string& text) {
@@ -43,18 +43,18 @@ std::vector<std::string> words_of(const std::string& text) {
   return words;
 }
 
-tl::expected<UnitSystem, std::string> parse_units(const std::string& text) {
+tl::expected<base::UnitSystem, std::string> parse_units(const std::string& text) {
   const std::vector<std::string> words = words_of(text);
   if (words.size() != 3) {
     return tl::make_unexpected("--units wants units of length, force and time, like \"mm N s\"");
   }
-  const std::array<Dimension, 3> dimensions{kLength, kForce, kTime};
+  const std::array<base::Dimension, 3> dimensions{base::kLength, base::kForce, base::kTime};
   for (std::size_t i = 0; i < 3; ++i) {
-    if (const auto good = check_base_unit(words[i], dimensions[i]); !good) {
+    if (const auto good = base::check_base_unit(words[i], dimensions[i]); !good) {
       return tl::make_unexpected("--units: " + good.error().message);
     }
   }
-  return UnitSystem{words[0], words[1], words[2], {}};
+  return base::UnitSystem{words[0], words[1], words[2], {}};
 }
 
 tl::expected<std::array<double, 3>, std::string> parse_normal(const std::string& text) {
@@ -62,7 +62,7 @@ tl::expected<std::array<double, 3>, std::string> parse_normal(const std::string&
   std::array<double, 3> normal{};
   bool zero = true;
   for (std::size_t i = 0; i < 3 && words.size() == 3; ++i) {
-    const auto number = parse_number(words[i]);
+    const auto number = base::parse_number(words[i]);
     if (!number) return tl::make_unexpected("--normal: " + number.error());
     normal[i] = *number;
     zero = zero && *number == 0.0;
@@ -74,12 +74,12 @@ tl::expected<std::array<double, 3>, std::string> parse_normal(const std::string&
 }
 
 /// The friction that is meant; null if it cannot be told, which is said.
-const DeckFriction* choose(const DeckContents& contents, const ImportOptions& options,
-                           Diagnostics& out) {
+const radioss::DeckFriction* choose(const radioss::DeckContents& contents,
+                                    const ImportOptions& options, base::Diagnostics& out) {
   constexpr std::size_t kMostNamed = 20;
   std::string ids;
   std::size_t count = 0;
-  for (const DeckFriction& friction : contents.frictions) {
+  for (const radioss::DeckFriction& friction : contents.frictions) {
     if (options.id && friction.id == *options.id) return &friction;
     if (++count > kMostNamed) continue;
     ids += (ids.empty() ? "" : ", ") + std::to_string(friction.id);
@@ -100,28 +100,30 @@ const DeckFriction* choose(const DeckContents& contents, const ImportOptions& op
 }
 
 /// The units the friction's numbers are in, as far as they are known.
-std::optional<UnitSystem> units_of(const DeckContents& contents, const DeckFriction& friction,
-                                   const SourceText& source, Diagnostics& out) {
+std::optional<base::UnitSystem> units_of(const radioss::DeckContents& contents,
+                                         const radioss::DeckFriction& friction,
+                                         const base::SourceText& source, base::Diagnostics& out) {
   if (friction.unit_id == 0) {
-    for (const DeckFault& fault : contents.unit_faults) {
-      out.warning(source.name(), position_of(source, fault.text), "/BEGIN", fault.message,
+    for (const radioss::DeckFault& fault : contents.unit_faults) {
+      out.warning(source.name(), radioss::position_of(source, fault.text), "/BEGIN", fault.message,
                   "state the units with --units");
     }
     return contents.units;
   }
-  out.warning(source.name(), position_of(source, friction.where), shortened(friction.where, 40),
+  out.warning(source.name(), radioss::position_of(source, friction.where),
+              radioss::shortened(friction.where, 40),
               fmt::format("is in the local system of units {}", friction.unit_id),
               "state it with --units");
   return std::nullopt;
 }
 
-void judge_directions(const DeckContents& contents, const DeckFriction& friction,
-                      const std::optional<std::array<double, 3>>& normal, const SourceText& source,
-                      Diagnostics& out) {
-  if (!normal || !is_orthotropic(friction)) return;
-  for (const DeckOrientation& entry : used_orientations(contents, friction)) {
-    if (entry.skew > 0 || direction_in_plane(entry, *normal)) continue;
-    out.error(source.name(), position_of(source, source.line(entry.line)), "/FRIC_ORIENT",
+void judge_directions(const radioss::DeckContents& contents, const radioss::DeckFriction& friction,
+                      const std::optional<std::array<double, 3>>& normal,
+                      const base::SourceText& source, base::Diagnostics& out) {
+  if (!normal || !radioss::is_orthotropic(friction)) return;
+  for (const radioss::DeckOrientation& entry : radioss::used_orientations(contents, friction)) {
+    if (entry.skew > 0 || radioss::direction_in_plane(entry, *normal)) continue;
+    out.error(source.name(), radioss::position_of(source, source.line(entry.line)), "/FRIC_ORIENT",
               "FRIC009: the direction is normal to the contact plane: it has no projection on it");
   }
 }
@@ -129,7 +131,7 @@ void judge_directions(const DeckContents& contents, const DeckFriction& friction
 }  // namespace
 
 int import_command(const ImportOptions& options) {
-  SkeletonOptions skeleton_options;
+  radioss::SkeletonOptions skeleton_options;
   skeleton_options.deck = std::filesystem::path(options.deck).filename().string();
   if (!options.normal.empty()) {
     const auto normal = parse_normal(options.normal);
@@ -141,55 +143,57 @@ int import_command(const ImportOptions& options) {
     if (!units) return refuse(units.error());
     skeleton_options.units = std::move(*units);
   }
-  const auto source = read_source(options.deck, kDeckSizeLimit);
+  const auto source = base::read_source(options.deck, kDeckSizeLimit);
   if (!source) {
-    print_error(render(source.error().diagnostic));
-    return source.error().failure == ReadFailure::kEnvironment ? kExitEnvironment : kExitBadInput;
+    terminal::print_error(base::render(source.error().diagnostic));
+    return source.error().failure == base::ReadFailure::kEnvironment ? base::kExitEnvironment
+                                                                     : base::kExitBadInput;
   }
-  Diagnostics diagnostics;
-  const StarterDeck deck = split_deck(*source, diagnostics);
-  const DeckContents contents = read_contents(deck, options.id, diagnostics);
-  const DeckFriction* friction = choose(contents, options, diagnostics);
+  base::Diagnostics diagnostics;
+  const radioss::StarterDeck deck = radioss::split_deck(*source, diagnostics);
+  const radioss::DeckContents contents = radioss::read_contents(deck, options.id, diagnostics);
+  const radioss::DeckFriction* friction = choose(contents, options, diagnostics);
   if (friction != nullptr) {
-    judge(contents, *friction, *source, diagnostics);
+    radioss::judge(contents, *friction, *source, diagnostics);
     judge_directions(contents, *friction, skeleton_options.normal, *source, diagnostics);
     if (!skeleton_options.units) {
       skeleton_options.units = units_of(contents, *friction, *source, diagnostics);
     }
     if (!skeleton_options.units && friction->law == 3) {
       diagnostics.warning(
-          source->name(), position_of(*source, friction->where), shortened(friction->where, 40),
+          source->name(), radioss::position_of(*source, friction->where),
+          radioss::shortened(friction->where, 40),
           "Ifric 3 hides a unit of speed: the case does not run before it states its units",
           "state them with --units, or in the case");
     }
   }
-  const SourceText sources[] = {*source};
-  print_error(render(diagnostics, sources));
+  const base::SourceText sources[] = {*source};
+  terminal::print_error(base::render(diagnostics, sources));
   if (diagnostics.has_errors() || friction == nullptr) {
-    print_error(summary(diagnostics) + ", nothing was written\n");
-    return kExitBadInput;
+    terminal::print_error(base::summary(diagnostics) + ", nothing was written\n");
+    return base::kExitBadInput;
   }
-  const std::string text = skeleton(contents, *friction, skeleton_options);
+  const std::string text = radioss::skeleton(contents, *friction, skeleton_options);
   if (options.output.empty() || options.output == "-") {
-    print(text);
-    return kExitOk;
+    terminal::print(text);
+    return base::kExitOk;
   }
   const std::string inputs[] = {options.deck};
-  auto file = OutputFile::create(options.output, {}, {inputs, options.force});
+  auto file = base::OutputFile::create(options.output, {}, {inputs, options.force});
   if (!file) {
-    print_error("slipbench: error: " + file.error() + "\n");
-    return kExitEnvironment;
+    terminal::print_error("slipbench: error: " + file.error() + "\n");
+    return base::kExitEnvironment;
   }
   file->append(text);
-  OutputFile* const alone[] = {&*file};
-  if (const auto committed = commit(alone); !committed) {
-    print_error("slipbench: error: " + committed.error() + "\n");
-    return kExitEnvironment;
+  base::OutputFile* const alone[] = {&*file};
+  if (const auto committed = base::commit(alone); !committed) {
+    terminal::print_error("slipbench: error: " + committed.error() + "\n");
+    return base::kExitEnvironment;
   }
   const std::size_t records = friction->pairs.size();
-  print(fmt::format("{}: /FRICTION/{}, {} record{} and the default\n", options.output, friction->id,
-                    records, records == 1 ? "" : "s"));
-  return kExitOk;
+  terminal::print(fmt::format("{}: /FRICTION/{}, {} record{} and the default\n", options.output,
+                              friction->id, records, records == 1 ? "" : "s"));
+  return base::kExitOk;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

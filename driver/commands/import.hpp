@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 
 struct ImportOptions {
   std::string deck;
@@ -19,4 +19,4 @@ struct ImportOptions {
 /// error with file, line and column; if one is an error, nothing is written. Returns the exit code.
 int import_command(const ImportOptions& options);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

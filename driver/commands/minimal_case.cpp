@@ -14,7 +14,7 @@
 #include "law/connection/connection_type.hpp"
 #include "reference/catalogue.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 namespace {
 
 /// One check of friction: the column of its contact force, and the closed form of it.
@@ -103,8 +103,8 @@ std::string against_form(const reference::ClosedForm& form, const std::vector<st
   }
   std::vector<std::string> inputs;
   for (const reference::Signal& input : form.inputs) {
-    if (const auto c = component_of_force(input.name)) {
-      inputs.push_back(fmt::format("{}: {}", input.name, force_column("CRF", *c)));
+    if (const auto c = cases::component_of_force(input.name)) {
+      inputs.push_back(fmt::format("{}: {}", input.name, cases::force_column("CRF", *c)));
     } else if (input.name == "alpha") {
       inputs.emplace_back("alpha: CPR1");
     }
@@ -121,7 +121,7 @@ Parts predefined_parts() {
   parts.type = Type::kInfo.name;
   std::vector<std::string> geometry;
   std::vector<std::string> given;
-  for_each_key<Type>([&](std::string_view key, auto member, const KeyInfo& info) {
+  yaml::for_each_key<Type>([&](std::string_view key, auto member, const yaml::KeyInfo& info) {
     using Member = std::remove_cvref_t<decltype(std::declval<Type&>().*member)>;
     if constexpr (std::is_same_v<Member, double>) {
       parts.parameters +=
@@ -183,7 +183,7 @@ Parts basic_parts(const law::ConnectionInfo& info) {
         fmt::format("{}: {{to: {}}}", force_name(c), law::is_rotation(c) ? 500 : 100));
     numbers.push_back(std::to_string(c + 1));
     weights.push_back(fmt::format("{}", weight));
-    squares.push_back(fmt::format("{}^2", force_column("CRF", c)));
+    squares.push_back(fmt::format("{}^2", cases::force_column("CRF", c)));
   }
   parts.derived = fmt::format(
       "derived_components:\n"
@@ -271,4 +271,4 @@ std::string contact_force_formulas(std::string_view type) {
   return text;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

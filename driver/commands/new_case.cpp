@@ -14,7 +14,7 @@
 #include "driver/terminal/print.hpp"
 #include "law/connection/connection_type.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 
 int new_command(const NewOptions& options) {
   const std::string text = minimal_case(options.type);
@@ -22,30 +22,32 @@ int new_command(const NewOptions& options) {
     std::vector<std::string_view> known;
     law::for_each_connection_type(
         [&]<class Type>(std::type_identity<Type>) { known.push_back(Type::kInfo.name); });
-    return refuse(
-        kExitBadInput,
-        fmt::format("no connection type '{}'; {}", options.type,
-                    did_you_mean(options.type, known, "'slipbench list connections' shows all")));
+    return terminal::refuse(
+        base::kExitBadInput,
+        fmt::format(
+            "no connection type '{}'; {}", options.type,
+            base::did_you_mean(options.type, known, "'slipbench list connections' shows all")));
   }
   if (options.output.empty()) {
-    print(text);
-    return kExitOk;
+    terminal::print(text);
+    return base::kExitOk;
   }
   const auto failed = [&] {
-    return refuse(kExitEnvironment,
-                  errno == EEXIST ? options.output +
-                                        ": is there already and is not replaced; choose another "
-                                        "name or remove it"
-                                  : options.output + ": " + std::generic_category().message(errno));
+    return terminal::refuse(base::kExitEnvironment,
+                            errno == EEXIST
+                                ? options.output +
+                                      ": is there already and is not replaced; choose another "
+                                      "name or remove it"
+                                : options.output + ": " + std::generic_category().message(errno));
   };
   errno = 0;
   std::FILE* file = std::fopen(options.output.c_str(), "wx");
   if (file == nullptr) return failed();
   const bool written = std::fwrite(text.data(), 1, text.size(), file) == text.size();
   if (std::fclose(file) != 0 || !written) return failed();
-  print(fmt::format("{0}: a case of {1}; run it with: slipbench run {0}\n", options.output,
-                    options.type));
-  return kExitOk;
+  terminal::print(fmt::format("{0}: a case of {1}; run it with: slipbench run {0}\n",
+                              options.output, options.type));
+  return base::kExitOk;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 
 struct NewOptions {
   std::string type;
@@ -13,4 +13,4 @@ struct NewOptions {
 /// `slipbench new`: prints or writes the minimal case of a connection type. Returns the exit code.
 int new_command(const NewOptions& options);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

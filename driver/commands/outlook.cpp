@@ -10,7 +10,7 @@
 #include "driver/terminal/print.hpp"
 #include "driver/terminal/progress.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -40,10 +40,10 @@ std::string run_progress_text(std::int64_t increments, double done, double secon
   return text;
 }
 
-Outlook::Outlook(const Case& problem, std::filesystem::path folder)
+Outlook::Outlook(const cases::Case& problem, std::filesystem::path folder)
     : case_(&problem), length_(problem), folder_(std::move(folder)), start_(Clock::now()) {}
 
-void Outlook::judge(const Row& row, OutputFile* rows) {
+void Outlook::judge(const bench::Row& row, base::OutputFile* rows) {
   const double done = length_.done(row);
   if (done <= 0.0) return;
   std::error_code error;
@@ -56,7 +56,7 @@ void Outlook::judge(const Row& row, OutputFile* rows) {
   const double bytes = written / done;
   const double whole = seconds() / done;
   const double increments = static_cast<double>(row.index) / done;
-  const std::string name = case_stem(*case_);
+  const std::string name = results::case_stem(*case_);
   const std::filesystem::path here = folder_.empty() ? "." : folder_;
   const auto space = std::filesystem::space(here, error);
   if (!error && rows != nullptr && bytes - written > static_cast<double>(space.available)) {
@@ -69,14 +69,15 @@ void Outlook::judge(const Row& row, OutputFile* rows) {
   std::string text =
       fmt::format("{}: {:.3g} increments take some {}", name, increments, duration_words(whole));
   if (rows != nullptr) text += fmt::format(" and {} of rows", size_words(bytes));
-  print_error(text + " ('output: {every: N}' writes fewer rows, Ctrl-C leaves nothing behind)\n");
+  terminal::print_error(
+      text + " ('output: {every: N}' writes fewer rows, Ctrl-C leaves nothing behind)\n");
 }
 
 double Outlook::seconds() const {
   return std::chrono::duration<double>(Clock::now() - start_).count();
 }
 
-void Outlook::show(const Row& row, Progress& progress) const {
+void Outlook::show(const bench::Row& row, terminal::Progress& progress) const {
   if (length_.increments() > 0.0) {
     progress.say(run_progress_text(row.index, length_.done(row), seconds()));
   } else {
@@ -84,4 +85,4 @@ void Outlook::show(const Row& row, Progress& progress) const {
   }
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

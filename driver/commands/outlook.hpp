@@ -12,7 +12,7 @@
 #include "driver/case/case.hpp"
 #include "driver/terminal/progress.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 
 /// Thrown from within a run that is going to fill the disk.
 struct NoRoom {
@@ -30,13 +30,13 @@ std::string run_progress_text(std::int64_t increments, double done, double secon
 class Outlook {
  public:
   /// \param folder where the result goes
-  Outlook(const Case& problem, std::filesystem::path folder);
+  Outlook(const cases::Case& problem, std::filesystem::path folder);
 
   /// Cheap enough to be called for every row. Throws NoRoom if the disk has less room than the rows
   /// need.
   /// \param rows the file they are written to; null for none
   /// \param progress shows how far the run is
-  void look(const Row& row, OutputFile* rows, Progress& progress) {
+  void look(const bench::Row& row, base::OutputFile* rows, terminal::Progress& progress) {
     if ((row.index & (kFirst - 1)) != 0 || row.index == 0) return;
     if (row.index == kFirst) judge(row, rows);
     show(row, progress);
@@ -44,14 +44,14 @@ class Outlook {
 
  private:
   static constexpr std::int64_t kFirst = std::int64_t{1} << 16U;
-  void judge(const Row& row, OutputFile* rows);
-  void show(const Row& row, Progress& progress) const;
+  void judge(const bench::Row& row, base::OutputFile* rows);
+  void show(const bench::Row& row, terminal::Progress& progress) const;
   double seconds() const;
 
-  const Case* case_;
-  RunLength length_;
+  const cases::Case* case_;
+  bench::RunLength length_;
   std::filesystem::path folder_;
   std::chrono::steady_clock::time_point start_;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

@@ -10,15 +10,15 @@
 #include "driver/plot/kinds.hpp"
 #include "driver/terminal/print.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 
 namespace fs = std::filesystem;
 
-int plot_command(const PlotOptions& asked, const std::string& size) {
-  PlotOptions options = asked;
+int plot_command(const plot::PlotOptions& asked, const std::string& size) {
+  plot::PlotOptions options = asked;
   if (!size.empty()) {
-    const auto look = parse_size(size);
-    if (!look) return refuse(kExitBadInput, look.error());
+    const auto look = plot::parse_size(size);
+    if (!look) return terminal::refuse(base::kExitBadInput, look.error());
     options.look.width = look->width;
     options.look.height = look->height;
   }
@@ -26,20 +26,21 @@ int plot_command(const PlotOptions& asked, const std::string& size) {
   std::error_code ignored;
   if (!picture.has_filename() || fs::is_directory(picture, ignored)) {
     const std::string kind = options.law ? "law" : options.kind;
-    picture /= fs::path(source_name(options.input))
+    picture /= fs::path(base::source_name(options.input))
                    .filename()
                    .replace_extension(kind.empty() ? ".svg" : "." + kind + ".svg");
   }
   if (options.look.dpi > 0.0 && picture.extension() != ".png") {
-    return refuse(kExitBadInput, fmt::format("--dpi is of pictures in pixels, .png; {} is none",
-                                             picture.string()));
+    return terminal::refuse(
+        base::kExitBadInput,
+        fmt::format("--dpi is of pictures in pixels, .png; {} is none", picture.string()));
   }
-  if (auto drawn = draw_picture(options, picture); !drawn) {
-    print_error(drawn.error().message);
+  if (auto drawn = plot::draw_picture(options, picture); !drawn) {
+    terminal::print_error(drawn.error().message);
     return drawn.error().code;
   }
-  print(picture.lexically_normal().string() + "\n");
-  return kExitOk;
+  terminal::print(picture.lexically_normal().string() + "\n");
+  return base::kExitOk;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

@@ -25,14 +25,14 @@
 #include "driver/terminal/print.hpp"
 #include "driver/terminal/progress.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 namespace {
 
 namespace fs = std::filesystem;
 
 /// Source of one place of the page.
 struct Source {
-  Candidate candidate;
+  suite::Candidate candidate;
   bool is_result = false;
 };
 
@@ -46,11 +46,12 @@ std::vector<Source> find_sources(std::span<const std::string> inputs,
                                  std::vector<std::string>& faults) {
   std::vector<Source> sources;
   const auto add_cases = [&](std::span<const std::string> paths) {
-    Candidates found = find_candidates(paths);
-    for (Candidate& candidate : found.cases) sources.push_back({std::move(candidate), false});
+    suite::Candidates found = suite::find_candidates(paths);
+    for (suite::Candidate& candidate : found.cases)
+      sources.push_back({std::move(candidate), false});
     faults.insert(faults.end(), found.faults.begin(), found.faults.end());
   };
-  RealFiles real_files;
+  base::RealFiles real_files;
   std::set<std::string> results;   // a result counts once
   std::vector<std::string> cases;  // neighbours are searched together: a case counts once
   for (const std::string& input : inputs) {
@@ -103,92 +104,98 @@ std::string title_of(std::span<const std::string> inputs) {
 }  // namespace
 
 int report_command(const ReportOptions& options) {
-  const auto settings = parse_settings(options.settings);
-  if (!settings) return refuse(kExitBadInput, settings.error());
-  if (options.output == "-") return refuse(kExitBadInput, "-o -: wanted the name of a file");
+  const auto settings = base::parse_settings(options.settings);
+  if (!settings) return terminal::refuse(base::kExitBadInput, settings.error());
+  if (options.output == "-")
+    return terminal::refuse(base::kExitBadInput, "-o -: wanted the name of a file");
   std::vector<std::string> faults;
   const std::vector<Source> sources = find_sources(options.inputs, faults);
-  for (const std::string& fault : faults) refuse(kExitEnvironment, fault);
+  for (const std::string& fault : faults) terminal::refuse(base::kExitEnvironment, fault);
   if (sources.empty()) {
-    refuse(kExitBadInput, "no case (*.yaml, *.yml) found; there is nothing to report");
-    return faults.empty() ? kExitBadInput : kExitEnvironment;
+    terminal::refuse(base::kExitBadInput,
+                     "no case (*.yaml, *.yml) found; there is nothing to report");
+    return faults.empty() ? base::kExitBadInput : base::kExitEnvironment;
   }
   // Before the work: a page that cannot be written is known at once.
   const std::vector<std::string> inputs = known_inputs(sources);
-  const Overwriting overwriting{inputs, options.force};
-  if (const auto page = OutputFile::create(options.output, report_page_mark(), overwriting);
+  const base::Overwriting overwriting{inputs, options.force};
+  if (const auto page =
+          base::OutputFile::create(options.output, report::report_page_mark(), overwriting);
       !page) {
-    return refuse(kExitEnvironment, page.error());
+    return terminal::refuse(base::kExitEnvironment, page.error());
   }
-  const ReadOptions read_options{*settings, options.allow_outside};
-  const unsigned threads = core_count();
-  std::vector<Reading> readings(sources.size());
+  const read::ReadOptions read_options{*settings, options.allow_outside};
+  const unsigned threads = base::core_count();
+  std::vector<suite::Reading> readings(sources.size());
   std::vector<std::string> overwritten(sources.size());
   const auto read = [&](std::size_t place) {
-    readings[place] = read_candidate(sources[place].candidate.path, read_options);
-    overwritten[place] = input_fault(options.output, readings[place].inputs());
+    readings[place] = suite::read_candidate(sources[place].candidate.path, read_options);
+    overwritten[place] = base::input_fault(options.output, readings[place].inputs());
   };
-  const bool ahead = sources.size() <= kReadAhead;
+  const bool ahead = sources.size() <= suite::kReadAhead;
   if (ahead) {
-    SharedProgress progress("cases read", sources.size());
-    for_each_index(sources.size(), threads, [&](std::size_t place) {
+    terminal::SharedProgress progress("cases read", sources.size());
+    base::for_each_index(sources.size(), threads, [&](std::size_t place) {
       if (!sources[place].is_result) read(place);
       progress.done();
     });
   }
   if (const std::string fault = first_of(overwritten); !fault.empty()) {
-    return refuse(kExitEnvironment, fault);
+    return terminal::refuse(base::kExitEnvironment, fault);
   }
 
-  ReportCollection collection(sources.size());
-  std::vector<int> codes(sources.size(), kExitOk);
+  report::ReportCollection collection(sources.size());
+  std::vector<int> codes(sources.size(), base::kExitOk);
   std::vector<std::string> messages(sources.size());
   {
-    SharedProgress progress("cases", sources.size());
-    for_each_index(sources.size(), threads, [&](std::size_t place) {
+    terminal::SharedProgress progress("cases", sources.size());
+    base::for_each_index(sources.size(), threads, [&](std::size_t place) {
       const auto& [candidate, is_result] = sources[place];
       if (is_result) {
-        ReadResult result = read_result(candidate.path, candidate.label, most_rows(sources.size()));
+        report::ReadResult result =
+            report::read_result(candidate.path, candidate.label, report::most_rows(sources.size()));
         codes[place] = result.code;
         messages[place] = result.report.message;
         collection.put(place, std::move(result.report));
-        progress.done(codes[place] == kExitOk);
+        progress.done(codes[place] == base::kExitOk);
         return;
       }
       if (!ahead) read(place);
-      const Reading reading = std::exchange(readings[place], Reading{});
-      CheckCaseOptions check_options;
+      const suite::Reading reading = std::exchange(readings[place], suite::Reading{});
+      suite::CheckCaseOptions check_options;
       check_options.stopped = [&] {
         progress.tick();
         return false;
       };
-      check_options.report_rows = most_rows(sources.size());
-      check_options.report = [&](CaseReport&& report) { collection.put(place, std::move(report)); };
-      const auto outcome = check_case(candidate, reading, check_options);
+      check_options.report_rows = report::most_rows(sources.size());
+      check_options.report = [&](report::CaseReport&& report) {
+        collection.put(place, std::move(report));
+      };
+      const auto outcome = suite::check_case(candidate, reading, check_options);
       // A failed check is the page's matter, not this command's.
-      codes[place] = outcome->code == kExitCheckFailed ? kExitOk : outcome->code;
+      codes[place] = outcome->code == base::kExitCheckFailed ? base::kExitOk : outcome->code;
       messages[place] = outcome->messages;
       progress.done(outcome->well());
     });
   }
   if (const std::string fault = first_of(overwritten); !fault.empty()) {
-    return refuse(kExitEnvironment, fault);
+    return terminal::refuse(base::kExitEnvironment, fault);
   }
 
   const std::string title = options.title.empty() ? title_of(options.inputs) : options.title;
-  const auto size = write_report(options.output, collection, title, overwriting);
-  if (!size) return refuse(kExitEnvironment, size.error());
-  for (const std::string& message : messages) print_error(message);
-  const ReportTotals totals = collection.totals();
+  const auto size = report::write_report(options.output, collection, title, overwriting);
+  if (!size) return terminal::refuse(base::kExitEnvironment, size.error());
+  for (const std::string& message : messages) terminal::print_error(message);
+  const report::ReportTotals totals = collection.totals();
   std::string line = fmt::format("{}: {} case{}, {} failed", options.output, totals.cases,
                                  totals.cases == 1 ? "" : "s", totals.failed);
   if (totals.not_run > 0) line += fmt::format(", {} not run", totals.not_run);
-  print(line + ", " + size_text(*size) + "\n");
+  terminal::print(line + ", " + report::size_text(*size) + "\n");
   // With nothing to look at, the reason counts; otherwise the page is what was asked for.
-  if (totals.not_run < totals.cases) return faults.empty() ? kExitOk : kExitEnvironment;
-  int code = kExitOk;
-  for (const int one : codes) code = worse(code, one);
+  if (totals.not_run < totals.cases) return faults.empty() ? base::kExitOk : base::kExitEnvironment;
+  int code = base::kExitOk;
+  for (const int one : codes) code = base::worse(code, one);
   return code;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

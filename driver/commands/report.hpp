@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 
 struct ReportOptions {
   std::vector<std::string> inputs;  ///< cases, folders of cases, results (.csv)
@@ -20,4 +20,4 @@ struct ReportOptions {
 /// least one run, whatever its checks say; that of the worst case if none could be read and run.
 int report_command(const ReportOptions& options);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

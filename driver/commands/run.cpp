@@ -42,47 +42,50 @@
 #include "driver/terminal/print.hpp"
 #include "driver/terminal/progress.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 namespace {
 
 namespace fs = std::filesystem;
 
 /// The files of a result.
 struct ResultFiles {
-  OutputFile rows;
+  base::OutputFile rows;
   // Not there if the rows go to standard output.
-  std::optional<OutputFile> events;
-  std::optional<OutputFile> summary;
-  std::optional<OutputFile> solver;
+  std::optional<base::OutputFile> events;
+  std::optional<base::OutputFile> summary;
+  std::optional<base::OutputFile> solver;
 };
 
 bool prints_rows(const RunOptions& options) { return options.folder == "-" && !options.no_output; }
 
 /// The file of a result.
-fs::path result_file(const Case& problem, const fs::path& folder, const std::string& extension) {
-  return folder / (case_stem(problem) + extension);
+fs::path result_file(const cases::Case& problem, const fs::path& folder,
+                     const std::string& extension) {
+  return folder / (results::case_stem(problem) + extension);
 }
 
-FileMark mark_of(const Case& problem, std::string_view extension) {
-  return result_mark(problem, extension == ".json");
+base::FileMark mark_of(const cases::Case& problem, std::string_view extension) {
+  return results::result_mark(problem, extension == ".json");
 }
 
-tl::expected<ResultFiles, std::string> create_files(const Case& problem, const RunOptions& options,
-                                                    const Overwriting& overwriting) {
+tl::expected<ResultFiles, std::string> create_files(const cases::Case& problem,
+                                                    const RunOptions& options,
+                                                    const base::Overwriting& overwriting) {
   if (prints_rows(options)) {
-    auto rows = OutputFile::create(fs::temp_directory_path() / "rows.csv", {}, kNeverNamed);
+    auto rows =
+        base::OutputFile::create(fs::temp_directory_path() / "rows.csv", {}, base::kNeverNamed);
     if (!rows) return tl::unexpected(std::move(rows.error()));
     return ResultFiles{std::move(*rows), {}, {}, {}};
   }
   const auto create = [&](const char* extension) {
-    return OutputFile::create(result_file(problem, options.folder, extension),
-                              mark_of(problem, extension), overwriting);
+    return base::OutputFile::create(result_file(problem, options.folder, extension),
+                                    mark_of(problem, extension), overwriting);
   };
   auto rows = create(".csv");
   if (!rows) return tl::unexpected(rows.error());
   ResultFiles files{std::move(*rows), {}, {}, {}};
   const auto add = [&](const char* extension,
-                       std::optional<OutputFile>& file) -> tl::expected<void, std::string> {
+                       std::optional<base::OutputFile>& file) -> tl::expected<void, std::string> {
     auto created = create(extension);
     if (!created) return tl::unexpected(std::move(created.error()));
     file.emplace(std::move(*created));
@@ -96,98 +99,99 @@ tl::expected<ResultFiles, std::string> create_files(const Case& problem, const R
 }
 
 /// Prints a file that is complete.
-tl::expected<void, std::string> print_file(OutputFile& file) {
+tl::expected<void, std::string> print_file(base::OutputFile& file) {
   if (auto closed = file.close(); !closed) return closed;
   std::ifstream in(file.temporary(), std::ios::binary);
   std::array<char, std::size_t{1} << 16U> piece{};
   while (in.read(piece.data(), piece.size()), in.gcount() > 0) {
-    print({piece.data(), static_cast<std::size_t>(in.gcount())});
+    terminal::print({piece.data(), static_cast<std::size_t>(in.gcount())});
   }
   return {};
 }
 
 std::string shown(const fs::path& path) { return path.lexically_normal().string(); }
 
-std::string notes_text(const Diagnostics& diagnostics) {
+std::string notes_text(const base::Diagnostics& diagnostics) {
   std::string text;
-  for (const std::string& note : lines_of(diagnostics, Severity::kNote)) {
+  for (const std::string& note : base::lines_of(diagnostics, base::Severity::kNote)) {
     text += "  note: " + note + "\n";
   }
   return text;
 }
 
 /// Everything but errors and notes, which have their own places.
-Diagnostics warnings_of(const Diagnostics& diagnostics) {
-  Diagnostics warnings;
-  for (Diagnostic& diagnostic : diagnostics.sorted()) {
-    if (diagnostic.severity == Severity::kWarning) warnings.add(std::move(diagnostic));
+base::Diagnostics warnings_of(const base::Diagnostics& diagnostics) {
+  base::Diagnostics warnings;
+  for (base::Diagnostic& diagnostic : diagnostics.sorted()) {
+    if (diagnostic.severity == base::Severity::kWarning) warnings.add(std::move(diagnostic));
   }
   return warnings;
 }
 
 /// Tells whether the case names data files that are not found from `folder`.
-bool reads_data_elsewhere(const Case& problem, const fs::path& folder) {
+bool reads_data_elsewhere(const cases::Case& problem, const fs::path& folder) {
   std::error_code ignored;
-  return input_files(problem).size() > 1 &&
+  return cases::input_files(problem).size() > 1 &&
          !fs::equivalent(folder, fs::absolute(problem.file).parent_path(), ignored);
 }
 
 /// Writes the smallest case that fails in the same way beside where the result would be.
-int write_reproducer(const ReadCase& read, const SimulationFailure& failure, const fs::path& folder,
-                     const Overwriting& overwriting) {
-  const Case& problem = *read.value;
+int write_reproducer(const read::ReadCase& read, const bench::SimulationFailure& failure,
+                     const fs::path& folder, const base::Overwriting& overwriting) {
+  const cases::Case& problem = *read.value;
   const fs::path target = result_file(problem, folder, ".failed.yaml");
-  auto file = OutputFile::create(target, reproducer_mark(problem), overwriting);
-  if (!file) return refuse(kExitEnvironment, file.error());
-  file->append(sealed(reproducer(read.sources.front(), problem, failure)));
-  OutputFile* const alone[] = {&*file};
-  if (auto committed = commit(alone); !committed) {
-    return refuse(kExitEnvironment, committed.error());
+  auto file = base::OutputFile::create(target, results::reproducer_mark(problem), overwriting);
+  if (!file) return terminal::refuse(base::kExitEnvironment, file.error());
+  file->append(base::sealed(results::reproducer(read.sources.front(), problem, failure)));
+  base::OutputFile* const alone[] = {&*file};
+  if (auto committed = base::commit(alone); !committed) {
+    return terminal::refuse(base::kExitEnvironment, committed.error());
   }
-  print_error(
+  terminal::print_error(
       "  a case that fails the same way: " + shown(target) +
       (reads_data_elsewhere(problem, folder) ? " (move it beside the case's data files)" : "") +
       "\n");
-  return kExitNumerical;
+  return base::kExitNumerical;
 }
 
-int run_one(const ReadCase& read, const RunOptions& options, const Overwriting& overwriting) {
+int run_one(const read::ReadCase& read, const RunOptions& options,
+            const base::Overwriting& overwriting) {
   const auto start = std::chrono::steady_clock::now();
-  const Case& problem = *read.value;
+  const cases::Case& problem = *read.value;
   const int every = options.every.value_or(problem.output_every);
 
-  if (const std::string fault = memory_fault(problem); !fault.empty()) {
-    return refuse(kExitEnvironment, case_stem(problem) + ": " + fault);
+  if (const std::string fault = check::memory_fault(problem); !fault.empty()) {
+    return terminal::refuse(base::kExitEnvironment, results::case_stem(problem) + ": " + fault);
   }
   std::optional<ResultFiles> files;
-  std::optional<CsvWriter> rows;
-  std::optional<EventWriter> events;
+  std::optional<results::CsvWriter> rows;
+  std::optional<results::EventWriter> events;
   if (!options.no_output) {
     auto created = create_files(problem, options, overwriting);
-    if (!created) return refuse(kExitEnvironment, created.error());
+    if (!created) return terminal::refuse(base::kExitEnvironment, created.error());
     files.emplace(std::move(*created));
-    rows.emplace(problem, output_columns(problem), files->rows);
+    rows.emplace(problem, results::output_columns(problem), files->rows);
     if (files->events) events.emplace(problem, *files->events);
   }
 
-  Summary summary(problem);
-  std::optional<SolverReport> solver;
+  results::Summary summary(problem);
+  std::optional<analysis::SolverReport> solver;
   if (options.solver_report)
     solver.emplace(problem, files && files->solver ? &*files->solver : nullptr);
-  std::vector<CheckProgress> checks;
+  std::vector<check::CheckProgress> checks;
   checks.reserve(problem.checks.size());
-  for (const Check& check : problem.checks) checks.emplace_back(problem, check);
+  for (const cases::Check& check : problem.checks) checks.emplace_back(problem, check);
 
-  Row last;
+  bench::Row last;
   Outlook outlook(problem,
                   prints_rows(options) ? fs::temp_directory_path() : fs::path(options.folder));
   const auto follow = [&] {
-    Progress progress(case_stem(problem));
-    return follow_case(problem, [&](const Simulation& simulation) {
-      const Row& row = simulation.row();
+    terminal::Progress progress(results::case_stem(problem));
+    return bench::follow_case(problem, [&](const bench::Simulation& simulation) {
+      const bench::Row& row = simulation.row();
       summary.add(row);
       if (solver) solver->add(simulation);
-      for (CheckProgress& check : checks) check.add(row);
+      for (check::CheckProgress& check : checks) check.add(row);
       if (events) events->write(row);
       if (rows) {
         if (row.index % every == 0) {
@@ -203,56 +207,57 @@ int run_one(const ReadCase& read, const RunOptions& options, const Overwriting& 
     try {
       return follow();
     } catch (const NoRoom& full) {
-      return tl::unexpected(SimulationFailure{SimulationFailure::Kind::kEnvironment, full.message});
+      return tl::unexpected(
+          bench::SimulationFailure{bench::SimulationFailure::Kind::kEnvironment, full.message});
     }
   }();
   if (!ended) {
-    print_error(failure_text(problem, ended.error()));
-    int code = exit_code(ended.error());
-    if (code == kExitNumerical && files && !prints_rows(options)) {
-      code = worse(code, write_reproducer(read, ended.error(), options.folder, overwriting));
+    terminal::print_error(bench::failure_text(problem, ended.error()));
+    int code = bench::exit_code(ended.error());
+    if (code == base::kExitNumerical && files && !prints_rows(options)) {
+      code = base::worse(code, write_reproducer(read, ended.error(), options.folder, overwriting));
     }
     return code;
   }
   // The end of the run is always in the result.
   if (rows && last.index == summary.increments() && last.index > 0) rows->write(last);
 
-  std::vector<Verdict> verdicts;
-  for (const CheckProgress& check : checks) verdicts.push_back(check.verdict());
+  std::vector<check::Verdict> verdicts;
+  for (const check::CheckProgress& check : checks) verdicts.push_back(check.verdict());
   const std::vector<std::string> warnings = summary.warnings(*ended);
 
   std::string written;
   if (files && prints_rows(options)) {
     if (auto printed = print_file(files->rows); !printed) {
-      return refuse(kExitEnvironment, printed.error());
+      return terminal::refuse(base::kExitEnvironment, printed.error());
     }
   } else if (files) {
-    json::Value document;
-    document["provenance"] = provenance(problem);
+    base::json::Value document;
+    document["provenance"] = results::provenance(problem);
     document["summary"] = summary.to_json();
-    json::Value warning_list = json::Array{};
-    for (std::string& warning : lines_of(read.diagnostics, Severity::kWarning)) {
+    base::json::Value warning_list = base::json::Array{};
+    for (std::string& warning : base::lines_of(read.diagnostics, base::Severity::kWarning)) {
       warning_list.push_back(std::move(warning));
     }
     for (const std::string& warning : warnings) warning_list.push_back(warning);
     document["warnings"] = warning_list;
-    json::Value check_list = json::Array{};
-    for (const Verdict& verdict : verdicts) check_list.push_back(to_json(verdict));
+    base::json::Value check_list = base::json::Array{};
+    for (const check::Verdict& verdict : verdicts) check_list.push_back(check::to_json(verdict));
     document["checks"] = check_list;
     files->summary->append(document.dump(2) + "\n");
-    std::vector<OutputFile*> together = {&files->rows, &*files->events, &*files->summary};
+    std::vector<base::OutputFile*> together = {&files->rows, &*files->events, &*files->summary};
     if (files->solver) together.push_back(&*files->solver);
-    if (auto committed = commit(together); !committed) {
-      return refuse(kExitEnvironment, committed.error());
+    if (auto committed = base::commit(together); !committed) {
+      return terminal::refuse(base::kExitEnvironment, committed.error());
     }
-    for (const OutputFile* file : together) written += "  " + shown(file->target());
+    for (const base::OutputFile* file : together) written += "  " + shown(file->target());
     written += "\n";
   }
 
   std::string text;
   std::size_t doubts = warnings.size();
   for (const std::string& warning : warnings) text += "  warning: " + warning + "\n";
-  for (const Verdict& verdict : verdicts) {
+  for (const check::Verdict& verdict : verdicts) {
     doubts += verdict.warnings.size();
     for (const std::string& warning : verdict.warnings) {
       text += fmt::format("  warning: check '{}': {}\n", verdict.name, warning);
@@ -263,7 +268,7 @@ int run_one(const ReadCase& read, const RunOptions& options, const Overwriting& 
     failed = failed || !verdicts[i].passed;
     if (options.quiet && verdicts[i].passed) continue;
     text += fmt::format("  {}  {}\n", verdicts[i].passed ? "PASS" : "FAIL",
-                        verdict_text(problem.checks[i], verdicts[i]));
+                        check::verdict_text(problem.checks[i], verdicts[i]));
   }
   if (options.strict && doubts > 0) {
     failed = true;
@@ -271,41 +276,41 @@ int run_one(const ReadCase& read, const RunOptions& options, const Overwriting& 
   }
   if (!options.quiet) {
     const auto elapsed = std::chrono::steady_clock::now() - start;
-    text = fmt::format("{}: {} increments, {}\n", case_stem(problem), summary.increments(),
-                       elapsed_text(elapsed)) +
+    text = fmt::format("{}: {} increments, {}\n", results::case_stem(problem), summary.increments(),
+                       terminal::elapsed_text(elapsed)) +
            summary.text() + (solver ? solver->text() : "") + notes_text(read.diagnostics) + text +
            written;
   } else if (!text.empty()) {
-    text = case_stem(problem) + ":\n" + text;
+    text = results::case_stem(problem) + ":\n" + text;
   }
   if (prints_rows(options)) {
-    print_error(text);
+    terminal::print_error(text);
   } else {
-    print(text);
+    terminal::print(text);
   }
-  return failed ? kExitCheckFailed : kExitOk;
+  return failed ? base::kExitCheckFailed : base::kExitOk;
 }
 
-int explain_one(const Case& problem, double time) {
-  const auto text = explain(problem, time);
+int explain_one(const cases::Case& problem, double time) {
+  const auto text = analysis::explain(problem, time);
   if (!text) {
-    print_error(text.error().message);
+    terminal::print_error(text.error().message);
     return text.error().code;
   }
-  print(*text);
-  return kExitOk;
+  terminal::print(*text);
+  return base::kExitOk;
 }
 
 /// Judges what smaller increments, or none, would change.
-int judge_increments(const Case& problem, const RunOptions& options) {
-  int code = kExitOk;
-  const auto tell = [&](const tl::expected<std::string, CommandFailure>& text) {
-    if (text) return print(*text);
-    print_error(text.error().message);
-    code = worse(code, text.error().code);
+int judge_increments(const cases::Case& problem, const RunOptions& options) {
+  int code = base::kExitOk;
+  const auto tell = [&](const tl::expected<std::string, analysis::CommandFailure>& text) {
+    if (text) return terminal::print(*text);
+    terminal::print_error(text.error().message);
+    code = base::worse(code, text.error().code);
   };
-  if (options.compare_integration) tell(compare_integration(problem));
-  if (options.converge) tell(converge(problem));
+  if (options.compare_integration) tell(analysis::compare_integration(problem));
+  if (options.converge) tell(analysis::converge(problem));
   return code;
 }
 
@@ -313,7 +318,8 @@ int judge_increments(const Case& problem, const RunOptions& options) {
 std::string collision(const std::vector<std::string>& cases) {
   std::map<std::string, std::string> first;
   for (const std::string& path : cases) {
-    const auto [there, added] = first.emplace(fs::path(source_name(path)).stem().string(), path);
+    const auto [there, added] =
+        first.emplace(fs::path(base::source_name(path)).stem().string(), path);
     if (!added) {
       return fmt::format("{} and {} would both write {}.csv; run them into different folders (-o)",
                          there->second, path, there->first);
@@ -342,13 +348,13 @@ std::string fault_of_options(const RunOptions& options) {
 
 /// A result that cannot be written, for example because it would replace what is no result of the
 /// case, as a sentence; empty if there is none.
-std::string fault_of_targets(const std::vector<ReadCase>& cases, const RunOptions& options,
-                             const Overwriting& overwriting) {
-  for (const ReadCase& read : cases) {
+std::string fault_of_targets(const std::vector<read::ReadCase>& cases, const RunOptions& options,
+                             const base::Overwriting& overwriting) {
+  for (const read::ReadCase& read : cases) {
     for (const char* extension : {".csv", ".events.csv", ".json", ".solver.csv"}) {
       if (extension == std::string_view(".solver.csv") && !options.solver_report) continue;
-      std::string fault = target_fault(result_file(*read.value, options.folder, extension),
-                                       mark_of(*read.value, extension), overwriting);
+      std::string fault = base::target_fault(result_file(*read.value, options.folder, extension),
+                                             mark_of(*read.value, extension), overwriting);
       if (!fault.empty()) return fault;
     }
   }
@@ -358,49 +364,51 @@ std::string fault_of_targets(const std::vector<ReadCase>& cases, const RunOption
 }  // namespace
 
 int run_command(const RunOptions& options) {
-  const auto settings = parse_settings(options.settings);
-  if (!settings) return refuse(kExitBadInput, settings.error());
+  const auto settings = base::parse_settings(options.settings);
+  if (!settings) return terminal::refuse(base::kExitBadInput, settings.error());
   if (const std::string fault = collision(options.cases); !options.no_output && !fault.empty()) {
-    return refuse(kExitBadInput, fault);
+    return terminal::refuse(base::kExitBadInput, fault);
   }
   if (const std::string fault = fault_of_options(options); !fault.empty()) {
-    return refuse(kExitBadInput, fault);
+    return terminal::refuse(base::kExitBadInput, fault);
   }
-  std::vector<ReadCase> cases;
-  int code = kExitOk;
-  Diagnostics all;
+  std::vector<read::ReadCase> cases;
+  int code = base::kExitOk;
+  base::Diagnostics all;
   for (const std::string& path : options.cases) {
-    cases.push_back(read_case(path, {*settings, options.allow_outside}));
-    const ReadCase& read = cases.back();
+    cases.push_back(read::read_case(path, {*settings, options.allow_outside}));
+    const read::ReadCase& read = cases.back();
     all.append(read.diagnostics);
     if (read.value && !read.diagnostics.has_errors()) {
-      if (const Diagnostics warnings = warnings_of(read.diagnostics); !warnings.empty()) {
-        print_error(render(warnings, read.sources));
+      if (const base::Diagnostics warnings = warnings_of(read.diagnostics); !warnings.empty()) {
+        terminal::print_error(base::render(warnings, read.sources));
       }
       continue;
     }
-    print_error(render(read.diagnostics, read.sources));
-    code = worse(code, read.environment_failure ? kExitEnvironment : kExitBadInput);
+    terminal::print_error(base::render(read.diagnostics, read.sources));
+    code =
+        base::worse(code, read.environment_failure ? base::kExitEnvironment : base::kExitBadInput);
   }
-  if (code != kExitOk) {
-    print_error(driver::summary(all) + ", nothing was run\n");
+  if (code != base::kExitOk) {
+    terminal::print_error(driver::base::summary(all) + ", nothing was run\n");
     return code;
   }
-  if (const std::size_t warnings = all.count(Severity::kWarning); options.strict && warnings > 0) {
-    print_error(fmt::format("{} warning{} under --strict, nothing was run\n", warnings,
-                            warnings == 1 ? "" : "s"));
-    return kExitBadInput;
+  if (const std::size_t warnings = all.count(base::Severity::kWarning);
+      options.strict && warnings > 0) {
+    terminal::print_error(fmt::format("{} warning{} under --strict, nothing was run\n", warnings,
+                                      warnings == 1 ? "" : "s"));
+    return base::kExitBadInput;
   }
   std::vector<std::string> inputs;
-  for (const ReadCase& read : cases) {
-    for (std::string& file : input_files(*read.value)) inputs.push_back(std::move(file));
+  for (const read::ReadCase& read : cases) {
+    for (std::string& file : cases::input_files(*read.value)) inputs.push_back(std::move(file));
   }
-  const Overwriting overwriting{inputs, options.force};
+  const base::Overwriting overwriting{inputs, options.force};
   if (writes_files(options)) {
     const std::string fault = fault_of_targets(cases, options, overwriting);
-    if (!fault.empty()) return refuse(kExitEnvironment, fault);
+    if (!fault.empty()) return terminal::refuse(base::kExitEnvironment, fault);
   }
-  for (const ReadCase& read : cases) {
+  for (const read::ReadCase& read : cases) {
     const auto run_it = [&] {
       if (options.explain) return explain_one(*read.value, *options.explain);
       if (options.compare_integration || options.converge) {
@@ -408,9 +416,9 @@ int run_command(const RunOptions& options) {
       }
       return run_one(read, options, overwriting);
     };
-    code = worse(code, run_it());
+    code = base::worse(code, run_it());
   }
   return code;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

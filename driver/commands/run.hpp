@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 
 struct RunOptions {
   std::vector<std::string> cases;     ///< paths
@@ -28,4 +28,4 @@ struct RunOptions {
 /// are complete or not there; what is told goes to standard error then. Returns the exit code.
 int run_command(const RunOptions& options);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace slipbench::driver {
+namespace slipbench::driver::history {
 
 double between_rows(double t0, double v0, double t1, double v1, double t, bool hold) {
   if (t >= t1) return v1;
@@ -14,20 +14,20 @@ double between_rows(double t0, double v0, double t1, double v1, double t, bool h
   return v0 + (v1 - v0) * ((t - t0) / (t1 - t0));
 }
 
-MeasuredHistory::MeasuredHistory(MeasuredSource source, CsvReader reader)
+MeasuredHistory::MeasuredHistory(MeasuredSource source, base::CsvReader reader)
     : source_(std::move(source)),
       reader_(std::move(reader)),
       row_(source_.columns.size() + 1, 0.0) {}
 
-tl::expected<MeasuredHistory, HistoryError> MeasuredHistory::open(MeasuredSource source) {
+tl::expected<MeasuredHistory, base::HistoryError> MeasuredHistory::open(MeasuredSource source) {
   std::vector<std::string> names = {source.time_column};
   for (const MeasuredColumn& column : source.columns) names.push_back(column.column);
-  auto reader = CsvReader::open(source.data, names);
+  auto reader = base::CsvReader::open(source.data, names);
   if (!reader) return tl::unexpected(std::move(reader.error()));
   return MeasuredHistory(std::move(source), std::move(*reader));
 }
 
-tl::expected<bool, HistoryError> MeasuredHistory::advance() {
+tl::expected<bool, base::HistoryError> MeasuredHistory::advance() {
   const double previous = row_.front();
   const long previous_line = reader_.line();
   auto read = reader_.next(row_);
@@ -41,7 +41,7 @@ tl::expected<bool, HistoryError> MeasuredHistory::advance() {
   if (rows_ > 0 && !(raw_time > previous)) {
     return error_here(fmt::format("the time '{}' does not increase: {} after {} in line {}{}",
                                   source_.time_column, raw_time, previous, previous_line,
-                                  of_held_time(source_.data.format, raw_time, previous)));
+                                  base::of_held_time(source_.data.format, raw_time, previous)));
   }
   const double time = source_.time_conversion(raw_time);
   bool finite = std::isfinite(time);
@@ -60,13 +60,13 @@ tl::expected<bool, HistoryError> MeasuredHistory::advance() {
   return true;
 }
 
-tl::expected<void, HistoryError> MeasuredHistory::rewind() {
+tl::expected<void, base::HistoryError> MeasuredHistory::rewind() {
   rows_ = 0;
   return reader_.rewind();
 }
 
-tl::unexpected<HistoryError> MeasuredHistory::error_here(std::string message) const {
+tl::unexpected<base::HistoryError> MeasuredHistory::error_here(std::string message) const {
   return reader_.error_here(std::move(message));
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::history

@@ -11,20 +11,20 @@
 #include "driver/base/text/history_error.hpp"
 #include "driver/base/units/units.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::history {
 
 /// One driven quantity of a measured history.
 struct MeasuredColumn {
-  std::size_t quantity = 0;   ///< The driver's number for the quantity; only handed back.
-  std::string column;         ///< The column's name in the file.
-  UnitConversion conversion;  ///< From the column's unit to the case's.
+  std::size_t quantity = 0;         ///< The driver's number for the quantity; only handed back.
+  std::string column;               ///< The column's name in the file.
+  base::UnitConversion conversion;  ///< From the column's unit to the case's.
 };
 
 /// Origin of a measured history.
 struct MeasuredSource {
-  DataSource data;
+  base::DataSource data;
   std::string time_column;
-  UnitConversion time_conversion;
+  base::UnitConversion time_conversion;
   std::vector<MeasuredColumn> columns;
   bool hold = false;  ///< How the quantities behave between rows; see `between_rows`.
 };
@@ -43,11 +43,11 @@ double between_rows(double t0, double v0, double t1, double v1, double t, bool h
 class MeasuredHistory {
  public:
   /// Opens the file and finds its columns. Errors: those of `CsvReader::open`.
-  static tl::expected<MeasuredHistory, HistoryError> open(MeasuredSource source);
+  static tl::expected<MeasuredHistory, base::HistoryError> open(MeasuredSource source);
 
   /// Reads the next row; false at the end. Errors: those of `CsvReader::next`; times that do not
   /// increase (naming both); a single row; a number that the change of unit makes infinite.
-  tl::expected<bool, HistoryError> advance();
+  tl::expected<bool, base::HistoryError> advance();
 
   /// Time of the last row read, in the case's unit.
   double time() const { return time_; }
@@ -59,7 +59,7 @@ class MeasuredHistory {
   long line() const { return reader_.line(); }
 
   /// Goes back to before the first row. Error: the file cannot be read again.
-  tl::expected<void, HistoryError> rewind();
+  tl::expected<void, base::HistoryError> rewind();
 
   const MeasuredSource& source() const { return source_; }
 
@@ -67,16 +67,16 @@ class MeasuredHistory {
   const std::string& name() const { return reader_.name(); }
 
   /// An input error at the line of the last row read.
-  tl::unexpected<HistoryError> error_here(std::string message) const;
+  tl::unexpected<base::HistoryError> error_here(std::string message) const;
 
  private:
-  MeasuredHistory(MeasuredSource source, CsvReader reader);
+  MeasuredHistory(MeasuredSource source, base::CsvReader reader);
 
   MeasuredSource source_;
-  CsvReader reader_;
+  base::CsvReader reader_;
   std::vector<double> row_;  ///< Time, then the values.
   double time_ = 0.0;
   long rows_ = 0;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::history

@@ -8,12 +8,12 @@
 #include <cstddef>
 #include <utility>
 
-namespace slipbench::driver {
+namespace slipbench::driver::history {
 
-tl::expected<ExpressionProfile, ExpressionError> compile_profile(std::string_view text,
-                                                                 const NamedNumbers& parameters) {
+tl::expected<ExpressionProfile, base::ExpressionError> compile_profile(
+    std::string_view text, const base::NamedNumbers& parameters) {
   static const std::array<std::string, 2> variables = {"t", "T"};
-  auto expression = Expression::compile(text, variables, parameters);
+  auto expression = base::Expression::compile(text, variables, parameters);
   if (!expression) return tl::unexpected(std::move(expression.error()));
   return ExpressionProfile{std::move(*expression)};
 }
@@ -54,4 +54,4 @@ bool covers(const Tabular& table, double duration) {
          table.times.back() >= duration - slack;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::history

@@ -15,7 +15,7 @@
 #include "driver/base/units/expression.hpp"
 #include "driver/base/units/units.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::history {
 
 // The value of one quantity within a step, as a function of the time t since the step's start,
 // 0 <= t <= duration. Values are in the case's units, phases in radians.
@@ -60,22 +60,22 @@ struct Tabular {
 
 /// Two columns of a CSV file, linear between its rows, streamed. The rows must cover the step.
 struct CsvColumn {
-  DataSource data;
+  base::DataSource data;
   std::string time_column;
-  UnitConversion time_conversion;
+  base::UnitConversion time_conversion;
   std::string value_column;
-  UnitConversion value_conversion;
+  base::UnitConversion value_conversion;
 };
 
 /// A formula in t (time in the step) and T (total time), compiled by `compile_profile`.
 struct ExpressionProfile {
-  Expression expression;
+  base::Expression expression;
 };
 
 /// A formula in t, T and the six positions CP1 .. CPR3 of the same instant, in this order: a force
 /// that follows the motion.
 struct PositionFormula {
-  Expression expression;
+  base::Expression expression;
 };
 
 using Profile = std::variant<Constant, LinearTo, SmoothTo, Wave, Tabular, CsvColumn,
@@ -86,8 +86,8 @@ inline constexpr std::size_t kPositions = 6;
 
 /// Compiles a profile's formula over t, T and the case's parameters. Errors: those of
 /// `Expression::compile`.
-tl::expected<ExpressionProfile, ExpressionError> compile_profile(std::string_view text,
-                                                                 const NamedNumbers& parameters);
+tl::expected<ExpressionProfile, base::ExpressionError> compile_profile(
+    std::string_view text, const base::NamedNumbers& parameters);
 
 /// Returns what is wrong with the points of `table` (too few, times not increasing, sizes that
 /// differ, not finite), as a sentence; nothing when it is sound.
@@ -112,4 +112,4 @@ struct StepStart {
   std::array<double, kPositions> position{};  ///< CP1 .. CPR3 there.
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::history

@@ -12,7 +12,7 @@
 
 #include "driver/history/step_grid.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::history {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -85,12 +85,12 @@ double ProfileCursor::WavePiece::value(const Wave& wave, double t) const {
   return sine(wave, t);
 }
 
-tl::expected<ProfileCursor, HistoryError> ProfileCursor::open(Profile profile) {
+tl::expected<ProfileCursor, base::HistoryError> ProfileCursor::open(Profile profile) {
   if (const auto* wave = std::get_if<Wave>(&profile)) {
-    if (auto fault = violation(*wave)) return input_error(std::move(*fault));
+    if (auto fault = violation(*wave)) return base::input_error(std::move(*fault));
   }
   if (const auto* table = std::get_if<Tabular>(&profile)) {
-    if (auto fault = violation(*table)) return input_error(std::move(*fault));
+    if (auto fault = violation(*table)) return base::input_error(std::move(*fault));
   }
   ProfileCursor cursor(std::move(profile));
   if (const auto* csv = std::get_if<CsvColumn>(&cursor.profile_)) {
@@ -105,7 +105,7 @@ tl::expected<ProfileCursor, HistoryError> ProfileCursor::open(Profile profile) {
   return cursor;
 }
 
-tl::expected<void, HistoryError> ProfileCursor::begin(const StepStart& start) {
+tl::expected<void, base::HistoryError> ProfileCursor::begin(const StepStart& start) {
   start_ = start;
   merge_ = kSameTime * start.duration;
   error_.reset();
@@ -114,7 +114,7 @@ tl::expected<void, HistoryError> ProfileCursor::begin(const StepStart& start) {
   if (const auto* wave = std::get_if<Wave>(&profile_)) {
     constexpr double kMostPeriods = 1e9;
     if (start.duration / wave->period > kMostPeriods) {
-      return input_error(
+      return base::input_error(
           fmt::format("a period of {} is less than a billionth of the step", wave->period));
     }
   }
@@ -192,10 +192,11 @@ double ProfileCursor::value_of(const PositionFormula& profile, double t) {
   return value_of(profile.expression, values);
 }
 
-double ProfileCursor::value_of(const Expression& expression, std::span<const double> variables) {
+double ProfileCursor::value_of(const base::Expression& expression,
+                               std::span<const double> variables) {
   auto value = expression(variables);
   if (value) return *value;
-  return fail({HistoryError::Kind::kInput, {}, 0, 0, std::move(value.error().message)});
+  return fail({base::HistoryError::Kind::kInput, {}, 0, 0, std::move(value.error().message)});
 }
 
 double ProfileCursor::next_breakpoint(double t) {
@@ -219,7 +220,7 @@ double ProfileCursor::next_breakpoint(double t) {
 }
 
 /// Reads the file anew up to the first row after the step's start.
-tl::expected<void, HistoryError> ProfileCursor::begin_csv() {
+tl::expected<void, base::HistoryError> ProfileCursor::begin_csv() {
   data_ended_ = false;
   if (auto rewound = data_->rewind(); !rewound) return rewound;
   for (int rows = 0; rows < 2 && !data_ended_; ++rows) {
@@ -248,7 +249,7 @@ bool ProfileCursor::read_row() {
   return true;
 }
 
-double ProfileCursor::fail(HistoryError error) {
+double ProfileCursor::fail(base::HistoryError error) {
   if (!error_) error_ = std::move(error);
   return kNaN;
 }
@@ -259,4 +260,4 @@ double next_breakpoint(std::span<ProfileCursor> cursors, double t) {
   return first;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::history

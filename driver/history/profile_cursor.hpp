@@ -13,7 +13,7 @@
 #include "driver/history/measured_history.hpp"
 #include "driver/history/profile.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::history {
 
 /// The breakpoint of a profile that has none left.
 inline constexpr double kNoBreakpoint = std::numeric_limits<double>::infinity();
@@ -31,12 +31,12 @@ class ProfileCursor {
  public:
   /// Prepares to walk through `profile`. Errors: an unsound wave or table (`violation`); those of
   /// `MeasuredHistory::open` for a CSV file.
-  static tl::expected<ProfileCursor, HistoryError> open(Profile profile);
+  static tl::expected<ProfileCursor, base::HistoryError> open(Profile profile);
 
   /// Goes to the start of a step. Errors: a CSV file that starts later than the step, or whose
   /// first rows are faulty; a formula without value at t = 0; a wave with more than a billion
   /// periods in the step.
-  tl::expected<void, HistoryError> begin(const StepStart& start);
+  tl::expected<void, base::HistoryError> begin(const StepStart& start);
 
   /// The value at `t`; where the profile jumps, its limit from the left.
   double value(double t);
@@ -60,7 +60,7 @@ class ProfileCursor {
   double next_breakpoint(double t);
 
   /// Returns what went wrong since `begin`, if anything.
-  const std::optional<HistoryError>& error() const { return error_; }
+  const std::optional<base::HistoryError>& error() const { return error_; }
 
  private:
   explicit ProfileCursor(Profile profile) : profile_(std::move(profile)) {}
@@ -89,17 +89,17 @@ class ProfileCursor {
   double value_of(const CsvColumn& profile, double t);
   double value_of(const ExpressionProfile& profile, double t);
   double value_of(const PositionFormula& profile, double t);
-  double value_of(const Expression& expression, std::span<const double> variables);
+  double value_of(const base::Expression& expression, std::span<const double> variables);
 
-  tl::expected<void, HistoryError> begin_csv();
+  tl::expected<void, base::HistoryError> begin_csv();
   bool read_row();
-  double fail(HistoryError error);
+  double fail(base::HistoryError error);
 
   Profile profile_;
   StepStart start_;     ///< Its position is that of the times asked for.
   double merge_ = 0.0;  ///< Times this close are the same.
   double start_value_ = 0.0;
-  std::optional<HistoryError> error_;
+  std::optional<base::HistoryError> error_;
 
   WavePiece piece_;  ///< Wave: where the last value asked for lay.
 
@@ -114,4 +114,4 @@ class ProfileCursor {
 /// The first breakpoint of any of the profiles after `t`; kNoBreakpoint if none.
 double next_breakpoint(std::span<ProfileCursor> cursors, double t);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::history

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cstdint>
 
-namespace slipbench::driver {
+namespace slipbench::driver::history {
 
 /// Two times of a step are one when they differ by no more than this part of its duration. Rounding
 /// (k periods of 1/3 against k thirds) stays far below it, and no increment is that short on
@@ -56,4 +56,4 @@ class StepGrid {
   bool at_end_ = false;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::history

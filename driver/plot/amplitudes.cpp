@@ -10,7 +10,7 @@
 #include <numeric>
 #include <utility>
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 constexpr std::size_t kLeast = 8;
@@ -78,4 +78,4 @@ Amplitudes amplitudes_of(std::span<const double> times, std::span<const double> 
   return found;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

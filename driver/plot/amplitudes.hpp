@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 
 /// The amplitudes of a signal over frequency. A sine of amplitude A has a peak of height A at its
 /// frequency.
@@ -23,4 +23,4 @@ struct Amplitudes {
 /// window's own width. Fewer than 8 times, or none that increase, give no amplitudes.
 Amplitudes amplitudes_of(std::span<const double> times, std::span<const double> signal);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

@@ -15,7 +15,7 @@
 #include "driver/plot/kinds.hpp"
 #include "driver/plot/text_lines.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 /// Marks nearer to each other than this part of the time would cover one another.
@@ -28,7 +28,8 @@ std::string percent(double part, double duration) {
 
 /// "slips 57.1 % of the time, 12 stick-slip events and 11 reversals, open 20 % of the time", as the
 /// summary of `run` has it.
-std::string facts(const PlotData& data, const RegimeHistory& regimes, bool all_marked) {
+std::string facts(const results::PlotData& data, const results::RegimeHistory& regimes,
+                  bool all_marked) {
   const double duration = data.highest[0] - data.lowest[0];
   std::string text = "never slips";
   if (regimes.slip_time > 0.0 || regimes.slip_begins > 0) {
@@ -38,7 +39,8 @@ std::string facts(const PlotData& data, const RegimeHistory& regimes, bool all_m
       text += fmt::format(" and {} reversal{}", reversals, reversals == 1 ? "" : "s");
     }
   }
-  if (lasts(regimes.open_time, duration)) text += ", open " + percent(regimes.open_time, duration);
+  if (results::lasts(regimes.open_time, duration))
+    text += ", open " + percent(regimes.open_time, duration);
   if (!all_marked) text += "; not all are marked";
   return text;
 }
@@ -49,7 +51,7 @@ tl::expected<void, PlotFailure> draw_bands(const PlotOptions& options,
                                            const std::filesystem::path& picture) {
   auto begun = begin_picture(picture, options, "bands.gp");
   if (!begun) return tl::unexpected(std::move(begun.error()));
-  const auto data = result_for_plot(options, picture, PlotDetail::kForces);
+  const auto data = result_for_plot(options, picture, results::PlotDetail::kForces);
   if (!data) return tl::unexpected(data.error());
   PlotScript script;
   std::string marks = "0 0 0\n";  // of no definition: an empty block cannot be plotted
@@ -59,16 +61,16 @@ tl::expected<void, PlotFailure> draw_bands(const PlotOptions& options,
   bool in_turn = false;
   bool turns_back = false;
   std::string rows = "0 0 0 0\n";
-  for (const PlotDefinition& definition : data->definitions) {
+  for (const results::PlotDefinition& definition : data->definitions) {
     if (definition.status < 0) continue;
     ++count;
-    const RegimeHistory& regimes = definition.regimes;
+    const results::RegimeHistory& regimes = definition.regimes;
     // Of those to slip, which stand above the band, and of the others below.
     std::array<std::optional<double>, 2> last;
     bool all_marked = regimes.all_marked;
-    for (const RegimeMark& mark : regimes.marks) {
-      const bool in_turns =
-          std::any_of(regimes.spans.begin(), regimes.spans.end(), [&](const RegimeSpan& span) {
+    for (const results::RegimeMark& mark : regimes.marks) {
+      const bool in_turns = std::any_of(
+          regimes.spans.begin(), regimes.spans.end(), [&](const results::RegimeSpan& span) {
             return span.merged && span.from <= mark.time && mark.time <= span.to;
           });
       auto& before = last[mark.to == 2 ? 0 : 1];
@@ -78,13 +80,14 @@ tl::expected<void, PlotFailure> draw_bands(const PlotOptions& options,
       }
       before = mark.time;
       turns_back = turns_back || mark.turns;
-      marks += fmt::format("{} {} {}\n", count, mark.turns ? 3 : mark.to, format_number(mark.time));
+      marks += fmt::format("{} {} {}\n", count, mark.turns ? 3 : mark.to,
+                           base::format_number(mark.time));
     }
-    for (const RegimeSpan& span : regimes.spans) {
+    for (const results::RegimeSpan& span : regimes.spans) {
       if (span.merged) in_turn = true;
       if (span.status == 0) opens = true;
-      rows += fmt::format("{} {} {} {}\n", count, drawn_status(span), format_number(span.from),
-                          format_number(span.to));
+      rows += fmt::format("{} {} {} {}\n", count, drawn_status(span),
+                          base::format_number(span.from), base::format_number(span.to));
     }
     script.add("NAME", one_line(definition.several ? definition.name
                                                    : column_of(*data, main_force(definition)).name,
@@ -92,7 +95,7 @@ tl::expected<void, PlotFailure> draw_bands(const PlotOptions& options,
     script.add("FACTS", facts(*data, regimes, all_marked));
   }
   if (count == 0) {
-    return failed(kExitBadInput,
+    return failed(base::kExitBadInput,
                   options.input + ": has no column STATUS, so it does not say when it slips");
   }
   script.set("DEFINITIONS", count);
@@ -105,4 +108,4 @@ tl::expected<void, PlotFailure> draw_bands(const PlotOptions& options,
   return draw(script, data->title, 170 + 90 * static_cast<std::size_t>(count), *begun);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

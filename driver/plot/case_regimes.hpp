@@ -10,22 +10,22 @@
 #include "driver/results/regime_history.hpp"
 #include "driver/results/summary.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 
 /// The regimes of a run by its events, with the sums that `run` tells, row by row.
 class CaseRegimes {
  public:
-  explicit CaseRegimes(const Case& problem);
-  void add(const Row& row);
+  explicit CaseRegimes(const cases::Case& problem);
+  void add(const bench::Row& row);
   /// Puts the regimes in the place of those that the rows tell. Once, at the end.
-  void finish(PlotData& data);
+  void finish(results::PlotData& data);
 
  private:
-  const Case* case_;
-  EventDetector detector_;
-  Summary summary_;
-  std::vector<RegimeRecorder> regimes_;
+  const cases::Case* case_;
+  results::EventDetector detector_;
+  results::Summary summary_;
+  std::vector<results::RegimeRecorder> regimes_;
   double end_ = 0.0;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

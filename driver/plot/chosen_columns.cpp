@@ -15,54 +15,56 @@
 #include "driver/base/text/suggestions.hpp"
 #include "driver/plot/definition.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
-bool has(const ResultLayout& layout, const std::string& name) {
+bool has(const results::ResultLayout& layout, const std::string& name) {
   return std::find(layout.columns.begin(), layout.columns.end(), name) != layout.columns.end();
 }
 
 }  // namespace
 
-tl::expected<ResultLayout, PlotFailure> layout_for_plot(const ResultRows& rows) {
-  const auto opened = CsvReader::open(rows.file, std::vector<std::string>{"t"}, rows.shown_name);
+tl::expected<results::ResultLayout, PlotFailure> layout_for_plot(const ResultRows& rows) {
+  const auto opened =
+      base::CsvReader::open(rows.file, std::vector<std::string>{"t"}, rows.shown_name);
   if (!opened) return unreadable(rows.shown_name, opened.error());
-  return read_layout(rows.file, opened->header());
+  return results::read_layout(rows.file, opened->header());
 }
 
-tl::expected<PlotColumn, PlotFailure> chosen_column(const ResultRows& rows,
-                                                    const ResultLayout& layout,
-                                                    const std::string& name) {
+tl::expected<results::PlotColumn, PlotFailure> chosen_column(const ResultRows& rows,
+                                                             const results::ResultLayout& layout,
+                                                             const std::string& name) {
   if (has(layout, name)) {
     const auto unit = layout.column_units.find(name);
-    return PlotColumn{name, unit == layout.column_units.end() ? "" : unit->second};
+    return results::PlotColumn{name, unit == layout.column_units.end() ? "" : unit->second};
   }
   const std::vector<std::string_view> names(layout.columns.begin(), layout.columns.end());
-  return failed(kExitBadInput,
-                fmt::format("{}: has no column '{}'; {}; the first line without '#' of a result "
-                            "lists its columns, 'slipbench list quantities' tells what they are",
-                            rows.shown_name, name,
-                            did_you_mean(name, names, "it has " + few_in_words(names))));
+  return failed(
+      base::kExitBadInput,
+      fmt::format("{}: has no column '{}'; {}; the first line without '#' of a result "
+                  "lists its columns, 'slipbench list quantities' tells what they are",
+                  rows.shown_name, name,
+                  base::did_you_mean(name, names, "it has " + base::few_in_words(names))));
 }
 
 tl::expected<UsualColumns, PlotFailure> usual_columns(const ResultRows& rows,
-                                                      const ResultLayout& layout) {
+                                                      const results::ResultLayout& layout) {
   UsualColumns usual;
-  PlotData data = select_plot_columns(layout);
+  results::PlotData data = results::select_plot_columns(layout);
   if (data.definitions.empty()) return usual;
   std::vector<std::string> names;
-  for (const PlotColumn& column : data.columns) names.push_back(column.name);
+  for (const results::PlotColumn& column : data.columns) names.push_back(column.name);
   data.lowest.assign(names.size(), std::numeric_limits<double>::infinity());
   data.highest.assign(names.size(), -std::numeric_limits<double>::infinity());
-  const auto read =
-      each_row(rows.file, rows.shown_name, names, [&](std::span<const double> row, std::int64_t) {
-        for (std::size_t k = 0; k < row.size(); ++k) {
-          data.lowest[k] = std::min(data.lowest[k], row[k]);
-          data.highest[k] = std::max(data.highest[k], row[k]);
-        }
-      });
+  const auto read = results::each_row(rows.file, rows.shown_name, names,
+                                      [&](std::span<const double> row, std::int64_t) {
+                                        for (std::size_t k = 0; k < row.size(); ++k) {
+                                          data.lowest[k] = std::min(data.lowest[k], row[k]);
+                                          data.highest[k] = std::max(data.highest[k], row[k]);
+                                        }
+                                      });
   if (!read) return unreadable(rows.shown_name, read.error());
-  const PlotDefinition& definition = data.definitions.front();
+  const results::PlotDefinition& definition = data.definitions.front();
   if (definition.components.empty()) {
     usual.force = column_of(data, main_force(definition)).name;
     return usual;
@@ -77,7 +79,7 @@ tl::expected<UsualColumns, PlotFailure> usual_columns(const ResultRows& rows,
   return usual;
 }
 
-std::string column_label(const PlotColumn& column) {
+std::string column_label(const results::PlotColumn& column) {
   constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kWords{
       {{"t", "time"},
        {"CSF", "friction force"},
@@ -96,4 +98,4 @@ std::string column_label(const PlotColumn& column) {
   return axis_label(column.name, {"", column.unit});
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

@@ -11,15 +11,15 @@
 #include "driver/plot/input.hpp"
 #include "driver/results/result_layout.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 
 /// Returns what the header and the heading of an input's rows say. Errors: those of CsvReader.
-tl::expected<ResultLayout, PlotFailure> layout_for_plot(const ResultRows& rows);
+tl::expected<results::ResultLayout, PlotFailure> layout_for_plot(const ResultRows& rows);
 
 /// A column that an input must have. The error names the nearest ones, and where all are listed.
-tl::expected<PlotColumn, PlotFailure> chosen_column(const ResultRows& rows,
-                                                    const ResultLayout& layout,
-                                                    const std::string& name);
+tl::expected<results::PlotColumn, PlotFailure> chosen_column(const ResultRows& rows,
+                                                             const results::ResultLayout& layout,
+                                                             const std::string& name);
 
 /// The columns of a result that belong together: the first friction force of the first definition,
 /// the position it goes with if that moves, and the velocity of that. Empty for what is not there.
@@ -29,9 +29,9 @@ struct UsualColumns {
   std::string velocity;
 };
 tl::expected<UsualColumns, PlotFailure> usual_columns(const ResultRows& rows,
-                                                      const ResultLayout& layout);
+                                                      const results::ResultLayout& layout);
 
 /// "friction force CSF1 [N]", "time t [s]": a column as an axis names it.
-std::string column_label(const PlotColumn& column);
+std::string column_label(const results::PlotColumn& column);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

@@ -25,7 +25,7 @@
 #include "driver/plot/text_lines.hpp"
 #include "driver/results/pixel_columns.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 namespace fs = std::filesystem;
@@ -52,7 +52,7 @@ class Curves {
   Curves(std::string x, std::vector<std::string> y) : x_(std::move(x)), y_(std::move(y)) {}
 
   /// \param name what the legend calls the input
-  tl::expected<void, PlotFailure> add(const ResultRows& rows, const ResultLayout& layout,
+  tl::expected<void, PlotFailure> add(const ResultRows& rows, const results::ResultLayout& layout,
                                       const std::string& name) {
     if (auto sound = judge(rows, layout); !sound) return sound;
     // A reader wants each column once; the time says how far a curve has come.
@@ -70,7 +70,7 @@ class Curves {
       for (std::size_t k = 0; k < row.size(); ++k) ranges[k].include(row[k]);
       rows_ = at + 1;
     };
-    if (auto read = each_row(rows.file, rows.shown_name, columns, include); !read) {
+    if (auto read = results::each_row(rows.file, rows.shown_name, columns, include); !read) {
       return unreadable(rows.shown_name, read.error());
     }
     time_.include(ranges[0].low);
@@ -81,13 +81,13 @@ class Curves {
     for (std::size_t i = 0; i < y.size(); ++i) {
       y_range_.include(ranges[y[i]].low);
       y_range_.include(ranges[y[i]].high);
-      PixelColumns over_time(2, ranges[x].low, ranges[x].high, kDrawnPixels);
+      results::PixelColumns over_time(2, ranges[x].low, ranges[x].high, results::kDrawnPixels);
       PathRows path({{1, ranges[x].width()}, {2, ranges[y[i]].width()}}, kMostLoopRows);
       const auto take = [&](std::span<const double> row, std::int64_t) {
         if (x == 0) over_time.add(std::array{row[x], row[y[i]]});
         if (x != 0) path.add(std::array{row[0], row[x], row[y[i]]});
       };
-      if (auto read = each_row(rows.file, rows.shown_name, columns, take); !read) {
+      if (auto read = results::each_row(rows.file, rows.shown_name, columns, take); !read) {
         return unreadable(rows.shown_name, read.error());
       }
       const std::vector<double> drawn = x == 0 ? over_time.finish() : path.finish();
@@ -136,9 +136,10 @@ class Curves {
 
  private:
   /// Returns whether the input has the columns, in the units of those before it.
-  tl::expected<void, PlotFailure> judge(const ResultRows& rows, const ResultLayout& layout) {
+  tl::expected<void, PlotFailure> judge(const ResultRows& rows,
+                                        const results::ResultLayout& layout) {
     const auto agrees = [&](const std::string& name,
-                            PlotColumn& known) -> tl::expected<void, PlotFailure> {
+                            results::PlotColumn& known) -> tl::expected<void, PlotFailure> {
       const auto column = chosen_column(rows, layout, name);
       if (!column) return tl::unexpected(column.error());
       if (known.name.empty()) {
@@ -148,7 +149,7 @@ class Curves {
       if (known.unit == column->unit || known.unit.empty() || column->unit.empty()) return {};
       const bool here = known_in_ == rows.shown_name;
       return failed(
-          kExitBadInput,
+          base::kExitBadInput,
           fmt::format("{}: {} is in {}, {}{} in {}; the curves of one picture share their "
                       "axes",
                       rows.shown_name, name, column->unit, known.name,
@@ -165,8 +166,8 @@ class Curves {
 
   std::string x_;
   std::vector<std::string> y_;
-  PlotColumn x_column_;
-  PlotColumn y_column_;
+  results::PlotColumn x_column_;
+  results::PlotColumn y_column_;
   std::string known_in_;  ///< the input that said the units first
   std::string time_unit_;
   Range time_;
@@ -196,7 +197,7 @@ tl::expected<void, PlotFailure> draw_over_each_other(PlotOptions options, const 
   inputs.insert(inputs.end(), options.more.begin(), options.more.end());
   if (inputs.size() * std::max<std::size_t>(1, options.y.size()) > kMostCurves) {
     return failed(
-        kExitBadInput,
+        base::kExitBadInput,
         fmt::format("more than {} curves cannot be told apart in one picture", kMostCurves));
   }
   const std::vector<std::string> names = names_of(inputs);
@@ -215,9 +216,10 @@ tl::expected<void, PlotFailure> draw_over_each_other(PlotOptions options, const 
       if (!usual) return tl::unexpected(usual.error());
       const std::string& up = portrait ? usual->velocity : usual->force;
       if (portrait && up.empty() && y.empty()) {
-        return failed(kExitBadInput, options.input +
-                                         ": nothing moves, or its velocity is no column of this "
-                                         "result; name the columns with --x and --y");
+        return failed(base::kExitBadInput,
+                      options.input +
+                          ": nothing moves, or its velocity is no column of this "
+                          "result; name the columns with --x and --y");
       }
       // Over time, unless one of the usual pair is drawn: columns that were not named go together.
       if (x.empty()) {
@@ -226,7 +228,7 @@ tl::expected<void, PlotFailure> draw_over_each_other(PlotOptions options, const 
       }
       if (y.empty()) y = {up};
       if (y.front().empty()) {
-        return failed(kExitBadInput,
+        return failed(base::kExitBadInput,
                       options.input + ": has no friction force; name a column with --y");
       }
       curves.emplace(x, y);
@@ -252,4 +254,4 @@ tl::expected<void, PlotFailure> draw_phase_portrait(const PlotOptions& options,
   return draw_over_each_other(options, picture, true);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

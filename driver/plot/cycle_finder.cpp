@@ -5,7 +5,7 @@
 
 #include "driver/history/step_grid.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 /// Turning points that differ by less, as a part of the motion's range, are one place.
@@ -34,7 +34,7 @@ void CycleFinder::add(double position) {
   if (advance > 0.0) {
     furthest_ = position;
     dwells_ = row;
-  } else if (dwells_ == row - 1 && -advance <= kSameTime * range_) {
+  } else if (dwells_ == row - 1 && -advance <= history::kSameTime * range_) {
     dwells_ = row;
   }
   if (advance >= -smallest_turn) return;
@@ -81,4 +81,4 @@ std::vector<std::int64_t> drawn_cycles(std::int64_t count) {
   return numbers;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

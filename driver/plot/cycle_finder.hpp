@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 
 /// The cycles of a motion. Each ends with every second turning point; the first begins with the
 /// run, the last ends with it.
@@ -47,8 +47,8 @@ class CycleFinder {
   MotionCycles found_;
 };
 
-/// The numbers of the cycles that are drawn of so many: all of up to five; else 1, 2, 5, 10, 20, 50 and so on, or powers of
-/// ten if those would be too many to be told apart; and the last one.
+/// The numbers of the cycles that are drawn of so many: all of up to five; else 1, 2, 5, 10, 20, 50
+/// and so on, or powers of ten if those would be too many to be told apart; and the last one.
 std::vector<std::int64_t> drawn_cycles(std::int64_t count);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

@@ -12,11 +12,12 @@
 #include "driver/plot/numbers.hpp"
 #include "driver/plot/text_lines.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 /// Half the axes of the largest limit: of two coefficients an ellipse, of one a circle.
-std::array<double, 2> limit_axes(const PlotData& data, const PlotDefinition& definition) {
+std::array<double, 2> limit_axes(const results::PlotData& data,
+                                 const results::PlotDefinition& definition) {
   const double limit = magnitude_of(data, definition.limit);
   const bool two = definition.normal_force >= 0 && definition.coefficients[0] >= 0 &&
                    definition.coefficients[1] >= 0;
@@ -28,7 +29,7 @@ std::array<double, 2> limit_axes(const PlotData& data, const PlotDefinition& def
 
 }  // namespace
 
-std::string rows_text(const PlotData& data, const std::vector<double>& rows) {
+std::string rows_text(const results::PlotData& data, const std::vector<double>& rows) {
   const std::size_t columns = data.columns.size();
   std::vector<int> digits;
   for (std::size_t k = 0; k < columns; ++k) {
@@ -47,62 +48,63 @@ std::string rows_text(const PlotData& data, const std::vector<double>& rows) {
   return text;
 }
 
-std::size_t drawn_definitions(const PlotData& data) {
+std::size_t drawn_definitions(const results::PlotData& data) {
   return std::min(kMostDefinitions, data.definitions.size());
 }
 
-std::string drawn_title(const PlotData& data) {
+std::string drawn_title(const results::PlotData& data) {
   const std::size_t count = drawn_definitions(data);
   if (count == data.definitions.size()) return data.title;
   return fmt::format("{} (the first {} of {} definitions)", data.title, count,
                      data.definitions.size());
 }
 
-const PlotColumn& column_of(const PlotData& data, int number) {
+const results::PlotColumn& column_of(const results::PlotData& data, int number) {
   return data.columns[static_cast<std::size_t>(number)];
 }
 
-double magnitude_of(const PlotData& data, int number) {
+double magnitude_of(const results::PlotData& data, int number) {
   if (number < 0) return 0.0;
   const auto k = static_cast<std::size_t>(number);
   return std::max(std::abs(data.lowest[k]), std::abs(data.highest[k]));
 }
 
-bool moves(const PlotData& data, int number) {
+bool moves(const results::PlotData& data, int number) {
   if (number < 0) return false;
   const auto k = static_cast<std::size_t>(number);
   return data.highest[k] > data.lowest[k];
 }
 
-std::string axis_label(std::string_view what, const PlotColumn& column) {
+std::string axis_label(std::string_view what, const results::PlotColumn& column) {
   std::string text(what);
   if (!column.name.empty()) text += " " + column.name;
   if (!column.unit.empty()) text += " [" + column.unit + "]";
   return text;
 }
 
-bool is_moment(const PlotData& data, const PlotDefinition& definition) {
+bool is_moment(const results::PlotData& data, const results::PlotDefinition& definition) {
   return !definition.components.empty() &&
          std::all_of(definition.components.begin(), definition.components.end(),
                      [&](int force) { return column_of(data, force).name.starts_with("CSM"); });
 }
 
-std::string force_label(const PlotData& data, int force) {
-  const PlotColumn& column = column_of(data, force);
+std::string force_label(const results::PlotData& data, int force) {
+  const results::PlotColumn& column = column_of(data, force);
   return axis_label(column.name.starts_with("CSM") ? "friction moment" : "friction force", column);
 }
 
-std::string motion_label(const PlotData& data, int position) {
+std::string motion_label(const results::PlotData& data, int position) {
   if (position < 0) return {};
-  const PlotColumn& column = column_of(data, position);
+  const results::PlotColumn& column = column_of(data, position);
   return axis_label(column.name.starts_with("CPR") ? "angle" : "position", column);
 }
 
-int main_force(const PlotDefinition& definition) {
+int main_force(const results::PlotDefinition& definition) {
   return definition.total >= 0 ? definition.total : definition.components.front();
 }
 
-std::vector<std::size_t> translations_of(const PlotData& data, const PlotDefinition& definition) {
+std::vector<std::size_t> translations_of(const results::PlotData& data,
+                                         const results::PlotDefinition& definition) {
   std::vector<std::size_t> entries;
   for (std::size_t k = 0; k < definition.components.size(); ++k) {
     const bool force = column_of(data, definition.components[k]).name.starts_with("CSF");
@@ -111,14 +113,15 @@ std::vector<std::size_t> translations_of(const PlotData& data, const PlotDefinit
   return entries;
 }
 
-std::size_t shown_component(const PlotData& data, const PlotDefinition& definition) {
+std::size_t shown_component(const results::PlotData& data,
+                            const results::PlotDefinition& definition) {
   for (std::size_t k = 0; k < definition.components.size(); ++k) {
     if (moves(data, definition.positions[k])) return k;
   }
   return 0;
 }
 
-double top_of(const PlotData& data, const PlotDefinition& definition) {
+double top_of(const results::PlotData& data, const results::PlotDefinition& definition) {
   const auto axes = limit_axes(data, definition);
   const double top = std::max({magnitude_of(data, definition.limit),
                                magnitude_of(data, main_force(definition)), axes[0], axes[1]});
@@ -133,26 +136,27 @@ void tell_time(PlotScript& script, const std::string& unit, double begin, double
   script.set("END_TIME", end > begin ? end : begin + 1.0);
 }
 
-int drawn_status(const RegimeSpan& span) {
+int drawn_status(const results::RegimeSpan& span) {
   if (!span.merged) return span.status;
   return span.status == 2 ? 3 : 4;
 }
 
-void tell_rows(PlotScript& script, const PlotData& data) {
+void tell_rows(PlotScript& script, const results::PlotData& data) {
   tell_time(script, data.columns[0].unit, data.lowest[0], data.highest[0]);
   // The first span is of no length and no definition: an empty block cannot be plotted.
   std::string spans = "0 0 0 0\n";
   for (std::size_t i = 0; i < drawn_definitions(data); ++i) {
-    for (const RegimeSpan& span : data.definitions[i].regimes.spans) {
-      spans += fmt::format("{} {} {} {}\n", i + 1, drawn_status(span), format_number(span.from),
-                           format_number(span.to));
+    for (const results::RegimeSpan& span : data.definitions[i].regimes.spans) {
+      spans += fmt::format("{} {} {} {}\n", i + 1, drawn_status(span),
+                           base::format_number(span.from), base::format_number(span.to));
     }
   }
   script.block("SPANS", std::move(spans));
   script.block("DATA", rows_text(data, data.rows));
 }
 
-void tell_force(PlotScript& script, const PlotData& data, const PlotDefinition& definition) {
+void tell_force(PlotScript& script, const results::PlotData& data,
+                const results::PlotDefinition& definition) {
   const int main = main_force(definition);
   const bool total = definition.total >= 0;
   const std::string& unit = column_of(data, main).unit;
@@ -181,7 +185,7 @@ void tell_force(PlotScript& script, const PlotData& data, const PlotDefinition& 
   bool slips = false;
   bool opens = false;
   bool turns = false;
-  for (const RegimeSpan& span : definition.regimes.spans) {
+  for (const results::RegimeSpan& span : definition.regimes.spans) {
     (span.merged ? turns : span.status == 2 ? slips : opens) = true;
   }
   script.add("SLIPS", slips ? 1 : 0);
@@ -189,14 +193,14 @@ void tell_force(PlotScript& script, const PlotData& data, const PlotDefinition& 
   script.add("TURNS", turns ? 1 : 0);
 }
 
-void tell_limit_ellipse(PlotScript& script, const PlotData& data, const PlotDefinition& definition,
-                        double parts) {
+void tell_limit_ellipse(PlotScript& script, const results::PlotData& data,
+                        const results::PlotDefinition& definition, double parts) {
   const auto axes = limit_axes(data, definition);
   script.add("LIMIT_AXIS_1", axes[0]);
   script.add("LIMIT_AXIS_2", axes[1]);
   script.add("DIRECTION_X", definition.direction[0]);
   script.add("DIRECTION_Y", definition.direction[1]);
-  script.add("FORCE_STEP", tic_step(2.0 * top_of(data, definition), parts));
+  script.add("FORCE_STEP", base::tic_step(2.0 * top_of(data, definition), parts));
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

@@ -9,7 +9,7 @@
 #include "driver/plot/text_lines.hpp"
 #include "driver/results/columns.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 using Kind = law::IndependentKind;
@@ -38,8 +38,8 @@ std::array<DrawnArgument, 2> map_arguments(const law::FrictionLaw& law) {
   return {list[0], list[1]};
 }
 
-std::string title_of(const CaseDefinition& definition, bool several, const law::FrictionLaw& law,
-                     std::string_view direction) {
+std::string title_of(const cases::CaseDefinition& definition, bool several,
+                     const law::FrictionLaw& law, std::string_view direction) {
   std::string text = several ? one_line(definition.name, kNameLength) + ": " : "";
   if (!direction.empty()) text += std::string(direction) + ": ";
   return text + std::string(std::visit([](const auto& one) { return one.kTitle; }, law));
@@ -64,9 +64,9 @@ void VisitedStates::add(const Visited& state) {
   stride_ *= 2;
 }
 
-DrawnCoefficients::DrawnCoefficients(const Case& problem, bool any) : case_(&problem) {
+DrawnCoefficients::DrawnCoefficients(const cases::Case& problem, bool any) : case_(&problem) {
   const bool several = problem.definitions.size() > 1;
-  for (const CaseDefinition& definition : problem.definitions) {
+  for (const cases::CaseDefinition& definition : problem.definitions) {
     std::array<int, 2> entries{-1, -1};
     const auto& formulation = definition.law.formulation;
     const bool orthotropic = formulation && formulation->orthotropy;
@@ -76,7 +76,7 @@ DrawnCoefficients::DrawnCoefficients(const Case& problem, bool any) : case_(&pro
       if (!(any ? depends_on_anything(law) : depends_on_slip(law))) return -1;
       list_.push_back({title_of(definition, several, law, direction),
                        law,
-                       is_rotational(definition.law),
+                       results::is_rotational(definition.law),
                        creeps,
                        map_arguments(law),
                        {}});
@@ -93,13 +93,13 @@ DrawnCoefficients::DrawnCoefficients(const Case& problem, bool any) : case_(&pro
   ambient_.fields = fields_;
 }
 
-void DrawnCoefficients::visit(const Simulation& simulation) {
-  const Row& all = simulation.row();
-  ambient_ = ambient_of(all.quantities, case_->reference);
+void DrawnCoefficients::visit(const bench::Simulation& simulation) {
+  const bench::Row& all = simulation.row();
+  ambient_ = bench::ambient_of(all.quantities, case_->reference);
   std::copy_n(ambient_.fields.begin(), fields_.size(), fields_.begin());
   ambient_.fields = fields_;
   for (std::size_t d = 0; d < of_definition_.size(); ++d) {
-    const DefinitionRow& row = all.definitions[d];
+    const bench::DefinitionRow& row = all.definitions[d];
     const law::FrictionUpdate& update = row.update;
     // The start is no state of an increment.
     if (update.state.regime == law::Regime::kOpen || all.index == 0) continue;
@@ -126,4 +126,4 @@ void DrawnCoefficients::visit(const Simulation& simulation) {
   }
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

@@ -9,7 +9,7 @@
 #include "driver/case/case.hpp"
 #include "law/friction/friction_law.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 
 /// Abscissa of a drawn coefficient.
 using DrawnArgument = law::Independent;
@@ -59,12 +59,12 @@ struct DrawnCoefficient {
 class DrawnCoefficients {
  public:
   /// \param any also those that depend on temperature or fields only
-  DrawnCoefficients(const Case& problem, bool any);
+  DrawnCoefficients(const cases::Case& problem, bool any);
   DrawnCoefficients(const DrawnCoefficients&) = delete;
   DrawnCoefficients& operator=(const DrawnCoefficients&) = delete;
 
   /// Notes the states of a row of the run.
-  void visit(const Simulation& simulation);
+  void visit(const bench::Simulation& simulation);
 
   const std::vector<DrawnCoefficient>& list() const { return list_; }
   /// Returns what tables may depend on besides the slip, as the run left it.
@@ -73,7 +73,7 @@ class DrawnCoefficients {
   double accumulated_slip(std::size_t entry) const { return slips_[entry]; }
 
  private:
-  const Case* case_;
+  const cases::Case* case_;
   std::vector<DrawnCoefficient> list_;
   /// Of each definition, the entries of direction 1 and 2 in `list_`; -1 for none.
   std::vector<std::array<int, 2>> of_definition_;
@@ -82,4 +82,4 @@ class DrawnCoefficients {
   law::Ambient ambient_;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

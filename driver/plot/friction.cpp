@@ -8,11 +8,12 @@
 #include "driver/plot/loops.hpp"
 #include "driver/plot/numbers.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 /// The panel of force over motion, or those of the paths in a plane.
-void tell_loop(PlotScript& script, const PlotData& data, const PlotDefinition& definition) {
+void tell_loop(PlotScript& script, const results::PlotData& data,
+               const results::PlotDefinition& definition) {
   const auto translations = translations_of(data, definition);
   const bool planar = translations.size() >= 2;
   const double parts = planar ? 2.5 : 5.0;  // the panels of a planar motion are small
@@ -47,7 +48,8 @@ tl::expected<void, PlotFailure> draw_friction(const PlotOptions& options,
                                               const std::filesystem::path& picture) {
   auto begun = begin_picture(picture, options, "friction.gp");
   if (!begun) return tl::unexpected(std::move(begun.error()));
-  const auto data = result_for_plot(options, picture, PlotDetail::kForces, WithLoops::kYes);
+  const auto data =
+      result_for_plot(options, picture, results::PlotDetail::kForces, WithLoops::kYes);
   if (!data) return tl::unexpected(data.error());
   PlotScript script;
   const std::size_t count = drawn_definitions(*data);
@@ -61,4 +63,4 @@ tl::expected<void, PlotFailure> draw_friction(const PlotOptions& options,
   return draw(script, drawn_title(*data), 60 + 440 * count, *begun);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

@@ -21,7 +21,7 @@
 
 extern char** environ;
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace fs = std::filesystem;
 namespace {
 
@@ -37,7 +37,7 @@ tl::expected<void, PlotFailure> run_gnuplot(const fs::path& script_file) {
   pid_t child = 0;
   int error = 0;
   {
-    const InterruptionPause pause;
+    const base::InterruptionPause pause;
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     sigset_t nothing;
@@ -46,23 +46,23 @@ tl::expected<void, PlotFailure> run_gnuplot(const fs::path& script_file) {
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
     error = posix_spawnp(&child, "gnuplot", &actions, &attributes, arguments.data(), environ);
     posix_spawnattr_destroy(&attributes);
-    if (error == 0) register_child(child);
+    if (error == 0) base::register_child(child);
   }
   posix_spawn_file_actions_destroy(&actions);
   if (error == ENOENT) {
-    return failed(kExitEnvironment,
+    return failed(base::kExitEnvironment,
                   "gnuplot is not installed; pictures need it (Debian: apt install gnuplot-nox)");
   }
   if (error != 0) {
-    return failed(kExitEnvironment,
+    return failed(base::kExitEnvironment,
                   "gnuplot cannot be started: " + std::generic_category().message(error));
   }
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  register_child(0);
+  base::register_child(0);
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    return failed(kExitEnvironment, "gnuplot failed, see above");
+    return failed(base::kExitEnvironment, "gnuplot failed, see above");
   }
   return {};
 }
@@ -112,7 +112,7 @@ std::string terminal_for(const fs::path& picture, const Canvas& canvas, const Pi
 }
 
 std::optional<fs::path> find_template(std::string_view name_of_template) {
-  return shipped_path(fs::path("plots") / name_of_template);
+  return base::shipped_path(fs::path("plots") / name_of_template);
 }
 
 std::string gnuplot_string(std::string_view text) {
@@ -125,23 +125,24 @@ std::string gnuplot_string(std::string_view text) {
 }
 
 tl::expected<void, PlotFailure> draw_script(const std::string& script, const fs::path& picture,
-                                            double scale, OutputFile& output) {
-  auto commands = OutputFile::create(fs::path(picture).concat(".gp"), {}, kNeverNamed);
-  if (!commands) return failed(kExitEnvironment, commands.error());
+                                            double scale, base::OutputFile& output) {
+  auto commands = base::OutputFile::create(fs::path(picture).concat(".gp"), {}, base::kNeverNamed);
+  if (!commands) return failed(base::kExitEnvironment, commands.error());
   commands->append(script);
-  if (auto closed = commands->close(); !closed) return failed(kExitEnvironment, closed.error());
+  if (auto closed = commands->close(); !closed)
+    return failed(base::kExitEnvironment, closed.error());
   if (auto drawn = run_gnuplot(commands->temporary()); !drawn) return drawn;
   std::error_code error;
   if (fs::file_size(output.temporary(), error) == 0 || error) {
-    return failed(kExitEnvironment, picture.string() + ": gnuplot wrote no picture");
+    return failed(base::kExitEnvironment, picture.string() + ": gnuplot wrote no picture");
   }
   if (picture.extension() == ".svg" && scale != 1.0) scale_svg(output.temporary(), scale);
   write_mark(output.temporary(), picture.extension().string(), output.mark().text);
-  OutputFile* const together[] = {&output};
-  if (auto committed = commit(together); !committed) {
-    return failed(kExitEnvironment, committed.error());
+  base::OutputFile* const together[] = {&output};
+  if (auto committed = base::commit(together); !committed) {
+    return failed(base::kExitEnvironment, committed.error());
   }
   return {};
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

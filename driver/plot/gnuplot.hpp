@@ -12,11 +12,11 @@
 #include "driver/base/files/output_file.hpp"
 #include "driver/plot/look.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 
 /// Reason why no picture came about.
 struct PlotFailure {
-  int code = kExitEnvironment;
+  int code = base::kExitEnvironment;
   std::string message;  ///< whole, with its line feed
 };
 
@@ -40,6 +40,6 @@ std::string gnuplot_string(std::string_view text);
 /// \param scale of an SVG: how much smaller it is shown than it is laid out
 tl::expected<void, PlotFailure> draw_script(const std::string& script,
                                             const std::filesystem::path& picture, double scale,
-                                            OutputFile& output);
+                                            base::OutputFile& output);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

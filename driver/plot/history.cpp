@@ -10,7 +10,7 @@
 #include "driver/plot/input.hpp"
 #include "driver/plot/kinds.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 /// From the lowest to the highest of some columns, 0 included, with room above and below.
@@ -19,7 +19,7 @@ struct Range {
   double high = 0.0;
   double above = 0.08;  ///< room, as a part of the range
 
-  void include(const PlotData& data, int column) {
+  void include(const results::PlotData& data, int column) {
     if (column < 0) return;
     const auto k = static_cast<std::size_t>(column);
     low = std::min(low, data.lowest[k]);
@@ -31,12 +31,13 @@ struct Range {
     const double top = high + above * range;
     script.add(name + "_LOW", bottom);
     script.add(name + "_HIGH", top);
-    script.add(name + "_STEP", tic_step(top - bottom, 4.0));
+    script.add(name + "_STEP", base::tic_step(top - bottom, 4.0));
   }
 };
 
 /// The motions of a definition on two axes, for translations and rotations.
-void tell_motion(PlotScript& script, const PlotData& data, const PlotDefinition& definition) {
+void tell_motion(PlotScript& script, const results::PlotData& data,
+                 const results::PlotDefinition& definition) {
   std::string columns;
   std::string names;
   std::string axes;
@@ -45,7 +46,7 @@ void tell_motion(PlotScript& script, const PlotData& data, const PlotDefinition&
   std::string first;
   for (const int position : definition.positions) {
     if (position < 0) continue;
-    const PlotColumn& column = column_of(data, position);
+    const results::PlotColumn& column = column_of(data, position);
     const bool angle = column.name.starts_with("CPR");
     if (first.empty()) first = angle ? "angle" : "position";
     const std::size_t axis = (angle ? "angle" : "position") == first ? 0 : 1;
@@ -65,17 +66,20 @@ void tell_motion(PlotScript& script, const PlotData& data, const PlotDefinition&
 }
 
 /// The axis of the force's panel, which is too low for a long label.
-void tell_force_axis(PlotScript& script, const PlotData& data, const PlotDefinition& definition) {
+void tell_force_axis(PlotScript& script, const results::PlotData& data,
+                     const results::PlotDefinition& definition) {
   const int main = main_force(definition);
-  const PlotColumn& column = column_of(data, main);
+  const results::PlotColumn& column = column_of(data, main);
   const bool both_sides =
       definition.total >= 0 || data.lowest[static_cast<std::size_t>(main)] < 0.0;
   script.add("SHORT_LABEL",
              axis_label(is_moment(data, definition) ? "moment" : "force", {"", column.unit}));
-  script.add("FORCE_STEP", tic_step((both_sides ? 2.3 : 1.2) * top_of(data, definition), 4.0));
+  script.add("FORCE_STEP",
+             base::tic_step((both_sides ? 2.3 : 1.2) * top_of(data, definition), 4.0));
 }
 
-void tell_state(PlotScript& script, const PlotData& data, const PlotDefinition& definition) {
+void tell_state(PlotScript& script, const results::PlotData& data,
+                const results::PlotDefinition& definition) {
   Range normal;
   Range mu;
   Range energy;
@@ -109,14 +113,14 @@ tl::expected<void, PlotFailure> draw_history(const PlotOptions& options,
                                              const std::filesystem::path& picture) {
   auto begun = begin_picture(picture, options, "history.gp");
   if (!begun) return tl::unexpected(std::move(begun.error()));
-  const auto data = result_for_plot(options, picture, PlotDetail::kState);
+  const auto data = result_for_plot(options, picture, results::PlotDetail::kState);
   if (!data) return tl::unexpected(data.error());
   PlotScript script;
   const std::size_t count = drawn_definitions(*data);
   script.set("DEFINITIONS", static_cast<int>(count));
   tell_rows(script, *data);
   for (std::size_t i = 0; i < count; ++i) {
-    const PlotDefinition& definition = data->definitions[i];
+    const results::PlotDefinition& definition = data->definitions[i];
     tell_force(script, *data, definition);
     tell_force_axis(script, *data, definition);
     tell_motion(script, *data, definition);
@@ -125,4 +129,4 @@ tl::expected<void, PlotFailure> draw_history(const PlotOptions& options,
   return draw(script, drawn_title(*data), 60 + 1000 * ((count + 1) / 2), *begun);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

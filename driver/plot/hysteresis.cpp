@@ -12,19 +12,19 @@
 #include "driver/plot/loops.hpp"
 #include "driver/plot/numbers.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 constexpr std::size_t kMostLoops = 3;
 
 /// Returns what a column gains from the first row to the last.
-double gain(const PlotData& data, int column) {
+double gain(const results::PlotData& data, int column) {
   const auto k = static_cast<std::size_t>(column);
   return data.rows[data.rows.size() - data.columns.size() + k] - data.rows[k];
 }
 
 /// "dissipated 27.4 J, 7.76 J in the last full cycle".
-std::string energy_text(const PlotData& data, const PlotDefinition& definition) {
+std::string energy_text(const results::PlotData& data, const results::PlotDefinition& definition) {
   const int dissipation = definition.dissipation;
   if (dissipation < 0) return {};
   const std::string& unit = column_of(data, dissipation).unit;
@@ -40,7 +40,8 @@ std::string energy_text(const PlotData& data, const PlotDefinition& definition) 
 /// component that moves.
 class Panels {
  public:
-  Panels(PlotScript& script, const PlotData& data, const PlotDefinition& definition)
+  Panels(PlotScript& script, const results::PlotData& data,
+         const results::PlotDefinition& definition)
       : script_(script), data_(data), definition_(definition) {}
 
   void tell() {
@@ -100,8 +101,8 @@ class Panels {
   }
 
   PlotScript& script_;
-  const PlotData& data_;
-  const PlotDefinition& definition_;
+  const results::PlotData& data_;
+  const results::PlotDefinition& definition_;
 };
 
 }  // namespace
@@ -110,7 +111,7 @@ tl::expected<void, PlotFailure> draw_hysteresis(const PlotOptions& options,
                                                 const std::filesystem::path& picture) {
   auto begun = begin_picture(picture, options, "hysteresis.gp");
   if (!begun) return tl::unexpected(std::move(begun.error()));
-  const auto data = result_for_plot(options, picture, PlotDetail::kState, WithLoops::kYes);
+  const auto data = result_for_plot(options, picture, results::PlotDetail::kState, WithLoops::kYes);
   if (!data) return tl::unexpected(data.error());
   PlotScript script;
   const std::size_t count = drawn_definitions(*data);
@@ -121,4 +122,4 @@ tl::expected<void, PlotFailure> draw_hysteresis(const PlotOptions& options,
   return draw(script, drawn_title(*data), 60 + 460 * count, *begun);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

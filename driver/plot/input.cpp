@@ -17,67 +17,70 @@
 #include "driver/results/provenance.hpp"
 #include "driver/terminal/progress.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace fs = std::filesystem;
 namespace {
 
 /// Runs a case and writes its rows to `rows`.
-tl::expected<void, PlotFailure> write_rows(const Case& problem, const fs::path& picture,
-                                           std::optional<OutputFile>& rows, CaseRegimes& regimes) {
-  auto created = OutputFile::create(fs::path(picture).concat(".rows"), {}, kNeverNamed);
-  if (!created) return failed(kExitEnvironment, created.error());
+tl::expected<void, PlotFailure> write_rows(const cases::Case& problem, const fs::path& picture,
+                                           std::optional<base::OutputFile>& rows,
+                                           CaseRegimes& regimes) {
+  auto created = base::OutputFile::create(fs::path(picture).concat(".rows"), {}, base::kNeverNamed);
+  if (!created) return failed(base::kExitEnvironment, created.error());
   rows.emplace(std::move(*created));
-  CsvWriter writer(problem, result_columns(problem), *rows);
-  auto ended = follow_for_plot(problem, [&](const Simulation& simulation) {
+  results::CsvWriter writer(problem, results::result_columns(problem), *rows);
+  auto ended = follow_for_plot(problem, [&](const bench::Simulation& simulation) {
     writer.write(simulation.row());
     regimes.add(simulation.row());
   });
   if (!ended) return ended;
-  if (auto closed = rows->close(); !closed) return failed(kExitEnvironment, closed.error());
+  if (auto closed = rows->close(); !closed) return failed(base::kExitEnvironment, closed.error());
   return {};
 }
 
 }  // namespace
 
-tl::unexpected<PlotFailure> unreadable(const std::string& shown_name, const HistoryError& error) {
-  const bool input = error.kind == HistoryError::Kind::kInput;
+tl::unexpected<PlotFailure> unreadable(const std::string& shown_name,
+                                       const base::HistoryError& error) {
+  const bool input = error.kind == base::HistoryError::Kind::kInput;
   const std::string line = error.line > 0 ? fmt::format(":{}", error.line) : "";
-  return failed(input ? kExitBadInput : kExitEnvironment,
+  return failed(input ? base::kExitBadInput : base::kExitEnvironment,
                 fmt::format("{}{}: {}", shown_name, line, error.message));
 }
 
 bool is_result(const PlotOptions& options) { return fs::path(options.input).extension() == ".csv"; }
 
-tl::expected<Case, PlotFailure> read_for_plot(const PlotOptions& options) {
-  const auto settings = parse_settings(options.settings);
-  if (!settings) return failed(kExitBadInput, settings.error());
-  ReadCase read = read_case(options.input, {*settings, options.allow_outside});
+tl::expected<cases::Case, PlotFailure> read_for_plot(const PlotOptions& options) {
+  const auto settings = base::parse_settings(options.settings);
+  if (!settings) return failed(base::kExitBadInput, settings.error());
+  read::ReadCase read = read::read_case(options.input, {*settings, options.allow_outside});
   if (!read.value || read.diagnostics.has_errors()) {
-    return tl::unexpected(PlotFailure{read.environment_failure ? kExitEnvironment : kExitBadInput,
-                                      render(read.diagnostics, read.sources) +
-                                          summary(read.diagnostics) + ", nothing was drawn\n"});
+    return tl::unexpected(
+        PlotFailure{read.environment_failure ? base::kExitEnvironment : base::kExitBadInput,
+                    base::render(read.diagnostics, read.sources) + base::summary(read.diagnostics) +
+                        ", nothing was drawn\n"});
   }
   return std::move(*read.value);
 }
 
 tl::expected<void, PlotFailure> follow_for_plot(
-    const Case& problem, const std::function<void(const Simulation&)>& take) {
+    const cases::Case& problem, const std::function<void(const bench::Simulation&)>& take) {
   const auto ended = [&] {
-    Progress progress(case_stem(problem));
-    return follow_case(problem, [&](const Simulation& simulation) {
+    terminal::Progress progress(results::case_stem(problem));
+    return bench::follow_case(problem, [&](const bench::Simulation& simulation) {
       take(simulation);
       progress.step(simulation.row().index, simulation.row().time);
     });
   }();
   if (!ended) {
     return tl::unexpected(
-        PlotFailure{exit_code(ended.error()), failure_text(problem, ended.error())});
+        PlotFailure{bench::exit_code(ended.error()), bench::failure_text(problem, ended.error())});
   }
   return {};
 }
 
-std::string picture_title(const Case& problem) {
-  return problem.title.empty() ? case_stem(problem) : problem.title;
+std::string picture_title(const cases::Case& problem) {
+  return problem.title.empty() ? results::case_stem(problem) : problem.title;
 }
 
 tl::expected<ResultRows, PlotFailure> rows_for_plot(const PlotOptions& options,
@@ -88,7 +91,7 @@ tl::expected<ResultRows, PlotFailure> rows_for_plot(const PlotOptions& options,
   if (is_result(options)) return rows;
   auto read = read_for_plot(options);
   if (!read) return tl::unexpected(std::move(read.error()));
-  rows.problem = std::make_unique<Case>(std::move(*read));
+  rows.problem = std::make_unique<cases::Case>(std::move(*read));
   rows.regimes = std::make_unique<CaseRegimes>(*rows.problem);
   if (auto written = write_rows(*rows.problem, picture, rows.temporary, *rows.regimes); !written) {
     return tl::unexpected(std::move(written.error()));
@@ -97,12 +100,13 @@ tl::expected<ResultRows, PlotFailure> rows_for_plot(const PlotOptions& options,
   return rows;
 }
 
-tl::expected<PlotData, PlotFailure> result_for_plot(const PlotOptions& options,
-                                                    const fs::path& picture, PlotDetail detail,
-                                                    WithLoops loops) {
+tl::expected<results::PlotData, PlotFailure> result_for_plot(const PlotOptions& options,
+                                                             const fs::path& picture,
+                                                             results::PlotDetail detail,
+                                                             WithLoops loops) {
   const auto rows = rows_for_plot(options, picture);
   if (!rows) return tl::unexpected(rows.error());
-  auto data = read_plot_data(rows->file, options.input, detail);
+  auto data = results::read_plot_data(rows->file, options.input, detail);
   if (!data) return unreadable(options.input, data.error());
   if (rows->regimes) {
     rows->regimes->finish(*data);
@@ -119,4 +123,4 @@ tl::expected<PlotData, PlotFailure> result_for_plot(const PlotOptions& options,
   return std::move(*data);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

@@ -17,20 +17,20 @@
 #include "driver/plot/options.hpp"
 #include "driver/results/plot_data.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 
 /// Tells whether the input is a result of 'run', not a case.
 bool is_result(const PlotOptions& options);
 
 /// The case of `options`, or its faults as they are told to the user.
-tl::expected<Case, PlotFailure> read_for_plot(const PlotOptions& options);
+tl::expected<cases::Case, PlotFailure> read_for_plot(const PlotOptions& options);
 
 /// A result of `run`, and of a case what it was written from: then the file is gone with it.
 struct ResultRows {
   std::filesystem::path file;
   std::string shown_name;
-  std::optional<OutputFile> temporary;
-  std::unique_ptr<Case> problem;
+  std::optional<base::OutputFile> temporary;
+  std::unique_ptr<cases::Case> problem;
   std::unique_ptr<CaseRegimes> regimes;
 };
 
@@ -39,14 +39,15 @@ tl::expected<ResultRows, PlotFailure> rows_for_plot(const PlotOptions& options,
                                                     const std::filesystem::path& picture);
 
 /// A result that cannot be read, as it is told to the user.
-tl::unexpected<PlotFailure> unreadable(const std::string& shown_name, const HistoryError& error);
+tl::unexpected<PlotFailure> unreadable(const std::string& shown_name,
+                                       const base::HistoryError& error);
 
 /// Runs a case to its end: `take` sees every row, row 0 first.
-tl::expected<void, PlotFailure> follow_for_plot(const Case& problem,
-                                                const std::function<void(const Simulation&)>& take);
+tl::expected<void, PlotFailure> follow_for_plot(
+    const cases::Case& problem, const std::function<void(const bench::Simulation&)>& take);
 
 /// Returns what a picture of a case is called: its title, or the file's stem.
-std::string picture_title(const Case& problem);
+std::string picture_title(const cases::Case& problem);
 
 /// Need of a picture for loops (PlotDefinition::loops).
 enum class WithLoops : std::uint8_t { kNo, kYes };
@@ -54,9 +55,9 @@ enum class WithLoops : std::uint8_t { kNo, kYes };
 /// The result that is drawn: the one given, or that of the case, which is run for it. Its title is
 /// never empty. Its regimes are those of the events, of a result without a file of events beside it
 /// those of its rows. Files that are needed meanwhile stand beside `picture`.
-tl::expected<PlotData, PlotFailure> result_for_plot(const PlotOptions& options,
-                                                    const std::filesystem::path& picture,
-                                                    PlotDetail detail,
-                                                    WithLoops loops = WithLoops::kNo);
+tl::expected<results::PlotData, PlotFailure> result_for_plot(const PlotOptions& options,
+                                                             const std::filesystem::path& picture,
+                                                             results::PlotDetail detail,
+                                                             WithLoops loops = WithLoops::kNo);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

@@ -8,7 +8,7 @@
 
 #include "driver/plot/law.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 namespace fs = std::filesystem;
@@ -32,22 +32,23 @@ constexpr std::array<Kind, 8> kKinds{{{"hysteresis", draw_hysteresis},
 tl::expected<void, PlotFailure> draw_picture(const PlotOptions& options, const fs::path& picture) {
   const bool columns = !options.x.empty() || !options.y.empty();
   if (options.law && !options.kind.empty()) {
-    return failed(kExitBadInput,
+    return failed(base::kExitBadInput,
                   "--law and --as are two pictures; choose one (mu over two of its arguments as a "
                   "map is '--as mu_map', without --law)");
   }
   if (options.law && (columns || !options.more.empty())) {
-    return failed(kExitBadInput, "--law draws the coefficients of one case, without --x and --y");
+    return failed(base::kExitBadInput,
+                  "--law draws the coefficients of one case, without --x and --y");
   }
   const bool takes_columns = options.kind.empty() || options.kind == "phase_portrait";
   if (!takes_columns && !options.more.empty()) {
-    return failed(kExitBadInput,
+    return failed(base::kExitBadInput,
                   fmt::format("--as {} draws one case or result; several are drawn over each other "
                               "without --as, by --x and --y",
                               options.kind));
   }
   if (!takes_columns && columns && !(options.kind == "spectrum" && options.x.empty())) {
-    return failed(kExitBadInput,
+    return failed(base::kExitBadInput,
                   fmt::format("--as {} chooses its columns itself; {}", options.kind,
                               options.kind == "spectrum" ? "give it --y only"
                                                          : "leave out --as to draw --y over --x"));
@@ -60,7 +61,7 @@ tl::expected<void, PlotFailure> draw_picture(const PlotOptions& options, const f
   for (const Kind& kind : kKinds) {
     if (kind.name == options.kind) return kind.draw(options, picture);
   }
-  return failed(kExitBadInput, "there is no picture '" + options.kind + "'");
+  return failed(base::kExitBadInput, "there is no picture '" + options.kind + "'");
 }
 
 std::vector<std::string> plot_kinds() {
@@ -69,4 +70,4 @@ std::vector<std::string> plot_kinds() {
   return names;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

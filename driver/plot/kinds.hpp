@@ -12,7 +12,7 @@
 #include "driver/plot/gnuplot.hpp"
 #include "driver/plot/options.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 
 /// The pictures there are besides the one of friction.gp; each has a template of its name in
 /// plots/.
@@ -61,4 +61,4 @@ tl::expected<void, PlotFailure> draw_spectrum(const PlotOptions& options,
 tl::expected<void, PlotFailure> draw_residuals(const PlotOptions& options,
                                                const std::filesystem::path& picture);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

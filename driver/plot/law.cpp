@@ -26,7 +26,7 @@
 #include "driver/results/law_range.hpp"
 #include "driver/terminal/print.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 namespace fs = std::filesystem;
@@ -52,7 +52,7 @@ Extent extent(double of_law, double visited) {
 
 /// Round numbers from 0 to the end of an axis, at most four.
 std::vector<double> levels(double end) {
-  const double step = tic_step(end, 3.0);
+  const double step = base::tic_step(end, 3.0);
   std::vector<double> list;
   for (int k = 0; k < 4 && k * step <= end * (1.0 + 1e-9); ++k) list.push_back(k * step);
   return list;
@@ -62,7 +62,7 @@ std::vector<double> levels(double end) {
 class Script {
  public:
   /// \param without why there are no states of a run; empty if there are
-  Script(const Case& problem, const law::Ambient& ambient, std::string without)
+  Script(const cases::Case& problem, const law::Ambient& ambient, std::string without)
       : problem_(problem), ambient_(ambient), without_(std::move(without)) {}
 
   void add(const DrawnCoefficient& coefficient) {
@@ -70,8 +70,8 @@ class Script {
     const law::FrictionLaw& law = coefficient.law;
     const bool by_rate = law::depends_on_slip_rate(law);
     const bool by_force = law::depends_on_contact_force(law);
-    const LawRange range = law_range(law);
-    const double area = area_of(law);
+    const results::LawRange range = results::law_range(law);
+    const double area = results::area_of(law);
     const double per_force = area > 0.0 ? area : 1.0;
     const Extent rate =
         extent(by_rate ? range.slip_rate : 0.0, coefficient.visited.largest_slip_rate());
@@ -82,12 +82,12 @@ class Script {
       return law::evaluate(law, ambient_, {.slip_rate = v, .contact_force = p * per_force}).mu;
     };
 
-    Dimension force_dimension = coefficient.rotational ? kMoment : kForce;
+    base::Dimension force_dimension = coefficient.rotational ? base::kMoment : base::kForce;
     if (area > 0.0) force_dimension.length -= 2;
-    Dimension rate_dimension = coefficient.rotational ? kAngle : kLength;
+    base::Dimension rate_dimension = coefficient.rotational ? base::kAngle : base::kLength;
     rate_dimension.time -= 1;
-    const std::string force_unit = unit_text(force_dimension, problem_.units);
-    const std::string rate_unit = unit_text(rate_dimension, problem_.units);
+    const std::string force_unit = base::unit_text(force_dimension, problem_.units);
+    const std::string rate_unit = base::unit_text(rate_dimension, problem_.units);
     const std::string force_name = area > 0.0               ? "pressure p"
                                    : coefficient.rotational ? "normal moment F_N"
                                                             : "normal force F_N";
@@ -96,9 +96,9 @@ class Script {
     script_.add("LOAD_LABEL", axis_label(force_name, {"", force_unit}));
     script_.add("RATE_END", rate.end);
     script_.add("LOAD_END", pressure_end);
-    script_.add("RATE_STEP", tic_step(rate.end, by_rate && by_force ? 4.0 : 6.0));
-    script_.add("MAP_STEP", tic_step(rate.end, 4.0));
-    script_.add("LOAD_STEP", tic_step(pressure_end, 4.0));
+    script_.add("RATE_STEP", base::tic_step(rate.end, by_rate && by_force ? 4.0 : 6.0));
+    script_.add("MAP_STEP", base::tic_step(rate.end, 4.0));
+    script_.add("LOAD_STEP", base::tic_step(pressure_end, 4.0));
     script_.add("BY_RATE", by_rate ? 1 : 0);
     script_.add("BY_LOAD", by_force ? 1 : 0);
     std::string cut = without_;
@@ -145,7 +145,7 @@ class Script {
       }
     }
     map_ += "\n\n";
-    for (const Landmark& mark : range.landmarks) {
+    for (const results::Landmark& mark : range.landmarks) {
       if (mark.slip_rate > rate.end) continue;
       marks_ +=
           fmt::format("{:.6g} {:.6g} \"{}\"\n", mark.slip_rate, mu(mark.slip_rate, 0.0), mark.name);
@@ -221,7 +221,7 @@ class Script {
     script_.add("SLIPS", slips ? 1 : 0);
   }
 
-  const Case& problem_;
+  const cases::Case& problem_;
   const law::Ambient& ambient_;
   std::string without_;
   int count_ = 0;
@@ -237,7 +237,7 @@ class Script {
 
 tl::expected<void, PlotFailure> draw_laws(const PlotOptions& options, const fs::path& picture) {
   if (is_result(options)) {
-    return failed(kExitBadInput,
+    return failed(base::kExitBadInput,
                   options.input + ": a result does not say its coefficients; give the case");
   }
   auto begun = begin_picture(picture, options, "coefficient.gp");
@@ -245,7 +245,7 @@ tl::expected<void, PlotFailure> draw_laws(const PlotOptions& options, const fs::
   // Why there are no states of a run; empty if there are.
   std::string without;
   std::error_code error;
-  std::optional<Case> problem;
+  std::optional<cases::Case> problem;
   if (!fs::exists(options.input, error)) problem = case_of_law(options.input);
   if (problem) {
     without = "no run: an example";
@@ -259,7 +259,7 @@ tl::expected<void, PlotFailure> draw_laws(const PlotOptions& options, const fs::
   auto all = std::make_unique<DrawnCoefficients>(*problem, false);
   if (all->list().empty()) {
     const bool map = !DrawnCoefficients(*problem, true).list().empty();
-    return failed(kExitBadInput,
+    return failed(base::kExitBadInput,
                   fmt::format("{}: no coefficient {} depends on the slip rate or the normal force: "
                               "{}",
                               options.input, map ? "here" : "of this case",
@@ -267,9 +267,9 @@ tl::expected<void, PlotFailure> draw_laws(const PlotOptions& options, const fs::
                                   : "there is nothing to draw"));
   }
   if (without.empty()) {
-    const auto followed =
-        follow_for_plot(*problem, [&](const Simulation& simulation) { all->visit(simulation); });
-    if (!followed && followed.error().code != kExitNumerical) return followed;
+    const auto followed = follow_for_plot(
+        *problem, [&](const bench::Simulation& simulation) { all->visit(simulation); });
+    if (!followed && followed.error().code != base::kExitNumerical) return followed;
     if (!followed) {
       all = std::make_unique<DrawnCoefficients>(*problem, false);
       without = "no run: it fails";
@@ -280,7 +280,7 @@ tl::expected<void, PlotFailure> draw_laws(const PlotOptions& options, const fs::
   for (std::size_t i = 0; i < count; ++i) script.add(all->list()[i]);
   auto drawn = draw(script.finish(), picture_title(*problem), 60 + 440 * count, *begun);
   if (drawn && without != "" && without != "no run: an example") {
-    print_error(fmt::format(
+    terminal::print_error(fmt::format(
         "slipbench: note: {} cannot run ('slipbench run' tells why): its coefficients are drawn "
         "without the states of a run\n",
         options.input));
@@ -288,4 +288,4 @@ tl::expected<void, PlotFailure> draw_laws(const PlotOptions& options, const fs::
   return drawn;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

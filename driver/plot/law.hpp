@@ -7,7 +7,7 @@
 #include "driver/plot/gnuplot.hpp"
 #include "driver/plot/options.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 
 /// The picture of `slipbench plot --law`: for each coefficient of a case that depends on the slip
 /// rate or the normal force, mu over the slip rate at several normal forces (pressures, for a law
@@ -21,4 +21,4 @@ namespace slipbench::driver {
 tl::expected<void, PlotFailure> draw_laws(const PlotOptions& options,
                                           const std::filesystem::path& picture);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

@@ -16,13 +16,13 @@
 #include "driver/base/units/parameters.hpp"
 #include "driver/read/read_case.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 bool is_of_name(char c) { return (std::isalnum(static_cast<unsigned char>(c)) != 0) || c == '_'; }
 
 /// The names that the expressions of a node use.
-void add_names(const Node& node, std::set<std::string, std::less<>>& names) {
+void add_names(const yaml::Node& node, std::set<std::string, std::less<>>& names) {
   if (node.is_scalar() && node.text().starts_with('=')) {
     std::string name;
     for (const char c : std::string(node.text()) + " ") {
@@ -39,11 +39,11 @@ void add_names(const Node& node, std::set<std::string, std::less<>>& names) {
 }
 
 /// The names that everything but history, output and checks needs, parameters of parameters too.
-std::set<std::string, std::less<>> needed_names(const Node& root) {
+std::set<std::string, std::less<>> needed_names(const yaml::Node& root) {
   constexpr std::array<std::string_view, 4> kOthers{"history", "output", "checks", "parameters"};
   std::set<std::string, std::less<>> names;
   if (!root.is_map()) return names;
-  for (const Entry entry : root.entries()) {
+  for (const yaml::Entry entry : root.entries()) {
     if (std::find(kOthers.begin(), kOthers.end(), entry.key.text()) == kOthers.end()) {
       add_names(entry.value, names);
     }
@@ -52,22 +52,22 @@ std::set<std::string, std::less<>> needed_names(const Node& root) {
   if (!parameters || !parameters->is_map()) return names;
   for (std::size_t before = 0; before != names.size();) {
     before = names.size();
-    for (const Entry entry : parameters->entries()) {
+    for (const yaml::Entry entry : parameters->entries()) {
       if (names.contains(entry.key.text())) add_names(entry.value, names);
     }
   }
   return names;
 }
 
-std::string text_of(const Node& map, std::string_view key) {
+std::string text_of(const yaml::Node& map, std::string_view key) {
   const auto node = map.find(key);
   return node && node->is_scalar() ? std::string(node->text()) : std::string();
 }
 
 }  // namespace
 
-std::optional<Case> case_of_law(std::string_view name) {
-  std::optional<Case> found;
+std::optional<cases::Case> case_of_law(std::string_view name) {
+  std::optional<cases::Case> found;
   const auto look = [&]<class Law>(std::type_identity<Law>) {
     if (Law::kName != name) return;
     found.emplace();
@@ -82,20 +82,21 @@ std::optional<Case> case_of_law(std::string_view name) {
   return found;
 }
 
-std::optional<Case> case_of_friction(const PlotOptions& options) {
-  const auto source = read_source(options.input);
-  auto settings = parse_settings(options.settings);
+std::optional<cases::Case> case_of_friction(const PlotOptions& options) {
+  const auto source = base::read_source(options.input);
+  auto settings = base::parse_settings(options.settings);
   if (!source || !settings) return std::nullopt;
   const std::string folder = std::filesystem::path(options.input).parent_path().string();
-  const auto parsed = ParsedCase::parse(*source, folder.empty() ? "." : folder);
+  const auto parsed = read::ParsedCase::parse(*source, folder.empty() ? "." : folder);
   if (!parsed) return std::nullopt;
-  const Node root = parsed->root();
+  const yaml::Node root = parsed->root();
   const auto needed = needed_names(root);
   if (const auto parameters = root.find("parameters"); parameters && parameters->is_map()) {
-    for (const Entry entry : parameters->entries()) {
+    for (const yaml::Entry entry : parameters->entries()) {
       const std::string name(entry.key.text());
-      const bool set = std::any_of(settings->begin(), settings->end(),
-                                   [&](const ParameterText& one) { return one.name == name; });
+      const bool set =
+          std::any_of(settings->begin(), settings->end(),
+                      [&](const base::ParameterText& one) { return one.name == name; });
       if (entry.value.is_null() && !set && !needed.contains(name)) {
         settings->push_back({name, std::string("1")});
       }
@@ -103,7 +104,7 @@ std::optional<Case> case_of_friction(const PlotOptions& options) {
   }
   auto definitions = parsed->resolve_friction_only({*settings, options.allow_outside});
   if (!definitions || definitions->empty()) return std::nullopt;
-  Case problem;
+  cases::Case problem;
   problem.file = options.input;
   problem.title = text_of(root, "title");
   problem.definitions = std::move(*definitions);
@@ -114,4 +115,4 @@ std::optional<Case> case_of_friction(const PlotOptions& options) {
   return problem;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

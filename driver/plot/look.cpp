@@ -8,7 +8,7 @@
 
 #include "driver/base/text/number.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 
 Canvas canvas_of(const PictureLook& look, double height) {
   if (look.width <= 0.0 || look.height <= 0.0) return {kLayoutWidth, height, 1.0};
@@ -20,7 +20,7 @@ tl::expected<PictureLook, std::string> parse_size(std::string_view text) {
   constexpr long long kLeast = 200;
   constexpr long long kMost = 10000;
   const auto side = [](std::string_view digits) {
-    const auto number = parse_integer(digits);
+    const auto number = base::parse_integer(digits);
     return number && *number >= kLeast && *number <= kMost ? static_cast<double>(*number) : 0.0;
   };
   const std::size_t cross = text.find('x');
@@ -35,4 +35,4 @@ tl::expected<PictureLook, std::string> parse_size(std::string_view text) {
                   text, kLeast, kMost));
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

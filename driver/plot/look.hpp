@@ -5,7 +5,7 @@
 #include <string_view>
 #include <tl/expected.hpp>
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 
 /// Size and colours of a picture. Templates lay out a canvas of at least kLayoutWidth and the
 /// height that their panels need; a picture of another size is that canvas, made larger to have the
@@ -33,4 +33,4 @@ Canvas canvas_of(const PictureLook& look, double height);
 /// "800x500" as a look of this size. Errors: another form, a side below 200 or above 10000.
 tl::expected<PictureLook, std::string> parse_size(std::string_view text);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

@@ -15,7 +15,7 @@
 #include "driver/plot/definition.hpp"
 #include "driver/plot/path_rows.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 namespace fs = std::filesystem;
@@ -36,7 +36,8 @@ struct Loops {
 };
 
 /// Returns what a definition's loops are drawn over and up.
-std::vector<PathRows::Column> path_columns(const PlotData& data, const PlotDefinition& definition) {
+std::vector<PathRows::Column> path_columns(const results::PlotData& data,
+                                           const results::PlotDefinition& definition) {
   std::vector<int> numbers = definition.positions;
   numbers.insert(numbers.end(), definition.components.begin(), definition.components.end());
   numbers.insert(numbers.end(), {definition.limit, definition.limit_below});
@@ -50,9 +51,8 @@ std::vector<PathRows::Column> path_columns(const PlotData& data, const PlotDefin
 }
 
 /// The cycles of each definition: of the first of its motions that has a full one.
-tl::expected<std::vector<MotionCycles>, HistoryError> find_cycles(const PlotData& data,
-                                                                  const fs::path& file,
-                                                                  const std::string& shown_name) {
+tl::expected<std::vector<MotionCycles>, base::HistoryError> find_cycles(
+    const results::PlotData& data, const fs::path& file, const std::string& shown_name) {
   struct Motion {
     std::size_t definition;
     std::size_t place;
@@ -73,9 +73,10 @@ tl::expected<std::vector<MotionCycles>, HistoryError> find_cycles(const PlotData
   }
   std::vector<MotionCycles> found(data.definitions.size());
   if (motions.empty()) return found;
-  auto read = each_row(file, shown_name, columns, [&](std::span<const double> row, std::int64_t) {
-    for (Motion& motion : motions) motion.finder.add(row[motion.place]);
-  });
+  auto read =
+      results::each_row(file, shown_name, columns, [&](std::span<const double> row, std::int64_t) {
+        for (Motion& motion : motions) motion.finder.add(row[motion.place]);
+      });
   if (!read) return tl::unexpected(std::move(read.error()));
   for (const Motion& motion : motions) {
     MotionCycles& cycles = found[motion.definition];
@@ -84,7 +85,7 @@ tl::expected<std::vector<MotionCycles>, HistoryError> find_cycles(const PlotData
   return found;
 }
 
-Loops choose_loops(const PlotData& data, const PlotDefinition& definition,
+Loops choose_loops(const results::PlotData& data, const results::PlotDefinition& definition,
                    const MotionCycles& cycles) {
   const std::vector<PathRows::Column> columns = path_columns(data, definition);
   Loops loops;
@@ -103,10 +104,10 @@ Loops choose_loops(const PlotData& data, const PlotDefinition& definition,
 }
 
 /// "loops: 7 of 100 cycles", or how far a run without cycles is drawn; empty if all is.
-std::string note_of(const PlotData& data) {
+std::string note_of(const results::PlotData& data) {
   std::string note;
   for (std::size_t i = 0; i < drawn_definitions(data); ++i) {
-    const PlotDefinition& definition = data.definitions[i];
+    const results::PlotDefinition& definition = data.definitions[i];
     std::string one;
     if (static_cast<std::int64_t>(definition.loops.size()) < definition.cycles) {
       one = fmt::format("{} of {} cycles", definition.loops.size(), definition.cycles);
@@ -122,8 +123,8 @@ std::string note_of(const PlotData& data) {
 
 }  // namespace
 
-tl::expected<void, HistoryError> add_loops(PlotData& data, const fs::path& file,
-                                           const std::string& shown_name) {
+tl::expected<void, base::HistoryError> add_loops(results::PlotData& data, const fs::path& file,
+                                                 const std::string& shown_name) {
   const auto cycles = find_cycles(data, file, shown_name);
   if (!cycles) return tl::unexpected(cycles.error());
   std::vector<Loops> all;
@@ -131,22 +132,23 @@ tl::expected<void, HistoryError> add_loops(PlotData& data, const fs::path& file,
     all.push_back(choose_loops(data, data.definitions[d], (*cycles)[d]));
   }
   std::vector<std::string> names;
-  for (const PlotColumn& column : data.columns) names.push_back(column.name);
-  auto read = each_row(file, shown_name, names, [&](std::span<const double> row, std::int64_t at) {
-    for (std::size_t d = 0; d < all.size(); ++d) {
-      for (Stretch& one : all[d].stretches) {
-        if (at >= one.first && at <= one.last) one.path.add(row);
-      }
-      PlotDefinition& definition = data.definitions[d];
-      if (!all[d].full || definition.dissipation < 0) continue;
-      const double energy = row[static_cast<std::size_t>(definition.dissipation)];
-      if (at == (*all[d].full)[0]) definition.energy = -energy;
-      if (at == (*all[d].full)[1]) *definition.energy += energy;
-    }
-  });
+  for (const results::PlotColumn& column : data.columns) names.push_back(column.name);
+  auto read =
+      results::each_row(file, shown_name, names, [&](std::span<const double> row, std::int64_t at) {
+        for (std::size_t d = 0; d < all.size(); ++d) {
+          for (Stretch& one : all[d].stretches) {
+            if (at >= one.first && at <= one.last) one.path.add(row);
+          }
+          results::PlotDefinition& definition = data.definitions[d];
+          if (!all[d].full || definition.dissipation < 0) continue;
+          const double energy = row[static_cast<std::size_t>(definition.dissipation)];
+          if (at == (*all[d].full)[0]) definition.energy = -energy;
+          if (at == (*all[d].full)[1]) *definition.energy += energy;
+        }
+      });
   if (!read) return read;
   for (std::size_t d = 0; d < all.size(); ++d) {
-    PlotDefinition& definition = data.definitions[d];
+    results::PlotDefinition& definition = data.definitions[d];
     definition.cycles = all[d].cycles;
     for (Stretch& one : all[d].stretches) {
       definition.loop_rows = one.path.taken();
@@ -156,15 +158,15 @@ tl::expected<void, HistoryError> add_loops(PlotData& data, const fs::path& file,
   return {};
 }
 
-void tell_loops(PlotScript& script, const PlotData& data) {
+void tell_loops(PlotScript& script, const results::PlotData& data) {
   std::string rows;
   int count = 0;
   for (std::size_t i = 0; i < drawn_definitions(data); ++i) {
-    const PlotDefinition& definition = data.definitions[i];
+    const results::PlotDefinition& definition = data.definitions[i];
     script.add("FIRST_LOOP", count);
     script.add("LOOPS", static_cast<int>(definition.loops.size()));
     std::string names;
-    for (const DrawnLoop& loop : definition.loops) {
+    for (const results::DrawnLoop& loop : definition.loops) {
       rows += rows_text(data, loop.rows) + "\n\n";
       // gnuplot's word() takes the double-quoted parts of a text as words.
       names += loop.cycle == 0 ? "\"force\"" : fmt::format("\"cycle {}\" ", loop.cycle);
@@ -179,4 +181,4 @@ void tell_loops(PlotScript& script, const PlotData& data) {
   script.set("NOTE", note_of(data));
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

@@ -10,7 +10,7 @@
 #include "driver/plot/script.hpp"
 #include "driver/results/plot_data.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 
 /// More rows of one loop than this are not drawn.
 inline constexpr std::size_t kMostLoopRows = 50000;
@@ -21,11 +21,12 @@ inline constexpr std::size_t kMostLoopRows = 50000;
 /// out (PathRows), and a run without cycles ends where it has kMostLoopRows.
 ///
 /// Errors: those of CsvReader.
-tl::expected<void, HistoryError> add_loops(PlotData& data, const std::filesystem::path& file,
-                                           const std::string& shown_name);
+tl::expected<void, base::HistoryError> add_loops(results::PlotData& data,
+                                                 const std::filesystem::path& file,
+                                                 const std::string& shown_name);
 
 /// $LOOP_ROWS, an index for each loop, with FIRST_LOOP and LOOPS of each drawn definition, what
 /// they are called (LOOP_NAMES, LIMIT_NAME), and NOTE: what of a long run they show.
-void tell_loops(PlotScript& script, const PlotData& data);
+void tell_loops(PlotScript& script, const results::PlotData& data);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

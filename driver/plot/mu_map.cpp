@@ -17,7 +17,7 @@
 #include "driver/results/coverage.hpp"
 #include "driver/results/law_range.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 using Kind = law::IndependentKind;
@@ -66,47 +66,51 @@ void put(const DrawnArgument& argument, double value, law::Ambient& ambient,
 }
 
 std::string label_of(const DrawnArgument& argument, const DrawnCoefficient& coefficient,
-                     double area, const UnitSystem& units) {
+                     double area, const base::UnitSystem& units) {
   const bool turns = coefficient.rotational;
-  Dimension rate = turns ? kAngle : kLength;
+  base::Dimension rate = turns ? base::kAngle : base::kLength;
   rate.time -= 1;
-  Dimension force = turns ? kMoment : kForce;
+  base::Dimension force = turns ? base::kMoment : base::kForce;
   switch (argument.kind) {
     case Kind::kSlipRate:
-      return axis_label("slip rate V", {"", unit_text(rate, units)});
+      return axis_label("slip rate V", {"", base::unit_text(rate, units)});
     case Kind::kContactForce:
       if (area > 0.0) {
         force.length -= 2;
-        return axis_label("pressure p", {"", unit_text(force, units)});
+        return axis_label("pressure p", {"", base::unit_text(force, units)});
       }
       return axis_label(turns ? "normal moment F_N" : "normal force F_N",
-                        {"", unit_text(force, units)});
+                        {"", base::unit_text(force, units)});
     case Kind::kAccumulatedSlip:
-      return axis_label("accumulated slip", {"", unit_text(turns ? kAngle : kLength, units)});
+      return axis_label("accumulated slip",
+                        {"", base::unit_text(turns ? base::kAngle : base::kLength, units)});
     case Kind::kTemperature:
       return axis_label("temperature", {"", units.temperature});
     case Kind::kField:
-      return independent_name(argument);
+      return results::independent_name(argument);
     case Kind::kPosition:
     case Kind::kConstitutiveMotion:
-      return axis_label(law::is_rotation(argument.index) ? "angle" : "position",
-                        {independent_name(argument),
-                         unit_text(law::is_rotation(argument.index) ? kAngle : kLength, units)});
+      return axis_label(
+          law::is_rotation(argument.index) ? "angle" : "position",
+          {results::independent_name(argument),
+           base::unit_text(law::is_rotation(argument.index) ? base::kAngle : base::kLength,
+                           units)});
   }
   return {};
 }
 
 /// From what the law has to show and what the run visited.
-Axis axis_of(const DrawnCoefficient& coefficient, std::size_t k, const UnitSystem& units) {
+Axis axis_of(const DrawnCoefficient& coefficient, std::size_t k, const base::UnitSystem& units) {
   const DrawnArgument& argument = coefficient.arguments[k];
   const auto [least, most] = coefficient.visited.range(k);
   const bool from_zero = argument.kind == Kind::kSlipRate || argument.kind == Kind::kContactForce ||
                          argument.kind == Kind::kAccumulatedSlip;
-  const double area = argument.kind == Kind::kContactForce ? area_of(coefficient.law) : 0.0;
+  const double area =
+      argument.kind == Kind::kContactForce ? results::area_of(coefficient.law) : 0.0;
   Axis axis;
   axis.label = label_of(argument, coefficient, area, units);
   axis.factor = area > 0.0 ? area : 1.0;
-  const LawRange range = law_range(coefficient.law);
+  const results::LawRange range = results::law_range(coefficient.law);
   double from = std::min(least, most);
   double to = most;
   double of_law = argument.kind == Kind::kSlipRate       ? range.slip_rate
@@ -148,15 +152,16 @@ std::string fixed_text(const DrawnCoefficient& coefficient, const law::Ambient& 
     if (independent == coefficient.arguments[0] || independent == coefficient.arguments[1]) {
       continue;
     }
-    text += fmt::format("{}{} {:.4g}", text.empty() ? "" : ", ", independent_name(independent),
-                        law::argument(independent, ambient, slip));
+    text +=
+        fmt::format("{}{} {:.4g}", text.empty() ? "" : ", ", results::independent_name(independent),
+                    law::argument(independent, ambient, slip));
   }
   return text.empty() ? text : "at " + text + ", as the run ends";
 }
 
 class Maps {
  public:
-  Maps(const Case& problem, const DrawnCoefficients& all) : problem_(problem), all_(all) {}
+  Maps(const cases::Case& problem, const DrawnCoefficients& all) : problem_(problem), all_(all) {}
 
   void add(std::size_t entry) {
     const DrawnCoefficient& coefficient = all_.list()[entry];
@@ -205,7 +210,7 @@ class Maps {
       script_.add(name + "_LABEL", axes[k].label);
       script_.add(name + "_FROM", axes[k].from);
       script_.add(name + "_TO", axes[k].to);
-      script_.add(name + "_STEP", tic_step(axes[k].to - axes[k].from, 6.0));
+      script_.add(name + "_STEP", base::tic_step(axes[k].to - axes[k].from, 6.0));
     }
     // Contours in round numbers; a coefficient that hardly varies here gets the range of its own
     // size, not that of its rounding.
@@ -216,7 +221,7 @@ class Maps {
     }
     script_.add("MU_LOW", low);
     script_.add("MU_HIGH", high);
-    const double step = tic_step(high - low, 6.0);
+    const double step = base::tic_step(high - low, 6.0);
     script_.add("MU_STEP", step);
     script_.add("MU_FIRST", step * std::ceil(low / step));
     script_.add("TABLE", has_grid_ ? 1 : 0);
@@ -279,7 +284,7 @@ class Maps {
     script_.add("SLIPS", slips ? 1 : 0);
   }
 
-  const Case& problem_;
+  const cases::Case& problem_;
   const DrawnCoefficients& all_;
   PlotScript script_;
   int count_ = 0;
@@ -294,7 +299,7 @@ class Maps {
 tl::expected<void, PlotFailure> draw_mu_map(const PlotOptions& options,
                                             const std::filesystem::path& picture) {
   if (is_result(options)) {
-    return failed(kExitBadInput,
+    return failed(base::kExitBadInput,
                   options.input + ": a result does not say its coefficients; give the case");
   }
   auto begun = begin_picture(picture, options, "mu_map.gp");
@@ -303,12 +308,12 @@ tl::expected<void, PlotFailure> draw_mu_map(const PlotOptions& options,
   if (!problem) return tl::unexpected(problem.error());
   DrawnCoefficients all(*problem, true);
   if (all.list().empty()) {
-    return failed(kExitBadInput,
+    return failed(base::kExitBadInput,
                   options.input +
                       ": no coefficient of this case depends on anything: there is no map to draw");
   }
-  const auto followed =
-      follow_for_plot(*problem, [&](const Simulation& simulation) { all.visit(simulation); });
+  const auto followed = follow_for_plot(
+      *problem, [&](const bench::Simulation& simulation) { all.visit(simulation); });
   if (!followed) return followed;
   Maps maps(*problem, all);
   const std::size_t count = std::min(kMostMaps, all.list().size());
@@ -320,4 +325,4 @@ tl::expected<void, PlotFailure> draw_mu_map(const PlotOptions& options,
   return draw(maps.finish(), title, 60 + 520 * count, *begun);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

@@ -8,7 +8,7 @@
 
 #include "driver/base/text/tics.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 /// A double has no more.
@@ -40,7 +40,7 @@ double wide_tic_step(double lowest, double highest, double parts) {
   const double largest = std::max(std::abs(lowest), std::abs(highest));
   const bool short_numbers =
       largest == 0.0 || (largest < 1e5 && highest - lowest >= 1e-3 * largest && largest >= 1e-3);
-  return tic_step(highest - lowest, short_numbers ? parts : 0.5 * parts);
+  return base::tic_step(highest - lowest, short_numbers ? parts : 0.5 * parts);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

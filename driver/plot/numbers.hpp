@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 
 /// Significant digits that divide a range of numbers into parts finer than a picture can show, also
 /// where the range is small against the numbers themselves.
@@ -18,4 +18,4 @@ std::string tic_format(double lowest, double highest);
 /// of numbers with exponents, or of many digits, it has room for fewer.
 double wide_tic_step(double lowest, double highest, double parts);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

@@ -6,7 +6,7 @@
 
 #include "driver/plot/look.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 
 struct PlotOptions {
   std::string input;   ///< a case, or a result if it ends in .csv
@@ -22,4 +22,4 @@ struct PlotOptions {
   PictureLook look;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

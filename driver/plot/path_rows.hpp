@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 
 /// Rows of a path, such as a loop of force over motion, without those that a picture cannot tell
 /// from the one before. A row stays where a number has moved by more than kStep of its range since
@@ -71,4 +71,4 @@ class PathRows {
   std::vector<double> rows_;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

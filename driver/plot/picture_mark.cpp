@@ -9,7 +9,7 @@
 
 #include "driver/base/text/standard_input.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 namespace fs = std::filesystem;
@@ -49,8 +49,8 @@ std::string png_chunk(const std::string& kind_and_data) {
 
 }  // namespace
 
-FileMark picture_mark(const std::string& input) {
-  const std::string name = fs::path(source_name(input)).stem().string();
+base::FileMark picture_mark(const std::string& input) {
+  const std::string name = fs::path(base::source_name(input)).stem().string();
   return {"a picture of " + name, "", "slipbench picture (" + plain(name) + ")"};
 }
 
@@ -67,4 +67,4 @@ void write_mark(const fs::path& picture, std::string_view ending, const std::str
   std::ofstream(picture, std::ios::binary | std::ios::app) << end;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

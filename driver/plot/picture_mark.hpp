@@ -7,11 +7,11 @@
 
 #include "driver/base/files/file_mark.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 
 /// The mark of a picture of `input`, a case, a result or a fit: of any kind, of the same name
 /// without folders and ending.
-FileMark picture_mark(const std::string& input);
+base::FileMark picture_mark(const std::string& input);
 
 /// Writes the text of a mark into a picture that gnuplot has made, where no viewer shows it: behind
 /// the end of an SVG or PDF as a comment, into a PNG as a chunk of text.
@@ -19,4 +19,4 @@ FileMark picture_mark(const std::string& input);
 void write_mark(const std::filesystem::path& picture, std::string_view ending,
                 const std::string& text);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

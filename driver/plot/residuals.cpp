@@ -25,7 +25,7 @@
 #include "driver/plot/text_lines.hpp"
 #include "driver/results/thinning.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 constexpr std::size_t kMostPanels = 12;
@@ -38,9 +38,9 @@ constexpr std::size_t kHeadingLength = 52;
 constexpr std::size_t kTextLength = 74;
 
 struct Judged {
-  const Check* check = nullptr;
-  Verdict verdict;
-  CheckTrace trace;
+  const cases::Check* check = nullptr;
+  check::Verdict verdict;
+  check::CheckTrace trace;
 };
 
 class Panels {
@@ -48,16 +48,17 @@ class Panels {
   explicit Panels(std::size_t in_a_row) : in_a_row_(in_a_row) {}
 
   void add(const Judged& judged) {
-    const Verdict& verdict = judged.verdict;
-    const bool pointwise = verdict.criterion == Criterion::kPointwise;
-    PointwiseComparison compared = compare_points(judged.trace.value, judged.trace.reference);
+    const check::Verdict& verdict = judged.verdict;
+    const bool pointwise = verdict.criterion == cases::Criterion::kPointwise;
+    check::PointwiseComparison compared =
+        check::compare_points(judged.trace.value, judged.trace.reference);
     const double tube = pointwise ? judged.trace.tube : 0.0;
     double worst = 0.0;
-    RowThinner thinner(2, kRows);
+    results::RowThinner thinner(2, kRows);
     double from = std::numeric_limits<double>::infinity();
     double to = -from;
-    const CurvePoint* at = nullptr;
-    for (const CurvePoint& point : compared.points) {
+    const check::CurvePoint* at = nullptr;
+    for (const check::CurvePoint& point : compared.points) {
       const double residual = point.value - point.reference;
       thinner.add(std::array{point.abscissa, residual});
       from = std::min(from, point.abscissa);
@@ -88,7 +89,7 @@ class Panels {
     const double high = small ? 1.6 * worst : 1.25 * std::max(tube, worst);
     const double drawn = high > 0.0 && std::isfinite(high) ? high : 1.0;
     script_.add("HIGH", drawn);
-    script_.add("Y_STEP", tic_step(2.0 * drawn, 4.0));
+    script_.add("Y_STEP", base::tic_step(2.0 * drawn, 4.0));
     script_.add("WIDE", small ? 1 : 0);
     script_.add("WORST_AT", at == nullptr ? std::nan("") : at->abscissa);
     script_.add("WORST", at == nullptr ? std::nan("") : at->value - at->reference);
@@ -104,7 +105,7 @@ class Panels {
     script_.add("FORMAT", tic_format(from, to));
     script_.add("FROM", from - 0.02 * (to - from));
     script_.add("TO", to + 0.02 * (to - from));
-    script_.add("STEP", tic_step(to - from, 5.0));
+    script_.add("STEP", base::tic_step(to - from, 5.0));
     ++count_;
   }
 
@@ -116,12 +117,12 @@ class Panels {
 
  private:
   static std::string says(const Judged& judged, const std::string& fault) {
-    const Verdict& verdict = judged.verdict;
-    const std::string criterion = verdict.criterion == Criterion::kPointwise
+    const check::Verdict& verdict = judged.verdict;
+    const std::string criterion = verdict.criterion == cases::Criterion::kPointwise
                                       ? ""
-                                      : std::string(info_of(verdict.criterion).word) + ": ";
+                                      : std::string(check::info_of(verdict.criterion).word) + ": ";
     if (!verdict.passed) return criterion + verdict.message;
-    std::string text = criterion + worst_text(*judged.check, verdict);
+    std::string text = criterion + check::worst_text(*judged.check, verdict);
     if (!fault.empty()) text += "; point by point it cannot be drawn, for " + fault;
     return text;
   }
@@ -145,22 +146,25 @@ class Panels {
 tl::expected<void, PlotFailure> draw_residuals(const PlotOptions& options,
                                                const std::filesystem::path& picture) {
   if (is_result(options)) {
-    return failed(kExitBadInput, options.input + ": a result has no checks; give the case");
+    return failed(base::kExitBadInput, options.input + ": a result has no checks; give the case");
   }
   auto begun = begin_picture(picture, options, "residuals.gp");
   if (!begun) return tl::unexpected(std::move(begun.error()));
   const auto problem = read_for_plot(options);
   if (!problem) return tl::unexpected(problem.error());
   if (problem->checks.empty()) {
-    return failed(kExitBadInput, options.input + ": has no checks, so there are no residuals");
+    return failed(base::kExitBadInput,
+                  options.input + ": has no checks, so there are no residuals");
   }
-  if (const std::string fault = memory_fault(*problem, Trace::kKeep); !fault.empty()) {
-    return failed(kExitEnvironment, options.input + ": " + fault);
+  if (const std::string fault = check::memory_fault(*problem, check::Trace::kKeep);
+      !fault.empty()) {
+    return failed(base::kExitEnvironment, options.input + ": " + fault);
   }
-  std::vector<CheckProgress> checks;
-  for (const Check& check : problem->checks) checks.emplace_back(*problem, check, Trace::kKeep);
-  const auto followed = follow_for_plot(*problem, [&](const Simulation& simulation) {
-    for (CheckProgress& check : checks) check.add(simulation.row());
+  std::vector<check::CheckProgress> checks;
+  for (const cases::Check& check : problem->checks)
+    checks.emplace_back(*problem, check, check::Trace::kKeep);
+  const auto followed = follow_for_plot(*problem, [&](const bench::Simulation& simulation) {
+    for (check::CheckProgress& check : checks) check.add(simulation.row());
   });
   if (!followed) return followed;
 
@@ -179,4 +183,4 @@ tl::expected<void, PlotFailure> draw_residuals(const PlotOptions& options,
   return draw(panels.finish(), title, 60 + (count > 1 ? 345 : 460) * in_columns, *begun);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

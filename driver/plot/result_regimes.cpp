@@ -18,7 +18,7 @@
 #include "driver/results/events.hpp"
 #include "driver/yaml/parse.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 namespace fs = std::filesystem;
@@ -53,7 +53,7 @@ std::optional<EventLine> read_event(std::string_view line) {
     field = line.substr(0, end);
     line.remove_prefix(end + 1);
   }
-  const auto time = parse_number(fields[0]);
+  const auto time = base::parse_number(fields[0]);
   const auto from = status_of(fields[2]);
   const auto to = status_of(fields[3]);
   if (!time || !from || !to) return std::nullopt;
@@ -61,8 +61,9 @@ std::optional<EventLine> read_event(std::string_view line) {
 }
 
 /// The regimes by a file of events; nothing if it is none, or of another run.
-std::optional<std::vector<RegimeHistory>> read_events(const fs::path& file, const fs::path& result,
-                                                      const PlotData& data) {
+std::optional<std::vector<results::RegimeHistory>> read_events(const fs::path& file,
+                                                               const fs::path& result,
+                                                               const results::PlotData& data) {
   const std::set<std::string> known = comments_of(result);
   std::ifstream in(file);
   if (!in) return std::nullopt;
@@ -72,7 +73,7 @@ std::optional<std::vector<RegimeHistory>> read_events(const fs::path& file, cons
   }
   const double start = data.lowest[0];
   const double end = data.highest[0];
-  std::vector<RegimeRecorder> regimes(data.definitions.size());
+  std::vector<results::RegimeRecorder> regimes(data.definitions.size());
   std::vector<bool> begun(data.definitions.size());
   bool header = false;
   double before = start;
@@ -86,7 +87,7 @@ std::optional<std::vector<RegimeHistory>> read_events(const fs::path& file, cons
       header = true;
       continue;
     }
-    if (line.find(std::string(",slip,") + kJumpWord + ",") != std::string::npos) continue;
+    if (line.find(std::string(",slip,") + results::kJumpWord + ",") != std::string::npos) continue;
     const auto event = read_event(line);
     if (!event || event->time < before || event->time > end) return std::nullopt;
     before = event->time;
@@ -98,7 +99,7 @@ std::optional<std::vector<RegimeHistory>> read_events(const fs::path& file, cons
     regimes[d].change(event->to, event->time);
   }
   if (!header) return std::nullopt;
-  std::vector<RegimeHistory> histories;
+  std::vector<results::RegimeHistory> histories;
   for (std::size_t d = 0; d < regimes.size(); ++d) {
     // Without an event it stays as it began, which its rows tell.
     histories.push_back(begun[d] ? regimes[d].end(end) : data.definitions[d].regimes);
@@ -107,14 +108,15 @@ std::optional<std::vector<RegimeHistory>> read_events(const fs::path& file, cons
 }
 
 /// Takes the sums of a summary whose count of slips is that of the events.
-void take_sums(const Node& summary, const std::string& name, RegimeHistory& history) {
+void take_sums(const yaml::Node& summary, const std::string& name,
+               results::RegimeHistory& history) {
   const auto list = summary.find("definitions");
   if (!list) return;
-  for (const Node node : list->items()) {
+  for (const yaml::Node node : list->items()) {
     const auto number = [&](std::string_view key) -> std::optional<double> {
       const auto member = node.find(key);
       if (!member || !member->is_scalar()) return std::nullopt;
-      const auto value = parse_number(member->text());
+      const auto value = base::parse_number(member->text());
       return value ? std::optional(*value) : std::nullopt;
     };
     const auto own = node.find("name");
@@ -133,23 +135,23 @@ void take_sums(const Node& summary, const std::string& name, RegimeHistory& hist
 
 }  // namespace
 
-bool take_events_beside(const fs::path& result, PlotData& data) {
+bool take_events_beside(const fs::path& result, results::PlotData& data) {
   auto histories = read_events(fs::path(result).replace_extension(".events.csv"), result, data);
   if (!histories) return false;
   for (std::size_t d = 0; d < histories->size(); ++d) {
     data.definitions[d].regimes = std::move((*histories)[d]);
   }
   // JSON is YAML; the reader of cases is strict and has its limits.
-  const auto source = read_source(fs::path(result).replace_extension(".json").string());
+  const auto source = base::read_source(fs::path(result).replace_extension(".json").string());
   if (!source) return true;
-  const auto tree = parse_yaml(*source);
+  const auto tree = yaml::parse_yaml(*source);
   if (!tree) return true;
   const auto summary = tree->root().find("summary");
   if (!summary) return true;
-  for (PlotDefinition& definition : data.definitions) {
+  for (results::PlotDefinition& definition : data.definitions) {
     take_sums(*summary, definition.name, definition.regimes);
   }
   return true;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

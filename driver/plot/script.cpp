@@ -10,7 +10,7 @@
 #include "driver/plot/picture_mark.hpp"
 #include "driver/plot/text_lines.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace fs = std::filesystem;
 namespace {
 
@@ -35,7 +35,7 @@ Canvas canvas_for(const Picture& picture, const std::string& title, std::size_t 
 }
 
 std::string gnuplot_number(double number) {
-  return std::isfinite(number) ? format_number(number) : "NaN";
+  return std::isfinite(number) ? base::format_number(number) : "NaN";
 }
 
 }  // namespace
@@ -43,20 +43,21 @@ std::string gnuplot_number(double number) {
 tl::expected<Picture, PlotFailure> begin_picture(const fs::path& name, const PlotOptions& options,
                                                  std::string_view pattern) {
   if (terminal_for(name, {}, options.look).empty()) {
-    return failed(kExitBadInput, fmt::format("{}: wanted a picture that ends in .svg, .png or .pdf",
-                                             name.string()));
+    return failed(
+        base::kExitBadInput,
+        fmt::format("{}: wanted a picture that ends in .svg, .png or .pdf", name.string()));
   }
   auto found = find_template(pattern);
   if (!found || !find_template("style.gp")) {
     return failed(
-        kExitEnvironment,
+        base::kExitEnvironment,
         fmt::format("the plot templates plots/{} and plots/style.gp are not installed", pattern));
   }
   std::vector<std::string> inputs = options.more;
   inputs.push_back(options.input);
-  const FileMark mark = picture_mark(options.more.empty() ? options.input : "several inputs");
-  auto output = OutputFile::create(name, mark, {inputs, options.force});
-  if (!output) return failed(kExitEnvironment, output.error());
+  const base::FileMark mark = picture_mark(options.more.empty() ? options.input : "several inputs");
+  auto output = base::OutputFile::create(name, mark, {inputs, options.force});
+  if (!output) return failed(base::kExitEnvironment, output.error());
   return Picture{name, std::move(*found), options.look, std::move(*output)};
 }
 
@@ -116,4 +117,4 @@ tl::expected<void, PlotFailure> draw(const PlotScript& script, const std::string
                      canvas_for(picture, title, height).scale, picture.output);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

@@ -13,14 +13,14 @@
 #include "driver/plot/gnuplot.hpp"
 #include "driver/plot/options.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 
 /// A picture that is being drawn.
 struct Picture {
   std::filesystem::path name;     ///< its final name; the ending says what it is
   std::filesystem::path pattern;  ///< the template of plots/
   PictureLook look;
-  OutputFile output;
+  base::OutputFile output;
 };
 
 /// Errors: an ending that is not .svg, .png or .pdf, a template that is not installed, a picture
@@ -61,4 +61,4 @@ class PlotScript {
 tl::expected<void, PlotFailure> draw(const PlotScript& script, const std::string& title,
                                      std::size_t height, Picture& picture);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

@@ -18,22 +18,23 @@
 #include "driver/results/normal_shares.hpp"
 #include "driver/results/pixel_columns.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 /// More parts than this are drawn as one.
 constexpr std::size_t kMostShares = 6;
 
 /// Returns what the normal forces of all drawn definitions are made of at one row.
-std::vector<std::vector<NormalShare>> shares_of(const Case& problem, const Simulation& simulation,
-                                                std::size_t definitions) {
-  const Row& row = simulation.row();
-  const law::ConnectorIncrement increment = connector_increment(problem, row);
-  std::vector<std::vector<NormalShare>> all;
+std::vector<std::vector<results::NormalShare>> shares_of(const cases::Case& problem,
+                                                         const bench::Simulation& simulation,
+                                                         std::size_t definitions) {
+  const bench::Row& row = simulation.row();
+  const law::ConnectorIncrement increment = bench::connector_increment(problem, row);
+  std::vector<std::vector<results::NormalShare>> all;
   for (std::size_t d = 0; d < definitions; ++d) {
     const auto shares =
-        normal_shares(simulation.definition(d), row.definitions[d].update, increment);
-    std::vector<NormalShare> drawn(
+        results::normal_shares(simulation.definition(d), row.definitions[d].update, increment);
+    std::vector<results::NormalShare> drawn(
         shares.begin(),
         shares.begin() + static_cast<std::ptrdiff_t>(std::min(kMostShares, shares.size())));
     for (std::size_t k = kMostShares; k < shares.size(); ++k) {
@@ -46,9 +47,9 @@ std::vector<std::vector<NormalShare>> shares_of(const Case& problem, const Simul
 }
 
 /// Returns when a run without interruption ends.
-double end_time(const Case& problem) {
+double end_time(const cases::Case& problem) {
   double end = 0.0;
-  for (const Step& step : problem.steps) {
+  for (const cases::Step& step : problem.steps) {
     end += step.duration * std::max(1, step.repeat);
   }
   return end;
@@ -58,17 +59,17 @@ double end_time(const Case& problem) {
 /// two edges of each part. Parts above and below zero are stacked apart from each other.
 class ShareRows {
  public:
-  ShareRows(const Case& problem, std::size_t definitions)
+  ShareRows(const cases::Case& problem, std::size_t definitions)
       : problem_(problem), definitions_(definitions) {}
 
-  void add(const Simulation& simulation) {
+  void add(const bench::Simulation& simulation) {
     const auto all = shares_of(problem_, simulation, definitions_);
     row_.assign(1, simulation.row().time);
     for (std::size_t d = 0; d < definitions_; ++d) {
       row_.push_back(simulation.row().definitions[d].update.normal_force);
       double up = 0.0;
       double down = 0.0;
-      for (const NormalShare& share : all[d]) {
+      for (const results::NormalShare& share : all[d]) {
         double& end = share.value < 0.0 ? down : up;
         row_.push_back(end);
         end += share.value;
@@ -78,9 +79,9 @@ class ShareRows {
     if (!columns_) {
       for (const auto& shares : all) {
         names_.emplace_back();
-        for (const NormalShare& share : shares) names_.back().push_back(share.name);
+        for (const results::NormalShare& share : shares) names_.back().push_back(share.name);
       }
-      columns_.emplace(row_.size(), row_[0], end_time(problem_), kDrawnPixels);
+      columns_.emplace(row_.size(), row_[0], end_time(problem_), results::kDrawnPixels);
     }
     columns_->add(row_);
   }
@@ -90,16 +91,16 @@ class ShareRows {
   const std::vector<std::string>& names(std::size_t definition) const { return names_[definition]; }
 
  private:
-  const Case& problem_;
+  const cases::Case& problem_;
   std::size_t definitions_;
   std::vector<std::vector<std::string>> names_;
-  std::optional<PixelColumns> columns_;
+  std::optional<results::PixelColumns> columns_;
   std::vector<double> row_;
 };
 
 /// Tells the template about one definition, whose columns begin at `first`.
-void tell(PlotScript& script, const Case& problem, std::size_t definition, const ShareRows& table,
-          const std::vector<double>& rows, std::size_t first) {
+void tell(PlotScript& script, const cases::Case& problem, std::size_t definition,
+          const ShareRows& table, const std::vector<double>& rows, std::size_t first) {
   const auto& names = table.names(definition);
   const std::string number = std::to_string(definition + 1);
   const law::FrictionDefinition& law = problem.definitions[definition].law;
@@ -133,9 +134,11 @@ void tell(PlotScript& script, const Case& problem, std::size_t definition, const
   const double span = high > low ? high - low : 1.0;
   script.add("LOW", low < 0.0 ? low - 0.05 * span : 0.0);
   script.add("HIGH", high + 0.08 * span);
-  const bool moment = is_rotational(law);
-  script.add("LABEL", axis_label(moment ? "normal moment" : "normal force",
-                                 {"", unit_text(moment ? kMoment : kForce, problem.units)}));
+  const bool moment = results::is_rotational(law);
+  script.add(
+      "LABEL",
+      axis_label(moment ? "normal moment" : "normal force",
+                 {"", base::unit_text(moment ? base::kMoment : base::kForce, problem.units)}));
 }
 
 }  // namespace
@@ -143,21 +146,22 @@ void tell(PlotScript& script, const Case& problem, std::size_t definition, const
 tl::expected<void, PlotFailure> draw_shares(const PlotOptions& options,
                                             const std::filesystem::path& picture) {
   if (is_result(options)) {
-    return failed(kExitBadInput, options.input +
-                                     ": a result does not say what its normal force is made of; "
-                                     "give the case");
+    return failed(base::kExitBadInput,
+                  options.input +
+                      ": a result does not say what its normal force is made of; "
+                      "give the case");
   }
   auto begun = begin_picture(picture, options, "shares.gp");
   if (!begun) return tl::unexpected(std::move(begun.error()));
   const auto problem = read_for_plot(options);
   if (!problem) return tl::unexpected(problem.error());
   if (problem->definitions.empty()) {
-    return failed(kExitBadInput, options.input + ": has no friction, so nothing presses");
+    return failed(base::kExitBadInput, options.input + ": has no friction, so nothing presses");
   }
   const std::size_t count = std::min(kMostDefinitions, problem->definitions.size());
   ShareRows table(*problem, count);
-  const auto followed =
-      follow_for_plot(*problem, [&](const Simulation& simulation) { table.add(simulation); });
+  const auto followed = follow_for_plot(
+      *problem, [&](const bench::Simulation& simulation) { table.add(simulation); });
   if (!followed) return followed;
 
   PlotScript script;
@@ -178,4 +182,4 @@ tl::expected<void, PlotFailure> draw_shares(const PlotOptions& options,
   return draw(script, title, 60 + 400 * count, *begun);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

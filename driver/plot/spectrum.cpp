@@ -19,7 +19,7 @@
 #include "driver/plot/numbers.hpp"
 #include "driver/plot/path_rows.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 /// The axis goes on to so many times the peak's frequency: harmonics beyond it are too low to see.
@@ -57,7 +57,8 @@ tl::expected<void, PlotFailure> draw_spectrum(const PlotOptions& options,
                                               const std::filesystem::path& picture) {
   auto begun = begin_picture(picture, options, "spectrum.gp");
   if (!begun) return tl::unexpected(std::move(begun.error()));
-  if (options.y.size() > 1) return failed(kExitBadInput, "--as spectrum draws one column; one --y");
+  if (options.y.size() > 1)
+    return failed(base::kExitBadInput, "--as spectrum draws one column; one --y");
   const auto rows = rows_for_plot(options, picture);
   if (!rows) return tl::unexpected(rows.error());
   const auto layout = layout_for_plot(*rows);
@@ -66,23 +67,25 @@ tl::expected<void, PlotFailure> draw_spectrum(const PlotOptions& options,
   if (!usual) return tl::unexpected(usual.error());
   const std::string name = options.y.empty() ? usual->force : options.y.front();
   if (name.empty()) {
-    return failed(kExitBadInput, options.input + ": has no friction force; name a column with --y");
+    return failed(base::kExitBadInput,
+                  options.input + ": has no friction force; name a column with --y");
   }
   const auto column = chosen_column(*rows, *layout, name);
   if (!column) return tl::unexpected(column.error());
-  if (name == "t") return failed(kExitBadInput, "the time has no spectrum over time");
+  if (name == "t") return failed(base::kExitBadInput, "the time has no spectrum over time");
   std::vector<double> times;
   std::vector<double> signal;
-  const auto read = each_row(rows->file, rows->shown_name, {"t", name},
-                             [&](std::span<const double> row, std::int64_t) {
-                               times.push_back(row[0]);
-                               signal.push_back(row[1]);
-                             });
+  const auto read = results::each_row(rows->file, rows->shown_name, {"t", name},
+                                      [&](std::span<const double> row, std::int64_t) {
+                                        times.push_back(row[0]);
+                                        signal.push_back(row[1]);
+                                      });
   if (!read) return unreadable(rows->shown_name, read.error());
   const Amplitudes found = amplitudes_of(times, signal);
   if (!(found.peak > 0.0)) {
-    return failed(kExitBadInput, fmt::format("{}: {} does not vibrate: its spectrum has no peak",
-                                             options.input, name));
+    return failed(
+        base::kExitBadInput,
+        fmt::format("{}: {} does not vibrate: its spectrum has no peak", options.input, name));
   }
   const auto time = layout->column_units.find("t");
   const std::string unit = frequency_unit(time == layout->column_units.end() ? "" : time->second);
@@ -107,4 +110,4 @@ tl::expected<void, PlotFailure> draw_spectrum(const PlotOptions& options,
   return draw(script, title, 560, *begun);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

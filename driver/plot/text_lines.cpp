@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/plot/text_lines.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 constexpr std::string_view kGoesOn = " ...";
@@ -48,4 +48,4 @@ std::string one_line(std::string_view text, std::size_t length) {
   return lines.empty() ? std::string() : lines.front();
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 
 /// A text in at most `most` lines of at most `length` letters, broken at blanks; a word that is
 /// longer is broken anywhere. The last line of a text that does not fit ends in " ...". Letters are
@@ -20,4 +20,4 @@ std::string one_line(std::string_view text, std::size_t length);
 /// Letters of a definition's name that a picture has room for.
 inline constexpr std::size_t kNameLength = 48;
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

@@ -8,15 +8,16 @@
 
 #include "driver/base/text/source_text.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 constexpr std::string_view kFitKey = "calibrate";
 constexpr std::array<std::string_view, 3> kCaseKeys{"connector", "friction", "history"};
 
-std::optional<Node> key_among(const Node& root, std::span<const std::string_view> names) {
+std::optional<yaml::Node> key_among(const yaml::Node& root,
+                                    std::span<const std::string_view> names) {
   if (!root.is_map()) return std::nullopt;
-  for (const Entry entry : root.entries()) {
+  for (const yaml::Entry entry : root.entries()) {
     if (std::find(names.begin(), names.end(), entry.key.text()) != names.end()) return entry.key;
   }
   return std::nullopt;
@@ -29,18 +30,18 @@ bool has_case_ending(const std::filesystem::path& file) {
          kCaseEndings.end();
 }
 
-std::optional<Node> key_of_fit(const Node& root) {
+std::optional<yaml::Node> key_of_fit(const yaml::Node& root) {
   if (key_among(root, kCaseKeys)) return std::nullopt;
   return key_among(root, std::span(&kFitKey, 1));
 }
 
-std::optional<Node> key_of_case(const Node& root) {
+std::optional<yaml::Node> key_of_case(const yaml::Node& root) {
   if (key_among(root, std::span(&kFitKey, 1))) return std::nullopt;
   return key_among(root, kCaseKeys);
 }
 
 bool looks_like_fit(const std::filesystem::path& file) {
-  const auto source = read_source(file.string());
+  const auto source = base::read_source(file.string());
   if (!source) return false;
   const std::string_view text = source->text();
   for (std::size_t at = text.find(kFitKey); at != std::string_view::npos;
@@ -52,4 +53,4 @@ bool looks_like_fit(const std::filesystem::path& file) {
   return false;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

@@ -9,7 +9,7 @@
 
 #include "driver/yaml/node.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 
 /// Endings of the names of cases and fits; the first wins where both files exist.
 inline constexpr std::array<std::string_view, 2> kCaseEndings{".yaml", ".yml"};
@@ -18,13 +18,13 @@ inline constexpr std::array<std::string_view, 2> kCaseEndings{".yaml", ".yml"};
 bool has_case_ending(const std::filesystem::path& file);
 
 /// The key `calibrate` of a file that is a fit and no case; nothing of any other file.
-std::optional<Node> key_of_fit(const Node& root);
+std::optional<yaml::Node> key_of_fit(const yaml::Node& root);
 
 /// A key of a file that is a case and no fit, such as `connector`; nothing of any other file.
-std::optional<Node> key_of_case(const Node& root);
+std::optional<yaml::Node> key_of_case(const yaml::Node& root);
 
 /// Tells whether a file says at the beginning of a line that it is a fit (`calibrate:`), which is
 /// known without parsing it. False for a file that cannot be read: reading it says why.
 bool looks_like_fit(const std::filesystem::path& file);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 /// The next line with something in it that is no comment of YAML, and its number; empty at the end.
@@ -35,13 +35,13 @@ bool has_numbers_only(std::string_view line) {
 
 }  // namespace
 
-std::optional<Diagnostic> foreign_file(const SourceText& source) {
+std::optional<base::Diagnostic> foreign_file(const base::SourceText& source) {
   std::string_view text = source.text();
   int line = 0;
   const bool starter = text.starts_with("#RADIOSS");
   const std::string_view first = next_line(text, line);
-  const std::string name = printable(source.name());
-  Diagnostic found{.file = std::string(source.name()), .where = {line, 1, 1}};
+  const std::string name = base::printable(source.name());
+  base::Diagnostic found{.file = std::string(source.name()), .where = {line, 1, 1}};
   if (first.empty()) {
     found.where = {1, 1, 1};
     found.message = "the file is empty";
@@ -64,4 +64,4 @@ std::optional<Diagnostic> foreign_file(const SourceText& source) {
   return found;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

@@ -6,11 +6,11 @@
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/source_text.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 
 /// Returns what a file is that was given as a case and is none by its first lines: a Radioss deck,
 /// an Abaqus input file, or numbers in columns, such as a result; with what to do instead. Nothing
 /// if it may be a case.
-std::optional<Diagnostic> foreign_file(const SourceText& source);
+std::optional<base::Diagnostic> foreign_file(const base::SourceText& source);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

@@ -19,24 +19,25 @@
 #include "driver/read/resolve/resolve_formulation.hpp"
 #include "driver/yaml/parse.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 struct Parameters {
-  NamedNumbers values;
+  base::NamedNumbers values;
   std::vector<std::string> unresolved;  ///< names that have no value because something is faulty
 };
 
 /// A parameter or override, and where it was written.
 struct Definition {
-  ParameterText text;
-  std::optional<Entry> entry;  ///< nothing for --set
+  base::ParameterText text;
+  std::optional<yaml::Entry> entry;  ///< nothing for --set
 };
 
-void report(Binder& binder, const Node& root, Diagnostics& out, const Definition& definition,
-            const ParameterError& error, std::span<const std::string> names) {
+void report(yaml::Binder& binder, const yaml::Node& root, base::Diagnostics& out,
+            const Definition& definition, const base::ParameterError& error,
+            std::span<const std::string> names) {
   if (definition.entry) {
-    const Path path = Path() / "parameters" / definition.text.name;
+    const yaml::Path path = yaml::Path() / "parameters" / definition.text.name;
     if (error.concerns_name) {
       binder.error(definition.entry->key, path, error.error.message);
     } else {
@@ -48,20 +49,21 @@ void report(Binder& binder, const Node& root, Diagnostics& out, const Definition
   const std::vector<std::string_view> known(names.begin(), names.end());
   std::string hint;
   if (!wanted.empty()) {
-    hint = nearest_or(wanted, known,
-                      known.empty() ? "this case has no parameters"
-                                    : "parameters of this case: " + few_in_words(known));
+    hint =
+        yaml::nearest_or(wanted, known,
+                         known.empty() ? "this case has no parameters"
+                                       : "parameters of this case: " + base::few_in_words(known));
   }
   out.error(root.source().name(), {}, "--set " + definition.text.name, error.error.message,
             std::move(hint));
 }
 
 /// Resolves what can be resolved: parameters that are faulty, or use a faulty one, are left out.
-void resolve(Binder& binder, const Node& root, Diagnostics& out, std::vector<Definition> parameters,
-             std::vector<Definition> overrides, std::span<const std::string> names,
-             Parameters& result) {
+void resolve(yaml::Binder& binder, const yaml::Node& root, base::Diagnostics& out,
+             std::vector<Definition> parameters, std::vector<Definition> overrides,
+             std::span<const std::string> names, Parameters& result) {
   const auto texts = [](const std::vector<Definition>& definitions) {
-    std::vector<ParameterText> list;
+    std::vector<base::ParameterText> list;
     for (const Definition& definition : definitions) list.push_back(definition.text);
     return list;
   };
@@ -69,14 +71,14 @@ void resolve(Binder& binder, const Node& root, Diagnostics& out, std::vector<Def
   // kMostRounds is followed to its end, and all of a longer one counts as unresolved.
   constexpr int kMostRounds = 8;
   for (int round = 0; round < kMostRounds; ++round) {
-    auto resolved = resolve_parameters(texts(parameters), texts(overrides));
+    auto resolved = base::resolve_parameters(texts(parameters), texts(overrides));
     if (resolved) {
       result.values = std::move(*resolved);
       return;
     }
     std::vector<std::string> faulty;
     std::vector<std::size_t> unknown_overrides;
-    for (const ParameterError& error : resolved.error()) {
+    for (const base::ParameterError& error : resolved.error()) {
       const std::vector<Definition>& list = error.in_override ? overrides : parameters;
       const std::string& name = list[error.index].text.name;
       const bool declared = std::find(names.begin(), names.end(), name) != names.end();
@@ -104,33 +106,33 @@ void resolve(Binder& binder, const Node& root, Diagnostics& out, std::vector<Def
 }
 
 /// A setting that carries its unit, as a number of the case's system.
-ParameterText in_case_units(ParameterText setting, const UnitSystem& units, const Node& root,
-                            Diagnostics& out) {
+base::ParameterText in_case_units(base::ParameterText setting, const base::UnitSystem& units,
+                                  const yaml::Node& root, base::Diagnostics& out) {
   const auto* text = std::get_if<std::string>(&setting.value);
-  if (text == nullptr || !carries_unit(*text)) return setting;
-  const auto number = read_with_unit(*text, std::nullopt, units);
+  if (text == nullptr || !base::carries_unit(*text)) return setting;
+  const auto number = base::read_with_unit(*text, std::nullopt, units);
   if (!number) out.error(root.source().name(), {}, "--set " + setting.name, number.error());
   setting.value = number ? number->value : 0.0;
   return setting;
 }
 
 /// Parameters come first: every other number of the file may be an expression over them.
-Parameters read_parameters(const Node& root, const UnitSystem& units, const ReadOptions& options,
-                           Diagnostics& out) {
+Parameters read_parameters(const yaml::Node& root, const base::UnitSystem& units,
+                           const ReadOptions& options, base::Diagnostics& out) {
   Parameters result;
   const auto map = root.find("parameters");
   std::vector<std::string> names;
   if (map && map->is_map()) {
-    for (const Entry entry : map->entries()) names.emplace_back(entry.key.text());
+    for (const yaml::Entry entry : map->entries()) names.emplace_back(entry.key.text());
   }
-  const NamedNumbers none;
+  const base::NamedNumbers none;
   // Knows the names only, for suggestions.
-  Binder binder(out, none, names, {}, false, kCaseWords);
+  yaml::Binder binder(out, none, names, {}, false, kCaseWords);
   binder.set_units(units);
-  const KeyInfo any_unit{.unit = UnitUse::kAny};
+  const yaml::KeyInfo any_unit{.unit = yaml::UnitUse::kAny};
   std::vector<Definition> parameters;
   if (map && map->is_map()) {
-    for (const Entry entry : map->entries()) {
+    for (const yaml::Entry entry : map->entries()) {
       const std::string name(entry.key.text());
       const bool overridden = std::any_of(options.overrides.begin(), options.overrides.end(),
                                           [&](const auto& set) { return set.name == name; });
@@ -139,14 +141,15 @@ Parameters read_parameters(const Node& root, const UnitSystem& units, const Read
         if (overridden) {
           parameters.push_back({{name, 0.0}, entry});
         } else {
-          binder.error(entry.value, Path() / "parameters" / name, "wanted a number, found nothing",
+          binder.error(entry.value, yaml::Path() / "parameters" / name,
+                       "wanted a number, found nothing",
                        "give it one here, or with --set " + name + "=VALUE");
           result.unresolved.push_back(name);
         }
-      } else if (Binder::is_expression(entry.value)) {
+      } else if (yaml::Binder::is_expression(entry.value)) {
         parameters.push_back({{name, std::string(entry.value.text())}, entry});
       } else if (const auto number =
-                     binder.number(entry.value, Path() / "parameters" / name, any_unit)) {
+                     binder.number(entry.value, yaml::Path() / "parameters" / name, any_unit)) {
         parameters.push_back({{name, *number}, entry});
       } else if (overridden) {
         parameters.push_back({{name, 0.0}, entry});
@@ -156,7 +159,7 @@ Parameters read_parameters(const Node& root, const UnitSystem& units, const Read
     }
   }
   std::vector<Definition> overrides;
-  for (const ParameterText& text : options.overrides) {
+  for (const base::ParameterText& text : options.overrides) {
     overrides.push_back({in_case_units(text, units, root, out), std::nullopt});
   }
   resolve(binder, root, out, std::move(parameters), std::move(overrides), names, result);
@@ -165,7 +168,8 @@ Parameters read_parameters(const Node& root, const UnitSystem& units, const Read
 
 /// Means of making values of the text of a case: parameters, and a binder that knows them.
 struct Reading {
-  Reading(const Node& root, const std::string& folder, const ReadOptions& options, Diagnostics& out)
+  Reading(const yaml::Node& root, const std::string& folder, const ReadOptions& options,
+          base::Diagnostics& out)
       : units(units_of(root)),
         parameters(read_parameters(root, units, options, out)),
         binder(out, parameters.values, parameters.unresolved, folder, options.allow_outside,
@@ -174,19 +178,20 @@ struct Reading {
     // Without parameters, every name in an expression would be unknown.
     const auto map = root.find("parameters");
     binder.excuse_unknown_names((map && !map->is_map()) ||
-                                is_misspelt<CaseText>(root, "parameters"));
+                                yaml::is_misspelt<CaseText>(root, "parameters"));
   }
 
-  UnitSystem units;
+  base::UnitSystem units;
   Parameters parameters;
-  Binder binder;
+  yaml::Binder binder;
 };
 
 /// Everything up to the friction. Faults do not hide one another: each part is judged as far as it
 /// was understood.
 /// \return whether it is known which result columns there are
-bool resolve_to_friction(Reading& reading, const Node& root, CaseText& text, Case& problem) {
-  Binder& binder = reading.binder;
+bool resolve_to_friction(Reading& reading, const yaml::Node& root, CaseText& text,
+                         cases::Case& problem) {
+  yaml::Binder& binder = reading.binder;
   problem.file = root.source().name();
   problem.title =
       text.title.empty() ? std::filesystem::path(problem.file).stem().string() : text.title;
@@ -195,8 +200,9 @@ bool resolve_to_friction(Reading& reading, const Node& root, CaseText& text, Cas
   if (text.extrapolation.sound) binder.set_extrapolation(text.extrapolation.value);
   resolve_connector(binder, text, problem);
   resolve_belt(binder, text, problem);
-  resolve_friction_pairs(binder, text, !is_misspelt<CaseText>(root, "friction_pairs"), problem);
-  const bool derived_known = !is_misspelt<CaseText>(root, "derived_components");
+  resolve_friction_pairs(binder, text, !yaml::is_misspelt<CaseText>(root, "friction_pairs"),
+                         problem);
+  const bool derived_known = !yaml::is_misspelt<CaseText>(root, "derived_components");
   const bool columns_known = resolve_friction(binder, text, derived_known, problem);
   if (text.friction_pairs.given() && !problem.definitions.empty()) {
     binder.settle_slip_units(text.friction_pairs.path,
@@ -213,9 +219,9 @@ bool is_about_friction(std::string_view key) {
 
 }  // namespace
 
-tl::expected<ParsedCase, Diagnostics> ParsedCase::parse(const SourceText& source,
-                                                        std::string folder) {
-  auto tree = parse_yaml(source);
+tl::expected<ParsedCase, base::Diagnostics> ParsedCase::parse(const base::SourceText& source,
+                                                              std::string folder) {
+  auto tree = yaml::parse_yaml(source);
   if (!tree) {
     // Faults of YAML say nothing about another kind of file.
     if (auto foreign = foreign_file(source)) {
@@ -229,22 +235,22 @@ tl::expected<ParsedCase, Diagnostics> ParsedCase::parse(const SourceText& source
 
 ReadCase ParsedCase::resolve(const ReadOptions& options) const {
   ReadCase result;
-  const Node root = tree_.root();
+  const yaml::Node root = tree_.root();
   result.sources.push_back(root.source());
-  Diagnostics& out = result.diagnostics;
+  base::Diagnostics& out = result.diagnostics;
   if (const auto key = key_of_fit(root)) {
     out.error(root.source().name(), key->where(), "calibrate",
               "this is a fit file, not a case: 'slipbench calibrate " +
-                  printable(root.source().name()) + "' works on it");
+                  base::printable(root.source().name()) + "' works on it");
     return result;
   }
   Reading reading(root, folder_, options, out);
-  Binder& binder = reading.binder;
+  yaml::Binder& binder = reading.binder;
 
   CaseText text;
-  const bool bound = read_struct(binder, root, Path(), text);
+  const bool bound = yaml::read_struct(binder, root, yaml::Path(), text);
 
-  Case problem;
+  cases::Case problem;
   const bool columns_known = resolve_to_friction(reading, root, text, problem);
   const std::size_t errors = binder.errors();
   resolve_forces(binder, text, problem);
@@ -269,34 +275,34 @@ ReadCase ParsedCase::resolve(const ReadOptions& options) const {
   return result;
 }
 
-tl::expected<std::vector<CaseDefinition>, Diagnostics> ParsedCase::resolve_friction_only(
-    const ReadOptions& options) const {
-  Diagnostics out;
-  const Node root = tree_.root();
+tl::expected<std::vector<cases::CaseDefinition>, base::Diagnostics>
+ParsedCase::resolve_friction_only(const ReadOptions& options) const {
+  base::Diagnostics out;
+  const yaml::Node root = tree_.root();
   Reading reading(root, folder_, options, out);
   CaseText text;
-  for_each_key<CaseText>([&](std::string_view key, auto member, const KeyInfo& info) {
+  yaml::for_each_key<CaseText>([&](std::string_view key, auto member, const yaml::KeyInfo& info) {
     using Member = std::remove_reference_t<decltype(text.*member)>;
     if (!is_about_friction(key)) return;
     if (const auto value = root.find(key)) {
-      Codec<Member>::read(reading.binder, *value, Path() / key, info, text.*member);
+      yaml::Codec<Member>::read(reading.binder, *value, yaml::Path() / key, info, text.*member);
     }
   });
-  Case problem;
+  cases::Case problem;
   resolve_to_friction(reading, root, text, problem);
   if (out.has_errors()) return tl::unexpected(std::move(out));
   return std::move(problem.definitions);
 }
 
-tl::expected<NamedNumbers, Diagnostics> ParsedCase::resolve_parameters_only(
+tl::expected<base::NamedNumbers, base::Diagnostics> ParsedCase::resolve_parameters_only(
     const ReadOptions& options) const {
-  Diagnostics out;
+  base::Diagnostics out;
   Parameters parameters = read_parameters(tree_.root(), units_of(tree_.root()), options, out);
   if (out.has_errors()) return tl::unexpected(std::move(out));
   return std::move(parameters.values);
 }
 
-ReadCase read_case_text(const SourceText& source, const std::string& folder,
+ReadCase read_case_text(const base::SourceText& source, const std::string& folder,
                         const ReadOptions& options) {
   auto parsed = ParsedCase::parse(source, folder);
   if (parsed) return parsed->resolve(options);
@@ -307,15 +313,15 @@ ReadCase read_case_text(const SourceText& source, const std::string& folder,
 }
 
 ReadCase read_case(const std::string& path, const ReadOptions& options) {
-  auto source = read_source(path);
+  auto source = base::read_source(path);
   if (!source) {
     ReadCase result;
     result.diagnostics.add(source.error().diagnostic);
-    result.environment_failure = source.error().failure == ReadFailure::kEnvironment;
+    result.environment_failure = source.error().failure == base::ReadFailure::kEnvironment;
     return result;
   }
   const std::string folder = std::filesystem::path(path).parent_path().string();
   return read_case_text(*source, folder.empty() ? "." : folder, options);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

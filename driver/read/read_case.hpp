@@ -13,49 +13,51 @@
 #include "driver/case/case.hpp"
 #include "driver/yaml/node.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 
 /// Result of reading a case: the case, unless there were errors, and all messages.
 struct ReadCase {
-  std::optional<Case> value;
-  Diagnostics diagnostics;
-  std::vector<std::string> data_files;  ///< that the case names, also one with errors
-  std::vector<SourceText> sources;      ///< texts the diagnostics quote from
+  std::optional<cases::Case> value;
+  base::Diagnostics diagnostics;
+  std::vector<std::string> data_files;    ///< that the case names, also one with errors
+  std::vector<base::SourceText> sources;  ///< texts the diagnostics quote from
   bool environment_failure =
       false;  ///< some error is the machine's (exit 4), not the text's (exit 2)
 };
 
 struct ReadOptions {
-  std::vector<ParameterText> overrides = {};  ///< --set name=value
-  bool allow_outside = false;                 ///< data files may lie outside the case's folder
-  bool curves_may_be_missing = false;         ///< reference curves are about to be made
+  std::vector<base::ParameterText> overrides = {};  ///< --set name=value
+  bool allow_outside = false;          ///< data files may lie outside the case's folder
+  bool curves_may_be_missing = false;  ///< reference curves are about to be made
 };
 
 /// The text of a case, parsed once, to be resolved again and again with other parameters.
 class ParsedCase {
  public:
   /// Data files are looked for in `folder`. Errors: those of the text itself.
-  static tl::expected<ParsedCase, Diagnostics> parse(const SourceText& source, std::string folder);
+  static tl::expected<ParsedCase, base::Diagnostics> parse(const base::SourceText& source,
+                                                           std::string folder);
 
   /// Returns the text of the case, for searches for names in it.
-  Node root() const { return tree_.root(); }
+  yaml::Node root() const { return tree_.root(); }
 
   /// The case. All errors are collected.
   ReadCase resolve(const ReadOptions& options = {}) const;
 
   /// Only its friction definitions: history, output and checks are not looked at, so that it takes
   /// a fraction of the time. Errors of the rest.
-  tl::expected<std::vector<CaseDefinition>, Diagnostics> resolve_friction_only(
+  tl::expected<std::vector<cases::CaseDefinition>, base::Diagnostics> resolve_friction_only(
       const ReadOptions& options = {}) const;
 
   /// Only its parameters. Errors of those.
-  tl::expected<NamedNumbers, Diagnostics> resolve_parameters_only(
+  tl::expected<base::NamedNumbers, base::Diagnostics> resolve_parameters_only(
       const ReadOptions& options = {}) const;
 
  private:
-  ParsedCase(Tree tree, std::string folder) : tree_(std::move(tree)), folder_(std::move(folder)) {}
+  ParsedCase(yaml::Tree tree, std::string folder)
+      : tree_(std::move(tree)), folder_(std::move(folder)) {}
 
-  Tree tree_;
+  yaml::Tree tree_;
   std::string folder_;
 };
 
@@ -63,7 +65,7 @@ class ParsedCase {
 ReadCase read_case(const std::string& path, const ReadOptions& options = {});
 
 /// The same from a text in memory; data files are looked for in `folder`.
-ReadCase read_case_text(const SourceText& source, const std::string& folder,
+ReadCase read_case_text(const base::SourceText& source, const std::string& folder,
                         const ReadOptions& options = {});
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

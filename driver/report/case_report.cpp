@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 
 void ReportEvents::add(ReportEvent event) {
   ++total_;
@@ -42,4 +42,4 @@ void CaseReport::drop_details() {
   }
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

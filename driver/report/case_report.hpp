@@ -12,7 +12,7 @@
 #include "driver/report/what_was_run.hpp"
 #include "driver/results/plot_data.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 
 /// One column of a case as the page shows it.
 struct ReportColumn {
@@ -45,9 +45,10 @@ struct ReportDefinition {
   std::string status;
   std::string normal_force;
   std::string mu;
-  bool filtered = false;          ///< an event's force is that before the filter, on no curve
-  double slip_share = -1.0;       ///< part of the time that it slips; negative if unknown
-  std::vector<RegimeSpan> spans;  ///< of slip and of no contact, in the order of their begin
+  bool filtered = false;     ///< an event's force is that before the filter, on no curve
+  double slip_share = -1.0;  ///< part of the time that it slips; negative if unknown
+  std::vector<results::RegimeSpan>
+      spans;  ///< of slip and of no contact, in the order of their begin
 };
 
 /// Use of the parts of a table, small enough to be drawn.
@@ -79,7 +80,7 @@ struct ReportCurve {
 
 /// A check, with its quantity and reference as curves.
 struct ReportCheck {
-  Verdict verdict;
+  check::Verdict verdict;
   std::string quantity;
   std::string against;
   std::string why;
@@ -139,4 +140,4 @@ struct CaseReport {
   void drop_details();
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

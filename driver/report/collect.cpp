@@ -19,18 +19,18 @@
 #include "driver/results/result_layout.hpp"
 #include "driver/results/summary.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 namespace {
 
 /// "expression 2*CP1", "closed form coulomb_slider", "curve golden/belt.csv".
-std::string reference_text(const Check& check) {
-  if (const auto* form = std::get_if<ClosedFormReference>(&check.against)) {
+std::string reference_text(const cases::Check& check) {
+  if (const auto* form = std::get_if<cases::ClosedFormReference>(&check.against)) {
     return "closed form " + form->name;
   }
-  if (const auto* curve = std::get_if<CurveReference>(&check.against)) {
+  if (const auto* curve = std::get_if<cases::CurveReference>(&check.against)) {
     return "curve " + curve->shown_name;
   }
-  return "expression " + std::get<ExpressionReference>(check.against).expression.text();
+  return "expression " + std::get<cases::ExpressionReference>(check.against).expression.text();
 }
 
 /// The lines of a text without the blanks they are indented by.
@@ -49,10 +49,10 @@ std::vector<std::string> unindented_lines(std::string_view text) {
 }  // namespace
 
 struct CaseCollector::State {
-  State(const Case& the_case, std::size_t most_rows)
+  State(const cases::Case& the_case, std::size_t most_rows)
       : problem(the_case),
-        columns(result_columns(the_case)),
-        layout(layout_of(the_case, columns)),
+        columns(results::result_columns(the_case)),
+        layout(results::layout_of(the_case, columns)),
         drawn(drawn_columns(layout)),
         rows(drawn.names.size(), most_rows, drawn.motions),
         detector(the_case),
@@ -62,32 +62,32 @@ struct CaseCollector::State {
         regimes(the_case.definitions.size()),
         numbers(drawn.names.size()) {
     for (const std::string& name : drawn.names) {
-      shown.push_back(*find_column(problem, columns, name));
+      shown.push_back(*results::find_column(problem, columns, name));
     }
-    for (const Column& column : columns) {
-      if (is_position(column) && column.name.starts_with("CP")) {
+    for (const results::Column& column : columns) {
+      if (results::is_position(column) && column.name.starts_with("CP")) {
         positions.push_back(column);
       }
     }
   }
 
-  void add(const Row& row);
-  void note(const Event& event, const Row& row);
-  void take_numbers(const Row& row, std::span<double> to) const;
+  void add(const bench::Row& row);
+  void note(const results::Event& event, const bench::Row& row);
+  void take_numbers(const bench::Row& row, std::span<double> to) const;
   IndexedRows rows_at(std::vector<double> times) const;
 
-  const Case& problem;
-  std::vector<Column> columns;
-  ResultLayout layout;
+  const cases::Case& problem;
+  std::vector<results::Column> columns;
+  results::ResultLayout layout;
   DrawnColumns drawn;
-  std::vector<Column> shown;  ///< in the order of drawn.names
-  std::vector<Column> positions;
+  std::vector<results::Column> shown;  ///< in the order of drawn.names
+  std::vector<results::Column> positions;
   RowChoice rows;
-  EventDetector detector;
-  Summary summary;
-  Coverage coverage;
+  results::EventDetector detector;
+  results::Summary summary;
+  results::Coverage coverage;
   ReportEvents events;
-  std::vector<RegimeSpans> spans;
+  std::vector<results::RegimeSpans> spans;
   struct Since {
     int status = 1;
     double time = 0.0;
@@ -100,7 +100,7 @@ struct CaseCollector::State {
   double end = 0.0;
 };
 
-void CaseCollector::State::note(const Event& event, const Row& row) {
+void CaseCollector::State::note(const results::Event& event, const bench::Row& row) {
   if (!event.jump) {
     Since& since = regimes[event.definition];
     spans[event.definition].add(since.status, since.time, event.time);
@@ -108,24 +108,24 @@ void CaseCollector::State::note(const Event& event, const Row& row) {
   }
   ReportEvent one{event.time,
                   problem.definitions[event.definition].name,
-                  regime_name(event.from),
-                  goal_name(event),
+                  results::regime_name(event.from),
+                  results::goal_name(event),
                   event.reversal,
                   event.force,
                   event.limit,
                   event.accumulated_slip,
                   {}};
-  for (const Column& position : positions) {
+  for (const results::Column& position : positions) {
     one.positions.emplace_back(position.name,
-                               position_at(event, row, position.index) - position.offset);
+                               results::position_at(event, row, position.index) - position.offset);
   }
   events.add(std::move(one));
 }
 
-void CaseCollector::State::add(const Row& row) {
+void CaseCollector::State::add(const bench::Row& row) {
   summary.add(row);
   coverage.add(row);
-  const std::span<const Event> changes = detector.take(row);
+  const std::span<const results::Event> changes = detector.take(row);
   end = row.time;
   // The corner that an event makes lies between two rows: both stay.
   if (started) {
@@ -137,13 +137,14 @@ void CaseCollector::State::add(const Row& row) {
     }
   }
   started = true;
-  for (const Event& event : changes) note(event, row);
+  for (const results::Event& event : changes) note(event, row);
   numbers_changed = !changes.empty();
   take_numbers(row, numbers);
 }
 
-void CaseCollector::State::take_numbers(const Row& row, std::span<double> to) const {
-  for (std::size_t k = 0; k < shown.size(); ++k) to[k] = column_value(shown[k], problem, row);
+void CaseCollector::State::take_numbers(const bench::Row& row, std::span<double> to) const {
+  for (std::size_t k = 0; k < shown.size(); ++k)
+    to[k] = results::column_value(shown[k], problem, row);
 }
 
 /// The worst rows are known when all is over, and their numbers are gone by then: the case is
@@ -151,7 +152,7 @@ void CaseCollector::State::take_numbers(const Row& row, std::span<double> to) co
 /// gone) has its other rows.
 IndexedRows CaseCollector::State::rows_at(std::vector<double> times) const {
   RowsAtTimes wanted(std::move(times));
-  auto simulation = Simulation::start(problem);
+  auto simulation = bench::Simulation::start(problem);
   std::vector<double> here(shown.size());
   while (simulation && !wanted.done()) {
     take_numbers(simulation->row(), here);
@@ -162,17 +163,18 @@ IndexedRows CaseCollector::State::rows_at(std::vector<double> times) const {
   return wanted.rows();
 }
 
-CaseCollector::CaseCollector(const Case& problem, std::size_t most_rows)
+CaseCollector::CaseCollector(const cases::Case& problem, std::size_t most_rows)
     : state_(std::make_unique<State>(problem, most_rows)) {}
 CaseCollector::CaseCollector(CaseCollector&&) noexcept = default;
 CaseCollector::~CaseCollector() = default;
 
-void CaseCollector::add(const Row& row) { state_->add(row); }
+void CaseCollector::add(const bench::Row& row) { state_->add(row); }
 
-CaseReport CaseCollector::finish(const std::string& name, std::span<const CheckProgress> checks,
-                                 std::span<const MotionJump> jumps) {
+CaseReport CaseCollector::finish(const std::string& name,
+                                 std::span<const check::CheckProgress> checks,
+                                 std::span<const bench::MotionJump> jumps) {
   State& state = *state_;
-  const Case& problem = state.problem;
+  const cases::Case& problem = state.problem;
   if (state.started) state.rows.add(state.numbers, state.numbers_changed);
 
   CaseReport report;
@@ -180,22 +182,22 @@ CaseReport CaseCollector::finish(const std::string& name, std::span<const CheckP
   report.title = problem.title;
   report.run = what_was_run(problem);
   report.units = state.layout.units;
-  report.units.emplace_back("energy", energy_unit(problem.units));
+  report.units.emplace_back("energy", base::energy_unit(problem.units));
   report.parameters.assign(problem.parameters.begin(), problem.parameters.end());
   report.summary = unindented_lines(state.summary.text());
   report.warnings = state.summary.warnings(jumps);
   report.increments = state.summary.increments();
-  for (const Column& column : state.shown) {
+  for (const results::Column& column : state.shown) {
     report.columns.push_back(
-        {column.name, unit_text(column.dimension, problem.units), column.text});
+        {column.name, base::unit_text(column.dimension, problem.units), column.text});
   }
   report.definitions = std::move(state.drawn.definitions);
   const double duration = state.end - state.start;
   for (ReportDefinition& definition : report.definitions) {
     const auto sums = state.summary.definitions();
-    const auto own = std::find_if(sums.begin(), sums.end(), [&](const DefinitionSummary& sum) {
-      return sum.name == definition.name;
-    });
+    const auto own = std::find_if(
+        sums.begin(), sums.end(),
+        [&](const results::DefinitionSummary& sum) { return sum.name == definition.name; });
     if (own == sums.end()) continue;
     const auto d = static_cast<std::size_t>(own - sums.begin());
     if (duration > 0.0) definition.slip_share = own->slip_time / duration;
@@ -205,14 +207,14 @@ CaseReport CaseCollector::finish(const std::string& name, std::span<const CheckP
   report.events_total = state.events.total();
   report.events = state.events.take();
   report.energies = std::move(state.drawn.energies);
-  use_energy_unit(report, energy_unit(problem.units));
-  for (const TableCoverage& table : state.coverage.tables()) {
+  use_energy_unit(report, base::energy_unit(problem.units));
+  for (const results::TableCoverage& table : state.coverage.tables()) {
     report.coverage.push_back(drawn_coverage(table, problem.definitions[table.definition].name));
   }
 
   report.status = ReportStatus::kNoChecks;
   for (std::size_t i = 0; i < checks.size(); ++i) {
-    const Check& check = problem.checks[i];
+    const cases::Check& check = problem.checks[i];
     ReportCheck one;
     one.verdict = checks[i].verdict();
     one.verdict.name = check.name;
@@ -237,7 +239,7 @@ CaseReport CaseCollector::finish(const std::string& name, std::span<const CheckP
 std::vector<double> worst_times(const CaseReport& report) {
   std::vector<double> times;
   for (const ReportCheck& check : report.checks) {
-    const Measure* measure = worst_measure(check.verdict);
+    const check::Measure* measure = check::worst_measure(check.verdict);
     if (check.verdict.compared > 0) times.push_back(check.verdict.worst.time);
     if (measure != nullptr && measure->where) times.push_back(measure->where->time);
   }
@@ -245,11 +247,11 @@ std::vector<double> worst_times(const CaseReport& report) {
   return times;
 }
 
-void add_remarks(CaseReport& report, const Diagnostics& diagnostics) {
-  for (const std::string& note : lines_of(diagnostics, Severity::kNote)) {
+void add_remarks(CaseReport& report, const base::Diagnostics& diagnostics) {
+  for (const std::string& note : base::lines_of(diagnostics, base::Severity::kNote)) {
     report.summary.push_back("note: " + note);
   }
-  for (std::string& warning : lines_of(diagnostics, Severity::kWarning)) {
+  for (std::string& warning : base::lines_of(diagnostics, base::Severity::kWarning)) {
     report.warnings.push_back(std::move(warning));
   }
 }
@@ -263,4 +265,4 @@ CaseReport not_run_report(const std::string& name, const std::string& title, std
   return report;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

@@ -12,7 +12,7 @@
 #include "driver/check/check.hpp"
 #include "driver/report/case_report.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 
 /// Gathers what the page tells about a case while it runs. The memory has a bound that
 /// does not depend on the number of rows. Of a case that is thinned, the rows where its checks are
@@ -27,19 +27,19 @@ class CaseCollector {
  public:
   /// `problem` must outlive it.
   /// \param most_rows of a run that is not thinned (RowChoice)
-  explicit CaseCollector(const Case& problem, std::size_t most_rows = kMostRows);
+  explicit CaseCollector(const cases::Case& problem, std::size_t most_rows = kMostRows);
   CaseCollector(CaseCollector&&) noexcept;
   ~CaseCollector();
 
   /// Takes the next row, row 0 first.
-  void add(const Row& row);
+  void add(const bench::Row& row);
 
   /// Returns what there is to tell; to be called once, at the end.
   /// \param name what the case is called in the table
   /// \param checks those of the case, in its order, at the end of the run
   /// \param jumps what the run returned
-  CaseReport finish(const std::string& name, std::span<const CheckProgress> checks,
-                    std::span<const MotionJump> jumps);
+  CaseReport finish(const std::string& name, std::span<const check::CheckProgress> checks,
+                    std::span<const bench::MotionJump> jumps);
 
  private:
   struct State;
@@ -53,6 +53,6 @@ CaseReport not_run_report(const std::string& name, const std::string& title, std
 std::vector<double> worst_times(const CaseReport& report);
 
 /// Adds what the reader of a case noted and warned of.
-void add_remarks(CaseReport& report, const Diagnostics& diagnostics);
+void add_remarks(CaseReport& report, const base::Diagnostics& diagnostics);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

@@ -15,7 +15,7 @@
 #include "driver/report/series_digits.hpp"
 #include "driver/results/provenance.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -158,7 +158,7 @@ void write_definition(JsonText& json, const ReportDefinition& definition, const 
   if (definition.slip_share >= 0.0) json.member("slip_share", definition.slip_share);
   json.key("spans");
   json.begin_array();
-  for (const RegimeSpan& span : definition.spans) {
+  for (const results::RegimeSpan& span : definition.spans) {
     json.begin_array();
     time.value(json, span.from);
     time.value(json, span.to);
@@ -249,11 +249,11 @@ void write_curve(JsonText& json, std::string_view name, const ReportCurve& curve
   json.end_object();
 }
 
-void write_measure(JsonText& json, const Measure& measure, const Verdict& verdict,
+void write_measure(JsonText& json, const check::Measure& measure, const check::Verdict& verdict,
                    const TimeText& time) {
   json.begin_object();
   json.member("name", measure.name);
-  json.member("unit", unit_of(measure, verdict));
+  json.member("unit", check::unit_of(measure, verdict));
   json.member("value", measure.value);
   json.member("reference", measure.reference);
   json.member("deviation", measure.deviation);
@@ -274,10 +274,10 @@ void write_measure(JsonText& json, const Measure& measure, const Verdict& verdic
 }
 
 void write_check(JsonText& json, const ReportCheck& check, const TimeText& time) {
-  const Verdict& verdict = check.verdict;
+  const check::Verdict& verdict = check.verdict;
   json.begin_object();
   json.member("name", verdict.name);
-  json.member("criterion", info_of(verdict.criterion).word);
+  json.member("criterion", check::info_of(verdict.criterion).word);
   json.member_if("quantity", check.quantity);
   json.member("unit", verdict.unit);
   json.member("passed", verdict.passed);
@@ -305,7 +305,8 @@ void write_check(JsonText& json, const ReportCheck& check, const TimeText& time)
   if (!verdict.measures.empty()) {
     json.key("measures");
     json.begin_array();
-    for (const Measure& measure : verdict.measures) write_measure(json, measure, verdict, time);
+    for (const check::Measure& measure : verdict.measures)
+      write_measure(json, measure, verdict, time);
     json.end_array();
   }
   if (!check.value.x.empty()) {
@@ -493,7 +494,7 @@ std::string report_document(const ReportCollection& collection, const std::strin
   json.begin_object();
   json.member("schema", std::int64_t{1});
   json.member("title", title);
-  json.member("generator", "slipbench " + std::string(program_version()));
+  json.member("generator", "slipbench " + std::string(results::program_version()));
   json.key("totals");
   json.begin_object();
   for (const auto& [name, count] :
@@ -519,4 +520,4 @@ std::string report_document(const ReportCollection& collection, const std::strin
   return json.take();
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

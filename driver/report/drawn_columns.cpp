@@ -5,7 +5,7 @@
 
 #include "driver/results/plot_data.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 namespace {
 
 /// More columns than these are not drawn.
@@ -13,18 +13,18 @@ constexpr std::size_t kMostColumns = 24;
 
 class Choice {
  public:
-  explicit Choice(const ResultLayout& layout) : layout_(layout) {}
+  explicit Choice(const results::ResultLayout& layout) : layout_(layout) {}
 
   DrawnColumns take() && { return std::move(drawn_); }
 
   /// Takes what a picture of friction needs; never left out.
   void take_friction() {
-    const PlotData plot = select_plot_columns(layout_);
-    for (const PlotColumn& column : plot.columns) drawn_.names.push_back(column.name);
+    const results::PlotData plot = results::select_plot_columns(layout_);
+    for (const results::PlotColumn& column : plot.columns) drawn_.names.push_back(column.name);
     const auto name = [&](int column) {
       return column < 0 ? std::string() : plot.columns[static_cast<std::size_t>(column)].name;
     };
-    for (const PlotDefinition& definition : plot.definitions) {
+    for (const results::PlotDefinition& definition : plot.definitions) {
       ReportDefinition one;
       one.name = definition.name;
       one.force = name(definition.total >= 0 ? definition.total : definition.components.front());
@@ -97,14 +97,14 @@ class Choice {
     }
   }
 
-  const ResultLayout& layout_;
+  const results::ResultLayout& layout_;
   DrawnColumns drawn_;
   bool several_ = false;
 };
 
 }  // namespace
 
-DrawnColumns drawn_columns(const ResultLayout& layout) {
+DrawnColumns drawn_columns(const results::ResultLayout& layout) {
   Choice choice(layout);
   choice.take_friction();
   choice.take_energies();
@@ -121,4 +121,4 @@ void use_energy_unit(CaseReport& report, const std::string& unit) {
   }
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

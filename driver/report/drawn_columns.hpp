@@ -9,7 +9,7 @@
 #include "driver/report/case_report.hpp"
 #include "driver/results/result_layout.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 
 /// The columns of a result that a page draws, and what they mean.
 struct DrawnColumns {
@@ -21,10 +21,10 @@ struct DrawnColumns {
 
 /// Chooses them. Forces, motions, limits and regimes come first, then energies, then coefficients
 /// and normal forces: of a case with many definitions, what comes last is left out.
-DrawnColumns drawn_columns(const ResultLayout& layout);
+DrawnColumns drawn_columns(const results::ResultLayout& layout);
 
 /// Gives the columns of energies the unit that the summary of a run tells its energies in: mJ, and
 /// not N mm beside it.
 void use_energy_unit(CaseReport& report, const std::string& unit);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 namespace {
 
 /// Intervals of an axis that a picture can show: of a table of one independent, of two or more.
@@ -13,14 +13,14 @@ constexpr std::size_t kMostOfTwo = 48;
 
 }  // namespace
 
-ReportTable drawn_coverage(const TableCoverage& table, const std::string& definition) {
+ReportTable drawn_coverage(const results::TableCoverage& table, const std::string& definition) {
   ReportTable drawn;
   drawn.name = "friction '" + definition + "': " + table.what;
   drawn.increments = table.increments;
   drawn.outside = table.outside;
   const std::size_t most = table.axes.size() == 1 ? kMostAlone : kMostOfTwo;
   std::vector<std::size_t> together;  // neighbouring intervals that become one, for each axis
-  for (const TableCoverage::Axis& axis : table.axes) {
+  for (const results::TableCoverage::Axis& axis : table.axes) {
     const std::size_t step = (axis.intervals() + most - 1) / most;
     together.push_back(step);
     drawn.coarser = drawn.coarser || step > 1;
@@ -42,7 +42,7 @@ ReportTable drawn_coverage(const TableCoverage& table, const std::string& defini
   for (std::size_t cell = 0; cell < table.visits.size(); ++cell) {
     std::size_t place = 0;
     for (std::size_t k = 0; k < table.axes.size(); ++k) {
-      const TableCoverage::Axis& axis = table.axes[k];
+      const results::TableCoverage::Axis& axis = table.axes[k];
       const std::size_t i = cell / axis.stride % axis.intervals() / together[k];
       drawn.axes[k].visits[i] += table.visits[cell];
       place += k == 0 ? i : i * across;
@@ -52,4 +52,4 @@ ReportTable drawn_coverage(const TableCoverage& table, const std::string& defini
   return drawn;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

@@ -9,7 +9,7 @@
 #include "driver/base/text/json.hpp"
 #include "driver/report/series_digits.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 namespace {
 
 /// A quoted JSON text in which nothing means anything to HTML.
@@ -55,7 +55,7 @@ void JsonText::key(std::string_view name) {
 
 void JsonText::value(std::string_view text) {
   separate();
-  append_for_page(text_, json::Value(text).dump());
+  append_for_page(text_, base::json::Value(text).dump());
 }
 
 void JsonText::value(double number, int digits) {
@@ -98,4 +98,4 @@ void JsonText::series(std::span<const double> numbers) {
   end_array();
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 
 /// Writes JSON (RFC 8259) piece by piece and without blanks, to be embedded in a page: '<' and the
 /// line separators of Unicode are escaped, so that no text ends a script element. Numbers have ten
@@ -63,4 +63,4 @@ class JsonText {
   bool first_ = true;  ///< nothing stands yet behind the last bracket or key
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

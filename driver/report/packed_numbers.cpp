@@ -12,7 +12,7 @@
 
 #include "driver/report/series_digits.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -199,4 +199,4 @@ std::string packed_series(std::span<const double> numbers) {
   return std::move(packer).take();
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

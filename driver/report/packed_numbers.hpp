@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 
 /// A series of numbers as a short text for a page (base64): smooth series take about two characters
 /// a number, constant ones next to none. Every number becomes a decimal k/10^d, so that the page
@@ -34,4 +34,4 @@ double to_decimals(double number, int decimals);
 /// one is no more.
 int decimals_within(double resolution, double largest);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

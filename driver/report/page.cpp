@@ -7,7 +7,7 @@
 
 #include "driver/report/page_parts.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 namespace {
 
 std::string escape_html(std::string_view text) {
@@ -112,13 +112,13 @@ std::string fit_page(std::string_view json_document, std::string_view title,
   return fill(page_part::fit_html(), parts);
 }
 
-FileMark report_page_mark() {
+base::FileMark report_page_mark() {
   return {"a page of slipbench's reports", kPageStart, kGenerator + std::string("report\">")};
 }
 
-FileMark fit_page_mark(std::string_view source) {
+base::FileMark fit_page_mark(std::string_view source) {
   return {"the page of " + std::string(source), kPageStart,
           kGenerator + ("calibrate " + escape_html(source)) + "\">"};
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

@@ -6,7 +6,7 @@
 
 #include "driver/base/files/file_mark.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 
 /// A page that needs nothing else: the report's layout, style and program, the chart library with
 /// its licence, and the document it shows. `json_document` is JSON text, `title` plain text; what
@@ -19,7 +19,7 @@ std::string fit_page(std::string_view json_document, std::string_view title,
                      std::string_view source);
 
 /// The marks of the pages: of any report, and of the fits of one file name.
-FileMark report_page_mark();
-FileMark fit_page_mark(std::string_view source);
+base::FileMark report_page_mark();
+base::FileMark fit_page_mark(std::string_view source);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

@@ -4,7 +4,7 @@
 #include <string_view>
 
 /// The files that a page is made of, as the build embedded them (cmake/SlipbenchEmbed.cmake).
-namespace slipbench::driver::page_part {
+namespace slipbench::driver::report::page_part {
 
 std::string_view page_html();         ///< the layout, with {{places}} for the others
 std::string_view fit_html();          ///< that of a fit's page
@@ -17,4 +17,4 @@ std::string_view page_js();
 std::string_view fit_js();
 std::string_view chart_js();  ///< Chart.js, minified, with its licence
 
-}  // namespace slipbench::driver::page_part
+}  // namespace slipbench::driver::report::page_part

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 namespace {
 
 // Returns the lower; a NaN is no extreme: the other one is taken.
@@ -47,4 +47,4 @@ void PieceExtremes::merge() {
   in_last_ = length_;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 
 /// Divides a table into pieces of equally many rows while they come, however many there will be,
 /// and keeps of each its first and last row and the smallest and largest number of every column.
@@ -44,4 +44,4 @@ class PieceExtremes {
   std::vector<double> high_;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

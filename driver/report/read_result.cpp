@@ -23,7 +23,7 @@
 #include "driver/results/summary.hpp"
 #include "driver/yaml/parse.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -32,48 +32,48 @@ fs::path beside(const fs::path& result, const char* extension) {
   return fs::path(result).replace_extension(extension);
 }
 
-std::optional<double> number_in(const Node& node, std::string_view name) {
+std::optional<double> number_in(const yaml::Node& node, std::string_view name) {
   const auto member = node.find(name);
   if (!member || !member->is_scalar()) return std::nullopt;
-  const auto number = parse_number(member->text());
+  const auto number = base::parse_number(member->text());
   return number ? std::optional(*number) : std::nullopt;
 }
 
-double number_or_nan(const Node& node, std::string_view name) {
+double number_or_nan(const yaml::Node& node, std::string_view name) {
   return number_in(node, name).value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
-std::int64_t count_in(const Node& node, std::string_view name) {
+std::int64_t count_in(const yaml::Node& node, std::string_view name) {
   return static_cast<std::int64_t>(std::llround(number_in(node, name).value_or(0.0)));
 }
 
-std::string text_in(const Node& node, std::string_view name) {
+std::string text_in(const yaml::Node& node, std::string_view name) {
   const auto member = node.find(name);
   return member && member->is_scalar() ? std::string(member->text()) : std::string();
 }
 
-std::vector<std::string> texts_in(const Node& node, std::string_view name) {
+std::vector<std::string> texts_in(const yaml::Node& node, std::string_view name) {
   std::vector<std::string> texts;
   if (const auto list = node.find(name)) {
-    for (const Node item : list->items()) texts.emplace_back(item.text());
+    for (const yaml::Node item : list->items()) texts.emplace_back(item.text());
   }
   return texts;
 }
 
 /// Returns what the unit of a measure's number is, told by its text; keeps the text in the verdict.
-MeasureUnit measure_unit(const std::string& unit, Verdict& verdict) {
-  if (unit.empty()) return MeasureUnit::kNone;
-  if (unit == verdict.unit) return MeasureUnit::kQuantity;
+check::MeasureUnit measure_unit(const std::string& unit, check::Verdict& verdict) {
+  if (unit.empty()) return check::MeasureUnit::kNone;
+  if (unit == verdict.unit) return check::MeasureUnit::kQuantity;
   if (verdict.abscissa.ends_with("[" + unit + "]")) {
     verdict.abscissa_unit = unit;
-    return MeasureUnit::kAbscissa;
+    return check::MeasureUnit::kAbscissa;
   }
   verdict.product_unit = unit;
-  return MeasureUnit::kProduct;
+  return check::MeasureUnit::kProduct;
 }
 
-Measure read_measure(const Node& node, Verdict& verdict) {
-  Measure measure;
+check::Measure read_measure(const yaml::Node& node, check::Verdict& verdict) {
+  check::Measure measure;
   measure.name = text_in(node, "name");
   measure.unit = measure_unit(text_in(node, "unit"), verdict);
   measure.value = number_or_nan(node, "value");
@@ -90,13 +90,13 @@ Measure read_measure(const Node& node, Verdict& verdict) {
   return measure;
 }
 
-ReportCheck read_check(const Node& node) {
+ReportCheck read_check(const yaml::Node& node) {
   ReportCheck check;
-  Verdict& verdict = check.verdict;
+  check::Verdict& verdict = check.verdict;
   verdict.name = text_in(node, "name");
   const std::string criterion = text_in(node, "criterion");
-  for (std::size_t i = 0; i < kCriteria.size(); ++i) {
-    if (kCriteria[i].word == criterion) verdict.criterion = static_cast<Criterion>(i);
+  for (std::size_t i = 0; i < check::kCriteria.size(); ++i) {
+    if (check::kCriteria[i].word == criterion) verdict.criterion = static_cast<cases::Criterion>(i);
   }
   verdict.passed = text_in(node, "passed") == "true";
   verdict.message = text_in(node, "message");
@@ -113,7 +113,7 @@ ReportCheck read_check(const Node& node) {
   verdict.first_failing = number_in(node, "first_failing");
   verdict.last_failing = number_in(node, "last_failing");
   if (const auto measures = node.find("measures")) {
-    for (const Node measure : measures->items()) {
+    for (const yaml::Node measure : measures->items()) {
       verdict.measures.push_back(read_measure(measure, verdict));
     }
   }
@@ -121,16 +121,16 @@ ReportCheck read_check(const Node& node) {
 }
 
 /// "slips 62 % of the time, 8 stick-slip events" and the range of the force, as `run` tells it.
-std::string summary_line(const Node& node, bool several, double duration, const std::string& force,
-                         const UnitSystem& units) {
+std::string summary_line(const yaml::Node& node, bool several, double duration,
+                         const std::string& force, const base::UnitSystem& units) {
   const double slip = number_in(node, "slip_time").value_or(0.0);
   const std::int64_t events = count_in(node, "stick_slip_events");
   return fmt::format(
       "{}slips {:.0f} % of the time, {} stick-slip event{}; friction {} .. {}, dissipated {}",
       several ? text_in(node, "name") + ": " : "", duration > 0.0 ? 100.0 * slip / duration : 0.0,
-      events, events == 1 ? "" : "s", rounded(number_in(node, "lowest_force").value_or(0.0)),
-      with_unit(rounded(number_in(node, "highest_force").value_or(0.0)), force),
-      energy_text(number_in(node, "dissipation").value_or(0.0), units));
+      events, events == 1 ? "" : "s", base::rounded(number_in(node, "lowest_force").value_or(0.0)),
+      base::with_unit(base::rounded(number_in(node, "highest_force").value_or(0.0)), force),
+      base::energy_text(number_in(node, "dissipation").value_or(0.0), units));
 }
 
 const ReportColumn* find(const CaseReport& report, const std::string& name) {
@@ -147,23 +147,23 @@ void warn_of(const fs::path& file, const std::string& why, const char* lost, Cas
 
 /// Takes what the JSON beside a result tells; one that is missing, or of another origin, tells
 /// nothing, and one that is broken is warned of.
-void add_summary(const fs::path& file, const UnitSystem& units, CaseReport& report) {
+void add_summary(const fs::path& file, const base::UnitSystem& units, CaseReport& report) {
   constexpr const char* kLost = "the verdicts of the checks are unknown";
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return;
   // JSON is YAML; the reader of cases is strict and has its limits.
-  const auto source = read_source(file.string());
+  const auto source = base::read_source(file.string());
   if (!source) {
     warn_of(file, source.error().diagnostic.message, kLost, report);
     return;
   }
-  const auto tree = parse_yaml(*source);
+  const auto tree = yaml::parse_yaml(*source);
   if (!tree) {
     const auto faults = tree.error().sorted();
     warn_of(file, faults.empty() ? "no JSON" : faults.front().message, kLost, report);
     return;
   }
-  const Node root = tree->root();
+  const yaml::Node root = tree->root();
   if (const auto summary = root.find("summary")) {
     const double duration = number_in(*summary, "end_time").value_or(0.0) -
                             number_in(*summary, "start_time").value_or(0.0);
@@ -172,7 +172,7 @@ void add_summary(const fs::path& file, const UnitSystem& units, CaseReport& repo
     }
     const auto list = summary->find("definitions");
     for (std::size_t i = 0; list && i < list->size(); ++i) {
-      const Node node = (*list)[i];
+      const yaml::Node node = (*list)[i];
       for (ReportDefinition& definition : report.definitions) {
         if (definition.name != text_in(node, "name")) continue;
         const auto slip = number_in(node, "slip_time");
@@ -187,7 +187,7 @@ void add_summary(const fs::path& file, const UnitSystem& units, CaseReport& repo
     report.warnings.push_back(std::move(warning));
   }
   if (const auto checks = root.find("checks")) {
-    for (const Node check : checks->items()) report.checks.push_back(read_check(check));
+    for (const yaml::Node check : checks->items()) report.checks.push_back(read_check(check));
   }
   if (report.checks.empty()) return;
   const bool passed = std::all_of(report.checks.begin(), report.checks.end(),
@@ -228,7 +228,7 @@ void add_events(const fs::path& file, CaseReport& report) {
     }
     if (fields.size() != header.size()) continue;
     const auto number = [&](std::size_t i) {
-      return parse_number(fields[i]).value_or(std::numeric_limits<double>::quiet_NaN());
+      return base::parse_number(fields[i]).value_or(std::numeric_limits<double>::quiet_NaN());
     };
     ReportEvent event{number(0),
                       std::string(fields[1]),
@@ -248,29 +248,30 @@ void add_events(const fs::path& file, CaseReport& report) {
   report.events = events.take();
 }
 
-ReadResult unreadable(const std::string& name, const HistoryError& error) {
+ReadResult unreadable(const std::string& name, const base::HistoryError& error) {
   std::string place = error.file;
   if (error.line > 0) place += fmt::format(":{}", error.line);
   ReadResult result;
   result.report = not_run_report(name, "", place + ": error: " + error.message + "\n");
   result.report.is_result = true;
-  result.code = error.kind == HistoryError::Kind::kEnvironment ? kExitEnvironment : kExitBadInput;
+  result.code = error.kind == base::HistoryError::Kind::kEnvironment ? base::kExitEnvironment
+                                                                     : base::kExitBadInput;
   return result;
 }
 
 }  // namespace
 
 ReadResult read_result(const std::string& path, const std::string& name, std::size_t most_rows) {
-  auto opened = CsvReader::open(path, std::vector<std::string>{"t"});
+  auto opened = base::CsvReader::open(path, std::vector<std::string>{"t"});
   if (!opened) return unreadable(name, opened.error());
-  const ResultLayout layout = read_layout(path, opened->header());
+  const results::ResultLayout layout = results::read_layout(path, opened->header());
   DrawnColumns drawn = drawn_columns(layout);
   if (drawn.definitions.empty()) {
-    return unreadable(name, {HistoryError::Kind::kInput, path, 0, 0,
+    return unreadable(name, {base::HistoryError::Kind::kInput, path, 0, 0,
                              "has no friction force to draw (a result of 'slipbench run' has a "
                              "line '# friction:')"});
   }
-  auto reader = CsvReader::open(path, drawn.names);
+  auto reader = base::CsvReader::open(path, drawn.names);
   if (!reader) return unreadable(name, reader.error());
 
   ReadResult result;
@@ -284,18 +285,19 @@ ReadResult read_result(const std::string& path, const std::string& name, std::si
     report.columns.push_back({column, unit == layout.column_units.end() ? "" : unit->second, ""});
   }
   for (const auto& [parameter, text] : layout.parameters) {
-    if (const auto number = parse_number(text)) report.parameters.emplace_back(parameter, *number);
+    if (const auto number = base::parse_number(text))
+      report.parameters.emplace_back(parameter, *number);
   }
   report.definitions = std::move(drawn.definitions);
   report.energies = std::move(drawn.energies);
 
-  UnitSystem units;
+  base::UnitSystem units;
   for (const auto& [what, unit] : layout.units) {
     if (what == "length") units.length = unit;
     if (what == "force") units.force = unit;
   }
-  report.units.emplace_back("energy", energy_unit(units));
-  use_energy_unit(report, energy_unit(units));
+  report.units.emplace_back("energy", base::energy_unit(units));
+  use_energy_unit(report, base::energy_unit(units));
   add_summary(beside(path, ".json"), units, report);
   add_events(beside(path, ".events.csv"), report);
 
@@ -307,7 +309,7 @@ ReadResult read_result(const std::string& path, const std::string& name, std::si
   }
   RowChoice rows(drawn.names.size(), most_rows, drawn.motions);
   RowsAtTimes worst(worst_times(report));
-  std::vector<RegimeSpans> spans(report.definitions.size());
+  std::vector<results::RegimeSpans> spans(report.definitions.size());
   std::vector<double> row(drawn.names.size());
   std::vector<double> before(drawn.names.size());
   bool changed = false;
@@ -337,4 +339,4 @@ ReadResult read_result(const std::string& path, const std::string& name, std::si
   return result;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

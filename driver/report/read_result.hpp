@@ -7,12 +7,12 @@
 #include "driver/base/files/exit_code.hpp"
 #include "driver/report/case_report.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 
 /// A result, or why there is none.
 struct ReadResult {
   CaseReport report;
-  int code = kExitOk;
+  int code = base::kExitOk;
 };
 
 /// Reads a result of `slipbench run` for a page: the rows in `path`, and the verdicts and events in
@@ -23,4 +23,4 @@ struct ReadResult {
 ReadResult read_result(const std::string& path, const std::string& name,
                        std::size_t most_rows = kMostRows);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

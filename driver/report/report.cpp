@@ -9,7 +9,7 @@
 #include "driver/base/files/output_file.hpp"
 #include "driver/report/page.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 
 void ReportCollection::put(std::size_t place, CaseReport report) {
   const std::scoped_lock lock(mutex_);
@@ -62,14 +62,14 @@ ReportTotals ReportCollection::totals() const {
 tl::expected<std::size_t, std::string> write_report(const std::filesystem::path& file,
                                                     const ReportCollection& collection,
                                                     const std::string& title,
-                                                    const Overwriting& overwriting) {
-  auto out = OutputFile::create(file, report_page_mark(), overwriting);
+                                                    const base::Overwriting& overwriting) {
+  auto out = base::OutputFile::create(file, report_page_mark(), overwriting);
   if (!out) return tl::unexpected(out.error());
   const std::string shown = title.empty() ? "slipbench report" : title;
   const std::string page = report_page(report_document(collection, shown), shown);
   out->append(page);
-  OutputFile* const alone[] = {&*out};
-  if (auto committed = commit(alone); !committed) return tl::unexpected(committed.error());
+  base::OutputFile* const alone[] = {&*out};
+  if (auto committed = base::commit(alone); !committed) return tl::unexpected(committed.error());
   return page.size();
 }
 
@@ -79,4 +79,4 @@ std::string size_text(std::size_t bytes) {
   return fmt::format("{:.1f} MB", 1e-6 * size);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

@@ -13,7 +13,7 @@
 #include "driver/base/files/output_file.hpp"
 #include "driver/report/case_report.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 
 struct ReportTotals {
   std::size_t cases = 0;
@@ -65,9 +65,9 @@ std::string report_document(const ReportCollection& collection, const std::strin
 tl::expected<std::size_t, std::string> write_report(const std::filesystem::path& file,
                                                     const ReportCollection& collection,
                                                     const std::string& title,
-                                                    const Overwriting& overwriting);
+                                                    const base::Overwriting& overwriting);
 
 /// "0.8 MB", "12 kB": the size of a page for people.
 std::string size_text(std::size_t bytes);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 namespace {
 
 std::span<const double> row_of(const IndexedRows& rows, std::size_t i, std::size_t columns) {
@@ -219,4 +219,4 @@ void RowsAtTimes::add(std::span<const double> row) {
   ++count_;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

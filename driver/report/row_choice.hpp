@@ -10,7 +10,7 @@
 
 #include "driver/report/piece_extremes.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 
 /// Rows of a case that are all on its page; of a run with more RowChoice chooses.
 inline constexpr std::size_t kMostRows = 50000;
@@ -143,4 +143,4 @@ class RowsAtTimes {
   IndexedRows rows_;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

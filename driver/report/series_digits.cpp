@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -59,4 +59,4 @@ double time_resolution(std::span<const double> times) {
   return std::isfinite(shortest) ? 1e-3 * shortest : 0.0;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

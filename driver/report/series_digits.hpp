@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 
 /// Number of significant digits that the numbers of a page need, so that what differs in a run
 /// differs on the page, too: never fewer than kFewestDigits, never more than kMostDigits, with
@@ -33,4 +33,4 @@ class SeriesDigits {
 /// that events within an increment are told apart, too. 0 if there are no two times.
 double time_resolution(std::span<const double> times);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

@@ -9,7 +9,7 @@
 
 #include "driver/report/row_choice.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 namespace {
 
 constexpr std::size_t kPointsOfFailed = 10000;
@@ -22,7 +22,7 @@ constexpr std::size_t kFewestPoints = 300;
 constexpr std::size_t kNeighbours = 8;
 
 /// The point nearest to the worst deviation: by its time where the series has times.
-std::size_t nearest(const Series& series, const Deviation& worst) {
+std::size_t nearest(const check::Series& series, const check::Deviation& worst) {
   const bool timed = series.time.size() == series.size() && std::isfinite(worst.time);
   const std::vector<double>& at = timed ? series.time : series.abscissa;
   const double wanted = timed ? worst.time : worst.abscissa;
@@ -62,7 +62,8 @@ std::array<ReportCurve, kColumns - 1> chosen(std::size_t count, std::size_t limi
   return curves;
 }
 
-ReportCurve thin(const Series& series, const Deviation& worst, std::size_t limit, bool& thinned) {
+ReportCurve thin(const check::Series& series, const check::Deviation& worst, std::size_t limit,
+                 bool& thinned) {
   return chosen<2>(series.size(), limit, nearest(series, worst), thinned, [&](std::size_t i) {
     return std::array{series.abscissa[i], series.value[i]};
   })[0];
@@ -70,14 +71,14 @@ ReportCurve thin(const Series& series, const Deviation& worst, std::size_t limit
 
 }  // namespace
 
-void put_trace(ReportCheck& check, const CheckTrace& trace, std::size_t checks) {
+void put_trace(ReportCheck& check, const check::CheckTrace& trace, std::size_t checks) {
   check.abscissa = trace.abscissa_label;
   check.abscissa_unit = trace.abscissa_unit;
   if (trace.tube > 0.0) check.tube = trace.tube;
   const std::size_t limit =
       std::clamp(kPointsOfCase / std::max<std::size_t>(checks, 1), kFewestPoints,
                  check.verdict.passed ? kPointsOfPassed : kPointsOfFailed);
-  const Deviation& worst = check.verdict.worst;
+  const check::Deviation& worst = check.verdict.worst;
   if (trace.value.abscissa != trace.reference.abscissa) {
     check.value = thin(trace.value, worst, limit, check.thinned);
     check.reference = thin(trace.reference, worst, limit, check.thinned);
@@ -95,4 +96,4 @@ void put_trace(ReportCheck& check, const CheckTrace& trace, std::size_t checks) 
   check.difference = std::move(curves[2]);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

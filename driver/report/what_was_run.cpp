@@ -15,7 +15,7 @@
 #include "driver/results/coverage.hpp"
 #include "driver/results/normal_shares.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 namespace {
 
 constexpr std::size_t kMostRowsOfTable = 200;
@@ -30,7 +30,7 @@ struct Match : Cases... {
 std::string arguments_of(const law::TableFunction& function) {
   std::vector<std::string> names;
   for (const law::Independent& one : function.independents())
-    names.push_back(independent_name(one));
+    names.push_back(results::independent_name(one));
   return fmt::format("a table over {}", fmt::join(names, ", "));
 }
 
@@ -43,7 +43,7 @@ TextTable table_of(const std::string& title, const std::string& value,
     told.head.push_back(table.dependents() == 1 ? value : fmt::format("{} {}", value, k + 1));
   }
   for (const law::Independent& one : function.independents()) {
-    told.head.push_back(independent_name(one));
+    told.head.push_back(results::independent_name(one));
   }
   const std::size_t rows = std::min(table.rows(), kMostRowsOfTable);
   told.left_out = table.rows() - rows;
@@ -66,7 +66,7 @@ std::string law_words(const law::FrictionLaw& law) {
         } else if constexpr (std::is_same_v<Law, law::ConstantCoefficient>) {
           return "constant, " + digits(one.mu);
         } else {
-          return fmt::format("{}: {}; {}", Law::kTitle, Law::kFormula, numbers(one));
+          return fmt::format("{}: {}; {}", Law::kTitle, Law::kFormula, read::numbers(one));
         }
       },
       law);
@@ -74,10 +74,10 @@ std::string law_words(const law::FrictionLaw& law) {
 
 std::string contact_words(const law::ContactForce& contact) {
   return std::visit(
-      Match{[](const law::ComponentContactForce& one) { return force_name(one.component); },
+      Match{[](const law::ComponentContactForce& one) { return cases::force_name(one.component); },
             [](const law::DerivedComponent& terms) {
               std::vector<std::string> words;
-              for (const law::DerivedTerm& term : terms) words.push_back(term_words(term));
+              for (const law::DerivedTerm& term : terms) words.push_back(results::term_words(term));
               return fmt::format("{}", fmt::join(words, " + "));
             },
             [](const law::UniversalJointContact& joint) {
@@ -89,11 +89,11 @@ std::string contact_words(const law::ContactForce& contact) {
 
 class Teller {
  public:
-  explicit Teller(const Case& problem) : problem_(problem) {}
+  explicit Teller(const cases::Case& problem) : problem_(problem) {}
 
   WhatWasRun tell() && {
     connection();
-    for (const CaseDefinition& definition : problem_.definitions) friction(definition);
+    for (const cases::CaseDefinition& definition : problem_.definitions) friction(definition);
     forces();
     history();
     return std::move(run_);
@@ -112,7 +112,7 @@ class Teller {
     const law::ConnectionInfo& info = problem_.connection.info;
     std::vector<std::string> free;
     for (int c = 0; c < law::kComponents; ++c) {
-      if (info.available.contains(c)) free.push_back(motion_name(c));
+      if (info.available.contains(c)) free.push_back(cases::motion_name(c));
     }
     fact("connection", fmt::format("{}, free: {}", info.name, fmt::join(free, ", ")));
     if (problem_.pair) {
@@ -128,7 +128,7 @@ class Teller {
     }
   }
 
-  void friction(const CaseDefinition& definition) {
+  void friction(const cases::CaseDefinition& definition) {
     const law::FrictionDefinition& one = definition.law;
     const std::string& name = definition.name;
     const bool two = one.formulation && one.formulation->orthotropy;
@@ -143,7 +143,7 @@ class Teller {
     for (int k = 0; k < one.slip.dimension; ++k) {
       const auto i = static_cast<std::size_t>(k);
       const double scale = one.slip.scale[i];
-      along.push_back(motion_name(one.slip.component[i]) +
+      along.push_back(cases::motion_name(one.slip.component[i]) +
                       (scale == 1.0 ? "" : fmt::format(" on radius {}", digits(scale))));
     }
     fact(name + ": acts along", fmt::format("{}", fmt::join(along, ", ")));
@@ -173,15 +173,15 @@ class Teller {
       for (const auto& [there, word] :
            {std::pair{kinetic.is_elastic(c), "elasticity"},
             std::pair{kinetic.is_damped(c), "damping"}, std::pair{stopped, "stop"}}) {
-        if (there) words.push_back(fmt::format("{} along {}", word, motion_name(c)));
+        if (there) words.push_back(fmt::format("{} along {}", word, cases::motion_name(c)));
       }
     }
     fact("beside friction", fmt::format("{}", fmt::join(words, ", ")));
     if (const auto& mass = problem_.dynamics) {
-      fact("dynamics",
-           fmt::format("mass {} along {}, {}", digits(mass->mass), motion_name(mass->component),
-                       mass->driver ? "driver of mass " + digits(mass->driver->mass)
-                                    : "belt velocity " + digits(mass->belt_velocity)));
+      fact("dynamics", fmt::format("mass {} along {}, {}", digits(mass->mass),
+                                   cases::motion_name(mass->component),
+                                   mass->driver ? "driver of mass " + digits(mass->driver->mass)
+                                                : "belt velocity " + digits(mass->belt_velocity)));
     }
   }
 
@@ -196,12 +196,12 @@ class Teller {
     }
     TextTable told{"History", {"Step", "Duration", "Increments", "Prescribed"}, {}, 0};
     const bool repeats = std::any_of(problem_.steps.begin(), problem_.steps.end(),
-                                     [](const Step& step) { return step.repeat > 1; });
+                                     [](const cases::Step& step) { return step.repeat > 1; });
     if (repeats) told.head.insert(told.head.end() - 1, "Times");
-    for (const Step& step : problem_.steps) {
+    for (const cases::Step& step : problem_.steps) {
       std::vector<std::string> drives;
-      for (const Drive& drive : step.drives) {
-        drives.push_back(quantity_name(drive.quantity) + " " + profile_words(drive.profile));
+      for (const cases::Drive& drive : step.drives) {
+        drives.push_back(cases::quantity_name(drive.quantity) + " " + profile_words(drive.profile));
       }
       if (!step.friction_changes.empty()) drives.emplace_back("friction changes");
       std::vector<std::string> cells{step.name, digits(step.duration),
@@ -213,12 +213,12 @@ class Teller {
     run_.tables.push_back(std::move(told));
   }
 
-  static std::string profile_words(const Profile& profile) {
+  static std::string profile_words(const history::Profile& profile) {
     return std::visit(
-        Match{[](const Constant& one) { return digits(one.value); },
-              [](const LinearTo& one) { return "to " + digits(one.value); },
-              [](const SmoothTo& one) { return "smoothly to " + digits(one.value); },
-              [](const Wave& one) {
+        Match{[](const history::Constant& one) { return digits(one.value); },
+              [](const history::LinearTo& one) { return "to " + digits(one.value); },
+              [](const history::SmoothTo& one) { return "smoothly to " + digits(one.value); },
+              [](const history::Wave& one) {
                 constexpr std::array<std::string_view, 4> kShapes{"sine", "triangle", "sawtooth",
                                                                   "square"};
                 std::string text = fmt::format("{} of amplitude {} and period {}",
@@ -228,22 +228,24 @@ class Teller {
                 if (one.phase != 0.0) text += fmt::format(", phase {} rad", digits(one.phase));
                 return text;
               },
-              [](const Tabular& one) { return fmt::format("by {} points", one.times.size()); },
-              [](const CsvColumn& one) {
+              [](const history::Tabular& one) {
+                return fmt::format("by {} points", one.times.size());
+              },
+              [](const history::CsvColumn& one) {
                 return fmt::format("by column {} of {}", one.value_column,
                                    std::filesystem::path(one.data.shown_name).filename().string());
               },
-              [](const ExpressionProfile& one) { return "= " + one.expression.text(); },
-              [](const PositionFormula& one) { return "= " + one.expression.text(); }},
+              [](const history::ExpressionProfile& one) { return "= " + one.expression.text(); },
+              [](const history::PositionFormula& one) { return "= " + one.expression.text(); }},
         profile);
   }
 
-  const Case& problem_;
+  const cases::Case& problem_;
   WhatWasRun run_;
 };
 
 }  // namespace
 
-WhatWasRun what_was_run(const Case& problem) { return Teller(problem).tell(); }
+WhatWasRun what_was_run(const cases::Case& problem) { return Teller(problem).tell(); }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

@@ -8,7 +8,7 @@
 
 #include "driver/case/case.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 
 /// A small table of texts.
 struct TextTable {
@@ -27,6 +27,6 @@ struct WhatWasRun {
 };
 
 /// All but the text.
-WhatWasRun what_was_run(const Case& problem);
+WhatWasRun what_was_run(const cases::Case& problem);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

@@ -6,7 +6,7 @@
 
 #include "driver/case/quantity.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
 std::optional<double> area_of(const law::FrictionLaw& law) {
@@ -19,7 +19,7 @@ std::optional<double> area_of(const law::FrictionLaw& law) {
 }
 }  // namespace
 
-Owner owner_of(const Case& problem, int component) {
+Owner owner_of(const cases::Case& problem, int component) {
   for (std::size_t d = 0; d < problem.definitions.size(); ++d) {
     const law::SlipSpace& slip = problem.definitions[d].law.slip;
     for (int k = 0; k < slip.dimension; ++k) {
@@ -31,7 +31,7 @@ Owner owner_of(const Case& problem, int component) {
   return {};
 }
 
-std::optional<double> area_of(const Case& problem, std::size_t definition) {
+std::optional<double> area_of(const cases::Case& problem, std::size_t definition) {
   std::optional<double> area;
   for_each_law(problem, definition, [&](const law::FrictionLaw& law) {
     if (!area) area = area_of(law);
@@ -44,18 +44,20 @@ namespace number {
 double no_friction(const Cell&) { return 0.0; }
 
 double position(const Cell& at) {
-  return at.row.quantities[kFirstMotion + at.index()] - at.column.offset;
+  return at.row.quantities[cases::kFirstMotion + at.index()] - at.column.offset;
 }
 
 double mean_velocity(const Cell& at) {
-  const Row& row = at.row;
+  const bench::Row& row = at.row;
   return row.duration > 0.0
-             ? (row.quantities[kFirstMotion + at.index()] - row.begin.values[at.index()]) /
+             ? (row.quantities[cases::kFirstMotion + at.index()] - row.begin.values[at.index()]) /
                    row.duration
              : 0.0;
 }
 
-double prescribed_force(const Cell& at) { return at.row.quantities[kFirstForce + at.index()]; }
+double prescribed_force(const Cell& at) {
+  return at.row.quantities[cases::kFirstForce + at.index()];
+}
 
 double quantity(const Cell& at) { return at.row.quantities[at.index()]; }
 
@@ -68,7 +70,7 @@ double friction_force(const Cell& at) {
 }
 
 double total_force(const Cell& at) {
-  const ComponentForces& forces = at.forces();
+  const bench::ComponentForces& forces = at.forces();
   double friction = 0.0;
   if (const Owner owner = owner_of(at.problem, at.column.index); owner.definition >= 0) {
     const auto d = static_cast<std::size_t>(owner.definition);
@@ -80,7 +82,7 @@ double total_force(const Cell& at) {
 }
 
 double stop_flag(const Cell& at) {
-  return at.problem.stop[at.index()]->flag(at.row.quantities[kFirstMotion + at.index()]);
+  return at.problem.stop[at.index()]->flag(at.row.quantities[cases::kFirstMotion + at.index()]);
 }
 
 double kinetic_energy(const Cell& at) { return at.row.forces.kinetic_energy; }
@@ -89,14 +91,14 @@ double external_work(const Cell& at) { return at.row.forces.external_work; }
 
 double chain_force(const Cell& at) {
   double sum = 0.0;
-  for (const DefinitionRow& ring : at.row.definitions) sum += ring.update.state.force[0];
+  for (const bench::DefinitionRow& ring : at.row.definitions) sum += ring.update.state.force[0];
   return sum;
 }
 
 double flow_behind(const Cell& at) { return at.own().behind.flow; }
 
 double slip_velocity(const Cell& at) {
-  const Row& row = at.row;
+  const bench::Row& row = at.row;
   if (!(row.duration > 0.0)) return 0.0;
   const law::SlipSpace& slip = at.law().slip;
   double sum = 0.0;
@@ -104,7 +106,7 @@ double slip_velocity(const Cell& at) {
     const auto i = static_cast<std::size_t>(k);
     const auto c = static_cast<std::size_t>(slip.component[i]);
     sum += at.own().update.direction[i] * slip.scale[i] *
-           (row.quantities[kFirstMotion + c] - row.begin.values[c]);
+           (row.quantities[cases::kFirstMotion + c] - row.begin.values[c]);
   }
   return sum / row.duration;
 }
@@ -129,4 +131,4 @@ double band_end(const Cell& at, law::FlowSense sense) {
 }
 
 }  // namespace number
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

@@ -8,31 +8,31 @@
 #include "driver/results/columns.hpp"
 #include "law/update/capstan_update.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 
 /// The definition that acts in a component, and the entry of its slip space; -1 if there is none.
 struct Owner {
   int definition = -1;
   int entry = 0;
 };
-Owner owner_of(const Case& problem, int component);
+Owner owner_of(const cases::Case& problem, int component);
 
 /// Calls visit(law) for the laws a definition has in the course of the case.
 template <class Visit>
-void for_each_law(const Case& problem, std::size_t definition, Visit&& visit) {
+void for_each_law(const cases::Case& problem, std::size_t definition, Visit&& visit) {
   const law::FrictionDefinition& own = problem.definitions[definition].law;
   visit(own.law);
   if (own.formulation && own.formulation->orthotropy) visit(own.formulation->orthotropy->second);
   if (problem.definitions[definition].backward) visit(*problem.definitions[definition].backward);
-  for (const Step& step : problem.steps) {
-    for (const FrictionChange& change : step.friction_changes) {
+  for (const cases::Step& step : problem.steps) {
+    for (const cases::FrictionChange& change : step.friction_changes) {
       if (change.definition == definition) visit(change.law);
     }
   }
 }
 
 /// The area that turns the normal force into the pressure a law of the definition sees.
-std::optional<double> area_of(const Case& problem, std::size_t definition);
+std::optional<double> area_of(const cases::Case& problem, std::size_t definition);
 
 namespace number {
 
@@ -60,4 +60,4 @@ double ring_angle(const Cell& at);
 double band_end(const Cell& at, law::FlowSense sense);
 
 }  // namespace number
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

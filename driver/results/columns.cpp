@@ -12,19 +12,23 @@
 #include "law/update/capstan_update.hpp"
 #include "law/update/penalty_update.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
-constexpr Dimension kNumber{};
-constexpr Dimension kEnergy{.force = 1, .length = 1};
+constexpr base::Dimension kNumber{};
+constexpr base::Dimension kEnergy{.force = 1, .length = 1};
 
-Dimension per_time(Dimension dimension) {
+base::Dimension per_time(base::Dimension dimension) {
   --dimension.time;
   return dimension;
 }
 
-Dimension motion_dimension(int component) { return law::is_rotation(component) ? kAngle : kLength; }
-Dimension force_dimension(int component) { return law::is_rotation(component) ? kMoment : kForce; }
+base::Dimension motion_dimension(int component) {
+  return law::is_rotation(component) ? base::kAngle : base::kLength;
+}
+base::Dimension force_dimension(int component) {
+  return law::is_rotation(component) ? base::kMoment : base::kForce;
+}
 
 std::string of_component(int component) {
   return law::is_rotation(component) ? fmt::format("about the {}-axis", component - 2)
@@ -32,25 +36,25 @@ std::string of_component(int component) {
 }
 
 /// The quantities a case drives.
-std::set<int> driven_quantities(const Case& problem) {
+std::set<int> driven_quantities(const cases::Case& problem) {
   std::set<int> driven;
-  for (const Step& step : problem.steps) {
-    for (const Drive& drive : step.drives) driven.insert(drive.quantity);
+  for (const cases::Step& step : problem.steps) {
+    for (const cases::Drive& drive : step.drives) driven.insert(drive.quantity);
   }
   if (problem.measured) {
-    for (const MeasuredColumn& column : problem.measured->columns) {
+    for (const history::MeasuredColumn& column : problem.measured->columns) {
       driven.insert(static_cast<int>(column.quantity));
     }
   }
   return driven;
 }
 
-void add_motion(const Case& problem, int c, std::vector<Column>& columns) {
-  const Dimension dimension = motion_dimension(c);
+void add_motion(const cases::Case& problem, int c, std::vector<Column>& columns) {
+  const base::Dimension dimension = motion_dimension(c);
   const std::string where = of_component(c);
-  const std::string suffix = component_suffix(c);
+  const std::string suffix = cases::component_suffix(c);
   const Owner owner = owner_of(problem, c);
-  const auto add = [&](const char* prefix, Dimension of, std::string text, ColumnValue value,
+  const auto add = [&](const char* prefix, base::Dimension of, std::string text, ColumnValue value,
                        double offset) {
     columns.push_back({prefix + suffix, of, std::move(text), value, c, owner.definition, offset});
   };
@@ -72,15 +76,15 @@ void add_motion(const Case& problem, int c, std::vector<Column>& columns) {
       number::mean_velocity, 0.0);
 }
 
-void add_forces(const Case& problem, int c, std::vector<Column>& columns) {
-  const Dimension dimension = force_dimension(c);
+void add_forces(const cases::Case& problem, int c, std::vector<Column>& columns) {
+  const base::Dimension dimension = force_dimension(c);
   const std::string where = of_component(c);
   const char* what = law::is_rotation(c) ? "moment " : "force ";
   if (problem.connection.info.held.contains(c)) {
-    columns.push_back({force_column("CRF", c), dimension,
+    columns.push_back({cases::force_column("CRF", c), dimension,
                        std::string("Constraint ") + what + where + ", as prescribed.",
                        number::prescribed_force, c});
-    columns.push_back({force_column("CTF", c), dimension,
+    columns.push_back({cases::force_column("CTF", c), dimension,
                        std::string("Total ") + what + where + ": the constraint's.",
                        number::prescribed_force, c});
     return;
@@ -91,7 +95,7 @@ void add_forces(const Case& problem, int c, std::vector<Column>& columns) {
   const bool mass = problem.dynamics && problem.dynamics->component == c;
   const bool loaded = mass || problem.force_driven.contains(c);
   const auto add = [&](const char* prefix, std::string text, ColumnValue of) {
-    columns.push_back({force_column(prefix, c), dimension, std::move(text), of, c});
+    columns.push_back({cases::force_column(prefix, c), dimension, std::move(text), of, c});
   };
   if (problem.kinetic.is_elastic(c)) {
     add("CEF", std::string("Elastic ") + what + where + ".", number::elastic_force);
@@ -99,13 +103,13 @@ void add_forces(const Case& problem, int c, std::vector<Column>& columns) {
   if (problem.kinetic.is_damped(c)) {
     add("CVF", std::string("Viscous ") + what + where + ".", number::viscous_force);
   }
-  columns.push_back({force_column("CSF", c), dimension,
+  columns.push_back({cases::force_column("CSF", c), dimension,
                      std::string("Friction ") + what + where + ".", value, owner.entry,
                      owner.definition});
-  columns.push_back({force_column("CTF", c), dimension,
+  columns.push_back({cases::force_column("CTF", c), dimension,
                      std::string("Total ") + what + where + ": friction only.", value, owner.entry,
                      owner.definition});
-  if (!acts_beside_friction(problem, c) && !loaded) return;
+  if (!cases::acts_beside_friction(problem, c) && !loaded) return;
   columns.pop_back();
   if (stopped) {
     add("CRF", std::string("Reaction ") + what + where + " of a stop.",
@@ -128,7 +132,7 @@ void add_forces(const Case& problem, int c, std::vector<Column>& columns) {
 }
 
 /// Energies that belong to no friction definition.
-void add_energies(const Case& problem, std::vector<Column>& columns) {
+void add_energies(const cases::Case& problem, std::vector<Column>& columns) {
   const auto add = [&](const char* name, const char* text, ColumnValue value) {
     columns.push_back({name, kEnergy, text, value});
   };
@@ -149,14 +153,14 @@ void add_energies(const Case& problem, std::vector<Column>& columns) {
   if (!problem.dynamics) return;
   if (problem.dynamics->driver) {
     const int c = problem.dynamics->component;
-    const Dimension velocity = per_time(motion_dimension(c));
+    const base::Dimension velocity = per_time(motion_dimension(c));
     columns.push_back({"MASS_V", velocity, "Velocity of the mass.", [](const Cell& at) {
                          return at.row.forces.velocity + at.row.forces.driver_velocity;
                        }});
     columns.push_back({"DRIVER_V", velocity, "Velocity of the driver.",
                        [](const Cell& at) { return at.row.forces.driver_velocity; }});
     columns.push_back({"DRIVER_LOAD", force_dimension(c), "Load on the driver, as prescribed.",
-                       number::quantity, kDriverLoad});
+                       number::quantity, cases::kDriverLoad});
     add("KINETIC_E", "Kinetic energy of mass and driver.", number::kinetic_energy);
     add("EXTERNAL_WORK", "Work of the loads on mass and driver since the start.",
         number::external_work);
@@ -168,49 +172,49 @@ void add_energies(const Case& problem, std::vector<Column>& columns) {
 }
 
 /// Motions and tensions of a belt; what it lacks (a length, moving nodes) has no column.
-void add_belt(const Case& problem, std::vector<Column>& columns) {
+void add_belt(const cases::Case& problem, std::vector<Column>& columns) {
   // Without a case, as for `slipbench list quantities`: everything.
   const bool all = !problem.belt;
-  const auto add = [&](std::string name, Dimension dimension, std::string text, ColumnValue value,
-                       int index = 0, int definition = -1) {
+  const auto add = [&](std::string name, base::Dimension dimension, std::string text,
+                       ColumnValue value, int index = 0, int definition = -1) {
     columns.push_back({std::move(name), dimension, std::move(text), value, index, definition});
   };
   const bool has_length = all || problem.belt->has_length;
   if (has_length) {
-    add("CP1", kLength, "Distance of the nodes a and b of a belt.", number::position, 0);
+    add("CP1", base::kLength, "Distance of the nodes a and b of a belt.", number::position, 0);
     add("CU1", kNumber, "Strain of the belt between a and b.",
         [](const Cell& at) { return at.row.belt.strain; });
-    add("CV1", per_time(kLength), "Mean rate of the distance over the increment.",
+    add("CV1", per_time(base::kLength), "Mean rate of the distance over the increment.",
         number::mean_velocity, 0);
   }
   const auto add_flow = [&](int c, const char* text) {
-    add("CU" + component_suffix(c), kLength, text, number::position, c);
+    add("CU" + cases::component_suffix(c), base::kLength, text, number::position, c);
     columns.back().offset = problem.initial[c];
   };
-  add("CP2", kLength, "Flow of material over the ring at b.", number::position, 1);
+  add("CP2", base::kLength, "Flow of material over the ring at b.", number::position, 1);
   add_flow(1, "Flow of material over the ring at b since the start.");
-  add("CV2", per_time(kLength), "Mean rate of the flow at b over the increment.",
+  add("CV2", per_time(base::kLength), "Mean rate of the flow at b over the increment.",
       number::mean_velocity, 1);
-  add("CP3", kLength, "Flow of material into the segment at a.", number::position, 2);
+  add("CP3", base::kLength, "Flow of material into the segment at a.", number::position, 2);
   add_flow(2, "Flow of material into the segment at a since the start.");
-  add("CV3", per_time(kLength), "Mean rate of the flow at a over the increment.",
+  add("CV3", per_time(base::kLength), "Mean rate of the flow at a over the increment.",
       number::mean_velocity, 2);
   if (has_length) {
-    add("reference_length", kLength, "Unstrained length of the belt between a and b.",
+    add("reference_length", base::kLength, "Unstrained length of the belt between a and b.",
         [](const Cell& at) { return at.row.belt.reference_length; });
   }
   if (all || (problem.belt->nodes_move && problem.belt->angle_from_nodes)) {
-    add("wrap_angle", kAngle, "Angle the belt turns by at b.",
+    add("wrap_angle", base::kAngle, "Angle the belt turns by at b.",
         [](const Cell& at) { return at.row.belt.wrap_angle; });
   }
-  add("CTF1", kForce, "Tension f_ab of the segment between a and b; 0 of a slack belt.",
-      [](const Cell& at) { return std::max(at.row.quantities[kFirstForce], 0.0); });
+  add("CTF1", base::kForce, "Tension f_ab of the segment between a and b; 0 of a slack belt.",
+      [](const Cell& at) { return std::max(at.row.quantities[cases::kFirstForce], 0.0); });
   if (problem.kinetic.elasticity[0]) {
-    add("CEF1", kForce, "Tension of the segment from the elasticity of the belt.",
+    add("CEF1", base::kForce, "Tension of the segment from the elasticity of the belt.",
         number::elastic_force);
   }
   if (problem.kinetic.damping[0]) {
-    add("CVF1", kForce, "Tension of the segment from the damping of the belt.",
+    add("CVF1", base::kForce, "Tension of the segment from the damping of the belt.",
         number::viscous_force);
   }
   if (problem.stop[0]) {
@@ -223,13 +227,13 @@ void add_belt(const Case& problem, std::vector<Column>& columns) {
   const ColumnValue value = chain ? number::chain_force : number::friction_force;
   const std::string text =
       chain ? "f_bc - f_ab over all rings." : "Friction force of the ring, f_bc - f_ab.";
-  add("CSF2", kForce, text, value, 0, chain ? -1 : 0);
-  add("CTF2", kForce, text, value, 0, chain ? -1 : 0);
+  add("CSF2", base::kForce, text, value, 0, chain ? -1 : 0);
+  add("CTF2", base::kForce, text, value, 0, chain ? -1 : 0);
   add(
-      "f_bc", kForce, chain ? "Tension behind the last ring." : "Tension behind the ring.",
+      "f_bc", base::kForce, chain ? "Tension behind the last ring." : "Tension behind the ring.",
       [](const Cell& at) { return law::tension_behind(at.own().update); }, 0, last);
   if (all || !problem.belt->lengths.empty()) {
-    add("flow_c", kLength, "Flow of material out at the end of the belt's last segment.",
+    add("flow_c", base::kLength, "Flow of material out at the end of the belt's last segment.",
         number::flow_behind, 0, last);
   }
   if (all || problem.belt->both_tensions) {
@@ -243,14 +247,14 @@ void add_belt(const Case& problem, std::vector<Column>& columns) {
 }
 
 /// Adds what a law that sees pressure and speed saw, and what it gave before its floor.
-void add_coefficient(const Case& problem, int d, const std::string& suffix,
+void add_coefficient(const cases::Case& problem, int d, const std::string& suffix,
                      std::vector<Column>& columns) {
   const auto index = static_cast<std::size_t>(d);
   const law::FrictionDefinition& definition = problem.definitions[index].law;
   const bool angular = is_rotational(definition);
-  const Dimension speed = per_time(angular ? kAngle : kLength);
-  const auto add = [&](const char* name, Dimension dimension, const char* text, ColumnValue value,
-                       int entry = 0) {
+  const base::Dimension speed = per_time(angular ? base::kAngle : base::kLength);
+  const auto add = [&](const char* name, base::Dimension dimension, const char* text,
+                       ColumnValue value, int entry = 0) {
     columns.push_back({name + suffix, dimension, text, value, entry, d});
   };
   bool floored = false;
@@ -285,24 +289,24 @@ void add_coefficient(const Case& problem, int d, const std::string& suffix,
 }
 
 /// The forces on the way through a formulation and its filter.
-void add_formulation(const Case& problem, int d, const std::string& suffix,
+void add_formulation(const cases::Case& problem, int d, const std::string& suffix,
                      std::vector<Column>& columns) {
   const law::FrictionDefinition& definition = problem.definitions[static_cast<std::size_t>(d)].law;
   const bool filtered = definition.formulation->filter.kind != law::Filter::Kind::kNone;
   for (int k = 0; k < definition.slip.dimension; ++k) {
     const int c = definition.slip.component[static_cast<std::size_t>(k)];
     columns.push_back(
-        {force_column("CSF", c) + "_TRIAL", force_dimension(c),
+        {cases::force_column("CSF", c) + "_TRIAL", force_dimension(c),
          "Force of the penalty before the limit.",
          [](const Cell& at) { return at.scale() * at.own().penalty.trial[at.index()]; }, k, d});
-    columns.push_back({force_column("CSF", c) + "_RAW", force_dimension(c),
+    columns.push_back({cases::force_column("CSF", c) + "_RAW", force_dimension(c),
                        "Force within the limit, before the filter.",
                        [](const Cell& at) { return at.scale() * at.own().penalty.raw[at.index()]; },
                        k, d});
   }
   if (std::holds_alternative<law::ViscousPenalty>(definition.formulation->penalty)) {
     const bool rotational = is_rotational(definition);
-    Dimension viscous = rotational ? kMoment : kForce;
+    base::Dimension viscous = rotational ? base::kMoment : base::kForce;
     if (!rotational) --viscous.length;
     ++viscous.time;
     columns.push_back({"VISC_C" + suffix, viscous, "Coefficient C of the viscous penalty.",
@@ -320,13 +324,14 @@ void add_formulation(const Case& problem, int d, const std::string& suffix,
        0, d});
 }
 
-void add_definition(const Case& problem, int d, std::vector<Column>& columns) {
-  const CaseDefinition& definition = problem.definitions[static_cast<std::size_t>(d)];
+void add_definition(const cases::Case& problem, int d, std::vector<Column>& columns) {
+  const cases::CaseDefinition& definition = problem.definitions[static_cast<std::size_t>(d)];
   const bool rotational = is_rotational(definition.law);
-  const Dimension force = rotational ? kMoment : kForce;
-  const Dimension slip = rotational ? kAngle : kLength;
+  const base::Dimension force = rotational ? base::kMoment : base::kForce;
+  const base::Dimension slip = rotational ? base::kAngle : base::kLength;
   const std::string suffix = problem.definitions.size() > 1 ? "." + definition.name : "";
-  const auto add = [&](std::string name, Dimension dimension, std::string text, ColumnValue value) {
+  const auto add = [&](std::string name, base::Dimension dimension, std::string text,
+                       ColumnValue value) {
     columns.push_back({std::move(name), dimension, std::move(text), value, 0, d});
   };
   if (definition.coupled) {
@@ -340,8 +345,8 @@ void add_definition(const Case& problem, int d, std::vector<Column>& columns) {
   } else {
     const int c = definition.law.slip.component[0];
     // The rings of a chain share their component, so that its number does not tell them apart.
-    const std::string ring = is_belt(problem.connection) ? suffix : "";
-    if (is_belt(problem.connection)) {
+    const std::string ring = cases::is_belt(problem.connection) ? suffix : "";
+    if (cases::is_belt(problem.connection)) {
       add("CSF2_MAX" + ring, force, "Upper end of the stick band of CSF2: flow from a to c.",
           [](const Cell& at) { return number::band_end(at, law::FlowSense::kForward); });
       add("CSF2_MIN" + ring, force, "Lower end of the stick band of CSF2: flow from c to a.",
@@ -352,7 +357,7 @@ void add_definition(const Case& problem, int d, std::vector<Column>& columns) {
       add("f_bc" + ring, force, "Tension behind the ring.",
           [](const Cell& at) { return law::tension_behind(at.own().update); });
     }
-    if (is_belt(problem.connection) && (!problem.belt || !problem.belt->lengths.empty())) {
+    if (cases::is_belt(problem.connection) && (!problem.belt || !problem.belt->lengths.empty())) {
       if (d > 0) {
         columns.push_back(
             {"CP2" + ring, slip, "Flow of material over the ring.", number::flow_behind, 0, d - 1});
@@ -364,11 +369,11 @@ void add_definition(const Case& problem, int d, std::vector<Column>& columns) {
       add("strain_bc" + ring, kNumber, "Strain of the segment behind the ring.",
           [](const Cell& at) { return at.own().behind.strain; });
     }
-    add(force_column("CNF", c) + ring, force,
-        is_belt(problem.connection) ? "Tension in front of the ring, its contact force."
-                                    : "Effective normal force of the definition.",
+    add(cases::force_column("CNF", c) + ring, force,
+        cases::is_belt(problem.connection) ? "Tension in front of the ring, its contact force."
+                                           : "Effective normal force of the definition.",
         number::normal_force);
-    add("CASU" + component_suffix(c) + ring, slip, "Accumulated slip of the definition.",
+    add("CASU" + cases::component_suffix(c) + ring, slip, "Accumulated slip of the definition.",
         number::accumulated_slip);
   }
   const bool filtered = definition.law.formulation &&
@@ -388,7 +393,7 @@ void add_definition(const Case& problem, int d, std::vector<Column>& columns) {
   add("SEL" + suffix, slip, "Elastic slip.",
       [](const Cell& at) { return law::equivalent_elastic_slip(at.law(), at.own().update.state); });
   if (definition.dead_zone) {
-    add("PLAY" + component_suffix(definition.law.slip.component[0]), slip,
+    add("PLAY" + cases::component_suffix(definition.law.slip.component[0]), slip,
         "Play of the dead zone, from -width/2 to width/2.",
         [](const Cell& at) { return at.own().play; });
   }
@@ -398,7 +403,7 @@ void add_definition(const Case& problem, int d, std::vector<Column>& columns) {
       [](const Cell& at) { return at.own().update.stored_energy; });
   add("WORK" + suffix, kEnergy, "Work of the friction force since the start.",
       [](const Cell& at) { return at.own().work; });
-  if (problem.integration.snap_back == SnapBackAction::kJump) {
+  if (problem.integration.snap_back == cases::SnapBackAction::kJump) {
     add("LOST" + suffix, kEnergy,
         "Energy since the start that the stick spring lost in jumps at constant motion.",
         [](const Cell& at) { return at.own().lost; });
@@ -415,7 +420,7 @@ std::optional<Column> by_name(std::span<const Column> columns, std::string_view 
 
 }  // namespace
 
-double column_value(const Column& column, const Case& problem, const Row& row) {
+double column_value(const Column& column, const cases::Case& problem, const bench::Row& row) {
   return column.value({column, problem, row});
 }
 
@@ -427,11 +432,11 @@ bool is_rotational(const law::FrictionDefinition& definition) {
   return law::is_rotational(definition.slip);
 }
 
-std::vector<Column> result_columns(const Case& problem) {
+std::vector<Column> result_columns(const cases::Case& problem) {
   std::vector<Column> columns;
-  columns.push_back({"t", kTime, "Total time.", [](const Cell& at) { return at.row.time; }});
+  columns.push_back({"t", base::kTime, "Total time.", [](const Cell& at) { return at.row.time; }});
   const law::ConnectionInfo& info = problem.connection.info;
-  const bool belt = is_belt(problem.connection);
+  const bool belt = cases::is_belt(problem.connection);
   if (belt) add_belt(problem, columns);
   for (int c = 0; c < law::kComponents && !belt; ++c) {
     if (info.available.contains(c)) add_motion(problem, c, columns);
@@ -444,16 +449,16 @@ std::vector<Column> result_columns(const Case& problem) {
   }
   if (!belt) add_energies(problem, columns);
   for (const int quantity : driven_quantities(problem)) {
-    if (quantity < kTemperatureQuantity || quantity >= kTensionBehind) continue;
-    const bool temperature = quantity == kTemperatureQuantity;
-    columns.push_back({quantity_name(quantity), temperature ? kTemperature : kNumber,
+    if (quantity < cases::kTemperatureQuantity || quantity >= cases::kTensionBehind) continue;
+    const bool temperature = quantity == cases::kTemperatureQuantity;
+    columns.push_back({cases::quantity_name(quantity), temperature ? base::kTemperature : kNumber,
                        temperature ? "Temperature." : "Field variable.", number::quantity,
                        quantity});
   }
   return columns;
 }
 
-std::vector<Column> output_columns(const Case& problem) {
+std::vector<Column> output_columns(const cases::Case& problem) {
   std::vector<Column> all = result_columns(problem);
   if (problem.output_columns.empty()) return all;
   std::vector<Column> selected = {all.front()};
@@ -466,12 +471,12 @@ std::vector<Column> output_columns(const Case& problem) {
   return selected;
 }
 
-std::optional<Column> find_column(const Case& problem, std::span<const Column> columns,
+std::optional<Column> find_column(const cases::Case& problem, std::span<const Column> columns,
                                   std::string_view name) {
   if (auto column = by_name(columns, name)) return column;
-  if (const auto held = component_of_motion(name);
+  if (const auto held = cases::component_of_motion(name);
       held && problem.connection.info.held.contains(*held)) {
-    return Column{std::string(name), law::is_rotation(*held) ? kAngle : kLength,
+    return Column{std::string(name), law::is_rotation(*held) ? base::kAngle : base::kLength,
                   "Held position, constant.", number::position, *held};
   }
   const std::size_t dot = name.find('.');
@@ -483,7 +488,7 @@ std::optional<Column> find_column(const Case& problem, std::span<const Column> c
   return column;
 }
 
-std::vector<std::string> column_names(const Case& problem) {
+std::vector<std::string> column_names(const cases::Case& problem) {
   std::vector<std::string> names;
   const std::vector<Column> columns = result_columns(problem);
   for (const Column& column : columns) names.push_back(column.name);
@@ -493,9 +498,9 @@ std::vector<std::string> column_names(const Case& problem) {
     names.push_back(column.name + "." + problem.definitions[owner].name);
   }
   for (int c = 0; c < law::kComponents; ++c) {
-    if (problem.connection.info.held.contains(c)) names.push_back(motion_name(c));
+    if (problem.connection.info.held.contains(c)) names.push_back(cases::motion_name(c));
   }
   return names;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

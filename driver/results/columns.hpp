@@ -12,7 +12,7 @@
 #include "driver/bench/simulation.hpp"
 #include "driver/case/case.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 
 struct Cell;
 /// Reads the number of a column off a row.
@@ -22,7 +22,7 @@ using ColumnValue = double (*)(const Cell& at);
 /// its number is read off a row.
 struct Column {
   std::string name;
-  Dimension dimension;
+  base::Dimension dimension;
   std::string text;
   ColumnValue value = nullptr;
   int index = 0;        ///< component 0..5, entry of the slip space, or flat quantity
@@ -33,36 +33,36 @@ struct Column {
 /// One number of the result: a column in a row.
 struct Cell {
   const Column& column;
-  const Case& problem;
-  const Row& row;
+  const cases::Case& problem;
+  const bench::Row& row;
 
   std::size_t index() const { return static_cast<std::size_t>(column.index); }
   std::size_t definition() const { return static_cast<std::size_t>(column.definition); }
-  const DefinitionRow& own() const { return row.definitions[definition()]; }
+  const bench::DefinitionRow& own() const { return row.definitions[definition()]; }
   const law::FrictionDefinition& law() const { return problem.definitions[definition()].law; }
   double scale() const { return law().slip.scale[index()]; }
-  const ComponentForces& forces() const { return row.forces.component[index()]; }
+  const bench::ComponentForces& forces() const { return row.forces.component[index()]; }
 };
 
 /// All columns a case has, in the order of the result file (docs/guide, "Read the result"). Names
 /// of one definition's columns end in `.name` where there are several definitions.
-std::vector<Column> result_columns(const Case& problem);
+std::vector<Column> result_columns(const cases::Case& problem);
 
 /// The columns of the result file: those the case selects under `output.columns`, in its order and
 /// after `t`, or all of them. Names that do not exist are left out; the reader reports them.
-std::vector<Column> output_columns(const Case& problem);
+std::vector<Column> output_columns(const cases::Case& problem);
 
 /// The column of a name, for checks: besides the names of `result_columns`, those that belong to a
 /// definition may carry its `.name` even where the file omits it (CSF1.sleeve, FLIM.sleeve), and
 /// the positions of held components, which are constant (CPR2 of a universal joint).
-std::optional<Column> find_column(const Case& problem, std::span<const Column> columns,
+std::optional<Column> find_column(const cases::Case& problem, std::span<const Column> columns,
                                   std::string_view name);
 
 /// Every name a check may use, for suggestions.
-std::vector<std::string> column_names(const Case& problem);
+std::vector<std::string> column_names(const cases::Case& problem);
 
 /// The number of a column in a row of a run of `problem`.
-double column_value(const Column& column, const Case& problem, const Row& row);
+double column_value(const Column& column, const cases::Case& problem, const bench::Row& row);
 
 bool is_position(const Column& column);          ///< CP, and with an offset CU and CCU
 bool is_friction_force(const Column& column);    ///< of one entry of a definition's slip space
@@ -75,4 +75,4 @@ inline constexpr double kUseWithoutLimit = 1e9;
 /// scaled to a force.
 bool is_rotational(const law::FrictionDefinition& definition);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

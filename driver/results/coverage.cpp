@@ -12,7 +12,7 @@
 #include "driver/base/text/format_number.hpp"
 #include "driver/bench/connector_increment.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
 /// Moves `axis.last` to the interval of `x`, right-hand at a grid point. Increments follow each
@@ -41,11 +41,11 @@ std::string independent_name(const law::Independent& independent) {
     case Kind::kField:
       return fmt::format("field{}", independent.index + 1);
     case Kind::kPosition:
-      return motion_name(independent.index);
+      return cases::motion_name(independent.index);
     case Kind::kConstitutiveMotion:
       break;
   }
-  return "CU" + component_suffix(independent.index);
+  return "CU" + cases::component_suffix(independent.index);
 }
 
 std::size_t TableCoverage::unvisited() const {
@@ -56,13 +56,13 @@ std::string TableCoverage::cell_text(std::size_t cell) const {
   std::string text;
   for (const Axis& axis : axes) {
     const std::size_t i = cell / axis.stride % axis.intervals();
-    text += (text.empty() ? "" : ", ") + axis.name + " " + format_number(axis.knots[i]);
-    if (axis.knots.size() > 1) text += " .. " + format_number(axis.knots[i + 1]);
+    text += (text.empty() ? "" : ", ") + axis.name + " " + base::format_number(axis.knots[i]);
+    if (axis.knots.size() > 1) text += " .. " + base::format_number(axis.knots[i + 1]);
   }
   return text;
 }
 
-Coverage::Coverage(const Case& problem) : case_(&problem) {
+Coverage::Coverage(const cases::Case& problem) : case_(&problem) {
   constexpr int kEver = std::numeric_limits<int>::max();
   const auto add_law = [&](const law::FrictionLaw& law, std::size_t d, std::string what, int first,
                            int end, Sense sense = Sense::kAny) {
@@ -78,7 +78,7 @@ Coverage::Coverage(const Case& problem) : case_(&problem) {
     int since = 0;
     const auto& backward = problem.definitions[d].backward;
     for (std::size_t s = 0; s < problem.steps.size(); ++s) {
-      for (const FrictionChange& change : problem.steps[s].friction_changes) {
+      for (const cases::FrictionChange& change : problem.steps[s].friction_changes) {
         if (change.definition != d) continue;
         if (s > 0) add_law(*law, d, what, since, static_cast<int>(s));
         law = &change.law;
@@ -126,8 +126,8 @@ void Coverage::add_table(const law::TableFunction& function, Use use, std::size_
   probes_.push_back({&function, use, first_step, end_step, sense});
 }
 
-void Coverage::count(const Row& row) {
-  const law::Ambient end = ambient_of(row.quantities, case_->reference);
+void Coverage::count(const bench::Row& row) {
+  const law::Ambient end = bench::ambient_of(row.quantities, case_->reference);
   for (std::size_t t = 0; t < tables_.size(); ++t) {
     const Probe& probe = probes_[t];
     if (row.step < probe.first_step || row.step >= probe.end_step) continue;
@@ -206,7 +206,7 @@ std::string Coverage::text(std::size_t most_lines) const {
               std::tuple{axis.above, "above", axis.knots.back()}}) {
           if (count == 0) continue;
           where += fmt::format("{}{} {} {}", where.empty() ? "" : ", ", axis.name, side,
-                               format_number(knot));
+                               base::format_number(knot));
         }
       }
       const bool held = table.extrapolation == law::Extrapolation::kConstant;
@@ -220,20 +220,20 @@ std::string Coverage::text(std::size_t most_lines) const {
   return text;
 }
 
-json::Value Coverage::to_json() const {
+base::json::Value Coverage::to_json() const {
   constexpr std::size_t kMostListed = 1000;
-  json::Value all = json::Array{};
+  base::json::Value all = base::json::Array{};
   for (const TableCoverage& table : tables_) {
-    json::Value one;
+    base::json::Value one;
     one["definition"] = case_->definitions[table.definition].name;
     one["table"] = table.what;
     one["increments"] = table.increments;
     one["increments_outside"] = table.outside;
     const bool held = table.extrapolation == law::Extrapolation::kConstant;
     one["outside"] = held ? "held" : "prolonged";
-    json::Value axes = json::Array{};
+    base::json::Value axes = base::json::Array{};
     for (const TableCoverage::Axis& axis : table.axes) {
-      json::Value entry;
+      base::json::Value entry;
       entry["independent"] = axis.name;
       entry["first"] = axis.knots.front();
       entry["last"] = axis.knots.back();
@@ -245,8 +245,8 @@ json::Value Coverage::to_json() const {
     if (!table.visits.empty()) {
       one["cells"] = table.visits.size();
       one["cells_never_visited"] = table.unvisited();
-      json::Value never = json::Array{};
-      json::Value visited = json::Array{};
+      base::json::Value never = base::json::Array{};
+      base::json::Value visited = base::json::Array{};
       std::size_t listed = 0;
       for (std::size_t cell = 0; cell < table.visits.size() && listed < kMostListed; ++cell) {
         ++listed;
@@ -254,7 +254,7 @@ json::Value Coverage::to_json() const {
           never.push_back(table.cell_text(cell));
           continue;
         }
-        json::Value entry;
+        base::json::Value entry;
         entry["cell"] = table.cell_text(cell);
         entry["increments"] = table.visits[cell];
         visited.push_back(entry);
@@ -268,4 +268,4 @@ json::Value Coverage::to_json() const {
   return all;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

@@ -11,7 +11,7 @@
 #include "driver/case/case.hpp"
 #include "law/table/table_function.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 
 /// Use that a run made of the parts of a table. A cell is what lies between neighbouring grid
 /// points in every independent, the grid points of all blocks taken together.
@@ -47,9 +47,9 @@ struct TableCoverage {
 /// end of the increment. The storage is fixed by the tables; a case without tables costs nothing.
 class Coverage {
  public:
-  explicit Coverage(const Case& problem);
+  explicit Coverage(const cases::Case& problem);
   /// Row 0 counts nothing.
-  void add(const Row& row) {
+  void add(const bench::Row& row) {
     if (!probes_.empty() && row.index > 0) count(row);
   }
 
@@ -65,7 +65,7 @@ class Coverage {
   /// \param most_lines at most so many lines; more tables are counted in one
   std::string text(std::size_t most_lines = 3) const;
   /// All tables; of those with many unvisited cells the first thousand.
-  json::Value to_json() const;
+  base::json::Value to_json() const;
 
   /// Cells beyond which a table is only counted along its independents, each for itself.
   static constexpr std::size_t kMostCells = std::size_t{1} << 20U;
@@ -83,10 +83,10 @@ class Coverage {
   };
   void add_table(const law::TableFunction& function, Use use, std::size_t definition,
                  std::string what, int first_step, int end_step, Sense sense = Sense::kAny);
-  void count(const Row& row);
+  void count(const bench::Row& row);
   void count(const law::Ambient& end, const law::FrictionUpdate& update, std::size_t table);
 
-  const Case* case_;
+  const cases::Case* case_;
   std::vector<Probe> probes_;  ///< one for each of tables_
   std::vector<TableCoverage> tables_;
 };
@@ -94,4 +94,4 @@ class Coverage {
 /// An independent as a case writes it: slip_rate, CP1, CU1, field2, ...
 std::string independent_name(const law::Independent& independent);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

@@ -10,7 +10,7 @@
 #include "driver/results/result_layout.hpp"
 #include "law/update/penalty_predictor.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
 /// Which force columns belong to which definition: "# friction: sliding = CSFC(CSF2 CSF3),
@@ -33,12 +33,13 @@ std::string direction_line(const ResultLayout& layout) {
     const auto first = layout.directions.find(friction.name);
     if (first == layout.directions.end()) continue;
     text += (text.empty() ? "# direction1: " : ", ") + friction.name + " = " +
-            format_number(first->second[0]) + " " + format_number(first->second[1]);
+            base::format_number(first->second[0]) + " " + base::format_number(first->second[1]);
   }
   return text.empty() ? text : text + "\n";
 }
 
-double representative_force(const CaseDefinition& definition, const law::FrictionState& state) {
+double representative_force(const cases::CaseDefinition& definition,
+                            const law::FrictionState& state) {
   const law::SlipSpace& slip = definition.law.slip;
   if (!definition.coupled && slip.dimension == 1) return slip.scale[0] * state.force[0];
   return law::equivalent_force(definition.law, state);
@@ -46,17 +47,18 @@ double representative_force(const CaseDefinition& definition, const law::Frictio
 
 }  // namespace
 
-double representative_force(const CaseDefinition& definition, const DefinitionRow& row) {
+double representative_force(const cases::CaseDefinition& definition,
+                            const bench::DefinitionRow& row) {
   return representative_force(definition, row.update.state);
 }
 
-double limited_force(const CaseDefinition& definition, const DefinitionRow& row) {
+double limited_force(const cases::CaseDefinition& definition, const bench::DefinitionRow& row) {
   if (!definition.law.formulation) return representative_force(definition, row);
   return representative_force(definition, limited_state(definition.law, row));
 }
 
 law::FrictionState limited_state(const law::FrictionDefinition& definition,
-                                 const DefinitionRow& row) {
+                                 const bench::DefinitionRow& row) {
   law::FrictionState state = row.update.state;
   if (definition.formulation && law::smooths(*definition.formulation)) {
     state.force = row.penalty.raw;
@@ -64,7 +66,8 @@ law::FrictionState limited_state(const law::FrictionDefinition& definition,
   return state;
 }
 
-CsvWriter::CsvWriter(const Case& problem, std::vector<Column> columns, OutputFile& file)
+CsvWriter::CsvWriter(const cases::Case& problem, std::vector<Column> columns,
+                     base::OutputFile& file)
     : case_(&problem), columns_(std::move(columns)), file_(&file) {
   file.append(provenance_lines(problem));
   const ResultLayout layout = layout_of(problem, columns_);
@@ -73,7 +76,7 @@ CsvWriter::CsvWriter(const Case& problem, std::vector<Column> columns, OutputFil
   std::string units;
   for (const Column& column : columns_) {
     units += (units.empty() ? "# columns: " : ", ") + column.name + " [" +
-             unit_text(column.dimension, problem.units) + "]";
+             base::unit_text(column.dimension, problem.units) + "]";
   }
   file.append(units + "\n");
   std::string header;
@@ -81,14 +84,14 @@ CsvWriter::CsvWriter(const Case& problem, std::vector<Column> columns, OutputFil
   file.append(header + "\n");
 }
 
-void CsvWriter::write(const Row& row) {
+void CsvWriter::write(const bench::Row& row) {
   std::string& text = file_->buffer();
   for (const Column& column : columns_) {
-    append_number(text, column_value(column, *case_, row));
+    base::append_number(text, column_value(column, *case_, row));
     text += ',';
   }
   text.back() = '\n';
   file_->flush_if_full();
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

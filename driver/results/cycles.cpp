@@ -7,44 +7,45 @@
 
 #include "driver/history/step_grid.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
-bool has_wave(const Step& step) {
-  return std::any_of(step.drives.begin(), step.drives.end(), [](const Drive& drive) {
-    return std::holds_alternative<Wave>(drive.profile);
+bool has_wave(const cases::Step& step) {
+  return std::any_of(step.drives.begin(), step.drives.end(), [](const cases::Drive& drive) {
+    return std::holds_alternative<history::Wave>(drive.profile);
   });
 }
 
 }  // namespace
 
-double cycle_length(const Step& step) {
+double cycle_length(const cases::Step& step) {
   // Periods in text have few digits: a third may be 0.33333333.
   constexpr double kWhole = 1e-6;
   double longest = 0.0;
-  for (const Drive& drive : step.drives) {
-    if (const auto* wave = std::get_if<Wave>(&drive.profile)) {
+  for (const cases::Drive& drive : step.drives) {
+    if (const auto* wave = std::get_if<history::Wave>(&drive.profile)) {
       longest = std::max(longest, wave->period);
     }
   }
   if (longest == 0.0) return step.repeat > 1 ? step.duration : 0.0;
-  for (const Drive& drive : step.drives) {
-    const auto* wave = std::get_if<Wave>(&drive.profile);
+  for (const cases::Drive& drive : step.drives) {
+    const auto* wave = std::get_if<history::Wave>(&drive.profile);
     if (wave == nullptr) continue;
     const double times = longest / wave->period;
     if (std::abs(times - std::rint(times)) > kWhole * times) return 0.0;
   }
-  return longest <= step.duration * (1.0 + kSameTime) ? longest : 0.0;
+  return longest <= step.duration * (1.0 + history::kSameTime) ? longest : 0.0;
 }
 
-CycleCounter::CycleCounter(const Case& problem)
+CycleCounter::CycleCounter(const cases::Case& problem)
     : energies_(problem.definitions.size()),
       start_(problem.definitions.size()),
       before_(problem.definitions.size()) {
-  for (const Step& step : problem.steps) steps_.push_back({cycle_length(step), has_wave(step)});
+  for (const cases::Step& step : problem.steps)
+    steps_.push_back({cycle_length(step), has_wave(step)});
 }
 
-void CycleCounter::add(const Row& row) {
+void CycleCounter::add(const bench::Row& row) {
   if (row.index > 0 && !steps_.empty()) {
     if (row.step != step_ || row.pass != pass_ || row.index == 1) {
       step_ = row.step;
@@ -57,7 +58,7 @@ void CycleCounter::add(const Row& row) {
     const double width = row.step_time - step_time_;
     while (length > 0.0) {
       const double end = static_cast<double>(ends_ + 1) * length;
-      if (row.step_time < end * (1.0 - kSameTime)) break;
+      if (row.step_time < end * (1.0 - history::kSameTime)) break;
       end_cycle(width > 0.0 ? std::clamp((end - step_time_) / width, 0.0, 1.0) : 1.0, row);
       ++ends_;
     }
@@ -66,7 +67,7 @@ void CycleCounter::add(const Row& row) {
   for (std::size_t d = 0; d < before_.size(); ++d) before_[d] = row.definitions[d].dissipation;
 }
 
-void CycleCounter::end_cycle(double fraction, const Row& row) {
+void CycleCounter::end_cycle(double fraction, const bench::Row& row) {
   (steps_[static_cast<std::size_t>(row.step)].wave ? waves_ : repeats_) = true;
   for (std::size_t d = 0; d < energies_.size(); ++d) {
     const double now = row.definitions[d].dissipation;
@@ -89,4 +90,4 @@ std::string CycleCounter::found_by() const {
   return repeats_ ? "repeated step" : "";
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

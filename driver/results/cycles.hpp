@@ -9,7 +9,7 @@
 #include "driver/bench/simulation.hpp"
 #include "driver/case/case.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 
 /// Dissipated energy of the whole cycles of a run, for one definition [F L].
 struct CycleEnergy {
@@ -24,22 +24,22 @@ struct CycleEnergy {
 /// The length of a cycle in a step [T]: the longest period of its waves, of motions or of anything
 /// else, if all the others fit into it a whole number of times; the step's duration if it has no
 /// waves and is repeated; 0 if neither, or if the step is shorter than a period.
-double cycle_length(const Step& step);
+double cycle_length(const cases::Step& step);
 
 /// Adds up the energy of each cycle. Cycles are counted from the start of each pass of a step; what
 /// a step has left over after its last whole cycle does not count. Where no row ends with a cycle,
 /// the energy is interpolated between rows. Nothing grows with the number of rows.
 class CycleCounter {
  public:
-  explicit CycleCounter(const Case& problem);
-  void add(const Row& row);
+  explicit CycleCounter(const cases::Case& problem);
+  void add(const bench::Row& row);
   /// One for each definition of the case.
   std::span<const CycleEnergy> energies() const { return energies_; }
   /// Returns what made the cycles: "period of the waves", "repeated step", both, or empty.
   std::string found_by() const;
 
  private:
-  void end_cycle(double fraction, const Row& row);
+  void end_cycle(double fraction, const bench::Row& row);
 
   struct StepCycle {
     double length = 0.0;
@@ -57,4 +57,4 @@ class CycleCounter {
   bool repeats_ = false;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

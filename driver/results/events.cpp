@@ -9,7 +9,7 @@
 #include "driver/results/csv_writer.hpp"
 #include "driver/results/provenance.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 
 const char* regime_name(law::Regime regime) {
   if (regime == law::Regime::kOpen) return "open";
@@ -18,22 +18,22 @@ const char* regime_name(law::Regime regime) {
 
 const char* goal_name(const Event& event) { return event.jump ? kJumpWord : regime_name(event.to); }
 
-double position_at(const Event& event, const Row& row, int component) {
+double position_at(const Event& event, const bench::Row& row, int component) {
   const auto c = static_cast<std::size_t>(component);
   const double begin = row.begin.values[c];
-  const double end = row.quantities[kFirstMotion + c];
+  const double end = row.quantities[cases::kFirstMotion + c];
   return event.fraction == 1.0 ? end : begin + event.fraction * (end - begin);
 }
 
-EventDetector::EventDetector(const Case& problem)
+EventDetector::EventDetector(const cases::Case& problem)
     : case_(&problem), memory_(problem.definitions.size()) {
   events_.reserve(problem.definitions.size() * (law::RegimeChanges{}.at.size() + 2));
 }
 
-std::span<const Event> EventDetector::take(const Row& row) {
+std::span<const Event> EventDetector::take(const bench::Row& row) {
   events_.clear();
   for (std::size_t d = 0; d < memory_.size(); ++d) {
-    const DefinitionRow& here = row.definitions[d];
+    const bench::DefinitionRow& here = row.definitions[d];
     Memory& memory = memory_[d];
     if (row.index > 0) judge(row, d);
     if (here.update.jumps > 0) {
@@ -58,7 +58,7 @@ std::span<const Event> EventDetector::take(const Row& row) {
   return events_;
 }
 
-bool EventDetector::turns(std::size_t definition, const DefinitionRow& here) const {
+bool EventDetector::turns(std::size_t definition, const bench::DefinitionRow& here) const {
   double along = 0.0;
   for (std::size_t k = 0; k < here.update.direction.size(); ++k) {
     along += memory_[definition].slip_direction[k] * here.update.direction[k];
@@ -66,8 +66,8 @@ bool EventDetector::turns(std::size_t definition, const DefinitionRow& here) con
   return along < 0.0;
 }
 
-void EventDetector::judge(const Row& row, std::size_t definition) {
-  const DefinitionRow& here = row.definitions[definition];
+void EventDetector::judge(const bench::Row& row, std::size_t definition) {
+  const bench::DefinitionRow& here = row.definitions[definition];
   if (here.changes.count > 0) {
     add_located(row, definition);
     return;
@@ -77,8 +77,8 @@ void EventDetector::judge(const Row& row, std::size_t definition) {
   const law::Regime to = update.state.regime;
   const bool slips = to == law::Regime::kSlip;
   // Exact integration has located what there is: slip that goes on has turned step by step.
-  const bool goes_on =
-      case_->integration.method == IntegrationMethod::kExact && memory.regime == law::Regime::kSlip;
+  const bool goes_on = case_->integration.method == cases::IntegrationMethod::kExact &&
+                       memory.regime == law::Regime::kSlip;
   const bool reversal = slips && !goes_on && turns(definition, here);
   if (memory.regime == to && !reversal) return;
   const double slip_before = update.state.accumulated_slip - update.slip_increment;
@@ -107,8 +107,8 @@ void EventDetector::judge(const Row& row, std::size_t definition) {
   events_.push_back(event);
 }
 
-void EventDetector::add_located(const Row& row, std::size_t definition) {
-  const DefinitionRow& here = row.definitions[definition];
+void EventDetector::add_located(const bench::Row& row, std::size_t definition) {
+  const bench::DefinitionRow& here = row.definitions[definition];
   Memory& memory = memory_[definition];
   const bool signed_force = !case_->definitions[definition].coupled &&
                             here.update.state.regime != law::Regime::kOpen &&
@@ -140,7 +140,7 @@ void EventDetector::add_located(const Row& row, std::size_t definition) {
   }
 }
 
-EventWriter::EventWriter(const Case& problem, OutputFile& file)
+EventWriter::EventWriter(const cases::Case& problem, base::OutputFile& file)
     : case_(&problem), detector_(problem), file_(&file) {
   std::string text = provenance_lines(problem);
   text += "t,definition,from,to,force,limit,accumulated_slip";
@@ -152,23 +152,23 @@ EventWriter::EventWriter(const Case& problem, OutputFile& file)
   file.append(text + "\n");
 }
 
-void EventWriter::write(const Row& row) {
+void EventWriter::write(const bench::Row& row) {
   for (const Event& event : detector_.take(row)) {
     std::string& text = file_->buffer();
-    append_number(text, event.time);
+    base::append_number(text, event.time);
     text.append(",").append(case_->definitions[event.definition].name).append(",");
     text.append(regime_name(event.from)).append(",").append(goal_name(event));
     for (const double number : {event.force, event.limit, event.accumulated_slip}) {
       text += ',';
-      append_number(text, number);
+      base::append_number(text, number);
     }
     for (const Column& position : positions_) {
       text += ',';
-      append_number(text, position_at(event, row, position.index) - position.offset);
+      base::append_number(text, position_at(event, row, position.index) - position.offset);
     }
     text += '\n';
     file_->flush_if_full();
   }
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

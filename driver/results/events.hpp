@@ -9,7 +9,7 @@
 #include "driver/case/case.hpp"
 #include "driver/results/columns.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 
 /// A change between open, stick and slip, slip that turns to the opposite sense (slip to slip), or
 /// a jump of the force at constant motion while it slips.
@@ -28,7 +28,7 @@ struct Event {
 
 /// Returns where within its increment a position stood at the event; the motion is straight within
 /// it.
-double position_at(const Event& event, const Row& row, int component);
+double position_at(const Event& event, const bench::Row& row, int component);
 
 /// Finds the events of a run, row by row. Where the integration has located them, they are its own.
 /// Otherwise the increment is judged by its ends:
@@ -44,10 +44,10 @@ double position_at(const Event& event, const Row& row, int component);
 /// Nothing grows with the number of rows.
 class EventDetector {
  public:
-  explicit EventDetector(const Case& problem);
+  explicit EventDetector(const cases::Case& problem);
   /// The events of the increment that a row ends, in the order of their times; valid until the
   /// next call. Rows have to come one after the other, row 0 first, which has none.
-  std::span<const Event> take(const Row& row);
+  std::span<const Event> take(const bench::Row& row);
 
  private:
   struct Memory {
@@ -56,11 +56,11 @@ class EventDetector {
     double limit = 0.0;
     std::array<double, law::kComponents> slip_direction{};  ///< of the last slip
   };
-  void judge(const Row& row, std::size_t definition);
-  void add_located(const Row& row, std::size_t definition);
-  bool turns(std::size_t definition, const DefinitionRow& here) const;
+  void judge(const bench::Row& row, std::size_t definition);
+  void add_located(const bench::Row& row, std::size_t definition);
+  bool turns(std::size_t definition, const bench::DefinitionRow& here) const;
 
-  const Case* case_;
+  const cases::Case* case_;
   std::vector<Memory> memory_;
   std::vector<Event> events_;
   double begin_time_ = 0.0;
@@ -70,14 +70,14 @@ class EventDetector {
 /// force, limit and accumulated slip, and where.
 class EventWriter {
  public:
-  EventWriter(const Case& problem, OutputFile& file);
-  void write(const Row& row);
+  EventWriter(const cases::Case& problem, base::OutputFile& file);
+  void write(const bench::Row& row);
 
  private:
-  const Case* case_;
+  const cases::Case* case_;
   EventDetector detector_;
   std::vector<Column> positions_;
-  OutputFile* file_;
+  base::OutputFile* file_;
 };
 
 /// "open", "stick" or "slip".
@@ -86,4 +86,4 @@ const char* regime_name(law::Regime regime);
 const char* goal_name(const Event& event);
 inline constexpr const char* kJumpWord = "jump";
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

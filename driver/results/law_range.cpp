@@ -5,7 +5,7 @@
 #include <cmath>
 #include <initializer_list>
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
 /// After so many times the reciprocal of its rate an exponential has nothing left to show.
@@ -96,4 +96,4 @@ double area_of(const law::FrictionLaw& law) {
       law);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

@@ -6,7 +6,7 @@
 
 #include "law/friction/friction_law.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 
 /// A point of a coefficient over the slip rate that has a name of its own.
 struct Landmark {
@@ -28,4 +28,4 @@ LawRange law_range(const law::FrictionLaw& law);
 /// without an area because it does not need one.
 double area_of(const law::FrictionLaw& law);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

@@ -9,14 +9,15 @@
 #include "driver/case/quantity.hpp"
 #include "driver/results/columns.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
 /// Two terms may carry the same components: a number tells them apart.
 std::string name_of(const law::DerivedTerm& term, const std::vector<NormalShare>& before) {
   std::string components;
   for (int j = 0; j < term.count; ++j) {
-    components += (j == 0 ? "" : " ") + force_name(term.component[static_cast<std::size_t>(j)]);
+    components +=
+        (j == 0 ? "" : " ") + cases::force_name(term.component[static_cast<std::size_t>(j)]);
   }
   const std::string name = fmt::format("{} ({})", term_words(term), components);
   const auto same = std::count_if(before.begin(), before.end(), [&](const NormalShare& share) {
@@ -52,7 +53,7 @@ std::vector<NormalShare> contact_shares(const law::ContactForce& contact,
   const law::ConnectorForce& force = increment.force;
   std::vector<NormalShare> shares;
   if (const auto* component = std::get_if<law::ComponentContactForce>(&contact)) {
-    shares.push_back({force_name(component->component), force[component->component]});
+    shares.push_back({cases::force_name(component->component), force[component->component]});
   } else if (const auto* derived = std::get_if<law::DerivedComponent>(&contact)) {
     for (const law::DerivedTerm& term : *derived) {
       shares.push_back({name_of(term, shares), term_value(term, force, increment.end)});
@@ -86,4 +87,4 @@ std::vector<NormalShare> normal_shares(const law::FrictionDefinition& definition
   return shares;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

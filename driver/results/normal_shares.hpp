@@ -9,7 +9,7 @@
 #include "law/update/connector.hpp"
 #include "law/update/return_mapping.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 
 /// One part of what presses, with its sign [F] (a moment [F L] where the definition has one).
 struct NormalShare {
@@ -40,4 +40,4 @@ std::vector<NormalShare> normal_shares(const law::FrictionDefinition& definition
                                        const law::FrictionUpdate& update,
                                        const law::ConnectorIncrement& increment);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
 constexpr std::int64_t kFew = 4;
@@ -67,4 +67,4 @@ std::vector<double> PixelColumns::finish() {
   return std::move(done_);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

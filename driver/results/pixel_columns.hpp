@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 
 /// Thins rows while they come, for curves over a time axis of known ends that a picture is so many
 /// pixels wide for. A column of pixels with up to four rows keeps them. Of more it keeps the first
@@ -40,4 +40,4 @@ class PixelColumns {
   std::vector<double> done_;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

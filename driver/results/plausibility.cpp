@@ -15,13 +15,14 @@
 #include "driver/results/columns.hpp"
 #include "law/contact/contact_force.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
 constexpr double kOpenBalance = 0.01;
 
 /// The components whose force presses the parts of a definition together.
-law::ComponentSet pressing_components(const CaseDefinition& definition, const Case& problem) {
+law::ComponentSet pressing_components(const cases::CaseDefinition& definition,
+                                      const cases::Case& problem) {
   law::ComponentSet pressing;
   if (std::holds_alternative<law::Capstan>(definition.law.criterion)) {
     pressing.insert(0);
@@ -41,7 +42,8 @@ law::ComponentSet pressing_components(const CaseDefinition& definition, const Ca
 
 /// Returns whether the law of a definition has a stick spring, and moves with prescribed motions
 /// alone.
-bool is_measured_by_its_spring(const CaseDefinition& definition, const Case& problem) {
+bool is_measured_by_its_spring(const cases::CaseDefinition& definition,
+                               const cases::Case& problem) {
   const law::FrictionDefinition& law = definition.law;
   if (law.formulation || definition.dead_zone || problem.belt) return false;
   for (int i = 0; i < law.slip.dimension; ++i) {
@@ -52,7 +54,7 @@ bool is_measured_by_its_spring(const CaseDefinition& definition, const Case& pro
   return true;
 }
 
-std::string whose(const CaseDefinition& definition) {
+std::string whose(const cases::CaseDefinition& definition) {
   return fmt::format("friction '{}': ", definition.name);
 }
 
@@ -69,20 +71,20 @@ std::string percent(double part) { return fmt::format("{:.2g} %", 100.0 * part);
 
 }  // namespace
 
-Plausibility::Plausibility(const Case& problem)
+Plausibility::Plausibility(const cases::Case& problem)
     : case_(&problem),
       definitions_(problem.definitions.size()),
       springs_(problem.definitions.size()) {}
 
-void Plausibility::add(const Row& row) {
+void Plausibility::add(const bench::Row& row) {
   for (std::size_t d = 0; d < definitions_.size(); ++d) {
     const law::FrictionDefinition& law = case_->definitions[d].law;
-    const DefinitionRow& here = row.definitions[d];
+    const bench::DefinitionRow& here = row.definitions[d];
     const law::FrictionUpdate& update = here.update;
     DefinitionExtremes& all = definitions_[d];
     for (std::size_t i = 0; i < static_cast<std::size_t>(law.slip.dimension); ++i) {
       const auto component = static_cast<std::size_t>(law.slip.component[i]);
-      const double s = law.slip.scale[i] * row.quantities[kFirstMotion + component];
+      const double s = law.slip.scale[i] * row.quantities[cases::kFirstMotion + component];
       all.lowest_motion[i] = row.index == 0 ? s : std::min(all.lowest_motion[i], s);
       all.highest_motion[i] = row.index == 0 ? s : std::max(all.highest_motion[i], s);
     }
@@ -125,22 +127,22 @@ void Plausibility::add_spring(const law::FrictionUpdate& update, std::size_t ind
 }
 
 std::string Plausibility::no_pressure(std::size_t index) const {
-  const CaseDefinition& definition = case_->definitions[index];
+  const cases::CaseDefinition& definition = case_->definitions[index];
   if (definitions_[index].highest_normal_force > 0.0) return {};
   const law::ComponentSet pressing = pressing_components(definition, *case_);
   std::vector<std::string> all;
   std::vector<std::string> driven;
   for (int c = 0; c < law::kComponents; ++c) {
     if (!pressing.contains(c)) continue;
-    all.push_back(force_name(c));
+    all.push_back(cases::force_name(c));
     if (case_->kinetic.pressing.contains(c) && case_->force_driven.contains(c)) continue;
     if (case_->belt && case_->kinetic.is_elastic(c)) {
       driven.push_back("the strain CU1");
-    } else if (!case_->belt && acts_beside_friction(*case_, c)) {
-      const bool moves = is_driven(*case_, kFirstMotion + c);
-      driven.push_back(motion_name(c) + (moves ? "" : " (nothing moves it)"));
-    } else if (is_driven(*case_, kFirstForce + c)) {
-      driven.push_back(force_name(c));
+    } else if (!case_->belt && cases::acts_beside_friction(*case_, c)) {
+      const bool moves = cases::is_driven(*case_, cases::kFirstMotion + c);
+      driven.push_back(cases::motion_name(c) + (moves ? "" : " (nothing moves it)"));
+    } else if (cases::is_driven(*case_, cases::kFirstForce + c)) {
+      driven.push_back(cases::force_name(c));
     }
   }
   // That nothing drives it, or that its load balances all that presses, is said when the case is
@@ -154,7 +156,7 @@ std::string Plausibility::no_pressure(std::size_t index) const {
     return text + "it has no 'contact_force' that could be driven, and no 'internal_contact_force'";
   }
   const auto words = [](const std::vector<std::string>& names) {
-    return in_words(std::vector<std::string_view>(names.begin(), names.end()), "and");
+    return base::in_words(std::vector<std::string_view>(names.begin(), names.end()), "and");
   };
   return text + fmt::format("look at the size and the sign of {} in the history",
                             words(driven.empty() ? all : driven));
@@ -163,7 +165,7 @@ std::string Plausibility::no_pressure(std::size_t index) const {
 std::string Plausibility::no_motion() const {
   law::ComponentSet slipping;
   for (std::size_t d = 0; d < definitions_.size(); ++d) {
-    const CaseDefinition& definition = case_->definitions[d];
+    const cases::CaseDefinition& definition = case_->definitions[d];
     if (!is_measured_by_its_spring(definition, *case_) || motion_range(definitions_[d]) > 0.0) {
       return {};
     }
@@ -175,38 +177,39 @@ std::string Plausibility::no_motion() const {
   if (slipping.empty()) return {};
   std::vector<std::string> names;
   for (int c = 0; c < law::kComponents; ++c) {
-    if (slipping.contains(c)) names.push_back(motion_name(c));
+    if (slipping.contains(c)) names.push_back(cases::motion_name(c));
   }
   return fmt::format(
       "history: nothing moves: {} never changes, so nothing can slip; a step moves it, for example "
       "'motion: "
       "{{{}: {{to: 1}}}}'",
-      in_words(std::vector<std::string_view>(names.begin(), names.end()), "and"), names.front());
+      base::in_words(std::vector<std::string_view>(names.begin(), names.end()), "and"),
+      names.front());
 }
 
 std::string Plausibility::mere_spring(std::size_t index) const {
-  const CaseDefinition& definition = case_->definitions[index];
+  const cases::CaseDefinition& definition = case_->definitions[index];
   const DefinitionExtremes& all = definitions_[index];
   if (all.slips || all.smallest_elastic_slip == 0.0) return {};
   if (!is_measured_by_its_spring(definition, *case_)) return {};
   const double range = motion_range(all);
   if (range >= all.smallest_elastic_slip) return {};
   const std::string unit =
-      unit_text(is_rotational(definition.law) ? kAngle : kLength, case_->units);
+      base::unit_text(is_rotational(definition.law) ? base::kAngle : base::kLength, case_->units);
   const bool fixed = definition.law.stick.mode == law::StickStiffness::Mode::kElasticSlip;
   return whose(definition) +
          fmt::format(
              "its motion, {} in all, is less than the elastic slip that comes before any "
              "slip, {}: it never slips, and its force is that of the stick spring; move "
              "farther, or {}",
-             with_unit(rounded(range, 3), unit),
-             with_unit(rounded(all.smallest_elastic_slip, 3), unit),
+             base::with_unit(base::rounded(range, 3), unit),
+             base::with_unit(base::rounded(all.smallest_elastic_slip, 3), unit),
              fixed ? "take a smaller elastic slip under 'stick'"
                    : "raise the 'stiffness' under 'stick'");
 }
 
 std::string Plausibility::open_balance(std::size_t index) const {
-  const CaseDefinition& definition = case_->definitions[index];
+  const cases::CaseDefinition& definition = case_->definitions[index];
   const DefinitionExtremes& all = definitions_[index];
   // The force behind a filter, and a penalty as a program has it, keep no balance; a lost contact
   // and a force that drops from static to kinetic lose what no increments bring back.
@@ -215,10 +218,11 @@ std::string Plausibility::open_balance(std::size_t index) const {
   const double gap = (all.work - all.dissipation - all.lost - all.stored) / all.largest_energy;
   const double of_stepping = gap + all.stiffening / all.largest_energy;
   if (std::abs(gap) <= kOpenBalance) return {};
-  const std::string energies = fmt::format(
-      "the energy balance is open by {} (work {}, dissipated {}, stored {}): ",
-      percent(std::abs(gap)), energy_text(all.work, case_->units),
-      energy_text(all.dissipation, case_->units), energy_text(all.stored, case_->units));
+  const std::string energies =
+      fmt::format("the energy balance is open by {} (work {}, dissipated {}, stored {}): ",
+                  percent(std::abs(gap)), base::energy_text(all.work, case_->units),
+                  base::energy_text(all.dissipation, case_->units),
+                  base::energy_text(all.stored, case_->units));
   if (std::abs(of_stepping) <= kOpenBalance) {
     return whose(definition) + energies +
            "the stick stiffness changes while its spring is stretched, which no work of the "
@@ -243,4 +247,4 @@ std::vector<std::string> Plausibility::findings() const {
   return all;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

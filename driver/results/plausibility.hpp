@@ -8,7 +8,7 @@
 #include "driver/bench/simulation.hpp"
 #include "driver/case/case.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 
 /// Extremes of one friction definition, to judge whether its result is plausible.
 struct DefinitionExtremes {
@@ -32,8 +32,8 @@ struct DefinitionExtremes {
 /// Collects, row by row, what a user should doubt in a result; nothing grows with the rows.
 class Plausibility {
  public:
-  explicit Plausibility(const Case& problem);
-  void add(const Row& row);
+  explicit Plausibility(const cases::Case& problem);
+  void add(const bench::Row& row);
 
   /// In the order of the case's definitions.
   const std::vector<DefinitionExtremes>& definitions() const { return definitions_; }
@@ -54,9 +54,9 @@ class Plausibility {
   std::string mere_spring(std::size_t index) const;
   std::string open_balance(std::size_t index) const;
 
-  const Case* case_;
+  const cases::Case* case_;
   std::vector<DefinitionExtremes> definitions_;
   std::vector<Spring> springs_;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

@@ -11,7 +11,7 @@
 #include "driver/results/pixel_columns.hpp"
 #include "law/base/notation.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
 /// The position a friction force column goes with: CSF1 with CP1, CSM2 with CPR2, CSF2.ring1 with
@@ -19,7 +19,7 @@ namespace {
 std::string position_of(const std::string& column) {
   const std::string force = column.substr(0, column.find('.'));
   for (int c = 0; c < law::kComponents; ++c) {
-    if (force == force_column("CSF", c)) return motion_name(c);
+    if (force == cases::force_column("CSF", c)) return cases::motion_name(c);
   }
   return {};
 }
@@ -97,11 +97,11 @@ PlotData select_plot_columns(const ResultLayout& layout, PlotDetail detail) {
   return data;
 }
 
-tl::expected<void, HistoryError> each_row(
+tl::expected<void, base::HistoryError> each_row(
     const std::filesystem::path& file, const std::string& shown_name,
     const std::vector<std::string>& columns,
     const std::function<void(std::span<const double>, std::int64_t)>& take) {
-  auto reader = CsvReader::open(file, columns, shown_name);
+  auto reader = base::CsvReader::open(file, columns, shown_name);
   if (!reader) return tl::unexpected(std::move(reader.error()));
   std::vector<double> row(columns.size());
   for (std::int64_t index = 0;; ++index) {
@@ -112,15 +112,15 @@ tl::expected<void, HistoryError> each_row(
   }
 }
 
-tl::expected<PlotData, HistoryError> read_plot_data(const std::filesystem::path& file,
-                                                    const std::string& shown_name,
-                                                    PlotDetail detail, std::size_t pixels) {
-  auto opened = CsvReader::open(file, std::vector<std::string>{"t"}, shown_name);
+tl::expected<PlotData, base::HistoryError> read_plot_data(const std::filesystem::path& file,
+                                                          const std::string& shown_name,
+                                                          PlotDetail detail, std::size_t pixels) {
+  auto opened = base::CsvReader::open(file, std::vector<std::string>{"t"}, shown_name);
   if (!opened) return tl::unexpected(std::move(opened.error()));
   PlotData data = select_plot_columns(read_layout(file, opened->header()), detail);
   if (data.definitions.empty()) {
-    return tl::unexpected(HistoryError{
-        HistoryError::Kind::kInput, shown_name, 0, 0,
+    return tl::unexpected(base::HistoryError{
+        base::HistoryError::Kind::kInput, shown_name, 0, 0,
         "has no friction force to draw (a result of 'slipbench run' has a line '# friction:')"});
   }
   std::vector<std::string> names;
@@ -160,4 +160,4 @@ tl::expected<PlotData, HistoryError> read_plot_data(const std::filesystem::path&
   return data;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

@@ -15,7 +15,7 @@
 #include "driver/results/regime_history.hpp"
 #include "driver/results/result_layout.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 
 /// Column of a result, as a picture needs it.
 struct PlotColumn {
@@ -83,17 +83,17 @@ PlotData select_plot_columns(const ResultLayout& layout, PlotDetail detail = Plo
 /// with the result.
 ///
 /// Errors: those of CsvReader; a file without friction columns.
-tl::expected<PlotData, HistoryError> read_plot_data(const std::filesystem::path& file,
-                                                    const std::string& shown_name,
-                                                    PlotDetail detail = PlotDetail::kForces,
-                                                    std::size_t pixels = kDrawnPixels);
+tl::expected<PlotData, base::HistoryError> read_plot_data(const std::filesystem::path& file,
+                                                          const std::string& shown_name,
+                                                          PlotDetail detail = PlotDetail::kForces,
+                                                          std::size_t pixels = kDrawnPixels);
 
 /// Gives `take` the rows of a CSV file, of these columns, with the number of rows before each.
 ///
 /// Errors: those of CsvReader.
-tl::expected<void, HistoryError> each_row(
+tl::expected<void, base::HistoryError> each_row(
     const std::filesystem::path& file, const std::string& shown_name,
     const std::vector<std::string>& columns,
     const std::function<void(std::span<const double>, std::int64_t)>& take);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
 constexpr std::size_t kMostMarks = 4000;
@@ -64,4 +64,4 @@ RegimeHistory RegimeRecorder::end(double time) {
   return std::move(history_);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

@@ -8,7 +8,7 @@
 
 #include "driver/results/regime_spans.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 
 /// An instant at which a regime begins.
 struct RegimeMark {
@@ -54,4 +54,4 @@ class RegimeRecorder {
   double since_ = 0.0;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 
 void RegimeSpans::lengthen_or_begin(const RegimeSpan& span) {
   for (auto before = spans_.rbegin(); before != spans_.rend() && before->to >= span.from - gap_;
@@ -30,4 +30,4 @@ void RegimeSpans::add(int status, double from, double to) {
   for (const RegimeSpan& span : all) lengthen_or_begin(span);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

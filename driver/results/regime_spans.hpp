@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 
 /// Time spent in one regime without a break, as far as a picture can tell.
 struct RegimeSpan {
@@ -38,4 +38,4 @@ class RegimeSpans {
   std::vector<RegimeSpan> spans_;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

@@ -11,7 +11,7 @@
 #include "driver/yaml/node.hpp"
 #include "driver/yaml/parse.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
 constexpr const char* kStart = "# Fails as ";
@@ -26,10 +26,10 @@ std::string scalar(std::string_view text, bool quoted) {
                      });
   const bool negative = !quoted && text.size() > 1 && text.front() == '-' &&
                         (std::isdigit(static_cast<unsigned char>(text[1])) != 0 || text[1] == '.');
-  return plain || negative ? std::string(text) : json::Value(text).dump();
+  return plain || negative ? std::string(text) : base::json::Value(text).dump();
 }
 
-void flow(const Node& node, std::string& out) {
+void flow(const yaml::Node& node, std::string& out) {
   if (node.is_null()) {
     out += "null";
   } else if (node.is_scalar()) {
@@ -44,7 +44,7 @@ void flow(const Node& node, std::string& out) {
   } else {
     out += '{';
     bool first = true;
-    for (const Entry entry : node.entries()) {
+    for (const yaml::Entry entry : node.entries()) {
       if (!first) out += ", ";
       first = false;
       out += scalar(entry.key.text(), entry.key.quoted()) + ": ";
@@ -55,7 +55,7 @@ void flow(const Node& node, std::string& out) {
 }
 
 /// A list, an item a line.
-void list(const Node& node, std::size_t count, std::string& out) {
+void list(const yaml::Node& node, std::size_t count, std::string& out) {
   out += '\n';
   for (std::size_t i = 0; i < count; ++i) {
     out += "  - ";
@@ -66,19 +66,19 @@ void list(const Node& node, std::size_t count, std::string& out) {
 
 }  // namespace
 
-std::string reproducer(const SourceText& source, const Case& problem,
-                       const SimulationFailure& failure) {
-  const auto tree = parse_yaml(source);
+std::string reproducer(const base::SourceText& source, const cases::Case& problem,
+                       const bench::SimulationFailure& failure) {
+  const auto tree = yaml::parse_yaml(source);
   if (!tree) return {};
   std::string out = kStart + problem.file + kEndOfName + "# " + failure.message + "\n";
-  for (const Entry entry : tree->root().entries()) {
+  for (const yaml::Entry entry : tree->root().entries()) {
     const std::string_view key = entry.key.text();
     if (key == "checks" || key == "output") continue;
     out += std::string(key) + ":";
     if (key == "parameters") {
       std::string numbers;
       for (const auto& [name, value] : problem.parameters) {
-        numbers += (numbers.empty() ? "" : ", ") + name + ": " + format_number(value);
+        numbers += (numbers.empty() ? "" : ", ") + name + ": " + base::format_number(value);
       }
       out += " {" + numbers + "}\n";
     } else if (entry.value.is_sequence() && entry.value.size() > 0) {
@@ -96,11 +96,11 @@ std::string reproducer(const SourceText& source, const Case& problem,
   return out;
 }
 
-FileMark reproducer_mark(const Case& problem) {
+base::FileMark reproducer_mark(const cases::Case& problem) {
   return {.owner = "an unchanged case that fails as " + case_name(problem) + " did",
           .start = kStart,
           .text = case_name(problem) + kEndOfName,
           .sealed = true};
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

@@ -8,7 +8,7 @@
 #include "driver/base/text/number.hpp"
 #include "driver/case/quantity.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
 /// Cuts the text before `separator` off the front of `text`.
@@ -50,15 +50,15 @@ std::vector<FrictionColumns> read_friction(std::string_view text) {
 
 }  // namespace
 
-std::vector<FrictionColumns> friction_columns(const Case& problem) {
+std::vector<FrictionColumns> friction_columns(const cases::Case& problem) {
   std::vector<FrictionColumns> all;
   // The rings of a chain share their component: their columns carry their names.
-  const bool chain = is_belt(problem.connection) && problem.definitions.size() > 1;
-  for (const CaseDefinition& definition : problem.definitions) {
+  const bool chain = cases::is_belt(problem.connection) && problem.definitions.size() > 1;
+  for (const cases::CaseDefinition& definition : problem.definitions) {
     FrictionColumns one{definition.name, definition.coupled, {}};
     const law::SlipSpace& slip = definition.law.slip;
     for (int k = 0; k < slip.dimension; ++k) {
-      one.forces.push_back(force_column("CSF", slip.component[static_cast<std::size_t>(k)]) +
+      one.forces.push_back(cases::force_column("CSF", slip.component[static_cast<std::size_t>(k)]) +
                            (chain ? "." + definition.name : ""));
     }
     all.push_back(std::move(one));
@@ -66,7 +66,7 @@ std::vector<FrictionColumns> friction_columns(const Case& problem) {
   return all;
 }
 
-ResultLayout layout_of(const Case& problem, std::span<const Column> columns) {
+ResultLayout layout_of(const cases::Case& problem, std::span<const Column> columns) {
   ResultLayout layout;
   layout.title = problem.title;
   for (const auto& [name, unit] :
@@ -76,14 +76,14 @@ ResultLayout layout_of(const Case& problem, std::span<const Column> columns) {
     if (!unit->empty()) layout.units.emplace_back(name, *unit);
   }
   for (const auto& [name, value] : problem.parameters) {
-    layout.parameters.emplace_back(name, format_number(value));
+    layout.parameters.emplace_back(name, base::format_number(value));
   }
   for (const Column& column : columns) {
     layout.columns.push_back(column.name);
-    layout.column_units[column.name] = unit_text(column.dimension, problem.units);
+    layout.column_units[column.name] = base::unit_text(column.dimension, problem.units);
   }
   layout.friction = friction_columns(problem);
-  for (const CaseDefinition& definition : problem.definitions) {
+  for (const cases::CaseDefinition& definition : problem.definitions) {
     if (!definition.law.formulation || !definition.law.formulation->orthotropy) continue;
     layout.directions[definition.name] = definition.law.formulation->orthotropy->first;
   }
@@ -112,8 +112,8 @@ ResultLayout read_layout(const std::filesystem::path& file, std::span<const std:
     if (key == "# direction1") {
       for (const auto& [name, numbers] : read_pairs(text, " = ")) {
         std::string_view rest = numbers;
-        const auto x = parse_number(take(rest, " "));
-        const auto y = parse_number(rest);
+        const auto x = base::parse_number(take(rest, " "));
+        const auto y = base::parse_number(rest);
         if (x && y) layout.directions[name] = {*x, *y};
       }
     }
@@ -121,4 +121,4 @@ ResultLayout read_layout(const std::filesystem::path& file, std::span<const std:
   return layout;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

@@ -12,7 +12,7 @@
 #include "driver/case/case.hpp"
 #include "driver/results/columns.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 
 /// Which force columns belong to a friction definition.
 struct FrictionColumns {
@@ -33,13 +33,13 @@ struct ResultLayout {
   std::map<std::string, std::array<double, 2>, std::less<>> directions;
 };
 
-std::vector<FrictionColumns> friction_columns(const Case& problem);
+std::vector<FrictionColumns> friction_columns(const cases::Case& problem);
 
 /// The layout of a result of `problem` with these columns.
-ResultLayout layout_of(const Case& problem, std::span<const Column> columns);
+ResultLayout layout_of(const cases::Case& problem, std::span<const Column> columns);
 
 /// The layout of a result file; `header` are its columns. A line that is missing leaves its part
 /// empty: any CSV has a layout.
 ResultLayout read_layout(const std::filesystem::path& file, std::span<const std::string> header);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

@@ -6,7 +6,7 @@
 
 #include "driver/results/csv_writer.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
 /// Returns where a motion turns within an increment, as far as the cubic through its ends tells.
@@ -26,7 +26,7 @@ void add_turns(double begin, double begin_velocity, double end, double end_veloc
 
 }  // namespace
 
-StickSlipCounter::StickSlipCounter(const Case& problem, std::size_t definition)
+StickSlipCounter::StickSlipCounter(const cases::Case& problem, std::size_t definition)
     : case_(&problem), definition_(definition) {
   const law::SlipSpace& slip = problem.definitions[definition].law.slip;
   if (problem.dynamics && slip.dimension == 1 && slip.component[0] == problem.dynamics->component) {
@@ -34,7 +34,7 @@ StickSlipCounter::StickSlipCounter(const Case& problem, std::size_t definition)
   }
 }
 
-void StickSlipCounter::add(const Event& event, const Row& row) {
+void StickSlipCounter::add(const Event& event, const bench::Row& row) {
   if (slips_) slip_time_ += event.time - slips_since_;
   slips_ = event.to == law::Regime::kSlip;
   slips_since_ = event.time;
@@ -60,10 +60,10 @@ void StickSlipCounter::add(const Event& event, const Row& row) {
   if (component_ >= 0) place_.add(position_at(event, row, component_));
 }
 
-void StickSlipCounter::add(const Row& row) {
+void StickSlipCounter::add(const bench::Row& row) {
   force_.add(limited_force(case_->definitions[definition_], row.definitions[definition_]));
   if (component_ < 0) return;
-  const double end = row.quantities[static_cast<std::size_t>(kFirstMotion + component_)];
+  const double end = row.quantities[static_cast<std::size_t>(cases::kFirstMotion + component_)];
   if (row.index > 0) {
     add_turns(row.begin[component_], velocity_, end, row.forces.velocity, row.duration, place_);
   }
@@ -71,4 +71,4 @@ void StickSlipCounter::add(const Row& row) {
   velocity_ = row.forces.velocity;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

@@ -9,7 +9,7 @@
 #include "driver/case/case.hpp"
 #include "driver/results/events.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 
 /// A range that grows with what it is given.
 struct Extremes {
@@ -45,16 +45,16 @@ struct StickSlip {
 /// Collects the cycles of one definition, row by row; nothing grows with their number.
 class StickSlipCounter {
  public:
-  StickSlipCounter(const Case& problem, std::size_t definition);
+  StickSlipCounter(const cases::Case& problem, std::size_t definition);
   /// An event of this definition on the way to `row`.
-  void add(const Event& event, const Row& row);
+  void add(const Event& event, const bench::Row& row);
   /// After the events on the way to it.
-  void add(const Row& row);
+  void add(const bench::Row& row);
 
   const StickSlip& cycles() const { return done_; }
 
  private:
-  const Case* case_;
+  const cases::Case* case_;
   std::size_t definition_;
   int component_ = -1;  ///< of the mass, if this definition rubs on it
   StickSlip done_;
@@ -67,4 +67,4 @@ class StickSlipCounter {
   double velocity_ = 0.0;  ///< at the row before [L/T]
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

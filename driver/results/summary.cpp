@@ -16,7 +16,7 @@
 #include "law/update/penalty_update.hpp"
 #include "law/update/uniqueness.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
 /// A part of a whole in percent: whole numbers where they say enough.
@@ -51,7 +51,7 @@ double DefinitionSummary::energy_gap() const {
   return largest_energy > 0.0 ? (work - dissipation - lost - stored_energy) / largest_energy : 0.0;
 }
 
-Summary::Summary(const Case& problem)
+Summary::Summary(const cases::Case& problem)
     : case_(&problem),
       detector_(problem),
       cycles_(problem),
@@ -64,14 +64,14 @@ Summary::Summary(const Case& problem)
       positions_.push_back(std::move(column));
     }
   }
-  for (const CaseDefinition& definition : problem.definitions) {
+  for (const cases::CaseDefinition& definition : problem.definitions) {
     definitions_.push_back({});
     definitions_.back().name = definition.name;
     stick_slip_.emplace_back(problem, stick_slip_.size());
   }
 }
 
-void Summary::add(const Row& row) {
+void Summary::add(const bench::Row& row) {
   if (row.index == 0) {
     start_time_ = row.time;
     add_start(row);
@@ -84,7 +84,7 @@ void Summary::add(const Row& row) {
   coverage_.add(row);
   plausibility_.add(row);
   for (std::size_t d = 0; d < definitions_.size(); ++d) {
-    const DefinitionRow& here = row.definitions[d];
+    const bench::DefinitionRow& here = row.definitions[d];
     const law::FrictionUpdate& update = here.update;
     DefinitionSummary& sum = definitions_[d];
     stick_slip_[d].add(row);
@@ -123,12 +123,12 @@ void Summary::add(const Row& row) {
   }
 }
 
-void Summary::add_belt(const Row& row) {
-  const double distance = row.quantities[kFirstMotion];
+void Summary::add_belt(const bench::Row& row) {
+  const double distance = row.quantities[cases::kFirstMotion];
   if (case_->belt->has_length && (!shortest_ || distance < shortest_->value)) {
     shortest_ = {distance, row.time};
   }
-  const double tension = row.quantities[kFirstForce];
+  const double tension = row.quantities[cases::kFirstForce];
   if (case_->kinetic.elasticity[0] || !(tension < 0.0)) return;
   if (row.index > 0) ++slack_;
   if (tension < most_slack_.value) most_slack_ = {tension, row.time};
@@ -136,29 +136,30 @@ void Summary::add_belt(const Row& row) {
 
 std::vector<std::string> Summary::belt_warnings() const {
   std::vector<std::string> all;
-  const UnitSystem& units = case_->units;
+  const base::UnitSystem& units = case_->units;
   if (slack_ > 0) {
     all.push_back(fmt::format(
         "the tension f1 is below 0 in {} of {} increments, down to {} at t = {}: a belt pulls, it "
         "does not push; it is slack there, and CTF1, CSF2 and f_bc are 0",
-        slack_, increments_, with_unit(rounded(most_slack_.value), unit_text(kForce, units)),
-        rounded(most_slack_.time)));
+        slack_, increments_,
+        base::with_unit(base::rounded(most_slack_.value), base::unit_text(base::kForce, units)),
+        base::rounded(most_slack_.time)));
   }
   const double locks = law::kShortestPart * case_->initial[0];
   if (shortest_ && shortest_->value < 2.0 * locks) {
-    const std::string unit = unit_text(kLength, units);
+    const std::string unit = base::unit_text(base::kLength, units);
     all.push_back(
         fmt::format("the distance CP1 came down to {} at t = {}, near {}, a hundredth of the "
                     "initial one, where "
                     "a belt locks",
-                    with_unit(rounded(shortest_->value), unit), rounded(shortest_->time),
-                    with_unit(rounded(locks), unit)));
+                    base::with_unit(base::rounded(shortest_->value), unit),
+                    base::rounded(shortest_->time), base::with_unit(base::rounded(locks), unit)));
   }
   return all;
 }
 
-void Summary::add_formulation(const Row& row, std::size_t index) {
-  const DefinitionRow& here = row.definitions[index];
+void Summary::add_formulation(const bench::Row& row, std::size_t index) {
+  const bench::DefinitionRow& here = row.definitions[index];
   DefinitionSummary& sum = definitions_[index];
   if (here.clamped && row.index > 0) {
     ++sum.clamped;
@@ -195,9 +196,9 @@ void Summary::add_formulation(const Row& row, std::size_t index) {
 }
 
 /// A mass that moves against its belt slips from the start: no event begins that slip.
-void Summary::add_start(const Row& row) {
+void Summary::add_start(const bench::Row& row) {
   for (std::size_t d = 0; d < definitions_.size(); ++d) {
-    const DefinitionRow& here = row.definitions[d];
+    const bench::DefinitionRow& here = row.definitions[d];
     const law::FrictionUpdate& update = here.update;
     if (update.state.regime != law::Regime::kSlip) continue;
     const Event start{row.time,
@@ -213,7 +214,7 @@ void Summary::add_start(const Row& row) {
   }
 }
 
-void Summary::note_first_slip(const Event& event, const Row& row) {
+void Summary::note_first_slip(const Event& event, const bench::Row& row) {
   DefinitionSummary& sum = definitions_[event.definition];
   if (sum.first_slip) return;
   sum.first_slip = event;
@@ -222,7 +223,7 @@ void Summary::note_first_slip(const Event& event, const Row& row) {
   }
 }
 
-void Summary::add_events(const Row& row) {
+void Summary::add_events(const bench::Row& row) {
   std::fill(since_.begin(), since_.end(), 0.0);
   for (const Event& event : detector_.take(row)) {
     DefinitionSummary& sum = definitions_[event.definition];
@@ -247,7 +248,7 @@ void Summary::add_events(const Row& row) {
   }
 }
 
-void Summary::add_creep(const DefinitionRow& here, std::size_t index) {
+void Summary::add_creep(const bench::DefinitionRow& here, std::size_t index) {
   const law::FrictionState& now = here.update.state;
   law::FrictionState& start = stick_start_[index];
   DefinitionSummary& sum = definitions_[index];
@@ -279,17 +280,18 @@ std::string Summary::open_text(std::size_t index) const {
   const DefinitionExtremes& all = plausibility_.definitions()[index];
   if (!all.open_under_force) return "never in contact";
   const bool rotational = is_rotational(case_->definitions[index].law);
-  return fmt::format("no friction all along: its {} 0 (pressed by up to {})",
-                     all.highest_mu > 0.0 ? "limit is" : "coefficient is",
-                     with_unit(rounded(all.highest_normal_force),
-                               unit_text(rotational ? kMoment : kForce, case_->units)));
+  return fmt::format(
+      "no friction all along: its {} 0 (pressed by up to {})",
+      all.highest_mu > 0.0 ? "limit is" : "coefficient is",
+      base::with_unit(base::rounded(all.highest_normal_force),
+                      base::unit_text(rotational ? base::kMoment : base::kForce, case_->units)));
 }
 
 std::string Summary::definition_text(const DefinitionSummary& sum, std::size_t index) const {
-  const CaseDefinition& definition = case_->definitions[index];
-  const UnitSystem& units = case_->units;
+  const cases::CaseDefinition& definition = case_->definitions[index];
+  const base::UnitSystem& units = case_->units;
   const bool rotational = is_rotational(definition.law);
-  const std::string force = unit_text(rotational ? kMoment : kForce, units);
+  const std::string force = base::unit_text(rotational ? base::kMoment : base::kForce, units);
   const std::string name = definitions_.size() > 1 ? definition.name + ": " : "";
   const double duration = end_time_ - start_time_;
   std::string text = "  " + name;
@@ -304,14 +306,15 @@ std::string Summary::definition_text(const DefinitionSummary& sum, std::size_t i
     }
     text += fmt::format("slips {} of the time, {} stick-slip event{}{}, first slip at t = {}",
                         percent(sum.slip_time, duration), sum.events, plural(sum.events), reversals,
-                        with_unit(rounded(first.time), units.time));
+                        base::with_unit(base::rounded(first.time), units.time));
     std::string where;
     for (std::size_t p = 0; p < positions_.size(); ++p) {
-      where += fmt::format(
-          "{}{} = {}", where.empty() ? "" : ", ", positions_[p].name,
-          with_unit(rounded(sum.first_place[p]), unit_text(positions_[p].dimension, units)));
+      where += fmt::format("{}{} = {}", where.empty() ? "" : ", ", positions_[p].name,
+                           base::with_unit(base::rounded(sum.first_place[p]),
+                                           base::unit_text(positions_[p].dimension, units)));
     }
-    text += fmt::format(" ({}) at {}", where, with_unit(rounded(std::abs(first.force)), force));
+    text += fmt::format(" ({}) at {}", where,
+                        base::with_unit(base::rounded(std::abs(first.force)), force));
   }
   if (sum.first_slip && lasts(sum.open_time, duration)) {
     text += fmt::format(
@@ -319,16 +322,16 @@ std::string Summary::definition_text(const DefinitionSummary& sum, std::size_t i
         plausibility_.definitions()[index].open_under_force ? "with a limit of 0 for" : "open",
         percent(sum.open_time, duration));
   }
-  text +=
-      fmt::format("\n  {}friction {} {} .. {}, dissipated {}, stored {}, energy balance {}\n", name,
-                  rotational ? "moment" : "force", rounded(sum.lowest_force),
-                  with_unit(rounded(sum.highest_force), force), energy_text(sum.dissipation, units),
-                  energy_text(sum.stored_energy, units),
-                  fmt::format("{:.1g}{}", std::abs(sum.energy_gap()), energy_note(definition.law)));
+  text += fmt::format(
+      "\n  {}friction {} {} .. {}, dissipated {}, stored {}, energy balance {}\n", name,
+      rotational ? "moment" : "force", base::rounded(sum.lowest_force),
+      base::with_unit(base::rounded(sum.highest_force), force),
+      base::energy_text(sum.dissipation, units), base::energy_text(sum.stored_energy, units),
+      fmt::format("{:.1g}{}", std::abs(sum.energy_gap()), energy_note(definition.law)));
   if (sum.jumps > 0) {
     text += fmt::format("  {}{} were lost in {} jump{} (snap-back), the first at t = {}\n", name,
-                        energy_text(sum.lost, units), sum.jumps, plural(sum.jumps),
-                        with_unit(rounded(sum.first_jump), units.time));
+                        base::energy_text(sum.lost, units), sum.jumps, plural(sum.jumps),
+                        base::with_unit(base::rounded(sum.first_jump), units.time));
   }
   return text + stick_slip_text(sum, index) + why_text(sum, index);
 }
@@ -338,63 +341,68 @@ std::string Summary::stick_slip_text(const DefinitionSummary& sum, std::size_t i
   constexpr std::int64_t kFewest = 2;
   const StickSlip& all = sum.stick_slip;
   if (all.cycles < kFewest) return {};
-  const UnitSystem& units = case_->units;
+  const base::UnitSystem& units = case_->units;
   const bool rotational = is_rotational(case_->definitions[index].law);
   // A steady vibration has one period, apart from where its rows lie.
   constexpr double kSteady = 0.01;
   const double mean = all.time / static_cast<double>(all.cycles);
   const std::string period =
       all.period.highest - all.period.lowest <= kSteady * mean
-          ? rounded(mean)
-          : rounded(all.period.lowest, 3) + " .. " + rounded(all.period.highest, 3);
-  const std::string over =
-      fmt::format("(period {} over {} cycles, t = {} .. {})", with_unit(period, units.time),
-                  all.cycles, rounded(all.first), with_unit(rounded(all.last), units.time));
+          ? base::rounded(mean)
+          : base::rounded(all.period.lowest, 3) + " .. " + base::rounded(all.period.highest, 3);
+  const std::string over = fmt::format(
+      "(period {} over {} cycles, t = {} .. {})", base::with_unit(period, units.time), all.cycles,
+      base::rounded(all.first), base::with_unit(base::rounded(all.last), units.time));
   std::string text = definitions_.size() > 1 ? "  " + sum.name + ": " : "  ";
   // Of bursts a mean frequency says nothing.
   if (all.period.highest > 2.0 * all.period.lowest) {
     text += "irregular stick-slip " + over;
   } else {
-    const std::string hertz = frequency_name(units);
-    const std::string frequency = rounded(all.frequency());
+    const std::string hertz = base::frequency_name(units);
+    const std::string frequency = base::rounded(all.frequency());
     text += fmt::format(
         "stick-slip at {} {}",
-        hertz.empty() ? frequency + " cycles a unit of time" : with_unit(frequency, hertz), over);
+        hertz.empty() ? frequency + " cycles a unit of time" : base::with_unit(frequency, hertz),
+        over);
   }
   if (all.place.highest > all.place.lowest) {
-    text += ", amplitude " + with_unit(rounded(0.5 * (all.place.highest - all.place.lowest), 3),
-                                       unit_text(rotational ? kAngle : kLength, units));
+    text += ", amplitude " +
+            base::with_unit(base::rounded(0.5 * (all.place.highest - all.place.lowest), 3),
+                            base::unit_text(rotational ? base::kAngle : base::kLength, units));
   }
   return text + fmt::format(", {} {} .. {}, slips {} of a cycle\n", rotational ? "moment" : "force",
-                            rounded(all.force.lowest),
-                            with_unit(rounded(all.force.highest),
-                                      unit_text(rotational ? kMoment : kForce, units)),
+                            base::rounded(all.force.lowest),
+                            base::with_unit(
+                                base::rounded(all.force.highest),
+                                base::unit_text(rotational ? base::kMoment : base::kForce, units)),
                             percent(all.slip_time, all.time));
 }
 
 std::string Summary::why_text(const DefinitionSummary& sum, std::size_t index) const {
-  const CaseDefinition& definition = case_->definitions[index];
+  const cases::CaseDefinition& definition = case_->definitions[index];
   const std::string name = definitions_.size() > 1 ? definition.name + ": " : "";
   const std::string slip =
-      unit_text(is_rotational(definition.law) ? kAngle : kLength, case_->units);
+      base::unit_text(is_rotational(definition.law) ? base::kAngle : base::kLength, case_->units);
   std::string text;
   if (sum.largest_creep > 0.0) {
-    const std::string length = with_unit(rounded(sum.largest_creep, 3), slip);
+    const std::string length = base::with_unit(base::rounded(sum.largest_creep, 3), slip);
     text = is_viscous(definition.law) ? "creeps up to " + length + " below its limit"
                                       : "elastic displacement while sticking up to " + length;
   }
   const CycleEnergy& cycle = cycles_.energies()[index];
   if (cycle.count > 0 && cycle.highest > 0.0) {
-    text += fmt::format("{}dissipates {} in the last of {} cycle{}", text.empty() ? "" : ", ",
-                        energy_text(cycle.last, case_->units), cycle.count, plural(cycle.count));
+    text +=
+        fmt::format("{}dissipates {} in the last of {} cycle{}", text.empty() ? "" : ", ",
+                    base::energy_text(cycle.last, case_->units), cycle.count, plural(cycle.count));
   }
   const auto& formulation = definition.law.formulation;
   if (formulation && law::smooths(*formulation) && sum.largest_use > 1.0 + 1e-9) {
-    const std::string time = with_unit(rounded(sum.largest_use_time), case_->units.time);
+    const std::string time =
+        base::with_unit(base::rounded(sum.largest_use_time), case_->units.time);
     text += text.empty() ? "" : ", ";
     text += sum.largest_use < kUseWithoutLimit
                 ? fmt::format("force up to {} of its limit at t = {} (overshoot by the filter)",
-                              rounded(sum.largest_use), time)
+                              base::rounded(sum.largest_use), time)
                 : fmt::format("force behind the filter where {} limit is 0, at t = {}",
                               formulation->orthotropy ? "a direction's" : "the", time);
   }
@@ -411,9 +419,9 @@ std::string Summary::text() const {
 }
 
 std::string Summary::falling_warning(const DefinitionSummary& sum, std::size_t index) const {
-  const UnitSystem& units = case_->units;
+  const base::UnitSystem& units = case_->units;
   const auto time = [&](double value) {
-    return with_unit(fmt::format("{:.6g}", value), units.time);
+    return base::with_unit(fmt::format("{:.6g}", value), units.time);
   };
   // A definition that never slips has no falling coefficient to follow.
   const bool jumps = sum.short_increments > 0 && sum.first_slip;
@@ -429,14 +437,14 @@ std::string Summary::falling_warning(const DefinitionSummary& sum, std::size_t i
     return text +
            fmt::format("; with increments longer than {} there is one only", time(sum.unique));
   }
-  const std::string force =
-      unit_text(is_rotational(case_->definitions[index].law) ? kMoment : kForce, units);
+  const std::string force = base::unit_text(
+      is_rotational(case_->definitions[index].law) ? base::kMoment : base::kForce, units);
   std::string text = fmt::format(
       "friction '{}': {} of {} increments are shorter than 2 F_N |dmu/dv| / k, at worst {} against "
       "{} (t = {}, F_N = {}): there backward Euler may not settle on F_N mu(v) but jumps between "
       "the static and the kinetic limit",
       sum.name, sum.short_increments, increments_, time(sum.worst_duration), time(sum.worst.smooth),
-      rounded(sum.worst_time), with_unit(rounded(sum.worst.normal_force), force));
+      base::rounded(sum.worst_time), base::with_unit(base::rounded(sum.worst.normal_force), force));
   if (sum.multiple_roots > 0) {
     text += fmt::format(
         "; below F_N max|dmu/dv| / k = {} an increment may have more than one solution ({} had, "
@@ -450,7 +458,7 @@ std::string Summary::falling_warning(const DefinitionSummary& sum, std::size_t i
 
 std::vector<std::string> Summary::formulation_warnings(const DefinitionSummary& sum,
                                                        std::size_t index) const {
-  const CaseDefinition& definition = case_->definitions[index];
+  const cases::CaseDefinition& definition = case_->definitions[index];
   std::vector<std::string> all;
   const std::string whose = fmt::format("friction '{}': ", sum.name);
   const bool two = has_directions(definition.law);
@@ -460,7 +468,7 @@ std::vector<std::string> Summary::formulation_warnings(const DefinitionSummary& 
     std::string text = fmt::format(
         "{}the coefficient{} is not above 0 in {} of {} increments{}, and kept at 1e-30 there",
         whose, two ? fmt::format(" of direction {}", i + 1) : "", floor.increments, increments_,
-        floor.lowest < 0.0 ? ", down to " + rounded(floor.lowest) : "");
+        floor.lowest < 0.0 ? ", down to " + base::rounded(floor.lowest) : "");
     if (floor.blended < floor.increments) text += two ? ": no friction along it" : ": no friction";
     if (floor.blended > 0) {
       text += fmt::format("{}{} of them blend it with another coefficient",
@@ -474,7 +482,7 @@ std::vector<std::string> Summary::formulation_warnings(const DefinitionSummary& 
     all.push_back(fmt::format(
         "{}alpha of its filter is limited to 1 in {} of {} increments (2 pi f dt up to {}): these "
         "are not smoothed; take shorter increments or a lower frequency",
-        whose, sum.alpha_limited, increments_, rounded(sum.largest_alpha)));
+        whose, sum.alpha_limited, increments_, base::rounded(sum.largest_alpha)));
   }
   if (sum.alpha_overshoots > 0) {
     const std::string effect =
@@ -484,29 +492,31 @@ std::vector<std::string> Summary::formulation_warnings(const DefinitionSummary& 
             : std::string("the spring is stiffer than K_t by that factor; nothing is smoothed");
     all.push_back(fmt::format(
         "{}as coded, alpha of its filter is above 1 in {} of {} increments, up to {}: {}", whose,
-        sum.alpha_overshoots, increments_, rounded(sum.largest_alpha), effect));
+        sum.alpha_overshoots, increments_, base::rounded(sum.largest_alpha), effect));
   }
   return all;
 }
 
-std::vector<std::string> Summary::warnings(std::span<const MotionJump> jumps) const {
+std::vector<std::string> Summary::warnings(std::span<const bench::MotionJump> jumps) const {
   std::vector<std::string> all = plausibility_.findings();
   for (std::string& one : belt_warnings()) all.push_back(std::move(one));
-  const UnitSystem& units = case_->units;
+  const base::UnitSystem& units = case_->units;
   for (std::size_t d = 0; d < definitions_.size(); ++d) {
     std::string warning = falling_warning(definitions_[d], d);
     if (!warning.empty()) all.push_back(std::move(warning));
     for (std::string& one : formulation_warnings(definitions_[d], d)) all.push_back(std::move(one));
   }
-  for (const MotionJump& jump : jumps) {
-    const std::string unit = unit_text(jump.component >= 3 ? kAngle : kLength, units);
+  for (const bench::MotionJump& jump : jumps) {
+    const std::string unit =
+        base::unit_text(jump.component >= 3 ? base::kAngle : base::kLength, units);
     all.push_back(fmt::format(
         "{} jumps by {} at the start of step '{}' (t = {}): the jump is made in the first "
         "increment{}",
-        motion_name(jump.component), with_unit(rounded(jump.size), unit), jump.step,
-        rounded(jump.time), jump.time == 0.0 ? "; 'initial:' gives the position before it" : ""));
+        cases::motion_name(jump.component), base::with_unit(base::rounded(jump.size), unit),
+        jump.step, base::rounded(jump.time),
+        jump.time == 0.0 ? "; 'initial:' gives the position before it" : ""));
   }
   return all;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

@@ -20,7 +20,7 @@
 #include "driver/results/stick_slip.hpp"
 #include "law/update/uniqueness.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 
 /// Increments in which a coefficient is kept at its floor.
 struct FloorCount {
@@ -78,8 +78,8 @@ struct DefinitionSummary {
 /// Collects what is told about a run, row by row; nothing grows with the number of rows.
 class Summary {
  public:
-  explicit Summary(const Case& problem);
-  void add(const Row& row);
+  explicit Summary(const cases::Case& problem);
+  void add(const bench::Row& row);
 
   std::int64_t increments() const { return increments_; }
   double end_time() const { return end_time_; }
@@ -90,30 +90,30 @@ class Summary {
   /// Returns what the user should change or know, one sentence each: what is not plausible,
   /// increments too short for a falling coefficient (with the thresholds), motions that jump at the
   /// start of a step.
-  std::vector<std::string> warnings(std::span<const MotionJump> jumps) const;
+  std::vector<std::string> warnings(std::span<const bench::MotionJump> jumps) const;
   /// The same numbers, unrounded.
-  json::Value to_json() const;
+  base::json::Value to_json() const;
 
  private:
   std::string definition_text(const DefinitionSummary& definition, std::size_t index) const;
-  json::Value to_json(const StickSlip& cycles, bool rotational) const;
+  base::json::Value to_json(const StickSlip& cycles, bool rotational) const;
   std::string open_text(std::size_t index) const;
   std::string stick_slip_text(const DefinitionSummary& definition, std::size_t index) const;
   std::string why_text(const DefinitionSummary& definition, std::size_t index) const;
-  void add_start(const Row& row);
-  void note_first_slip(const Event& event, const Row& row);
-  void add_events(const Row& row);
-  void add_creep(const DefinitionRow& here, std::size_t index);
-  void add_formulation(const Row& row, std::size_t index);
+  void add_start(const bench::Row& row);
+  void note_first_slip(const Event& event, const bench::Row& row);
+  void add_events(const bench::Row& row);
+  void add_creep(const bench::DefinitionRow& here, std::size_t index);
+  void add_formulation(const bench::Row& row, std::size_t index);
   /// Of a coefficient that falls too fast for the increments; empty if none does.
   std::string falling_warning(const DefinitionSummary& definition, std::size_t index) const;
   std::vector<std::string> formulation_warnings(const DefinitionSummary& definition,
                                                 std::size_t index) const;
 
-  void add_belt(const Row& row);
+  void add_belt(const bench::Row& row);
   std::vector<std::string> belt_warnings() const;
 
-  const Case* case_;
+  const cases::Case* case_;
   std::vector<Column> positions_;
   std::vector<DefinitionSummary> definitions_;
   EventDetector detector_;
@@ -136,4 +136,4 @@ class Summary {
   double end_time_ = 0.0;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

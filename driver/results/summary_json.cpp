@@ -2,27 +2,28 @@
 #include "driver/base/units/derived_units.hpp"
 #include "driver/results/summary.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 
-json::Value Summary::to_json(const StickSlip& all, bool rotational) const {
-  const UnitSystem& units = case_->units;
+base::json::Value Summary::to_json(const StickSlip& all, bool rotational) const {
+  const base::UnitSystem& units = case_->units;
   const auto range = [](const Extremes& of, const std::string& unit) {
-    json::Value value;
+    base::json::Value value;
     value["lowest"] = of.lowest;
     value["highest"] = of.highest;
     value["unit"] = unit;
     return value;
   };
-  json::Value value;
+  base::json::Value value;
   value["cycles"] = all.cycles;
   value["first"] = all.first;
   value["last"] = all.last;
   value["frequency"] = all.frequency();
-  value["frequency_unit"] = frequency_name(units);
+  value["frequency_unit"] = base::frequency_name(units);
   value["period"] = range(all.period, units.time);
-  value["force"] = range(all.force, unit_text(rotational ? kMoment : kForce, units));
+  value["force"] =
+      range(all.force, base::unit_text(rotational ? base::kMoment : base::kForce, units));
   if (all.place.highest > all.place.lowest) {
-    const std::string unit = unit_text(rotational ? kAngle : kLength, units);
+    const std::string unit = base::unit_text(rotational ? base::kAngle : base::kLength, units);
     value["place"] = range(all.place, unit);
     value["amplitude"] = 0.5 * (all.place.highest - all.place.lowest);
     value["amplitude_unit"] = unit;
@@ -31,22 +32,22 @@ json::Value Summary::to_json(const StickSlip& all, bool rotational) const {
   return value;
 }
 
-json::Value Summary::to_json() const {
-  json::Value all;
+base::json::Value Summary::to_json() const {
+  base::json::Value all;
   all["increments"] = increments_;
   all["start_time"] = start_time_;
   all["end_time"] = end_time_;
-  json::Value list = json::Array{};
+  base::json::Value list = base::json::Array{};
   for (std::size_t d = 0; d < definitions_.size(); ++d) {
     const DefinitionSummary& sum = definitions_[d];
-    json::Value one;
+    base::json::Value one;
     one["name"] = sum.name;
     one["slip_time"] = sum.slip_time;
     one["open_time"] = sum.open_time;
     one["stick_slip_events"] = sum.events;
     one["reversals"] = sum.reversals;
     if (sum.first_slip) {
-      json::Value first;
+      base::json::Value first;
       first["t"] = sum.first_slip->time;
       first["force"] = sum.first_slip->force;
       for (std::size_t p = 0; p < positions_.size(); ++p) {
@@ -62,7 +63,7 @@ json::Value Summary::to_json() const {
     one["dissipation"] = sum.dissipation;
     one["stored_energy"] = sum.stored_energy;
     one["work"] = sum.work;
-    if (case_->integration.snap_back == SnapBackAction::kJump) {
+    if (case_->integration.snap_back == cases::SnapBackAction::kJump) {
       one["lost_in_jumps"] = sum.lost;
       one["jumps"] = sum.jumps;
     }
@@ -70,13 +71,14 @@ json::Value Summary::to_json() const {
     one["largest_elastic_slip_in_stick"] = sum.largest_elastic_slip;
     one["largest_creep_in_stick"] = sum.largest_creep;
     if (const CycleEnergy& energy = cycles_.energies()[d]; energy.count > 0) {
-      json::Value cycles;
+      base::json::Value cycles;
       cycles["found_by"] = cycles_.found_by();
       cycles["count"] = energy.count;
       cycles["dissipation_first"] = energy.first;
       cycles["dissipation_last"] = energy.last;
-      cycles["change_of_last"] =
-          energy.count > 1 ? json::Value(energy.last - energy.before_last) : json::Value(nullptr);
+      cycles["change_of_last"] = energy.count > 1
+                                     ? base::json::Value(energy.last - energy.before_last)
+                                     : base::json::Value(nullptr);
       cycles["dissipation_lowest"] = energy.lowest;
       cycles["dissipation_highest"] = energy.highest;
       one["cycles"] = cycles;
@@ -106,4 +108,4 @@ json::Value Summary::to_json() const {
   return all;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

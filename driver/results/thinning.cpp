@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 
 RowThinner::RowThinner(std::size_t columns, std::size_t limit, std::span<const std::size_t> watched)
     : columns_(columns), all_(columns), watched_(watched.begin(), watched.end()) {
@@ -183,4 +183,4 @@ RowThinner::Rows RowThinner::indexed_rows(std::size_t most) const {
   return rows;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 
 /// Thins the rows of a table for drawing while they come, however many there will be.
 ///
@@ -79,4 +79,4 @@ class RowThinner {
   std::int64_t count_ = 0;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

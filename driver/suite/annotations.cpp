@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 namespace {
 
 namespace fs = std::filesystem;
@@ -17,7 +17,7 @@ std::string cleaned(std::string_view text) {
   std::string result;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-    result += printable(text.substr(0, end));
+    result += base::printable(text.substr(0, end));
     if (end < text.size()) result += text[end];
     text.remove_prefix(std::min(end + 1, text.size()));
   }
@@ -44,8 +44,9 @@ bool in_github_actions() {
   return value != nullptr && std::string_view(value) == "true";
 }
 
-std::string annotation(std::string_view level, const std::string& file, const SourcePosition& where,
-                       std::string_view title, std::string_view message) {
+std::string annotation(std::string_view level, const std::string& file,
+                       const base::SourcePosition& where, std::string_view title,
+                       std::string_view message) {
   std::string text = fmt::format("::{} file={}", level, escaped(file, true));
   if (where.line > 0) text += fmt::format(",line={},col={}", where.line, where.column);
   text += fmt::format(",title={}::{}\n", escaped(title, true), escaped(message, false));
@@ -61,7 +62,7 @@ std::string without_commands(std::string text) {
 }
 
 Annotations::Annotations(const std::string& root)
-    : root_(root.empty() ? root : real_folder(root)) {}
+    : root_(root.empty() ? root : base::real_folder(root)) {}
 
 std::string Annotations::from_root(const std::string& file) {
   if (root_.empty()) return file;
@@ -90,4 +91,4 @@ void Annotations::add(const Candidate& candidate, const CaseOutcome& outcome) {
   }
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

@@ -10,7 +10,7 @@
 #include "driver/suite/candidates.hpp"
 #include "driver/suite/outcome.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 
 /// Tells whether this is a job of GitHub Actions.
 bool in_github_actions();
@@ -19,8 +19,9 @@ bool in_github_actions();
 /// a line feed; escaped so that neither names nor messages can end it or begin another, and without
 /// what no log can show. `level` is
 /// "error" or "warning". Line 0 leaves the place out.
-std::string annotation(std::string_view level, const std::string& file, const SourcePosition& where,
-                       std::string_view title, std::string_view message);
+std::string annotation(std::string_view level, const std::string& file,
+                       const base::SourcePosition& where, std::string_view title,
+                       std::string_view message);
 
 /// A text for the log of a job, in which nothing is taken for a command of the old form, as
 /// "##[error]" anywhere in a line is.
@@ -45,10 +46,10 @@ class Annotations {
   std::string from_root(const std::string& file);
 
   std::string root_;
-  RealFiles real_files_;
+  base::RealFiles real_files_;
   std::size_t errors_ = 0;
   std::size_t warnings_ = 0;
   std::string text_;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

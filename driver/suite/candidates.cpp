@@ -12,14 +12,14 @@
 #include "driver/base/text/standard_input.hpp"
 #include "driver/read/file_kind.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 namespace {
 
 namespace fs = std::filesystem;
 
 /// Another extension than that of a case stays: two files are not to be called the same.
 std::string label_of(const fs::path& path) {
-  if (path == kStandardInput) return std::string(kStandardInputName);
+  if (path == base::kStandardInput) return std::string(base::kStandardInputName);
   const fs::path name = path.extension() == ".yaml" ? path.stem() : path.filename();
   return (path.parent_path() / name).lexically_normal().generic_string();
 }
@@ -43,7 +43,7 @@ void search(const fs::path& top, std::vector<fs::path>& found, std::vector<std::
       std::error_code ignored;
       if (it->is_directory(ignored)) {
         if (!it->is_symlink(ignored) && is_searched(it->path())) folders.push_back(it->path());
-      } else if (has_case_ending(it->path()) && !is_hidden(it->path())) {
+      } else if (read::has_case_ending(it->path()) && !is_hidden(it->path())) {
         found.push_back(it->path());
       }
     }
@@ -53,7 +53,7 @@ void search(const fs::path& top, std::vector<fs::path>& found, std::vector<std::
 
 /// Keeps the first of several that are the same file.
 void remove_repeated(std::vector<Candidate>& cases) {
-  RealFiles real_files;
+  base::RealFiles real_files;
   std::set<std::string> seen;
   std::erase_if(cases, [&](const Candidate& candidate) {
     return !seen.insert(real_files.of(candidate.path)).second;
@@ -74,7 +74,7 @@ Candidates find_candidates(std::span<const std::string> paths) {
     search(path, files, all.faults);
     std::vector<Candidate> found;
     for (const fs::path& file : files) {
-      if (looks_like_fit(file)) continue;
+      if (read::looks_like_fit(file)) continue;
       const fs::path shown = paths.size() == 1 ? file.lexically_relative(path) : file;
       found.push_back({file.string(), label_of(shown)});
     }
@@ -87,4 +87,4 @@ Candidates find_candidates(std::span<const std::string> paths) {
   return all;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 
 /// A case of a suite: where it is, and what it is called in tables.
 struct Candidate {
@@ -27,4 +27,4 @@ struct Candidates {
 /// What cannot be searched is a fault and does not hide the rest.
 Candidates find_candidates(std::span<const std::string> paths);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

@@ -22,7 +22,7 @@
 #include "driver/report/collect.hpp"
 #include "driver/results/plausibility.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -39,7 +39,8 @@ CaseOutcome failure(const std::string& path, int code, const char* kind,
   CaseOutcome outcome;
   outcome.code = code;
   outcome.fault = {path, {}, message};
-  outcome.messages = fmt::format("{}: {}: {}\n", printable(path), kind, printable(message));
+  outcome.messages =
+      fmt::format("{}: {}: {}\n", base::printable(path), kind, base::printable(message));
   return outcome;
 }
 
@@ -51,27 +52,27 @@ auto guarded(const std::string& path, const Work& work)
     return work();
   } catch (const std::bad_alloc&) {
     return tl::unexpected(
-        failure(path, kExitEnvironment, "error", "needs more memory than there is"));
+        failure(path, base::kExitEnvironment, "error", "needs more memory than there is"));
   } catch (const std::exception& error) {
-    return tl::unexpected(failure(path, kExitInternal, "internal error", error.what()));
+    return tl::unexpected(failure(path, base::kExitInternal, "internal error", error.what()));
   }
 }
 
-bool can_run(const ReadCase& read) { return read.value && !read.diagnostics.has_errors(); }
+bool can_run(const read::ReadCase& read) { return read.value && !read.diagnostics.has_errors(); }
 
-CaseOutcome refused(const std::string& path, const ReadCase& read) {
+CaseOutcome refused(const std::string& path, const read::ReadCase& read) {
   CaseOutcome outcome;
-  outcome.code = read.environment_failure ? kExitEnvironment : kExitBadInput;
-  outcome.messages = render(read.diagnostics, read.sources);
-  const std::vector<Diagnostic> all = read.diagnostics.sorted();
-  const auto first = std::find_if(all.begin(), all.end(), [](const Diagnostic& diagnostic) {
-    return diagnostic.severity == Severity::kError;
+  outcome.code = read.environment_failure ? base::kExitEnvironment : base::kExitBadInput;
+  outcome.messages = base::render(read.diagnostics, read.sources);
+  const std::vector<base::Diagnostic> all = read.diagnostics.sorted();
+  const auto first = std::find_if(all.begin(), all.end(), [](const base::Diagnostic& diagnostic) {
+    return diagnostic.severity == base::Severity::kError;
   });
   if (first == all.end()) {
     outcome.fault = {path, {}, "cannot be read"};
     return outcome;
   }
-  outcome.fault = {first->file.empty() ? path : first->file, first->where, one_line(*first)};
+  outcome.fault = {first->file.empty() ? path : first->file, first->where, base::one_line(*first)};
   return outcome;
 }
 
@@ -99,64 +100,64 @@ void take_warnings(CaseOutcome& outcome, std::vector<std::string> warnings, bool
   for (std::size_t i = 0; i < warnings.size(); ++i) {
     outcome.verdicts.push_back(failed_by(warnings[i], i + 1));
     outcome.kind = CaseOutcome::Kind::kFailed;
-    outcome.code = kExitCheckFailed;
+    outcome.code = base::kExitCheckFailed;
     ++outcome.failed;
   }
 }
 
-CaseOutcome run_and_judge(const ReadCase& read, const std::string& label,
+CaseOutcome run_and_judge(const read::ReadCase& read, const std::string& label,
                           const CheckCaseOptions& options) {
-  const Case& problem = *read.value;
-  const Trace trace = options.report ? Trace::kKeep : Trace::kNone;
-  if (const std::string fault = memory_fault(problem, trace); !fault.empty()) {
-    return failure(problem.file, kExitEnvironment, "error", fault);
+  const cases::Case& problem = *read.value;
+  const check::Trace trace = options.report ? check::Trace::kKeep : check::Trace::kNone;
+  if (const std::string fault = check::memory_fault(problem, trace); !fault.empty()) {
+    return failure(problem.file, base::kExitEnvironment, "error", fault);
   }
   CaseOutcome outcome;
   outcome.checks = problem.checks.size();
-  std::vector<CheckProgress> checks;
+  std::vector<check::CheckProgress> checks;
   checks.reserve(problem.checks.size());
-  for (const Check& check : problem.checks) {
+  for (const cases::Check& check : problem.checks) {
     checks.emplace_back(problem, check, trace);
   }
-  std::optional<CaseCollector> collector;
+  std::optional<report::CaseCollector> collector;
   if (options.report) collector.emplace(problem, options.report_rows);
-  Plausibility plausibility(problem);
-  const auto ended = run_case(problem, [&](const Row& row) {
+  results::Plausibility plausibility(problem);
+  const auto ended = bench::run_case(problem, [&](const bench::Row& row) {
     if (options.stopped && options.stopped()) throw GivenUp{};
-    for (CheckProgress& check : checks) check.add(row);
+    for (check::CheckProgress& check : checks) check.add(row);
     plausibility.add(row);
     if (collector) collector->add(row);
   });
   if (!ended) {
-    outcome.code = exit_code(ended.error());
-    outcome.messages = failure_text(problem, ended.error());
+    outcome.code = bench::exit_code(ended.error());
+    outcome.messages = bench::failure_text(problem, ended.error());
     outcome.fault = {problem.file, {}, ended.error().message};
     return outcome;
   }
   outcome.kind = checks.empty() ? CaseOutcome::Kind::kNoChecks : CaseOutcome::Kind::kPassed;
   double worst = -1.0;
   for (std::size_t i = 0; i < checks.size(); ++i) {
-    const Check& check = problem.checks[i];
-    Verdict verdict = checks[i].verdict();
+    const cases::Check& check = problem.checks[i];
+    check::Verdict verdict = checks[i].verdict();
     if (!verdict.passed) {
       outcome.kind = CaseOutcome::Kind::kFailed;
-      outcome.code = kExitCheckFailed;
+      outcome.code = base::kExitCheckFailed;
       ++outcome.failed;
     } else if (verdict.worst_fraction() > worst) {
       worst = verdict.worst_fraction();
-      outcome.remark = worst_text(check, verdict);
+      outcome.remark = check::worst_text(check, verdict);
     }
     if (!verdict.passed || !verdict.warnings.empty() || options.keep_passing) {
-      std::string text = verdict_text(check, verdict);
+      std::string text = check::verdict_text(check, verdict);
       outcome.verdicts.push_back({std::move(verdict), std::move(text), check.where});
     }
   }
-  std::vector<std::string> warnings = lines_of(read.diagnostics, Severity::kWarning);
+  std::vector<std::string> warnings = base::lines_of(read.diagnostics, base::Severity::kWarning);
   for (std::string& finding : plausibility.findings()) warnings.push_back(std::move(finding));
   take_warnings(outcome, std::move(warnings), options.strict);
   if (collector) {
-    CaseReport report = collector->finish(label, checks, *ended);
-    add_remarks(report, read.diagnostics);
+    report::CaseReport report = collector->finish(label, checks, *ended);
+    report::add_remarks(report, read.diagnostics);
     report.run.text = read.sources.front().text();
     options.report(std::move(report));
   }
@@ -168,8 +169,8 @@ void report_fault(const Candidate& candidate, const Reading& reading, const Case
                   const CheckCaseOptions& options) {
   if (!options.report || outcome.kind != CaseOutcome::Kind::kNotRun) return;
   const bool read = reading.read && reading.read->value;
-  options.report(
-      not_run_report(candidate.label, read ? reading.read->value->title : "", outcome.messages));
+  options.report(report::not_run_report(candidate.label, read ? reading.read->value->title : "",
+                                        outcome.messages));
 }
 
 }  // namespace
@@ -181,10 +182,10 @@ std::size_t Reading::checks() const {
 std::vector<std::string> Reading::inputs() const {
   std::vector<std::string> files;
   if (!read) return files;
-  if (read->value) files = input_files(*read->value);
+  if (read->value) files = cases::input_files(*read->value);
   files.insert(files.end(), read->data_files.begin(), read->data_files.end());
-  for (const SourceText& source : read->sources) files.push_back(source.name());
-  for (const Diagnostic& diagnostic : read->diagnostics.sorted()) {
+  for (const base::SourceText& source : read->sources) files.push_back(source.name());
+  for (const base::Diagnostic& diagnostic : read->diagnostics.sorted()) {
     if (!diagnostic.file.empty()) files.push_back(diagnostic.file);
   }
   std::sort(files.begin(), files.end());
@@ -192,10 +193,10 @@ std::vector<std::string> Reading::inputs() const {
   return files;
 }
 
-Reading read_candidate(const std::string& path, const ReadOptions& options) {
+Reading read_candidate(const std::string& path, const read::ReadOptions& options) {
   const auto start = Clock::now();
   Reading reading;
-  if (auto read = guarded(path, [&] { return read_case(path, options); })) {
+  if (auto read = guarded(path, [&] { return read::read_case(path, options); })) {
     reading.read = std::move(*read);
   } else {
     reading.failure = std::move(read.error());
@@ -223,4 +224,4 @@ std::optional<CaseOutcome> check_case(const Candidate& candidate, const Reading&
   }
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

@@ -11,11 +11,11 @@
 #include "driver/suite/candidates.hpp"
 #include "driver/suite/outcome.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 
 /// A case file that was read, before it is run.
 struct Reading {
-  std::optional<ReadCase> read;  ///< none if reading was given up, see `failure`
+  std::optional<read::ReadCase> read;  ///< none if reading was given up, see `failure`
   CaseOutcome failure;
   double seconds = 0.0;  ///< reading took
 
@@ -31,18 +31,18 @@ struct CheckCaseOptions {
   /// Asked at every row, if there is one; the case is given up when it says so.
   std::function<bool()> stopped = {};
   /// Takes what a page of the case needs, if there is one.
-  std::function<void(CaseReport&&)> report = {};
-  std::size_t report_rows = kMostRows;  ///< of a run that is not thinned
-  bool strict = false;                  ///< a warning fails the case
+  std::function<void(report::CaseReport&&)> report = {};
+  std::size_t report_rows = report::kMostRows;  ///< of a run that is not thinned
+  bool strict = false;                          ///< a warning fails the case
 };
 
 /// Reads a case. Nothing is thrown: a case that needs more memory than there is, or that trips
 /// over a bug, is a failure like any other.
-Reading read_candidate(const std::string& path, const ReadOptions& options);
+Reading read_candidate(const std::string& path, const read::ReadOptions& options);
 
 /// Runs a case that was read and judges its checks. Nothing is thrown, as above. Nothing is
 /// returned for a case that was given up.
 std::optional<CaseOutcome> check_case(const Candidate& candidate, const Reading& reading,
                                       const CheckCaseOptions& options);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

@@ -12,10 +12,10 @@
 #include "driver/results/provenance.hpp"
 #include "driver/suite/verdict_table.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 namespace {
 
-std::string place_of(const std::filesystem::path& file, const SourcePosition& where) {
+std::string place_of(const std::filesystem::path& file, const base::SourcePosition& where) {
   const std::string name = file.lexically_normal().string();
   return where.line > 0 ? fmt::format("{}:{}", name, where.line) : name;
 }
@@ -26,7 +26,7 @@ std::string markdown_text(std::string_view text) {
   constexpr std::string_view kMarkup = "\\`*_[]#|~<>&$:@";
   constexpr std::size_t kLongest = 1000;
   std::string result;
-  for (const char c : printable(text.substr(0, kLongest))) {
+  for (const char c : base::printable(text.substr(0, kLongest))) {
     if (kMarkup.find(c) != std::string_view::npos) {
       result += fmt::format("&#{};", static_cast<int>(c));
     } else {
@@ -56,8 +56,9 @@ void JobSummary::add_row(std::string_view place, std::string_view check, std::st
 }
 
 std::string JobSummary::text(const SuiteTotals& totals) const {
-  std::string text = fmt::format("### slipbench {}: {} passed, {} failed", program_version(),
-                                 counted(totals.passed, "case"), totals.failed);
+  std::string text =
+      fmt::format("### slipbench {}: {} passed, {} failed", results::program_version(),
+                  counted(totals.passed, "case"), totals.failed);
   if (totals.not_run > 0) text += fmt::format(", {} not run", totals.not_run);
   if (totals.no_checks > 0) text += fmt::format(", {} without checks", totals.no_checks);
   text += "\n\n";
@@ -75,8 +76,8 @@ std::string JobSummary::append_to(const std::string& file, const SuiteTotals& to
   std::ofstream out(file, std::ios::app | std::ios::binary);
   out << text(totals) << std::flush;
   if (out) return {};
-  return fmt::format("the summary of the job is not written to {}: {}", printable(file),
+  return fmt::format("the summary of the job is not written to {}: {}", base::printable(file),
                      std::generic_category().message(errno == 0 ? EIO : errno));
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

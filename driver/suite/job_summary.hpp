@@ -9,7 +9,7 @@
 #include "driver/suite/outcome.hpp"
 #include "driver/suite/slowest_cases.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 
 /// The text as Markdown shows it in one line of a table: nothing in it is markup.
 std::string markdown_text(std::string_view text);
@@ -38,4 +38,4 @@ class JobSummary {
   SlowestCases slowest_{kMostSlow};
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

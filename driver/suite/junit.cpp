@@ -9,7 +9,7 @@
 
 #include "driver/suite/xml_text.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 namespace {
 
 namespace fs = std::filesystem;
@@ -38,11 +38,11 @@ std::string file_of(const Candidate& candidate) {
 
 const char* word_for_code(int code) {
   switch (code) {
-    case kExitBadInput:
+    case base::kExitBadInput:
       return "bad input";
-    case kExitNumerical:
+    case base::kExitNumerical:
       return "numerical failure";
-    case kExitEnvironment:
+    case base::kExitEnvironment:
       return "file or environment";
     default:
       return "internal error";
@@ -62,7 +62,7 @@ std::string test_case(const Candidate& candidate, const std::string& name, int l
 }
 
 std::string content_of(const CheckOutcome& check) {
-  const Verdict& verdict = check.verdict;
+  const check::Verdict& verdict = check.verdict;
   std::string text;
   if (!verdict.passed) {
     text += fmt::format("      <failure type=\"check failed\" message=\"{}\">{}</failure>\n",
@@ -114,7 +114,7 @@ std::string JunitReport::attributes(const Counts& counts) {
                      counts.failures, counts.errors, counts.seconds);
 }
 
-FileMark JunitReport::mark() { return {"a JUnit file of 'slipbench check'", kStart, ""}; }
+base::FileMark JunitReport::mark() { return {"a JUnit file of 'slipbench check'", kStart, ""}; }
 
 std::string JunitReport::text() const {
   Counts all;
@@ -141,4 +141,4 @@ std::string JunitReport::text() const {
   return text + "</testsuites>\n";
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

@@ -9,7 +9,7 @@
 #include "driver/suite/candidates.hpp"
 #include "driver/suite/outcome.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 
 /// The verdicts of a suite as JUnit XML, the form that Jenkins and GitLab read: one `testsuite` for
 /// each folder, in the order of their first case in the suite; one `testcase` for each check, with
@@ -27,7 +27,7 @@ class JunitReport {
   std::string text() const;
 
   /// The mark of every such file.
-  static FileMark mark();
+  static base::FileMark mark();
 
  private:
   struct Counts {
@@ -47,4 +47,4 @@ class JunitReport {
   std::map<std::string, Suite> suites_;  ///< by folder
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

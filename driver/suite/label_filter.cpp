@@ -5,7 +5,7 @@
 
 #include "driver/base/text/utf8.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 namespace {
 
 /// Tells whether a pattern with `*` and `?` describes the whole text. Only the last `*` ever has to
@@ -21,13 +21,13 @@ bool describes(std::string_view pattern, std::string_view text) {
       resume = t;
     } else if (p < pattern.size() && pattern[p] == '?') {
       ++p;
-      t += decode_utf8(text.substr(t)).length;
+      t += base::decode_utf8(text.substr(t)).length;
     } else if (p < pattern.size() && pattern[p] == text[t]) {
       ++p;
       ++t;
     } else if (after_star != std::string_view::npos) {
       p = after_star;
-      resume += decode_utf8(text.substr(resume)).length;
+      resume += base::decode_utf8(text.substr(resume)).length;
       t = resume;
     } else {
       return false;
@@ -49,4 +49,4 @@ bool label_matches_any(std::string_view label, std::span<const std::string> patt
                      [&](const std::string& pattern) { return label_matches(label, pattern); });
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

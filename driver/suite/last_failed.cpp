@@ -14,7 +14,7 @@
 #include "driver/base/files/output_file.hpp"
 #include "driver/base/text/hash.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 namespace {
 
 namespace fs = std::filesystem;
@@ -34,13 +34,13 @@ std::optional<fs::path> cache_folder() {
 
 LastFailed::LastFailed(std::span<const std::string> paths) {
   std::set<std::string> folders;
-  for (const std::string& path : paths) folders.insert(real_folder(path));
+  for (const std::string& path : paths) folders.insert(base::real_folder(path));
   head_ = "slipbench: cases that did not pass last time, of\n";
   for (const std::string& folder : folders) head_ += folder + "\n";
   head_ += "\n";
   const auto folder = cache_folder();
   if (!folder) return;
-  file_ = *folder / fmt::format("failed-{:016x}", hash(head_));
+  file_ = *folder / fmt::format("failed-{:016x}", base::hash(head_));
   std::ifstream in(*file_, std::ios::binary);
   kept_.assign(std::istreambuf_iterator<char>(in), {});
   if (!kept_.starts_with(head_)) return;
@@ -81,11 +81,11 @@ void LastFailed::write(std::span<const Candidate> cases) {
   }
   // A suite that never failed leaves no trace.
   if (text == kept_ || (text == head_ && kept_.empty())) return;
-  auto file = OutputFile::create(*file_, {.start = head_});
+  auto file = base::OutputFile::create(*file_, {.start = head_});
   if (!file) return;
   file->append(text);
-  OutputFile* const alone[] = {&*file};
-  static_cast<void>(commit(alone));
+  base::OutputFile* const alone[] = {&*file};
+  static_cast<void>(base::commit(alone));
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

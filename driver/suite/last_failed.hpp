@@ -12,7 +12,7 @@
 #include "driver/base/files/real_files.hpp"
 #include "driver/suite/candidates.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 
 /// Which cases of a suite did not pass last time. It is kept in a file of the user's cache
 /// ($XDG_CACHE_HOME/slipbench, or ~/.cache/slipbench), one for each set of paths that are checked,
@@ -39,7 +39,7 @@ class LastFailed {
   std::optional<std::filesystem::path> file_;
   std::string kept_;              ///< what the file held
   std::set<std::string> failed_;  ///< see RealFiles
-  RealFiles real_files_;
+  base::RealFiles real_files_;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

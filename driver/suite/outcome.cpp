@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/suite/outcome.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 
 void SuiteTotals::add(const CaseOutcome& outcome) {
   switch (outcome.kind) {
@@ -20,7 +20,7 @@ void SuiteTotals::add(const CaseOutcome& outcome) {
   }
   checks += outcome.checks;
   failed_checks += outcome.failed;
-  code = worse(code, outcome.code);
+  code = base::worse(code, outcome.code);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

@@ -11,19 +11,19 @@
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/check/check.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 
 /// One check of a case that was run.
 struct CheckOutcome {
-  Verdict verdict;
-  std::string text;      ///< as the table tells it
-  SourcePosition where;  ///< of the check in the case's file
+  check::Verdict verdict;
+  std::string text;            ///< as the table tells it
+  base::SourcePosition where;  ///< of the check in the case's file
 };
 
 /// Reason, in one line, why a case was not run to its end.
 struct CaseFault {
   std::string file;
-  SourcePosition where;  ///< line 0 where there is none
+  base::SourcePosition where;  ///< line 0 where there is none
   std::string message;
 };
 
@@ -32,11 +32,11 @@ struct CaseOutcome {
   enum class Kind : std::uint8_t { kPassed, kFailed, kNoChecks, kNotRun };
 
   Kind kind = Kind::kNotRun;
-  int code = kExitOk;      ///< the exit code it would have alone
-  std::size_t checks = 0;  ///< how many it has
-  std::size_t failed = 0;  ///< of them
-  double seconds = 0.0;    ///< it took to read, run and judge
-  std::string remark;      ///< beside a passed case: its worst check
+  int code = base::kExitOk;  ///< the exit code it would have alone
+  std::size_t checks = 0;    ///< how many it has
+  std::size_t failed = 0;    ///< of them
+  double seconds = 0.0;      ///< it took to read, run and judge
+  std::string remark;        ///< beside a passed case: its worst check
   /// Those that failed or are doubtful; those that passed too if they are wanted.
   std::vector<CheckOutcome> verdicts;
   std::vector<std::string> warnings;  ///< of a case that was run, unless all its checks passed
@@ -70,9 +70,9 @@ struct SuiteTotals {
   std::size_t not_run = 0;  ///< faulty ones and those that were not reached
   std::size_t checks = 0;
   std::size_t failed_checks = 0;
-  int code = kExitOk;  ///< the worst
+  int code = base::kExitOk;  ///< the worst
 
   void add(const CaseOutcome& outcome);
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

@@ -9,7 +9,7 @@
 
 #include "driver/base/files/work_crew.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 namespace {
 
 /// Puts the outcomes of a suite, which come in any order, back into that of the cases.
@@ -76,7 +76,7 @@ class InOrder {
   std::atomic<std::size_t> end_;  ///< cases from here on are not told
   std::size_t next_ = 0;          ///< to be told
   std::map<std::size_t, CaseOutcome> waiting_;
-  WorkDone work_;
+  terminal::WorkDone work_;
   std::exception_ptr error_;
 };
 
@@ -84,8 +84,8 @@ class InOrder {
 
 std::vector<Reading> read_suite(std::span<const Candidate> cases, const SuiteOptions& options) {
   std::vector<Reading> readings(cases.size());
-  SharedProgress progress("cases read", cases.size());
-  for_each_index(cases.size(), options.threads, [&](std::size_t i) {
+  terminal::SharedProgress progress("cases read", cases.size());
+  base::for_each_index(cases.size(), options.threads, [&](std::size_t i) {
     readings[i] = read_candidate(cases[i].path, options.read);
     progress.done();
   });
@@ -95,7 +95,7 @@ std::vector<Reading> read_suite(std::span<const Candidate> cases, const SuiteOpt
 void run_suite(std::span<const Candidate> cases, std::vector<Reading> readings,
                const SuiteOptions& options, const SuiteListener& listener) {
   InOrder order(cases, options, listener);
-  for_each_index(cases.size(), options.threads, [&](std::size_t i) {
+  base::for_each_index(cases.size(), options.threads, [&](std::size_t i) {
     if (order.is_past_end(i)) return;
     constexpr unsigned kRowsPerTick = 1U << 14U;
     unsigned rows = 0;
@@ -109,8 +109,8 @@ void run_suite(std::span<const Candidate> cases, std::vector<Reading> readings,
     CheckCaseOptions one{options.keep_passing, stopped, {}};
     one.strict = options.strict;
     if (options.report) {
-      one.report_rows = most_rows(cases.size());
-      one.report = [&, i](CaseReport&& report) { options.report(i, std::move(report)); };
+      one.report_rows = report::most_rows(cases.size());
+      one.report = [&, i](report::CaseReport&& report) { options.report(i, std::move(report)); };
     }
     auto outcome = check_case(cases[i], reading, one);
     if (outcome) order.take(i, std::move(*outcome));
@@ -118,4 +118,4 @@ void run_suite(std::span<const Candidate> cases, std::vector<Reading> readings,
   order.rethrow();
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

@@ -9,7 +9,7 @@
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/terminal/print.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 
 void SlowestCases::add(const Candidate& candidate, const CaseOutcome& outcome) {
   // Cases that took equally long stay in the order of the suite.
@@ -25,14 +25,14 @@ std::string SlowestCases::text() const {
   if (entries_.empty()) return {};
   std::string text = "  slowest:\n";
   for (const Entry& entry : entries_) {
-    text += fmt::format("  {:>9}  {}\n", seconds_text(entry.seconds), printable(entry.label));
+    text += fmt::format("  {:>9}  {}\n", seconds_text(entry.seconds), base::printable(entry.label));
   }
   return text;
 }
 
 std::string seconds_text(double seconds) {
-  return elapsed_text(std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+  return terminal::elapsed_text(std::chrono::duration_cast<std::chrono::steady_clock::duration>(
       std::chrono::duration<double>(seconds)));
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

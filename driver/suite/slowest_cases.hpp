@@ -8,7 +8,7 @@
 #include "driver/suite/candidates.hpp"
 #include "driver/suite/outcome.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 
 /// The cases of a suite that took longest, the slowest first.
 class SlowestCases {
@@ -36,4 +36,4 @@ class SlowestCases {
 /// "0.21 s", "3.4 ms".
 std::string seconds_text(double seconds);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

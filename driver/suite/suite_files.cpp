@@ -11,7 +11,7 @@
 #include "driver/suite/junit.hpp"
 #include "driver/suite/suite_json.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 namespace {
 
 using Wanted = std::array<std::pair<const char*, const std::string*>, 3>;
@@ -20,14 +20,14 @@ Wanted wanted_files(const SuiteTargets& targets) {
   return {{{"--junit", &targets.junit}, {"--json", &targets.json}, {"--report", &targets.report}}};
 }
 
-SuiteFilesFault bad_input(std::string message) { return {kExitBadInput, std::move(message)}; }
+SuiteFilesFault bad_input(std::string message) { return {base::kExitBadInput, std::move(message)}; }
 
 }  // namespace
 
 std::string overwritten_input(const SuiteTargets& targets, std::span<const std::string> inputs) {
   for (const auto& [option, target] : wanted_files(targets)) {
     if (target->empty()) continue;
-    if (const std::string fault = input_fault(*target, inputs); !fault.empty()) {
+    if (const std::string fault = base::input_fault(*target, inputs); !fault.empty()) {
       return fmt::format("{} {}", option, fault);
     }
   }
@@ -39,7 +39,7 @@ tl::expected<SuiteFiles, SuiteFilesFault> SuiteFiles::create(const SuiteTargets&
   std::vector<std::string> inputs;
   for (const Candidate& candidate : cases) inputs.push_back(candidate.path);
   if (const std::string fault = overwritten_input(targets, inputs); !fault.empty()) {
-    return tl::unexpected(SuiteFilesFault{kExitEnvironment, fault});
+    return tl::unexpected(SuiteFilesFault{base::kExitEnvironment, fault});
   }
   const Wanted wanted = wanted_files(targets);
   for (const auto& [option, target] : wanted) {
@@ -50,7 +50,7 @@ tl::expected<SuiteFiles, SuiteFilesFault> SuiteFiles::create(const SuiteTargets&
     }
     for (const auto& [other_option, other] : wanted) {
       if (other == target) break;
-      if (!other->empty() && is_same_file(*target, *other)) {
+      if (!other->empty() && base::is_same_file(*target, *other)) {
         return tl::unexpected(
             bad_input(fmt::format("{} and {} would both write {}", other_option, option, *target)));
       }
@@ -59,11 +59,11 @@ tl::expected<SuiteFiles, SuiteFilesFault> SuiteFiles::create(const SuiteTargets&
   SuiteFiles files;
   for (const auto& [option, target] : wanted) {
     if (target->empty()) continue;
-    const FileMark mark = target == &targets.junit  ? JunitReport::mark()
-                          : target == &targets.json ? SuiteJson::mark()
-                                                    : report_page_mark();
-    auto file = OutputFile::create(*target, mark, {.force = targets.force});
-    if (!file) return tl::unexpected(SuiteFilesFault{kExitEnvironment, file.error()});
+    const base::FileMark mark = target == &targets.junit  ? JunitReport::mark()
+                                : target == &targets.json ? SuiteJson::mark()
+                                                          : report::report_page_mark();
+    auto file = base::OutputFile::create(*target, mark, {.force = targets.force});
+    if (!file) return tl::unexpected(SuiteFilesFault{base::kExitEnvironment, file.error()});
     if (target == &targets.junit) files.junit.emplace(std::move(*file));
     if (target == &targets.json) files.json.emplace(std::move(*file));
   }
@@ -72,12 +72,12 @@ tl::expected<SuiteFiles, SuiteFilesFault> SuiteFiles::create(const SuiteTargets&
 
 std::vector<std::string> SuiteFiles::complete() {
   std::vector<std::string> faults;
-  for (std::optional<OutputFile>* file : {&junit, &json}) {
+  for (std::optional<base::OutputFile>* file : {&junit, &json}) {
     if (!*file) continue;
-    OutputFile* const alone[] = {&**file};
-    if (auto done = commit(alone); !done) faults.push_back(done.error());
+    base::OutputFile* const alone[] = {&**file};
+    if (auto done = base::commit(alone); !done) faults.push_back(done.error());
   }
   return faults;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

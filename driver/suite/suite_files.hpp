@@ -10,7 +10,7 @@
 #include "driver/base/files/output_file.hpp"
 #include "driver/suite/candidates.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 
 /// Files that the verdicts of a suite go to beside the terminal; empty for nowhere.
 struct SuiteTargets {
@@ -31,8 +31,8 @@ struct SuiteFilesFault {
 /// The files of verdicts. They are created before a suite begins, so that a place that cannot be
 /// written to is known before the work and not after it, and appear under their names at its end.
 struct SuiteFiles {
-  std::optional<OutputFile> junit;
-  std::optional<OutputFile> json;
+  std::optional<base::OutputFile> junit;
+  std::optional<base::OutputFile> json;
 
   /// The page is written by others (`write_report`); here it is only tried whether it can be.
   /// Errors: "-", or two targets that are the same file (exit code 2); a target that is one of the
@@ -45,4 +45,4 @@ struct SuiteFiles {
   std::vector<std::string> complete();
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

@@ -6,7 +6,7 @@
 #include "driver/base/text/json.hpp"
 #include "driver/results/provenance.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 
 namespace {
 
@@ -14,10 +14,10 @@ constexpr const char* kStart = "{\"slipbench\": ";
 
 }  // namespace
 
-FileMark SuiteJson::mark() { return {"a JSON file of 'slipbench check'", kStart, ""}; }
+base::FileMark SuiteJson::mark() { return {"a JSON file of 'slipbench check'", kStart, ""}; }
 
 void SuiteJson::add(std::size_t place, const Candidate& candidate, const CaseOutcome& outcome) {
-  json::Value one;
+  base::json::Value one;
   one["case"] = candidate.label;
   one["file"] = candidate.path;
   one["status"] = word_for(outcome.kind);
@@ -30,16 +30,17 @@ void SuiteJson::add(std::size_t place, const Candidate& candidate, const CaseOut
     }
   }
   if (!outcome.warnings.empty()) {
-    one["warnings"] = json::Array(outcome.warnings.begin(), outcome.warnings.end());
+    one["warnings"] = base::json::Array(outcome.warnings.begin(), outcome.warnings.end());
   }
-  json::Array checks;
-  for (const CheckOutcome& check : outcome.verdicts) checks.push_back(to_json(check.verdict));
+  base::json::Array checks;
+  for (const CheckOutcome& check : outcome.verdicts)
+    checks.push_back(check::to_json(check.verdict));
   one["checks"] = std::move(checks);
   cases_[place] = one.dump();
 }
 
 std::string SuiteJson::text(const SuiteTotals& totals) const {
-  json::Value sums;
+  base::json::Value sums;
   sums["cases"] = totals.passed + totals.failed + totals.no_checks + totals.not_run;
   sums["passed"] = totals.passed;
   sums["failed"] = totals.failed;
@@ -50,8 +51,8 @@ std::string SuiteJson::text(const SuiteTotals& totals) const {
   sums["exit_code"] = totals.code;
   std::string cases;
   for (const auto& [place, text] : cases_) cases += (cases.empty() ? "\n  " : ",\n  ") + text;
-  return kStart + json::Value(program_version()).dump() + ", \"cases\": [" + cases +
+  return kStart + base::json::Value(results::program_version()).dump() + ", \"cases\": [" + cases +
          "\n], \"totals\": " + sums.dump() + "}\n";
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

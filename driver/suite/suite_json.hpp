@@ -9,7 +9,7 @@
 #include "driver/suite/candidates.hpp"
 #include "driver/suite/outcome.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 
 /// The verdicts of a suite as JSON: {"slipbench": version, "cases": [..], "totals": {..}}, one case
 /// a line, in the order of the suite, whatever the order in which they were run. No times: the same
@@ -23,10 +23,10 @@ class SuiteJson {
   std::string text(const SuiteTotals& totals) const;
 
   /// The mark of every such file.
-  static FileMark mark();
+  static base::FileMark mark();
 
  private:
   std::map<std::size_t, std::string> cases_;  ///< by their places
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

@@ -5,12 +5,13 @@
 
 #include "driver/base/text/diagnostic.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 
 void TrailingNotes::add(const Candidate& candidate, const CaseOutcome& outcome) {
   const auto add_one = [&](const std::string& text) {
     if (++warning_count_ > kMostWarnings) return;
-    warnings_ += fmt::format("  warning: {}  {}\n", printable(candidate.label), printable(text));
+    warnings_ +=
+        fmt::format("  warning: {}  {}\n", base::printable(candidate.label), base::printable(text));
   };
   for (const std::string& warning : outcome.warnings) add_one(warning);
   for (const CheckOutcome& check : outcome.verdicts) {
@@ -33,4 +34,4 @@ std::string TrailingNotes::text() const {
   return text;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

@@ -7,7 +7,7 @@
 #include "driver/suite/candidates.hpp"
 #include "driver/suite/outcome.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 
 /// Notes below the table: doubts about checks, and why cases were not run. A flood is cut:
 /// of each kind the first are told and the others counted.
@@ -28,4 +28,4 @@ class TrailingNotes {
   std::size_t message_count_ = 0;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

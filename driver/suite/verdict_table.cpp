@@ -10,7 +10,7 @@
 #include "driver/results/provenance.hpp"
 #include "driver/terminal/print.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 namespace {
 
 /// `left` and `right` on one line of the table's width.
@@ -32,7 +32,8 @@ std::string counted(std::size_t count, const char* thing) {
 
 std::string table_head(std::size_t cases, std::optional<std::size_t> checks,
                        const std::string& workers) {
-  std::string left = fmt::format("slipbench {}   {}", program_version(), counted(cases, "case"));
+  std::string left =
+      fmt::format("slipbench {}   {}", results::program_version(), counted(cases, "case"));
   if (checks) left += ", " + counted(*checks, "check");
   return two_ends(left, workers);
 }
@@ -40,14 +41,14 @@ std::string table_head(std::size_t cases, std::optional<std::size_t> checks,
 VerdictTable::VerdictTable(std::span<const Candidate> cases, bool quiet, bool colour)
     : quiet_(quiet), pass_(painted(colour, "32", "PASS")), fail_(painted(colour, "31", "FAIL")) {
   for (const Candidate& candidate : cases) {
-    width_ = std::max(width_, count_code_points(candidate.label));
+    width_ = std::max(width_, base::count_code_points(candidate.label));
   }
 }
 
 std::string VerdictTable::lines(const Candidate& candidate, const CaseOutcome& outcome) const {
   if (quiet_ && outcome.well()) return {};
-  const std::string label = printable(candidate.label);
-  const std::string padded = label + std::string(width_ - count_code_points(label), ' ');
+  const std::string label = base::printable(candidate.label);
+  const std::string padded = label + std::string(width_ - base::count_code_points(label), ' ');
   std::string text;
   switch (outcome.kind) {
     case CaseOutcome::Kind::kPassed:
@@ -58,15 +59,15 @@ std::string VerdictTable::lines(const Candidate& candidate, const CaseOutcome& o
     case CaseOutcome::Kind::kFailed:
       for (const CheckOutcome& check : outcome.verdicts) {
         if (check.verdict.passed) continue;
-        text += fmt::format("  {}  {}   {}\n", fail_, padded, printable(check.text));
+        text += fmt::format("  {}  {}   {}\n", fail_, padded, base::printable(check.text));
       }
       return text;
     case CaseOutcome::Kind::kNotRun:
       break;
   }
-  return fmt::format(
-      "  {}  {}   {}\n", fail_, padded,
-      outcome.code == kExitNumerical ? "numerical failure, see below" : "cannot be run, see below");
+  return fmt::format("  {}  {}   {}\n", fail_, padded,
+                     outcome.code == base::kExitNumerical ? "numerical failure, see below"
+                                                          : "cannot be run, see below");
 }
 
 std::string table_totals(const SuiteTotals& totals, bool with_checks,
@@ -76,7 +77,7 @@ std::string table_totals(const SuiteTotals& totals, bool with_checks,
   if (totals.not_run > 0) left += fmt::format(", {} not run", totals.not_run);
   if (totals.no_checks > 0) left += fmt::format(", {} without checks", totals.no_checks);
   if (with_checks) left += "; " + counted(totals.checks, "check");
-  return two_ends(left, elapsed_text(elapsed));
+  return two_ends(left, terminal::elapsed_text(elapsed));
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

@@ -11,7 +11,7 @@
 #include "driver/suite/candidates.hpp"
 #include "driver/suite/outcome.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 
 /// "slipbench 0.1.0   24 cases, 61 checks ...", with a line feed; `checks` only if their number is
 /// known, `workers` is "2 cores" or "4 threads".
@@ -44,4 +44,4 @@ class VerdictTable {
 std::string table_totals(const SuiteTotals& totals, bool with_checks,
                          std::chrono::steady_clock::duration elapsed);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

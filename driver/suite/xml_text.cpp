@@ -5,7 +5,7 @@
 
 #include "driver/base/text/utf8.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 namespace {
 
 bool is_xml_character(std::uint32_t c) {
@@ -17,7 +17,7 @@ std::string escaped(std::string_view text, bool attribute) {
   std::string result;
   result.reserve(text.size());
   while (!text.empty()) {
-    const CodePoint c = decode_utf8(text);
+    const base::CodePoint c = base::decode_utf8(text);
     const std::string_view piece = text.substr(0, c.length);
     text.remove_prefix(c.length);
     if (!c.valid || !is_xml_character(c.value)) {
@@ -49,4 +49,4 @@ std::string xml_text(std::string_view text) { return escaped(text, false); }
 
 std::string xml_attribute(std::string_view text) { return escaped(text, true); }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

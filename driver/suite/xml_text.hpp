@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 
 /// The text for use between tags or within a quoted attribute of XML 1.0: `<`, `>`, `&` and quotes
 /// are escaped, and so are line feeds and tabs in an attribute, where a reader would take them for
@@ -13,4 +13,4 @@ namespace slipbench::driver {
 std::string xml_text(std::string_view text);
 std::string xml_attribute(std::string_view text);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

@@ -13,7 +13,7 @@
 #include "driver/base/files/exit_code.hpp"
 #include "driver/base/text/diagnostic.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::terminal {
 namespace {
 
 /// The first reason why standard output did not take something.
@@ -41,19 +41,19 @@ void print_error(std::string_view text) {
 }
 
 int refuse(int code, std::string_view message) {
-  print_error(fmt::format("slipbench: error: {}\n", printable(message)));
+  print_error(fmt::format("slipbench: error: {}\n", base::printable(message)));
   return code;
 }
 
 int finish_output(int code) {
   flush_output();
   if (output_error == 0) return code;
-  if (output_error == EPIPE) return code == kExitOk ? kExitNoReader : code;
+  if (output_error == EPIPE) return code == base::kExitOk ? base::kExitNoReader : code;
   static bool told = false;
   if (!std::exchange(told, true))
     print_error(fmt::format("slipbench: error: standard output cannot be written: {}\n",
                             std::generic_category().message(output_error)));
-  return worse(code, kExitEnvironment);
+  return base::worse(code, base::kExitEnvironment);
 }
 
 bool colour_wanted(int descriptor) {
@@ -75,4 +75,4 @@ std::string elapsed_text(std::chrono::steady_clock::duration elapsed) {
   return fmt::format("{:.2f} s", seconds);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::terminal

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace slipbench::driver {
+namespace slipbench::driver::terminal {
 
 /// Everything written to standard output goes through here, so that `finish_output` knows whether
 /// it arrived.
@@ -20,8 +20,9 @@ void print_error(std::string_view text);
 int refuse(int code, std::string_view message);
 
 /// Flushes standard output. If something did not arrive (a closed or full one), says so on
-/// standard error and returns the worse of `code` and kExitEnvironment. A reader that has seen
-/// enough, as head has, is no trouble: nothing is said, and kExitOk becomes kExitNoReader.
+/// standard error and returns the worse of `code` and base::kExitEnvironment. A reader that has
+/// seen enough, as head has, is no trouble: nothing is said, and base::kExitOk becomes
+/// base::kExitNoReader.
 int finish_output(int code);
 
 /// True if colour is wanted on a stream. The first of these decides: NO_COLOR that is not empty
@@ -32,4 +33,4 @@ bool colour_wanted(int descriptor);
 /// "12 ms", "0.21 s", "3.4 s".
 std::string elapsed_text(std::chrono::steady_clock::duration elapsed);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::terminal

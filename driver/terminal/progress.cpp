@@ -14,7 +14,7 @@
 #include "driver/base/text/utf8.hpp"
 #include "driver/terminal/print.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::terminal {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -63,11 +63,11 @@ std::string progress_text(const WorkDone& work, const std::string& what, double 
 }
 
 std::string fitting(const std::string& text, std::size_t width) {
-  const std::string shown = printable(text);
+  const std::string shown = base::printable(text);
   std::string_view rest = shown;
   // The last place stays free: some terminals begin a new line behind it.
   for (std::size_t used = 0; !rest.empty() && (width == 0 || used + 1 < width); ++used) {
-    rest.remove_prefix(decode_utf8(rest).length);
+    rest.remove_prefix(base::decode_utf8(rest).length);
   }
   return shown.substr(0, shown.size() - rest.size());
 }
@@ -130,4 +130,4 @@ void SharedProgress::tick() {
   if (lock) progress_.step(work_);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::terminal

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-namespace slipbench::driver {
+namespace slipbench::driver::terminal {
 
 /// Progress of a work of many equal parts.
 struct WorkDone {
@@ -77,4 +77,4 @@ class SharedProgress {
   WorkDone work_;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::terminal

@@ -13,7 +13,7 @@
 #include "driver/base/text/suggestions.hpp"
 #include "driver/base/units/carried_unit.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::yaml {
 namespace {
 
 /// "wanted a number: '010' has a leading zero; write 10", unless the reason says what is wanted.
@@ -39,12 +39,12 @@ bool ends_with_unit(std::string_view expression) {
   const char last = expression[before];
   const bool complete = last == ')' || last == '_' || last == '.' ||
                         std::isalnum(static_cast<unsigned char>(last)) != 0;
-  return complete && dimension_of_unit(expression.substr(blank + 1)).has_value();
+  return complete && base::dimension_of_unit(expression.substr(blank + 1)).has_value();
 }
 
 /// The place inside a scalar that an expression's error means, if the scalar stands in one line.
-SourcePosition inside(const Node& node, const ExpressionError& problem) {
-  SourcePosition where = node.where();
+base::SourcePosition inside(const Node& node, const base::ExpressionError& problem) {
+  base::SourcePosition where = node.where();
   if (problem.offset < 0 || problem.offset >= where.length) return where;
   where.column += problem.offset + (node.quoted() ? 1 : 0);
   where.length = problem.unknown_name.empty() ? 1 : static_cast<int>(problem.unknown_name.size());
@@ -65,10 +65,10 @@ void Binder::note(const Node& at, const Path& path, std::string message, std::st
 
 void Binder::wrong_kind(const Node& node, const Path& path, std::string_view wanted) {
   std::string found(name_of(node.kind()));
-  if (node.is_scalar()) found = in_quotes(printable(node.text()));
+  if (node.is_scalar()) found = in_quotes(base::printable(node.text()));
   std::string hint;
   if (wanted.starts_with("a list") && node.is_map()) hint = "each item of a list begins with '- '";
-  const bool is_word = node.is_scalar() && !parse_number(node.text());
+  const bool is_word = node.is_scalar() && !base::parse_number(node.text());
   if (wanted == "a map" && (node.is_sequence() || is_word)) hint = "a map is {key: value}";
   error(node, path, "wanted " + std::string(wanted) + ", found " + found, std::move(hint));
 }
@@ -92,12 +92,12 @@ std::optional<std::string_view> Binder::unknown_key(const Node& key, const Path&
     return std::nullopt;
   }
   std::string hint = words_.other_name(key.text(), path.text());
-  const auto nearest = hint.empty() ? nearest_name(key.text(), allowed) : std::nullopt;
+  const auto nearest = hint.empty() ? base::nearest_name(key.text(), allowed) : std::nullopt;
   if (nearest) {
     hint = "did you mean " + in_quotes(*nearest) + "?";
   } else if (hint.empty()) {
     const std::string places = words_.places_of_key(key.text());
-    hint = places.empty() ? "known here: " + few_in_words(allowed)
+    hint = places.empty() ? "known here: " + base::few_in_words(allowed)
                           : in_quotes(key.text()) + " belongs to " + places;
   }
   error(key, path, "unknown key", std::move(hint));
@@ -111,7 +111,8 @@ bool Binder::is_expression(const Node& node) {
   return begin != std::string_view::npos && text[begin] == '=';
 }
 
-void Binder::expression_error(const Node& node, const Path& path, const ExpressionError& problem,
+void Binder::expression_error(const Node& node, const Path& path,
+                              const base::ExpressionError& problem,
                               const std::vector<std::string>& variables) {
   if (!problem.unknown_name.empty() && unknown_names_excused_) return;
   std::string hint;
@@ -121,7 +122,7 @@ void Binder::expression_error(const Node& node, const Path& path, const Expressi
     std::vector<std::string_view> names(variables.begin(), variables.end());
     for (const auto& [name, value] : parameters_) names.push_back(name);
     names.insert(names.end(), unresolved_.begin(), unresolved_.end());
-    for (const std::string& name : function_names()) names.push_back(name);
+    for (const std::string& name : base::function_names()) names.push_back(name);
     // Only where result columns can be named.
     if (variables.size() > 1) hint = words_.origin_of_column(problem.unknown_name);
     if (hint.empty()) {
@@ -132,13 +133,13 @@ void Binder::expression_error(const Node& node, const Path& path, const Expressi
              std::move(hint));
 }
 
-std::optional<Expression> Binder::expression(const Node& node, const Path& path,
-                                             const std::vector<std::string>& variables) {
+std::optional<base::Expression> Binder::expression(const Node& node, const Path& path,
+                                                   const std::vector<std::string>& variables) {
   std::vector<std::string> known = variables;
   for (const std::string& name : unresolved_) {
     if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
   }
-  auto compiled = Expression::compile(node.text(), known, parameters_);
+  auto compiled = base::Expression::compile(node.text(), known, parameters_);
   if (!compiled) {
     expression_error(node, path, compiled.error(), variables);
     return std::nullopt;
@@ -148,34 +149,34 @@ std::optional<Expression> Binder::expression(const Node& node, const Path& path,
     if (compiled->uses(known[i])) return std::nullopt;
   }
   if (known.size() == variables.size()) return std::move(*compiled);
-  return std::move(*Expression::compile(node.text(), variables, parameters_));
+  return std::move(*base::Expression::compile(node.text(), variables, parameters_));
 }
 
 std::optional<double> Binder::number_with_unit(const Node& node, const Path& path,
                                                const KeyInfo& info) {
   const bool is_declared = info.unit == UnitUse::kDeclared;
-  if (is_declared && info.dimension == Dimension{}) {
+  if (is_declared && info.dimension == base::Dimension{}) {
     error(node, path,
-          in_quotes(printable(node.text())) + ": a number without a unit is wanted here");
+          in_quotes(base::printable(node.text())) + ": a number without a unit is wanted here");
     return std::nullopt;
   }
   if (!units_) {
     error(node, path,
-          in_quotes(printable(node.text())) + ": the cases of this file have different units",
+          in_quotes(base::printable(node.text())) + ": the cases of this file have different units",
           "write the number without a unit");
     return std::nullopt;
   }
   const auto read =
-      read_with_unit(node.text(), is_declared ? std::optional(info.dimension) : std::nullopt,
-                     *units_, info.difference);
+      base::read_with_unit(node.text(), is_declared ? std::optional(info.dimension) : std::nullopt,
+                           *units_, info.difference);
   if (!read) {
     error(node, path, read.error());
     return std::nullopt;
   }
   if (info.unit == UnitUse::kNone) {
     error(node, path,
-          in_quotes(printable(node.text())) + ": a number without a unit is wanted here",
-          "in the case's units it is " + format_number(read->value));
+          in_quotes(base::printable(node.text())) + ": a number without a unit is wanted here",
+          "in the case's units it is " + base::format_number(read->value));
     return std::nullopt;
   }
   if (info.unit == UnitUse::kSlip || info.unit == UnitUse::kQuantity) {
@@ -185,35 +186,35 @@ std::optional<double> Binder::number_with_unit(const Node& node, const Path& pat
 }
 
 void Binder::settle_units(const Path& below,
-                          const std::function<Dimension(const Dimension&)>& wanted) {
+                          const std::function<base::Dimension(const base::Dimension&)>& wanted) {
   std::erase_if(unsettled_, [&](const UnsettledUnit& one) {
     const std::string_view path = one.path.text();
     const std::size_t length = below.text().size();
     const bool inside = path.starts_with(below.text()) &&
                         (path.size() == length || path[length] == '.' || path[length] == '[');
-    const Dimension fitting = inside ? wanted(one.wanted) : Dimension{};
-    if (inside && !measures(one.dimension, fitting)) {
-      error(one.node, one.path, misfit(one.node.text(), one.dimension, fitting, *units_));
+    const base::Dimension fitting = inside ? wanted(one.wanted) : base::Dimension{};
+    if (inside && !base::measures(one.dimension, fitting)) {
+      error(one.node, one.path, base::misfit(one.node.text(), one.dimension, fitting, *units_));
     }
     return inside;
   });
 }
 
-void Binder::settle_units(const Path& below, const Dimension& wanted) {
-  settle_units(below, [&wanted](const Dimension&) { return wanted; });
+void Binder::settle_units(const Path& below, const base::Dimension& wanted) {
+  settle_units(below, [&wanted](const base::Dimension&) { return wanted; });
 }
 
 void Binder::settle_slip_units(const Path& below, bool rotation) {
-  settle_units(below, [rotation](const Dimension& translation) {
-    constexpr Dimension kArea{.length = 2};  // that of a contact, whatever slips
-    return rotation && translation != kArea ? rotated(translation) : translation;
+  settle_units(below, [rotation](const base::Dimension& translation) {
+    constexpr base::Dimension kArea{.length = 2};  // that of a contact, whatever slips
+    return rotation && translation != kArea ? base::rotated(translation) : translation;
   });
 }
 
 void Binder::refuse_unsettled_units() {
   for (const UnsettledUnit& one : unsettled_) {
     error(one.node, one.path,
-          in_quotes(printable(one.node.text())) +
+          in_quotes(base::printable(one.node.text())) +
               ": a number in the case's units is wanted here, without a unit");
   }
   unsettled_.clear();
@@ -238,10 +239,10 @@ std::optional<double> Binder::number(const Node& node, const Path& path, const K
     }
     return *value;
   }
-  const auto value = parse_number(node.text());
-  if (!value && carries_unit(node.text())) return number_with_unit(node, path, info);
+  const auto value = base::parse_number(node.text());
+  if (!value && base::carries_unit(node.text())) return number_with_unit(node, path, info);
   if (node.quoted()) {
-    error(node, path, "wanted a number, found the text " + in_quotes(printable(node.text())),
+    error(node, path, "wanted a number, found the text " + in_quotes(base::printable(node.text())),
           "a number stands without quotes");
     return std::nullopt;
   }
@@ -254,14 +255,14 @@ std::optional<double> Binder::number(const Node& node, const Path& path, const K
 
 std::optional<std::filesystem::path> Binder::data_file(const Node& node, const Path& path,
                                                        std::string_view text) {
-  const bool streamed = text == kStandardInput;
-  if (streamed && node.source().name() == kStandardInputName) {
+  const bool streamed = text == base::kStandardInput;
+  if (streamed && node.source().name() == base::kStandardInputName) {
     error(node, path, "standard input is this text itself, and cannot be its data as well",
           "one of them must be a file");
     return std::nullopt;
   }
-  auto file =
-      streamed ? standard_input_file() : resolve_data_path(case_folder_, text, allow_outside_);
+  auto file = streamed ? base::standard_input_file()
+                       : base::resolve_data_path(case_folder_, text, allow_outside_);
   if (!file) {
     history_error(node, path, file.error());
     return std::nullopt;
@@ -271,9 +272,9 @@ std::optional<std::filesystem::path> Binder::data_file(const Node& node, const P
   return std::move(*file);
 }
 
-void Binder::history_error(const Node& node, const Path& path, const HistoryError& problem,
+void Binder::history_error(const Node& node, const Path& path, const base::HistoryError& problem,
                            std::string hint) {
-  if (problem.kind == HistoryError::Kind::kEnvironment) environment_failed_ = true;
+  if (problem.kind == base::HistoryError::Kind::kEnvironment) environment_failed_ = true;
   std::string message = problem.message;
   if (problem.line > 0) {
     std::string place = problem.file + ":" + std::to_string(problem.line);
@@ -289,23 +290,23 @@ std::string in_words(const law::Bounds& bounds) {
   const bool below = std::isfinite(bounds.lower);
   const bool above = std::isfinite(bounds.upper);
   const auto open = [](bool is_open) { return is_open ? " (exclusive)" : ""; };
-  if (below && bounds.lower == bounds.upper) return format_number(bounds.lower);
+  if (below && bounds.lower == bounds.upper) return base::format_number(bounds.lower);
   if (below && above) {
-    return "between " + format_number(bounds.lower) + open(bounds.lower_open) + " and " +
-           format_number(bounds.upper) + open(bounds.upper_open);
+    return "between " + base::format_number(bounds.lower) + open(bounds.lower_open) + " and " +
+           base::format_number(bounds.upper) + open(bounds.upper_open);
   }
   if (below) {
-    return (bounds.lower_open ? "greater than " : "at least ") + format_number(bounds.lower);
+    return (bounds.lower_open ? "greater than " : "at least ") + base::format_number(bounds.lower);
   }
   if (above) {
-    return (bounds.upper_open ? "less than " : "at most ") + format_number(bounds.upper);
+    return (bounds.upper_open ? "less than " : "at most ") + base::format_number(bounds.upper);
   }
   return "";
 }
 
 std::string nearest_or(std::string_view name, std::span<const std::string_view> names,
                        std::string otherwise) {
-  const auto nearest = nearest_name(name, names);
+  const auto nearest = base::nearest_name(name, names);
   return nearest ? "did you mean " + in_quotes(*nearest) + "?" : std::move(otherwise);
 }
 
@@ -313,7 +314,8 @@ bool Binder::in_bounds(double value, const Node& node, const Path& path,
                        const law::Bounds& bounds) {
   if (bounds.contains(value)) return true;
   error(node, path,
-        "must be " + slipbench::driver::in_words(bounds) + ", found " + format_number(value));
+        "must be " + slipbench::driver::yaml::in_words(bounds) + ", found " +
+            base::format_number(value));
   return false;
 }
 
@@ -336,7 +338,7 @@ Json number_or_expression(std::string_view type, const law::Bounds& bounds, bool
   Json text;
   text["type"] = "string";
   text["pattern"] = unit ? R"(^ *=|^[-+]?[0-9.]+([eE][-+]?[0-9]+)? *([A-Za-z°µ]|1/))" : "^ *=";
-  Json either = Json(json::Array{});
+  Json either = Json(base::json::Array{});
   either.push_back(bounded(type, bounds));
   either.push_back(std::move(text));
   Json schema;
@@ -355,7 +357,7 @@ bool Codec<double>::read(Binder& binder, const Node& node, const Path& path, con
 }
 
 Json Codec<double>::schema(const KeyInfo& info) {
-  const bool pure = info.unit == UnitUse::kDeclared && info.dimension == Dimension{};
+  const bool pure = info.unit == UnitUse::kDeclared && info.dimension == base::Dimension{};
   return number_or_expression("number", info.bounds, !pure && info.unit != UnitUse::kNone);
 }
 
@@ -366,7 +368,7 @@ bool Codec<int>::read(Binder& binder, const Node& node, const Path& path, const 
     const std::optional<double> value = binder.number(node, path, info);
     if (!value) return false;
     if (*value != std::floor(*value) || std::abs(*value) > 1e15) {
-      binder.error(node, path, "wanted an integer, found " + format_number(*value));
+      binder.error(node, path, "wanted an integer, found " + base::format_number(*value));
       return false;
     }
     integer = static_cast<long long>(*value);
@@ -377,11 +379,11 @@ bool Codec<int>::read(Binder& binder, const Node& node, const Path& path, const 
     }
     if (node.quoted()) {
       binder.error(node, path,
-                   "wanted an integer, found the text " + in_quotes(printable(node.text())),
+                   "wanted an integer, found the text " + in_quotes(base::printable(node.text())),
                    "a number stands without quotes");
       return false;
     }
-    const auto value = parse_integer(node.text());
+    const auto value = base::parse_integer(node.text());
     if (!value) {
       binder.error(node, path, with_wanted("an integer", value.error()));
       return false;
@@ -428,7 +430,7 @@ bool Codec<std::string>::read(Binder& binder, const Node& node, const Path& path
 }
 
 Json Codec<std::string>::schema(const KeyInfo&) {
-  Json types = Json(json::Array{});  // a title may well be a plain 42
+  Json types = Json(base::json::Array{});  // a title may well be a plain 42
   types.push_back("string");
   types.push_back("number");
   Json schema;
@@ -457,7 +459,7 @@ std::string listed(std::span<const std::string_view> words) {
     const bool is_mark = word.size() == 1 && std::ispunct(static_cast<unsigned char>(word[0])) != 0;
     quoted.push_back(is_mark ? in_quotes(word) : std::string(word));
   }
-  return in_words(std::vector<std::string_view>(quoted.begin(), quoted.end()));
+  return base::in_words(std::vector<std::string_view>(quoted.begin(), quoted.end()));
 }
 
 bool read_word(Binder& binder, const Node& node, const Path& path,
@@ -469,7 +471,7 @@ bool read_word(Binder& binder, const Node& node, const Path& path,
   const auto word = std::find(words.begin(), words.end(), node.text());
   if (word == words.end()) {
     binder.error(node, path,
-                 "wanted " + listed(words) + ", found " + in_quotes(printable(node.text())),
+                 "wanted " + listed(words) + ", found " + in_quotes(base::printable(node.text())),
                  nearest_or(node.text(), words, ""));
     return false;
   }
@@ -477,4 +479,4 @@ bool read_word(Binder& binder, const Node& node, const Path& path,
   return true;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::yaml

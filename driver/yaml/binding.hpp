@@ -25,9 +25,9 @@
 #include "law/base/unit_name.hpp"
 #include "law/table/table.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::yaml {
 
-using Json = json::Value;
+using Json = base::json::Value;
 
 /// Which unit a number may carry: "12 mm" is converted to the case's system.
 enum class UnitUse {
@@ -40,7 +40,7 @@ enum class UnitUse {
 };
 
 /// A dimension as the law room declares it.
-constexpr Dimension declared(const law::Dimension& dimension) {
+constexpr base::Dimension declared(const law::Dimension& dimension) {
   return {dimension.force, dimension.length, dimension.time};
 }
 
@@ -49,7 +49,7 @@ struct KeyInfo {
   bool required = false;
   std::string_view text = {};          ///< one sentence for the user
   std::string_view default_text = {};  ///< the default in words, if the key is optional
-  Dimension dimension = {};
+  base::Dimension dimension = {};
   law::Bounds bounds = {};
   UnitUse unit = UnitUse::kDeclared;
   bool difference = false;  ///< of a temperature: a difference, to which 20 degF adds no offset
@@ -88,8 +88,9 @@ class Binder {
  public:
   /// \param unresolved parameters whose own value is faulty: expressions that use them have no
   /// value, and that is not reported again
-  Binder(Diagnostics& out, const NamedNumbers& parameters, std::vector<std::string> unresolved,
-         std::filesystem::path case_folder, bool allow_outside, const FileWords& words)
+  Binder(base::Diagnostics& out, const base::NamedNumbers& parameters,
+         std::vector<std::string> unresolved, std::filesystem::path case_folder, bool allow_outside,
+         const FileWords& words)
       : out_(out),
         words_(words),
         parameters_(parameters),
@@ -102,7 +103,7 @@ class Binder {
   void note(const Node& at, const Path& path, std::string message, std::string hint = {});
 
   /// The system that numbers with a unit are converted to; nothing if there are several.
-  void set_units(std::optional<UnitSystem> units) { units_ = std::move(units); }
+  void set_units(std::optional<base::UnitSystem> units) { units_ = std::move(units); }
 
   /// Returns how the tables of the connector's behaviour are prolonged that do not say it.
   [[nodiscard]] law::Extrapolation extrapolation() const { return extrapolation_; }
@@ -117,8 +118,9 @@ class Binder {
   /// Judges the units of the numbers read at `below` and under it, now that it is known what they
   /// measure; those of the wrong dimension are reported.
   /// \param wanted the dimension for one declared with KeyInfo::dimension
-  void settle_units(const Path& below, const std::function<Dimension(const Dimension&)>& wanted);
-  void settle_units(const Path& below, const Dimension& wanted);
+  void settle_units(const Path& below,
+                    const std::function<base::Dimension(const base::Dimension&)>& wanted);
+  void settle_units(const Path& below, const base::Dimension& wanted);
   /// The same for numbers declared as a translation's.
   void settle_slip_units(const Path& below, bool rotation);
   /// Reports every number whose unit was never judged.
@@ -127,10 +129,10 @@ class Binder {
   /// True if the scalar is an expression (starts with '='), quoted or not.
   static bool is_expression(const Node& node);
   /// Compiles an expression; `variables` get their values at evaluation.
-  std::optional<Expression> expression(const Node& node, const Path& path,
-                                       const std::vector<std::string>& variables);
+  std::optional<base::Expression> expression(const Node& node, const Path& path,
+                                             const std::vector<std::string>& variables);
   /// Reports an expression's error at its node with the nearest known name.
-  void expression_error(const Node& node, const Path& path, const ExpressionError& error,
+  void expression_error(const Node& node, const Path& path, const base::ExpressionError& error,
                         const std::vector<std::string>& variables);
 
   /// Reports a key that `allowed` does not have: nearest name, or where in the file it belongs.
@@ -150,7 +152,7 @@ class Binder {
   /// All files that were asked for so, in this order, be they there or not.
   [[nodiscard]] const std::vector<std::string>& data_files() const { return data_files_; }
   /// Reports a fault of a data file, in the file's own words and place.
-  void history_error(const Node& node, const Path& path, const HistoryError& error,
+  void history_error(const Node& node, const Path& path, const base::HistoryError& error,
                      std::string hint = {});
   /// True if some fault was the machine's (a file that cannot be read), not the text's.
   [[nodiscard]] bool environment_failed() const { return environment_failed_; }
@@ -160,10 +162,10 @@ class Binder {
   void excuse_unknown_names(bool excused) { unknown_names_excused_ = excused; }
   [[nodiscard]] bool unknown_names_excused() const { return unknown_names_excused_; }
 
-  [[nodiscard]] std::size_t errors() const { return out_.count(Severity::kError); }
+  [[nodiscard]] std::size_t errors() const { return out_.count(base::Severity::kError); }
   /// True if there are so many errors that further ones are only counted: what costs time or memory
   /// for their sake can be left out.
-  [[nodiscard]] bool flooded() const { return errors() > Diagnostics::kMaxKept; }
+  [[nodiscard]] bool flooded() const { return errors() > base::Diagnostics::kMaxKept; }
 
  private:
   /// The hint for an unknown key of a case that goes by another name here, or empty.
@@ -173,15 +175,15 @@ class Binder {
   struct UnsettledUnit {
     Node node;
     Path path;
-    Dimension dimension;  ///< of the unit
-    Dimension wanted;     ///< as the key declares it
+    base::Dimension dimension;  ///< of the unit
+    base::Dimension wanted;     ///< as the key declares it
   };
-  Diagnostics& out_;
-  std::optional<UnitSystem> units_ = UnitSystem{};
+  base::Diagnostics& out_;
+  std::optional<base::UnitSystem> units_ = base::UnitSystem{};
   law::Extrapolation extrapolation_ = law::Extrapolation::kConstant;
   std::vector<UnsettledUnit> unsettled_;
   FileWords words_;
-  const NamedNumbers& parameters_;
+  const base::NamedNumbers& parameters_;
   std::vector<std::string> unresolved_;
   std::filesystem::path case_folder_;
   std::vector<std::string> data_files_;
@@ -330,7 +332,7 @@ bool is_misspelt(const Node& node, std::string_view key) {
   const std::vector<std::string_view> allowed = keys_of<T>();
   for (const Entry entry : node.entries()) {
     if (std::find(allowed.begin(), allowed.end(), entry.key.text()) != allowed.end()) continue;
-    if (nearest_name(entry.key.text(), allowed) == key) return true;
+    if (base::nearest_name(entry.key.text(), allowed) == key) return true;
   }
   return false;
 }
@@ -370,9 +372,9 @@ template <class T>
 Json struct_schema() {
   Json schema;
   schema["type"] = "object";
-  Json required = Json(json::Array{});
+  Json required = Json(base::json::Array{});
   bool any_required = false;
-  Json properties = Json(json::Object{});
+  Json properties = Json(base::json::Object{});
   for_each_key<T>([&](std::string_view key, auto member, const KeyInfo& info) {
     using Member = std::remove_reference_t<decltype(std::declval<T&>().*member)>;
     Json property = Codec<Member>::schema(info);
@@ -466,7 +468,7 @@ struct Codec<E> {
     return true;
   }
   static Json schema(const KeyInfo&) {
-    Json words = Json(json::Array{});
+    Json words = Json(base::json::Array{});
     for (const std::string_view word : EnumWords<E>::kWords) words.push_back(word);
     Json schema;
     schema["enum"] = std::move(words);
@@ -595,4 +597,4 @@ struct Codec<std::vector<Named<T>>> {
   }
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::yaml

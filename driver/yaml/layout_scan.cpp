@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace slipbench::driver {
+namespace slipbench::driver::yaml {
 namespace {
 
 // More slips than anyone mends in one go; each costs a walk through the text.
@@ -539,4 +539,4 @@ NumberRange next_number(std::string_view text, const NumberRow& row, std::size_t
   return {begin, end - begin};
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::yaml

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::yaml {
 
 /// One slip: a range of bytes, what is wrong with it and what may help.
 struct LayoutSlip {
@@ -48,4 +48,4 @@ struct NumberRange {
 [[nodiscard]] NumberRange next_number(std::string_view text, const NumberRow& row,
                                       std::size_t offset);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::yaml

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace slipbench::driver {
+namespace slipbench::driver::yaml {
 namespace {
 
 bool is_plain_word(std::string_view key) {
@@ -80,7 +80,7 @@ NodeRange<Node> Node::items() const { return NodeRange<Node>(*this); }
 
 NodeRange<Entry> Node::entries() const { return NodeRange<Entry>(*this); }
 
-SourcePosition Node::where() const {
+base::SourcePosition Node::where() const {
   const std::string_view text = tree_->source.text();
   const std::size_t offset = std::min<std::size_t>(record_->offset, text.size());
   const std::string_view rest = text.substr(offset);
@@ -112,4 +112,4 @@ Path Path::operator/(std::size_t index) const {
   return result;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::yaml

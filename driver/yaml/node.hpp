@@ -12,7 +12,7 @@
 
 #include "driver/base/text/source_text.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::yaml {
 
 enum class NodeKind : std::uint8_t { kNull, kScalar, kSequence, kMap };
 
@@ -37,7 +37,7 @@ struct NodeRecord {
 [[nodiscard]] std::size_t quoted_length(std::string_view rest);
 
 struct TreeData {
-  SourceText source;
+  base::SourceText source;
   std::vector<NodeRecord> records{};
   NodeRecord root{};
   std::string decoded_text{};
@@ -81,8 +81,8 @@ class Node {
 
   /// The place of the node: a scalar's text, a list's or map's beginning, an alias itself rather
   /// than what it stands for, the key of a value that was left empty.
-  [[nodiscard]] SourcePosition where() const;
-  [[nodiscard]] const SourceText& source() const { return tree_->source; }
+  [[nodiscard]] base::SourcePosition where() const;
+  [[nodiscard]] const base::SourceText& source() const { return tree_->source; }
 
  private:
   [[nodiscard]] const detail::NodeRecord* child(std::size_t i) const {
@@ -143,7 +143,7 @@ class Tree {
 
   /// The outermost node; parse_yaml makes sure that it is a map.
   [[nodiscard]] Node root() const { return {data_.get(), &data_->root}; }
-  [[nodiscard]] const SourceText& source() const { return data_->source; }
+  [[nodiscard]] const base::SourceText& source() const { return data_->source; }
 
  private:
   std::shared_ptr<const detail::TreeData> data_;
@@ -164,4 +164,4 @@ class Path {
   std::string text_{};
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::yaml

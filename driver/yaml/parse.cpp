@@ -18,7 +18,7 @@
 
 #include "driver/yaml/layout_scan.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::yaml {
 namespace {
 
 using detail::NodeRecord;
@@ -99,10 +99,10 @@ std::size_t null_word_length(std::string_view rest) {
 
 class TreeBuilder : public YAML::EventHandler {
  public:
-  TreeBuilder(const SourceText& source, const Feed& feed)
+  TreeBuilder(const base::SourceText& source, const Feed& feed)
       : source_(source), text_(source.text()), feed_(feed), data_{source} {}
 
-  Diagnostics& found() { return found_; }
+  base::Diagnostics& found() { return found_; }
   [[nodiscard]] std::size_t rows_met() const { return rows_met_; }
   [[nodiscard]] bool has_root() const { return has_root_; }
   TreeData take() { return std::move(data_); }
@@ -206,7 +206,7 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
   [[nodiscard]] bool is_flooded() const {
-    return found_.count(Severity::kError) >= Diagnostics::kMaxKept;
+    return found_.count(base::Severity::kError) >= base::Diagnostics::kMaxKept;
   }
 
   [[nodiscard]] std::string current_path() const { return path_to(frames_.size()).text(); }
@@ -446,11 +446,11 @@ class TreeBuilder : public YAML::EventHandler {
     }
   }
 
-  const SourceText& source_;
+  const base::SourceText& source_;
   std::string_view text_;
   const Feed& feed_;
   TreeData data_;
-  Diagnostics found_{};
+  base::Diagnostics found_{};
   bool has_root_ = false;
   std::vector<Frame> frames_{};
   // Finished nodes whose parents are still open.
@@ -532,7 +532,7 @@ void run_library(const Feed& feed, std::string_view source_text, bool cut, TreeB
   }
 }
 
-void check_root(const SourceText& source, TreeBuilder& builder) {
+void check_root(const base::SourceText& source, TreeBuilder& builder) {
   const std::string_view text = source.text();
   const NodeRecord& root = builder.root();
   if (!builder.has_root() || root.kind == NodeKind::kNull) {
@@ -551,8 +551,8 @@ void check_root(const SourceText& source, TreeBuilder& builder) {
 
 }  // namespace
 
-tl::expected<Tree, Diagnostics> parse_yaml(const SourceText& source) {
-  Diagnostics found = check_text(source);
+tl::expected<Tree, base::Diagnostics> parse_yaml(const base::SourceText& source) {
+  base::Diagnostics found = base::check_text(source);
   std::string_view text = source.text();
   if (text.size() > std::numeric_limits<std::int32_t>::max())
     found.error(source.name(), source.position(0), {}, "the text is larger than 2 GiB");
@@ -587,4 +587,4 @@ tl::expected<Tree, Diagnostics> parse_yaml(const SourceText& source) {
   return Tree(std::make_shared<const TreeData>(std::move(data)));
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::yaml

@@ -8,7 +8,7 @@
 #include "driver/base/text/source_text.hpp"
 #include "driver/yaml/node.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::yaml {
 
 inline constexpr int kDeepestNesting = 64;
 /// Number of nodes that all aliases of a file together may stand for.
@@ -20,6 +20,6 @@ inline constexpr unsigned kAliasBudget = 1'000'000;
 /// are not closed, missing ':', duplicate keys, keys that are no words, tags, merge keys,
 /// directives, a second document, nesting deeper than kDeepestNesting, aliases that are undefined,
 /// contain themselves or expand beyond kAliasBudget, an empty file, a root that is no map.
-[[nodiscard]] tl::expected<Tree, Diagnostics> parse_yaml(const SourceText& source);
+[[nodiscard]] tl::expected<Tree, base::Diagnostics> parse_yaml(const base::SourceText& source);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::yaml

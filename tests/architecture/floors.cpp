@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <regex>
+#include <sstream>
 #include <string>
 
 #include "tests/architecture/include_rules.hpp"
@@ -10,52 +12,57 @@
 namespace slipbench::architecture {
 namespace {
 
-// A room knows the rooms before it. So a circle of rooms cannot be.
-constexpr std::array<std::string_view, 37> kFloors{
-    "law/base",         // names, components, conventions, small numerics
-    "law/table",        // tables over up to several arguments
-    "law/friction",     // the friction laws, a header each, and their list
-    "law/contact",      // forces that press: contact, derived and internal ones
-    "law/definition",   // what a friction definition is: limit, potential, formulation, state
-    "law/component",    // elasticity and damping beside friction
-    "law/connection",   // the connection types, a header each, and their list
-    "law/update",       // the update over an increment, and its tangent
-    "law/exact",        // the same, integrated within the increment
-    "law/sensitivity",  // its derivatives by the numbers of a definition
+// A room knows the rooms before it. So a circle of rooms cannot be. Beside it its namespace: the
+// law is one, and so are rooms of one folder but for those that know nothing of the rest; `case` is
+// no name in C++.
+// clang-format off
+constexpr std::array<Room, 37> kFloors{
+    Room{"law/base",                 "law"},               // names, components, conventions, small numerics
+    Room{"law/table",                "law"},               // tables over up to several arguments
+    Room{"law/friction",             "law"},               // the friction laws, a header each, and their list
+    Room{"law/contact",              "law"},               // forces that press: contact, derived and internal ones
+    Room{"law/definition",           "law"},               // what a friction definition is: limit, potential, formulation, state
+    Room{"law/component",            "law"},               // elasticity and damping beside friction
+    Room{"law/connection",           "law"},               // the connection types, a header each, and their list
+    Room{"law/update",               "law"},               // the update over an increment, and its tangent
+    Room{"law/exact",                "law"},               // the same, integrated within the increment
+    Room{"law/sensitivity",          "law"},               // its derivatives by the numbers of a definition
 
-    "driver/base/text",           // diagnostics, source texts, numbers, JSON, suggestions
-    "driver/base/files",          // output files, paths, threads, exit codes
-    "driver/base/units",          // units, expressions, parameters
-    "driver/base/csv",            // CSV data of any program
-    "driver/terminal",            // what is printed, and progress
-    "driver/calibrate/fit",       // least squares and their statistics; knows nothing of friction
-    "driver/calibrate/cleaning",  // measured rows, before they are compared
-    "driver/import/radioss",      // /FRICTION blocks of a deck, as the text of a case
-    "driver/yaml",                // nodes, and binding of declared keys; knows no key itself
-    "driver/history",             // profiles, measured histories, the grid of a step
-    "driver/case",                // what a case is, without its text
-    "driver/bench",               // runs it
-    "driver/results",             // columns, files and figures of a run
-    "driver/check/curves",        // curves to compare with, and where they overlap
-    "driver/check/criteria",      // a criterion each
-    "driver/check",               // the checks of a case, and their verdicts
-    "driver/read/keys",           // the declared keys, and what is said of them
-    "driver/read/resolve",        // from keys to a case, a part of it each
-    "driver/read",                // from a text to a case
-    "driver/report",              // the page of a run
-    "driver/plot",                // pictures
-    "driver/suite",               // many cases, and what became of them
-    "driver/analysis",            // explanations, convergence, comparisons of integration
-    "driver/calibrate",           // fits of cases to measurements
-    "driver/calibrate/report",    // the page and the pictures of a fit
-    "driver/commands",            // what each command does
-    "driver/cli",                 // its options, and main
+    Room{"driver/base/text",         "driver::base"},      // diagnostics, source texts, numbers, JSON, suggestions
+    Room{"driver/base/files",        "driver::base"},      // output files, paths, threads, exit codes
+    Room{"driver/base/units",        "driver::base"},      // units, expressions, parameters
+    Room{"driver/base/csv",          "driver::base"},      // CSV data of any program
+    Room{"driver/terminal",          "driver::terminal"},  // what is printed, and progress
+    Room{"driver/calibrate/fit",     "driver::fit"},       // least squares and their statistics; knows nothing of friction
+    Room{"driver/calibrate/cleaning","driver::cleaning"},  // measured rows, before they are compared
+    Room{"driver/import/radioss",    "driver::radioss"},   // /FRICTION blocks of a deck, as the text of a case
+    Room{"driver/yaml",              "driver::yaml"},      // nodes, and binding of declared keys; knows no key itself
+    Room{"driver/history",           "driver::history"},   // profiles, measured histories, the grid of a step
+    Room{"driver/case",              "driver::cases"},     // what a case is, without its text
+    Room{"driver/bench",             "driver::bench"},     // runs it
+    Room{"driver/results",           "driver::results"},   // columns, files and figures of a run
+    Room{"driver/check/curves",      "driver::check"},     // curves to compare with, and where they overlap
+    Room{"driver/check/criteria",    "driver::check"},     // a criterion each
+    Room{"driver/check",             "driver::check"},     // the checks of a case, and their verdicts
+    Room{"driver/read/keys",         "driver::read"},      // the declared keys, and what is said of them
+    Room{"driver/read/resolve",      "driver::read"},      // from keys to a case, a part of it each
+    Room{"driver/read",              "driver::read"},      // from a text to a case
+    Room{"driver/report",            "driver::report"},    // the page of a run
+    Room{"driver/plot",              "driver::plot"},      // pictures
+    Room{"driver/suite",             "driver::suite"},     // many cases, and what became of them
+    Room{"driver/analysis",          "driver::analysis"},  // explanations, convergence, comparisons of integration
+    Room{"driver/calibrate",         "driver::calibrate"}, // fits of cases to measurements
+    Room{"driver/calibrate/report",  "driver::calibrate"}, // the page and the pictures of a fit
+    Room{"driver/commands",          "driver::commands"},  // what each command does
+    Room{"driver/cli",               "driver::cli"},       // its options, and main
 };
+// clang-format on
 
 std::string_view folder_of(std::string_view path) { return path.substr(0, path.rfind('/')); }
 
 auto floor_of(std::string_view path) {
-  return std::find(kFloors.begin(), kFloors.end(), folder_of(path));
+  return std::find_if(kFloors.begin(), kFloors.end(),
+                      [&](const Room& room) { return room.folder == folder_of(path); });
 }
 
 bool has_floors(std::string_view path) {
@@ -64,7 +71,7 @@ bool has_floors(std::string_view path) {
 
 }  // namespace
 
-std::span<const std::string_view> floors() { return kFloors; }
+std::span<const Room> floors() { return kFloors; }
 
 std::vector<Violation> floor_violations(const SourceFile& file) {
   if (!is_cpp(file.path) || !has_floors(file.path)) return {};
@@ -76,8 +83,33 @@ std::vector<Violation> floor_violations(const SourceFile& file) {
   for (const Include& include : includes(file)) {
     if (!include.quoted || !has_floors(include.name) || floor_of(include.name) <= floor) continue;
     violations.push_back({file.path, include.line,
-                          include.name + ": stands above " + std::string(*floor) +
+                          include.name + ": stands above " + std::string(floor->folder) +
                               ", which knows the rooms below it only"});
+  }
+  return violations;
+}
+
+std::vector<Violation> namespace_violations(const SourceFile& file) {
+  if (!is_cpp(file.path) || !has_floors(file.path)) return {};
+  const auto floor = floor_of(file.path);
+  if (floor == kFloors.end()) return {};  // floor_violations tells
+  static const std::regex kOpened("namespace slipbench::([a-z_:]+) \\{.*");
+  std::vector<Violation> violations;
+  std::istringstream text(file.text);
+  std::string line;
+  for (int number = 1; std::getline(text, line); ++number) {
+    std::smatch opened;
+    if (!std::regex_match(line, opened, kOpened)) continue;
+    const auto is_opened = [&](const Room& room) {
+      return opened[1].str() == room.name ||
+             opened[1].str().starts_with(std::string(room.name) + "::");
+    };
+    if (std::none_of(kFloors.begin(), floor + 1, is_opened)) {
+      violations.push_back({file.path, number,
+                            "namespace slipbench::" + opened[1].str() +
+                                " is neither that of the room, slipbench::" +
+                                std::string(floor->name) + ", nor of one below it"});
+    }
   }
   return violations;
 }

@@ -35,5 +35,21 @@ TEST_CASE("a file in no room is found, and one that includes such a file") {
   CHECK(violations_of("driver/cli/main.cpp", "\"driver/a.hpp\"") != "");
 }
 
+TEST_CASE("a file opens the namespace of its room, or of one below it") {
+  const auto violations = [](const std::string& path, const std::string& name) {
+    return to_string(namespace_violations({path, "#pragma once\nnamespace " + name + " {\n}\n"}));
+  };
+  CHECK(violations("driver/check/a.hpp", "slipbench::driver::check") == "");
+  CHECK(violations("driver/check/criteria/a.hpp", "slipbench::driver::check") == "");
+  CHECK(violations("driver/check/a.hpp", "slipbench::driver::yaml") == "");
+  CHECK(violations("driver/base/text/json.hpp", "slipbench::driver::base::json") == "");
+  CHECK(violations("law/update/a.hpp", "slipbench::law") == "");
+  CHECK(violations("driver/check/a.hpp", "slipbench::driver::report") ==
+        "driver/check/a.hpp:2: namespace slipbench::driver::report is neither that of the room, "
+        "slipbench::driver::check, nor of one below it\n");
+  CHECK(violations("driver/check/a.hpp", "slipbench::driver") != "");
+  CHECK(violations("driver/check/a.hpp", "slipbench::driver::checks") != "");
+}
+
 }  // namespace
 }  // namespace slipbench::architecture

@@ -15,10 +15,11 @@ int main(int count, char** arguments) {
   if (count < 2) return 2;
   const std::filesystem::path folder = arguments[1];
   const std::vector<std::string> wanted(arguments + 2, arguments + count);
-  for (const auto& [name, make] : made_fits()) {
+  for (const auto& [name, make] : calibrate::made_fits()) {
     if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end()) continue;
-    const MadeFit made = make();
-    const auto page = write_fit_report(made.fit, made.calibration, folder / (name + ".html"));
+    const calibrate::MadeFit made = make();
+    const auto page =
+        calibrate::write_fit_report(made.fit, made.calibration, folder / (name + ".html"));
     if (!page) {
       fmt::print(stderr, "{}\n", page.error());
       return 1;

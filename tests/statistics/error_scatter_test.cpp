@@ -11,8 +11,8 @@ namespace {
 
 TEST_CASE("Reported errors are the scatter over 200 noises") {
   constexpr int kSeeds = 200;
-  for (const test::Synthetic& synthetic :
-       {test::decay(), test::wear(), test::microslip(), test::sliders()}) {
+  for (const fit::test::Synthetic& synthetic :
+       {fit::test::decay(), fit::test::wear(), fit::test::microslip(), fit::test::sliders()}) {
     const std::size_t n = synthetic.truth.size();
     std::vector<double> near_the_truth = synthetic.truth;
     for (double& value : near_the_truth) value *= 1.05;
@@ -20,11 +20,11 @@ TEST_CASE("Reported errors are the scatter over 200 noises") {
     std::vector<double> reported(n, 0.0);
     int converged = 0;
     for (int seed = 0; seed < kSeeds; ++seed) {
-      const ResidualProblem problem =
-          test::problem_of(synthetic, near_the_truth,
-                           test::noise_of(synthetic, static_cast<std::uint64_t>(1000 + seed)));
-      const LeastSquaresFit fit = solve_least_squares(problem, {});
-      const FitStatistics statistics = fit_statistics(problem, fit, 0.95);
+      const fit::ResidualProblem problem = fit::test::problem_of(
+          synthetic, near_the_truth,
+          fit::test::noise_of(synthetic, static_cast<std::uint64_t>(1000 + seed)));
+      const fit::LeastSquaresFit fit = fit::solve_least_squares(problem, {});
+      const fit::FitStatistics statistics = fit::fit_statistics(problem, fit, 0.95);
       converged += fit.converged ? 1 : 0;
       for (std::size_t j = 0; j < n; ++j) {
         squares[j] += std::pow(fit.x[j] - synthetic.truth[j], 2);

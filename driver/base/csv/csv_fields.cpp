@@ -8,7 +8,7 @@
 #include "driver/base/text/utf8.hpp"
 #include "driver/base/units/units.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
@@ -178,4 +178,4 @@ tl::expected<std::optional<std::size_t>, std::string> match_column(
   return match;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

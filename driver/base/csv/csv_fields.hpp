@@ -15,7 +15,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -112,4 +112,4 @@ bool is_unit_or_dash(std::string_view text);
 tl::expected<std::optional<std::size_t>, std::string> match_column(
     std::span<const std::string> header, std::string_view name);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

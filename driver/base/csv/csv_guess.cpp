@@ -7,7 +7,7 @@
 
 #include "driver/base/csv/csv_fields.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 constexpr std::size_t kMostSkipped = 200;
@@ -124,4 +124,4 @@ std::optional<CsvFormat> guess_format(std::string_view head, const CsvFormat& no
   return std::nullopt;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

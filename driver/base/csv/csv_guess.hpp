@@ -8,7 +8,7 @@
 
 #include "driver/base/csv/data_source.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// The format in which the start of a file makes sense: a header with the columns `wanted` (of two
 /// names or more if none are), below it rows with a number or nothing in each of them. That which
@@ -18,4 +18,4 @@ namespace slipbench::driver {
 std::optional<CsvFormat> guess_format(std::string_view head, const CsvFormat& now,
                                       std::span<const std::string> wanted);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -20,7 +20,7 @@
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/units/units.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 constexpr int kUnwanted = -1;
@@ -499,4 +499,4 @@ tl::expected<std::string, HistoryError> count_missing(const DataSource& source,
   }
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -14,7 +14,7 @@
 #include "driver/base/csv/data_source.hpp"
 #include "driver/base/text/history_error.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// Reads chosen columns of a CSV file row by row, in blocks: the memory does not grow with the
 /// file.
@@ -101,4 +101,4 @@ class CsvReader {
 tl::expected<std::string, HistoryError> count_missing(const DataSource& source,
                                                       std::span<const std::string> columns);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

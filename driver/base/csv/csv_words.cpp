@@ -9,7 +9,7 @@
 
 #include "driver/base/csv/csv_fields.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 /// A piece of a foreign file, fit for a message.
@@ -71,4 +71,4 @@ std::string in_words(const MissingSamples& missing, MissingSample answer) {
                      missing.first_line);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

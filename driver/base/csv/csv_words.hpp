@@ -7,7 +7,7 @@
 
 #include "driver/base/csv/data_source.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// "holds '1,5' with a decimal comma; the decimal mark is '.'": why a field is no number.
 std::string not_a_number(std::string_view text, char decimal);
@@ -18,4 +18,4 @@ std::string_view separator_name(char separator);
 /// The remedy for an empty last column.
 std::string take_away(char separator);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

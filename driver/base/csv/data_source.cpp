@@ -7,7 +7,7 @@
 
 #include "driver/base/text/standard_input.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 /// Plain where YAML takes it so in any place, else in quotes.
@@ -45,4 +45,4 @@ std::string in_words(std::string_view name, const CsvFormat& format) {
   return text + "}";
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// A reader's answer to a sample that is not there.
 enum class MissingSample : std::uint8_t {
@@ -56,4 +56,4 @@ std::string_view of_held_time(const CsvFormat& format, double time, double befor
 /// The words of a case for a source: "{file: rig.csv, decimal: \",\", skip: 4}".
 std::string in_words(std::string_view name, const CsvFormat& format);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

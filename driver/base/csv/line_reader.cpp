@@ -12,7 +12,7 @@
 #include <system_error>
 #include <utility>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 constexpr std::size_t kBlock = std::size_t{1} << 16;
@@ -110,4 +110,4 @@ tl::unexpected<HistoryError> LineReader::error(long line, std::size_t offset,
                                      static_cast<int>(offset) + 1, std::move(message)});
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -12,7 +12,7 @@
 
 #include "driver/base/text/history_error.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// The lines of a regular file, read in blocks. Its state is open to the reader of rows, which
 /// works in the buffer itself.
@@ -56,4 +56,4 @@ struct LineReader {
   tl::unexpected<HistoryError> error(long line, std::size_t offset, std::string message) const;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -7,7 +7,7 @@
 #include <string>
 #include <system_error>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 namespace fs = std::filesystem;
@@ -72,4 +72,4 @@ std::optional<std::filesystem::path> shipped_path(const std::filesystem::path& n
   return std::nullopt;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -8,7 +8,7 @@
 
 #include "driver/base/text/history_error.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// Returns where a file that a case names is: `text` relative to `case_folder`, the folder of the
 /// case.
@@ -26,4 +26,4 @@ tl::expected<std::filesystem::path, HistoryError> resolve_data_path(
 /// neither.
 std::optional<std::filesystem::path> shipped_path(const std::filesystem::path& name);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

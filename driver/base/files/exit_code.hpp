@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// Answer of the program to its caller. An interruption ends it with 130 or 143.
 enum ExitCode : int {
@@ -17,4 +17,4 @@ enum ExitCode : int {
 /// Of two outcomes the one to report: the larger number is the worse trouble.
 inline int worse(int a, int b) { return a > b ? a : b; }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

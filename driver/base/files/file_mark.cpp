@@ -10,7 +10,7 @@
 
 #include "driver/base/text/hash.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 constexpr std::string_view kSeal = "# slipbench replaces this file as long as it is unchanged: ";
@@ -59,4 +59,4 @@ bool carries(const std::filesystem::path& file, const FileMark& mark) {
   return is_sealed({std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()});
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

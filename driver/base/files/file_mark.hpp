@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// Mark in a file that this program wrote for one purpose, so that the next one like it may
 /// take its place.
@@ -26,4 +26,4 @@ std::string sealed(std::string text);
 /// carried by a file that cannot be read.
 bool carries(const std::filesystem::path& file, const FileMark& mark);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/base/files/file_part.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 std::string file_part(std::string_view name) {
   std::string part;
@@ -15,4 +15,4 @@ std::string file_part(std::string_view name) {
   return part.empty() || part.front() == '.' ? "-" + part : part;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

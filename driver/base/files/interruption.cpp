@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstring>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 // A signal handler may use lock-free atomics, plain arrays and a few system calls, nothing else:
@@ -97,4 +97,4 @@ void remove_empty_folders() {
 
 void register_child(int process) { child.store(process); }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// From now on SIGINT, SIGTERM and SIGHUP (unless it was ignored) remove all registered files, end
 /// all registered processes and end this program at once, with exit code 130, 143 or 129; a closed
@@ -35,4 +35,4 @@ void remove_empty_folders();
 /// The child process an interruption ends; 0 for none. There is one at a time.
 void register_child(int process);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

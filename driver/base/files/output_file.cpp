@@ -17,7 +17,7 @@
 
 #include "driver/base/files/interruption.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 namespace fs = std::filesystem;
@@ -258,4 +258,4 @@ tl::expected<void, std::string> commit(std::span<OutputFile* const> files,
   return {};
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

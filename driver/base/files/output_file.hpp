@@ -10,7 +10,7 @@
 
 #include "driver/base/files/file_mark.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// Tells whether two names mean one file, be it there or not; links are followed.
 bool is_same_file(const std::filesystem::path& a, const std::filesystem::path& b);
@@ -123,4 +123,4 @@ tl::expected<void, std::string> commit(std::span<OutputFile* const> files);
 tl::expected<void, std::string> commit(std::span<OutputFile* const> files,
                                        const FolderLocks& locks);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -4,7 +4,7 @@
 #include <system_error>
 #include <utility>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 namespace fs = std::filesystem;
 
@@ -28,4 +28,4 @@ std::string real_folder(const std::string& path) {
   return real.string();
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

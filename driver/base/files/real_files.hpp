@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// One name for each file, however its folder is written: an absolute path in which the links of
 /// the folder are followed, but not the file's own. A case and a link to it are two cases, as they
@@ -21,4 +21,4 @@ class RealFiles {
 /// The same for a folder; a slash at its end makes no difference.
 std::string real_folder(const std::string& path);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -9,7 +9,7 @@
 #include <system_error>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 /// Fractional parts of the cube roots of the first 64 primes (FIPS 180-4, section 4.2.2).
@@ -115,4 +115,4 @@ tl::expected<std::string, HistoryError> sha256_of_file(const std::filesystem::pa
   return hash.hexadecimal();
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -12,7 +12,7 @@
 
 #include "driver/base/text/history_error.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// Takes a message piece by piece.
 class Sha256 {
@@ -34,4 +34,4 @@ class Sha256 {
 /// The hash of a file's bytes. Errors of the kind kEnvironment: it cannot be read.
 tl::expected<std::string, HistoryError> sha256_of_file(const std::filesystem::path& file);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

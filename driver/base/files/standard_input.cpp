@@ -13,7 +13,7 @@
 
 #include "driver/base/text/standard_input.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 tl::unexpected<HistoryError> failed(const char* what) {
@@ -49,4 +49,4 @@ tl::expected<std::filesystem::path, HistoryError> standard_input_file() {
   return file;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 unsigned core_count() { return std::max(1U, std::thread::hardware_concurrency()); }
 
@@ -28,4 +28,4 @@ void for_each_index(std::size_t count, unsigned threads,
   take_turns();
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// As many threads as the machine has cores, at least one.
 unsigned core_count();
@@ -15,4 +15,4 @@ unsigned core_count();
 void for_each_index(std::size_t count, unsigned threads,
                     const std::function<void(std::size_t)>& work);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

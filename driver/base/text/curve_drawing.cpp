@@ -9,7 +9,7 @@
 
 #include "driver/base/text/tics.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 /// A field of characters; (0, 0) is the lower left one.
@@ -142,4 +142,4 @@ std::string draw(const CurveDrawing& drawing, int width, int height) {
   return text;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// A curve y(x) that is drawn with one character.
 struct DrawnCurve {
@@ -36,4 +36,4 @@ struct CurveDrawing {
 /// legend if a curve has a name.
 std::string draw(const CurveDrawing& drawing, int width = 60, int height = 12);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

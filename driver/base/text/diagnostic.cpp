@@ -11,7 +11,7 @@
 #include "driver/base/text/suggestions.hpp"
 #include "driver/base/text/utf8.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
@@ -236,4 +236,4 @@ std::string printable(std::string_view text) {
   return result;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 class SourceText;
 
@@ -103,4 +103,4 @@ class Diagnostics {
 /// points out as in.
 [[nodiscard]] std::string printable(std::string_view text);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 void append_number(std::string& text, double value) {
   if (std::isnan(value)) {
@@ -25,4 +25,4 @@ std::string format_number(double value) {
   return text;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

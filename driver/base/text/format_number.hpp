@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// The shortest text that reads back to the same double, with '.' whatever the locale: "0.1",
 /// "1e+300", "-0" (the sign of a zero is part of the value). Not-a-number is "nan", infinities are
@@ -14,4 +14,4 @@ namespace slipbench::driver {
 /// As format_number, appended to a text that grows: for writing many numbers.
 void append_number(std::string& text, double value);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

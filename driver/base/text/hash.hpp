@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// FNV-1a, 64 bit: the same on every machine.
 inline std::uint64_t hash(std::string_view text) {
@@ -13,4 +13,4 @@ inline std::uint64_t hash(std::string_view text) {
   return h;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

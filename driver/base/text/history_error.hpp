@@ -5,7 +5,7 @@
 #include <tl/expected.hpp>
 #include <utility>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// Fault met while a history, its data file or its units were read.
 struct HistoryError {
@@ -32,4 +32,4 @@ inline tl::unexpected<HistoryError> environment_error(std::string file, std::str
       HistoryError{HistoryError::Kind::kEnvironment, std::move(file), 0, 0, std::move(message)});
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

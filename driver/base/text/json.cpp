@@ -9,7 +9,7 @@
 #include "driver/base/text/format_number.hpp"
 #include "driver/base/text/utf8.hpp"
 
-namespace slipbench::driver::json {
+namespace slipbench::driver::base::json {
 namespace {
 
 void append_string(std::string& text, std::string_view value) {
@@ -101,4 +101,4 @@ void Value::append(std::string& text, int indent, int level) const {
   }
 }
 
-}  // namespace slipbench::driver::json
+}  // namespace slipbench::driver::base::json

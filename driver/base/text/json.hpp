@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-namespace slipbench::driver::json {
+namespace slipbench::driver::base::json {
 
 class Value;
 
@@ -49,4 +49,4 @@ class Value {
   std::variant<std::monostate, bool, double, std::string, Array, Object> data_;
 };
 
-}  // namespace slipbench::driver::json
+}  // namespace slipbench::driver::base::json

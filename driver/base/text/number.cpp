@@ -14,7 +14,7 @@
 
 #include "driver/base/text/format_number.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -334,4 +334,4 @@ tl::expected<long long, std::string> parse_integer(std::string_view text) {
   return wrong(fmt::format("{} where an integer is wanted", quoted(text)));
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <tl/expected.hpp>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// Reads a decimal number: sign, digits with at most one '.', exponent with e or E; the whole text,
 /// whatever the locale. The error says what was found and, where it can be guessed, what to write
@@ -29,4 +29,4 @@ struct NumberAndUnit {
 /// number that is no integer ("2.5 where an integer is wanted").
 [[nodiscard]] tl::expected<long long, std::string> parse_integer(std::string_view text);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/base/text/one_line.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 std::string one_line(const Diagnostic& diagnostic) {
   return (diagnostic.path.empty() ? "" : diagnostic.path + ": ") + diagnostic.message +
@@ -16,4 +16,4 @@ std::vector<std::string> lines_of(const Diagnostics& diagnostics, Severity sever
   return lines;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

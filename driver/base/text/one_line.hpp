@@ -6,7 +6,7 @@
 
 #include "driver/base/text/diagnostic.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// A message without its place: "friction[0].coefficient: .. ; hint".
 std::string one_line(const Diagnostic& diagnostic);
@@ -14,4 +14,4 @@ std::string one_line(const Diagnostic& diagnostic);
 /// The messages of one severity so, in their order.
 std::vector<std::string> lines_of(const Diagnostics& diagnostics, Severity severity);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -16,7 +16,7 @@
 #include "driver/base/text/standard_input.hpp"
 #include "driver/base/text/utf8.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 struct SourceText::Data {
   // In a very long line: how many code points stand before a byte of it.
@@ -256,4 +256,4 @@ Diagnostics check_text(const SourceText& source) {
   return found;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

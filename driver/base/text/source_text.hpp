@@ -10,7 +10,7 @@
 
 #include "driver/base/text/diagnostic.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// An immutable text with a line index; copies share the bytes. CRLF is read as LF and a UTF-8 byte
 /// order mark is dropped, so that a file means the same whichever editor saved it.
@@ -57,4 +57,4 @@ inline constexpr std::size_t kDefaultSizeLimit = std::size_t{64} << 20U;
 /// place.
 [[nodiscard]] Diagnostics check_text(const SourceText& source);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

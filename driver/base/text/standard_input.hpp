@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// The path that stands for standard input, and what it is called.
 inline constexpr std::string_view kStandardInput = "-";
@@ -15,4 +15,4 @@ inline std::string source_name(const std::string& path) {
   return path == kStandardInput ? std::string(kStandardInputName) : path;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -8,7 +8,7 @@
 
 #include "driver/base/text/diagnostic.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 char folded(char c) {
@@ -95,4 +95,4 @@ std::string few_in_words(std::span<const std::string_view> names) {
   return fmt::format("{} and {} more", text, names.size() - kMostSuggestions);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// So many names are shown at once, at most.
 inline constexpr std::size_t kMostSuggestions = 5;
@@ -32,4 +32,4 @@ inline constexpr std::size_t kMostSuggestions = 5;
 /// "a, b and c"; of many the first ones only: "a, b, c, d, e and 12 more".
 [[nodiscard]] std::string few_in_words(std::span<const std::string_view> names);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// A distance of tics that divides a range into about `parts` parts: 1, 2 or 5 times a power of
 /// ten; 1 for an empty range.
@@ -15,4 +15,4 @@ inline double tic_step(double range, double parts) {
   return power * (digit < 1.5 ? 1.0 : digit < 3.5 ? 2.0 : digit < 7.5 ? 5.0 : 10.0);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

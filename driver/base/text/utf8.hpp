@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// One decoded character: `length` bytes were taken; `valid` is false for a byte that does not
 /// begin a well-formed sequence (overlong forms, surrogates and values above U+10FFFF included), in
@@ -51,4 +51,4 @@ struct CodePoint {
   return count;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

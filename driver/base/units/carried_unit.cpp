@@ -8,7 +8,7 @@
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/number.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 bool carries_unit(std::string_view text) { return split_unit(text).has_value(); }
 
@@ -40,4 +40,4 @@ tl::expected<CarriedUnit, std::string> read_with_unit(std::string_view text,
   return CarriedUnit{value, *dimension};
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -9,7 +9,7 @@
 
 #include "driver/base/units/unit_dimension.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// A number that was written with a unit.
 struct CarriedUnit {
@@ -33,4 +33,4 @@ struct CarriedUnit {
 [[nodiscard]] std::string misfit(std::string_view text, const Dimension& unit,
                                  const Dimension& wanted, const UnitSystem& system);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 struct Power {
@@ -57,4 +57,4 @@ std::string frequency_name(const UnitSystem& units) {
   return units.time.empty() ? std::string() : "1/" + units.time;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -7,7 +7,7 @@
 
 #include "driver/base/units/units.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// The power of ten that makes joules of the case's energies; nothing outside of SI.
 std::optional<int> joule_exponent(const UnitSystem& units);
@@ -22,4 +22,4 @@ std::string mass_name(const UnitSystem& units);
 /// "Hz" where times are in s, "kHz" in ms, "1/h" in h; empty where the case states no time.
 std::string frequency_name(const UnitSystem& units);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

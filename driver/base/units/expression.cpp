@@ -15,7 +15,7 @@
 #include <system_error>
 #include <utility>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
@@ -336,4 +336,4 @@ bool is_reserved_name(std::string_view name) {
          std::binary_search(function_names().begin(), function_names().end(), name);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

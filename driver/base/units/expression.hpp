@@ -9,7 +9,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// Numbers with names: the parameters of a case.
 using NamedNumbers = std::map<std::string, double, std::less<>>;
@@ -79,4 +79,4 @@ bool is_identifier(std::string_view name);
 /// name.
 bool is_reserved_name(std::string_view name);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

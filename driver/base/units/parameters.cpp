@@ -12,7 +12,7 @@
 
 #include "driver/base/text/number.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 enum class Progress { kUntouched, kOpen, kDone, kFailed };
@@ -219,4 +219,4 @@ tl::expected<std::vector<ParameterText>, std::string> parse_settings(
   return all;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

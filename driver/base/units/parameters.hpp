@@ -10,7 +10,7 @@
 
 #include "driver/base/units/expression.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// A parameter as the user wrote it: a number, or the text of an expression over other parameters
 /// (with or without its leading '=').
@@ -43,4 +43,4 @@ tl::expected<NamedNumbers, std::vector<ParameterError>> resolve_parameters(
 tl::expected<std::vector<ParameterText>, std::string> parse_settings(
     std::span<const std::string> settings);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -9,7 +9,7 @@
 
 #include "driver/base/units/derived_units.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 struct Joules {
@@ -59,4 +59,4 @@ std::string energy_text(double value, const UnitSystem& units) {
                    std::string(unit->name));
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -6,7 +6,7 @@
 
 #include "driver/base/units/units.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// A number of at most `digits` significant digits: "105.0", "0.0143", "1.25e+06".
 std::string rounded(double value, int digits = 4);
@@ -21,4 +21,4 @@ std::string energy_unit(const UnitSystem& units);
 /// it readable ("9.02 J" for 9020 N mm); in the case's own unit where that is none ("3.1 lbf in").
 std::string energy_text(double value, const UnitSystem& units);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -8,7 +8,7 @@
 
 #include "driver/base/units/units.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 inline constexpr Dimension kFrequency{.time = -1};
 
@@ -33,4 +33,4 @@ bool measures(const Dimension& unit, const Dimension& wanted);
 /// "a length is wanted, such as mm": the dimension and the case's unit for it, as far as stated.
 std::string wanted_in_words(const Dimension& wanted, const UnitSystem& system);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -17,7 +17,7 @@
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/units/unit_dimension.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 struct FreeUnit {
@@ -377,4 +377,4 @@ tl::expected<UnitConversion, HistoryError> conversion_to_case(std::string_view u
       fmt::format("unit '{}' has no constant factor to '{}'", word, unit_text(dimension, system)));
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -7,7 +7,7 @@
 
 #include "driver/base/text/history_error.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// The consistent system of units a case states under `units:`; an empty name means not stated.
 /// Angles are radians whatever the system.
@@ -68,4 +68,4 @@ tl::expected<UnitConversion, HistoryError> conversion_to_case(std::string_view u
                                                               const Dimension& dimension,
                                                               const UnitSystem& system);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

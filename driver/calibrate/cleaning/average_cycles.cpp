@@ -5,7 +5,7 @@
 
 #include "driver/calibrate/cleaning/resample.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cleaning {
 
 std::size_t whole_cycles(double first, double last, double period, double step) {
   const double cycles = (last - first + step) / period * (1.0 + 1e-9);
@@ -64,4 +64,4 @@ MeanCycle mean_cycle(const DataRows& rows, double first, double period, std::siz
   return result;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cleaning

@@ -6,7 +6,7 @@
 
 #include "driver/calibrate/cleaning/data_rows.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cleaning {
 
 /// The mean of several cycles of a steady loop.
 struct MeanCycle {
@@ -28,4 +28,4 @@ std::size_t whole_cycles(double first, double last, double period, double step);
 MeanCycle mean_cycle(const DataRows& rows, double first, double period, std::size_t cycles,
                      int points);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cleaning

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::cleaning {
 
 /// Measured rows, column by column.
 struct DataRows {
@@ -18,4 +18,4 @@ struct DataRows {
   bool gap_before(std::size_t row) const { return !gap.empty() && gap[row] != 0; }
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cleaning

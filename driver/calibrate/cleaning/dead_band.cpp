@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace slipbench::driver {
+namespace slipbench::driver::cleaning {
 
 std::vector<double> slopes(std::span<const double> time, std::span<const double> values) {
   const std::size_t rows = time.size();
@@ -60,4 +60,4 @@ DataRows without_slow_rows(const DataRows& rows, std::span<const double> speed, 
   return result;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cleaning

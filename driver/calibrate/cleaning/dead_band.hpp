@@ -6,7 +6,7 @@
 
 #include "driver/calibrate/cleaning/data_rows.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cleaning {
 
 /// Number of rows on either side of a row that its slope is taken from: enough that the noise of
 /// one row does not pass for motion.
@@ -23,4 +23,4 @@ std::vector<double> slopes(std::span<const double> time, std::span<const double>
 /// \param speed of every row
 DataRows without_slow_rows(const DataRows& rows, std::span<const double> speed, double below);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cleaning

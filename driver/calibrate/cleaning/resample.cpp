@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace slipbench::driver {
+namespace slipbench::driver::cleaning {
 namespace {
 
 /// Rows at `count` times.
@@ -76,4 +76,4 @@ DataRows resampled(const DataRows& rows, int points) {
   });
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cleaning

@@ -5,7 +5,7 @@
 
 #include "driver/calibrate/cleaning/data_rows.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cleaning {
 
 /// More would fill the memory.
 inline constexpr double kMostResampledRows = 1.0e7;
@@ -36,4 +36,4 @@ DataRows resampled(const DataRows& rows, double every);
 /// \param points >= 2
 DataRows resampled(const DataRows& rows, int points);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cleaning

@@ -11,7 +11,7 @@
 #include "driver/calibrate/fit/error_scale.hpp"
 #include "driver/calibrate/fit/statistics.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 namespace {
 
 /// Rows that follow each other, and what is drawn for them.
@@ -213,4 +213,4 @@ Bootstrap bootstrap(const ResidualProblem& problem, const LeastSquaresFit& fit, 
   return result;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

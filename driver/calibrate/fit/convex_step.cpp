@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 namespace {
 
 /// The least of |matrix u - target| with u >= 0 (Lawson and Hanson's active set).
@@ -117,4 +117,4 @@ ConvexStep convex_step(const Eigen::MatrixXd& products, std::span<const double> 
   return step;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

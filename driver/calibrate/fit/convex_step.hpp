@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 
 /// A sum of factors times unknowns that is to be at least `least`.
 struct Inequality {
@@ -30,4 +30,4 @@ struct ConvexStep {
 ConvexStep convex_step(const Eigen::MatrixXd& products, std::span<const double> x,
                        std::span<const Inequality> inequalities);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

@@ -10,7 +10,7 @@
 #include "driver/calibrate/fit/loss.hpp"
 #include "driver/calibrate/fit/products.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 
 ErrorScale error_scale(const ResidualProblem& problem, const LeastSquaresFit& fit,
                        double effective) {
@@ -101,4 +101,4 @@ bool is_minimum(const LeastSquaresFit& refit, double effective, double freedom) 
   return refit.gradient_norm * std::sqrt(freedom / std::max(effective, 1.0)) <= kMostLeft;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

@@ -5,7 +5,7 @@
 
 #include "driver/calibrate/fit/problem.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 
 /// Factors that turn the linearised problem into errors: covariance = s^2 a (a G^T G + H^T H)^-1, G
 /// the data rows of dr/dx, H the others.
@@ -36,4 +36,4 @@ std::vector<double> leverages(const ResidualProblem& problem, const LeastSquares
 /// \param freedom data - p
 bool is_minimum(const LeastSquaresFit& refit, double effective, double freedom);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

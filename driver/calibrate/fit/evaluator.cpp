@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 namespace {
 
 /// The size of an unknown, by which its step is measured.
@@ -100,4 +100,4 @@ bool Evaluator::difference(std::span<const double> x, std::span<const double> r,
   return false;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

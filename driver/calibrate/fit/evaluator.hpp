@@ -10,7 +10,7 @@
 
 #include "driver/calibrate/fit/problem.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 
 /// Tells whether no number is infinite or none.
 bool all_finite(std::span<const double> values);
@@ -54,4 +54,4 @@ class Evaluator {
   long derivative_evaluations_ = 0;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

@@ -10,7 +10,7 @@
 #include "driver/calibrate/fit/products.hpp"
 #include "driver/calibrate/fit/statistics.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -141,4 +141,4 @@ FitStatistics fit_statistics(const ResidualProblem& problem, const LeastSquaresF
   return statistics;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

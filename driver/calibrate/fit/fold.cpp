@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 namespace {
 
 constexpr double kQuarter = 0.5 * std::numbers::pi;
@@ -67,4 +67,4 @@ FoldPoint nearest_fold(const Limits& limits, double z) {
   return {0.0, std::abs(z), 1.0, std::isfinite(limits.lower) ? limits.unit : -limits.unit};
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 
 /// The limits of a number and the unit in which it leaves a single one.
 struct Limits {
@@ -45,4 +45,4 @@ struct FoldPoint {
 };
 FoldPoint nearest_fold(const Limits& limits, double coordinate);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 namespace {
 
 constexpr std::size_t kMostCuts = 24;
@@ -87,4 +87,4 @@ KinkStep KinkBundle::step(const KinkCut& here, const Eigen::MatrixXd& map,
   return result;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

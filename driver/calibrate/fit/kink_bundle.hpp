@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 
 /// A point with cost and slope, over the unknowns.
 struct KinkCut {
@@ -41,4 +41,4 @@ class KinkBundle {
   std::vector<KinkCut> cuts_;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 
 double loss_value(const Loss& loss, double residual) {
   const double t = loss.threshold;
@@ -71,4 +71,4 @@ std::vector<double> row_weights(const ResidualProblem& problem, std::span<const 
   return weights;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

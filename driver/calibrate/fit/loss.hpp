@@ -7,7 +7,7 @@
 
 #include "driver/calibrate/fit/problem.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 
 /// rho(r^2): squares r^2; Huber r^2 up to |r| = t and 2 t |r| - t^2 beyond; soft-L1
 /// 2 t^2 (sqrt(1 + r^2/t^2) - 1). (docs/theory, section 17.)
@@ -26,4 +26,4 @@ double total_cost(const ResidualProblem& problem, std::span<const double> residu
 /// rho' of every row; 1 for rows that are no data.
 std::vector<double> row_weights(const ResidualProblem& problem, std::span<const double> residuals);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

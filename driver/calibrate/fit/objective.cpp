@@ -13,7 +13,7 @@
 #include "driver/calibrate/fit/products.hpp"
 #include "driver/calibrate/fit/tall_qr.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 namespace {
 
 /// Columns shorter than this part of the longest are invisible combinations.
@@ -303,4 +303,4 @@ std::vector<double> Objective::unknown_step(const SearchPoint& point,
   return change;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

@@ -10,7 +10,7 @@
 #include "driver/calibrate/fit/evaluator.hpp"
 #include "driver/calibrate/fit/unknown_map.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 
 /// A point of a search with what the model says there.
 struct SearchPoint {
@@ -94,4 +94,4 @@ class Objective {
   std::vector<double> jacobian_;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

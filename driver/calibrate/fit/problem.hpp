@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 
 /// In what an unknown is searched.
 enum class Scale : std::uint8_t { kLinear, kLog };
@@ -150,4 +150,4 @@ struct LeastSquaresFit {
 /// state; GSL's error handler is off from the first call on, for the whole program.
 LeastSquaresFit solve_least_squares(const ResidualProblem& problem, const SolverOptions& options);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 namespace {
 
 constexpr std::size_t kTogether = 4;  // rows for each time that a sum is fetched and stored
@@ -112,4 +112,4 @@ Eigen::MatrixXd triangle_of(std::span<const double> matrix, std::size_t columns,
   return fast ? fast->triangle : tall_qr(matrix, columns, nothing).triangle;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

@@ -9,7 +9,7 @@
 
 #include "driver/calibrate/fit/tall_qr.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 
 /// [A b]^T W^2 [A b], (columns + 1) squared, of a row-major A with as many rows as b; one pass.
 /// \param root_weights the diagonal of W; empty for ones
@@ -24,4 +24,4 @@ std::optional<TallQr> triangle_of(const Eigen::MatrixXd& products);
 /// R of a row-major A, whichever way is the faster one that keeps the digits.
 Eigen::MatrixXd triangle_of(std::span<const double> matrix, std::size_t columns, std::size_t rows);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

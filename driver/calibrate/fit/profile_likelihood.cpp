@@ -11,7 +11,7 @@
 #include "driver/calibrate/fit/error_scale.hpp"
 #include "driver/calibrate/fit/statistics.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 namespace {
 
 /// The problem with one unknown fixed: fitted again from the last answer.
@@ -197,4 +197,4 @@ LikelihoodProfile profile_likelihood(const ResidualProblem& problem, const Least
   return profile;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

@@ -17,7 +17,7 @@
 #include "driver/calibrate/fit/simplex_polish.hpp"
 #include "driver/calibrate/fit/trust_region.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 namespace {
 
 /// Beyond this gain nothing but rounding is left in a sum of squares.
@@ -189,7 +189,7 @@ bool kinks_between(double first, double last, int halvings, unsigned threads, co
   const auto bend = [](double a, double b, double c) { return std::abs(a - 2.0 * b + c); };
   const auto costs_at = [&]<std::size_t kCount>(const std::array<double, kCount>& t) {
     std::array<double, kCount> costs{};
-    for_each_index(kCount, threads, [&](std::size_t i) { costs[i] = cost(t[i]); });
+    base::for_each_index(kCount, threads, [&](std::size_t i) { costs[i] = cost(t[i]); });
     return costs;
   };
   double width = last - first;
@@ -610,4 +610,4 @@ SearchEnd search(Evaluator& evaluator, const UnknownMap& map, std::span<const do
   return Search(evaluator, map, options).run(start, scaling, at_start);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

@@ -6,7 +6,7 @@
 #include "driver/calibrate/fit/problem.hpp"
 #include "driver/calibrate/fit/trust_region.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 
 struct SearchEnd {
   SearchPoint point;  ///< the best one found
@@ -30,4 +30,4 @@ SearchEnd search(Evaluator& evaluator, const UnknownMap& map, std::span<const do
                  const SolverOptions& options, TrustScaling scaling = TrustScaling::kMore,
                  SearchPoint* at_start = nullptr);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

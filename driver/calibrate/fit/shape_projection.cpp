@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 
 std::vector<double> nearest_ascending(std::span<const double> values) {
   struct Pool {
@@ -54,4 +54,4 @@ std::vector<double> nearby_convex(std::span<const double> abscissa,
   return convex;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 
 /// The ascending sequence with the least sum of squared differences: isotonic regression by pooling
 /// adjacent violators (Ayer et al. 1955).
@@ -16,4 +16,4 @@ std::vector<double> nearest_ascending(std::span<const double> values);
 /// returned as they are; ascending ones stay ascending.
 std::vector<double> nearby_convex(std::span<const double> abscissa, std::span<const double> values);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

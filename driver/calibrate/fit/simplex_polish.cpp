@@ -7,7 +7,7 @@
 #include <cmath>
 #include <memory>
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 namespace {
 
 struct FreeSimplex {
@@ -72,4 +72,4 @@ bool simplex_polish(Objective& objective, SearchPoint& point) {
   return true;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

@@ -3,7 +3,7 @@
 
 #include "driver/calibrate/fit/objective.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 
 /// Nelder and Mead's simplex (GSL's nmsimplex2) from a point where the gradient is of no use: a
 /// kink. It begins with the edges of the Gauss-Newton step's size and is limited to 50 moves per
@@ -12,4 +12,4 @@ namespace slipbench::driver {
 ///         derivatives
 bool simplex_polish(Objective& objective, SearchPoint& point);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

@@ -13,7 +13,7 @@
 #include "driver/calibrate/fit/search.hpp"
 #include "driver/calibrate/fit/starting_points.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 namespace {
 
 /// Distance by which a start is moved inside of a fold, in its coordinate: 0.25 % of the way
@@ -383,4 +383,4 @@ LeastSquaresFit solve_least_squares(const ResidualProblem& problem, const Solver
   return fit;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

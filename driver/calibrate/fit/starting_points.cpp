@@ -8,7 +8,7 @@
 #include <memory>
 #include <random>
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 namespace {
 
 struct FreeSequence {
@@ -95,4 +95,4 @@ std::vector<std::vector<double>> starting_points(const ResidualProblem& problem,
   return points;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

@@ -5,7 +5,7 @@
 
 #include "driver/calibrate/fit/problem.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 
 /// Starts besides the given one: a low-discrepancy set (GSL's Sobol sequence up to 40 directions,
 /// reverse Halton beyond), shifted modulo 1 by random numbers of the seed.
@@ -18,4 +18,4 @@ namespace slipbench::driver {
 std::vector<std::vector<double>> starting_points(const ResidualProblem& problem, int count,
                                                  std::uint64_t seed);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

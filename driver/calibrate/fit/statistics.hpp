@@ -8,7 +8,7 @@
 
 #include "driver/calibrate/fit/problem.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 
 /// Errors of the unknowns of a fit. NaN where an unknown is not identifiable, not even by
 /// the rows that are no data (smoothness). Bounds and shapes are looked through: errors are those
@@ -81,4 +81,4 @@ struct LikelihoodProfile {
 LikelihoodProfile profile_likelihood(const ResidualProblem& problem, const LeastSquaresFit& fit,
                                      std::size_t unknown, double confidence);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/calibrate/fit/problem.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 
 bool is_convergence(StopReason reason) {
   return reason == StopReason::kStep || reason == StopReason::kGradient ||
@@ -46,4 +46,4 @@ std::string stop_text(StopReason reason) {
   return {};
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 
 TallQr tall_qr(std::span<const double> matrix, std::size_t columns, std::span<const double> side) {
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -30,4 +30,4 @@ TallQr tall_qr(std::span<const double> matrix, std::size_t columns, std::span<co
   return {triangle.topLeftCorner(n, n), triangle.topRightCorner(n, 1), std::abs(triangle(n, n))};
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

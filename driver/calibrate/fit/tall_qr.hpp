@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 
 /// min |A x - b|: R of A = Q R, Q^T b, and what of b is left over.
 struct TallQr {
@@ -19,4 +19,4 @@ struct TallQr {
 /// rows in blocks, carrying only the triangle: one pass over the memory, no copy of the matrix.
 TallQr tall_qr(std::span<const double> matrix, std::size_t columns, std::span<const double> side);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

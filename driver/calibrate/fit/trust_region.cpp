@@ -9,7 +9,7 @@
 #include <cmath>
 #include <memory>
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 namespace {
 
 /// Entries of the Jacobian from which the normal equations are faster; their loss of digits is
@@ -254,4 +254,4 @@ int trust_region(Objective& objective, SearchPoint& point, SearchPoint& scratch,
                                            : small(callbacks, rows, &view.vector, options);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

@@ -6,7 +6,7 @@
 
 #include "driver/calibrate/fit/objective.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 
 /// By what the trust region measures the lengths of coordinates.
 enum class TrustScaling : std::uint8_t {
@@ -34,4 +34,4 @@ struct TrustRegionOptions {
 int trust_region(Objective& objective, SearchPoint& point, SearchPoint& scratch,
                  const TrustRegionOptions& options);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

@@ -7,7 +7,7 @@
 
 #include "driver/calibrate/fit/shape_projection.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 namespace {
 
 /// A coordinate this far from a fold, 2e-9 of the way between two bounds, is not on it.
@@ -367,4 +367,4 @@ std::vector<FoldPoint> UnknownMap::folds(std::span<double> z) const {
   return folds;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

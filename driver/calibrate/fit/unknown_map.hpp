@@ -12,7 +12,7 @@
 #include "driver/calibrate/fit/fold.hpp"
 #include "driver/calibrate/fit/problem.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 
 /// Change of the unknowns with one coordinate: pairs of an unknown and dx/dz.
 using CoordinateColumn = std::vector<std::pair<std::size_t, double>>;
@@ -91,4 +91,4 @@ class UnknownMap {
   std::size_t size_ = 0;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

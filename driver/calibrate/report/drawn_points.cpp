@@ -6,7 +6,7 @@
 
 #include "driver/results/thinning.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 const std::vector<double>& positions_of(const FittedResponse& response) {
@@ -32,7 +32,7 @@ DrawnPoints drawn_points(const FittedResponse& response, std::size_t limit) {
   constexpr std::size_t kColumns = 7;
   constexpr std::array<std::size_t, 6> kWatched{1, 2, 3, 4, 5, 6};
   const bool loop = !loop_axis(response).name.empty();
-  RowThinner thinner(kColumns, limit, kWatched);
+  results::RowThinner thinner(kColumns, limit, kWatched);
   for (std::size_t i = 0; i < response.measured.size(); ++i) {
     const double measured = response.measured[i];
     const double before = value_at(response.before, i);
@@ -53,4 +53,4 @@ DrawnPoints drawn_points(const FittedResponse& response, std::size_t limit) {
   return drawn;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -6,7 +6,7 @@
 
 #include "driver/calibrate/calibration.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// The points of a response that are drawn: all, or of many those that RowThinner keeps, so that
 /// the curves, and the residuals before and after, cover the same area as all of them would.
@@ -29,4 +29,4 @@ LoopAxis loop_axis(const FittedResponse& response);
 /// \param limit how many points there may be, about
 DrawnPoints drawn_points(const FittedResponse& response, std::size_t limit);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -15,7 +15,7 @@
 #include "driver/report/json_text.hpp"
 #include "driver/results/provenance.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 /// Points of all responses together that a page draws, as long as each has the fewest.
@@ -27,7 +27,7 @@ constexpr std::size_t kMostCorrelated = 40;
 
 std::int64_t count_of(std::size_t count) { return static_cast<std::int64_t>(count); }
 
-void write_series(JsonText& json, std::string_view name, std::span<const double> numbers) {
+void write_series(report::JsonText& json, std::string_view name, std::span<const double> numbers) {
   json.key(name);
   json.series(numbers);
 }
@@ -38,21 +38,21 @@ double entry(const std::vector<double>& list, std::size_t i) {
 }
 bool flag(const std::vector<char>& list, std::size_t i) { return i < list.size() && list[i] != 0; }
 
-std::string loss_text(const Loss& loss) {
+std::string loss_text(const fit::Loss& loss) {
   switch (loss.kind) {
-    case Loss::Kind::kSquares:
+    case fit::Loss::Kind::kSquares:
       return "squares";
-    case Loss::Kind::kHuber:
+    case fit::Loss::Kind::kHuber:
       return fmt::format("Huber, threshold {:.6g}", loss.threshold);
-    case Loss::Kind::kSoftL1:
+    case fit::Loss::Kind::kSoftL1:
       break;
   }
   return fmt::format("soft L1, threshold {:.6g}", loss.threshold);
 }
 
-void write_verdict(JsonText& json, const Calibration& calibration, const Fit& fit) {
-  const LeastSquaresFit& found = calibration.fit;
-  const FitStatistics& statistics = calibration.statistics;
+void write_verdict(report::JsonText& json, const Calibration& calibration, const Fit& fit) {
+  const fit::LeastSquaresFit& found = calibration.fit;
+  const fit::FitStatistics& statistics = calibration.statistics;
   json.key("verdict");
   json.begin_object();
   json.member("converged", found.converged);
@@ -84,16 +84,16 @@ void write_verdict(JsonText& json, const Calibration& calibration, const Fit& fi
   json.end_object();
 }
 
-void write_unknown(JsonText& json, const Calibration& calibration, std::size_t i) {
+void write_unknown(report::JsonText& json, const Calibration& calibration, std::size_t i) {
   const FittedUnknown& unknown = calibration.unknowns[i];
-  const FitStatistics& statistics = calibration.statistics;
+  const fit::FitStatistics& statistics = calibration.statistics;
   json.begin_object();
   json.member("name", unknown.name);
   if (const std::string told = told_name(calibration, i); told != unknown.name) {
     json.member("told", told);
   }
   json.member("unit", unknown.unit);
-  json.member("scale", unknown.range.scale == Scale::kLog ? "log" : "linear");
+  json.member("scale", unknown.range.scale == fit::Scale::kLog ? "log" : "linear");
   json.member("start", unknown.range.start);
   json.member("lower", unknown.range.lower);
   json.member("upper", unknown.range.upper);
@@ -148,7 +148,7 @@ std::vector<std::size_t> correlated_unknowns(const Calibration& calibration) {
   return shown;
 }
 
-void write_correlation(JsonText& json, const Calibration& calibration) {
+void write_correlation(report::JsonText& json, const Calibration& calibration) {
   const std::vector<std::size_t> shown = correlated_unknowns(calibration);
   const std::size_t n = calibration.unknowns.size();
   json.key("correlation");
@@ -168,7 +168,7 @@ void write_correlation(JsonText& json, const Calibration& calibration) {
   json.end_object();
 }
 
-void write_response(JsonText& json, const FittedResponse& response, std::size_t limit) {
+void write_response(report::JsonText& json, const FittedResponse& response, std::size_t limit) {
   const LoopAxis axis = loop_axis(response);
   const DrawnPoints drawn = drawn_points(response, limit);
   const ResidualView left = residual_view(response, response.after);
@@ -221,7 +221,7 @@ void write_response(JsonText& json, const FittedResponse& response, std::size_t 
   json.end_object();
 }
 
-void write_experiments(JsonText& json, const Fit& fit, const Calibration& calibration) {
+void write_experiments(report::JsonText& json, const Fit& fit, const Calibration& calibration) {
   std::size_t responses = 0;
   for (const FittedExperiment& one : calibration.experiments) responses += one.responses.size();
   const std::size_t limit =
@@ -251,7 +251,7 @@ void write_experiments(JsonText& json, const Fit& fit, const Calibration& calibr
   json.end_array();
 }
 
-void write_table(JsonText& json, const Fit& fit, const Calibration& calibration,
+void write_table(report::JsonText& json, const Fit& fit, const Calibration& calibration,
                  const FittedTable& table) {
   const TableView view = table_view(table);
   json.begin_object();
@@ -297,18 +297,18 @@ void write_table(JsonText& json, const Fit& fit, const Calibration& calibration,
   json.end_object();
 }
 
-void write_searches(JsonText& json, const LeastSquaresFit& found) {
+void write_searches(report::JsonText& json, const fit::LeastSquaresFit& found) {
   json.key("searches");
   json.begin_array();
-  for (const SearchTrace& search : found.searches) {
+  for (const fit::SearchTrace& search : found.searches) {
     json.begin_object();
     const bool known = has_value(search);
     json.member("start_cost", known ? search.start_cost : std::nan(""));
     json.member("cost", known ? search.cost : std::nan(""));
     json.member("found", found_the_minimum(found, search));
     json.member("iterations", std::int64_t{search.iterations});
-    json.member("converged", is_convergence(search.stop));
-    json.member("stop", stop_text(search.stop));
+    json.member("converged", fit::is_convergence(search.stop));
+    json.member("stop", fit::stop_text(search.stop));
     write_series(json, "start", search.start);
     write_series(json, "end", search.end);
     json.end_object();
@@ -316,7 +316,7 @@ void write_searches(JsonText& json, const LeastSquaresFit& found) {
   json.end_array();
 }
 
-void write_profile(JsonText& json, const LikelihoodProfile& profile) {
+void write_profile(report::JsonText& json, const fit::LikelihoodProfile& profile) {
   json.begin_object();
   json.member("unknown", count_of(profile.unknown));
   write_series(json, "value", profile.value);
@@ -332,12 +332,12 @@ void write_profile(JsonText& json, const LikelihoodProfile& profile) {
 }  // namespace
 
 std::string fit_document(const Fit& fit, const Calibration& calibration) {
-  JsonText json;
+  report::JsonText json;
   json.begin_object();
   json.member("schema", std::int64_t{1});
   json.member("title", fit.title.empty() ? fit.file : fit.title);
   json.member("file", fit.file);
-  json.member("generator", "slipbench " + std::string(program_version()));
+  json.member("generator", "slipbench " + std::string(results::program_version()));
   if (fit.date) json.member("date", *fit.date);
   write_verdict(json, calibration, fit);
   json.key("unknowns");
@@ -353,10 +353,10 @@ std::string fit_document(const Fit& fit, const Calibration& calibration) {
   write_searches(json, calibration.fit);
   json.key("profiles");
   json.begin_array();
-  for (const LikelihoodProfile& profile : calibration.profiles) write_profile(json, profile);
+  for (const fit::LikelihoodProfile& profile : calibration.profiles) write_profile(json, profile);
   json.end_array();
   json.end_object();
   return json.take();
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

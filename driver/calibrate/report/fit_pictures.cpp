@@ -22,7 +22,7 @@
 #include "driver/plot/text_lines.hpp"
 #include "driver/results/thinning.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace fs = std::filesystem;
 namespace {
 
@@ -59,12 +59,12 @@ Span span_of(std::initializer_list<const std::vector<double>*> lists, double air
   return {low - air * (high - low), high + air * (high - low)};
 }
 
-void tell_axis(PlotScript& script, std::string_view from, std::string_view to,
+void tell_axis(plot::PlotScript& script, std::string_view from, std::string_view to,
                std::string_view step, std::string_view format, const Span& span) {
   script.add(from, span.low);
   script.add(to, span.high);
-  script.add(step, tic_step(span.high - span.low, 5.0));
-  script.add(format, tic_format(span.low, span.high));
+  script.add(step, base::tic_step(span.high - span.low, 5.0));
+  script.add(format, plot::tic_format(span.low, span.high));
 }
 
 double point_size(std::size_t points) { return points > kFewPoints ? 0.25 : 0.5; }
@@ -75,7 +75,7 @@ std::string number_with_unit(double value, const std::string& unit) {
 
 std::string thinned_note(bool thinned) { return thinned ? "thinned: extremes are kept" : ""; }
 
-std::string title_of(const std::string& name) { return one_line(name, kTitleLength); }
+std::string title_of(const std::string& name) { return plot::one_line(name, kTitleLength); }
 
 std::string title_of(const Fit& fit, const ExperimentFit& experiment) {
   return title_of(experiment.name + (experiment.held_out ? " (held out): " : ": ") +
@@ -85,12 +85,12 @@ std::string title_of(const Fit& fit, const ExperimentFit& experiment) {
 /// The label of an axis; a name that is longer than the axis stands above the picture, too.
 std::string short_label(const std::string& name, const std::string& unit) {
   constexpr std::size_t kLongest = 30;
-  return axis_label(name.size() > kLongest ? "value" : name, {"", unit});
+  return plot::axis_label(name.size() > kLongest ? "value" : name, {"", unit});
 }
 
 /// A script and what its picture is called and how high it is.
 struct Drawing {
-  PlotScript script;
+  plot::PlotScript script;
   std::string title;
   std::size_t height = 0;
 };
@@ -102,7 +102,7 @@ std::size_t drawn_responses(const FittedExperiment& one) {
 Drawing loops(const Fit& fit, const FittedExperiment& one) {
   const ExperimentFit& asked = fit.experiments.at(one.index);
   Drawing drawing;
-  PlotScript& script = drawing.script;
+  plot::PlotScript& script = drawing.script;
   std::string points;
   bool thinned = false;
   const std::size_t count = drawn_responses(one);
@@ -116,19 +116,19 @@ Drawing loops(const Fit& fit, const FittedExperiment& one) {
     const Span value = span_of({&drawn.measured, &drawn.before, &drawn.after}, 0.06);
     for (std::size_t i = 0; i < drawn.time.size(); ++i) {
       points += fmt::format("{:.{}g} {:.9g} {:.7g} {:.7g} {:.7g}\n", drawn.time[i],
-                            drawn_digits(time.low, time.high),
+                            plot::drawn_digits(time.low, time.high),
                             drawn.position.empty() ? 0.0 : drawn.position[i], drawn.measured[i],
                             drawn.before[i], drawn.after[i]);
     }
     points += drawn.time.empty() ? "NaN NaN NaN NaN NaN\n\n\n" : "\n\n";
     script.add("LABEL", short_label(response.quantity, response.unit));
-    script.add("NAME", one_line(response.quantity, kTitleLength));
+    script.add("NAME", plot::one_line(response.quantity, kTitleLength));
     script.add("SAYS",
                fmt::format("root mean square of model minus measurement: {} before, {} after",
                            number_with_unit(response.rmse_before, response.unit),
                            number_with_unit(response.rmse_after, response.unit)));
     script.add("LOOP", axis.name.empty() ? 0 : 1);
-    script.add("X_LABEL", axis_label("position", {axis.name, axis.unit}));
+    script.add("X_LABEL", plot::axis_label("position", {axis.name, axis.unit}));
     tell_axis(script, "FROM", "TO", "X_STEP", "X_FORMAT", position);
     tell_axis(script, "BEGIN", "END", "T_STEP", "T_FORMAT", time);
     tell_axis(script, "LOW", "HIGH", "Y_STEP", "Y_FORMAT", value);
@@ -136,7 +136,7 @@ Drawing loops(const Fit& fit, const FittedExperiment& one) {
   }
   script.set("PANELS", static_cast<int>(count));
   script.set("NOTE", thinned_note(thinned));
-  script.set("TIME_LABEL", axis_label("time", {"t", asked.base.units.time}));
+  script.set("TIME_LABEL", plot::axis_label("time", {"t", asked.base.units.time}));
   script.block("POINTS", std::move(points));
   drawing.title = title_of(fit, asked);
   drawing.height = 60 + 460 * count;
@@ -146,7 +146,7 @@ Drawing loops(const Fit& fit, const FittedExperiment& one) {
 Drawing residuals(const Fit& fit, const FittedExperiment& one) {
   const ExperimentFit& asked = fit.experiments.at(one.index);
   Drawing drawing;
-  PlotScript& script = drawing.script;
+  plot::PlotScript& script = drawing.script;
   std::string rows;
   std::string bins;
   bool thinned = false;
@@ -155,14 +155,14 @@ Drawing residuals(const Fit& fit, const FittedExperiment& one) {
     const FittedResponse& response = one.responses[r];
     const ResidualView view = residual_view(response, response.after);
     const Span time = span_of({&response.time}, 0.0);
-    RowThinner thinner(2, kPoints);
+    results::RowThinner thinner(2, kPoints);
     for (std::size_t i = 0; i < std::min(view.residuals.size(), response.time.size()); ++i) {
       thinner.add(std::array{response.time[i], view.residuals[i]});
     }
     thinned = thinned || thinner.thinned();
     const std::vector<double> drawn = thinner.rows();
     for (std::size_t i = 0; i + 1 < drawn.size(); i += 2) {
-      rows += fmt::format("{:.{}g} {:.7g}\n", drawn[i], drawn_digits(time.low, time.high),
+      rows += fmt::format("{:.{}g} {:.7g}\n", drawn[i], plot::drawn_digits(time.low, time.high),
                           drawn[i + 1]);
     }
     rows += drawn.empty() ? "NaN NaN\n\n\n" : "\n\n";
@@ -180,19 +180,19 @@ Drawing residuals(const Fit& fit, const FittedExperiment& one) {
     const double peak = view.deviation > 0.0
                             ? static_cast<double>(total) * width / (view.deviation * 2.5066282746)
                             : 0.0;
-    script.add("NAME", one_line(response.quantity, kTitleLength));
-    std::vector<std::string> says = lines_of_length(view.words, kTextLength, 2);
+    script.add("NAME", plot::one_line(response.quantity, kTitleLength));
+    std::vector<std::string> says = plot::lines_of_length(view.words, kTextLength, 2);
     says.resize(2);
     script.add("SAYS_1", says[0]);
     script.add("SAYS_2", says[1]);
-    script.add("LABEL", axis_label("model minus measurement", {"", response.unit}));
+    script.add("LABEL", plot::axis_label("model minus measurement", {"", response.unit}));
     const double largest = std::max(std::abs(view.lowest), std::abs(view.highest));
     const double high = largest > 0.0 ? 1.1 * largest : 1.0;
     script.add("HIGH", high);
-    script.add("Y_STEP", tic_step(2.0 * high, 4.0));
+    script.add("Y_STEP", base::tic_step(2.0 * high, 4.0));
     const double top = 1.1 * std::max(static_cast<double>(most), peak);
     script.add("TOP", top);
-    script.add("COUNT_STEP", std::max(1.0, tic_step(top, 5.0)));
+    script.add("COUNT_STEP", std::max(1.0, base::tic_step(top, 5.0)));
     script.add("WIDTH", width);
     script.add("MEAN", view.mean);
     script.add("DEVIATION", view.deviation);
@@ -202,7 +202,7 @@ Drawing residuals(const Fit& fit, const FittedExperiment& one) {
   }
   script.set("PANELS", static_cast<int>(count));
   script.set("NOTE", thinned_note(thinned));
-  script.set("TIME_LABEL", axis_label("time", {"t", asked.base.units.time}));
+  script.set("TIME_LABEL", plot::axis_label("time", {"t", asked.base.units.time}));
   script.block("RESIDUALS", std::move(rows));
   script.block("BINS", std::move(bins));
   drawing.title = title_of(fit, asked);
@@ -213,7 +213,7 @@ Drawing residuals(const Fit& fit, const FittedExperiment& one) {
 /// "set xtics (...)" where knots are told one by one, the usual ones elsewhere.
 std::string tics_of(const TableView& view, const Span& span) {
   if (!view.even) {
-    return fmt::format("set xtics {:.9g}", tic_step(span.high - span.low, 8.0));
+    return fmt::format("set xtics {:.9g}", base::tic_step(span.high - span.low, 8.0));
   }
   std::string text = "set xtics (";
   const std::vector<double>& knots = view.axes[0].knots;
@@ -250,9 +250,9 @@ std::string unseen_words(const FittedTable& table) {
 Drawing ordinates(const Fit& fit, const Calibration& calibration, const FittedTable& table) {
   const VariedTable& asked = fit.tables.at(table.index);
   const TableView view = table_view(table);
-  const FitStatistics& statistics = calibration.statistics;
+  const fit::FitStatistics& statistics = calibration.statistics;
   Drawing drawing;
-  PlotScript& script = drawing.script;
+  plot::PlotScript& script = drawing.script;
   std::string rows;
   std::vector<double> all;
   std::vector<double> places;
@@ -274,7 +274,7 @@ Drawing ordinates(const Fit& fit, const Calibration& calibration, const FittedTa
       places.push_back(block.place[i]);
     }
     rows += "\n\n";
-    script.add("NAME", one_line(block.label, 40));
+    script.add("NAME", plot::one_line(block.label, 40));
   }
   const Span x = span_of({&places}, 0.04);
   const Span y = span_of({&all}, 0.08);
@@ -284,9 +284,9 @@ Drawing ordinates(const Fit& fit, const Calibration& calibration, const FittedTa
   script.set("TO", x.high);
   script.set("LOW", y.low);
   script.set("HIGH", y.high);
-  script.set("Y_STEP", tic_step(y.high - y.low, 5.0));
+  script.set("Y_STEP", base::tic_step(y.high - y.low, 5.0));
   script.set("TICS", tics_of(view, x));
-  script.set("X_LABEL", axis_label(axis.name, {"", axis.unit}));
+  script.set("X_LABEL", plot::axis_label(axis.name, {"", axis.unit}));
   script.set("LABEL", short_label(asked.free, calibration.unknowns.at(table.first_unknown).unit));
   script.set("INTERVAL", fmt::format("{:.4g} % interval", 100.0 * fit.confidence));
   std::string says = fmt::format(
@@ -296,7 +296,7 @@ Drawing ordinates(const Fit& fit, const Calibration& calibration, const FittedTa
   if (view.even) says += " Knots are drawn equally far apart.";
   if (step > 1) says += fmt::format(" {} of {} curves.", blocks, view.blocks.size());
   script.set("SAYS_1", says);
-  script.set("SAYS_2", one_line(unseen_words(table), kTextLength));
+  script.set("SAYS_2", plot::one_line(unseen_words(table), kTextLength));
   std::string unseen = unseen_cells(view, table);
   script.set("UNSEEN", unseen.empty() ? 0 : 1);
   script.block("UNSEEN", unseen.empty() ? "NaN NaN\n" : std::move(unseen));
@@ -312,9 +312,9 @@ class PictureNames {
   explicit PictureNames(std::string_view stem) : stem_(stem) {}
 
   std::string of(std::string_view name, std::string_view kind) {
-    std::string file = fmt::format("{}.{}.{}.svg", stem_, file_part(name), kind);
+    std::string file = fmt::format("{}.{}.{}.svg", stem_, base::file_part(name), kind);
     for (int n = 2; !taken_.insert(file).second; ++n) {
-      file = fmt::format("{}.{}-{}.{}.svg", stem_, file_part(name), n, kind);
+      file = fmt::format("{}.{}-{}.{}.svg", stem_, base::file_part(name), n, kind);
     }
     return file;
   }
@@ -327,7 +327,7 @@ class PictureNames {
 /// Draws one picture after the other; after one that gnuplot cannot draw it tries no more.
 class Pictures {
  public:
-  Pictures(fs::path folder, const std::string& fit, const Overwriting& overwriting)
+  Pictures(fs::path folder, const std::string& fit, const base::Overwriting& overwriting)
       : folder_(std::move(folder)), overwriting_(overwriting) {
     options_.input = fit;
     options_.force = overwriting.force;
@@ -338,16 +338,16 @@ class Pictures {
   void draw(const std::string& file, std::string_view pattern, Make make) {
     if (given_up_) return;
     const std::string fault =
-        target_fault(folder_ / file, picture_mark(options_.input), overwriting_);
+        base::target_fault(folder_ / file, plot::picture_mark(options_.input), overwriting_);
     if (!fault.empty()) {
       found_.notes.push_back("a picture was not drawn: " + fault);
       return;
     }
-    auto picture = begin_picture(folder_ / file, options_, pattern);
+    auto picture = plot::begin_picture(folder_ / file, options_, pattern);
     if (!picture) return give_up(picture.error());
     const Drawing drawing = make();
     const auto drawn =
-        slipbench::driver::draw(drawing.script, drawing.title, drawing.height, *picture);
+        slipbench::driver::plot::draw(drawing.script, drawing.title, drawing.height, *picture);
     if (!drawn) return give_up(drawn.error());
     found_.written.push_back(folder_ / file);
   }
@@ -355,7 +355,7 @@ class Pictures {
   FitPictures take() { return std::move(found_); }
 
  private:
-  void give_up(const PlotFailure& failure) {
+  void give_up(const plot::PlotFailure& failure) {
     constexpr std::string_view kPrefix = "slipbench: error: ";
     std::string_view why = failure.message;
     if (why.starts_with(kPrefix)) why.remove_prefix(kPrefix.size());
@@ -365,8 +365,8 @@ class Pictures {
   }
 
   fs::path folder_;
-  PlotOptions options_;
-  Overwriting overwriting_;
+  plot::PlotOptions options_;
+  base::Overwriting overwriting_;
   FitPictures found_;
   bool given_up_ = false;
 };
@@ -386,7 +386,7 @@ std::vector<std::string> fit_picture_names(const Fit& fit, std::string_view stem
 
 FitPictures draw_fit_pictures(const Fit& fit, const Calibration& calibration,
                               const std::filesystem::path& folder, std::string_view stem,
-                              const Overwriting& overwriting) {
+                              const base::Overwriting& overwriting) {
   const std::vector<std::string> names = fit_picture_names(fit, stem);
   Pictures pictures(folder, fit.file, overwriting);
   for (const FittedExperiment& one : calibration.experiments) {
@@ -402,4 +402,4 @@ FitPictures draw_fit_pictures(const Fit& fit, const Calibration& calibration,
   return pictures.take();
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

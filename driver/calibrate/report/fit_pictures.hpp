@@ -11,7 +11,7 @@
 #include "driver/calibrate/calibration.hpp"
 #include "driver/calibrate/fit.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// The pictures of a fit, and why one is missing.
 struct FitPictures {
@@ -32,6 +32,6 @@ std::vector<std::string> fit_picture_names(const Fit& fit, std::string_view stem
 /// what must stay is not drawn.
 FitPictures draw_fit_pictures(const Fit& fit, const Calibration& calibration,
                               const std::filesystem::path& folder, std::string_view stem,
-                              const Overwriting& overwriting = {});
+                              const base::Overwriting& overwriting = {});
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -4,21 +4,21 @@
 #include "driver/base/files/output_file.hpp"
 #include "driver/report/page.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 tl::expected<std::size_t, std::string> write_fit_report(const Fit& fit,
                                                         const Calibration& calibration,
                                                         const std::filesystem::path& file,
-                                                        const Overwriting& overwriting) {
+                                                        const base::Overwriting& overwriting) {
   const std::string source = std::filesystem::path(fit.file).filename().string();
-  auto out = OutputFile::create(file, fit_page_mark(source), overwriting);
+  auto out = base::OutputFile::create(file, report::fit_page_mark(source), overwriting);
   if (!out) return tl::unexpected(out.error());
-  const std::string page =
-      fit_page(fit_document(fit, calibration), fit.title.empty() ? fit.file : fit.title, source);
+  const std::string page = report::fit_page(fit_document(fit, calibration),
+                                            fit.title.empty() ? fit.file : fit.title, source);
   out->append(page);
-  OutputFile* const alone[] = {&*out};
-  if (auto committed = commit(alone); !committed) return tl::unexpected(committed.error());
+  base::OutputFile* const alone[] = {&*out};
+  if (auto committed = base::commit(alone); !committed) return tl::unexpected(committed.error());
   return page.size();
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -11,7 +11,7 @@
 #include "driver/calibrate/calibration.hpp"
 #include "driver/calibrate/fit.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// The JSON document of a fit's page, on one line, to be embedded as it is in a script element: no
 /// '<' stands in it. Of many points some are drawn (RowThinner keeps extremes); what is told of the
@@ -26,6 +26,6 @@ std::string fit_document(const Fit& fit, const Calibration& calibration);
 tl::expected<std::size_t, std::string> write_fit_report(const Fit& fit,
                                                         const Calibration& calibration,
                                                         const std::filesystem::path& file,
-                                                        const Overwriting& overwriting = {});
+                                                        const base::Overwriting& overwriting = {});
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

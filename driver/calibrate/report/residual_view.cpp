@@ -7,7 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 constexpr std::size_t kFewestPoints = 8;
@@ -144,4 +144,4 @@ ResidualView residual_view(const FittedResponse& response, std::span<const doubl
   return view;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

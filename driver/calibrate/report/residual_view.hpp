@@ -8,7 +8,7 @@
 
 #include "driver/calibrate/calibration.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// Rest of a measurement when a fit is taken from it: model - measured, of all points.
 struct ResidualView {
@@ -32,4 +32,4 @@ struct ResidualView {
 /// The residuals of a response, before (`model` = response.before) or after the fit.
 ResidualView residual_view(const FittedResponse& response, std::span<const double> model);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 std::string block_label(const TableView& view, const std::vector<double>& point) {
@@ -89,4 +89,4 @@ TableView table_view(const FittedTable& table) {
   return view;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -7,7 +7,7 @@
 
 #include "driver/calibrate/calibration.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// Layout of a fitted table for drawing.
 struct TableView {
@@ -34,4 +34,4 @@ struct TableView {
 
 TableView table_view(const FittedTable& table);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

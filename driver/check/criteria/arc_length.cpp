@@ -10,7 +10,7 @@
 #include "driver/check/criteria/bounds.hpp"
 #include "driver/check/curves/common_range.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 constexpr std::size_t kParts = 1000;
@@ -177,7 +177,7 @@ bool measurable(const std::vector<Vec>& points) {
 }  // namespace
 
 CurveComparison compare_arc_length(const Series& result, const Series& reference,
-                                   const Tolerance& tolerance) {
+                                   const cases::Tolerance& tolerance) {
   CurveComparison out;
   out.fault = common_range(result, reference).fault;
   if (!out.fault.empty()) return out;
@@ -252,4 +252,4 @@ CurveComparison compare_arc_length(const Series& result, const Series& reference
   return out;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

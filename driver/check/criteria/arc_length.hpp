@@ -4,7 +4,7 @@
 #include "driver/case/case.hpp"
 #include "driver/check/curves/series.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// The distance of two curves in the plane of abscissa and value, point by point at equal parts of
 /// their lengths; for loops, which have no function value over their abscissa.
@@ -27,6 +27,6 @@ namespace slipbench::driver {
 /// Faults: empty curves, numbers that are not finite, a reference whose abscissa does not move or
 /// whose values are all zero.
 CurveComparison compare_arc_length(const Series& result, const Series& reference,
-                                   const Tolerance& tolerance);
+                                   const cases::Tolerance& tolerance);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

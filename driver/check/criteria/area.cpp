@@ -5,10 +5,10 @@
 #include "driver/check/criteria/integral.hpp"
 #include "driver/check/curves/branches.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 CurveComparison compare_area(const Series& result, const Series& reference,
-                             const Tolerance& tolerance) {
+                             const cases::Tolerance& tolerance) {
   const MatchedBranches matched = match_branches(result, reference);
   if (!matched.fault.empty()) return incomparable(matched.fault);
   const Series& ours = matched.result;
@@ -23,4 +23,4 @@ CurveComparison compare_area(const Series& result, const Series& reference,
   return compared(theirs.size(), {std::move(area)});
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -4,7 +4,7 @@
 #include "driver/case/case.hpp"
 #include "driver/check/curves/series.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// The integral of q dx over what the curves have in common, with its sign: one measure
 /// [quantity x abscissa], which `tolerance.absolute` bounds in the same unit; a relative tolerance
@@ -12,6 +12,6 @@ namespace slipbench::driver {
 /// curve, second order.
 /// Back and forth branch by branch as for points, so curves of different branches are a fault.
 CurveComparison compare_area(const Series& result, const Series& reference,
-                             const Tolerance& tolerance);
+                             const cases::Tolerance& tolerance);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

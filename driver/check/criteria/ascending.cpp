@@ -5,7 +5,7 @@
 
 #include "driver/check/curves/branches.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 /// Empty if the abscissa turns. Turns that are rounding are flattened.
@@ -84,4 +84,4 @@ std::vector<double> cell_means(const AscendingCurve& curve, const Interval& inte
   return means;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

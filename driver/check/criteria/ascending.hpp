@@ -10,7 +10,7 @@
 #include "driver/check/curves/common_range.hpp"
 #include "driver/check/curves/series.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// A curve whose abscissa never decreases; two rows in the same place are a jump.
 struct AscendingCurve {
@@ -80,4 +80,4 @@ void for_each_piece(const AscendingCurves& curves, Visit&& visit) {
 std::vector<double> cell_means(const AscendingCurve& curve, const Interval& interval,
                                std::size_t n);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

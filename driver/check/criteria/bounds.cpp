@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 /// Below this part of its magnitude, the range of values is their rounding.
@@ -31,14 +31,14 @@ double least_scale(const Interval& values) {
   return std::max(values.width(), kNearlyConstant * magnitude(values));
 }
 
-double value_bound(const Tolerance& tolerance, double scale) {
+double value_bound(const cases::Tolerance& tolerance, double scale) {
   if (!tolerance.absolute && !tolerance.relative && tolerance.abscissa) {
     return std::numeric_limits<double>::infinity();
   }
   return std::max(tolerance.absolute.value_or(0.0), tolerance.relative.value_or(0.0) * scale);
 }
 
-double position_bound(const Tolerance& tolerance, double scale) {
+double position_bound(const cases::Tolerance& tolerance, double scale) {
   if (!tolerance.abscissa && !tolerance.relative) return std::numeric_limits<double>::infinity();
   return std::max(tolerance.abscissa.value_or(0.0), tolerance.relative.value_or(0.0) * scale);
 }
@@ -66,4 +66,4 @@ Measure judged(std::string name, MeasureUnit unit, double value, double referenc
   return measure;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

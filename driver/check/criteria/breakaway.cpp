@@ -13,7 +13,7 @@
 #include "driver/check/curves/common_range.hpp"
 #include "driver/history/step_grid.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 /// Distance below its initial slope where a curve has left it, as a part of its largest change.
@@ -83,7 +83,7 @@ InitialSlope initial_slope(const Course& course) {
     const auto begin = first_crossing(course.u, course.g, level);
     const auto end = first_crossing(course.u, course.g, level + 0.1 * course.rise);
     const double width = end->u - begin->u;
-    const double slope = width > kSameTime * course.u.back()
+    const double slope = width > history::kSameTime * course.u.back()
                              ? 0.1 * course.rise / width
                              : std::numeric_limits<double>::infinity();
     if (slope > steepest.slope) steepest = {begin->u, level, slope, *end};
@@ -95,7 +95,8 @@ InitialSlope initial_slope(const Course& course) {
 std::pair<double, double> end_of_rigid_part(const Course& course, const InitialSlope& initial) {
   double reached = course.g[initial.end.row];
   for (std::size_t i = initial.end.row;
-       i < course.u.size() && course.u[i] <= initial.end.u + kSameTime * course.u.back(); ++i) {
+       i < course.u.size() && course.u[i] <= initial.end.u + history::kSameTime * course.u.back();
+       ++i) {
     reached = std::max(reached, course.g[i]);
   }
   return {initial.end.u, reached};
@@ -125,7 +126,7 @@ std::optional<std::pair<double, double>> departure(const Course& course,
   const std::size_t i = halfway->row;
   if (i + 1 < u.size() && below[i + 1] > below[i]) {
     const double knee = u[i] - below[i] * (u[i + 1] - u[i]) / (below[i + 1] - below[i]);
-    if (knee >= u[i - 1] - kSameTime * course.u.back()) at = knee;
+    if (knee >= u[i - 1] - history::kSameTime * course.u.back()) at = knee;
   }
   return std::pair{at, line(at)};
 }
@@ -177,7 +178,7 @@ Breakaway breakaway(const Series& curve) {
 }
 
 CurveComparison compare_breakaway(const Series& result, const Series& reference,
-                                  const Tolerance& tolerance) {
+                                  const cases::Tolerance& tolerance) {
   const CommonRange common = common_range(result, reference);
   if (!common.fault.empty()) return incomparable(common.fault);
   const Breakaway ours = breakaway(result);
@@ -197,4 +198,4 @@ CurveComparison compare_breakaway(const Series& result, const Series& reference,
   return compared(reference.size(), {std::move(value), std::move(position)});
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

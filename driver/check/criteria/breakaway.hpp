@@ -6,7 +6,7 @@
 #include "driver/case/case.hpp"
 #include "driver/check/curves/series.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// Place where a curve first leaves its initial slope.
 struct Breakaway {
@@ -34,6 +34,6 @@ Breakaway breakaway(const Series& curve);
 /// Two measures: value at breakaway [quantity], and its position [abscissa], which
 /// `tolerance.abscissa` bounds. Scales are the ranges of the reference.
 CurveComparison compare_breakaway(const Series& result, const Series& reference,
-                                  const Tolerance& tolerance);
+                                  const cases::Tolerance& tolerance);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

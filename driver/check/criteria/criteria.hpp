@@ -19,14 +19,14 @@
 #include "driver/check/criteria/sprague_geers.hpp"
 #include "driver/check/curves/series.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 struct CriterionInfo {
-  Criterion criterion = Criterion::kPointwise;
+  cases::Criterion criterion = cases::Criterion::kPointwise;
   std::string_view word;  ///< as a case writes it
   std::string_view text;  ///< what it compares, one sentence
   CurveComparison (*compare)(const Series& result, const Series& reference,
-                             const Tolerance& tolerance) = nullptr;
+                             const cases::Tolerance& tolerance) = nullptr;
   bool needs_position = false;      ///< goes over a position, not over time
   bool compares_positions = false;  ///< within the tolerance of the abscissa
   std::string_view one = {};        ///< what a measure of 1 is already, of those without a unit
@@ -34,51 +34,51 @@ struct CriterionInfo {
 
 /// In the order of `Criterion`. The formulas are in docs/theory, section 16.
 inline constexpr std::array<CriterionInfo, 10> kCriteria{{
-    {.criterion = Criterion::kPointwise,
+    {.criterion = cases::Criterion::kPointwise,
      .word = "pointwise",
      .text = "Every point: the quantity against the reference.",
      .compare = compare_pointwise},
-    {.criterion = Criterion::kPeak,
+    {.criterion = cases::Criterion::kPeak,
      .word = "peak",
      .text = "The largest and the smallest value.",
      .compare = compare_peak},
-    {.criterion = Criterion::kArea,
+    {.criterion = cases::Criterion::kArea,
      .word = "area",
      .text = "The integral of the quantity over the abscissa.",
      .compare = compare_area},
-    {.criterion = Criterion::kLoopEnergy,
+    {.criterion = cases::Criterion::kLoopEnergy,
      .word = "loop_energy",
      .text = "The work of each loop of the quantity over a position.",
      .compare = compare_loop_energy,
      .needs_position = true},
-    {.criterion = Criterion::kBreakaway,
+    {.criterion = cases::Criterion::kBreakaway,
      .word = "breakaway",
      .text = "Where a curve first leaves its initial slope: force and position.",
      .compare = compare_breakaway,
      .needs_position = true,
      .compares_positions = true},
-    {.criterion = Criterion::kPlateau,
+    {.criterion = cases::Criterion::kPlateau,
      .word = "plateau",
      .text = "The mean of the quantity over the abscissa.",
      .compare = compare_plateau},
-    {.criterion = Criterion::kReversals,
+    {.criterion = cases::Criterion::kReversals,
      .word = "reversals",
      .text = "The points where the abscissa turns: their number, positions and values.",
      .compare = compare_reversals,
      .needs_position = true,
      .compares_positions = true},
-    {.criterion = Criterion::kArcLength,
+    {.criterion = cases::Criterion::kArcLength,
      .word = "arc_length",
      .text = "The distance of two loops, point by point at equal parts of their lengths.",
      .compare = compare_arc_length,
      .needs_position = true,
      .one = "the whole width or height of the reference"},
-    {.criterion = Criterion::kSpragueGeers,
+    {.criterion = cases::Criterion::kSpragueGeers,
      .word = "sprague_geers",
      .text = "The comprehensive error of magnitude and phase over time.",
      .compare = compare_sprague_geers,
      .one = "the error of the opposite curve"},
-    {.criterion = Criterion::kIso18571,
+    {.criterion = cases::Criterion::kIso18571,
      .word = "iso18571",
      .text =
          "One minus the rating of ISO/TS 18571: corridor, phase, magnitude and slope over time.",
@@ -91,7 +91,7 @@ constexpr auto criterion_words() {
   return words;
 }
 
-constexpr const CriterionInfo& info_of(Criterion criterion) {
+constexpr const CriterionInfo& info_of(cases::Criterion criterion) {
   return kCriteria[static_cast<std::size_t>(criterion)];
 }
 
@@ -108,9 +108,9 @@ static_assert(
 /// that are not finite and curves without a common range with a fault in words; none depends on how
 /// either curve is sampled but for the errors its own header names, and none on the units.
 /// Of kPointwise it gives the worst point as one measure; compare_points gives all of them.
-inline CurveComparison compare(Criterion criterion, const Series& result, const Series& reference,
-                               const Tolerance& tolerance) {
+inline CurveComparison compare(cases::Criterion criterion, const Series& result,
+                               const Series& reference, const cases::Tolerance& tolerance) {
   return info_of(criterion).compare(result, reference, tolerance);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

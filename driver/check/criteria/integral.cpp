@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 double step(const Series& curve, std::size_t i) {
@@ -48,4 +48,4 @@ double way(const Series& curve) {
   return sum;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

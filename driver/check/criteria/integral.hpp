@@ -5,7 +5,7 @@
 
 #include "driver/check/curves/series.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// The integral of q dx over the rows first..last of a curve [quantity x abscissa], by trapezoids.
 double work(const Series& curve, std::size_t first, std::size_t last);
@@ -20,4 +20,4 @@ double magnitude_integral(const Series& curve);
 /// The integral of |dx| over a whole curve: the way of the abscissa.
 double way(const Series& curve);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -10,7 +10,7 @@
 #include "driver/check/criteria/ascending.hpp"
 #include "driver/check/criteria/bounds.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 constexpr std::size_t kSamples = 1000;
@@ -179,7 +179,7 @@ Measure reported(const char* name, double value) {
 }  // namespace
 
 CurveComparison compare_iso18571(const Series& result, const Series& reference,
-                                 const Tolerance& tolerance) {
+                                 const cases::Tolerance& tolerance) {
   const AscendingCurves curves = ascending_curves(result, reference);
   CurveComparison out;
   out.fault = curves.fault;
@@ -227,4 +227,4 @@ CurveComparison compare_iso18571(const Series& result, const Series& reference,
   return out;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

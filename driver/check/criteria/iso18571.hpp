@@ -4,7 +4,7 @@
 #include "driver/case/case.hpp"
 #include "driver/check/curves/series.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// The objective rating of ISO/TS 18571 (2014, 2nd edition 2024) over the common range of the
 /// abscissa (time, or anything else that does not turn), with the constants of ISO/TS 18571:
@@ -34,6 +34,6 @@ namespace slipbench::driver {
 /// (range below 1e-9 of its magnitude): neither phase nor slope have a meaning. A result that
 /// correlates at no shift, since it is constant, has E_P = 0.
 CurveComparison compare_iso18571(const Series& result, const Series& reference,
-                                 const Tolerance& tolerance);
+                                 const cases::Tolerance& tolerance);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

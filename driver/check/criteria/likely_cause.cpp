@@ -11,7 +11,7 @@
 
 #include "driver/results/summary.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 constexpr double kOfTolerance = 0.1;
@@ -146,11 +146,11 @@ class Inquiry {
     if (factor) return fmt::format("looks like a factor: ratio {} everywhere", ratio_text(*factor));
     if (offset) {
       return fmt::format("looks like an offset: {} everywhere",
-                         with_unit(fmt::format("{:+.3g}", *offset), scales_.unit));
+                         base::with_unit(fmt::format("{:+.3g}", *offset), scales_.unit));
     }
     if (const auto late = delay()) {
       return fmt::format("looks like a delay: the result is {} {}",
-                         with_unit(fmt::format("{:.3g}", std::abs(*late)), scales_.time_unit),
+                         base::with_unit(fmt::format("{:.3g}", std::abs(*late)), scales_.time_unit),
                          *late > 0.0 ? "late" : "early");
     }
     return {};
@@ -396,4 +396,4 @@ std::string likely_cause(std::span<const CausePoint> points, const CauseScales& 
   return Inquiry(prepared(points), scales).cause();
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

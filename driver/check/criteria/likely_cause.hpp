@@ -6,7 +6,7 @@
 
 #include "driver/check/curves/series.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// One compared point of a pointwise check.
 struct CausePoint {
@@ -54,4 +54,4 @@ struct CauseScales {
 /// \param points in the order of their history; all of a check's or an even selection of them
 std::string likely_cause(std::span<const CausePoint> points, const CauseScales& scales);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -14,7 +14,7 @@
 #include "driver/check/curves/branches.hpp"
 #include "driver/check/curves/common_range.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 /// A loop whose ends are further apart than this part of its longer branch is not whole.
@@ -69,7 +69,7 @@ double product_of_ranges(const Series& curve, std::size_t first, std::size_t las
 }  // namespace
 
 CurveComparison compare_loop_energy(const Series& result, const Series& reference,
-                                    const Tolerance& tolerance) {
+                                    const cases::Tolerance& tolerance) {
   const MatchedBranches matched = match_branches(result, reference);
   if (!matched.fault.empty()) return incomparable(matched.fault);
   const Series& ours = matched.result;
@@ -120,4 +120,4 @@ CurveComparison compare_loop_energy(const Series& result, const Series& referenc
   return comparison;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -4,7 +4,7 @@
 #include "driver/case/case.hpp"
 #include "driver/check/curves/series.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// The work of each loop, the integral of q dx around it: positive where energy is put in, as in
 /// friction. One measure a loop and, if there are several, one of their total
@@ -21,6 +21,6 @@ namespace slipbench::driver {
 ///
 /// Faults: as of compare_area.
 CurveComparison compare_loop_energy(const Series& result, const Series& reference,
-                                    const Tolerance& tolerance);
+                                    const cases::Tolerance& tolerance);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -8,7 +8,7 @@
 #include "driver/check/criteria/bounds.hpp"
 #include "driver/check/curves/common_range.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 /// The row of the largest value, or with sign -1 of the smallest; the first of several.
@@ -21,7 +21,7 @@ std::size_t peak_row(const Series& curve, double sign) {
 }  // namespace
 
 CurveComparison compare_peak(const Series& result, const Series& reference,
-                             const Tolerance& tolerance) {
+                             const cases::Tolerance& tolerance) {
   const CommonRange common = common_range(result, reference);
   if (!common.fault.empty()) return incomparable(common.fault);
   const Series ours = cut(result, common.interval, common.slack);
@@ -43,4 +43,4 @@ CurveComparison compare_peak(const Series& result, const Series& reference,
   return comparison;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

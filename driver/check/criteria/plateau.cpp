@@ -5,10 +5,10 @@
 #include "driver/check/criteria/integral.hpp"
 #include "driver/check/curves/common_range.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 CurveComparison compare_plateau(const Series& result, const Series& reference,
-                                const Tolerance& tolerance) {
+                                const cases::Tolerance& tolerance) {
   const CommonRange common = common_range(result, reference);
   if (!common.fault.empty()) return incomparable(common.fault);
   if (common.interval.width() <= common.slack) {
@@ -23,4 +23,4 @@ CurveComparison compare_plateau(const Series& result, const Series& reference,
   return compared(theirs.size(), {std::move(mean)});
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

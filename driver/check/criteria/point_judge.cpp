@@ -6,7 +6,7 @@
 
 #include "driver/check/criteria/bounds.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 double deviation_of(const CurvePoint& point) { return std::abs(point.value - point.reference); }
@@ -102,4 +102,4 @@ std::vector<CausePoint> PointJudge::sample() const {
   return result;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -12,7 +12,7 @@
 #include "driver/check/curves/series.hpp"
 #include "driver/check/curves/spacing.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// A few of many points, evenly spread over all that were offered: the memory is bounded.
 class PointSample {
@@ -45,7 +45,7 @@ class PointSample {
 /// reference over the compared points (scale_of in criteria/bounds.hpp).
 class PointJudge {
  public:
-  explicit PointJudge(const Tolerance& tolerance)
+  explicit PointJudge(const cases::Tolerance& tolerance)
       : absolute_(tolerance.absolute.value_or(0.0)), relative_(tolerance.relative.value_or(0.0)) {}
 
   /// \param status of the quantity's definition: see CausePoint
@@ -99,4 +99,4 @@ class PointJudge {
   PointSample suspicious_;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -18,7 +18,7 @@
 #include "driver/check/curves/common_range.hpp"
 #include "driver/check/curves/interpolation.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
@@ -151,7 +151,7 @@ PointwiseComparison compare_points(const Series& result, const Series& reference
 }
 
 CurveComparison compare_pointwise(const Series& result, const Series& reference,
-                                  const Tolerance& tolerance) {
+                                  const cases::Tolerance& tolerance) {
   const PointwiseComparison comparison = compare_points(result, reference);
   if (!comparison.fault.empty()) return incomparable(comparison.fault);
   PointJudge judge(tolerance);
@@ -166,4 +166,4 @@ CurveComparison compare_pointwise(const Series& result, const Series& reference,
   return compared(comparison.points.size(), {std::move(measure)});
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -7,7 +7,7 @@
 #include "driver/case/case.hpp"
 #include "driver/check/curves/series.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// Result and reference, point by point.
 struct PointwiseComparison {
@@ -37,6 +37,6 @@ PointwiseComparison compare_points(const Series& result, const Series& reference
 /// One measure, the point of the largest deviation as PointJudge finds it; `compared` is the number
 /// of points.
 CurveComparison compare_pointwise(const Series& result, const Series& reference,
-                                  const Tolerance& tolerance);
+                                  const cases::Tolerance& tolerance);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -9,10 +9,10 @@
 #include "driver/check/curves/branches.hpp"
 #include "driver/check/curves/common_range.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 CurveComparison compare_reversals(const Series& result, const Series& reference,
-                                  const Tolerance& tolerance) {
+                                  const cases::Tolerance& tolerance) {
   const CommonRange common = common_range(result, reference);
   if (!common.fault.empty()) return incomparable(common.fault);
   const double noise = common_noise(result, reference);
@@ -53,4 +53,4 @@ CurveComparison compare_reversals(const Series& result, const Series& reference,
   return comparison;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

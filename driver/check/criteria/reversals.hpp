@@ -4,7 +4,7 @@
 #include "driver/case/case.hpp"
 #include "driver/check/curves/series.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// The points where the abscissa turns: their number, which must be equal, and if it is, of each
 /// its position [abscissa], which `tolerance.abscissa` bounds, and the value there [quantity].
@@ -12,6 +12,6 @@ namespace slipbench::driver {
 /// are those of rows: a turn between rows is missed by the error of sampling.
 /// A reference without reversals is a fault.
 CurveComparison compare_reversals(const Series& result, const Series& reference,
-                                  const Tolerance& tolerance);
+                                  const cases::Tolerance& tolerance);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -9,7 +9,7 @@
 #include "driver/check/criteria/ascending.hpp"
 #include "driver/check/criteria/bounds.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 double largest_magnitude(const std::vector<double>& values) {
@@ -37,7 +37,7 @@ Measure error(std::string name, double value, double tolerance) {
 }  // namespace
 
 CurveComparison compare_sprague_geers(const Series& result, const Series& reference,
-                                      const Tolerance& tolerance) {
+                                      const cases::Tolerance& tolerance) {
   const AscendingCurves curves = ascending_curves(result, reference);
   CurveComparison out;
   out.fault = curves.fault;
@@ -83,4 +83,4 @@ CurveComparison compare_sprague_geers(const Series& result, const Series& refere
   return out;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

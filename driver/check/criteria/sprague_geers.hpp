@@ -4,7 +4,7 @@
 #include "driver/case/case.hpp"
 #include "driver/check/curves/series.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// The errors of magnitude and phase of Sprague and Geers over the common range of the abscissa
 /// (time, or anything else that does not turn):
@@ -23,6 +23,6 @@ namespace slipbench::driver {
 /// is zero throughout. A result that is zero throughout has M = -1 and P = 1/2 (the cosine of the
 /// phase is taken as 0 there), that is, it fails.
 CurveComparison compare_sprague_geers(const Series& result, const Series& reference,
-                                      const Tolerance& tolerance);
+                                      const cases::Tolerance& tolerance);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

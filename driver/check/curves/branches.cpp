@@ -12,7 +12,7 @@
 #include "driver/check/curves/interpolation.hpp"
 #include "driver/history/step_grid.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 int direction_at_start(std::span<const double> abscissa, double turn) {
@@ -112,7 +112,8 @@ std::vector<Branch> branches(std::span<const double> abscissa, double noise) {
   if (abscissa.empty()) return {};
   const double range = extent(abscissa).width();
   const double turn = smallest_turn(range, noise);
-  const double same_place = std::max(kSameTime * range, std::min(noise, kLargestNoise * range));
+  const double same_place =
+      std::max(history::kSameTime * range, std::min(noise, kLargestNoise * range));
   std::vector<Branch> found;
   Branch branch{0, 0, direction_at_start(abscissa, turn)};
   std::size_t furthest = 0;
@@ -178,4 +179,4 @@ MatchedBranches match_branches(const Series& result, const Series& reference) {
   return matched;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

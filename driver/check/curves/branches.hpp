@@ -8,7 +8,7 @@
 
 #include "driver/check/curves/series.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// A monotone piece of an abscissa. A row where it turns belongs to both of its branches.
 struct Branch {
@@ -53,4 +53,4 @@ struct MatchedBranches {
 /// opposite directions, a first or last branch without a common part.
 MatchedBranches match_branches(const Series& result, const Series& reference);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -12,7 +12,7 @@
 #include "driver/check/curves/interpolation.hpp"
 #include "driver/history/step_grid.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 std::string not_finite(std::string_view name, std::string_view what, std::size_t row) {
@@ -63,8 +63,8 @@ CommonRange common_range(const Series& result, const Series& reference) {
   }
   const Interval ours = extent(result.abscissa);
   const Interval theirs = extent(reference.abscissa);
-  common.slack = kSameTime * std::max({std::abs(ours.from), std::abs(ours.to),
-                                       std::abs(theirs.from), std::abs(theirs.to)});
+  common.slack = history::kSameTime * std::max({std::abs(ours.from), std::abs(ours.to),
+                                                std::abs(theirs.from), std::abs(theirs.to)});
   common.interval = {std::max(ours.from, theirs.from), std::min(ours.to, theirs.to)};
   const std::string ranges = fmt::format("over the abscissa {}, {}", in_words(ours, "result"),
                                          in_words(theirs, "reference"));
@@ -100,4 +100,4 @@ Series cut(const Series& curve, const Interval& interval, double slack) {
   return part;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

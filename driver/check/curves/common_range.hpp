@@ -6,7 +6,7 @@
 
 #include "driver/check/curves/series.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 struct Interval {
   double from = 0.0;
@@ -37,4 +37,4 @@ CommonRange common_range(const Series& result, const Series& reference);
 /// end of the interval it gets an interpolated row. `slack` keeps rows beside the ends.
 Series cut(const Series& curve, const Interval& interval, double slack);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -8,13 +8,15 @@
 
 #include "driver/base/files/data_path.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 namespace fs = std::filesystem;
 
 /// Returns where the curves are: beside an installed program, or in the source folder.
-std::optional<fs::path> curve_folder() { return shipped_path(fs::path("reference") / "curves"); }
+std::optional<fs::path> curve_folder() {
+  return base::shipped_path(fs::path("reference") / "curves");
+}
 
 std::string first_line(const fs::path& file) {
   std::ifstream stream(file);
@@ -62,4 +64,4 @@ std::string curve_description(std::string_view name) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 struct ShippedCurve {
   std::string name;
@@ -31,4 +31,4 @@ std::optional<std::filesystem::path> find_shipped_curve(std::string_view name);
 /// is no such curve or nothing is said of it.
 std::string curve_description(std::string_view name);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -12,16 +12,16 @@
 #include <utility>
 #include <variant>
 
+#include "driver/case/curve_file.hpp"
 #include "driver/check/curves/common_range.hpp"
-#include "driver/check/curves/curve_file.hpp"
 #include "driver/history/step_grid.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 /// Times are sums of increments: a border given in decimals may lie beside its row by rounding.
 bool within(double time, double from, double to) {
-  const double slack = kSameTime * std::abs(time);
+  const double slack = history::kSameTime * std::abs(time);
   return time >= from - slack && time <= to + slack;
 }
 
@@ -41,7 +41,7 @@ void keep_between(Series& series, std::span<const double> times, const Interval&
 void cut_between(Series& series, std::span<const double> times, const Interval& span) {
   Series by_time{{times.begin(), times.end()}, std::move(series.value), std::move(series.abscissa)};
   const Interval all = times.empty() ? Interval{} : extent(times);
-  const double slack = kSameTime * std::max(std::abs(all.from), std::abs(all.to));
+  const double slack = history::kSameTime * std::max(std::abs(all.from), std::abs(all.to));
   by_time = cut(by_time, span, slack);
   series.abscissa = std::move(by_time.time);
   series.value = std::move(by_time.value);
@@ -49,37 +49,38 @@ void cut_between(Series& series, std::span<const double> times, const Interval& 
 
 /// Either of them, as the criterion needs it.
 void select(Series& series, std::span<const double> times, const Interval& span,
-            Criterion criterion) {
-  if (criterion == Criterion::kPointwise) {
+            cases::Criterion criterion) {
+  if (criterion == cases::Criterion::kPointwise) {
     keep_between(series, times, span);
   } else {
     cut_between(series, times, span);
   }
 }
 
-bool selects_rows(const Check& check) { return check.step || check.from || check.to; }
+bool selects_rows(const cases::Check& check) { return check.step || check.from || check.to; }
 
 /// The file that the reader shared out, or one for a check that was built by hand.
-std::shared_ptr<const CurveFile> file_of(const Check& check, const CurveReference& reference) {
+std::shared_ptr<const cases::CurveFile> file_of(const cases::Check& check,
+                                                const cases::CurveReference& reference) {
   if (reference.data) return reference.data;
-  auto file = std::make_shared<CurveFile>(
-      DataSource{reference.file, reference.shown_name, reference.format});
+  auto file = std::make_shared<cases::CurveFile>(
+      base::DataSource{reference.file, reference.shown_name, reference.format});
   want_columns(*file, check);
   return file;
 }
 
 }  // namespace
 
-void want_columns(CurveFile& file, const Check& check) {
-  const auto& reference = std::get<CurveReference>(check.against);
+void want_columns(cases::CurveFile& file, const cases::Check& check) {
+  const auto& reference = std::get<cases::CurveReference>(check.against);
   file.want(reference.abscissa.names);
   file.want(reference.column.names);
-  if (check.abscissa && selects_rows(check)) file.want(golden_time_names());
+  if (check.abscissa && selects_rows(check)) file.want(cases::golden_time_names());
 }
 
-tl::expected<ReferenceCurve, std::string> reference_curve(const Check& check,
+tl::expected<ReferenceCurve, std::string> reference_curve(const cases::Check& check,
                                                           const Series& result) {
-  const auto& reference = std::get<CurveReference>(check.against);
+  const auto& reference = std::get<cases::CurveReference>(check.against);
   const auto file = file_of(check, reference);
   const auto abscissa = file->column(reference.abscissa.names);
   if (!abscissa) return tl::unexpected(abscissa.error());
@@ -90,7 +91,7 @@ tl::expected<ReferenceCurve, std::string> reference_curve(const Check& check,
   curve.golden = file->golden();
   Series& series = curve.series;
   bool finite = true;
-  const auto convert = [&](const std::vector<double>& from, const UnitConversion& conversion,
+  const auto convert = [&](const std::vector<double>& from, const base::UnitConversion& conversion,
                            std::vector<double>& to) {
     to.reserve(from.size());
     for (const double number : from) {
@@ -121,7 +122,7 @@ tl::expected<ReferenceCurve, std::string> reference_curve(const Check& check,
            check.criterion);
   }
   if (selects_rows(check) && check.abscissa && !result.time.empty() && curve.golden) {
-    const auto times = file->column(golden_time_names());
+    const auto times = file->column(cases::golden_time_names());
     if (!times) return tl::unexpected(times.error());
     select(series, (*times)->values, {result.time.front(), result.time.back()}, check.criterion);
   }
@@ -138,4 +139,4 @@ tl::expected<ReferenceCurve, std::string> reference_curve(const Check& check,
   return curve;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -8,7 +8,7 @@
 #include "driver/case/case.hpp"
 #include "driver/check/curves/series.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// A reference curve in the case's units.
 struct ReferenceCurve {
@@ -25,9 +25,10 @@ struct ReferenceCurve {
 /// Errors, in a sentence: a file that cannot be read or is faulty, a column it does not have, a
 /// number that the change of unit makes infinite, no row left, a single row left of several while
 /// the result has several.
-tl::expected<ReferenceCurve, std::string> reference_curve(const Check& check, const Series& result);
+tl::expected<ReferenceCurve, std::string> reference_curve(const cases::Check& check,
+                                                          const Series& result);
 
 /// Tells a file which of its columns a check against it will ask for.
-void want_columns(CurveFile& file, const Check& check);
+void want_columns(cases::CurveFile& file, const cases::Check& check);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -7,7 +7,7 @@
 
 #include "driver/history/step_grid.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 void append_between(Series& to, const Series& curve, std::size_t i, double fraction) {
   const auto append = [&](std::vector<double>& column, const std::vector<double>& from) {
@@ -95,7 +95,7 @@ bool BranchInterpolation::is_rest(const Place& place) const {
 
 bool BranchInterpolation::time_passes(std::size_t from, std::size_t to) const {
   const double time = row(to).time;
-  return time - row(from).time > kSameTime * std::abs(time);
+  return time - row(from).time > history::kSameTime * std::abs(time);
 }
 
 Interpolated BranchInterpolation::row(std::size_t i) const {
@@ -248,4 +248,4 @@ std::optional<Interpolated> BranchInterpolation::at(double abscissa, double want
   return nearest.found();
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

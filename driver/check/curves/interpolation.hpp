@@ -11,7 +11,7 @@
 #include "driver/check/curves/common_range.hpp"
 #include "driver/check/curves/series.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// The value of a curve at one place, and the time, NaN where it is not known.
 struct Interpolated {
@@ -96,4 +96,4 @@ class BranchInterpolation {
   std::size_t next_passage_ = 0;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// A quantity over an abscissa, in the order of its history: the abscissa may go back and forth.
 struct Series {
@@ -56,4 +56,4 @@ struct CurveComparison {
   std::vector<Measure> measures;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -9,13 +9,13 @@
 
 #include "driver/history/step_grid.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 double distance(double a, double b) {
   const double apart = std::abs(a - b);
   // So that what is not known, NaN, is no distance either.
-  return apart > kSameTime * std::max(std::abs(a), std::abs(b))
+  return apart > history::kSameTime * std::max(std::abs(a), std::abs(b))
              ? apart
              : std::numeric_limits<double>::infinity();
 }
@@ -52,4 +52,4 @@ std::string place_text(double value, double distance) {
   return fmt::format("{:.{}g}", value, static_cast<int>(std::clamp(digits, kFewest, kMost)));
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

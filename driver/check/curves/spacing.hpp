@@ -7,7 +7,7 @@
 
 #include "driver/check/curves/series.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// The distances of a row to the nearer of its neighbours; infinite where there is none. Neighbours
 /// in the same place but for rounding (kSameTime) are not told apart.
@@ -35,4 +35,4 @@ ToldPoint told_point(const CurvePoint& point, const Series& curve);
 /// 4, at most 17.
 std::string place_text(double value, double distance);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -12,14 +12,14 @@
 #include "driver/base/text/json.hpp"
 #include "driver/import/radioss/check_writer.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::radioss {
 namespace {
 
 constexpr std::size_t kWidth = 96;
 
 /// "key: number" for the numbers that are not 0.
 std::string entry(std::string_view key, double value) {
-  return value == 0.0 ? std::string() : fmt::format(", {}: {}", key, format_number(value));
+  return value == 0.0 ? std::string() : fmt::format(", {}: {}", key, base::format_number(value));
 }
 
 std::string flow_map(std::string_view name, std::string entries) {
@@ -63,20 +63,21 @@ std::string coefficient(const DeckFriction& friction, const DeckCoefficients& se
     case 3: {
       std::string all;
       for (std::size_t i = 0; i < 6; ++i)
-        all += fmt::format(", C{}: {}", i + 1, format_number(c[i]));
+        all += fmt::format(", C{}: {}", i + 1, base::format_number(c[i]));
       if (!renard_faults(set).lenient.empty()) all += ", rules: lenient";
       return flow_map("renard", std::move(all));
     }
     case 4:
       if (falls(set)) {
         return fmt::format("{{exponential_decay: {{static: {}, kinetic: {}, decay: {}}}}}",
-                           format_number(set.fric), format_number(c[0]), format_number(c[1]));
+                           base::format_number(set.fric), base::format_number(c[0]),
+                           base::format_number(c[1]));
       }
       // Rising, or negative: the same curve as the part of another law without pressure.
       return flow_map("modified_darmstad",
                       entry("Fric", c[0]) + entry("C5", set.fric - c[0]) + entry("C6", -c[1]));
     default:
-      return format_number(set.fric);
+      return base::format_number(set.fric);
   }
 }
 
@@ -92,7 +93,7 @@ std::string friction_lines(const DeckFriction& friction, const DeckCoefficients&
     text += " " + coefficient(friction, first) + "\n";
   }
   if (friction.formulation == 1 && first.visf != 0.0) {
-    text += blanks + "VISF: " + format_number(first.visf) + "\n";
+    text += blanks + "VISF: " + base::format_number(first.visf) + "\n";
   }
   return text;
 }
@@ -132,13 +133,13 @@ class Skeleton {
 
   void heading() {
     line("# /FRICTION/{} of {}, written by slipbench import{}", friction_.id,
-         printable(options_.deck), comment(friction_.title));
+         base::printable(options_.deck), comment(friction_.title));
     line("# The deck has no values for the parameters below: give each one here, or with --set.");
     line("slipbench: 1");
     const std::string title = friction_.title.empty()
                                   ? "Radioss friction " + std::to_string(friction_.id)
                                   : friction_.title;
-    line("title: {}", json::Value(title).dump());
+    line("title: {}", base::json::Value(title).dump());
     if (options_.units) {
       line("units: {{length: {}, force: {}, time: {}}}", options_.units->length,
            options_.units->force, options_.units->time);
@@ -249,7 +250,7 @@ class Skeleton {
       line("    # the deck's Ifiltr {} has Xfreq 0: no filter", friction_.filter);
       return;
     }
-    const std::string x = format_number(friction_.xfreq);
+    const std::string x = base::format_number(friction_.xfreq);
     if (friction_.filter == 1) line("    filter: {{simple: {}}}", x);
     if (friction_.filter == 2) line("    filter: {{Xfreq: {}, xfreq_convention: steps}}", x);
     if (friction_.filter == 3) line("    filter: {{frequency: {}}}", x);
@@ -267,16 +268,16 @@ class Skeleton {
            entry.of.group > 0  ? fmt::format(", group {}", entry.of.group)
            : entry.of.part > 0 ? fmt::format(", part {}", entry.of.part)
                                : "",
-           format_number(v[0]), format_number(v[1]), format_number(v[2]),
+           base::format_number(v[0]), base::format_number(v[1]), base::format_number(v[2]),
            entry.skew > 0 ? fmt::format(" in skew {}", entry.skew) : "",
            entry.phi != 0.0
-               ? fmt::format(" and turned by {} about its normal", format_number(entry.phi))
+               ? fmt::format(" and turned by {} about its normal", base::format_number(entry.phi))
                : "",
            entry.line);
       if (!options_.normal || entry.skew > 0) continue;
       if (const auto d = direction_in_plane(entry, *options_.normal)) {
-        line("    #   before the turn: ({}, {}, {})", format_number((*d)[0]),
-             format_number((*d)[1]), format_number((*d)[2]));
+        line("    #   before the turn: ({}, {}, {})", base::format_number((*d)[0]),
+             base::format_number((*d)[1]), base::format_number((*d)[2]));
       }
     }
   }
@@ -320,4 +321,4 @@ std::string skeleton(const DeckContents& deck, const DeckFriction& friction,
   return Skeleton(deck, friction, options).text();
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::radioss

@@ -8,12 +8,12 @@
 #include "driver/base/units/units.hpp"
 #include "driver/import/radioss/deck_friction.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::radioss {
 
 /// Choices that the deck does not make.
 struct SkeletonOptions {
   std::string deck;                             ///< name of its file, for the heading
-  std::optional<UnitSystem> units;              ///< that its numbers are in
+  std::optional<base::UnitSystem> units;        ///< that its numbers are in
   std::optional<std::array<double, 3>> normal;  ///< of the contact plane, in the deck's frame
 };
 
@@ -28,4 +28,4 @@ std::string side_text(const DeckSide& side);
 std::string skeleton(const DeckContents& deck, const DeckFriction& friction,
                      const SkeletonOptions& options);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::radioss

@@ -11,7 +11,7 @@
 #include "driver/base/text/format_number.hpp"
 #include "driver/import/radioss/case_writer.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::radioss {
 namespace {
 
 /// Number of records that get a check of their own.
@@ -29,10 +29,11 @@ std::optional<std::string> reference_text(const DeckFriction& friction, const De
         "{{closed_form: {}, with: {{{}}},\n              inputs: {{{}}}, output: coefficient}}",
         name, constants, inputs);
   };
-  std::string constants = set.fric == 0.0 ? "" : ", Fric: " + format_number(set.fric);
+  std::string constants = set.fric == 0.0 ? "" : ", Fric: " + base::format_number(set.fric);
   const auto add = [&](std::size_t count, bool zeros) {
     for (std::size_t i = 0; i < count; ++i) {
-      if (zeros || c[i] != 0.0) constants += fmt::format(", C{}: {}", i + 1, format_number(c[i]));
+      if (zeros || c[i] != 0.0)
+        constants += fmt::format(", C{}: {}", i + 1, base::format_number(c[i]));
     }
   };
   const std::string pressed = fmt::format("speed: {}, normal_force: = abs(normal_force)", speed);
@@ -54,15 +55,16 @@ std::optional<std::string> reference_text(const DeckFriction& friction, const De
         return form("exponential_decay",
                     fmt::format("static_coefficient: {}, kinetic_coefficient: {}, "
                                 "decay_coefficient: {}",
-                                format_number(set.fric), format_number(c[0]), format_number(c[1])),
+                                base::format_number(set.fric), base::format_number(c[0]),
+                                base::format_number(c[1])),
                     fmt::format("slip_rate: {}", speed));
       }
       return form("modified_darmstad_coefficient",
-                  fmt::format("Fric: {}, C5: {}, C6: {}", format_number(c[0]),
-                              format_number(set.fric - c[0]), format_number(-c[1])),
+                  fmt::format("Fric: {}, C5: {}, C6: {}", base::format_number(c[0]),
+                              base::format_number(set.fric - c[0]), base::format_number(-c[1])),
                   pressed);
     default:
-      return fmt::format("{{expression: \"= {}\"}}", format_number(set.fric));
+      return fmt::format("{{expression: \"= {}\"}}", base::format_number(set.fric));
   }
 }
 
@@ -134,4 +136,4 @@ std::string checks_text(const DeckFriction& friction) {
   return text;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::radioss

@@ -6,7 +6,7 @@
 
 #include "driver/import/radioss/deck_friction.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::radioss {
 
 /// The `checks:` of a case in YAML. One holds for every friction: from the middle of the slide on,
 /// the force keeps within its limit. The others hold the coefficient against the closed form of
@@ -16,4 +16,4 @@ namespace slipbench::driver {
 /// closed form does not take them.
 std::string checks_text(const DeckFriction& friction);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::radioss

@@ -15,7 +15,7 @@
 #include "driver/base/text/format_number.hpp"
 #include "driver/import/radioss/deck_line.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::radioss {
 namespace {
 
 constexpr DeckField integer(std::size_t begin, std::string_view name) {
@@ -56,7 +56,7 @@ std::string title_of(const DeckBlock& block) {
 /// Walks through the lines of a block; the first fault ends it.
 class BlockReader {
  public:
-  BlockReader(const DeckBlock& block, const SourceText& source, Diagnostics& out)
+  BlockReader(const DeckBlock& block, const base::SourceText& source, base::Diagnostics& out)
       : block_(block), source_(source), out_(out), path_(shortened(block.keyword, 40)) {
     if (block.gap) {
       warning(*block.gap, "a blank line is passed over: a line without values is written as zeros");
@@ -120,8 +120,8 @@ class BlockReader {
 
  private:
   const DeckBlock& block_;
-  const SourceText& source_;
-  Diagnostics& out_;
+  const base::SourceText& source_;
+  base::Diagnostics& out_;
   std::string path_;
   std::size_t next_ = 0;
   std::vector<std::string_view> texts_;
@@ -140,7 +140,7 @@ DeckCoefficients read_set(BlockReader& reader, std::string_view which) {
   set.visf = last[2];
   if (set.visf < 0.0) {
     reader.error(reader.text(2),
-                 "FRIC007: VISF must not be negative, found " + format_number(set.visf));
+                 "FRIC007: VISF must not be negative, found " + base::format_number(set.visf));
   }
   return set;
 }
@@ -195,7 +195,7 @@ void check_filter(BlockReader& reader, const DeckFriction& friction) {
   constexpr double kTwoPi = 2.0 * std::numbers::pi;
   const auto refuse = [&](const std::string& rule) {
     reader.error(reader.text(2), fmt::format("FRIC002: Ifiltr {} wants {}, found Xfreq {}",
-                                             friction.filter, rule, format_number(x)));
+                                             friction.filter, rule, base::format_number(x)));
   };
   if (!reader.sound() || friction.filter == 0) return;
   if (x < 0.0) return refuse("an Xfreq that is not negative");
@@ -209,8 +209,8 @@ void check_filter(BlockReader& reader, const DeckFriction& friction) {
   }
 }
 
-std::optional<DeckFriction> read_friction(const DeckBlock& block, const SourceText& source,
-                                          Diagnostics& out) {
+std::optional<DeckFriction> read_friction(const DeckBlock& block, const base::SourceText& source,
+                                          base::Diagnostics& out) {
   BlockReader reader(block, source, out);
   DeckFriction friction;
   friction.where = block.keyword;
@@ -234,8 +234,9 @@ std::optional<DeckFriction> read_friction(const DeckBlock& block, const SourceTe
   return friction;
 }
 
-std::vector<DeckOrientation> read_orientation(const DeckBlock& block, const SourceText& source,
-                                              Diagnostics& out) {
+std::vector<DeckOrientation> read_orientation(const DeckBlock& block,
+                                              const base::SourceText& source,
+                                              base::Diagnostics& out) {
   BlockReader reader(block, source, out);
   std::vector<DeckOrientation> entries;
   reader.skip_title();
@@ -258,8 +259,8 @@ std::vector<DeckOrientation> read_orientation(const DeckBlock& block, const Sour
 }
 
 /// The parts of /GRPART/PART, ten a line; other kinds of group say them in other ways.
-std::optional<DeckGroup> read_group(const DeckBlock& block, const SourceText& source,
-                                    Diagnostics& out) {
+std::optional<DeckGroup> read_group(const DeckBlock& block, const base::SourceText& source,
+                                    base::Diagnostics& out) {
   DeckGroup group{id_of(block, 2), title_of(block), {}, {}};
   if (group.id == 0) return std::nullopt;
   if (block.words[1] != "PART") return group;
@@ -337,8 +338,8 @@ void take_units(const DeckBlock& block, DeckContents& contents) {
       {{"N", 1.0}, {"kN", 1e3}, {"MN", 1e6}, {"GN", 1e9}, {"mN", 1e-3}, {"uN", 1e-6}}};
   for (const auto& [name, factor] : kForces) {
     if (std::abs(newtons / factor - 1.0) < 1e-9) {
-      contents.units =
-          UnitSystem{std::string(length->common), std::string(name), std::string(time->common), {}};
+      contents.units = base::UnitSystem{
+          std::string(length->common), std::string(name), std::string(time->common), {}};
       return;
     }
   }
@@ -354,10 +355,10 @@ void sort_unique(std::vector<int>& list) {
 }
 
 /// Passes messages on, errors as warnings.
-void warn(const Diagnostics& messages, Diagnostics& out) {
-  for (Diagnostic one : messages.sorted()) {
-    if (one.severity == Severity::kError) {
-      one.severity = Severity::kWarning;
+void warn(const base::Diagnostics& messages, base::Diagnostics& out) {
+  for (base::Diagnostic one : messages.sorted()) {
+    if (one.severity == base::Severity::kError) {
+      one.severity = base::Severity::kWarning;
       one.hint += (one.hint.empty() ? "" : "; ") + std::string("the block is passed over");
     }
     out.add(std::move(one));
@@ -365,8 +366,8 @@ void warn(const Diagnostics& messages, Diagnostics& out) {
 }
 
 /// Reads a /FRICTION block into the contents.
-void add_friction(const DeckBlock& block, const SourceText& source, DeckContents& contents,
-                  Diagnostics& out) {
+void add_friction(const DeckBlock& block, const base::SourceText& source, DeckContents& contents,
+                  base::Diagnostics& out) {
   auto friction = read_friction(block, source, out);
   if (!friction) return;
   const auto same = std::find_if(contents.frictions.begin(), contents.frictions.end(),
@@ -402,15 +403,16 @@ bool has_all_parts(const DeckContents& deck) {
   return !deck.parts.empty() && !deck.has_includes && !deck.has_submodels;
 }
 
-DeckContents read_contents(const StarterDeck& deck, std::optional<int> chosen, Diagnostics& out) {
+DeckContents read_contents(const StarterDeck& deck, std::optional<int> chosen,
+                           base::Diagnostics& out) {
   DeckContents contents;
   contents.has_includes = deck.has_includes;
   contents.has_submodels = deck.has_submodels;
-  Diagnostics of_directions;
+  base::Diagnostics of_directions;
   for (const DeckBlock& block : deck.blocks) {
     const std::string& word = block.words.front();
     if (word == "FRICTION") {
-      Diagnostics messages;
+      base::Diagnostics messages;
       add_friction(block, deck.source, contents, messages);
       if (chosen && id_of(block, 1) != *chosen) {
         warn(messages, out);
@@ -561,8 +563,8 @@ namespace {
 /// The rules of one friction; messages name the line they are about.
 class Judge {
  public:
-  Judge(const DeckContents& deck, const DeckFriction& friction, const SourceText& source,
-        Diagnostics& out)
+  Judge(const DeckContents& deck, const DeckFriction& friction, const base::SourceText& source,
+        base::Diagnostics& out)
       : deck_(deck), friction_(friction), source_(source), out_(out) {}
 
   void all() {
@@ -577,7 +579,8 @@ class Judge {
   }
 
  private:
-  void tell(Severity severity, std::string_view piece, std::string message, std::string hint = {}) {
+  void tell(base::Severity severity, std::string_view piece, std::string message,
+            std::string hint = {}) {
     out_.add({severity, source_.name(), position_of(source_, piece), shortened(friction_.where, 40),
               std::move(message), std::move(hint)});
   }
@@ -588,27 +591,27 @@ class Judge {
     switch (friction_.law) {
       case 0:
         if (s.fric < 0.0) {
-          tell(Severity::kError, s.rest,
-               "FRIC007: Fric must not be negative, found " + format_number(s.fric));
+          tell(base::Severity::kError, s.rest,
+               "FRIC007: Fric must not be negative, found " + base::format_number(s.fric));
         }
         break;
       case 2:
         for (const std::size_t i : {1U, 3U, 5U}) {
           if (s.c[i] > 0.0 && s.c[i - 1] != 0.0) {
-            tell(Severity::kWarning, i == 5 ? s.rest : s.where,
+            tell(base::Severity::kWarning, i == 5 ? s.rest : s.where,
                  fmt::format("FRIC008: C{} is positive: exp(C{} V) grows with the speed and "
                              "overflows beyond V = {}",
-                             i + 1, i + 1, format_number(700.0 / s.c[i])));
+                             i + 1, i + 1, base::format_number(700.0 / s.c[i])));
           }
         }
         break;
       case 3: {
         const RenardFaults faults = renard_faults(s);
         for (const std::string& rule : faults.fatal) {
-          tell(Severity::kError, s.where, "FRIC004: Renard wants " + rule + renard(s));
+          tell(base::Severity::kError, s.where, "FRIC004: Renard wants " + rule + renard(s));
         }
         for (const std::string& rule : faults.lenient) {
-          tell(Severity::kWarning, s.where, "FRIC004: Renard wants " + rule + renard(s),
+          tell(base::Severity::kWarning, s.where, "FRIC004: Renard wants " + rule + renard(s),
                "imported with 'rules: lenient'");
         }
         break;
@@ -618,7 +621,7 @@ class Judge {
     }
     if (sees_pressure(friction_, s) && !area_told_) {
       area_told_ = true;
-      tell(Severity::kWarning, s.where,
+      tell(base::Severity::kWarning, s.where,
            "FRIC005: the coefficients see the pressure, and the area is missing: the solver "
            "divides by that of a contact segment",
            "give the parameter 'area' of the case");
@@ -628,18 +631,20 @@ class Judge {
   /// Constants of the second line that the law has no use for.
   void unused(const DeckCoefficients& s) {
     if (friction_.law == 1 && s.c[5] != 0.0) {
-      tell(Severity::kWarning, s.rest, "C6 is not used by Ifric 1, found " + format_number(s.c[5]));
+      tell(base::Severity::kWarning, s.rest,
+           "C6 is not used by Ifric 1, found " + base::format_number(s.c[5]));
     }
     if (friction_.law == 3 && s.fric != 0.0) {
-      tell(Severity::kWarning, s.rest,
-           "Fric is not used by Ifric 3, found " + format_number(s.fric));
+      tell(base::Severity::kWarning, s.rest,
+           "Fric is not used by Ifric 3, found " + base::format_number(s.fric));
     }
   }
 
   static std::string renard(const DeckCoefficients& s) {
     std::string text;
     for (std::size_t i = 0; i < s.c.size(); ++i) {
-      text += fmt::format("{}C{} {}", i == 0 ? " (found " : ", ", i + 1, format_number(s.c[i]));
+      text +=
+          fmt::format("{}C{} {}", i == 0 ? " (found " : ", ", i + 1, base::format_number(s.c[i]));
     }
     return text + ")";
   }
@@ -650,20 +655,21 @@ class Judge {
       if (!told_groups_.insert(side.group).second) return;
       const DeckGroup* group = find_group(deck_, side.group);
       if (group != nullptr && !group->not_there.empty()) {
-        tell(Severity::kWarning, line,
+        tell(base::Severity::kWarning, line,
              fmt::format("FRIC003: the deck has no part {}, which group {} lists",
                          some(group->not_there), side.group),
              "it is left out of the group");
       }
       if (group != nullptr && !group->parts.empty()) return;
-      tell(Severity::kWarning, line,
+      tell(base::Severity::kWarning, line,
            fmt::format("the deck does not list the parts of group {}", side.group),
            fmt::format("list them under 'G{}' of the case", side.group));
       return;
     }
     if (has_all_parts(deck_) &&
         !std::binary_search(deck_.parts.begin(), deck_.parts.end(), side.part)) {
-      tell(Severity::kError, line, fmt::format("FRIC003: the deck has no part {}", side.part));
+      tell(base::Severity::kError, line,
+           fmt::format("FRIC003: the deck has no part {}", side.part));
     }
   }
 
@@ -680,12 +686,12 @@ class Judge {
 
   void mixed(const DeckPair& pair) {
     if ((pair.sides[0].group > 0) != (pair.sides[1].group > 0)) {
-      tell(Severity::kWarning, source_.line(pair.line),
+      tell(base::Severity::kWarning, source_.line(pair.line),
            "the record joins a part and a group: OpenRadioss may use other coefficients");
     }
     if (pair.second && friction_.law > 0) {
       tell(
-          Severity::kWarning, source_.line(pair.line),
+          base::Severity::kWarning, source_.line(pair.line),
           fmt::format("an orthotropic record with Ifric {}: OpenRadioss may use other coefficients",
                       friction_.law));
     }
@@ -694,22 +700,22 @@ class Judge {
   /// Adds remarks on what interfaces make of a friction that they refer to.
   void remarks() {
     if (deck_.has_submodels) {
-      tell(Severity::kNote, friction_.where,
+      tell(base::Severity::kNote, friction_.where,
            "the deck has a //SUBMODEL: ids are taken as they are written, without its offsets");
     }
     const bool orthotropic = is_orthotropic(friction_);
     for (const int type : deck_.interface_types) {
       const bool incremental = type == 21 || type == 24 || type == 25;
       if (incremental && friction_.formulation == 1) {
-        tell(Severity::kNote, friction_.where,
+        tell(base::Severity::kNote, friction_.where,
              fmt::format("an interface of TYPE{} always uses the stiffness penalty (Iform 2)",
                          type));
       }
       if (type == 11) {
-        tell(Severity::kNote, friction_.where, "an interface of TYPE11 uses only Fric");
+        tell(base::Severity::kNote, friction_.where, "an interface of TYPE11 uses only Fric");
       }
       if (orthotropic && type != 7 && type != 24 && type != 25) {
-        tell(Severity::kNote, friction_.where,
+        tell(base::Severity::kNote, friction_.where,
              fmt::format("an interface of TYPE{} has no orthotropic friction", type));
       }
     }
@@ -717,17 +723,17 @@ class Judge {
 
   const DeckContents& deck_;
   const DeckFriction& friction_;
-  const SourceText& source_;
-  Diagnostics& out_;
+  const base::SourceText& source_;
+  base::Diagnostics& out_;
   std::set<int> told_groups_;
   bool area_told_ = false;
 };
 
 }  // namespace
 
-void judge(const DeckContents& deck, const DeckFriction& friction, const SourceText& source,
-           Diagnostics& out) {
+void judge(const DeckContents& deck, const DeckFriction& friction, const base::SourceText& source,
+           base::Diagnostics& out) {
   Judge(deck, friction, source, out).all();
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::radioss

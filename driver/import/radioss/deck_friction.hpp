@@ -13,7 +13,7 @@
 #include "driver/import/radioss/deck_line.hpp"
 #include "driver/import/radioss/starter_deck.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::radioss {
 
 /// One parameter set of /FRICTION; what C1 .. C6 and Fric mean depends on Ifric.
 struct DeckCoefficients {
@@ -88,14 +88,16 @@ struct DeckContents {
   std::vector<int> interface_types;  ///< of /INTER/TYPE.., ascending
   bool has_includes = false;
   bool has_submodels = false;
-  std::optional<UnitSystem> units;  ///< of /BEGIN, if they make a system of force, length and time
+  std::optional<base::UnitSystem>
+      units;  ///< of /BEGIN, if they make a system of force, length and time
   std::vector<DeckFault> unit_faults;  ///< why they make none
 };
 
 /// Reads the blocks of a deck. Faults of their lines are reported with their place; a block that
 /// has some is left out. They are errors where they concern the friction `chosen` (all of them, if
 /// none is), and warnings in other /FRICTION blocks, or in directions if it is not orthotropic.
-DeckContents read_contents(const StarterDeck& deck, std::optional<int> chosen, Diagnostics& out);
+DeckContents read_contents(const StarterDeck& deck, std::optional<int> chosen,
+                           base::Diagnostics& out);
 
 /// Tells whether the parts of a deck are all there are: none can stand in another file or have an
 /// id that an offset of a submodel changes.
@@ -111,8 +113,8 @@ std::vector<DeckOrientation> used_orientations(const DeckContents& deck,
 
 /// Judges one friction of a deck by the rules of its law, filter and parts: errors FRIC001 to
 /// FRIC008, warnings, and remarks on what the interfaces of the deck do with it.
-void judge(const DeckContents& deck, const DeckFriction& friction, const SourceText& source,
-           Diagnostics& out);
+void judge(const DeckContents& deck, const DeckFriction& friction, const base::SourceText& source,
+           base::Diagnostics& out);
 
 /// Direction 1 of an entry before its turn by phi: the unit vector along the projection of its
 /// vector on the plane at right angles to `normal`. Nothing if the vector is parallel to the
@@ -130,4 +132,4 @@ struct RenardFaults {
 };
 RenardFaults renard_faults(const DeckCoefficients& set);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::radioss

@@ -10,7 +10,7 @@
 
 #include "driver/base/text/diagnostic.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::radioss {
 namespace {
 
 constexpr std::string_view kBlanks = " \t";
@@ -109,13 +109,13 @@ std::vector<std::string_view> words(std::string_view line) {
 }  // namespace
 
 std::string shortened(std::string_view text, std::size_t most) {
-  if (text.size() <= most) return printable(text);
+  if (text.size() <= most) return base::printable(text);
   // Not inside a character of several bytes.
   const auto continues = [&](std::size_t at) {
     return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
   };
   while (most > 0 && continues(most)) --most;
-  return printable(text.substr(0, most)) + "...";
+  return base::printable(text.substr(0, most)) + "...";
 }
 
 tl::expected<double, std::string> parse_fortran_number(std::string_view text) {
@@ -166,4 +166,4 @@ tl::expected<DeckNumbers, DeckFault> read_numbers(std::string_view line,
   return numbers;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::radioss

@@ -9,7 +9,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::radioss {
 
 /// A field of a line: `width` columns from column `begin` (from 0). Reals have 20 columns, integers
 /// 10; one without a name must be blank.
@@ -49,4 +49,4 @@ tl::expected<DeckNumbers, DeckFault> read_numbers(std::string_view line,
                                                   std::span<const DeckField> fields,
                                                   std::size_t least_free);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::radioss

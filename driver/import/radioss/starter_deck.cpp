@@ -5,7 +5,7 @@
 #include <array>
 #include <charconv>
 
-namespace slipbench::driver {
+namespace slipbench::driver::radioss {
 namespace {
 
 std::string in_capitals(std::string_view text) {
@@ -55,7 +55,7 @@ std::size_t first_control(std::string_view text) {
 
 }  // namespace
 
-SourcePosition position_of(const SourceText& source, std::string_view piece) {
+base::SourcePosition position_of(const base::SourceText& source, std::string_view piece) {
   const auto offset = static_cast<std::size_t>(piece.data() - source.text().data());
   return source.position(offset, std::max<std::size_t>(1, piece.size()));
 }
@@ -68,7 +68,7 @@ int id_of(const DeckBlock& block, std::size_t index) {
   return read.ec == std::errc{} && read.ptr == word.data() + word.size() && id >= 1 ? id : 0;
 }
 
-StarterDeck split_deck(const SourceText& source, Diagnostics& out) {
+StarterDeck split_deck(const base::SourceText& source, base::Diagnostics& out) {
   StarterDeck deck{source, {}, false, false};
   const std::string_view text = source.text();
   if (const std::size_t at = first_control(text); at != std::string_view::npos) {
@@ -109,4 +109,4 @@ StarterDeck split_deck(const SourceText& source, Diagnostics& out) {
   return deck;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::radioss

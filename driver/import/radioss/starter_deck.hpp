@@ -10,7 +10,7 @@
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/source_text.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::radioss {
 
 /// A keyword with the lines up to the next one. Texts are views into the deck's source.
 struct DeckBlock {
@@ -23,7 +23,7 @@ struct DeckBlock {
 /// The blocks of a deck that matter for friction: /BEGIN, /FRICTION, /FRIC_ORIENT, /GRPART, /INTER,
 /// /PART. Of the last two only the keywords are kept.
 struct StarterDeck {
-  SourceText source;
+  base::SourceText source;
   std::vector<DeckBlock> blocks;
   bool has_includes = false;   ///< other files belong to it, which are not read
   bool has_submodels = false;  ///< some ids count from an offset, which is not added
@@ -32,13 +32,13 @@ struct StarterDeck {
 /// Splits a deck into blocks; a block ends at the next line that begins with '/', the deck at /END
 /// or at its end. Lines that begin with '#' or '$' are comments. Bytes that are no text (NUL and
 /// other control characters) are an error; titles may be in any encoding.
-StarterDeck split_deck(const SourceText& source, Diagnostics& out);
+StarterDeck split_deck(const base::SourceText& source, base::Diagnostics& out);
 
 /// The place of a piece of the deck's text; an empty one is the place before which it stands.
-SourcePosition position_of(const SourceText& source, std::string_view piece);
+base::SourcePosition position_of(const base::SourceText& source, std::string_view piece);
 
 /// The id behind a keyword, /GRPART/PART/id or /FRICTION/id: word `index` as an integer of at least
 /// 1; 0 if there is none.
 int id_of(const DeckBlock& block, std::size_t index);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::radioss

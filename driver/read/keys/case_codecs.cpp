@@ -13,10 +13,13 @@
 #include "driver/read/keys/law_numbers.hpp"
 #include "law/connection/connection_type.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::yaml {
+
+using namespace read;  // specialisations belong to the namespace of their template
+
 namespace {
 
-Json any_of(json::Array alternatives) {
+Json any_of(base::json::Array alternatives) {
   Json schema;
   schema["anyOf"] = Json(std::move(alternatives));
   return schema;
@@ -26,7 +29,7 @@ Json map_with_one(std::string_view key, Json value) {
   Json schema;
   schema["type"] = "object";
   schema["properties"][key] = std::move(value);
-  Json required = Json(json::Array{});
+  Json required = Json(base::json::Array{});
   required.push_back(key);
   schema["required"] = std::move(required);
   schema["additionalProperties"] = false;
@@ -73,7 +76,7 @@ bool Codec<TypeNames>::read(Binder& binder, const Node& node, const Path& path, 
   return Codec<std::vector<At<std::string>>>::read(binder, node, path, info, out.names);
 }
 Json Codec<TypeNames>::schema(const KeyInfo&) {
-  Json names = Json(json::Array{});
+  Json names = Json(base::json::Array{});
   law::for_each_connection_type(
       [&]<class Type>(std::type_identity<Type>) { names.push_back(Type::kInfo.name); });
   Json word;
@@ -251,8 +254,8 @@ bool Codec<CoefficientText>::read(Binder& binder, const Node& node, const Path& 
   for_each_named_law([&]<class Law>(std::type_identity<Law>) { names.push_back(Law::kName); });
   if (node.size() != 1) {
     binder.error(node, path,
-                 "wanted one law (" + in_words(names) + ") or a table with 'columns', found " +
-                     std::to_string(node.size()) + " keys");
+                 "wanted one law (" + base::in_words(names) +
+                     ") or a table with 'columns', found " + std::to_string(node.size()) + " keys");
     return false;
   }
   const Entry entry = node.entry(0);
@@ -285,7 +288,7 @@ bool Codec<CoefficientText>::read(Binder& binder, const Node& node, const Path& 
   return good;
 }
 Json Codec<DirectionText>::schema(const KeyInfo& info) {
-  json::Array alternatives = {Codec<double>::schema(info), struct_schema<TableText>()};
+  base::json::Array alternatives = {Codec<double>::schema(info), struct_schema<TableText>()};
   for_each_named_law([&]<class Law>(std::type_identity<Law>) {
     alternatives.push_back(map_with_one(Law::kName, struct_schema<Law>()));
   });
@@ -428,7 +431,7 @@ bool Codec<PredefinedText>::read(Binder& binder, const Node& node, const Path& p
   return true;
 }
 Json Codec<PredefinedText>::schema(const KeyInfo&) {
-  json::Array alternatives;
+  base::json::Array alternatives;
   law::for_each_connection_type([&]<class Type>(std::type_identity<Type>) {
     if constexpr (law::HasPredefinedFriction<Type>) alternatives.push_back(struct_schema<Type>());
   });
@@ -487,12 +490,12 @@ struct WaveText {
     key("frequency", &WaveText::frequency,
         KeyInfo{.text = "Cycles per time.",
                 .default_text = "period",
-                .dimension = kFrequency,
+                .dimension = base::kFrequency,
                 .bounds = law::kPositive});
     key("period", &WaveText::period,
         KeyInfo{.text = "Length of a cycle.",
                 .default_text = "frequency",
-                .dimension = kTime,
+                .dimension = base::kTime,
                 .bounds = law::kPositive});
     key("mean", &WaveText::mean,
         KeyInfo{.text = "Value the wave swings about.",
@@ -501,7 +504,7 @@ struct WaveText {
     key("phase", &WaveText::phase,
         KeyInfo{.text = "Phase in radians: where in its cycle the wave starts.",
                 .default_text = "0",
-                .dimension = kAngle});
+                .dimension = base::kAngle});
   }
 };
 struct CsvProfileText {
@@ -528,7 +531,7 @@ constexpr std::string_view kProfileForms =
     "a profile: a number, an expression, {to: v}, {smooth_to: v}, {sine|triangle|sawtooth|square: "
     "{...}}, {columns: [value, t], rows: [...]} or {csv: ..., time: ..., value: ...}";
 
-bool is_position(const std::string& name) { return component_of_motion(name).has_value(); }
+bool is_position(const std::string& name) { return cases::component_of_motion(name).has_value(); }
 
 bool read_wave(Binder& binder, const Node& node, const Path& path, std::size_t shape,
                ProfileText& out) {
@@ -542,10 +545,10 @@ bool read_wave(Binder& binder, const Node& node, const Path& path, std::size_t s
                                      : "a wave needs 'frequency' or 'period'");
     return false;
   }
-  out.profile = Wave{static_cast<WaveShape>(shape), wave.amplitude,
-                     wave.period.given() ? wave.period.value : 1.0 / wave.frequency.value,
-                     wave.mean, wave.phase};
-  if (const auto broken = violation(std::get<Wave>(out.profile))) {
+  out.profile = history::Wave{static_cast<history::WaveShape>(shape), wave.amplitude,
+                              wave.period.given() ? wave.period.value : 1.0 / wave.frequency.value,
+                              wave.mean, wave.phase};
+  if (const auto broken = history::violation(std::get<history::Wave>(out.profile))) {
     binder.error(inner, below, *broken);
     return false;
   }
@@ -555,8 +558,8 @@ bool read_wave(Binder& binder, const Node& node, const Path& path, std::size_t s
 /// A table over the time in the step.
 /// \param what "a profile", for messages
 /// \param column wanted name of the values; empty: any
-std::optional<Tabular> read_tabular(Binder& binder, const Node& node, const Path& path,
-                                    std::string_view what, std::string_view column) {
+std::optional<history::Tabular> read_tabular(Binder& binder, const Node& node, const Path& path,
+                                             std::string_view what, std::string_view column) {
   TableText text;
   if (!read_struct(binder, node, path, text)) return std::nullopt;
   if (text.columns.value.size() != 2 || text.columns.value[1].value != "t" ||
@@ -574,12 +577,12 @@ std::optional<Tabular> read_tabular(Binder& binder, const Node& node, const Path
   }
   const auto built = table(binder, text, node, path, 1, 1, false, text.extrapolate.value);
   if (!built) return std::nullopt;
-  Tabular tabular;
+  history::Tabular tabular;
   for (const double t : built->knots(0)) {
     tabular.times.push_back(t);
     tabular.values.push_back(built->value(std::span(&t, 1)));
   }
-  if (const auto broken = violation(tabular)) {
+  if (const auto broken = history::violation(tabular)) {
     binder.error(node, path, *broken);
     return std::nullopt;
   }
@@ -596,13 +599,14 @@ bool Codec<ProfileText>::read(Binder& binder, const Node& node, const Path& path
       // ExpressionProfile. A parameter hides a position of its name: no name is empty.
       std::vector<std::string> variables{"t", "T"};
       for (int c = 0; c < law::kComponents; ++c) {
-        variables.push_back(binder.is_parameter(motion_name(c)) ? "" : motion_name(c));
+        variables.push_back(binder.is_parameter(cases::motion_name(c)) ? ""
+                                                                       : cases::motion_name(c));
       }
       auto compiled = binder.expression(node, path, variables);
       if (!compiled) return false;
       const auto used = compiled->used_variables();
       if (std::any_of(used.begin(), used.end(), is_position)) {
-        out.profile = PositionFormula{std::move(*compiled)};
+        out.profile = history::PositionFormula{std::move(*compiled)};
         return true;
       }
       variables.resize(2);
@@ -613,15 +617,15 @@ bool Codec<ProfileText>::read(Binder& binder, const Node& node, const Path& path
           binder.expression_error(node, path, value.error(), variables);
           return false;
         }
-        out.profile = Constant{*value};
+        out.profile = history::Constant{*value};
         return true;
       }
-      out.profile = ExpressionProfile{std::move(*compiled)};
+      out.profile = history::ExpressionProfile{std::move(*compiled)};
       return true;
     }
     double value = 0.0;
     if (!Codec<double>::read(binder, node, path, info, value)) return false;
-    out.profile = Constant{value};
+    out.profile = history::Constant{value};
     return true;
   }
   if (!node.is_map()) {
@@ -635,19 +639,19 @@ bool Codec<ProfileText>::read(Binder& binder, const Node& node, const Path& path
                [&](std::string_view form) { return has_key(node, form); });
   const bool table_from_csv = forms.size() == 2 && forms[0] == "columns" && forms[1] == "csv";
   if (forms.size() > 1 && !table_from_csv) {
-    binder.error(node, path, "a profile has one form, found " + in_words(forms, "and"));
+    binder.error(node, path, "a profile has one form, found " + base::in_words(forms, "and"));
     return false;
   }
   if (has_key(node, "to")) {
     ToText to;
     if (!read_struct(binder, node, path, to)) return false;
-    out.profile = LinearTo{to.to};
+    out.profile = history::LinearTo{to.to};
     return true;
   }
   if (has_key(node, "smooth_to")) {
     SmoothToText to;
     if (!read_struct(binder, node, path, to)) return false;
-    out.profile = SmoothTo{to.smooth_to};
+    out.profile = history::SmoothTo{to.smooth_to};
     return true;
   }
   for (std::size_t shape = 0; shape < kWaves.size(); ++shape) {
@@ -673,7 +677,7 @@ bool Codec<ProfileText>::read(Binder& binder, const Node& node, const Path& path
     if (!read_struct(binder, node, path, csv)) return false;
     auto source = data_source(binder, csv.csv);
     if (!source) return false;
-    out.profile = CsvColumn{std::move(*source), csv.time.value, {}, csv.value.value, {}};
+    out.profile = history::CsvColumn{std::move(*source), csv.time.value, {}, csv.value.value, {}};
     out.csv = std::move(csv.csv);
     out.unit = std::move(csv.unit);
     out.time_unit = std::move(csv.time_unit);
@@ -689,8 +693,8 @@ bool Codec<ProfileText>::read(Binder& binder, const Node& node, const Path& path
   return false;
 }
 Json Codec<ProfileText>::schema(const KeyInfo& info) {
-  json::Array alternatives = {Codec<double>::schema(info), struct_schema<ToText>(),
-                              struct_schema<SmoothToText>()};
+  base::json::Array alternatives = {Codec<double>::schema(info), struct_schema<ToText>(),
+                                    struct_schema<SmoothToText>()};
   for (const std::string_view wave : kWaves) {
     alternatives.push_back(map_with_one(wave, struct_schema<WaveText>()));
   }
@@ -716,9 +720,9 @@ bool Codec<AmplitudeText>::read(Binder& binder, const Node& node, const Path& pa
     AmplitudeShape shape = AmplitudeShape::kLinear;
     if (!Codec<AmplitudeShape>::read(binder, node, path, info, shape)) return false;
     if (shape == AmplitudeShape::kSmooth) {
-      out.profile = SmoothTo{1.0};
+      out.profile = history::SmoothTo{1.0};
     } else {
-      out.profile = LinearTo{1.0};
+      out.profile = history::LinearTo{1.0};
     }
     return true;
   }
@@ -733,7 +737,7 @@ bool Codec<AmplitudeText>::read(Binder& binder, const Node& node, const Path& pa
       !std::is_sorted(weights.begin(), weights.end())) {
     std::string found;
     for (std::size_t i = 0; i < weights.size() && i < 5; ++i) {
-      found += (i == 0 ? "" : ", ") + format_number(weights[i]);
+      found += (i == 0 ? "" : ", ") + base::format_number(weights[i]);
     }
     if (weights.size() > 5) found += ", ...";
     binder.error(node, path,
@@ -853,4 +857,4 @@ Json Codec<ParameterValue>::schema(const KeyInfo& info) { return Codec<double>::
 std::string Codec<ParameterValue>::wanted(const KeyInfo&) { return "a number"; }
 void Codec<ParameterValue>::rows(const std::string&, std::vector<KeyRow>&) {}
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::yaml

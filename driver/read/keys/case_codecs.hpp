@@ -9,7 +9,10 @@
 #include "driver/read/keys/case_text.hpp"
 #include "law/table/table_function.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {}  // namespace slipbench::driver::read
+
+// Specialisations belong to the namespace of their template.
+namespace slipbench::driver::yaml {
 
 #define SLIPBENCH_DECLARE_CODEC(Type)                                                         \
   template <>                                                                                 \
@@ -21,26 +24,30 @@ namespace slipbench::driver {
     static void rows(const std::string& path, std::vector<KeyRow>& rows);                     \
   }
 
-SLIPBENCH_DECLARE_CODEC(TypeNames);
-SLIPBENCH_DECLARE_CODEC(NumberOrTable);
-SLIPBENCH_DECLARE_CODEC(NumberOrMatrix);
-SLIPBENCH_DECLARE_CODEC(WeightsText);
-SLIPBENCH_DECLARE_CODEC(CoefficientText);
-SLIPBENCH_DECLARE_CODEC(DirectionText);
-SLIPBENCH_DECLARE_CODEC(ContactForceText);
-SLIPBENCH_DECLARE_CODEC(PlayPositionText);
-SLIPBENCH_DECLARE_CODEC(PartOrGroup);
-SLIPBENCH_DECLARE_CODEC(PredefinedText);
-SLIPBENCH_DECLARE_CODEC(ProfileText);
-SLIPBENCH_DECLARE_CODEC(AmplitudeText);
-SLIPBENCH_DECLARE_CODEC(MeasuredColumnText);
-SLIPBENCH_DECLARE_CODEC(HistoryText);
-SLIPBENCH_DECLARE_CODEC(NumberOrList);
-SLIPBENCH_DECLARE_CODEC(ParameterValue);
+SLIPBENCH_DECLARE_CODEC(read::TypeNames);
+SLIPBENCH_DECLARE_CODEC(read::NumberOrTable);
+SLIPBENCH_DECLARE_CODEC(read::NumberOrMatrix);
+SLIPBENCH_DECLARE_CODEC(read::WeightsText);
+SLIPBENCH_DECLARE_CODEC(read::CoefficientText);
+SLIPBENCH_DECLARE_CODEC(read::DirectionText);
+SLIPBENCH_DECLARE_CODEC(read::ContactForceText);
+SLIPBENCH_DECLARE_CODEC(read::PlayPositionText);
+SLIPBENCH_DECLARE_CODEC(read::PartOrGroup);
+SLIPBENCH_DECLARE_CODEC(read::PredefinedText);
+SLIPBENCH_DECLARE_CODEC(read::ProfileText);
+SLIPBENCH_DECLARE_CODEC(read::AmplitudeText);
+SLIPBENCH_DECLARE_CODEC(read::MeasuredColumnText);
+SLIPBENCH_DECLARE_CODEC(read::HistoryText);
+SLIPBENCH_DECLARE_CODEC(read::NumberOrList);
+SLIPBENCH_DECLARE_CODEC(read::ParameterValue);
 SLIPBENCH_DECLARE_CODEC(law::InternalContactForce);
 SLIPBENCH_DECLARE_CODEC(law::Table);
 
 #undef SLIPBENCH_DECLARE_CODEC
+
+}  // namespace slipbench::driver::yaml
+
+namespace slipbench::driver::read {
 
 /// Which independents a table may have.
 struct TableUse {
@@ -73,13 +80,13 @@ inline constexpr TableUse kDampingTable{
     .what = "a damping", .not_negative = false, .velocity = true, .of_behavior = true};
 
 /// Builds a table function with `dependents` leading columns; every fault is reported at its row.
-std::optional<law::TableFunction> table_function(Binder& binder, const TableText& text,
-                                                 const Node& node, const Path& path,
+std::optional<law::TableFunction> table_function(yaml::Binder& binder, const TableText& text,
+                                                 const yaml::Node& node, const yaml::Path& path,
                                                  const TableUse& use, int dependents = 1);
 
 /// Builds a bare table of `dependents` columns over `independents`.
-std::optional<law::Table> table(Binder& binder, const TableText& text, const Node& node,
-                                const Path& path, int dependents, int independents,
+std::optional<law::Table> table(yaml::Binder& binder, const TableText& text, const yaml::Node& node,
+                                const yaml::Path& path, int dependents, int independents,
                                 bool not_negative, law::Extrapolation extrapolation);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

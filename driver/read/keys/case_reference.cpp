@@ -5,7 +5,7 @@
 #include "law/connection/connection_type.hpp"
 #include "reference/catalogue.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 std::string power(std::string_view symbol, int exponent) {
@@ -25,9 +25,9 @@ std::string cell(std::string_view text) {
   return out;
 }
 
-void add_row(std::string& out, const KeyRow& row) {
+void add_row(std::string& out, const yaml::KeyRow& row) {
   std::string wanted = row.wanted;
-  if (const std::string bounds = in_words(row.info.bounds); !bounds.empty())
+  if (const std::string bounds = yaml::in_words(row.info.bounds); !bounds.empty())
     wanted += ", " + bounds;
   if (const std::string d = dimension_text(row.info.dimension); !d.empty())
     wanted += " [" + d + "]";
@@ -51,29 +51,29 @@ std::string component_list(law::ComponentSet set) {
 
 }  // namespace
 
-std::string dimension_text(const Dimension& d) {
+std::string dimension_text(const base::Dimension& d) {
   std::string text = power("F", d.force) + power("L", d.length) + power("T", d.time);
   if (!text.empty()) text.pop_back();
   return text;
 }
 
-std::vector<KeyRow> case_rows() {
-  std::vector<KeyRow> rows;
-  struct_rows<CaseText>("", rows);
+std::vector<yaml::KeyRow> case_rows() {
+  std::vector<yaml::KeyRow> rows;
+  yaml::struct_rows<CaseText>("", rows);
   return rows;
 }
 
-std::string key_table(std::span<const KeyRow> rows) {
+std::string key_table(std::span<const yaml::KeyRow> rows) {
   std::string out = "| key | what | default | meaning |\n|---|---|---|---|\n";
-  for (const KeyRow& row : rows) add_row(out, row);
+  for (const yaml::KeyRow& row : rows) add_row(out, row);
   return out;
 }
 
-Json case_schema() {
-  Json schema;
+yaml::Json case_schema() {
+  yaml::Json schema;
   schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";
   schema["title"] = "slipbench case, version 1";
-  Json body = struct_schema<CaseText>();
+  yaml::Json body = yaml::struct_schema<CaseText>();
   for (const std::string_view key : {"type", "properties", "required", "additionalProperties"}) {
     schema[key] = body[key];
   }
@@ -97,7 +97,7 @@ std::string case_reference_markdown() {
     std::string predefined = "none";
     if constexpr (law::HasPredefinedFriction<Type>) {
       predefined.clear();
-      for (const std::string_view key : keys_of<Type>()) {
+      for (const std::string_view key : yaml::keys_of<Type>()) {
         predefined += (predefined.empty() ? "`" : ", `") + std::string(key) + "`";
       }
       if (predefined.empty()) predefined = "`{}`";
@@ -131,4 +131,4 @@ std::string case_reference_markdown() {
   return out;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

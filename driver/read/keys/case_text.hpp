@@ -12,6 +12,7 @@
 #include "driver/case/integration.hpp"
 #include "driver/check/criteria/criteria.hpp"
 #include "driver/history/profile.hpp"
+#include "driver/read/keys/choices.hpp"
 #include "driver/read/keys/data_source_text.hpp"
 #include "driver/yaml/binding.hpp"
 #include "law/definition/formulation.hpp"
@@ -19,28 +20,28 @@
 #include "law/definition/potential_terms.hpp"
 #include "law/table/table.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 
 struct UnitsText {
   static constexpr bool kIsDeclared = true;
-  At<std::string> length, force, time, temperature;
+  yaml::At<std::string> length, force, time, temperature;
 
   template <class V>
   static void declare(V& key) {
     key("length", &UnitsText::length,
-        KeyInfo{.text = "Unit of length, e.g. mm.", .default_text = "not stated"});
+        yaml::KeyInfo{.text = "Unit of length, e.g. mm.", .default_text = "not stated"});
     key("force", &UnitsText::force,
-        KeyInfo{.text = "Unit of force, e.g. N.", .default_text = "not stated"});
+        yaml::KeyInfo{.text = "Unit of force, e.g. N.", .default_text = "not stated"});
     key("time", &UnitsText::time,
-        KeyInfo{.text = "Unit of time, e.g. s.", .default_text = "not stated"});
+        yaml::KeyInfo{.text = "Unit of time, e.g. s.", .default_text = "not stated"});
     key("temperature", &UnitsText::temperature,
-        KeyInfo{.text = "Unit of temperature, e.g. degC.", .default_text = "not stated"});
+        yaml::KeyInfo{.text = "Unit of temperature, e.g. degC.", .default_text = "not stated"});
   }
 };
 
 /// One connection type, or two basic ones.
 struct TypeNames {
-  std::vector<At<std::string>> names;
+  std::vector<yaml::At<std::string>> names;
 };
 
 /// One number or a list of numbers.
@@ -52,97 +53,102 @@ struct NumberOrList {
 /// Nodes of a belt.
 struct NodesText {
   static constexpr bool kIsDeclared = true;
-  At<std::vector<double>> a, b, c;
+  yaml::At<std::vector<double>> a, b, c;
 
   template <class V>
   static void declare(V& key) {
     key("a", &NodesText::a,
-        KeyInfo{.required = true,
-                .text = "Position [x, y, z] of node a, where the belt comes from.",
-                .dimension = kLength});
+        yaml::KeyInfo{.required = true,
+                      .text = "Position [x, y, z] of node a, where the belt comes from.",
+                      .dimension = base::kLength});
     key("b", &NodesText::b,
-        KeyInfo{.required = true,
-                .text = "Position [x, y, z] of node b, the ring.",
-                .dimension = kLength});
+        yaml::KeyInfo{.required = true,
+                      .text = "Position [x, y, z] of node b, the ring.",
+                      .dimension = base::kLength});
     key("c", &NodesText::c,
-        KeyInfo{.required = true,
-                .text = "Position [x, y, z] of node c, where the belt goes to.",
-                .dimension = kLength});
+        yaml::KeyInfo{.required = true,
+                      .text = "Position [x, y, z] of node c, where the belt goes to.",
+                      .dimension = base::kLength});
   }
 };
 
 struct ConnectorText {
   static constexpr bool kIsDeclared = true;
-  At<TypeNames> type;
-  At<int> dimension = default_of(3);
-  NamedMap<double> reference;
-  NamedMap<double> initial;
-  At<NumberOrList> wrap_angle;
-  At<NodesText> nodes;
-  At<int> half_turns;
-  At<std::vector<double>> lengths;
-  At<double> initial_strain = default_of(0.0);
-  At<double> area;
-  At<double> friction_radius;
-  At<std::vector<At<int>>> parts;
+  yaml::At<TypeNames> type;
+  yaml::At<int> dimension = yaml::default_of(3);
+  yaml::NamedMap<double> reference;
+  yaml::NamedMap<double> initial;
+  yaml::At<NumberOrList> wrap_angle;
+  yaml::At<NodesText> nodes;
+  yaml::At<int> half_turns;
+  yaml::At<std::vector<double>> lengths;
+  yaml::At<double> initial_strain = yaml::default_of(0.0);
+  yaml::At<double> area;
+  yaml::At<double> friction_radius;
+  yaml::At<std::vector<yaml::At<int>>> parts;
 
   template <class V>
   static void declare(V& key) {
     key("type", &ConnectorText::type,
-        KeyInfo{.required = true, .text = "Connection type, or a list of two basic types."});
+        yaml::KeyInfo{.required = true, .text = "Connection type, or a list of two basic types."});
     key("dimension", &ConnectorText::dimension,
-        KeyInfo{.text = "Dimension of space; 2 exists for SLOT and CONTACT only.",
-                .default_text = "3",
-                .bounds = {.lower = 2, .upper = 3}});
+        yaml::KeyInfo{.text = "Dimension of space; 2 exists for SLOT and CONTACT only.",
+                      .default_text = "3",
+                      .bounds = {.lower = 2, .upper = 3}});
     key("reference", &ConnectorText::reference,
-        KeyInfo{.text = "Constitutive reference positions, {CP1: ..}; angles in radians.",
-                .default_text = "the initial position",
-                .unit = UnitUse::kQuantity});
+        yaml::KeyInfo{.text = "Constitutive reference positions, {CP1: ..}; angles in radians.",
+                      .default_text = "the initial position",
+                      .unit = yaml::UnitUse::kQuantity});
     key("initial", &ConnectorText::initial,
-        KeyInfo{.text = "Initial relative position, {CP1: ..}; angles in radians.",
-                .default_text = "0",
-                .unit = UnitUse::kQuantity});
+        yaml::KeyInfo{.text = "Initial relative position, {CP1: ..}; angles in radians.",
+                      .default_text = "0",
+                      .unit = yaml::UnitUse::kQuantity});
     key("wrap_angle", &ConnectorText::wrap_angle,
-        KeyInfo{.text = "SLIPRING: angle the belt turns by on its ring, in radians, of any size; "
-                        "a list for a belt that runs over ring after ring.",
-                .default_text = "from nodes",
-                .dimension = kAngle,
-                .bounds = law::kNotNegative});
+        yaml::KeyInfo{.text =
+                          "SLIPRING: angle the belt turns by on its ring, in radians, of any size; "
+                          "a list for a belt that runs over ring after ring.",
+                      .default_text = "from nodes",
+                      .dimension = base::kAngle,
+                      .bounds = law::kNotNegative});
     key("nodes", &ConnectorText::nodes,
-        KeyInfo{.text =
-                    "SLIPRING: positions of the nodes: the distance CP1 follows from them, and the "
+        yaml::KeyInfo{
+            .text = "SLIPRING: positions of the nodes: the distance CP1 follows from them, and the "
                     "wrap angle where it is not given.",
-                .default_text = "none: initial CP1, wrap_angle"});
+            .default_text = "none: initial CP1, wrap_angle"});
     key("half_turns", &ConnectorText::half_turns,
-        KeyInfo{.text = "SLIPRING with nodes: whole half turns of the belt on its ring at the "
-                        "start; its angle follows the nodes from there, of any size.",
-                .default_text = "the angle stays within half a turn",
-                .bounds = {.lower = 0, .upper = 1000}});
+        yaml::KeyInfo{.text =
+                          "SLIPRING with nodes: whole half turns of the belt on its ring at the "
+                          "start; its angle follows the nodes from there, of any size.",
+                      .default_text = "the angle stays within half a turn",
+                      .bounds = {.lower = 0, .upper = 1000}});
     key("lengths", &ConnectorText::lengths,
-        KeyInfo{.text = "SLIPRING: length of the segment behind each ring, in the belt's order; "
-                        "flows and strains of these segments then follow.",
-                .default_text = "not modelled: all rings share one flow",
-                .dimension = kLength,
-                .bounds = law::kPositive});
+        yaml::KeyInfo{.text =
+                          "SLIPRING: length of the segment behind each ring, in the belt's order; "
+                          "flows and strains of these segments then follow.",
+                      .default_text = "not modelled: all rings share one flow",
+                      .dimension = base::kLength,
+                      .bounds = law::kPositive});
     key("initial_strain", &ConnectorText::initial_strain,
-        KeyInfo{.text = "SLIPRING: strain of the belt between a and b at the start.",
-                .default_text = "0",
-                .bounds = {.lower = -1.0, .lower_open = true}});
+        yaml::KeyInfo{.text = "SLIPRING: strain of the belt between a and b at the start.",
+                      .default_text = "0",
+                      .bounds = {.lower = -1.0, .lower_open = true}});
     key("area", &ConnectorText::area,
-        KeyInfo{.text = "Area A of the contact, for coefficients that see the pressure p = F_N/A.",
-                .default_text = "that of each coefficient",
-                .dimension = {0, 2, 0},
-                .bounds = law::kPositive});
+        yaml::KeyInfo{
+            .text = "Area A of the contact, for coefficients that see the pressure p = F_N/A.",
+            .default_text = "that of each coefficient",
+            .dimension = {0, 2, 0},
+            .bounds = law::kPositive});
     key("friction_radius", &ConnectorText::friction_radius,
-        KeyInfo{.text = "R at which a coefficient that sliding and spinning share sees the "
-                        "spinning: at the speed R w and the force M_N/R.",
-                .default_text = "none: w and M_N as they are",
-                .dimension = kLength,
-                .bounds = law::kPositive});
+        yaml::KeyInfo{.text = "R at which a coefficient that sliding and spinning share sees the "
+                              "spinning: at the speed R w and the force M_N/R.",
+                      .default_text = "none: w and M_N as they are",
+                      .dimension = base::kLength,
+                      .bounds = law::kPositive});
     key("parts", &ConnectorText::parts,
-        KeyInfo{.text = "Ids of the two parts that meet here: pick a record of friction_pairs.",
-                .default_text = "none",
-                .bounds = {.lower = 1}});
+        yaml::KeyInfo{
+            .text = "Ids of the two parts that meet here: pick a record of friction_pairs.",
+            .default_text = "none",
+            .bounds = {.lower = 1}});
   }
 };
 
@@ -150,29 +156,29 @@ struct ConnectorText {
 template <class Text, class V>
 void declare_rows(V& key) {
   key("rows", &Text::rows,
-      KeyInfo{.text = "Rows of numbers; the first independent varies fastest, ascending.",
-              .default_text = "from csv",
-              .unit = UnitUse::kNone});
+      yaml::KeyInfo{.text = "Rows of numbers; the first independent varies fastest, ascending.",
+                    .default_text = "from csv",
+                    .unit = yaml::UnitUse::kNone});
   key("csv", &Text::csv,
-      KeyInfo{.text = "A CSV file with these columns, in place of rows.",
-              .default_text = "from rows"});
+      yaml::KeyInfo{.text = "A CSV file with these columns, in place of rows.",
+                    .default_text = "from rows"});
   key("extrapolate", &Text::extrapolate,
-      KeyInfo{.text = "Outside the table: the end value, or the end slope.",
-              .default_text = "constant, or 'extrapolation' for the tables it is for"});
+      yaml::KeyInfo{.text = "Outside the table: the end value, or the end slope.",
+                    .default_text = "constant, or 'extrapolation' for the tables it is for"});
 }
 
 /// A table: `columns` names the dependents first, then the independents.
 struct TableText {
   static constexpr bool kIsDeclared = true;
-  At<std::vector<At<std::string>>> columns;
-  At<std::vector<std::vector<double>>> rows;
-  At<DataSourceText> csv;
-  At<law::Extrapolation> extrapolate = default_of(law::Extrapolation::kConstant);
+  yaml::At<std::vector<yaml::At<std::string>>> columns;
+  yaml::At<std::vector<std::vector<double>>> rows;
+  yaml::At<DataSourceText> csv;
+  yaml::At<law::Extrapolation> extrapolate = yaml::default_of(law::Extrapolation::kConstant);
 
   template <class V>
   static void declare(V& key) {
     key("columns", &TableText::columns,
-        KeyInfo{
+        yaml::KeyInfo{
             .required = true,
             .text =
                 "Names of the columns: the dependent quantities first, then the independents."});
@@ -180,154 +186,134 @@ struct TableText {
   }
 };
 
-template <>
-struct EnumWords<law::Extrapolation> {
-  static constexpr std::array<std::string_view, 2> kWords{"constant", "linear"};
-};
-
 using NumberOrTable = std::variant<double, TableText>;
 using NumberOrMatrix = std::variant<double, std::vector<std::vector<double>>>;
 using WeightsText = std::variant<std::vector<double>, TableText>;
 
-template <>
-struct EnumWords<law::TermOperator> {
-  static constexpr std::array<std::string_view, 3> kWords{"norm", "sum", "macauley_sum"};
-};
-
 struct DerivedTermText {
   static constexpr bool kIsDeclared = true;
-  At<law::TermOperator> combine;
-  At<int> sign = default_of(1);
-  At<std::vector<At<int>>> components;
-  At<WeightsText> weights;
+  yaml::At<law::TermOperator> combine;
+  yaml::At<int> sign = yaml::default_of(1);
+  yaml::At<std::vector<yaml::At<int>>> components;
+  yaml::At<WeightsText> weights;
 
   template <class V>
   static void declare(V& key) {
     key("operator", &DerivedTermText::combine,
-        KeyInfo{.text = "How the weighted forces are combined.", .default_text = "norm"});
+        yaml::KeyInfo{.text = "How the weighted forces are combined.", .default_text = "norm"});
     key("sign", &DerivedTermText::sign,
-        KeyInfo{.text = "1 or -1.", .default_text = "1", .bounds = {.lower = -1, .upper = 1}});
+        yaml::KeyInfo{
+            .text = "1 or -1.", .default_text = "1", .bounds = {.lower = -1, .upper = 1}});
     key("components", &DerivedTermText::components,
-        KeyInfo{.required = true,
-                .text = "Component numbers 1-6 of the forces and moments.",
-                .bounds = {.lower = 1, .upper = 6}});
+        yaml::KeyInfo{.required = true,
+                      .text = "Component numbers 1-6 of the forces and moments.",
+                      .bounds = {.lower = 1, .upper = 6}});
     key("weights", &DerivedTermText::weights,
-        KeyInfo{.text = "A weight for each component: numbers, or a table over motions CP, CU, "
-                        "temperature and fields.",
-                .default_text = "1 each",
-                .unit = UnitUse::kNone});
+        yaml::KeyInfo{.text =
+                          "A weight for each component: numbers, or a table over motions CP, CU, "
+                          "temperature and fields.",
+                      .default_text = "1 each",
+                      .unit = yaml::UnitUse::kNone});
   }
-};
-
-template <>
-struct EnumWords<law::ContributionFunction> {
-  static constexpr std::array<std::string_view, 3> kWords{"abs", "macauley", "none"};
 };
 
 struct PotentialTermText {
   static constexpr bool kIsDeclared = true;
-  At<int> component;
-  At<std::string> derived;
-  At<double> scale = default_of(1.0);
-  At<double> shift = default_of(0.0);
-  At<law::ContributionFunction> of;
-  At<double> exponent;
-  At<int> sign = default_of(1);
+  yaml::At<int> component;
+  yaml::At<std::string> derived;
+  yaml::At<double> scale = yaml::default_of(1.0);
+  yaml::At<double> shift = yaml::default_of(0.0);
+  yaml::At<law::ContributionFunction> of;
+  yaml::At<double> exponent;
+  yaml::At<int> sign = yaml::default_of(1);
 
   template <class V>
   static void declare(V& key) {
     key("component", &PotentialTermText::component,
-        KeyInfo{.text = "E: number 1-6 of a free component.",
-                .default_text = "derived",
-                .bounds = {.lower = 1, .upper = 6}});
+        yaml::KeyInfo{.text = "E: number 1-6 of a free component.",
+                      .default_text = "derived",
+                      .bounds = {.lower = 1, .upper = 6}});
     key("derived", &PotentialTermText::derived,
-        KeyInfo{.text = "E: name of a derived component of free components.",
-                .default_text = "component"});
+        yaml::KeyInfo{.text = "E: name of a derived component of free components.",
+                      .default_text = "component"});
     key("scale", &PotentialTermText::scale,
-        KeyInfo{
+        yaml::KeyInfo{
             .text = "R of the contribution X = (E - a)/R; a radius turns a moment into a force.",
             .default_text = "1",
             .bounds = law::kPositive,
-            .unit = UnitUse::kQuantity});
+            .unit = yaml::UnitUse::kQuantity});
     key("shift", &PotentialTermText::shift,
-        KeyInfo{.text = "a of the contribution, in the unit of E.",
-                .default_text = "0",
-                .unit = UnitUse::kQuantity});
+        yaml::KeyInfo{.text = "a of the contribution, in the unit of E.",
+                      .default_text = "0",
+                      .unit = yaml::UnitUse::kQuantity});
     key("of", &PotentialTermText::of,
-        KeyInfo{.text = "What of X counts: its absolute value, its positive part (macauley), or X "
-                        "itself (none).",
-                .default_text = "abs"});
+        yaml::KeyInfo{
+            .text = "What of X counts: its absolute value, its positive part (macauley), or X "
+                    "itself (none).",
+            .default_text = "abs"});
     key("exponent", &PotentialTermText::exponent,
-        KeyInfo{.text = "Exponent of this contribution; friction needs that of the potential.",
-                .default_text = "the potential's",
-                .bounds = {.lower = 1.0}});
+        yaml::KeyInfo{
+            .text = "Exponent of this contribution; friction needs that of the potential.",
+            .default_text = "the potential's",
+            .bounds = {.lower = 1.0}});
     key("sign", &PotentialTermText::sign,
-        KeyInfo{.text = "Sign of the contribution; friction needs 1.",
-                .default_text = "1",
-                .bounds = {.lower = -1, .upper = 1}});
+        yaml::KeyInfo{.text = "Sign of the contribution; friction needs 1.",
+                      .default_text = "1",
+                      .bounds = {.lower = -1, .upper = 1}});
   }
-};
-
-template <>
-struct EnumWords<law::PotentialOperator> {
-  static constexpr std::array<std::string_view, 2> kWords{"sum", "max"};
 };
 
 struct PotentialText {
   static constexpr bool kIsDeclared = true;
   law::PotentialOperator combine = law::PotentialOperator::kSum;
-  At<double> exponent = default_of(2.0);
-  At<std::vector<At<PotentialTermText>>> terms;
+  yaml::At<double> exponent = yaml::default_of(2.0);
+  yaml::At<std::vector<yaml::At<PotentialTermText>>> terms;
 
   template <class V>
   static void declare(V& key) {
     key("operator", &PotentialText::combine,
-        KeyInfo{.text = "sum: P = (sum of X^exponent)^(1/exponent); max: P is the largest X.",
-                .default_text = "sum"});
+        yaml::KeyInfo{.text = "sum: P = (sum of X^exponent)^(1/exponent); max: P is the largest X.",
+                      .default_text = "sum"});
     key("exponent", &PotentialText::exponent,
-        KeyInfo{.text = "Exponent of the sum; for one beyond the range take operator max.",
-                .default_text = "2",
-                .bounds = {.lower = 1.0, .upper = 1.0e4}});
-    key("terms", &PotentialText::terms, KeyInfo{.required = true, .text = "The contributions."});
+        yaml::KeyInfo{.text = "Exponent of the sum; for one beyond the range take operator max.",
+                      .default_text = "2",
+                      .bounds = {.lower = 1.0, .upper = 1.0e4}});
+    key("terms", &PotentialText::terms,
+        yaml::KeyInfo{.required = true, .text = "The contributions."});
   }
 };
 
 struct StickText {
   static constexpr bool kIsDeclared = true;
-  At<double> slip_tolerance, characteristic_length, elastic_slip, stiffness;
+  yaml::At<double> slip_tolerance, characteristic_length, elastic_slip, stiffness;
 
   template <class V>
   static void declare(V& key) {
     key("slip_tolerance", &StickText::slip_tolerance,
-        KeyInfo{.text = "F_f: elastic slip as a part of the characteristic length.",
-                .default_text = "1e-4",
-                .bounds = law::kPositive});
+        yaml::KeyInfo{.text = "F_f: elastic slip as a part of the characteristic length.",
+                      .default_text = "1e-4",
+                      .bounds = law::kPositive});
     key("characteristic_length", &StickText::characteristic_length,
-        KeyInfo{.text = "Length (angle for rotations) the slip tolerance refers to.",
-                .default_text = "1, with a note",
-                .dimension = kLength,
-                .bounds = law::kPositive,
-                .unit = UnitUse::kSlip});
+        yaml::KeyInfo{.text = "Length (angle for rotations) the slip tolerance refers to.",
+                      .default_text = "1, with a note",
+                      .dimension = base::kLength,
+                      .bounds = law::kPositive,
+                      .unit = yaml::UnitUse::kSlip});
     key("elastic_slip", &StickText::elastic_slip,
-        KeyInfo{.text = "Allowable elastic slip g_c, in place of the slip tolerance.",
-                .default_text = "slip_tolerance * characteristic_length",
-                .dimension = kLength,
-                .bounds = law::kPositive,
-                .unit = UnitUse::kSlip});
+        yaml::KeyInfo{.text = "Allowable elastic slip g_c, in place of the slip tolerance.",
+                      .default_text = "slip_tolerance * characteristic_length",
+                      .dimension = base::kLength,
+                      .bounds = law::kPositive,
+                      .unit = yaml::UnitUse::kSlip});
     key("stiffness", &StickText::stiffness,
-        KeyInfo{
+        yaml::KeyInfo{
             .text =
                 "Constant stick stiffness kappa in the slip space, in place of an elastic slip.",
             .default_text = "limit / elastic slip",
             .dimension = {1, -1, 0},
             .bounds = law::kPositive,
-            .unit = UnitUse::kSlip});
+            .unit = yaml::UnitUse::kSlip});
   }
-};
-
-template <>
-struct EnumWords<law::RenardRules> {
-  static constexpr std::array<std::string_view, 2> kWords{"strict", "lenient"};
 };
 
 struct OrthotropicText;
@@ -345,165 +331,155 @@ struct DirectionText {
   CoefficientText coefficient;
 };
 
-template <>
-struct EnumWords<law::Orthotropy::Speed> {
-  static constexpr std::array<std::string_view, 2> kWords{"component", "total"};
-};
-
 /// Two coefficients at right angles.
 struct OrthotropicText {
   static constexpr bool kIsDeclared = true;
-  At<DirectionText> direction1, direction2;
+  yaml::At<DirectionText> direction1, direction2;
   law::Orthotropy::Speed speed = law::Orthotropy::Speed::kComponent;
-  At<std::vector<double>> axis;
+  yaml::At<std::vector<double>> axis;
 
   template <class V>
   static void declare(V& key) {
     key("direction1", &OrthotropicText::direction1,
-        KeyInfo{.required = true,
-                .text = "Coefficient along direction 1.",
-                .bounds = law::kNotNegative});
+        yaml::KeyInfo{.required = true,
+                      .text = "Coefficient along direction 1.",
+                      .bounds = law::kNotNegative});
     key("direction2", &OrthotropicText::direction2,
-        KeyInfo{.required = true,
-                .text = "Coefficient along direction 2, at right angles to direction 1.",
-                .bounds = law::kNotNegative});
+        yaml::KeyInfo{.required = true,
+                      .text = "Coefficient along direction 2, at right angles to direction 1.",
+                      .bounds = law::kNotNegative});
     key("speed", &OrthotropicText::speed,
-        KeyInfo{.text = "Speed that each coefficient sees: the component of the motion along its "
-                        "direction, or the total.",
-                .default_text = "component"});
+        yaml::KeyInfo{.text =
+                          "Speed that each coefficient sees: the component of the motion along its "
+                          "direction, or the total.",
+                      .default_text = "component"});
     key("axis", &OrthotropicText::axis,
-        KeyInfo{.text = "Direction 1 in the two components that slip, of any length; direction 2 "
-                        "is turned by 90 degrees from it.",
-                .default_text = "[1, 0]"});
+        yaml::KeyInfo{.text =
+                          "Direction 1 in the two components that slip, of any length; direction 2 "
+                          "is turned by 90 degrees from it.",
+                      .default_text = "[1, 0]"});
   }
 };
 
 /// One coefficient for each sense of the slip of one component.
 struct DirectionDependentText {
   static constexpr bool kIsDeclared = true;
-  At<DirectionText> forward, backward;
+  yaml::At<DirectionText> forward, backward;
 
   template <class V>
   static void declare(V& key) {
     key("forward", &DirectionDependentText::forward,
-        KeyInfo{.required = true,
-                .text = "Coefficient where the connector would slip towards larger positions, "
-                        "under a positive friction force.",
-                .bounds = law::kNotNegative});
+        yaml::KeyInfo{.required = true,
+                      .text =
+                          "Coefficient where the connector would slip towards larger positions, "
+                          "under a positive friction force.",
+                      .bounds = law::kNotNegative});
     key("backward", &DirectionDependentText::backward,
-        KeyInfo{.required = true,
-                .text = "Coefficient where it would slip towards smaller positions, under a "
-                        "negative friction force.",
-                .bounds = law::kNotNegative});
+        yaml::KeyInfo{.required = true,
+                      .text = "Coefficient where it would slip towards smaller positions, under a "
+                              "negative friction force.",
+                      .bounds = law::kNotNegative});
   }
-};
-
-enum class PenaltyKind { kViscous, kStiffness };
-template <>
-struct EnumWords<PenaltyKind> {
-  static constexpr std::array<std::string_view, 2> kWords{"viscous", "stiffness"};
-};
-template <>
-struct EnumWords<law::Convention> {
-  static constexpr std::array<std::string_view, 2> kWords{"documented", "as_coded"};
 };
 
 /// A contact penalty in place of the connector's return mapping.
 struct FormulationText {
   static constexpr bool kIsDeclared = true;
-  At<PenaltyKind> penalty;
-  At<double> visf;
-  At<NumberOrTable> normal_stiffness;
-  At<double> mass;
-  At<double> viscous_coefficient;
-  At<double> tangential_stiffness;
+  yaml::At<PenaltyKind> penalty;
+  yaml::At<double> visf;
+  yaml::At<NumberOrTable> normal_stiffness;
+  yaml::At<double> mass;
+  yaml::At<double> viscous_coefficient;
+  yaml::At<double> tangential_stiffness;
   law::Convention convention = law::Convention::kDocumented;
 
   template <class V>
   static void declare(V& key) {
     key("penalty", &FormulationText::penalty,
-        KeyInfo{.required = true, .text = "viscous (Radioss Iform 1) or stiffness (Iform 2)."});
+        yaml::KeyInfo{.required = true,
+                      .text = "viscous (Radioss Iform 1) or stiffness (Iform 2)."});
     key("VISF", &FormulationText::visf,
-        KeyInfo{.text = "viscous: factor of the viscous coefficient C; 0 means 1.",
-                .default_text = "1",
-                .bounds = law::kNotNegative});
+        yaml::KeyInfo{.text = "viscous: factor of the viscous coefficient C; 0 means 1.",
+                      .default_text = "1",
+                      .bounds = law::kNotNegative});
     key("K", &FormulationText::normal_stiffness,
-        KeyInfo{.text = "viscous: stiffness of the normal penalty, a number or a table over "
-                        "contact_force, temperature, fields; C = VISF sqrt(2 K m).",
-                .default_text = "C",
-                .dimension = {1, -1, 0},
-                .bounds = law::kNotNegative,
-                .unit = UnitUse::kSlip});
+        yaml::KeyInfo{.text = "viscous: stiffness of the normal penalty, a number or a table over "
+                              "contact_force, temperature, fields; C = VISF sqrt(2 K m).",
+                      .default_text = "C",
+                      .dimension = {1, -1, 0},
+                      .bounds = law::kNotNegative,
+                      .unit = yaml::UnitUse::kSlip});
     key("m", &FormulationText::mass,
-        KeyInfo{.text = "viscous: mass of the contact point.",
-                .default_text = "C",
-                .dimension = {1, -1, 2},
-                .bounds = law::kNotNegative,
-                .unit = UnitUse::kSlip});
+        yaml::KeyInfo{.text = "viscous: mass of the contact point.",
+                      .default_text = "C",
+                      .dimension = {1, -1, 2},
+                      .bounds = law::kNotNegative,
+                      .unit = yaml::UnitUse::kSlip});
     key("C", &FormulationText::viscous_coefficient,
-        KeyInfo{.text = "viscous: the coefficient itself, in place of VISF, K and m.",
-                .default_text = "VISF sqrt(2 K m)",
-                .dimension = {1, -1, 1},
-                .bounds = law::kPositive,
-                .unit = UnitUse::kSlip});
+        yaml::KeyInfo{.text = "viscous: the coefficient itself, in place of VISF, K and m.",
+                      .default_text = "VISF sqrt(2 K m)",
+                      .dimension = {1, -1, 1},
+                      .bounds = law::kPositive,
+                      .unit = yaml::UnitUse::kSlip});
     key("K_t", &FormulationText::tangential_stiffness,
-        KeyInfo{.text = "stiffness: tangential stiffness of the contact.",
-                .default_text = "-",
-                .dimension = {1, -1, 0},
-                .bounds = law::kPositive,
-                .unit = UnitUse::kSlip});
+        yaml::KeyInfo{.text = "stiffness: tangential stiffness of the contact.",
+                      .default_text = "-",
+                      .dimension = {1, -1, 0},
+                      .bounds = law::kPositive,
+                      .unit = yaml::UnitUse::kSlip});
     key("convention", &FormulationText::convention,
-        KeyInfo{.text = "Where the published page and the program differ: as the page promises, or "
-                        "as OpenRadioss (2026) computes.",
-                .default_text = "documented"});
+        yaml::KeyInfo{
+            .text = "Where the published page and the program differ: as the page promises, or "
+                    "as OpenRadioss (2026) computes.",
+            .default_text = "documented"});
   }
-};
-
-enum class XfreqConvention { kSteps, kRatio };
-template <>
-struct EnumWords<XfreqConvention> {
-  static constexpr std::array<std::string_view, 2> kWords{"steps", "ratio"};
 };
 
 /// First-order filter of the friction force of a formulation.
 struct FilterText {
   static constexpr bool kIsDeclared = true;
-  At<double> simple, period, frequency, xfreq;
-  At<XfreqConvention> xfreq_convention;
+  yaml::At<double> simple, period, frequency, xfreq;
+  yaml::At<XfreqConvention> xfreq_convention;
   bool clip = false;
 
   template <class V>
   static void declare(V& key) {
     key("simple", &FilterText::simple,
-        KeyInfo{.text = "alpha of F_k = alpha F + (1 - alpha) F_{k-1} (Radioss Ifiltr 1), up to 1; "
-                        "0 is no filter.",
-                .default_text = "another of the four",
-                .bounds = {.lower = 0.0, .upper = 1.0}});
+        yaml::KeyInfo{
+            .text = "alpha of F_k = alpha F + (1 - alpha) F_{k-1} (Radioss Ifiltr 1), up to 1; "
+                    "0 is no filter.",
+            .default_text = "another of the four",
+            .bounds = {.lower = 0.0, .upper = 1.0}});
     key("period", &FilterText::period,
-        KeyInfo{.text = "Time T of alpha = 2 pi dt/T (Ifiltr 2); increments longer than T/(2 pi) "
-                        "are refused.",
-                .default_text = "another of the four",
-                .dimension = kTime,
-                .bounds = law::kPositive});
+        yaml::KeyInfo{.text =
+                          "Time T of alpha = 2 pi dt/T (Ifiltr 2); increments longer than T/(2 pi) "
+                          "are refused.",
+                      .default_text = "another of the four",
+                      .dimension = base::kTime,
+                      .bounds = law::kPositive});
     key("frequency", &FilterText::frequency,
-        KeyInfo{.text = "Cut-off frequency f of alpha = min(1, 2 pi f dt) (Ifiltr 3); 0 is no "
-                        "filter.",
-                .default_text = "another of the four",
-                .dimension = {0, 0, -1},
-                .bounds = law::kNotNegative});
+        yaml::KeyInfo{.text =
+                          "Cut-off frequency f of alpha = min(1, 2 pi f dt) (Ifiltr 3); 0 is no "
+                          "filter.",
+                      .default_text = "another of the four",
+                      .dimension = {0, 0, -1},
+                      .bounds = law::kNotNegative});
     key("Xfreq", &FilterText::xfreq,
-        KeyInfo{.text = "The number of Ifiltr 2 as a deck has it, read as xfreq_convention says; "
-                        "0 is no filter.",
-                .default_text = "another of the four",
-                .bounds = law::kNotNegative});
+        yaml::KeyInfo{.text =
+                          "The number of Ifiltr 2 as a deck has it, read as xfreq_convention says; "
+                          "0 is no filter.",
+                      .default_text = "another of the four",
+                      .bounds = law::kNotNegative});
     key("xfreq_convention", &FilterText::xfreq_convention,
-        KeyInfo{.text = "steps: Xfreq = T/dt, as OpenRadioss (2026) computes; ratio: Xfreq = dt/T, "
-                        "as the page says.",
-                .default_text = "required with Xfreq"});
+        yaml::KeyInfo{
+            .text = "steps: Xfreq = T/dt, as OpenRadioss (2026) computes; ratio: Xfreq = dt/T, "
+                    "as the page says.",
+            .default_text = "required with Xfreq"});
     key("clip", &FilterText::clip,
-        KeyInfo{.text = "true: a filtered force above the limit is taken back to it, which neither "
-                        "the page nor the program does.",
-                .default_text = "false"});
+        yaml::KeyInfo{
+            .text = "true: a filtered force above the limit is taken back to it, which neither "
+                    "the page nor the program does.",
+            .default_text = "false"});
   }
 };
 
@@ -514,69 +490,71 @@ struct ContactForceText {
 
 /// The parameters of predefined friction; which they are is known with the connection type.
 struct PredefinedText {
-  std::optional<Node> node;
+  std::optional<yaml::Node> node;
 };
 
 struct FrictionText {
   static constexpr bool kIsDeclared = true;
-  At<std::string> name;
-  At<PredefinedText> predefined;
-  At<int> component;
-  At<PotentialText> potential;
-  At<ContactForceText> contact_force;
-  At<NumberOrTable> internal_contact_force;
-  At<CoefficientText> coefficient;
-  At<double> force_limit;
-  At<StickText> stick;
-  At<FormulationText> formulation;
-  At<FilterText> filter;
+  yaml::At<std::string> name;
+  yaml::At<PredefinedText> predefined;
+  yaml::At<int> component;
+  yaml::At<PotentialText> potential;
+  yaml::At<ContactForceText> contact_force;
+  yaml::At<NumberOrTable> internal_contact_force;
+  yaml::At<CoefficientText> coefficient;
+  yaml::At<double> force_limit;
+  yaml::At<StickText> stick;
+  yaml::At<FormulationText> formulation;
+  yaml::At<FilterText> filter;
 
   template <class V>
   static void declare(V& key) {
     key("name", &FrictionText::name,
-        KeyInfo{.text = "Name used in result columns where there are several definitions.",
-                .default_text = "friction1, ..."});
+        yaml::KeyInfo{.text = "Name used in result columns where there are several definitions.",
+                      .default_text = "friction1, ..."});
     key("predefined", &FrictionText::predefined,
-        KeyInfo{.text = "Predefined friction of the connection type, with its geometry.",
-                .default_text = "component or potential"});
+        yaml::KeyInfo{.text = "Predefined friction of the connection type, with its geometry.",
+                      .default_text = "component or potential"});
     key("component", &FrictionText::component,
-        KeyInfo{.text = "Free component 1-6 that slips: P = abs(f_i).",
-                .default_text = "predefined or potential",
-                .bounds = {.lower = 1, .upper = 6}});
+        yaml::KeyInfo{.text = "Free component 1-6 that slips: P = abs(f_i).",
+                      .default_text = "predefined or potential",
+                      .bounds = {.lower = 1, .upper = 6}});
     key("potential", &FrictionText::potential,
-        KeyInfo{.text = "Several free components that slip together.",
-                .default_text = "predefined or component"});
+        yaml::KeyInfo{.text = "Several free components that slip together.",
+                      .default_text = "predefined or component"});
     key("contact_force", &FrictionText::contact_force,
-        KeyInfo{.text = "F_C: the name of a derived component, or a component number 1-6 (signed). "
-                        "Of a held component the constraint force counts, of a free one its "
-                        "spring, damper, stop and load, CEF + CVF + CRF - CCF.",
-                .default_text = "none"});
+        yaml::KeyInfo{
+            .text = "F_C: the name of a derived component, or a component number 1-6 (signed). "
+                    "Of a held component the constraint force counts, of a free one its "
+                    "spring, damper, stop and load, CEF + CVF + CRF - CCF.",
+            .default_text = "none"});
     key("internal_contact_force", &FrictionText::internal_contact_force,
-        KeyInfo{.text = "F_int: a number, or a table over accumulated_slip, temperature, fields, "
-                        "CP and CU.",
-                .default_text = "0",
-                .dimension = kForce,
-                .bounds = law::kNotNegative,
-                .unit = UnitUse::kSlip});
+        yaml::KeyInfo{.text =
+                          "F_int: a number, or a table over accumulated_slip, temperature, fields, "
+                          "CP and CU.",
+                      .default_text = "0",
+                      .dimension = base::kForce,
+                      .bounds = law::kNotNegative,
+                      .unit = yaml::UnitUse::kSlip});
     key("coefficient", &FrictionText::coefficient,
-        KeyInfo{.text = "Coefficient of friction: a number, a table, or a law by name.",
-                .default_text = "0: no friction",
-                .bounds = law::kNotNegative});
+        yaml::KeyInfo{.text = "Coefficient of friction: a number, a table, or a law by name.",
+                      .default_text = "0: no friction",
+                      .bounds = law::kNotNegative});
     key("force_limit", &FrictionText::force_limit,
-        KeyInfo{.text = "Cap f_t^max of the limiting friction force; 0 means none.",
-                .default_text = "none",
-                .dimension = kForce,
-                .bounds = law::kNotNegative,
-                .unit = UnitUse::kSlip});
+        yaml::KeyInfo{.text = "Cap f_t^max of the limiting friction force; 0 means none.",
+                      .default_text = "none",
+                      .dimension = base::kForce,
+                      .bounds = law::kNotNegative,
+                      .unit = yaml::UnitUse::kSlip});
     key("stick", &FrictionText::stick,
-        KeyInfo{.text = "How stiff the connector is while it sticks.",
-                .default_text = "slip tolerance 1e-4"});
+        yaml::KeyInfo{.text = "How stiff the connector is while it sticks.",
+                      .default_text = "slip tolerance 1e-4"});
     key("formulation", &FrictionText::formulation,
-        KeyInfo{.text = "The penalty of a Radioss contact in place of 'stick'.",
-                .default_text = "the connector's stick and return mapping"});
+        yaml::KeyInfo{.text = "The penalty of a Radioss contact in place of 'stick'.",
+                      .default_text = "the connector's stick and return mapping"});
     key("filter", &FrictionText::filter,
-        KeyInfo{.text = "Smooths the friction force of a formulation over the increments.",
-                .default_text = "none"});
+        yaml::KeyInfo{.text = "Smooths the friction force of a formulation over the increments.",
+                      .default_text = "none"});
   }
 };
 
@@ -588,8 +566,8 @@ struct PartOrGroup {
 /// Friction of a record of a table of part pairs.
 struct PairDefaultText {
   static constexpr bool kIsDeclared = true;
-  At<CoefficientText> coefficient;
-  At<double> visf;
+  yaml::At<CoefficientText> coefficient;
+  yaml::At<double> visf;
 
   template <class V>
   static void declare(V& key) {
@@ -600,28 +578,29 @@ struct PairDefaultText {
   template <class Text, class V>
   static void declare_friction(V& key) {
     key("coefficient", &Text::coefficient,
-        KeyInfo{.required = true,
-                .text = "Coefficient of friction: a number, a table, or a law by name.",
-                .bounds = law::kNotNegative});
+        yaml::KeyInfo{.required = true,
+                      .text = "Coefficient of friction: a number, a table, or a law by name.",
+                      .bounds = law::kNotNegative});
     key("VISF", &Text::visf,
-        KeyInfo{.text = "VISF of a viscous penalty, in place of that under 'formulation:'; 0 means "
-                        "1.",
-                .default_text = "that of the formulation",
-                .bounds = law::kNotNegative});
+        yaml::KeyInfo{
+            .text = "VISF of a viscous penalty, in place of that under 'formulation:'; 0 means "
+                    "1.",
+            .default_text = "that of the formulation",
+            .bounds = law::kNotNegative});
   }
 };
 
 /// A record of a table of part pairs.
 struct PartPairText {
   static constexpr bool kIsDeclared = true;
-  At<std::vector<At<PartOrGroup>>> parts;
-  At<CoefficientText> coefficient;
-  At<double> visf;
+  yaml::At<std::vector<yaml::At<PartOrGroup>>> parts;
+  yaml::At<CoefficientText> coefficient;
+  yaml::At<double> visf;
 
   template <class V>
   static void declare(V& key) {
     key("parts", &PartPairText::parts,
-        KeyInfo{.required = true, .text = "The two sides, each a part or a group."});
+        yaml::KeyInfo{.required = true, .text = "The two sides, each a part or a group."});
     PairDefaultText::declare_friction<PartPairText>(key);
   }
 };
@@ -629,382 +608,379 @@ struct PartPairText {
 /// Friction by the parts that meet: `connector.parts` picks the record.
 struct FrictionPairsText {
   static constexpr bool kIsDeclared = true;
-  At<std::vector<At<int>>> parts;
-  NamedMap<std::vector<At<int>>> groups;
-  At<PairDefaultText> otherwise;
-  At<std::vector<At<PartPairText>>> pairs;
+  yaml::At<std::vector<yaml::At<int>>> parts;
+  yaml::NamedMap<std::vector<yaml::At<int>>> groups;
+  yaml::At<PairDefaultText> otherwise;
+  yaml::At<std::vector<yaml::At<PartPairText>>> pairs;
 
   template <class V>
   static void declare(V& key) {
     key("parts", &FrictionPairsText::parts,
-        KeyInfo{.text = "Ids of all parts there are, so that a mistyped one is found.",
-                .default_text = "any id will do",
-                .bounds = {.lower = 1}});
+        yaml::KeyInfo{.text = "Ids of all parts there are, so that a mistyped one is found.",
+                      .default_text = "any id will do",
+                      .bounds = {.lower = 1}});
     key("groups", &FrictionPairsText::groups,
-        KeyInfo{
+        yaml::KeyInfo{
             .text = "Named lists of part ids.", .default_text = "none", .bounds = {.lower = 1}});
     key("default", &FrictionPairsText::otherwise,
-        KeyInfo{.text = "Friction of the parts that no pair joins.",
-                .default_text = "none: such parts are an error"});
+        yaml::KeyInfo{.text = "Friction of the parts that no pair joins.",
+                      .default_text = "none: such parts are an error"});
     key("pairs", &FrictionPairsText::pairs,
-        KeyInfo{.text = "Records in order, each symmetric; of those that join the two parts the "
-                        "last one holds.",
-                .default_text = "none"});
+        yaml::KeyInfo{.text =
+                          "Records in order, each symmetric; of those that join the two parts the "
+                          "last one holds.",
+                      .default_text = "none"});
   }
-};
-
-template <>
-struct EnumWords<IntegrationMethod> {
-  static constexpr std::array<std::string_view, 2> kWords{"backward_euler", "exact"};
-};
-template <>
-struct EnumWords<SnapBackAction> {
-  static constexpr std::array<std::string_view, 2> kWords{"stop", "jump"};
-};
-template <>
-struct EnumWords<law::AccumulatedSlipTiming> {
-  static constexpr std::array<std::string_view, 2> kWords{"end", "start"};
-};
-template <>
-struct EnumWords<law::SlipRateMeasure> {
-  static constexpr std::array<std::string_view, 2> kWords{"slip", "relative_motion"};
 };
 
 struct IntegrationText {
   static constexpr bool kIsDeclared = true;
-  At<IntegrationMethod> method = default_of(IntegrationMethod::kBackwardEuler);
-  At<double> tolerance = default_of(Integration{}.tolerance);
-  At<law::AccumulatedSlipTiming> accumulated_slip = default_of(law::AccumulatedSlipTiming::kEnd);
-  At<law::SlipRateMeasure> slip_rate = default_of(law::SlipRateMeasure::kSlip);
-  At<SnapBackAction> snap_back = default_of(SnapBackAction::kStop);
+  yaml::At<cases::IntegrationMethod> method =
+      yaml::default_of(cases::IntegrationMethod::kBackwardEuler);
+  yaml::At<double> tolerance = yaml::default_of(cases::Integration{}.tolerance);
+  yaml::At<law::AccumulatedSlipTiming> accumulated_slip =
+      yaml::default_of(law::AccumulatedSlipTiming::kEnd);
+  yaml::At<law::SlipRateMeasure> slip_rate = yaml::default_of(law::SlipRateMeasure::kSlip);
+  yaml::At<cases::SnapBackAction> snap_back = yaml::default_of(cases::SnapBackAction::kStop);
 
   template <class V>
   static void declare(V& key) {
     key("method", &IntegrationText::method,
-        KeyInfo{.text = "Integration over an increment: one implicit step, as solvers do, or the "
-                        "continuous solution between the rows.",
-                .default_text = "backward_euler"});
+        yaml::KeyInfo{.text =
+                          "Integration over an increment: one implicit step, as solvers do, or the "
+                          "continuous solution between the rows.",
+                      .default_text = "backward_euler"});
     key("tolerance", &IntegrationText::tolerance,
-        KeyInfo{.text = "Of exact integration, as a part of the limit, where there is no closed "
-                        "solution.",
-                .default_text = "1e-10",
-                .bounds = {.lower = 1e-13, .upper = 1e-3}});
+        yaml::KeyInfo{.text =
+                          "Of exact integration, as a part of the limit, where there is no closed "
+                          "solution.",
+                      .default_text = "1e-10",
+                      .bounds = {.lower = 1e-13, .upper = 1e-3}});
     key("accumulated_slip", &IntegrationText::accumulated_slip,
-        KeyInfo{.text = "Accumulated slip that the internal contact force sees: of the end of the "
-                        "increment (implicit) or of its start.",
-                .default_text = "end"});
+        yaml::KeyInfo{
+            .text = "Accumulated slip that the internal contact force sees: of the end of the "
+                    "increment (implicit) or of its start.",
+            .default_text = "end"});
     key("slip_rate", &IntegrationText::slip_rate,
-        KeyInfo{.text = "Rate that the coefficient sees: of the slip, or of the whole motion.",
-                .default_text = "slip"});
+        yaml::KeyInfo{
+            .text = "Rate that the coefficient sees: of the slip, or of the whole motion.",
+            .default_text = "slip"});
     key("snap_back", &IntegrationText::snap_back,
-        KeyInfo{.text = "Where wear takes the limit away faster than the stick spring follows: end "
-                        "the run, or jump to the next equilibrium and book the energy lost.",
-                .default_text = "stop"});
+        yaml::KeyInfo{
+            .text = "Where wear takes the limit away faster than the stick spring follows: end "
+                    "the run, or jump to the next equilibrium and book the energy lost.",
+            .default_text = "stop"});
   }
 };
 
 /// A profile of a step, compiled.
 struct ProfileText {
-  Profile profile;
-  At<DataSourceText> csv;           ///< of a CsvColumn
-  At<std::string> unit, time_unit;  ///< of a CsvColumn
+  history::Profile profile;
+  yaml::At<DataSourceText> csv;           ///< of a CsvColumn
+  yaml::At<std::string> unit, time_unit;  ///< of a CsvColumn
 };
 
 /// Motion of the nodes of a belt in a step.
 struct NodeMotionText {
   static constexpr bool kIsDeclared = true;
-  At<std::vector<At<ProfileText>>> a, b, c;
+  yaml::At<std::vector<yaml::At<ProfileText>>> a, b, c;
 
   template <class V>
   static void declare(V& key) {
     constexpr std::string_view kText =
         "Profiles [x, y, z] of the node's coordinates; a number is one that stays.";
     key("a", &NodeMotionText::a,
-        KeyInfo{.text = kText, .default_text = "unchanged", .unit = UnitUse::kQuantity});
+        yaml::KeyInfo{
+            .text = kText, .default_text = "unchanged", .unit = yaml::UnitUse::kQuantity});
     key("b", &NodeMotionText::b,
-        KeyInfo{.text = kText, .default_text = "unchanged", .unit = UnitUse::kQuantity});
+        yaml::KeyInfo{
+            .text = kText, .default_text = "unchanged", .unit = yaml::UnitUse::kQuantity});
     key("c", &NodeMotionText::c,
-        KeyInfo{.text = kText, .default_text = "unchanged", .unit = UnitUse::kQuantity});
+        yaml::KeyInfo{
+            .text = kText, .default_text = "unchanged", .unit = yaml::UnitUse::kQuantity});
   }
-};
-
-enum class AmplitudeShape { kLinear, kSmooth };
-template <>
-struct EnumWords<AmplitudeShape> {
-  static constexpr std::array<std::string_view, 2> kWords{"linear", "smooth"};
 };
 
 /// Course of a change of friction: by a word, or by a table of weights over the time in the step.
 struct AmplitudeText {
-  Profile profile = LinearTo{1.0};  ///< from 0 to 1
+  history::Profile profile = history::LinearTo{1.0};  ///< from 0 to 1
 };
 
 /// New friction of one definition, in force at the end of the step.
 struct FrictionChangeText {
   static constexpr bool kIsDeclared = true;
-  At<CoefficientText> coefficient;
-  At<AmplitudeText> amplitude;
-  At<double> force_limit;
-  At<StickText> stick;
-  At<bool> reset;
+  yaml::At<CoefficientText> coefficient;
+  yaml::At<AmplitudeText> amplitude;
+  yaml::At<double> force_limit;
+  yaml::At<StickText> stick;
+  yaml::At<bool> reset;
 
   template <class V>
   static void declare(V& key) {
     key("coefficient", &FrictionChangeText::coefficient,
-        KeyInfo{.text = "The new coefficient: a number, a table, or a law by name.",
-                .default_text = "required but with reset",
-                .bounds = law::kNotNegative});
+        yaml::KeyInfo{.text = "The new coefficient: a number, a table, or a law by name.",
+                      .default_text = "required but with reset",
+                      .bounds = law::kNotNegative});
     key("amplitude", &FrictionChangeText::amplitude,
-        KeyInfo{.text = "How the coefficient goes over: mu = mu_start + A(t) (mu_end - mu_start).",
-                .default_text = "linear"});
+        yaml::KeyInfo{
+            .text = "How the coefficient goes over: mu = mu_start + A(t) (mu_end - mu_start).",
+            .default_text = "linear"});
     key("force_limit", &FrictionChangeText::force_limit,
-        KeyInfo{.text = "New cap of the limiting friction force from the start of the step; 0 "
-                        "means none.",
-                .default_text = "unchanged",
-                .dimension = kForce,
-                .bounds = law::kNotNegative,
-                .unit = UnitUse::kSlip});
+        yaml::KeyInfo{.text =
+                          "New cap of the limiting friction force from the start of the step; 0 "
+                          "means none.",
+                      .default_text = "unchanged",
+                      .dimension = base::kForce,
+                      .bounds = law::kNotNegative,
+                      .unit = yaml::UnitUse::kSlip});
     key("stick", &FrictionChangeText::stick,
-        KeyInfo{.text = "New stick stiffness of the same kind.", .default_text = "unchanged"});
+        yaml::KeyInfo{.text = "New stick stiffness of the same kind.",
+                      .default_text = "unchanged"});
     key("reset", &FrictionChangeText::reset,
-        KeyInfo{.text = "true: back to the friction under 'friction:', in place of a coefficient.",
-                .default_text = "false"});
+        yaml::KeyInfo{
+            .text = "true: back to the friction under 'friction:', in place of a coefficient.",
+            .default_text = "false"});
   }
 };
 
 struct StepText {
   static constexpr bool kIsDeclared = true;
-  At<std::string> step;
-  At<double> duration = default_of(1.0);
+  yaml::At<std::string> step;
+  yaml::At<double> duration = yaml::default_of(1.0);
   int increments = 1;
   int repeat = 1;
-  NamedMap<ProfileText> motion;
-  At<NodeMotionText> nodes;
-  NamedMap<ProfileText> force;
-  At<ProfileText> temperature;
-  NamedMap<ProfileText> fields;
-  NamedMap<FrictionChangeText> change_friction;
+  yaml::NamedMap<ProfileText> motion;
+  yaml::At<NodeMotionText> nodes;
+  yaml::NamedMap<ProfileText> force;
+  yaml::At<ProfileText> temperature;
+  yaml::NamedMap<ProfileText> fields;
+  yaml::NamedMap<FrictionChangeText> change_friction;
 
   template <class V>
   static void declare(V& key) {
-    key("step", &StepText::step, KeyInfo{.required = true, .text = "Name of the step."});
+    key("step", &StepText::step, yaml::KeyInfo{.required = true, .text = "Name of the step."});
     key("duration", &StepText::duration,
-        KeyInfo{.text = "Length of the step in time.",
-                .default_text = "1",
-                .dimension = kTime,
-                .bounds = law::kPositive});
+        yaml::KeyInfo{.text = "Length of the step in time.",
+                      .default_text = "1",
+                      .dimension = base::kTime,
+                      .bounds = law::kPositive});
     key("increments", &StepText::increments,
-        KeyInfo{.required = true,
-                .text = "Number of equal increments; breakpoints of the profiles are added.",
-                .bounds = {.lower = 1}});
+        yaml::KeyInfo{.required = true,
+                      .text = "Number of equal increments; breakpoints of the profiles are added.",
+                      .bounds = {.lower = 1}});
     key("repeat", &StepText::repeat,
-        KeyInfo{.text = "How often the step runs, one run after the other.",
-                .default_text = "1",
-                .bounds = {.lower = 1}});
+        yaml::KeyInfo{.text = "How often the step runs, one run after the other.",
+                      .default_text = "1",
+                      .bounds = {.lower = 1}});
     key("motion", &StepText::motion,
-        KeyInfo{.text = "Profiles of free components, {CP1: ..., CPR1: ...}.",
-                .default_text = "unchanged",
-                .unit = UnitUse::kQuantity});
+        yaml::KeyInfo{.text = "Profiles of free components, {CP1: ..., CPR1: ...}.",
+                      .default_text = "unchanged",
+                      .unit = yaml::UnitUse::kQuantity});
     key("nodes", &StepText::nodes,
-        KeyInfo{.text = "SLIPRING with nodes: how they move, {c: [profile, profile, profile]}.",
-                .default_text = "unchanged"});
+        yaml::KeyInfo{
+            .text = "SLIPRING with nodes: how they move, {c: [profile, profile, profile]}.",
+            .default_text = "unchanged"});
     key("force", &StepText::force,
-        KeyInfo{.text = "Profiles of constraint forces and moments, {f2: ..., m3: ...}.",
-                .default_text = "unchanged",
-                .unit = UnitUse::kQuantity});
+        yaml::KeyInfo{.text = "Profiles of constraint forces and moments, {f2: ..., m3: ...}.",
+                      .default_text = "unchanged",
+                      .unit = yaml::UnitUse::kQuantity});
     key("temperature", &StepText::temperature,
-        KeyInfo{.text = "Profile of the temperature.",
-                .default_text = "unchanged, at first 0",
-                .unit = UnitUse::kQuantity});
+        yaml::KeyInfo{.text = "Profile of the temperature.",
+                      .default_text = "unchanged, at first 0",
+                      .unit = yaml::UnitUse::kQuantity});
     key("fields", &StepText::fields,
-        KeyInfo{.text = "Profiles of field variables, {field1: ...}.",
-                .default_text = "unchanged, at first 0",
-                .unit = UnitUse::kQuantity});
+        yaml::KeyInfo{.text = "Profiles of field variables, {field1: ...}.",
+                      .default_text = "unchanged, at first 0",
+                      .unit = yaml::UnitUse::kQuantity});
     key("change_friction", &StepText::change_friction,
-        KeyInfo{.text = "New friction of definitions by name, {sleeve: {coefficient: 0.12}}.",
-                .default_text = "unchanged"});
+        yaml::KeyInfo{.text = "New friction of definitions by name, {sleeve: {coefficient: 0.12}}.",
+                      .default_text = "unchanged"});
   }
 };
 
 /// A column of a CSV file: its name, or its name and unit.
 struct MeasuredColumnText {
-  At<std::string> column;
-  At<std::string> unit;
+  yaml::At<std::string> column;
+  yaml::At<std::string> unit;
 };
 
 struct MeasuredText {
   static constexpr bool kIsDeclared = true;
-  At<DataSourceText> csv;
-  At<std::string> time;
-  At<std::string> time_unit;
-  At<NamedMap<MeasuredColumnText>> columns;
+  yaml::At<DataSourceText> csv;
+  yaml::At<std::string> time;
+  yaml::At<std::string> time_unit;
+  yaml::At<yaml::NamedMap<MeasuredColumnText>> columns;
   bool hold = false;
 
   template <class V>
   static void declare(V& key) {
     key("csv", &MeasuredText::csv,
-        KeyInfo{.required = true,
-                .text = "CSV file whose rows drive the case, one increment a row."});
-    key("time", &MeasuredText::time, KeyInfo{.required = true, .text = "Name of the time column."});
+        yaml::KeyInfo{.required = true,
+                      .text = "CSV file whose rows drive the case, one increment a row."});
+    key("time", &MeasuredText::time,
+        yaml::KeyInfo{.required = true, .text = "Name of the time column."});
     key("unit", &MeasuredText::time_unit,
-        KeyInfo{.text = "Unit of the time column.", .default_text = "the case's"});
+        yaml::KeyInfo{.text = "Unit of the time column.", .default_text = "the case's"});
     key("columns", &MeasuredText::columns,
-        KeyInfo{
+        yaml::KeyInfo{
             .required = true,
             .text =
                 "Which quantity each column drives: {CP1: disp, f2: {column: load, unit: lbf}}."});
     key("hold", &MeasuredText::hold,
-        KeyInfo{.text = "true: a value holds until the next row; false: linear between rows.",
-                .default_text = "false"});
+        yaml::KeyInfo{.text = "true: a value holds until the next row; false: linear between rows.",
+                      .default_text = "false"});
   }
 };
 
 /// Steps, or one measured history.
 struct HistoryText {
-  std::vector<At<StepText>> steps;
+  std::vector<yaml::At<StepText>> steps;
   std::optional<MeasuredText> measured;
 };
 
 struct OutputText {
   static constexpr bool kIsDeclared = true;
   int every = 1;
-  At<std::vector<At<std::string>>> columns;
+  yaml::At<std::vector<yaml::At<std::string>>> columns;
 
   template <class V>
   static void declare(V& key) {
     key("every", &OutputText::every,
-        KeyInfo{.text = "Write every n-th increment, and the last of the run.",
-                .default_text = "1",
-                .bounds = {.lower = 1}});
+        yaml::KeyInfo{.text = "Write every n-th increment, and the last of the run.",
+                      .default_text = "1",
+                      .bounds = {.lower = 1}});
     key("columns", &OutputText::columns,
-        KeyInfo{.text = "Result columns to write; t is always the first.", .default_text = "all"});
+        yaml::KeyInfo{.text = "Result columns to write; t is always the first.",
+                      .default_text = "all"});
   }
 };
 
 struct AgainstText {
   static constexpr bool kIsDeclared = true;
-  At<std::string> expression;
-  At<std::string> closed_form;
-  At<NamedMap<NumberOrList>> with;
-  NamedMap<std::string> inputs;
-  At<std::string> output;
-  At<DataSourceText> curve;
-  At<MeasuredColumnText> abscissa;
-  At<MeasuredColumnText> column;
+  yaml::At<std::string> expression;
+  yaml::At<std::string> closed_form;
+  yaml::At<yaml::NamedMap<NumberOrList>> with;
+  yaml::NamedMap<std::string> inputs;
+  yaml::At<std::string> output;
+  yaml::At<DataSourceText> curve;
+  yaml::At<MeasuredColumnText> abscissa;
+  yaml::At<MeasuredColumnText> column;
 
   template <class V>
   static void declare(V& key) {
     key("expression", &AgainstText::expression,
-        KeyInfo{.text = "Expression over t, T, parameters and result columns.",
-                .default_text = "closed_form or curve"});
+        yaml::KeyInfo{.text = "Expression over t, T, parameters and result columns.",
+                      .default_text = "closed_form or curve"});
     key("closed_form", &AgainstText::closed_form,
-        KeyInfo{.text = "Name of a closed form (slipbench list closed-forms).",
-                .default_text = "expression or curve"});
+        yaml::KeyInfo{.text = "Name of a closed form (slipbench list closed-forms).",
+                      .default_text = "expression or curve"});
     key("with", &AgainstText::with,
-        KeyInfo{.text = "Parameters of the closed form.",
-                .default_text = "its defaults",
-                .unit = UnitUse::kNone});
+        yaml::KeyInfo{.text = "Parameters of the closed form.",
+                      .default_text = "its defaults",
+                      .unit = yaml::UnitUse::kNone});
     key("inputs", &AgainstText::inputs,
-        KeyInfo{.text = "Result columns or expressions over them that drive the closed form, "
-                        "{motion: CU1} or {phase: = 2*pi*T}.",
-                .default_text = "the columns of the same meaning"});
+        yaml::KeyInfo{.text = "Result columns or expressions over them that drive the closed form, "
+                              "{motion: CU1} or {phase: = 2*pi*T}.",
+                      .default_text = "the columns of the same meaning"});
     key("output", &AgainstText::output,
-        KeyInfo{.text = "Which result of the closed form is compared.",
-                .default_text = "what the quantity is"});
+        yaml::KeyInfo{.text = "Which result of the closed form is compared.",
+                      .default_text = "what the quantity is"});
     key("curve", &AgainstText::curve,
-        KeyInfo{.text = "CSV file of a reference curve, or the name of a shipped one (slipbench "
-                        "list curves).",
-                .default_text = "expression or closed_form"});
+        yaml::KeyInfo{.text =
+                          "CSV file of a reference curve, or the name of a shipped one (slipbench "
+                          "list curves).",
+                      .default_text = "expression or closed_form"});
     key("abscissa", &AgainstText::abscissa,
-        KeyInfo{.text = "Column of the curve that holds the abscissa, with its unit if it is "
-                        "another: {column: stroke, unit: in}.",
-                .default_text = "that of the abscissa's name"});
+        yaml::KeyInfo{.text = "Column of the curve that holds the abscissa, with its unit if it is "
+                              "another: {column: stroke, unit: in}.",
+                      .default_text = "that of the abscissa's name"});
     key("column", &AgainstText::column,
-        KeyInfo{.text = "Column of the curve that is compared, with its unit if it is another: "
-                        "{column: load, unit: lbf}.",
-                .default_text = "that of the quantity's name"});
+        yaml::KeyInfo{.text =
+                          "Column of the curve that is compared, with its unit if it is another: "
+                          "{column: load, unit: lbf}.",
+                      .default_text = "that of the quantity's name"});
   }
 };
 
 struct OverText {
   static constexpr bool kIsDeclared = true;
-  At<double> from, to;
+  yaml::At<double> from, to;
 
   template <class V>
   static void declare(V& key) {
     key("from", &OverText::from,
-        KeyInfo{.text = "First total time.", .default_text = "the start", .dimension = kTime});
+        yaml::KeyInfo{
+            .text = "First total time.", .default_text = "the start", .dimension = base::kTime});
     key("to", &OverText::to,
-        KeyInfo{.text = "Last total time.", .default_text = "the end", .dimension = kTime});
+        yaml::KeyInfo{
+            .text = "Last total time.", .default_text = "the end", .dimension = base::kTime});
   }
 };
 
 struct ToleranceText {
   static constexpr bool kIsDeclared = true;
-  At<double> absolute, relative, abscissa;
+  yaml::At<double> absolute, relative, abscissa;
   std::string why;
 
   template <class V>
   static void declare(V& key) {
     key("absolute", &ToleranceText::absolute,
-        KeyInfo{.text = "Admissible deviation in the quantity's unit.",
-                .default_text = "relative",
-                .bounds = law::kNotNegative,
-                .unit = UnitUse::kQuantity,
-                .difference = true});
+        yaml::KeyInfo{.text = "Admissible deviation in the quantity's unit.",
+                      .default_text = "relative",
+                      .bounds = law::kNotNegative,
+                      .unit = yaml::UnitUse::kQuantity,
+                      .difference = true});
     key("relative", &ToleranceText::relative,
-        KeyInfo{.text = "Admissible deviation as a part of the reference's range.",
-                .default_text = "absolute",
-                .bounds = law::kNotNegative});
+        yaml::KeyInfo{.text = "Admissible deviation as a part of the reference's range.",
+                      .default_text = "absolute",
+                      .bounds = law::kNotNegative});
     key("abscissa", &ToleranceText::abscissa,
-        KeyInfo{.text = "Admissible shift along the abscissa, in its unit, of the points that "
-                        "breakaway and reversals compare.",
-                .default_text = "relative, of the abscissa's range",
-                .bounds = law::kNotNegative,
-                .unit = UnitUse::kNone});
+        yaml::KeyInfo{.text =
+                          "Admissible shift along the abscissa, in its unit, of the points that "
+                          "breakaway and reversals compare.",
+                      .default_text = "relative, of the abscissa's range",
+                      .bounds = law::kNotNegative,
+                      .unit = yaml::UnitUse::kNone});
     key("why", &ToleranceText::why,
-        KeyInfo{.text = "Which error this tolerance allows for.", .default_text = "none"});
+        yaml::KeyInfo{.text = "Which error this tolerance allows for.", .default_text = "none"});
   }
-};
-
-template <>
-struct EnumWords<Criterion> {
-  static constexpr auto kWords = criterion_words();
 };
 
 struct CheckText {
   static constexpr bool kIsDeclared = true;
-  At<std::string> name;
-  At<std::string> quantity;
-  At<AgainstText> against;
-  At<std::string> step;
-  At<OverText> over;
-  At<Criterion> criterion;
-  At<std::string> abscissa;
-  At<ToleranceText> tolerance;
+  yaml::At<std::string> name;
+  yaml::At<std::string> quantity;
+  yaml::At<AgainstText> against;
+  yaml::At<std::string> step;
+  yaml::At<OverText> over;
+  yaml::At<cases::Criterion> criterion;
+  yaml::At<std::string> abscissa;
+  yaml::At<ToleranceText> tolerance;
 
   template <class V>
   static void declare(V& key) {
-    key("name", &CheckText::name, KeyInfo{.required = true, .text = "What the check shows."});
+    key("name", &CheckText::name, yaml::KeyInfo{.required = true, .text = "What the check shows."});
     key("quantity", &CheckText::quantity,
-        KeyInfo{.required = true,
-                .text = "A result column, or an expression over t, T, parameters and columns."});
+        yaml::KeyInfo{
+            .required = true,
+            .text = "A result column, or an expression over t, T, parameters and columns."});
     key("against", &CheckText::against,
-        KeyInfo{.required = true, .text = "What the quantity is compared with."});
+        yaml::KeyInfo{.required = true, .text = "What the quantity is compared with."});
     key("step", &CheckText::step,
-        KeyInfo{.text = "Compare the rows of this step only.", .default_text = "all steps"});
+        yaml::KeyInfo{.text = "Compare the rows of this step only.", .default_text = "all steps"});
     key("over", &CheckText::over,
-        KeyInfo{.text = "Compare the rows within these total times only.",
-                .default_text = "the whole run"});
+        yaml::KeyInfo{.text = "Compare the rows within these total times only.",
+                      .default_text = "the whole run"});
     key("criterion", &CheckText::criterion,
-        KeyInfo{.text = "How the two are compared.", .default_text = "pointwise"});
+        yaml::KeyInfo{.text = "How the two are compared.", .default_text = "pointwise"});
     key("abscissa", &CheckText::abscissa,
-        KeyInfo{.text = "What the two are compared over: time, accumulated_slip, a result column, "
-                        "or an expression over t, T, parameters and columns.",
-                .default_text = "time, or what 'against: {abscissa: ..}' names"});
+        yaml::KeyInfo{
+            .text = "What the two are compared over: time, accumulated_slip, a result column, "
+                    "or an expression over t, T, parameters and columns.",
+            .default_text = "time, or what 'against: {abscissa: ..}' names"});
     key("tolerance", &CheckText::tolerance,
-        KeyInfo{.required = true,
-                .text = "How far they may be apart; the larger of the two counts."});
+        yaml::KeyInfo{.required = true,
+                      .text = "How far they may be apart; the larger of the two counts."});
   }
 };
 
@@ -1012,36 +988,39 @@ struct CheckText {
 /// springs that join several components.
 struct ElasticityText {
   static constexpr bool kIsDeclared = true;
-  At<int> component;
-  At<std::vector<At<int>>> components;
-  At<NumberOrMatrix> stiffness;
-  At<std::vector<At<std::string>>> columns;
-  At<std::vector<std::vector<double>>> rows;
-  At<DataSourceText> csv;
-  At<law::Extrapolation> extrapolate = default_of(law::Extrapolation::kConstant);
+  yaml::At<int> component;
+  yaml::At<std::vector<yaml::At<int>>> components;
+  yaml::At<NumberOrMatrix> stiffness;
+  yaml::At<std::vector<yaml::At<std::string>>> columns;
+  yaml::At<std::vector<std::vector<double>>> rows;
+  yaml::At<DataSourceText> csv;
+  yaml::At<law::Extrapolation> extrapolate = yaml::default_of(law::Extrapolation::kConstant);
 
   template <class V>
   static void declare(V& key) {
     key("component", &ElasticityText::component,
-        KeyInfo{.text = "Number 1-6 of a free component.",
-                .default_text = "components",
-                .bounds = {.lower = 1, .upper = 6}});
+        yaml::KeyInfo{.text = "Number 1-6 of a free component.",
+                      .default_text = "components",
+                      .bounds = {.lower = 1, .upper = 6}});
     key("components", &ElasticityText::components,
-        KeyInfo{.text = "Numbers 1-6 of two or more free components that a stiffness matrix joins.",
-                .default_text = "component",
-                .bounds = {.lower = 1, .upper = 6}});
+        yaml::KeyInfo{
+            .text = "Numbers 1-6 of two or more free components that a stiffness matrix joins.",
+            .default_text = "component",
+            .bounds = {.lower = 1, .upper = 6}});
     key("stiffness", &ElasticityText::stiffness,
-        KeyInfo{.text = "k of the force k u along the component, u its constitutive displacement; "
-                        "of several components the matrix K of the forces K u, row by row, "
-                        "symmetric and positive semidefinite.",
-                .default_text = "a table",
-                .dimension = {1, -1, 0},
-                .bounds = law::kPositive,
-                .unit = UnitUse::kSlip});
+        yaml::KeyInfo{
+            .text = "k of the force k u along the component, u its constitutive displacement; "
+                    "of several components the matrix K of the forces K u, row by row, "
+                    "symmetric and positive semidefinite.",
+            .default_text = "a table",
+            .dimension = {1, -1, 0},
+            .bounds = law::kPositive,
+            .unit = yaml::UnitUse::kSlip});
     key("columns", &ElasticityText::columns,
-        KeyInfo{.text = "Columns of a table in place of the stiffness: a name for the force, then "
-                        "displacement, temperature, fields.",
-                .default_text = "a stiffness"});
+        yaml::KeyInfo{
+            .text = "Columns of a table in place of the stiffness: a name for the force, then "
+                    "displacement, temperature, fields.",
+            .default_text = "a stiffness"});
     declare_rows<ElasticityText>(key);
   }
 };
@@ -1049,64 +1028,58 @@ struct ElasticityText {
 /// A damper along a component: linear, or a table whose keys stand beside the component.
 struct DampingText {
   static constexpr bool kIsDeclared = true;
-  At<int> component;
-  At<double> coefficient;
-  At<std::vector<At<std::string>>> columns;
-  At<std::vector<std::vector<double>>> rows;
-  At<DataSourceText> csv;
-  At<law::Extrapolation> extrapolate = default_of(law::Extrapolation::kConstant);
+  yaml::At<int> component;
+  yaml::At<double> coefficient;
+  yaml::At<std::vector<yaml::At<std::string>>> columns;
+  yaml::At<std::vector<std::vector<double>>> rows;
+  yaml::At<DataSourceText> csv;
+  yaml::At<law::Extrapolation> extrapolate = yaml::default_of(law::Extrapolation::kConstant);
 
   template <class V>
   static void declare(V& key) {
     key("component", &DampingText::component,
-        KeyInfo{.required = true,
-                .text = "Number 1-6 of a free component.",
-                .bounds = {.lower = 1, .upper = 6}});
+        yaml::KeyInfo{.required = true,
+                      .text = "Number 1-6 of a free component.",
+                      .bounds = {.lower = 1, .upper = 6}});
     key("coefficient", &DampingText::coefficient,
-        KeyInfo{.text = "c of the force c v along the component, v its velocity.",
-                .default_text = "a table",
-                .dimension = {1, -1, 1},
-                .bounds = law::kPositive,
-                .unit = UnitUse::kSlip});
+        yaml::KeyInfo{.text = "c of the force c v along the component, v its velocity.",
+                      .default_text = "a table",
+                      .dimension = {1, -1, 1},
+                      .bounds = law::kPositive,
+                      .unit = yaml::UnitUse::kSlip});
     key("columns", &DampingText::columns,
-        KeyInfo{.text =
-                    "Columns of a table in place of the coefficient: a name for the force, then "
+        yaml::KeyInfo{
+            .text = "Columns of a table in place of the coefficient: a name for the force, then "
                     "velocity, temperature, fields.",
-                .default_text = "a coefficient"});
+            .default_text = "a coefficient"});
     declare_rows<DampingText>(key);
   }
 };
 
 struct StopText {
   static constexpr bool kIsDeclared = true;
-  At<int> component;
-  At<double> lower, upper;
+  yaml::At<int> component;
+  yaml::At<double> lower, upper;
 
   template <class V>
   static void declare(V& key) {
     key("component", &StopText::component,
-        KeyInfo{.required = true,
-                .text = "Number 1-6 of a free component.",
-                .bounds = {.lower = 1, .upper = 6}});
+        yaml::KeyInfo{.required = true,
+                      .text = "Number 1-6 of a free component.",
+                      .bounds = {.lower = 1, .upper = 6}});
     key("lower", &StopText::lower,
-        KeyInfo{.text = "Lowest position CP of the component.",
-                .default_text = "no stop below",
-                .dimension = kLength,
-                .unit = UnitUse::kSlip});
+        yaml::KeyInfo{.text = "Lowest position CP of the component.",
+                      .default_text = "no stop below",
+                      .dimension = base::kLength,
+                      .unit = yaml::UnitUse::kSlip});
     key("upper", &StopText::upper,
-        KeyInfo{.text = "Highest position CP of the component.",
-                .default_text = "no stop above",
-                .dimension = kLength,
-                .unit = UnitUse::kSlip});
+        yaml::KeyInfo{.text = "Highest position CP of the component.",
+                      .default_text = "no stop above",
+                      .dimension = base::kLength,
+                      .unit = yaml::UnitUse::kSlip});
   }
 };
 
-/// Position of the play of a dead zone at the start: at one of its places, or a number.
-enum class PlayPlace { kCentred, kLower, kUpper };
-template <>
-struct EnumWords<PlayPlace> {
-  static constexpr std::array<std::string_view, 3> kWords{"centred", "lower", "upper"};
-};
 struct PlayPositionText {
   std::variant<PlayPlace, double> value = PlayPlace::kCentred;
 };
@@ -1114,92 +1087,93 @@ struct PlayPositionText {
 /// Backlash between the connector and the friction of one component.
 struct DeadZoneText {
   static constexpr bool kIsDeclared = true;
-  At<int> component;
-  At<double> width;
-  At<PlayPositionText> position;
+  yaml::At<int> component;
+  yaml::At<double> width;
+  yaml::At<PlayPositionText> position;
 
   template <class V>
   static void declare(V& key) {
     key("component", &DeadZoneText::component,
-        KeyInfo{.required = true,
-                .text = "Number 1-6 of a free component that slips alone in its definition.",
-                .bounds = {.lower = 1, .upper = 6}});
+        yaml::KeyInfo{.required = true,
+                      .text = "Number 1-6 of a free component that slips alone in its definition.",
+                      .bounds = {.lower = 1, .upper = 6}});
     key("width", &DeadZoneText::width,
-        KeyInfo{.required = true,
-                .text = "g: free travel without force at every reversal; 0 is none.",
-                .dimension = kLength,
-                .bounds = law::kNotNegative,
-                .unit = UnitUse::kSlip});
+        yaml::KeyInfo{.required = true,
+                      .text = "g: free travel without force at every reversal; 0 is none.",
+                      .dimension = base::kLength,
+                      .bounds = law::kNotNegative,
+                      .unit = yaml::UnitUse::kSlip});
     key("position", &DeadZoneText::position,
-        KeyInfo{.text = "Play at the start: centred, lower (motion to smaller positions meets "
-                        "friction at once), upper, or a number from -width/2 to width/2.",
-                .default_text = "centred",
-                .dimension = kLength,
-                .unit = UnitUse::kSlip});
+        yaml::KeyInfo{.text =
+                          "Play at the start: centred, lower (motion to smaller positions meets "
+                          "friction at once), upper, or a number from -width/2 to width/2.",
+                      .default_text = "centred",
+                      .dimension = base::kLength,
+                      .unit = yaml::UnitUse::kSlip});
   }
 };
 
 /// The second mass of a clutch or brake.
 struct DriverText {
   static constexpr bool kIsDeclared = true;
-  At<double> mass;
-  At<double> velocity = default_of(0.0);
+  yaml::At<double> mass;
+  yaml::At<double> velocity = yaml::default_of(0.0);
 
   template <class V>
   static void declare(V& key) {
     key("mass", &DriverText::mass,
-        KeyInfo{.required = true,
-                .text = "Mass of the driver, or its moment of inertia.",
-                .dimension = {1, -1, 2},
-                .bounds = law::kPositive,
-                .unit = UnitUse::kSlip});
+        yaml::KeyInfo{.required = true,
+                      .text = "Mass of the driver, or its moment of inertia.",
+                      .dimension = {1, -1, 2},
+                      .bounds = law::kPositive,
+                      .unit = yaml::UnitUse::kSlip});
     key("velocity", &DriverText::velocity,
-        KeyInfo{.text = "Velocity of the driver at the start.",
-                .default_text = "0",
-                .dimension = {0, 1, -1},
-                .unit = UnitUse::kSlip});
+        yaml::KeyInfo{.text = "Velocity of the driver at the start.",
+                      .default_text = "0",
+                      .dimension = {0, 1, -1},
+                      .unit = yaml::UnitUse::kSlip});
   }
 };
 
 /// One free component as a mass on a belt, or on a driver.
 struct DynamicsText {
   static constexpr bool kIsDeclared = true;
-  At<int> component;
-  At<double> mass;
-  At<double> belt_velocity = default_of(0.0);
-  At<double> initial_velocity = default_of(0.0);
-  At<double> static_coefficient;
-  At<DriverText> driver;
+  yaml::At<int> component;
+  yaml::At<double> mass;
+  yaml::At<double> belt_velocity = yaml::default_of(0.0);
+  yaml::At<double> initial_velocity = yaml::default_of(0.0);
+  yaml::At<double> static_coefficient;
+  yaml::At<DriverText> driver;
 
   template <class V>
   static void declare(V& key) {
     key("component", &DynamicsText::component,
-        KeyInfo{.text = "Number 1-6 of the free component that moves.",
-                .default_text = "the only free one",
-                .bounds = {.lower = 1, .upper = 6}});
+        yaml::KeyInfo{.text = "Number 1-6 of the free component that moves.",
+                      .default_text = "the only free one",
+                      .bounds = {.lower = 1, .upper = 6}});
     key("mass", &DynamicsText::mass,
-        KeyInfo{.required = true,
-                .text = "Mass, or moment of inertia of a rotation.",
-                .dimension = {1, -1, 2},
-                .bounds = law::kPositive,
-                .unit = UnitUse::kSlip});
+        yaml::KeyInfo{.required = true,
+                      .text = "Mass, or moment of inertia of a rotation.",
+                      .dimension = {1, -1, 2},
+                      .bounds = law::kPositive,
+                      .unit = yaml::UnitUse::kSlip});
     key("belt_velocity", &DynamicsText::belt_velocity,
-        KeyInfo{.text = "Constant velocity of the belt the mass rubs on.",
-                .default_text = "0",
-                .dimension = {0, 1, -1},
-                .unit = UnitUse::kSlip});
+        yaml::KeyInfo{.text = "Constant velocity of the belt the mass rubs on.",
+                      .default_text = "0",
+                      .dimension = {0, 1, -1},
+                      .unit = yaml::UnitUse::kSlip});
     key("initial_velocity", &DynamicsText::initial_velocity,
-        KeyInfo{.text = "Velocity of the mass at the start.",
-                .default_text = "0",
-                .dimension = {0, 1, -1},
-                .unit = UnitUse::kSlip});
+        yaml::KeyInfo{.text = "Velocity of the mass at the start.",
+                      .default_text = "0",
+                      .dimension = {0, 1, -1},
+                      .unit = yaml::UnitUse::kSlip});
     key("static_coefficient", &DynamicsText::static_coefficient,
-        KeyInfo{.text = "Coefficient that holds while the mass sticks.",
-                .default_text = "the coefficient at rate 0",
-                .bounds = law::kNotNegative});
+        yaml::KeyInfo{.text = "Coefficient that holds while the mass sticks.",
+                      .default_text = "the coefficient at rate 0",
+                      .bounds = law::kNotNegative});
     key("driver", &DynamicsText::driver,
-        KeyInfo{.text = "A second mass to rub on, free as the first: a clutch.",
-                .default_text = "none: the mass rubs on the belt"});
+        yaml::KeyInfo{.text = "A second mass to rub on, free as the first: a clutch.",
+                      .default_text = "none: the mass rubs on the belt"});
   }
 };
 
@@ -1208,78 +1182,81 @@ struct ParameterValue {};
 
 struct CaseText {
   static constexpr bool kIsDeclared = true;
-  At<int> slipbench;
+  yaml::At<int> slipbench;
   std::string title;
   UnitsText units;
-  NamedMap<ParameterValue> parameters;
-  At<ConnectorText> connector;
-  At<NamedMap<std::vector<At<DerivedTermText>>>> derived_components;
-  At<std::vector<At<FrictionText>>> friction;
-  At<FrictionPairsText> friction_pairs;
-  At<law::Extrapolation> extrapolation = default_of(law::Extrapolation::kConstant);
-  At<std::vector<At<ElasticityText>>> elasticity;
-  At<std::vector<At<DampingText>>> damping;
-  At<std::vector<At<StopText>>> stops;
-  At<std::vector<At<DeadZoneText>>> dead_zone;
-  At<DynamicsText> dynamics;
+  yaml::NamedMap<ParameterValue> parameters;
+  yaml::At<ConnectorText> connector;
+  yaml::At<yaml::NamedMap<std::vector<yaml::At<DerivedTermText>>>> derived_components;
+  yaml::At<std::vector<yaml::At<FrictionText>>> friction;
+  yaml::At<FrictionPairsText> friction_pairs;
+  yaml::At<law::Extrapolation> extrapolation = yaml::default_of(law::Extrapolation::kConstant);
+  yaml::At<std::vector<yaml::At<ElasticityText>>> elasticity;
+  yaml::At<std::vector<yaml::At<DampingText>>> damping;
+  yaml::At<std::vector<yaml::At<StopText>>> stops;
+  yaml::At<std::vector<yaml::At<DeadZoneText>>> dead_zone;
+  yaml::At<DynamicsText> dynamics;
   IntegrationText integration;
-  At<HistoryText> history;
+  yaml::At<HistoryText> history;
   OutputText output;
-  At<std::vector<At<CheckText>>> checks;
+  yaml::At<std::vector<yaml::At<CheckText>>> checks;
 
   template <class V>
   static void declare(V& key) {
     key("slipbench", &CaseText::slipbench,
-        KeyInfo{.required = true,
-                .text = "Version of the case format: 1.",
-                .bounds = {.lower = 1, .upper = 1}});
+        yaml::KeyInfo{.required = true,
+                      .text = "Version of the case format: 1.",
+                      .bounds = {.lower = 1, .upper = 1}});
     key("title", &CaseText::title,
-        KeyInfo{.text = "One line for results and plots.", .default_text = "the file's name"});
+        yaml::KeyInfo{.text = "One line for results and plots.",
+                      .default_text = "the file's name"});
     key("units", &CaseText::units,
-        KeyInfo{.text = "The one consistent system of units; angles are radians.",
-                .default_text = "none"});
+        yaml::KeyInfo{.text = "The one consistent system of units; angles are radians.",
+                      .default_text = "none"});
     key("parameters", &CaseText::parameters,
-        KeyInfo{.text = "Named numbers for expressions, --set, sweeps and fits.",
-                .default_text = "none",
-                .unit = UnitUse::kAny});
-    key("connector", &CaseText::connector, KeyInfo{.required = true, .text = "The connector."});
+        yaml::KeyInfo{.text = "Named numbers for expressions, --set, sweeps and fits.",
+                      .default_text = "none",
+                      .unit = yaml::UnitUse::kAny});
+    key("connector", &CaseText::connector,
+        yaml::KeyInfo{.required = true, .text = "The connector."});
     key("derived_components", &CaseText::derived_components,
-        KeyInfo{.text = "Named contact forces g(f); the terms of a name are added.",
-                .default_text = "none"});
+        yaml::KeyInfo{.text = "Named contact forces g(f); the terms of a name are added.",
+                      .default_text = "none"});
     key("friction", &CaseText::friction,
-        KeyInfo{.required = true,
-                .text = "Friction definitions, each a stick-slip check of its own."});
+        yaml::KeyInfo{.required = true,
+                      .text = "Friction definitions, each a stick-slip check of its own."});
     key("friction_pairs", &CaseText::friction_pairs,
-        KeyInfo{.text = "Coefficients by the parts that meet; connector.parts picks one.",
-                .default_text = "none: each definition has its own coefficient"});
+        yaml::KeyInfo{.text = "Coefficients by the parts that meet; connector.parts picks one.",
+                      .default_text = "none: each definition has its own coefficient"});
     key("extrapolation", &CaseText::extrapolation,
-        KeyInfo{.text = "Of the tables of elasticity, damping, weights and internal contact force "
-                        "that have no 'extrapolate': the end value, or the end slope. Coefficients "
-                        "have their own.",
-                .default_text = "constant"});
+        yaml::KeyInfo{
+            .text = "Of the tables of elasticity, damping, weights and internal contact force "
+                    "that have no 'extrapolate': the end value, or the end slope. Coefficients "
+                    "have their own.",
+            .default_text = "constant"});
     key("elasticity", &CaseText::elasticity,
-        KeyInfo{.text = "Springs along free components, in parallel with friction.",
-                .default_text = "none"});
+        yaml::KeyInfo{.text = "Springs along free components, in parallel with friction.",
+                      .default_text = "none"});
     key("damping", &CaseText::damping,
-        KeyInfo{.text = "Dampers along free components, in parallel with friction.",
-                .default_text = "none"});
+        yaml::KeyInfo{.text = "Dampers along free components, in parallel with friction.",
+                      .default_text = "none"});
     key("stops", &CaseText::stops,
-        KeyInfo{.text = "Rigid stops of free components.", .default_text = "none"});
+        yaml::KeyInfo{.text = "Rigid stops of free components.", .default_text = "none"});
     key("dead_zone", &CaseText::dead_zone,
-        KeyInfo{.text = "Backlash in series with the friction of single components.",
-                .default_text = "none"});
+        yaml::KeyInfo{.text = "Backlash in series with the friction of single components.",
+                      .default_text = "none"});
     key("dynamics", &CaseText::dynamics,
-        KeyInfo{.text = "One free component as a mass with rigid stick, stepped in time.",
-                .default_text = "none: motions and forces are quasi-static"});
+        yaml::KeyInfo{.text = "One free component as a mass with rigid stick, stepped in time.",
+                      .default_text = "none: motions and forces are quasi-static"});
     key("integration", &CaseText::integration,
-        KeyInfo{.text = "How an increment is integrated.", .default_text = "as below"});
+        yaml::KeyInfo{.text = "How an increment is integrated.", .default_text = "as below"});
     key("history", &CaseText::history,
-        KeyInfo{.required = true, .text = "Steps in order, or a measured history."});
+        yaml::KeyInfo{.required = true, .text = "Steps in order, or a measured history."});
     key("output", &CaseText::output,
-        KeyInfo{.text = "What the result file holds.", .default_text = "everything"});
+        yaml::KeyInfo{.text = "What the result file holds.", .default_text = "everything"});
     key("checks", &CaseText::checks,
-        KeyInfo{.text = "What the run is held against.", .default_text = "none"});
+        yaml::KeyInfo{.text = "What the run is held against.", .default_text = "none"});
   }
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

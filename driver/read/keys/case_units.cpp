@@ -5,34 +5,34 @@
 
 #include "driver/read/keys/key_index.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 
-UnitSystem read_units(Binder& binder, const UnitsText& text) {
-  const auto read = [&](const At<std::string>& unit, const Dimension& dimension,
+base::UnitSystem read_units(yaml::Binder& binder, const UnitsText& text) {
+  const auto read = [&](const yaml::At<std::string>& unit, const base::Dimension& dimension,
                         const std::string& fallback) {
     if (!unit.given()) return std::string();
     if (!unit.sound) return fallback;
-    if (const auto good = check_base_unit(unit.value, dimension); !good) {
+    if (const auto good = base::check_base_unit(unit.value, dimension); !good) {
       binder.history_error(*unit.node, unit.path, good.error());
       return fallback;
     }
     return unit.value;
   };
-  return {read(text.length, kLength, "m"), read(text.force, kForce, "N"),
-          read(text.time, kTime, "s"), read(text.temperature, kTemperature, "K")};
+  return {read(text.length, base::kLength, "m"), read(text.force, base::kForce, "N"),
+          read(text.time, base::kTime, "s"), read(text.temperature, base::kTemperature, "K")};
 }
 
-UnitSystem units_of(const Node& root) {
-  Diagnostics unheard;
-  const NamedNumbers none;
-  Binder binder(unheard, none, {}, {}, false, kCaseWords);
+base::UnitSystem units_of(const yaml::Node& root) {
+  base::Diagnostics unheard;
+  const base::NamedNumbers none;
+  yaml::Binder binder(unheard, none, {}, {}, false, kCaseWords);
   UnitsText text;
   if (const auto units = root.find("units")) {
-    Codec<UnitsText>::read(binder, *units, Path(), {}, text);
-  } else if (is_misspelt<CaseText>(root, "units")) {
+    yaml::Codec<UnitsText>::read(binder, *units, yaml::Path(), {}, text);
+  } else if (yaml::is_misspelt<CaseText>(root, "units")) {
     return {"m", "N", "s", "K"};
   }
   return read_units(binder, text);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

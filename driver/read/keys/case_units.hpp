@@ -4,13 +4,13 @@
 
 #include "driver/read/keys/case_text.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 
 /// The units under `units:`; faulty ones are reported and stand for SI ones, so that conversions to
 /// them do not look wrong as well.
-UnitSystem read_units(Binder& binder, const UnitsText& text);
+base::UnitSystem read_units(yaml::Binder& binder, const UnitsText& text);
 
 /// The same from the tree of a case, without a word on faults: those are reported with the rest.
-UnitSystem units_of(const Node& root);
+base::UnitSystem units_of(const yaml::Node& root);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

@@ -9,12 +9,12 @@
 #include "driver/base/units/units.hpp"
 #include "driver/yaml/binding.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 
 /// The change from a column's unit to the case's, and what the column measures.
 struct ColumnUnit {
-  UnitConversion conversion;
-  Dimension dimension;
+  base::UnitConversion conversion;
+  base::Dimension dimension;
 };
 
 /// The change of unit for a column of a data file: from the unit that the case states beside it, or
@@ -25,15 +25,16 @@ struct ColumnUnit {
 /// \param dimensions that the quantity may have, by the first that fits the unit; empty if they are
 ///        not known: then the file's unit is not used
 /// \return nothing after reporting an error: a unit that does not measure the quantity
-std::optional<ColumnUnit> column_unit(Binder& binder, const CsvReader* file,
-                                      const std::string& column, const Node& at, const Path& path,
-                                      const At<std::string>& stated,
-                                      std::span<const Dimension> dimensions,
-                                      const UnitSystem& system);
+std::optional<ColumnUnit> column_unit(yaml::Binder& binder, const base::CsvReader* file,
+                                      const std::string& column, const yaml::Node& at,
+                                      const yaml::Path& path, const yaml::At<std::string>& stated,
+                                      std::span<const base::Dimension> dimensions,
+                                      const base::UnitSystem& system);
 
 /// Says how many samples of these columns are missing, if the source allows for it. Faults of the
 /// file are not reported: those that read it do.
-void note_missing(Binder& binder, const DataSource& source, std::span<const std::string> columns,
-                  const Node& at, const Path& path);
+void note_missing(yaml::Binder& binder, const base::DataSource& source,
+                  std::span<const std::string> columns, const yaml::Node& at,
+                  const yaml::Path& path);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

@@ -5,7 +5,9 @@
 
 #include "driver/base/text/standard_input.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::yaml {
+
+using namespace read;
 
 bool Codec<DataSourceText>::read(Binder& binder, const Node& node, const Path& path,
                                  const KeyInfo& info, DataSourceText& out) {
@@ -26,7 +28,7 @@ bool Codec<DataSourceText>::read(Binder& binder, const Node& node, const Path& p
   return true;
 }
 Json Codec<DataSourceText>::schema(const KeyInfo& info) {
-  Json either = Json(json::Array{});
+  Json either = Json(base::json::Array{});
   either.push_back(Codec<std::string>::schema(info));
   either.push_back(struct_schema<DataSourceText>());
   Json schema;
@@ -42,9 +44,13 @@ void Codec<DataSourceText>::rows(const std::string& path, std::vector<KeyRow>& r
   }
 }
 
-CsvFormat format_of(const DataSourceText& text) {
+}  // namespace slipbench::driver::yaml
+
+namespace slipbench::driver::read {
+
+base::CsvFormat format_of(const DataSourceText& text) {
   constexpr std::array<char, 4> kSeparators{',', ';', '\t', ' '};
-  CsvFormat format;
+  base::CsvFormat format;
   format.decimal = text.decimal.value == DecimalMark::kComma ? ',' : '.';
   if (text.separator.given()) {
     format.separator = kSeparators[static_cast<std::size_t>(text.separator.value)];
@@ -55,12 +61,13 @@ CsvFormat format_of(const DataSourceText& text) {
   return format;
 }
 
-std::optional<DataSource> data_source(Binder& binder, const At<DataSourceText>& text) {
-  const At<std::string>& name = text.value.file;
+std::optional<base::DataSource> data_source(yaml::Binder& binder,
+                                            const yaml::At<DataSourceText>& text) {
+  const yaml::At<std::string>& name = text.value.file;
   if (!text.sound || !name.sound) return std::nullopt;
   const auto file = binder.data_file(*name.node, name.path, name.value);
   if (!file) return std::nullopt;
-  return DataSource{*file, source_name(name.value), format_of(text.value)};
+  return base::DataSource{*file, base::source_name(name.value), format_of(text.value)};
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

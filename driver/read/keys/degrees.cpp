@@ -10,7 +10,7 @@
 #include "driver/base/text/format_number.hpp"
 #include "driver/base/text/number.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
@@ -34,22 +34,24 @@ bool looks_like_degrees(double value, AngleUse use) {
 
 }  // namespace
 
-bool doubt_angle(Binder& binder, const Node& node, const Path& path, AngleUse use) {
+bool doubt_angle(yaml::Binder& binder, const yaml::Node& node, const yaml::Path& path,
+                 AngleUse use) {
   if (!node.is_scalar() || node.quoted()) return false;
-  const auto value = parse_number(node.text());
+  const auto value = base::parse_number(node.text());
   if (!value || !looks_like_degrees(*value, use)) return false;
-  const std::string number = format_number(*value);
+  const std::string number = base::format_number(*value);
   binder.warning(
       node, path, fmt::format("{} rad is {:.2g} turns", number, *value / kTurn),
       fmt::format("if degrees are meant write '= {0}*pi/180', if radians '= {0}'", number));
   return true;
 }
 
-void doubt_angles_of_profile(Binder& binder, const Node& profile, const Path& path, bool rotation) {
+void doubt_angles_of_profile(yaml::Binder& binder, const yaml::Node& profile,
+                             const yaml::Path& path, bool rotation) {
   if (!profile.is_map()) return;
-  for (const Entry entry : profile.entries()) {
+  for (const yaml::Entry entry : profile.entries()) {
     const std::string_view key = entry.key.text();
-    const Path below = path / key;
+    const yaml::Path below = path / key;
     if (key == "phase") {
       doubt_angle(binder, entry.value, below, AngleUse::kPhase);
     } else if (entry.value.is_map()) {
@@ -60,7 +62,7 @@ void doubt_angles_of_profile(Binder& binder, const Node& profile, const Path& pa
       doubt_angle(binder, entry.value, below, AngleUse::kSwing);
     } else if (rotation && key == "rows") {
       for (std::size_t i = 0; i < entry.value.size(); ++i) {
-        const Node row = entry.value[i];
+        const yaml::Node row = entry.value[i];
         if (!row.is_sequence() || row.size() == 0) continue;
         // One row is enough.
         if (doubt_angle(binder, row[0], below / i / 0, AngleUse::kWay)) return;
@@ -69,4 +71,4 @@ void doubt_angles_of_profile(Binder& binder, const Node& profile, const Path& pa
   }
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

@@ -4,7 +4,7 @@
 #include "driver/yaml/binding.hpp"
 #include "driver/yaml/node.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 
 /// Use of an angle, which decides the numbers of radians that are doubted.
 enum class AngleUse {
@@ -15,9 +15,11 @@ enum class AngleUse {
 
 /// Warns of a bare number of radians that looks like one of degrees. What carries its unit, or is
 /// an expression, is meant; anything but a scalar is passed over. \return whether it warned
-bool doubt_angle(Binder& binder, const Node& node, const Path& path, AngleUse use);
+bool doubt_angle(yaml::Binder& binder, const yaml::Node& node, const yaml::Path& path,
+                 AngleUse use);
 
 /// The same for the numbers in a profile: its phase, and all of them if it drives a rotation.
-void doubt_angles_of_profile(Binder& binder, const Node& profile, const Path& path, bool rotation);
+void doubt_angles_of_profile(yaml::Binder& binder, const yaml::Node& profile,
+                             const yaml::Path& path, bool rotation);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 struct Example {
@@ -161,10 +161,10 @@ std::string last_choice(std::string_view wanted) {
 }
 
 /// A map of the keys below that are required, else of the first one.
-std::string map_below(const KeyRow& row, std::span<const KeyRow> rows) {
+std::string map_below(const yaml::KeyRow& row, std::span<const yaml::KeyRow> rows) {
   std::vector<std::string> required;
   std::string first;
-  for (const KeyRow& below : rows) {
+  for (const yaml::KeyRow& below : rows) {
     const std::string_view path = below.path;
     if (path.size() <= row.path.size() || !path.starts_with(row.path)) continue;
     std::string_view rest = path.substr(row.path.size());
@@ -180,7 +180,7 @@ std::string map_below(const KeyRow& row, std::span<const KeyRow> rows) {
 
 }  // namespace
 
-std::string example_of(const KeyRow& row, std::span<const KeyRow> rows) {
+std::string example_of(const yaml::KeyRow& row, std::span<const yaml::KeyRow> rows) {
   const Example* best = nullptr;
   for (const Example& example : kExamples) {
     if (!ends_with_key(row.path, example.key)) continue;
@@ -198,4 +198,4 @@ std::string example_of(const KeyRow& row, std::span<const KeyRow> rows) {
   return last_choice(wanted);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

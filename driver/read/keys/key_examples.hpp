@@ -7,11 +7,11 @@
 
 #include "driver/yaml/binding.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 
 /// A value that the key of a row takes, as YAML in one line: one that its name asks for, the last
 /// word of a choice, a number within its bounds, or a map of the keys that it cannot do without.
 /// \param rows all rows of that kind of file
-std::string example_of(const KeyRow& row, std::span<const KeyRow> rows);
+std::string example_of(const yaml::KeyRow& row, std::span<const yaml::KeyRow> rows);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

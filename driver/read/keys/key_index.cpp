@@ -9,7 +9,7 @@
 #include "driver/case/quantity.hpp"
 #include "driver/read/keys/case_reference.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 /// Returns how this format says what an option of a Radioss /FRICTION block says (Ifric, Ifiltr,
@@ -62,20 +62,20 @@ std::string other_name(std::string_view key, std::string_view path) {
 }  // namespace
 
 std::string place_of_quantity(std::string_view key) {
-  if (component_of_motion(key)) return "history[].motion";
-  if (component_of_force(key) || key == "f_bc") return "history[].force";
-  if (field_of(key)) return "history[].fields";
+  if (cases::component_of_motion(key)) return "history[].motion";
+  if (cases::component_of_force(key) || key == "f_bc") return "history[].force";
+  if (cases::field_of(key)) return "history[].fields";
   return "";
 }
 
 std::string places_of_key(std::string_view key) {
-  static const std::vector<KeyRow> rows = case_rows();
+  static const std::vector<yaml::KeyRow> rows = case_rows();
   return places_of_key(key, rows);
 }
 
-std::string places_of_key(std::string_view key, std::span<const KeyRow> rows) {
+std::string places_of_key(std::string_view key, std::span<const yaml::KeyRow> rows) {
   std::vector<std::string> places;
-  for (const KeyRow& row : rows) {
+  for (const yaml::KeyRow& row : rows) {
     const std::size_t dot = row.path.rfind('.');
     const std::string_view last = dot == std::string::npos
                                       ? std::string_view(row.path)
@@ -94,10 +94,10 @@ std::string places_of_key(std::string_view key, std::span<const KeyRow> rows) {
   }
   if (places.size() > 3) places.resize(3);
   const std::vector<std::string_view> views(places.begin(), places.end());
-  return in_words(views);
+  return base::in_words(views);
 }
 
-std::optional<LaterKey> later_key(std::string_view key) {
+std::optional<yaml::LaterKey> later_key(std::string_view key) {
   static constexpr std::string_view kRetractor =
       "a RETRACTOR is JOIN + FLOW-CONVERTER: node b sits on a (x, y, z are held, with the forces "
       "f1, "
@@ -107,31 +107,32 @@ std::optional<LaterKey> later_key(std::string_view key) {
       "here; "
       "the belt itself is a SLIPRING, whose flow CP3 or CP2 takes what the spool gives";
   static constexpr std::array kLater{
-      LaterKey{"adaptive", "adaptive increments are not in this version; give their number",
-               "increments"},
-      LaterKey{"calibrate", "belongs to a fit file: slipbench calibrate FIT.yaml"},
-      LaterKey{"sweep", "sweeps are not in this version"},
-      LaterKey{
+      yaml::LaterKey{"adaptive", "adaptive increments are not in this version; give their number",
+                     "increments"},
+      yaml::LaterKey{"calibrate", "belongs to a fit file: slipbench calibrate FIT.yaml"},
+      yaml::LaterKey{"sweep", "sweeps are not in this version"},
+      yaml::LaterKey{
           "plasticity",
           "a connector of this bench has no plasticity: it tests friction, and what acts beside "
           "friction (elasticity, damping, stops) does not change with what was; leave it out"},
-      LaterKey{"damage",
-               "a connector of this bench has no damage: it tests friction, and what acts beside "
-               "friction (elasticity, damping, stops) does not change with what was; leave it out"},
-      LaterKey{"failure",
-               "a connector of this bench does not fail: every run goes to its end with all "
-               "components; leave it out"},
-      LaterKey{
+      yaml::LaterKey{
+          "damage",
+          "a connector of this bench has no damage: it tests friction, and what acts beside "
+          "friction (elasticity, damping, stops) does not change with what was; leave it out"},
+      yaml::LaterKey{"failure",
+                     "a connector of this bench does not fail: every run goes to its end with all "
+                     "components; leave it out"},
+      yaml::LaterKey{
           "lock",
           "a connector of this bench does not lock for good: 'stops' bound a component as long "
           "as it is pushed against them, and friction sticks"},
-      LaterKey{
+      yaml::LaterKey{
           "uniaxial_behavior",
           "a connector of this bench has no uniaxial behavior with loading and unloading curves: "
           "'elasticity' takes one table over the displacement, 'damping' one over the velocity"},
-      LaterKey{"RETRACTOR", kRetractor},
-      LaterKey{"FLOW-CONVERTER", kRetractor}};
-  for (const LaterKey& later : kLater) {
+      yaml::LaterKey{"RETRACTOR", kRetractor},
+      yaml::LaterKey{"FLOW-CONVERTER", kRetractor}};
+  for (const yaml::LaterKey& later : kLater) {
     if (later.name == key) return later;
   }
   return std::nullopt;
@@ -168,7 +169,7 @@ std::string origin_of_column(std::string_view name) {
   return "'" + std::string(column) + "' is a column of a definition with " + std::string(origin);
 }
 
-const FileWords kCaseWords{later_key, other_name, places_of_key, origin_of_column,
-                           "define it under 'parameters:'"};
+const yaml::FileWords kCaseWords{later_key, other_name, places_of_key, origin_of_column,
+                                 "define it under 'parameters:'"};
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

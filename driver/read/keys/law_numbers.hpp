@@ -9,13 +9,13 @@
 
 #include "driver/yaml/binding.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 
 /// The parameters of a law with their numbers, to six digits: "static 0.3, kinetic 0.2".
 template <class Law>
 std::string numbers(const Law& law) {
   std::string text;
-  for_each_key<Law>([&](std::string_view key, auto member, const KeyInfo&) {
+  yaml::for_each_key<Law>([&](std::string_view key, auto member, const yaml::KeyInfo&) {
     using Member = std::remove_cvref_t<decltype(law.*member)>;
     if constexpr (std::is_convertible_v<Member, std::optional<double>>) {
       const std::optional<double> value = law.*member;
@@ -25,4 +25,4 @@ std::string numbers(const Law& law) {
   return text;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

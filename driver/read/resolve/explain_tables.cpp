@@ -5,19 +5,19 @@
 #include "driver/case/quantity.hpp"
 #include "driver/read/resolve/resolve.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
-bool driven(const Case& problem, int quantity) {
+bool driven(const cases::Case& problem, int quantity) {
   if (problem.measured) {
     return std::any_of(problem.measured->columns.begin(), problem.measured->columns.end(),
-                       [&](const MeasuredColumn& column) {
+                       [&](const history::MeasuredColumn& column) {
                          return column.quantity == static_cast<std::size_t>(quantity);
                        });
   }
-  return std::any_of(problem.steps.begin(), problem.steps.end(), [&](const Step& step) {
+  return std::any_of(problem.steps.begin(), problem.steps.end(), [&](const cases::Step& step) {
     return std::any_of(step.drives.begin(), step.drives.end(),
-                       [&](const Drive& drive) { return drive.quantity == quantity; });
+                       [&](const cases::Drive& drive) { return drive.quantity == quantity; });
   });
 }
 
@@ -47,7 +47,8 @@ void for_each_independent(const law::FrictionDefinition& definition, Visit visit
 
 }  // namespace
 
-void explain_table_arguments(Binder& binder, const CaseText& text, const Case& problem) {
+void explain_table_arguments(yaml::Binder& binder, const CaseText& text,
+                             const cases::Case& problem) {
   std::vector<law::Independent> told;  // once a case is enough
   const auto explain = [&](const law::Independent& independent) {
     if (std::find(told.begin(), told.end(), independent) != told.end()) return;
@@ -56,29 +57,30 @@ void explain_table_arguments(Binder& binder, const CaseText& text, const Case& p
     using Kind = law::IndependentKind;
     const bool is_field = independent.kind == Kind::kField;
     if (independent.kind == Kind::kTemperature || is_field) {
-      const int quantity = is_field ? kFirstField + c : kTemperatureQuantity;
+      const int quantity = is_field ? cases::kFirstField + c : cases::kTemperatureQuantity;
       if (driven(problem, quantity)) return;
       binder.warning(*text.friction.node, text.friction.path,
-                     "a table depends on " + quantity_name(quantity) +
+                     "a table depends on " + cases::quantity_name(quantity) +
                          ", which the history never gives: it is 0");
     } else if (independent.kind == Kind::kConstitutiveMotion &&
                problem.reference[c] != problem.initial[c]) {
       binder.note(*text.friction.node, text.friction.path,
-                  "a table over CU" + component_suffix(c) + " sees the constitutive motion " +
-                      motion_name(c) + " - " + format_number(problem.reference[c]) +
-                      " (result column CCU" + component_suffix(c) +
+                  "a table over CU" + cases::component_suffix(c) +
+                      " sees the constitutive motion " + cases::motion_name(c) + " - " +
+                      base::format_number(problem.reference[c]) + " (result column CCU" +
+                      cases::component_suffix(c) +
                       "), not the displacement from the initial position");
     }
   };
-  for (const CaseDefinition& definition : problem.definitions) {
+  for (const cases::CaseDefinition& definition : problem.definitions) {
     for_each_independent(definition.law, explain);
     if (definition.backward) for_each_independent(*definition.backward, explain);
   }
-  for (const Step& step : problem.steps) {
-    for (const FrictionChange& change : step.friction_changes) {
+  for (const cases::Step& step : problem.steps) {
+    for (const cases::FrictionChange& change : step.friction_changes) {
       for_each_independent(change.law, explain);
     }
   }
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

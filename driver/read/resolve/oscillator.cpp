@@ -12,7 +12,7 @@
 #include "driver/case/quantity.hpp"
 #include "driver/read/resolve/resolve.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 std::string amount(double value, const std::string& unit) {
@@ -20,7 +20,7 @@ std::string amount(double value, const std::string& unit) {
 }
 
 /// The slope of the spring where the mass starts [F/L]; 0 where it depends on more than the place.
-double spring_stiffness(const Case& problem, int component) {
+double spring_stiffness(const cases::Case& problem, int component) {
   const auto i = static_cast<std::size_t>(component);
   const auto& own = problem.kinetic.elasticity[i];
   if (own && own->table() != nullptr && own->table()->independents().size() > 1) return 0.0;
@@ -30,14 +30,14 @@ double spring_stiffness(const Case& problem, int component) {
 }
 
 /// "0.3 t (300 kg; N s^2/mm is t)", as far as its unit has a name.
-std::string mass_words(double mass, const UnitSystem& units, bool rotation) {
-  const Dimension dimension = rotation ? Dimension{.force = 1, .length = 1, .time = 2}
-                                       : Dimension{.force = 1, .length = -1, .time = 2};
-  const std::string product = unit_text(dimension, units);
-  const std::string name = mass_name(units);
+std::string mass_words(double mass, const base::UnitSystem& units, bool rotation) {
+  const base::Dimension dimension = rotation ? base::Dimension{.force = 1, .length = 1, .time = 2}
+                                             : base::Dimension{.force = 1, .length = -1, .time = 2};
+  const std::string product = base::unit_text(dimension, units);
+  const std::string name = base::mass_name(units);
   if (name.empty()) return amount(mass, product);
   const std::string named = rotation ? name + " " + units.length + "^2" : name;
-  const auto exponent = kilogram_exponent(units);
+  const auto exponent = base::kilogram_exponent(units);
   std::string in_kilograms;
   if (exponent && *exponent != 0 && !rotation) {
     in_kilograms = amount(mass * std::pow(10.0, *exponent), "kg") + "; ";
@@ -46,9 +46,9 @@ std::string mass_words(double mass, const UnitSystem& units, bool rotation) {
 }
 
 /// The shortest increments of the steps [T]; infinite for a measured history.
-double shortest_increment(const Case& problem) {
+double shortest_increment(const cases::Case& problem) {
   double shortest = std::numeric_limits<double>::infinity();
-  for (const Step& step : problem.steps) {
+  for (const cases::Step& step : problem.steps) {
     shortest = std::min(shortest, step.duration / step.increments);
   }
   return shortest;
@@ -56,24 +56,25 @@ double shortest_increment(const Case& problem) {
 
 }  // namespace
 
-void tell_oscillator(Binder& binder, const CaseText& text, const Case& problem) {
+void tell_oscillator(yaml::Binder& binder, const CaseText& text, const cases::Case& problem) {
   if (!problem.dynamics || !text.dynamics.value.mass.sound) return;
-  const At<double>& at = text.dynamics.value.mass;
-  const UnitSystem& units = problem.units;
+  const yaml::At<double>& at = text.dynamics.value.mass;
+  const base::UnitSystem& units = problem.units;
   const bool rotation = law::is_rotation(problem.dynamics->component);
   const double mass = problem.dynamics->reduced_mass();
   const double stiffness = spring_stiffness(problem, problem.dynamics->component);
   if (!(mass > 0.0 && stiffness > 0.0)) return;
   const double frequency = std::sqrt(stiffness / mass) / (2.0 * std::numbers::pi);
   const double period = 1.0 / frequency;
-  const Dimension of_spring = rotation ? kMoment : Dimension{.force = 1, .length = -1};
-  const std::string unit = frequency_name(units);
+  const base::Dimension of_spring =
+      rotation ? base::kMoment : base::Dimension{.force = 1, .length = -1};
+  const std::string unit = base::frequency_name(units);
   binder.note(
       *at.node, at.path,
       fmt::format(
           "{}{} on the spring of {} swings at {} (period {})",
           problem.dynamics->driver ? "with its driver as one mass of " : "",
-          mass_words(mass, units, rotation), amount(stiffness, unit_text(of_spring, units)),
+          mass_words(mass, units, rotation), amount(stiffness, base::unit_text(of_spring, units)),
           unit.empty() ? amount(frequency, "") + " a unit of time" : amount(frequency, unit),
           amount(period, units.time)));
   constexpr double kFewest = 10.0;
@@ -88,4 +89,4 @@ void tell_oscillator(Binder& binder, const CaseText& text, const Case& problem) 
                   amount(period / kFewest, units.time)));
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

@@ -10,23 +10,25 @@
 #include "driver/case/quantity.hpp"
 #include "driver/read/resolve/resolve.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
-constexpr int kDistance = kFirstMotion;  // CP1
-constexpr int kFlow = kFirstMotion + 1;  // CP2
-constexpr int kTension = kFirstForce;    // f1
+constexpr int kDistance = cases::kFirstMotion;  // CP1
+constexpr int kFlow = cases::kFirstMotion + 1;  // CP2
+constexpr int kTension = cases::kFirstForce;    // f1
 constexpr double kManyTurns = 4.0 * std::numbers::pi;
 
 /// The key is there although the connection is no belt.
 template <class T>
-void belongs_to_slipring(Binder& binder, const At<T>& at, const law::Connection& connection) {
+void belongs_to_slipring(yaml::Binder& binder, const yaml::At<T>& at,
+                         const law::Connection& connection) {
   if (!at.given()) return;
   binder.error(*at.node, at.path,
                "belongs to SLIPRING: " + connector_words(connection) + " has no belt");
 }
 
-void read_wrap_angles(Binder& binder, const At<NumberOrList>& text, law::SlipRing& ring) {
+void read_wrap_angles(yaml::Binder& binder, const yaml::At<NumberOrList>& text,
+                      law::SlipRing& ring) {
   if (text.sound && text.value.values.empty()) {
     binder.error(*text.node, text.path, "needs an angle for each ring, found an empty list");
     return;
@@ -35,14 +37,15 @@ void read_wrap_angles(Binder& binder, const At<NumberOrList>& text, law::SlipRin
     const double angle = text.value.values[i];
     if (!(angle > kManyTurns)) continue;
     const bool list = text.value.list;
-    binder.warning(list ? (*text.node)[i] : *text.node, list ? text.path / i : text.path,
-                   format_number(angle) + " rad is more than two turns of the belt (radians?)",
-                   "degrees are written '= 180*pi/180'");
+    binder.warning(
+        list ? (*text.node)[i] : *text.node, list ? text.path / i : text.path,
+        base::format_number(angle) + " rad is more than two turns of the belt (radians?)",
+        "degrees are written '= 180*pi/180'");
   }
   if (text.sound) ring.wrap_angles = text.value.values;
 }
 
-std::optional<law::Point> point(Binder& binder, const At<std::vector<double>>& text) {
+std::optional<law::Point> point(yaml::Binder& binder, const yaml::At<std::vector<double>>& text) {
   if (!text.sound) return std::nullopt;
   if (text.value.size() != 3) {
     binder.error(*text.node, text.path,
@@ -52,7 +55,8 @@ std::optional<law::Point> point(Binder& binder, const At<std::vector<double>>& t
   return law::Point{text.value[0], text.value[1], text.value[2]};
 }
 
-void read_nodes(Binder& binder, const At<NodesText>& text, law::SlipRing& ring, Case& out) {
+void read_nodes(yaml::Binder& binder, const yaml::At<NodesText>& text, law::SlipRing& ring,
+                cases::Case& out) {
   const auto a = point(binder, text.value.a);
   const auto b = point(binder, text.value.b);
   const auto c = point(binder, text.value.c);
@@ -61,7 +65,7 @@ void read_nodes(Binder& binder, const At<NodesText>& text, law::SlipRing& ring, 
   const bool first = !(law::distance(*a, *b) > 0.0);
   const double angle = law::wrap_angle(*a, *b, *c);
   if (first || (out.belt->angle_from_nodes && !std::isfinite(angle))) {
-    const At<std::vector<double>>& at = first ? text.value.a : text.value.c;
+    const yaml::At<std::vector<double>>& at = first ? text.value.a : text.value.c;
     binder.error(*at.node, at.path,
                  std::string("node ") + (first ? "a" : "c") +
                      " lies on node b: the belt has no direction there");
@@ -74,15 +78,15 @@ void read_nodes(Binder& binder, const At<NodesText>& text, law::SlipRing& ring, 
   out.initial[0] = out.reference[0] = law::distance(*a, *b);
 }
 
-const Named<double>* initial_distance(const ConnectorText& text) {
+const yaml::Named<double>* initial_distance(const ConnectorText& text) {
   const auto found = std::find_if(text.initial.begin(), text.initial.end(),
                                   [](const auto& entry) { return entry.name == "CP1"; });
   return found == text.initial.end() ? nullptr : &*found;
 }
 
 /// Reads the lengths of the segments behind the rings: one a ring.
-void read_lengths(Binder& binder, const At<std::vector<double>>& text, std::size_t rings,
-                  Case& out) {
+void read_lengths(yaml::Binder& binder, const yaml::At<std::vector<double>>& text,
+                  std::size_t rings, cases::Case& out) {
   if (!text.sound) return;
   if (text.value.size() != rings) {
     binder.error(*text.node, text.path,
@@ -95,25 +99,26 @@ void read_lengths(Binder& binder, const At<std::vector<double>>& text, std::size
 }
 
 /// Tells whether the history drives a quantity.
-bool drives(const Case& problem, int quantity) {
-  for (const Step& step : problem.steps) {
-    for (const Drive& drive : step.drives) {
+bool drives(const cases::Case& problem, int quantity) {
+  for (const cases::Step& step : problem.steps) {
+    for (const cases::Drive& drive : step.drives) {
       if (drive.quantity == quantity) return true;
     }
   }
   if (!problem.measured) return false;
   const auto& columns = problem.measured->columns;
-  return std::any_of(columns.begin(), columns.end(), [&](const MeasuredColumn& column) {
+  return std::any_of(columns.begin(), columns.end(), [&](const history::MeasuredColumn& column) {
     return static_cast<int>(column.quantity) == quantity;
   });
 }
 
 /// Returns where a history drives a motion or tension: its key in the first step or column that
 /// names it.
-std::pair<Node, Path> place_of(const CaseText& text, NamedMap<ProfileText> StepText::*list,
-                               std::string_view name) {
+std::pair<yaml::Node, yaml::Path> place_of(const CaseText& text,
+                                           yaml::NamedMap<ProfileText> StepText::*list,
+                                           std::string_view name) {
   const HistoryText& history = text.history.value;
-  for (const At<StepText>& step : history.steps) {
+  for (const yaml::At<StepText>& step : history.steps) {
     for (const auto& entry : step.value.*list) {
       if (entry.name == name) return {*entry.key, entry.path};
     }
@@ -127,38 +132,39 @@ std::pair<Node, Path> place_of(const CaseText& text, NamedMap<ProfileText> StepT
 }
 
 /// The value a coordinate has before a step, if the text alone tells.
-std::optional<double> coordinate_before(const Case& problem, int quantity) {
+std::optional<double> coordinate_before(const cases::Case& problem, int quantity) {
   for (auto step = problem.steps.rbegin(); step != problem.steps.rend(); ++step) {
-    for (const Drive& drive : step->drives) {
+    for (const cases::Drive& drive : step->drives) {
       if (drive.quantity != quantity) continue;
-      if (const auto* p = std::get_if<Constant>(&drive.profile)) return p->value;
-      if (const auto* p = std::get_if<LinearTo>(&drive.profile)) return p->value;
-      if (const auto* p = std::get_if<SmoothTo>(&drive.profile)) return p->value;
+      if (const auto* p = std::get_if<history::Constant>(&drive.profile)) return p->value;
+      if (const auto* p = std::get_if<history::LinearTo>(&drive.profile)) return p->value;
+      if (const auto* p = std::get_if<history::SmoothTo>(&drive.profile)) return p->value;
       return std::nullopt;
     }
   }
-  const auto index = static_cast<std::size_t>(quantity - kFirstNode);
+  const auto index = static_cast<std::size_t>(quantity - cases::kFirstNode);
   return (*problem.belt->nodes)[index / 3][index % 3];
 }
 
 /// Warns of a distance that is driven below a hundredth of the initial one, or near it, as far as
 /// the text alone tells: the run says the rest.
-void warn_of_short_distance(Binder& binder, const CaseText& text, const Case& problem) {
+void warn_of_short_distance(yaml::Binder& binder, const CaseText& text,
+                            const cases::Case& problem) {
   const double locks = law::kShortestPart * problem.initial[0];
-  for (const Step& step : problem.steps) {
-    for (const Drive& drive : step.drives) {
+  for (const cases::Step& step : problem.steps) {
+    for (const cases::Drive& drive : step.drives) {
       if (drive.quantity != kDistance) continue;
       double least = problem.initial[0];
-      if (const auto* p = std::get_if<LinearTo>(&drive.profile)) least = p->value;
-      if (const auto* p = std::get_if<SmoothTo>(&drive.profile)) least = p->value;
-      if (const auto* p = std::get_if<Tabular>(&drive.profile)) {
+      if (const auto* p = std::get_if<history::LinearTo>(&drive.profile)) least = p->value;
+      if (const auto* p = std::get_if<history::SmoothTo>(&drive.profile)) least = p->value;
+      if (const auto* p = std::get_if<history::Tabular>(&drive.profile)) {
         least = *std::min_element(p->values.begin(), p->values.end());
       }
       if (!(least < 2.0 * locks)) continue;
       const auto [node, path] = place_of(text, &StepText::motion, "CP1");
       binder.warning(node, path,
-                     "CP1 goes down to " + format_number(least) + " in step '" + step.name +
-                         "': below " + format_number(locks) +
+                     "CP1 goes down to " + base::format_number(least) + " in step '" + step.name +
+                         "': below " + base::format_number(locks) +
                          ", a hundredth of the initial distance, a belt locks");
       return;
     }
@@ -167,10 +173,10 @@ void warn_of_short_distance(Binder& binder, const CaseText& text, const Case& pr
 
 }  // namespace
 
-void resolve_belt(Binder& binder, const CaseText& text, Case& out) {
+void resolve_belt(yaml::Binder& binder, const CaseText& text, cases::Case& out) {
   if (is_any_connection(out.connection) || !text.connector.given()) return;
   const ConnectorText& connector = text.connector.value;
-  if (!is_belt(out.connection)) {
+  if (!cases::is_belt(out.connection)) {
     belongs_to_slipring(binder, connector.wrap_angle, out.connection);
     belongs_to_slipring(binder, connector.nodes, out.connection);
     belongs_to_slipring(binder, connector.initial_strain, out.connection);
@@ -192,7 +198,7 @@ void resolve_belt(Binder& binder, const CaseText& text, Case& out) {
                  connector.nodes.given() ? "" : "'wrap_angle' may be of any size");
   }
   if (!connector.wrap_angle.given() && !connector.nodes.given() &&
-      !has_unknown_key<ConnectorText>(*text.connector.node)) {
+      !yaml::has_unknown_key<ConnectorText>(*text.connector.node)) {
     binder.error(*text.connector.node, text.connector.path,
                  "a SLIPRING needs 'wrap_angle' or 'nodes'",
                  "half a turn is 'wrap_angle: = pi'; the angle is never taken as 0 silently");
@@ -214,7 +220,7 @@ void resolve_belt(Binder& binder, const CaseText& text, Case& out) {
   } else if (initial != nullptr && initial->sound && !(initial->value > 0.0)) {
     binder.error(*initial->node, initial->path,
                  "the distance of a and b must be greater than 0 (found " +
-                     format_number(initial->value) + ")");
+                     base::format_number(initial->value) + ")");
   }
   if (connector.nodes.sound) read_nodes(binder, connector.nodes, ring, out);
   if (connector.wrap_angle.sound) {
@@ -227,8 +233,8 @@ void resolve_belt(Binder& binder, const CaseText& text, Case& out) {
   }
 }
 
-void drive_nodes(Binder& binder, const StepText& text, const Case& problem,
-                 const std::function<void(int quantity, const At<ProfileText>&)>& drive) {
+void drive_nodes(yaml::Binder& binder, const StepText& text, const cases::Case& problem,
+                 const std::function<void(int quantity, const yaml::At<ProfileText>&)>& drive) {
   if (!text.nodes.given() || is_any_connection(problem.connection)) return;
   if (!problem.belt) {
     belongs_to_slipring(binder, text.nodes, problem.connection);
@@ -242,7 +248,7 @@ void drive_nodes(Binder& binder, const StepText& text, const Case& problem,
   const NodeMotionText& nodes = text.nodes.value;
   const std::array all{&nodes.a, &nodes.b, &nodes.c};
   for (std::size_t n = 0; n < all.size(); ++n) {
-    const At<std::vector<At<ProfileText>>>& node = *all[n];
+    const yaml::At<std::vector<yaml::At<ProfileText>>>& node = *all[n];
     if (!node.given() || !node.node->is_sequence()) continue;
     if (node.value.size() != 3) {
       binder.error(*node.node, node.path,
@@ -250,16 +256,16 @@ void drive_nodes(Binder& binder, const StepText& text, const Case& problem,
       continue;
     }
     for (std::size_t i = 0; i < 3; ++i) {
-      const At<ProfileText>& profile = node.value[i];
+      const yaml::At<ProfileText>& profile = node.value[i];
       if (!profile.sound) continue;
-      const int quantity = kFirstNode + static_cast<int>(3 * n + i);
-      if (const auto* stays = std::get_if<Constant>(&profile.value.profile)) {
+      const int quantity = cases::kFirstNode + static_cast<int>(3 * n + i);
+      if (const auto* stays = std::get_if<history::Constant>(&profile.value.profile)) {
         const auto before = coordinate_before(problem, quantity);
         if (before && *before != stays->value) {
           binder.error(*profile.node, profile.path,
                        "a number is a coordinate that stays, and node " + std::string(1, "abc"[n]) +
-                           " is at " + format_number(*before) + " there",
-                       "{to: " + format_number(stays->value) + "} goes there over the step");
+                           " is at " + base::format_number(*before) + " there",
+                       "{to: " + base::format_number(stays->value) + "} goes there over the step");
           continue;
         }
       }
@@ -268,13 +274,13 @@ void drive_nodes(Binder& binder, const StepText& text, const Case& problem,
   }
 }
 
-void finish_belt(Binder& binder, const CaseText& text, Case& out) {
+void finish_belt(yaml::Binder& binder, const CaseText& text, cases::Case& out) {
   if (!out.belt || !text.history.given()) return;
-  Belt& belt = *out.belt;
+  cases::Belt& belt = *out.belt;
   const ConnectorText& connector = text.connector.value;
   belt.has_length = out.initial[0] > 0.0;
-  for (int q = kFirstNode; q < kQuantities; ++q) belt.nodes_move |= drives(out, q);
-  belt.both_tensions = drives(out, kTensionBehind);
+  for (int q = cases::kFirstNode; q < cases::kQuantities; ++q) belt.nodes_move |= drives(out, q);
+  belt.both_tensions = drives(out, cases::kTensionBehind);
 
   if (!belt.has_length && !connector.nodes.given() && initial_distance(connector) == nullptr) {
     const std::string hint = "give 'initial: {CP1: ...}', the distance of a and b";
@@ -335,4 +341,4 @@ void finish_belt(Binder& binder, const CaseText& text, Case& out) {
   }
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

@@ -13,7 +13,7 @@
 #include "driver/read/resolve/resolve.hpp"
 #include "law/base/component.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 /// Tells whether a definition slips in one component, by the return mapping of the connector.
@@ -23,8 +23,9 @@ bool is_single(const law::FrictionDefinition& definition) {
 }
 
 /// Reports what in the case an option around the friction of component c does not go with.
-bool suits_case(Binder& binder, const Case& problem, int c, const law::FrictionDefinition& friction,
-                const Node& node, const Path& path, std::string_view what) {
+bool suits_case(yaml::Binder& binder, const cases::Case& problem, int c,
+                const law::FrictionDefinition& friction, const yaml::Node& node,
+                const yaml::Path& path, std::string_view what) {
   const std::string subject(what);
   const std::string number = "component " + std::to_string(c + 1);
   bool good = true;
@@ -39,7 +40,7 @@ bool suits_case(Binder& binder, const Case& problem, int c, const law::FrictionD
   }
   if (problem.dynamics && problem.dynamics->component == c) {
     refuse(subject + " needs an elastic stick, and the mass of 'dynamics:' sticks rigidly",
-           "leave out 'dynamics:', and prescribe the motion " + motion_name(c));
+           "leave out 'dynamics:', and prescribe the motion " + cases::motion_name(c));
   }
   if (!problem.force_driven.empty()) {
     refuse(subject + " needs a connector driven by its motion, and " +
@@ -50,7 +51,8 @@ bool suits_case(Binder& binder, const Case& problem, int c, const law::FrictionD
 }
 
 /// The play at the start, or nothing after an error.
-std::optional<double> start_of(Binder& binder, const At<PlayPositionText>& at, double width) {
+std::optional<double> start_of(yaml::Binder& binder, const yaml::At<PlayPositionText>& at,
+                               double width) {
   if (at.faulty()) return std::nullopt;
   const double half = 0.5 * width;
   if (const auto* place = std::get_if<PlayPlace>(&at.value.value)) {
@@ -59,19 +61,20 @@ std::optional<double> start_of(Binder& binder, const At<PlayPositionText>& at, d
   const double play = std::get<double>(at.value.value);
   if (std::abs(play) <= half) return play;
   binder.error(*at.node, at.path,
-               "the play lies between -width/2 and width/2, " + format_number(-half) + " and " +
-                   format_number(half) + ": found " + format_number(play));
+               "the play lies between -width/2 and width/2, " + base::format_number(-half) +
+                   " and " + base::format_number(half) + ": found " + base::format_number(play));
   return std::nullopt;
 }
 
-void resolve_dead_zone(Binder& binder, const At<DeadZoneText>& at, bool friction_known, Case& out) {
+void resolve_dead_zone(yaml::Binder& binder, const yaml::At<DeadZoneText>& at, bool friction_known,
+                       cases::Case& out) {
   const DeadZoneText& text = at.value;
   if (!text.component.sound || is_any_connection(out.connection)) return;
   const int c = text.component.value - 1;
   const std::string number = "component " + std::to_string(c + 1);
-  const Node& node = *text.component.node;
-  const Path& path = text.component.path;
-  if (is_belt(out.connection)) {
+  const yaml::Node& node = *text.component.node;
+  const yaml::Path& path = text.component.path;
+  if (cases::is_belt(out.connection)) {
     binder.error(*at.node, at.path, "a SLIPRING takes no dead zone: a belt has no backlash");
     return;
   }
@@ -84,7 +87,7 @@ void resolve_dead_zone(Binder& binder, const At<DeadZoneText>& at, bool friction
     return;
   }
   binder.settle_slip_units(at.path, law::is_rotation(c));
-  for (CaseDefinition& definition : out.definitions) {
+  for (cases::CaseDefinition& definition : out.definitions) {
     const law::SlipSpace& slip = definition.law.slip;
     const auto begin = slip.component.begin();
     if (std::find(begin, begin + slip.dimension, c) == begin + slip.dimension) continue;
@@ -103,7 +106,7 @@ void resolve_dead_zone(Binder& binder, const At<DeadZoneText>& at, bool friction
     if (!suits_case(binder, out, c, definition.law, *at.node, at.path, "a dead zone")) return;
     if (!text.width.sound) return;
     const auto start = start_of(binder, text.position, text.width.value);
-    if (start) definition.dead_zone = DeadZone{text.width.value, *start};
+    if (start) definition.dead_zone = cases::DeadZone{text.width.value, *start};
     return;
   }
   if (friction_known) {
@@ -115,12 +118,12 @@ void resolve_dead_zone(Binder& binder, const At<DeadZoneText>& at, bool friction
 }
 
 /// The rules of the definition at `index` if its coefficient is one for each direction.
-void check_directions(Binder& binder, const At<FrictionText>& friction,
-                      const CaseDefinition& definition, const Case& problem) {
-  const At<CoefficientText>& coefficient = friction.value.coefficient;
-  const Node& node = *coefficient.node;
-  const Path& path = coefficient.path;
-  if (is_belt(problem.connection)) {
+void check_directions(yaml::Binder& binder, const yaml::At<FrictionText>& friction,
+                      const cases::CaseDefinition& definition, const cases::Case& problem) {
+  const yaml::At<CoefficientText>& coefficient = friction.value.coefficient;
+  const yaml::Node& node = *coefficient.node;
+  const yaml::Path& path = coefficient.path;
+  if (cases::is_belt(problem.connection)) {
     binder.error(node, path,
                  "the limit of a SLIPRING depends on the direction by itself: its coefficient does "
                  "not");
@@ -141,23 +144,23 @@ void check_directions(Binder& binder, const At<FrictionText>& friction,
 
 }  // namespace
 
-void resolve_bench_options(Binder& binder, const CaseText& text, Case& out) {
-  const std::vector<At<FrictionText>>& all = text.friction.value;
+void resolve_bench_options(yaml::Binder& binder, const CaseText& text, cases::Case& out) {
+  const std::vector<yaml::At<FrictionText>>& all = text.friction.value;
   const bool predefined = all.size() == 1 && all.front().value.predefined.given();
   const bool known = !all.empty() && (predefined || all.size() == out.definitions.size());
   for (std::size_t i = 0; i < out.definitions.size() && known; ++i) {
-    const At<FrictionText>& friction = predefined ? all.front() : all[i];
+    const yaml::At<FrictionText>& friction = predefined ? all.front() : all[i];
     const CoefficientText& coefficient = friction.value.coefficient.value;
     if (!coefficient.with_direction || !friction.value.coefficient.given()) continue;
     const std::size_t errors = binder.errors();
     check_directions(binder, friction, out.definitions[i], out);
     if (binder.errors() != errors) break;  // the same fault in each of them
   }
-  for (const At<DeadZoneText>& at : text.dead_zone.value) {
+  for (const yaml::At<DeadZoneText>& at : text.dead_zone.value) {
     if (at.given() && at.node->is_map()) {
       resolve_dead_zone(binder, at, known && !out.definitions.empty(), out);
     }
   }
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

@@ -17,13 +17,13 @@
 #include "driver/results/columns.hpp"
 #include "reference/catalogue.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 /// Returns what a check's expressions may name: time in the step, total time, result columns.
-std::vector<std::string> check_variables(const Case& problem) {
+std::vector<std::string> check_variables(const cases::Case& problem) {
   std::vector<std::string> names{"t", "T"};
-  for (std::string& name : column_names(problem)) {
+  for (std::string& name : results::column_names(problem)) {
     if (name != "t") names.push_back(std::move(name));
   }
   return names;
@@ -33,7 +33,7 @@ std::vector<std::string> check_variables(const Case& problem) {
 std::string column_hint(std::string_view name, std::span<const std::string_view> columns,
                         std::string otherwise) {
   std::string origin = origin_of_column(name);
-  return origin.empty() ? nearest_or(name, columns, std::move(otherwise)) : origin;
+  return origin.empty() ? yaml::nearest_or(name, columns, std::move(otherwise)) : origin;
 }
 
 /// The result columns that carry what a closed form's signals are called.
@@ -53,7 +53,8 @@ constexpr std::array kOutputs{Meaning{"accumulated_slip", "CASU"},  Meaning{"dis
                               Meaning{"normal_force", "FN"},        Meaning{"normal_force", "CNF"},
                               Meaning{"normal_force", "CNM"}};
 
-int output_of(const reference::ClosedForm& form, std::string_view quantity, const Case& problem) {
+int output_of(const reference::ClosedForm& form, std::string_view quantity,
+              const cases::Case& problem) {
   const auto index = [&](std::string_view name) {
     for (std::size_t i = 0; i < form.outputs.size(); ++i) {
       if (form.outputs[i].name == name) return static_cast<int>(i);
@@ -69,11 +70,11 @@ int output_of(const reference::ClosedForm& form, std::string_view quantity, cons
     }
   }
   // The components of a planar slider, in the order of the first coupled definition.
-  for (const CaseDefinition& definition : problem.definitions) {
+  for (const cases::CaseDefinition& definition : problem.definitions) {
     for (int i = 0; i < definition.law.slip.dimension; ++i) {
       const int c = definition.law.slip.component[static_cast<std::size_t>(i)];
       const int output = index("force" + std::to_string(i + 1));
-      if (quantity == force_column("CSF", c) && output >= 0) return output;
+      if (quantity == cases::force_column("CSF", c) && output >= 0) return output;
     }
     break;
   }
@@ -82,14 +83,14 @@ int output_of(const reference::ClosedForm& form, std::string_view quantity, cons
 }
 
 /// The column that feeds an input of a closed form when the case does not say so.
-std::optional<std::string> default_input(std::string_view signal, const Case& problem) {
+std::optional<std::string> default_input(std::string_view signal, const cases::Case& problem) {
   std::vector<int> free;
   for (int c = 0; c < law::kComponents; ++c) {
     if (problem.connection.info.available.contains(c)) free.push_back(c);
   }
   const auto motion = [&](std::size_t i) -> std::optional<std::string> {
     if (i >= free.size()) return std::nullopt;
-    return "CU" + component_suffix(free[i]);
+    return "CU" + cases::component_suffix(free[i]);
   };
   if (signal == "motion" || signal == "motion1") return motion(0);
   if (signal == "motion2") return motion(1);
@@ -99,15 +100,16 @@ std::optional<std::string> default_input(std::string_view signal, const Case& pr
   if (signal == "normal_force") {
     return problem.definitions.size() > 1 ? "FN." + problem.definitions[0].name : "FN";
   }
-  if (const auto c = component_of_force(signal)) return force_column("CRF", *c);
+  if (const auto c = cases::component_of_force(signal)) return cases::force_column("CRF", *c);
   return std::nullopt;
 }
 
 /// Returns what drives one input of a closed form: the column or the expression that the case
 /// names, else the column of the same meaning. Nothing after reporting an error.
-std::optional<ExpressionReference> input_of(Binder& binder, const AgainstText& text,
-                                            const reference::Signal& signal, const Case& problem,
-                                            const std::vector<std::string>& variables) {
+std::optional<cases::ExpressionReference> input_of(yaml::Binder& binder, const AgainstText& text,
+                                                   const reference::Signal& signal,
+                                                   const cases::Case& problem,
+                                                   const std::vector<std::string>& variables) {
   const auto is_column = [&](const std::string& name) {
     return std::find(variables.begin(), variables.end(), name) != variables.end();
   };
@@ -118,38 +120,42 @@ std::optional<ExpressionReference> input_of(Binder& binder, const AgainstText& t
     if (column && is_column(*column)) return plain_expression(*column, {*column});
     if (binder.unknown_names_excused()) return std::nullopt;
     // A plane SLOT has no f3, a straight joint no angle: the closed form then sees 0.
-    if (component_of_force(signal.name) || signal.name == "beta") return plain_expression("0", {});
+    if (cases::component_of_force(signal.name) || signal.name == "beta")
+      return plain_expression("0", {});
     binder.error(*text.closed_form.node, text.closed_form.path,
                  "the closed form needs '" + std::string(signal.name) +
                      "': say which result column or expression it is under 'inputs:'");
     return std::nullopt;
   }
   if (!given->sound) return std::nullopt;
-  if (Binder::is_expression(*given->node)) return compile_expression(binder, *given, variables);
+  if (yaml::Binder::is_expression(*given->node))
+    return compile_expression(binder, *given, variables);
   if (is_column(given->value)) return plain_expression(given->value, {given->value});
   if (!binder.unknown_names_excused()) {
     const std::vector<std::string_view> names(variables.begin(), variables.end());
-    binder.error(*given->node, given->path, "no result column '" + printable(given->value) + "'",
+    binder.error(*given->node, given->path,
+                 "no result column '" + base::printable(given->value) + "'",
                  column_hint(given->value, names,
-                             "an expression begins with '='; known: " + few_in_words(names)));
+                             "an expression begins with '='; known: " + base::few_in_words(names)));
   }
   return std::nullopt;
 }
 
-std::optional<ClosedFormReference> closed_form(Binder& binder, const AgainstText& text,
-                                               std::string_view quantity, const Case& problem,
-                                               const std::vector<std::string>& variables) {
+std::optional<cases::ClosedFormReference> closed_form(yaml::Binder& binder, const AgainstText& text,
+                                                      std::string_view quantity,
+                                                      const cases::Case& problem,
+                                                      const std::vector<std::string>& variables) {
   const reference::ClosedForm* form = reference::find(text.closed_form.value);
   if (form == nullptr) {
     std::vector<std::string_view> names;
     for (const auto& known : reference::catalogue()) names.push_back(known.name);
-    binder.error(
-        *text.closed_form.node, text.closed_form.path,
-        "unknown closed form '" + printable(text.closed_form.value) + "'",
-        did_you_mean(text.closed_form.value, names, "'slipbench list closed-forms' shows all"));
+    binder.error(*text.closed_form.node, text.closed_form.path,
+                 "unknown closed form '" + base::printable(text.closed_form.value) + "'",
+                 base::did_you_mean(text.closed_form.value, names,
+                                    "'slipbench list closed-forms' shows all"));
     return std::nullopt;
   }
-  ClosedFormReference result;
+  cases::ClosedFormReference result;
   result.name = std::string(form->name);
   bool good = !text.with.faulty();
   std::vector<std::string_view> misspelt;
@@ -163,7 +169,7 @@ std::optional<ClosedFormReference> closed_form(Binder& binder, const AgainstText
   for (std::size_t i = 0; i < form->parameters.size(); ++i) {
     if (const auto value = form->parameters[i].default_value) result.parameters[i] = {*value};
   }
-  for (const Named<NumberOrList>& given : text.with.value) {
+  for (const yaml::Named<NumberOrList>& given : text.with.value) {
     const auto p =
         std::find_if(form->parameters.begin(), form->parameters.end(),
                      [&](const auto& parameter) { return parameter.name == given.name; });
@@ -233,8 +239,9 @@ std::optional<ClosedFormReference> closed_form(Binder& binder, const AgainstText
     const auto found = std::find(names.begin(), names.end(), text.output.value);
     if (found == names.end()) {
       binder.error(*text.output.node, text.output.path,
-                   "wanted " + in_words(names) + ", found '" + printable(text.output.value) + "'",
-                   nearest_or(text.output.value, names, ""));
+                   "wanted " + base::in_words(names) + ", found '" +
+                       base::printable(text.output.value) + "'",
+                   yaml::nearest_or(text.output.value, names, ""));
       good = false;
     } else {
       result.output = static_cast<int>(found - names.begin());
@@ -250,7 +257,7 @@ std::optional<ClosedFormReference> closed_form(Binder& binder, const AgainstText
   return result;
 }
 
-std::optional<double> number(const At<double>& at) {
+std::optional<double> number(const yaml::At<double>& at) {
   return at.sound ? std::optional(at.value) : std::nullopt;
 }
 
@@ -264,7 +271,7 @@ StepNames step_names(const CaseText& text) {
   const HistoryText& history = text.history.value;
   StepNames result;
   result.known = text.history.sound || !history.steps.empty();
-  for (const At<StepText>& step : history.steps) {
+  for (const yaml::At<StepText>& step : history.steps) {
     if (step.value.step.sound) result.names.push_back(step.value.step.value);
     result.known = result.known && step.value.step.sound;
   }
@@ -273,7 +280,7 @@ StepNames step_names(const CaseText& text) {
 
 /// Which of the three a check holds its quantity against; reports what does not go together.
 /// \return whether it is one, and what stands beside it belongs to it
-bool one_reference(Binder& binder, const At<AgainstText>& at) {
+bool one_reference(yaml::Binder& binder, const yaml::At<AgainstText>& at) {
   if (!at.given() || !at.node->is_map()) return false;
   const AgainstText& against = at.value;
   std::vector<std::string_view> given;
@@ -282,11 +289,11 @@ bool one_reference(Binder& binder, const At<AgainstText>& at) {
   if (against.curve.given()) given.push_back("'curve'");
   if (given.size() > 1) {
     binder.error(*at.node, at.path,
-                 "has " + in_words(given, "and") + ", a check takes one of them");
+                 "has " + base::in_words(given, "and") + ", a check takes one of them");
     return false;
   }
   if (given.empty()) {
-    if (!has_unknown_key<AgainstText>(*at.node)) {
+    if (!yaml::has_unknown_key<AgainstText>(*at.node)) {
       binder.error(*at.node, at.path, "needs 'expression', 'closed_form' or 'curve'");
     }
     return false;
@@ -307,27 +314,28 @@ bool one_reference(Binder& binder, const At<AgainstText>& at) {
   return good;
 }
 
-bool judge_tolerance(Binder& binder, const CheckText& text) {
+bool judge_tolerance(yaml::Binder& binder, const CheckText& text) {
   const ToleranceText& tolerance = text.tolerance.value;
   if (!text.tolerance.given() || !text.tolerance.node->is_map()) return false;
   bool good = true;
-  const CriterionInfo& criterion = info_of(text.criterion.value);
+  const check::CriterionInfo& criterion = check::info_of(text.criterion.value);
   if (tolerance.abscissa.given() && !criterion.compares_positions && !text.criterion.faulty()) {
     binder.error(
         *tolerance.abscissa.node, tolerance.abscissa.path,
         std::string(criterion.word) + " compares no positions; breakaway and reversals do");
     good = false;
   } else if (!tolerance.absolute.given() && !tolerance.relative.given() &&
-             !tolerance.abscissa.given() && !has_unknown_key<ToleranceText>(*text.tolerance.node)) {
+             !tolerance.abscissa.given() &&
+             !yaml::has_unknown_key<ToleranceText>(*text.tolerance.node)) {
     binder.error(*text.tolerance.node, text.tolerance.path,
                  "needs 'absolute' or 'relative', or both (the larger counts)");
     good = false;
   }
-  if (text.criterion.sound && text.criterion.value == Criterion::kIso18571) {
-    for (const At<double>* bound : {&tolerance.absolute, &tolerance.relative}) {
+  if (text.criterion.sound && text.criterion.value == cases::Criterion::kIso18571) {
+    for (const yaml::At<double>* bound : {&tolerance.absolute, &tolerance.relative}) {
       if (!bound->sound || bound->value < 1.0) continue;
       binder.error(*bound->node, bound->path,
-                   "wanted less than 1, found " + format_number(bound->value) +
+                   "wanted less than 1, found " + base::format_number(bound->value) +
                        ": iso18571 compares one minus the rating, which no curve can exceed");
       good = false;
     }
@@ -336,9 +344,9 @@ bool judge_tolerance(Binder& binder, const CheckText& text) {
 }
 
 /// A loop has no meaning over time.
-bool judge_criterion(Binder& binder, const CheckText& text, const AbscissaChoice& abscissa,
-                     const Case& problem) {
-  const CriterionInfo& criterion = info_of(text.criterion.value);
+bool judge_criterion(yaml::Binder& binder, const CheckText& text, const AbscissaChoice& abscissa,
+                     const cases::Case& problem) {
+  const check::CriterionInfo& criterion = check::info_of(text.criterion.value);
   if (!text.criterion.sound || abscissa.value || !criterion.needs_position) return true;
   const auto motion = default_input("motion", problem);
   binder.error(
@@ -348,8 +356,9 @@ bool judge_criterion(Binder& binder, const CheckText& text, const AbscissaChoice
   return false;
 }
 
-void read_check(Binder& binder, const At<CheckText>& at, const std::vector<std::string>& variables,
-                const StepNames& steps, bool curves_may_be_missing, Case& out) {
+void read_check(yaml::Binder& binder, const yaml::At<CheckText>& at,
+                const std::vector<std::string>& variables, const StepNames& steps,
+                bool curves_may_be_missing, cases::Case& out) {
   const CheckText& text = at.value;
   bool good = at.sound;
   auto quantity = compile_expression(binder, text.quantity, variables);
@@ -361,7 +370,7 @@ void read_check(Binder& binder, const At<CheckText>& at, const std::vector<std::
   auto abscissa = read_abscissa(binder, text, variables, out);
   if (abscissa) good = judge_criterion(binder, text, *abscissa, out) && good;
   const AgainstText& against = text.against.value;
-  std::optional<decltype(Check::against)> reference;
+  std::optional<decltype(cases::Check::against)> reference;
   if (!one_reference(binder, text.against)) {
     good = false;
   } else if (against.expression.given()) {
@@ -380,56 +389,57 @@ void read_check(Binder& binder, const At<CheckText>& at, const std::vector<std::
   good = judge_tolerance(binder, text) && good;
   if (text.step.sound && steps.known &&
       std::find(steps.names.begin(), steps.names.end(), text.step.value) == steps.names.end()) {
-    binder.error(*text.step.node, text.step.path, "no step '" + printable(text.step.value) + "'",
-                 nearest_or(text.step.value, steps.names,
-                            steps.names.empty() ? "a measured history has no steps"
-                                                : "steps: " + in_words(steps.names, "and")));
+    binder.error(
+        *text.step.node, text.step.path, "no step '" + base::printable(text.step.value) + "'",
+        yaml::nearest_or(text.step.value, steps.names,
+                         steps.names.empty() ? "a measured history has no steps"
+                                             : "steps: " + base::in_words(steps.names, "and")));
     good = false;
   }
   const OverText& over = text.over.value;
   if (over.from.sound && over.to.sound && !(over.from.value <= over.to.value)) {
     binder.error(*text.over.node, text.over.path,
-                 "'from' must not be after 'to', found " + format_number(over.from.value) +
-                     " and " + format_number(over.to.value));
+                 "'from' must not be after 'to', found " + base::format_number(over.from.value) +
+                     " and " + base::format_number(over.to.value));
     good = false;
   }
   if (!good || !quantity || !reference || !abscissa) return;
   const ToleranceText& tolerance = text.tolerance.value;
-  Check check{.name = text.name.value,
-              .quantity = std::move(quantity->expression),
-              .quantity_text = text.quantity.value,
-              .variables = std::move(quantity->variables),
-              .against = std::move(*reference),
-              .criterion = text.criterion.value,
-              .abscissa = std::move(abscissa->value),
-              .abscissa_text = std::move(abscissa->text),
-              .step = text.step.given() ? std::optional(text.step.value) : std::nullopt,
-              .from = number(over.from),
-              .to = number(over.to),
-              .tolerance = {number(tolerance.absolute), number(tolerance.relative), tolerance.why,
-                            number(tolerance.abscissa)},
-              .where = at.node->where()};
-  if (const auto* curve = std::get_if<CurveReference>(&check.against)) {
-    want_columns(*curve->data, check);
+  cases::Check check{.name = text.name.value,
+                     .quantity = std::move(quantity->expression),
+                     .quantity_text = text.quantity.value,
+                     .variables = std::move(quantity->variables),
+                     .against = std::move(*reference),
+                     .criterion = text.criterion.value,
+                     .abscissa = std::move(abscissa->value),
+                     .abscissa_text = std::move(abscissa->text),
+                     .step = text.step.given() ? std::optional(text.step.value) : std::nullopt,
+                     .from = number(over.from),
+                     .to = number(over.to),
+                     .tolerance = {number(tolerance.absolute), number(tolerance.relative),
+                                   tolerance.why, number(tolerance.abscissa)},
+                     .where = at.node->where()};
+  if (const auto* curve = std::get_if<cases::CurveReference>(&check.against)) {
+    check::want_columns(*curve->data, check);
   }
   out.checks.push_back(std::move(check));
 }
 
 }  // namespace
 
-void resolve_output_and_checks(Binder& binder, const CaseText& text, Case& out, bool columns_known,
-                               bool history_known, bool curves_may_be_missing) {
+void resolve_output_and_checks(yaml::Binder& binder, const CaseText& text, cases::Case& out,
+                               bool columns_known, bool history_known, bool curves_may_be_missing) {
   out.output_every = text.output.every;
   const bool excused = binder.unknown_names_excused();
   binder.excuse_unknown_names(excused || !columns_known);
   std::vector<std::string> variables = check_variables(out);
-  const auto all = result_columns(out);
+  const auto all = results::result_columns(out);
   std::vector<std::string_view> columns;
-  for (const Column& column : all) columns.push_back(column.name);
+  for (const results::Column& column : all) columns.push_back(column.name);
   // What is driven has a column; a faulty history may have been meant to drive anything.
   std::vector<std::string> driven;
-  for (int q = kTemperatureQuantity; !history_known && q < kTensionBehind; ++q) {
-    driven.push_back(quantity_name(q));
+  for (int q = cases::kTemperatureQuantity; !history_known && q < cases::kTensionBehind; ++q) {
+    driven.push_back(cases::quantity_name(q));
   }
   for (const std::string& name : driven) {
     if (std::find(variables.begin(), variables.end(), name) == variables.end()) {
@@ -437,45 +447,47 @@ void resolve_output_and_checks(Binder& binder, const CaseText& text, Case& out, 
     }
     columns.push_back(name);
   }
-  const std::vector<At<std::string>>& chosen = text.output.columns.value;
+  const std::vector<yaml::At<std::string>>& chosen = text.output.columns.value;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
-    const At<std::string>& column = chosen[i];
+    const yaml::At<std::string>& column = chosen[i];
     if (!column.sound) continue;
     const bool twice = std::any_of(chosen.begin(), chosen.begin() + static_cast<std::ptrdiff_t>(i),
                                    [&](const auto& c) { return c.value == column.value; });
     if (twice) {
       binder.error(*column.node, column.path,
-                   "the column '" + printable(column.value) + "' stands twice");
+                   "the column '" + base::printable(column.value) + "' stands twice");
     } else if (std::find(columns.begin(), columns.end(), column.value) != columns.end()) {
       out.output_columns.push_back(column.value);
     } else if (!binder.unknown_names_excused()) {
-      binder.error(*column.node, column.path, "no result column '" + printable(column.value) + "'",
-                   column_hint(column.value, columns, "known: " + few_in_words(columns)));
+      binder.error(*column.node, column.path,
+                   "no result column '" + base::printable(column.value) + "'",
+                   column_hint(column.value, columns, "known: " + base::few_in_words(columns)));
     }
   }
   const StepNames steps = step_names(text);
-  const std::vector<At<CheckText>>& checks = text.checks.value;
+  const std::vector<yaml::At<CheckText>>& checks = text.checks.value;
   std::map<std::string_view, std::size_t> names;
   for (std::size_t i = 0; i < checks.size(); ++i) {
-    const At<std::string>& name = checks[i].value.name;
+    const yaml::At<std::string>& name = checks[i].value.name;
     if (name.sound && name.value.find_first_not_of(' ') == std::string::npos) {
       binder.error(*name.node, name.path, "the name of a check must not be empty");
     } else if (name.sound) {
       const auto [first, is_new] = names.try_emplace(name.value, i);
       if (!is_new) {
         binder.error(*name.node, name.path,
-                     "the name '" + printable(name.value) + "' is already that of checks[" +
+                     "the name '" + base::printable(name.value) + "' is already that of checks[" +
                          std::to_string(first->second) + "]");
       }
     }
     read_check(binder, checks[i], variables, steps, curves_may_be_missing, out);
-    const Criterion criterion = checks[i].value.criterion.value;
-    const auto column = find_column(out, all, checks[i].value.quantity.value);
-    if (column && (criterion == Criterion::kPointwise || criterion == Criterion::kPeak)) {
+    const cases::Criterion criterion = checks[i].value.criterion.value;
+    const auto column = results::find_column(out, all, checks[i].value.quantity.value);
+    if (column &&
+        (criterion == cases::Criterion::kPointwise || criterion == cases::Criterion::kPeak)) {
       binder.settle_units(checks[i].path, column->dimension);
     }
   }
   binder.excuse_unknown_names(excused);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

@@ -8,25 +8,26 @@
 #include "driver/read/resolve/resolve_definition.hpp"
 #include "law/friction/at_radius.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 /// The place of a key in the map of a law: the key's value if it was written, else the law's.
-std::pair<Node, Path> place_of(const Node& law, const Path& path, std::string_view key) {
+std::pair<yaml::Node, yaml::Path> place_of(const yaml::Node& law, const yaml::Path& path,
+                                           std::string_view key) {
   const auto value = law.find(key);
   return value ? std::pair{*value, path / key} : std::pair{law, path};
 }
 
 /// A law by name stands below its name.
-std::pair<Node, Path> below_name(const Node& node, const Path& path) {
+std::pair<yaml::Node, yaml::Path> below_name(const yaml::Node& node, const yaml::Path& path) {
   if (!node.is_map() || node.size() != 1) return {node, path};
   return {node.entry(0).value, path / node.entry(0).key.text()};
 }
 
 /// Gives a law of the pressure its area, its own or the connector's.
 template <class Law>
-bool complete_area(Binder& binder, Law& law, const Node& node, const Path& path,
-                   const At<double>& connector_area) {
+bool complete_area(yaml::Binder& binder, Law& law, const yaml::Node& node, const yaml::Path& path,
+                   const yaml::At<double>& connector_area) {
   if (law.area) return true;
   if (connector_area.sound) law.area = connector_area.value;
   if (law.area || connector_area.faulty() || !law.needs_area()) return true;
@@ -38,8 +39,8 @@ bool complete_area(Binder& binder, Law& law, const Node& node, const Path& path,
 /// Gives a law whose constants hide a unit of speed its factor: Renard's last piece adds the square
 /// of a speed to a pure number, which has no meaning without a unit.
 template <class Law>
-bool complete_speed_unit(Binder& binder, Law& law, const Node& node, const Path& path,
-                         bool rotational, const UnitSystem& units) {
+bool complete_speed_unit(yaml::Binder& binder, Law& law, const yaml::Node& node,
+                         const yaml::Path& path, bool rotational, const base::UnitSystem& units) {
   if ((units.length.empty() && !rotational) || units.time.empty()) {
     binder.error(node, path,
                  "its piece beyond C6 hides a unit of speed: the case must state its units of "
@@ -49,14 +50,16 @@ bool complete_speed_unit(Binder& binder, Law& law, const Node& node, const Path&
     return false;
   }
   if (law.speed_unit.empty()) return true;
-  const Dimension speed{.length = rotational ? 0 : 1, .time = -1, .angle = rotational ? 1 : 0};
-  const auto conversion = conversion_to_case(law.speed_unit.name(), speed, units);
+  const base::Dimension speed{
+      .length = rotational ? 0 : 1, .time = -1, .angle = rotational ? 1 : 0};
+  const auto conversion = base::conversion_to_case(law.speed_unit.name(), speed, units);
   if (!conversion) {
     const auto [at, where] = place_of(node, path, "speed_unit");
     binder.history_error(at, where, conversion.error());
     if (rotational) {
-      binder.note(at, where,
-                  "this definition slips in a rotation: its V is in " + unit_text(speed, units));
+      binder.note(
+          at, where,
+          "this definition slips in a rotation: its V is in " + base::unit_text(speed, units));
     }
     return false;
   }
@@ -65,30 +68,31 @@ bool complete_speed_unit(Binder& binder, Law& law, const Node& node, const Path&
 }
 
 /// Warns of what a user may not expect of the coefficients given.
-void warn_of(Binder& binder, const law::GeneralizedViscous& law, const Node& node,
-             const Path& path) {
+void warn_of(yaml::Binder& binder, const law::GeneralizedViscous& law, const yaml::Node& node,
+             const yaml::Path& path) {
   if (law.c6 == 0.0) return;
   const auto [at, where] = place_of(node, path, "C6");
   binder.warning(at, where, "C6 is not used by this law (Radioss Ifric 1 has C1 to C5)");
 }
 template <class Law>
-void warn_of(Binder&, const Law&, const Node&, const Path&) {}
+void warn_of(yaml::Binder&, const Law&, const yaml::Node&, const yaml::Path&) {}
 
 /// A coefficient that starts below zero is more often a slip of the sign than meant.
 template <class Law>
-void warn_of_negative_start(Binder& binder, const Law& law, const Node& node, const Path& path) {
+void warn_of_negative_start(yaml::Binder& binder, const Law& law, const yaml::Node& node,
+                            const yaml::Path& path) {
   if constexpr (requires { law.raw_coefficient(0.0, 0.0); }) {
     const double start = law.raw_coefficient(0.0, 0.0);
     if (start >= 0.0) return;
     binder.warning(node, path,
-                   "mu = " + format_number(start) +
+                   "mu = " + base::format_number(start) +
                        " at rest and without pressure: a coefficient below 0 is kept at 1e-30, "
                        "which is no friction");
   }
 }
 
 template <class Law>
-bool complete(Binder& binder, Law& law, const Node& node, const Path& path,
+bool complete(yaml::Binder& binder, Law& law, const yaml::Node& node, const yaml::Path& path,
               const LawSurroundings& surroundings) {
   bool good = true;
   if constexpr (requires { law.area; }) {
@@ -101,8 +105,9 @@ bool complete(Binder& binder, Law& law, const Node& node, const Path& path,
 
 }  // namespace
 
-std::optional<law::FrictionLaw> coefficient_law(Binder& binder, const CoefficientText& coefficient,
-                                                const Node& node, const Path& path,
+std::optional<law::FrictionLaw> coefficient_law(yaml::Binder& binder,
+                                                const CoefficientText& coefficient,
+                                                const yaml::Node& node, const yaml::Path& path,
                                                 const LawSurroundings& surroundings) {
   if (const auto* table_text = std::get_if<TableText>(&coefficient.value)) {
     auto function = table_function(binder, *table_text, node, path, kCoefficientTable);
@@ -119,17 +124,17 @@ std::optional<law::FrictionLaw> coefficient_law(Binder& binder, const Coefficien
   return law;
 }
 
-std::optional<law::FrictionLaw> coefficient_law(Binder& binder,
-                                                const At<CoefficientText>& coefficient,
+std::optional<law::FrictionLaw> coefficient_law(yaml::Binder& binder,
+                                                const yaml::At<CoefficientText>& coefficient,
                                                 const LawSurroundings& surroundings) {
   const CoefficientText& text = coefficient.value;
   if (!coefficient.sound || text.orthotropic || text.with_direction) return std::nullopt;
   return coefficient_law(binder, text, *coefficient.node, coefficient.path, surroundings);
 }
 
-bool suit_to_slip(Binder& binder, const At<CoefficientText>& coefficient,
-                  const law::SlipSpace& slip, const UnitSystem& units, std::optional<double> radius,
-                  law::FrictionLaw& law) {
+bool suit_to_slip(yaml::Binder& binder, const yaml::At<CoefficientText>& coefficient,
+                  const law::SlipSpace& slip, const base::UnitSystem& units,
+                  std::optional<double> radius, law::FrictionLaw& law) {
   if (!coefficient.sound) return true;
   // At a radius the law goes on seeing the speed and the force that its numbers are of.
   const bool at_radius = radius && law::is_rotational(slip);
@@ -141,7 +146,7 @@ bool suit_to_slip(Binder& binder, const At<CoefficientText>& coefficient,
           return complete_speed_unit(binder, one, at, where, rotational, units);
         } else if constexpr (requires { one.area; }) {
           if (rotational && one.depends_on_contact_force()) {
-            const std::string unit = unit_text({.force = 1, .length = -1}, units);
+            const std::string unit = base::unit_text({.force = 1, .length = -1}, units);
             binder.warning(at, where,
                            "F_N of this definition is a moment: its p = F_N/A is no pressure but " +
                                (unit.empty() ? "a moment over an area" : "in " + unit) +
@@ -157,4 +162,4 @@ bool suit_to_slip(Binder& binder, const At<CoefficientText>& coefficient,
   return good;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

@@ -9,7 +9,7 @@
 #include "driver/read/keys/key_index.hpp"
 #include "driver/read/resolve/resolve.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 std::string names_of(law::ComponentSet set, std::string (*name)(int)) {
@@ -22,7 +22,7 @@ std::string names_of(law::ComponentSet set, std::string (*name)(int)) {
   return text.empty() ? "none" : text;
 }
 
-std::optional<law::Connection> one_type(Binder& binder, const At<std::string>& name,
+std::optional<law::Connection> one_type(yaml::Binder& binder, const yaml::At<std::string>& name,
                                         int dimension) {
   if (auto found = law::find_connection(name.value, dimension)) return found;
   if (dimension == 2 && law::find_connection(name.value)) {
@@ -38,20 +38,21 @@ std::optional<law::Connection> one_type(Binder& binder, const At<std::string>& n
   std::vector<std::string_view> known;
   law::for_each_connection_type(
       [&]<class Type>(std::type_identity<Type>) { known.push_back(Type::kInfo.name); });
-  binder.error(*name.node, name.path, "unknown connection type '" + printable(name.value) + "'",
-               did_you_mean(name.value, known, "'slipbench list connections' shows all"));
+  binder.error(*name.node, name.path,
+               "unknown connection type '" + base::printable(name.value) + "'",
+               base::did_you_mean(name.value, known, "'slipbench list connections' shows all"));
   return std::nullopt;
 }
 
-void read_positions(Binder& binder, const NamedMap<double>& text, const Case& problem,
-                    law::RelativePosition& out) {
+void read_positions(yaml::Binder& binder, const yaml::NamedMap<double>& text,
+                    const cases::Case& problem, law::RelativePosition& out) {
   const law::ComponentSet measured =
       problem.connection.info.held | problem.connection.info.available;
-  for (const Named<double>& entry : text) {
-    const auto component = component_of_motion(entry.name);
+  for (const yaml::Named<double>& entry : text) {
+    const auto component = cases::component_of_motion(entry.name);
     if (!component) {
-      binder.error(*entry.key, entry.path, "unknown position '" + printable(entry.name) + "'",
-                   nearest_component(entry.name, measured, motion_name,
+      binder.error(*entry.key, entry.path, "unknown position '" + base::printable(entry.name) + "'",
+                   nearest_component(entry.name, measured, cases::motion_name,
                                      "positions are " + motion_names(measured)));
     } else if (!measured.contains(*component)) {
       binder.error(*entry.key, entry.path,
@@ -61,17 +62,17 @@ void read_positions(Binder& binder, const NamedMap<double>& text, const Case& pr
       if (law::is_rotation(*component)) {
         doubt_angle(binder, *entry.node, entry.path, AngleUse::kSwing);
       }
-      binder.settle_units(entry.path, dimension_of(kFirstMotion + *component));
+      binder.settle_units(entry.path, cases::dimension_of(cases::kFirstMotion + *component));
       out[*component] = entry.value;
     }
   }
 }
 
-std::optional<law::Connection> connection_of(Binder& binder, const ConnectorText& connector) {
-  const std::vector<At<std::string>>& names = connector.type.value.names;
+std::optional<law::Connection> connection_of(yaml::Binder& binder, const ConnectorText& connector) {
+  const std::vector<yaml::At<std::string>>& names = connector.type.value.names;
   if (!connector.type.sound || names.empty()) return std::nullopt;
   std::vector<law::Connection> parts;
-  for (const At<std::string>& name : names) {
+  for (const yaml::At<std::string>& name : names) {
     const int dimension = names.size() == 1 ? connector.dimension.value : 3;
     if (auto part = one_type(binder, name, dimension)) parts.push_back(std::move(*part));
   }
@@ -115,8 +116,8 @@ std::string nearest_component(std::string_view name, law::ComponentSet set,
   }
   return otherwise;
 }
-std::string motion_names(law::ComponentSet set) { return names_of(set, motion_name); }
-std::string force_names(law::ComponentSet set) { return names_of(set, force_name); }
+std::string motion_names(law::ComponentSet set) { return names_of(set, cases::motion_name); }
+std::string force_names(law::ComponentSet set) { return names_of(set, cases::force_name); }
 
 law::Connection any_connection() {
   law::Connection connection;
@@ -130,7 +131,7 @@ bool is_any_connection(const law::Connection& connection) {
   return !(connection.info.held & connection.info.available).empty();
 }
 
-void resolve_connector(Binder& binder, const CaseText& text, Case& out) {
+void resolve_connector(yaml::Binder& binder, const CaseText& text, cases::Case& out) {
   const ConnectorText& connector = text.connector.value;
   out.connection = any_connection();
   if (auto connection = connection_of(binder, connector)) out.connection = std::move(*connection);
@@ -139,4 +140,4 @@ void resolve_connector(Binder& binder, const CaseText& text, Case& out) {
   read_positions(binder, connector.reference, out, out.reference);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

@@ -11,7 +11,7 @@
 #include "driver/results/columns.hpp"
 #include "law/component/kinetic_force.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 std::string component_words(int component) { return "component " + std::to_string(component + 1); }
@@ -19,14 +19,14 @@ std::string component_words(int component) { return "component " + std::to_strin
 /// Definitions that one entry of `friction:` gives, and where it names its contact force.
 struct Owner {
   std::vector<std::size_t> definitions;
-  const Node* node = nullptr;
-  const Path* path = nullptr;
+  const yaml::Node* node = nullptr;
+  const yaml::Path* path = nullptr;
   bool predefined = false;
 };
 
-std::vector<Owner> owners(const CaseText& text, const Case& problem) {
+std::vector<Owner> owners(const CaseText& text, const cases::Case& problem) {
   std::vector<Owner> all;
-  for (const At<FrictionText>& at : text.friction.value) {
+  for (const yaml::At<FrictionText>& at : text.friction.value) {
     const FrictionText& one = at.value;
     Owner owner;
     owner.predefined = one.predefined.given();
@@ -49,12 +49,12 @@ std::vector<Owner> owners(const CaseText& text, const Case& problem) {
 /// Extent to which the history drives a quantity.
 enum class Driven { kNever, kZero, kYes };
 
-Driven driven(const Case& problem, int quantity) {
-  if (!is_driven(problem, quantity)) return Driven::kNever;
-  for (const Step& step : problem.steps) {
-    for (const Drive& drive : step.drives) {
-      const auto* constant = std::get_if<Constant>(&drive.profile);
-      const auto* ramp = std::get_if<LinearTo>(&drive.profile);
+Driven driven(const cases::Case& problem, int quantity) {
+  if (!cases::is_driven(problem, quantity)) return Driven::kNever;
+  for (const cases::Step& step : problem.steps) {
+    for (const cases::Drive& drive : step.drives) {
+      const auto* constant = std::get_if<history::Constant>(&drive.profile);
+      const auto* ramp = std::get_if<history::LinearTo>(&drive.profile);
       const bool zero = (constant != nullptr && constant->value == 0.0) ||
                         (ramp != nullptr && ramp->value == 0.0);
       if (drive.quantity == quantity && !zero) return Driven::kYes;
@@ -63,8 +63,8 @@ Driven driven(const Case& problem, int quantity) {
   return problem.measured ? Driven::kYes : Driven::kZero;
 }
 
-Driven pressure(const Case& problem, int component) {
-  const Driven load = driven(problem, kFirstForce + component);
+Driven pressure(const cases::Case& problem, int component) {
+  const Driven load = driven(problem, cases::kFirstForce + component);
   if (!problem.kinetic.pressing.contains(component)) return load;
   const bool mass = problem.dynamics && problem.dynamics->component == component;
   return mass || problem.kinetic.is_elastic(component) || problem.kinetic.is_damped(component)
@@ -79,7 +79,7 @@ bool has_no_internal_force(const law::FrictionDefinition& definition) {
 
 /// Returns the components whose forces could press and never do, `zero` apart, which the history
 /// keeps at 0; empty if one of them is driven.
-law::ComponentSet undriven(const law::ContactForce& contact, const Case& problem,
+law::ComponentSet undriven(const law::ContactForce& contact, const cases::Case& problem,
                            law::ComponentSet& zero) {
   law::ComponentSet never;
   const law::ComponentSet named = law::components_of(contact);
@@ -93,7 +93,7 @@ law::ComponentSet undriven(const law::ContactForce& contact, const Case& problem
 }
 
 /// Says once that nothing in the history drives any of the forces that could press.
-void tell_undriven(Binder& binder, const Owner& owner, const Case& problem) {
+void tell_undriven(yaml::Binder& binder, const Owner& owner, const cases::Case& problem) {
   // A press fit of predefined friction needs no loads.
   const bool press_fit =
       owner.predefined &&
@@ -117,11 +117,11 @@ void tell_undriven(Binder& binder, const Owner& owner, const Case& problem) {
         problem.kinetic.pressing.contains(first)
             ? component_words(first) +
                   " is free: a spring under 'elasticity' presses once the history moves " +
-                  motion_name(first)
+                  cases::motion_name(first)
         : problem.measured
-            ? "a column of the measured history drives it: 'columns: {" + force_name(first) +
+            ? "a column of the measured history drives it: 'columns: {" + cases::force_name(first) +
                   ": ..}'"
-            : "a step drives it, for example 'force: {" + force_name(first) + ": 100}'";
+            : "a step drives it, for example 'force: {" + cases::force_name(first) + ": 100}'";
     if (presses_otherwise || !zero.empty()) {
       binder.note(*owner.node, *owner.path, what, hint);
     } else {
@@ -140,28 +140,28 @@ std::string holding_types(int component, const law::SlipSpace& slip) {
     }
     if (good) names.push_back(Type::kInfo.name);
   });
-  return in_words(names);
+  return base::in_words(names);
 }
 
 /// Returns the first step that drives a load, in words.
-std::string loading(const Case& problem, int component) {
-  for (const Step& step : problem.steps) {
-    for (const Drive& drive : step.drives) {
-      if (drive.quantity == kFirstForce + component) return "step '" + step.name + "'";
+std::string loading(const cases::Case& problem, int component) {
+  for (const cases::Step& step : problem.steps) {
+    for (const cases::Drive& drive : step.drives) {
+      if (drive.quantity == cases::kFirstForce + component) return "step '" + step.name + "'";
     }
   }
   return "the measured history";
 }
 
 /// Warns of a contact force over a component whose load balances all that presses there.
-void tell_balanced(Binder& binder, const Owner& owner, const Case& problem) {
-  const CaseDefinition& definition = problem.definitions[owner.definitions.front()];
+void tell_balanced(yaml::Binder& binder, const Owner& owner, const cases::Case& problem) {
+  const cases::CaseDefinition& definition = problem.definitions[owner.definitions.front()];
   const law::ComponentSet named = law::components_of(definition.law.contact_force);
   for (int c = 0; c < law::kComponents; ++c) {
     if (!named.contains(c) || !problem.kinetic.pressing.contains(c)) continue;
     if (!problem.force_driven.contains(c)) continue;
     std::string left = "nothing is left to press";
-    for (const CaseDefinition& other : problem.definitions) {
+    for (const cases::CaseDefinition& other : problem.definitions) {
       const auto begin = other.law.slip.component.begin();
       const auto end = begin + other.law.slip.dimension;
       if (std::find(begin, end, c) == end) continue;
@@ -170,10 +170,11 @@ void tell_balanced(Binder& binder, const Owner& owner, const Case& problem) {
     }
     std::string hint;
     if (problem.kinetic.is_elastic(c)) {
-      hint = "prescribe " + motion_name(c) + " under 'motion' instead: its spring then presses";
+      hint =
+          "prescribe " + cases::motion_name(c) + " under 'motion' instead: its spring then presses";
     }
     if (const std::string types = holding_types(c, definition.law.slip); !types.empty()) {
-      hint += (hint.empty() ? "prescribe " : "; or prescribe ") + force_name(c) +
+      hint += (hint.empty() ? "prescribe " : "; or prescribe ") + cases::force_name(c) +
               " in a connection that holds " + component_words(c) + ": " + types;
     }
     binder.warning(*owner.node, *owner.path,
@@ -187,15 +188,16 @@ void tell_balanced(Binder& binder, const Owner& owner, const Case& problem) {
 
 }  // namespace
 
-void finish_contact_forces(Binder& binder, const CaseText& text, Case& out) {
+void finish_contact_forces(yaml::Binder& binder, const CaseText& text, cases::Case& out) {
   const law::ConnectionInfo& info = out.connection.info;
-  if (is_any_connection(out.connection) || is_belt(out.connection) || binder.errors() > 0) return;
-  for (const CaseDefinition& definition : out.definitions) {
+  if (is_any_connection(out.connection) || cases::is_belt(out.connection) || binder.errors() > 0)
+    return;
+  for (const cases::CaseDefinition& definition : out.definitions) {
     const law::ComponentSet named = law::components_of(definition.law.contact_force);
     out.kinetic.pressing = out.kinetic.pressing | (named & info.available);
   }
   const std::vector<Owner> all = owners(text, out);
-  if (const auto order = order_of_evaluation(out); !order) {
+  if (const auto order = bench::order_of_evaluation(out); !order) {
     const std::vector<std::size_t>& chain = order.error();
     std::string who;
     for (const std::size_t d : chain) {
@@ -223,4 +225,4 @@ void finish_contact_forces(Binder& binder, const CaseText& text, Case& out) {
   }
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

@@ -10,14 +10,14 @@
 #include <variant>
 
 #include "driver/base/text/standard_input.hpp"
-#include "driver/check/curves/curve_file.hpp"
+#include "driver/case/curve_file.hpp"
 #include "driver/check/curves/curve_library.hpp"
 #include "driver/read/keys/column_unit.hpp"
 #include "driver/read/keys/key_index.hpp"
 #include "driver/read/resolve/resolve_expression.hpp"
 #include "driver/results/columns.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 namespace fs = std::filesystem;
@@ -33,14 +33,14 @@ bool sounds_like_time(const std::string& name) {
          (lower.size() == 1 || std::isalnum(static_cast<unsigned char>(lower[1])) == 0);
 }
 
-std::optional<Column> column_named(const Case& problem, std::string_view name) {
-  const std::vector<Column> columns = result_columns(problem);
-  return find_column(problem, columns, name);
+std::optional<results::Column> column_named(const cases::Case& problem, std::string_view name) {
+  const std::vector<results::Column> columns = results::result_columns(problem);
+  return results::find_column(problem, columns, name);
 }
 
-AbscissaChoice over_time() { return {{}, "time", {"time", "t", "T"}, kTime}; }
+AbscissaChoice over_time() { return {{}, "time", {"time", "t", "T"}, base::kTime}; }
 
-AbscissaChoice over_column(const Column& column, std::string text) {
+AbscissaChoice over_column(const results::Column& column, std::string text) {
   std::vector<std::string> names{column.name};
   if (text != column.name) names.insert(names.begin(), text);
   return {plain_expression(column.name, {column.name}), std::move(text), std::move(names),
@@ -48,22 +48,24 @@ AbscissaChoice over_column(const Column& column, std::string text) {
 }
 
 /// The accumulated slip of the definition that the quantity belongs to, or of the only one.
-std::optional<Column> accumulated_slip(const Case& problem, std::string_view quantity) {
-  const std::vector<Column> columns = result_columns(problem);
+std::optional<results::Column> accumulated_slip(const cases::Case& problem,
+                                                std::string_view quantity) {
+  const std::vector<results::Column> columns = results::result_columns(problem);
   int definition = problem.definitions.size() == 1 ? 0 : -1;
   if (const auto name = column_of_quantity(quantity, problem)) {
-    const auto column = find_column(problem, columns, *name);
+    const auto column = results::find_column(problem, columns, *name);
     if (column && column->definition >= 0) definition = column->definition;
   }
-  const auto found = std::find_if(columns.begin(), columns.end(), [&](const Column& column) {
-    return is_accumulated_slip(column) && column.definition == definition;
-  });
+  const auto found =
+      std::find_if(columns.begin(), columns.end(), [&](const results::Column& column) {
+        return results::is_accumulated_slip(column) && column.definition == definition;
+      });
   return found == columns.end() ? std::nullopt : std::optional(*found);
 }
 
 /// Returns what a name means as an abscissa; nothing if it means nothing.
 std::optional<AbscissaChoice> named_abscissa(const std::string& name, std::string_view quantity,
-                                             const Case& problem) {
+                                             const cases::Case& problem) {
   if (is_time(name)) return over_time();
   if (name == "accumulated_slip") {
     const auto column = accumulated_slip(problem, quantity);
@@ -73,12 +75,12 @@ std::optional<AbscissaChoice> named_abscissa(const std::string& name, std::strin
   return std::nullopt;
 }
 
-std::optional<AbscissaChoice> own_abscissa(Binder& binder, const CheckText& text,
+std::optional<AbscissaChoice> own_abscissa(yaml::Binder& binder, const CheckText& text,
                                            const std::vector<std::string>& variables,
-                                           const Case& problem) {
-  const At<std::string>& at = text.abscissa;
+                                           const cases::Case& problem) {
+  const yaml::At<std::string>& at = text.abscissa;
   if (!at.sound) return std::nullopt;
-  if (Binder::is_expression(*at.node)) {
+  if (yaml::Binder::is_expression(*at.node)) {
     auto expression = compile_expression(binder, at, variables);
     if (!expression) return std::nullopt;
     if (expression->variables.empty()) {
@@ -91,8 +93,8 @@ std::optional<AbscissaChoice> own_abscissa(Binder& binder, const CheckText& text
   if (binder.unknown_names_excused()) return std::nullopt;
   if (at.value == "accumulated_slip") {
     std::string hint;
-    for (const Column& column : result_columns(problem)) {
-      if (!is_accumulated_slip(column)) continue;
+    for (const results::Column& column : results::result_columns(problem)) {
+      if (!results::is_accumulated_slip(column)) continue;
       hint += (hint.empty() ? "there are " : ", ") + column.name;
     }
     binder.error(*at.node, at.path,
@@ -108,20 +110,20 @@ std::optional<AbscissaChoice> own_abscissa(Binder& binder, const CheckText& text
   binder.error(
       *at.node, at.path,
       "wanted time, accumulated_slip, a result column or an expression, found '" +
-          printable(at.value) + "'",
-      origin.empty() ? nearest_or(at.value, names, "an expression begins with '='") : origin);
+          base::printable(at.value) + "'",
+      origin.empty() ? yaml::nearest_or(at.value, names, "an expression begins with '='") : origin);
   return std::nullopt;
 }
 
 /// The change of unit of the first column in `names` that the file has.
 /// \param file null if it cannot be read
-std::optional<UnitConversion> conversion(Binder& binder, const At<MeasuredColumnText>& at,
-                                         const CsvReader* file, std::span<const std::string> names,
-                                         const At<DataSourceText>& source,
-                                         const std::optional<Dimension>& dimension,
-                                         std::string_view what, const UnitSystem& system) {
-  const At<std::string>& unit = at.value.unit;
-  if (!dimension && !unit.given()) return UnitConversion{};
+std::optional<base::UnitConversion> conversion(
+    yaml::Binder& binder, const yaml::At<MeasuredColumnText>& at, const base::CsvReader* file,
+    std::span<const std::string> names, const yaml::At<DataSourceText>& source,
+    const std::optional<base::Dimension>& dimension, std::string_view what,
+    const base::UnitSystem& system) {
+  const yaml::At<std::string>& unit = at.value.unit;
+  if (!dimension && !unit.given()) return base::UnitConversion{};
   if (!dimension) {
     if (!unit.sound || binder.unknown_names_excused()) return std::nullopt;
     binder.error(*unit.node, unit.path,
@@ -140,24 +142,26 @@ std::optional<UnitConversion> conversion(Binder& binder, const At<MeasuredColumn
 }
 
 /// The file of `curve:`, a shipped curve or one of the case's folder.
-std::optional<CurveReference> curve_file(Binder& binder, const At<DataSourceText>& source,
-                                         const Case& problem, bool may_be_missing) {
-  const At<std::string>& at = source.value.file;
+std::optional<cases::CurveReference> curve_file(yaml::Binder& binder,
+                                                const yaml::At<DataSourceText>& source,
+                                                const cases::Case& problem, bool may_be_missing) {
+  const yaml::At<std::string>& at = source.value.file;
   if (!at.sound) return std::nullopt;
-  CurveReference result;
+  cases::CurveReference result;
   result.format = format_of(source.value);
-  result.shown_name = source_name(at.value);
-  if (at.value != kStandardInput && is_curve_name(at.value)) {
-    const auto shipped = find_shipped_curve(at.value);
+  result.shown_name = base::source_name(at.value);
+  if (at.value != base::kStandardInput && check::is_curve_name(at.value)) {
+    const auto shipped = check::find_shipped_curve(at.value);
     if (!shipped) {
-      const std::vector<ShippedCurve> curves = shipped_curves();
+      const std::vector<check::ShippedCurve> curves = check::shipped_curves();
       std::vector<std::string_view> names;
-      for (const ShippedCurve& curve : curves) names.push_back(curve.name);
-      binder.error(*at.node, at.path, "no curve '" + printable(at.value) + "' comes with slipbench",
-                   nearest_or(at.value, names,
-                              "'slipbench list curves' shows them; a file of your own has an "
-                              "ending, as in '" +
-                                  printable(at.value) + ".csv'"));
+      for (const check::ShippedCurve& curve : curves) names.push_back(curve.name);
+      binder.error(*at.node, at.path,
+                   "no curve '" + base::printable(at.value) + "' comes with slipbench",
+                   yaml::nearest_or(at.value, names,
+                                    "'slipbench list curves' shows them; a file of your own has an "
+                                    "ending, as in '" +
+                                        base::printable(at.value) + ".csv'"));
       return std::nullopt;
     }
     result.file = *shipped;
@@ -167,8 +171,8 @@ std::optional<CurveReference> curve_file(Binder& binder, const At<DataSourceText
     if (!file) return std::nullopt;
     result.file = std::move(*file);
   }
-  for (const Check& check : problem.checks) {
-    const auto* other = std::get_if<CurveReference>(&check.against);
+  for (const cases::Check& check : problem.checks) {
+    const auto* other = std::get_if<cases::CurveReference>(&check.against);
     if (other == nullptr || other->file != result.file || other->format != result.format) continue;
     result.data = other->data;
     return result;
@@ -176,7 +180,7 @@ std::optional<CurveReference> curve_file(Binder& binder, const At<DataSourceText
   std::error_code ignored;
   const bool missing = !fs::exists(fs::symlink_status(result.file, ignored));
   if (!missing || !may_be_missing) {
-    if (const auto opened = openable_curve(result.file, result.shown_name); !opened) {
+    if (const auto opened = cases::openable_curve(result.file, result.shown_name); !opened) {
       binder.history_error(*at.node, at.path, opened.error(),
                            missing ? "'slipbench bless' makes it of today's result, if it is to be "
                                      "a golden curve"
@@ -184,14 +188,15 @@ std::optional<CurveReference> curve_file(Binder& binder, const At<DataSourceText
       return std::nullopt;
     }
   }
-  result.data =
-      std::make_shared<CurveFile>(DataSource{result.file, result.shown_name, result.format});
+  result.data = std::make_shared<cases::CurveFile>(
+      base::DataSource{result.file, result.shown_name, result.format});
   return result;
 }
 
 }  // namespace
 
-std::optional<std::string> column_of_quantity(std::string_view quantity, const Case& problem) {
+std::optional<std::string> column_of_quantity(std::string_view quantity,
+                                              const cases::Case& problem) {
   while (!quantity.empty() && (quantity.front() == '=' || quantity.front() == ' ')) {
     quantity.remove_prefix(1);
   }
@@ -200,37 +205,38 @@ std::optional<std::string> column_of_quantity(std::string_view quantity, const C
   return column ? std::optional(std::string(quantity)) : std::nullopt;
 }
 
-std::optional<AbscissaChoice> read_abscissa(Binder& binder, const CheckText& text,
+std::optional<AbscissaChoice> read_abscissa(yaml::Binder& binder, const CheckText& text,
                                             const std::vector<std::string>& variables,
-                                            const Case& problem) {
+                                            const cases::Case& problem) {
   if (text.abscissa.given()) return own_abscissa(binder, text, variables, problem);
   const AgainstText& against = text.against.value;
-  const At<std::string>& column = against.abscissa.value.column;
+  const yaml::At<std::string>& column = against.abscissa.value.column;
   if (!against.curve.given() || !against.abscissa.given()) return over_time();
   if (!against.abscissa.sound || !column.sound) return std::nullopt;
   if (auto known = named_abscissa(column.value, text.quantity.value, problem)) return known;
-  const At<std::string>& unit = against.abscissa.value.unit;
+  const yaml::At<std::string>& unit = against.abscissa.value.unit;
   const bool has_unit_of_time =
-      unit.sound && conversion_to_case(unit.value, kTime, problem.units).has_value();
+      unit.sound && base::conversion_to_case(unit.value, base::kTime, problem.units).has_value();
   if (has_unit_of_time || sounds_like_time(column.value)) return over_time();
   if (binder.unknown_names_excused()) return std::nullopt;
-  binder.error(*column.node, column.path,
-               "it is not known what of the result belongs to '" + printable(column.value) + "'",
-               "give the check its own 'abscissa': time, accumulated_slip, a result column or an "
-               "expression");
+  binder.error(
+      *column.node, column.path,
+      "it is not known what of the result belongs to '" + base::printable(column.value) + "'",
+      "give the check its own 'abscissa': time, accumulated_slip, a result column or an "
+      "expression");
   return std::nullopt;
 }
 
-std::optional<CurveReference> read_curve(Binder& binder, const CheckText& text,
-                                         const AbscissaChoice& abscissa, const Case& problem,
-                                         bool may_be_missing) {
+std::optional<cases::CurveReference> read_curve(yaml::Binder& binder, const CheckText& text,
+                                                const AbscissaChoice& abscissa,
+                                                const cases::Case& problem, bool may_be_missing) {
   const AgainstText& against = text.against.value;
   if (!against.curve.sound || against.abscissa.faulty() || against.column.faulty()) {
     return std::nullopt;
   }
   auto result = curve_file(binder, against.curve, problem, may_be_missing);
   const auto quantity = column_of_quantity(text.quantity.value, problem);
-  std::optional<Dimension> dimension;
+  std::optional<base::Dimension> dimension;
   if (quantity) dimension = column_named(problem, *quantity)->dimension;
 
   std::vector<std::string> abscissa_names = abscissa.columns;
@@ -242,27 +248,28 @@ std::optional<CurveReference> read_curve(Binder& binder, const CheckText& text,
     column_names = {*quantity};
   }
   // Only the units are read here; the check judges the rows.
-  std::optional<CsvReader> file;
+  std::optional<base::CsvReader> file;
   if (result) {
-    const DataSource source{result->file, result->shown_name, result->format};
-    if (auto opened = CsvReader::open(source, {})) file = std::move(*opened);
+    const base::DataSource source{result->file, result->shown_name, result->format};
+    if (auto opened = base::CsvReader::open(source, {})) file = std::move(*opened);
   }
-  const CsvReader* const header = file ? &*file : nullptr;
+  const base::CsvReader* const header = file ? &*file : nullptr;
   const auto over = conversion(binder, against.abscissa, header, abscissa_names, against.curve,
                                abscissa.dimension, "abscissa", problem.units);
   const auto compared = conversion(binder, against.column, header, column_names, against.curve,
                                    dimension, "quantity", problem.units);
   if (!result || !over || !compared) return std::nullopt;
   if (abscissa_names.empty()) {
-    binder.missing_key(*text.against.node, text.against.path, "abscissa",
-                       "the curve's column that belongs to '" + printable(abscissa.text) + "'");
+    binder.missing_key(
+        *text.against.node, text.against.path, "abscissa",
+        "the curve's column that belongs to '" + base::printable(abscissa.text) + "'");
     return std::nullopt;
   }
   if (column_names.empty()) {
     if (!binder.unknown_names_excused() && text.quantity.sound) {
       binder.missing_key(
           *text.against.node, text.against.path, "column",
-          "the curve's column that belongs to '" + printable(text.quantity.value) + "'");
+          "the curve's column that belongs to '" + base::printable(text.quantity.value) + "'");
     }
     return std::nullopt;
   }
@@ -280,4 +287,4 @@ std::optional<CurveReference> read_curve(Binder& binder, const CheckText& text,
   return result;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

@@ -10,30 +10,31 @@
 #include "driver/read/keys/case_text.hpp"
 #include "driver/yaml/binding.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 
 /// Abscissa of a comparison.
 struct AbscissaChoice {
-  std::optional<ExpressionReference> value;  ///< nothing for total time
-  std::string text = "time";                 ///< as the case names it
+  std::optional<cases::ExpressionReference> value;  ///< nothing for total time
+  std::string text = "time";                        ///< as the case names it
   std::vector<std::string> columns;          ///< of a curve that hold it unless the case says else
-  std::optional<Dimension> dimension;        ///< unknown of an expression
+  std::optional<base::Dimension> dimension;  ///< unknown of an expression
 };
 
 /// The check's own `abscissa:`, else what the curve's column of the abscissa is called, else time.
 /// \param variables what an expression of a check may name
 /// \return nothing after reporting an error, or if it cannot be judged yet
-std::optional<AbscissaChoice> read_abscissa(Binder& binder, const CheckText& text,
+std::optional<AbscissaChoice> read_abscissa(yaml::Binder& binder, const CheckText& text,
                                             const std::vector<std::string>& variables,
-                                            const Case& problem);
+                                            const cases::Case& problem);
 
 /// The curve under `against:`.
 /// \param may_be_missing the file need not be there: it is about to be made
-std::optional<CurveReference> read_curve(Binder& binder, const CheckText& text,
-                                         const AbscissaChoice& abscissa, const Case& problem,
-                                         bool may_be_missing);
+std::optional<cases::CurveReference> read_curve(yaml::Binder& binder, const CheckText& text,
+                                                const AbscissaChoice& abscissa,
+                                                const cases::Case& problem, bool may_be_missing);
 
 /// The column that is named by a check's quantity and nothing else.
-std::optional<std::string> column_of_quantity(std::string_view quantity, const Case& problem);
+std::optional<std::string> column_of_quantity(std::string_view quantity,
+                                              const cases::Case& problem);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

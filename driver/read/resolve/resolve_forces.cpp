@@ -14,14 +14,14 @@
 #include "driver/read/keys/case_codecs.hpp"
 #include "driver/read/resolve/resolve.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 std::string component_words(int component) { return "component " + std::to_string(component + 1); }
 
 /// The index of a free component, or nothing after reporting an error.
-std::optional<int> free_component(Binder& binder, const At<int>& at, const Case& problem,
-                                  std::string_view what) {
+std::optional<int> free_component(yaml::Binder& binder, const yaml::At<int>& at,
+                                  const cases::Case& problem, std::string_view what) {
   if (!at.sound || is_any_connection(problem.connection)) return std::nullopt;
   const int c = at.value - 1;
   const law::ConnectionInfo& info = problem.connection.info;
@@ -35,17 +35,18 @@ std::optional<int> free_component(Binder& binder, const At<int>& at, const Case&
 }
 
 /// A belt is elastic in its segment ab, and nothing else: what slides over its ring is material.
-bool refused_by_a_belt(Binder& binder, const Case& problem, const Node& node, const Path& path,
-                       std::string_view what) {
-  if (!is_belt(problem.connection)) return false;
+bool refused_by_a_belt(yaml::Binder& binder, const cases::Case& problem, const yaml::Node& node,
+                       const yaml::Path& path, std::string_view what) {
+  if (!cases::is_belt(problem.connection)) return false;
   binder.error(node, path, "a SLIPRING takes no " + std::string(what));
   return true;
 }
 
 /// Returns the index of a free component that an entry of a list names, unless it is faulty or
 /// another entry has named it, which is reported.
-std::optional<int> new_component(Binder& binder, const At<int>& at, const Case& problem,
-                                 std::string_view what, law::ComponentSet& seen) {
+std::optional<int> new_component(yaml::Binder& binder, const yaml::At<int>& at,
+                                 const cases::Case& problem, std::string_view what,
+                                 law::ComponentSet& seen) {
   const auto c = free_component(binder, at, problem, what);
   if (c && seen.contains(*c)) {
     binder.error(*at.node, at.path, component_words(*c) + " already has " + std::string(what));
@@ -55,15 +56,15 @@ std::optional<int> new_component(Binder& binder, const At<int>& at, const Case& 
   return c;
 }
 
-const At<double>& linear_form(const At<double>& number) { return number; }
+const yaml::At<double>& linear_form(const yaml::At<double>& number) { return number; }
 /// Returns the number of a spring along one component; a matrix is none, which is reported.
-At<double> linear_form(const At<NumberOrMatrix>& text) {
+yaml::At<double> linear_form(const yaml::At<NumberOrMatrix>& text) {
   const double* number = std::get_if<double>(&text.value);
   return {number != nullptr ? *number : 0.0, text.node, text.path, text.sound && number != nullptr};
 }
 
 /// Reports what keeps a matrix from being the stiffness of springs between `count` components.
-bool is_stiffness(Binder& binder, const At<NumberOrMatrix>& at, std::size_t count) {
+bool is_stiffness(yaml::Binder& binder, const yaml::At<NumberOrMatrix>& at, std::size_t count) {
   const auto* rows = std::get_if<std::vector<std::vector<double>>>(&at.value);
   const std::string size = std::to_string(count);
   if (rows == nullptr || rows->size() != count ||
@@ -83,8 +84,8 @@ bool is_stiffness(Binder& binder, const At<NumberOrMatrix>& at, std::size_t coun
     for (Eigen::Index j = 0; j < n; ++j) {
       if (j < i && entry(i, j) != entry(j, i)) {
         binder.error(*at.node, at.path / static_cast<std::size_t>(i) / static_cast<std::size_t>(j),
-                     "a stiffness matrix is symmetric: " + format_number(entry(i, j)) +
-                         " here and " + format_number(entry(j, i)) + " across the diagonal");
+                     "a stiffness matrix is symmetric: " + base::format_number(entry(i, j)) +
+                         " here and " + base::format_number(entry(j, i)) + " across the diagonal");
         return false;
       }
       const double size_i = entry(i, i) > 0.0 ? std::sqrt(entry(i, i)) : 1.0;
@@ -104,8 +105,8 @@ bool is_stiffness(Binder& binder, const At<NumberOrMatrix>& at, std::size_t coun
 }
 
 /// Reads springs that join several components.
-void read_coupled(Binder& binder, const At<ElasticityText>& at, law::ComponentSet& seen,
-                  Case& out) {
+void read_coupled(yaml::Binder& binder, const yaml::At<ElasticityText>& at, law::ComponentSet& seen,
+                  cases::Case& out) {
   const ElasticityText& text = at.value;
   const auto& list = text.components;
   if (refused_by_a_belt(binder, out, *list.node, list.path, "coupled springs")) return;
@@ -125,14 +126,14 @@ void read_coupled(Binder& binder, const At<ElasticityText>& at, law::ComponentSe
   }
   std::vector<int> components;
   law::ComponentSet rotations;
-  for (const At<int>& one : list.value) {
+  for (const yaml::At<int>& one : list.value) {
     const auto c = new_component(binder, one, out, kElasticityTable.what, seen);
     if (!c) continue;
     components.push_back(*c);
     if (law::is_rotation(*c)) rotations.insert(*c);
   }
   if (!text.stiffness.given()) {
-    if (has_unknown_key<ElasticityText>(*at.node)) return;
+    if (yaml::has_unknown_key<ElasticityText>(*at.node)) return;
     binder.error(*at.node, at.path, "needs 'stiffness', the matrix of these components");
     return;
   }
@@ -155,11 +156,11 @@ void read_coupled(Binder& binder, const At<ElasticityText>& at, law::ComponentSe
 /// \param number the linear form's key in words: "stiffness"
 /// \param store takes the component and the number or table
 template <class Text, class Number, class Store>
-void read_forces(Binder& binder, const At<std::vector<At<Text>>>& list, Case& problem,
-                 const TableUse& use, std::string_view number_key, Number Text::*number,
-                 Store store) {
+void read_forces(yaml::Binder& binder, const yaml::At<std::vector<yaml::At<Text>>>& list,
+                 cases::Case& problem, const TableUse& use, std::string_view number_key,
+                 Number Text::*number, Store store) {
   law::ComponentSet seen;
-  for (const At<Text>& at : list.value) {
+  for (const yaml::At<Text>& at : list.value) {
     if (!at.given() || !at.node->is_map()) continue;
     const Text& text = at.value;
     if constexpr (std::is_same_v<Text, ElasticityText>) {
@@ -173,14 +174,14 @@ void read_forces(Binder& binder, const At<std::vector<At<Text>>>& list, Case& pr
                      "name them with 'components: [..]', or write one number");
         continue;
       }
-      if (!text.component.given() && !has_unknown_key<Text>(*at.node)) {
+      if (!text.component.given() && !yaml::has_unknown_key<Text>(*at.node)) {
         binder.error(*at.node, at.path, "needs 'component', or 'components' and their matrix");
       }
     }
     const auto c = new_component(binder, text.component, problem, use.what, seen);
-    if (c && is_belt(problem.connection)) {
+    if (c && cases::is_belt(problem.connection)) {
       // A tension over a strain or its rate, where others have a length.
-      binder.settle_units(at.path, [](Dimension over_length) {
+      binder.settle_units(at.path, [](base::Dimension over_length) {
         ++over_length.length;
         return over_length;
       });
@@ -198,7 +199,7 @@ void read_forces(Binder& binder, const At<std::vector<At<Text>>>& list, Case& pr
       if (c && linear.sound) store(*c, at, linear.value);
       continue;
     }
-    if (has_unknown_key<Text>(*at.node)) continue;
+    if (yaml::has_unknown_key<Text>(*at.node)) continue;
     if (!text.columns.given() || (!text.rows.given() && !text.csv.given())) {
       binder.error(*at.node, at.path,
                    "needs '" + std::string(number_key) + "', or a table with 'columns' and 'rows'");
@@ -216,8 +217,9 @@ void read_forces(Binder& binder, const At<std::vector<At<Text>>>& list, Case& pr
 }
 
 /// A spring or damper whose force does not follow what it is there to follow.
-bool lacks(Binder& binder, const law::TableFunction& table, law::IndependentKind kind,
-           std::string_view column, const TableUse& use, const Node& node, const Path& path) {
+bool lacks(yaml::Binder& binder, const law::TableFunction& table, law::IndependentKind kind,
+           std::string_view column, const TableUse& use, const yaml::Node& node,
+           const yaml::Path& path) {
   if (table.column_of(kind) >= 0) return false;
   binder.error(*node.find("columns"), path / "columns",
                "the table of " + std::string(use.what) + " needs the column '" +
@@ -236,9 +238,9 @@ bool drives_on(const law::TableFunction& table) {
   return std::any_of(knots.begin(), knots.end(), [&](double v) { return v * force(v) < 0.0; });
 }
 
-void read_stops(Binder& binder, const CaseText& text, Case& out) {
+void read_stops(yaml::Binder& binder, const CaseText& text, cases::Case& out) {
   law::ComponentSet seen;
-  for (const At<StopText>& at : text.stops.value) {
+  for (const yaml::At<StopText>& at : text.stops.value) {
     if (!at.given() || !at.node->is_map()) continue;
     const StopText& stop = at.value;
     const auto c = free_component(binder, stop.component, out, "a stop");
@@ -247,14 +249,14 @@ void read_stops(Binder& binder, const CaseText& text, Case& out) {
                    component_words(*c) + " already has stops");
     }
     if (c) seen.insert(*c);
-    if (c && *c != 0 && is_belt(out.connection)) {
+    if (c && *c != 0 && cases::is_belt(out.connection)) {
       binder.error(*stop.component.node, stop.component.path,
                    "the stops of a SLIPRING bound the distance of its nodes a and b, component 1");
       continue;
     }
     if (c) binder.settle_slip_units(at.path, law::is_rotation(*c));
     if (!stop.lower.given() && !stop.upper.given()) {
-      if (!has_unknown_key<StopText>(*at.node)) {
+      if (!yaml::has_unknown_key<StopText>(*at.node)) {
         binder.error(*at.node, at.path, "needs 'lower', 'upper' or both");
       }
       continue;
@@ -265,30 +267,30 @@ void read_stops(Binder& binder, const CaseText& text, Case& out) {
     if (stop.upper.given()) value.upper = stop.upper.value;
     if (!(value.lower < value.upper)) {
       binder.error(*at.node, at.path,
-                   "the lower stop " + format_number(value.lower) +
-                       " must lie below the upper one, " + format_number(value.upper));
+                   "the lower stop " + base::format_number(value.lower) +
+                       " must lie below the upper one, " + base::format_number(value.upper));
       continue;
     }
     if (!c) continue;
     const double start = out.initial[*c];
-    const bool known = !is_belt(out.connection) || start > 0.0;
+    const bool known = !cases::is_belt(out.connection) || start > 0.0;
     if ((known && start < value.lower) || start > value.upper) {
       binder.error(*at.node, at.path,
-                   "the initial position " + motion_name(*c) + " = " + format_number(start) +
-                       " lies beyond a stop");
+                   "the initial position " + cases::motion_name(*c) + " = " +
+                       base::format_number(start) + " lies beyond a stop");
     }
     out.stop[static_cast<std::size_t>(*c)] = value;
   }
 }
 
-void read_dynamics(Binder& binder, const CaseText& text, Case& out) {
+void read_dynamics(yaml::Binder& binder, const CaseText& text, cases::Case& out) {
   if (!text.dynamics.given() || !text.dynamics.node->is_map()) return;
   const DynamicsText& dynamics = text.dynamics.value;
-  const Node& node = *text.dynamics.node;
-  const Path& path = text.dynamics.path;
+  const yaml::Node& node = *text.dynamics.node;
+  const yaml::Path& path = text.dynamics.path;
   if (is_any_connection(out.connection)) return;
   if (refused_by_a_belt(binder, out, node, path, "'dynamics'")) return;
-  DynamicsData data;
+  cases::DynamicsData data;
   const law::ComponentSet free = out.connection.info.available;
   if (dynamics.component.given()) {
     const auto c = free_component(binder, dynamics.component, out, "the mass");
@@ -312,7 +314,7 @@ void read_dynamics(Binder& binder, const CaseText& text, Case& out) {
   }
   if (dynamics.driver.given() && dynamics.driver.sound) {
     data.driver =
-        DriverData{dynamics.driver.value.mass.value, dynamics.driver.value.velocity.value};
+        cases::DriverData{dynamics.driver.value.mass.value, dynamics.driver.value.velocity.value};
     if (dynamics.belt_velocity.given()) {
       binder.error(*dynamics.belt_velocity.node, dynamics.belt_velocity.path,
                    "a mass rubs on a belt or on a driver, not on both",
@@ -343,8 +345,8 @@ void read_dynamics(Binder& binder, const CaseText& text, Case& out) {
     const double at_rest = plain ? law::evaluate(law.law, {}, {}).mu : 0.0;
     if (data.static_coefficient && *data.static_coefficient < at_rest) {
       binder.error(*dynamics.static_coefficient.node, dynamics.static_coefficient.path,
-                   "the static coefficient " + format_number(*data.static_coefficient) +
-                       " is below the coefficient of slow slip, " + format_number(at_rest) +
+                   "the static coefficient " + base::format_number(*data.static_coefficient) +
+                       " is below the coefficient of slow slip, " + base::format_number(at_rest) +
                        ": nothing could hold still");
     }
     const auto& frictions = text.friction.value;
@@ -364,26 +366,27 @@ void read_dynamics(Binder& binder, const CaseText& text, Case& out) {
 /// Reports motions and loads that cannot be had together. `motions` and `forces` are the names
 /// under one step, or in one measured history.
 template <class Motions, class Forces>
-void check_drives(Binder& binder, const Case& out, const Motions& motions, const Forces& forces) {
+void check_drives(yaml::Binder& binder, const cases::Case& out, const Motions& motions,
+                  const Forces& forces) {
   for (const auto& entry : motions) {
-    const auto c = component_of_motion(entry.name);
+    const auto c = cases::component_of_motion(entry.name);
     if (!c || !out.connection.info.available.contains(*c)) continue;
     if (out.dynamics && out.dynamics->component == *c) {
       binder.error(*entry.key, entry.path,
                    "the mass moves along " + component_words(*c) +
                        " by itself: its motion cannot be prescribed",
-                   "a load on it goes under 'force: {" + force_name(*c) + ": ...}'");
+                   "a load on it goes under 'force: {" + cases::force_name(*c) + ": ...}'");
     }
     for (const auto& other : forces) {
-      if (component_of_force(other.name) != c) continue;
+      if (cases::component_of_force(other.name) != c) continue;
       binder.error(*other.key, other.path,
-                   component_words(*c) + " is driven by its motion " + motion_name(*c) +
+                   component_words(*c) + " is driven by its motion " + cases::motion_name(*c) +
                        " here: it cannot be driven by force at once",
                    "leave out one of them");
     }
   }
   for (const auto& entry : forces) {
-    const auto c = component_of_force(entry.name);
+    const auto c = cases::component_of_force(entry.name);
     if (!c || !out.connection.info.available.contains(*c)) continue;
     if (out.dynamics && out.dynamics->component != *c) {
       binder.error(*entry.key, entry.path,
@@ -394,16 +397,17 @@ void check_drives(Binder& binder, const Case& out, const Motions& motions, const
 }
 
 /// Temperature and fields that a spring or damper depends on and the history never gives.
-void explain_arguments(Binder& binder, const Case& out, const law::TableFunction* table,
-                       const Node& node, const Path& path, std::string_view what) {
+void explain_arguments(yaml::Binder& binder, const cases::Case& out,
+                       const law::TableFunction* table, const yaml::Node& node,
+                       const yaml::Path& path, std::string_view what) {
   if (table == nullptr) return;
   for (const law::Independent& one : table->independents()) {
     const bool is_field = one.kind == law::IndependentKind::kField;
     if (!is_field && one.kind != law::IndependentKind::kTemperature) continue;
-    const int quantity = is_field ? kFirstField + one.index : kTemperatureQuantity;
-    if (!is_driven(out, quantity)) {
+    const int quantity = is_field ? cases::kFirstField + one.index : cases::kTemperatureQuantity;
+    if (!cases::is_driven(out, quantity)) {
       binder.warning(node, path,
-                     std::string(what) + " depends on " + quantity_name(quantity) +
+                     std::string(what) + " depends on " + cases::quantity_name(quantity) +
                          ", which the history never gives: it is 0");
     }
   }
@@ -411,16 +415,17 @@ void explain_arguments(Binder& binder, const Case& out, const law::TableFunction
 
 }  // namespace
 
-void resolve_forces(Binder& binder, const CaseText& text, Case& out) {
+void resolve_forces(yaml::Binder& binder, const CaseText& text, cases::Case& out) {
   read_forces(binder, text.elasticity, out, kElasticityTable, "stiffness",
-              &ElasticityText::stiffness, [&](int c, const At<ElasticityText>& at, auto value) {
+              &ElasticityText::stiffness,
+              [&](int c, const yaml::At<ElasticityText>& at, auto value) {
                 if constexpr (std::is_same_v<decltype(value), law::TableFunction>) {
                   if (lacks(binder, value, law::IndependentKind::kConstitutiveMotion,
                             "displacement", kElasticityTable, *at.node, at.path)) {
                     return;
                   }
                 }
-                if (is_belt(out.connection) && c != 0) {
+                if (cases::is_belt(out.connection) && c != 0) {
                   binder.error(*at.node, at.path,
                                "the belt of a SLIPRING is elastic in component 1 only: its tension "
                                "over its strain");
@@ -429,8 +434,8 @@ void resolve_forces(Binder& binder, const CaseText& text, Case& out) {
                 out.kinetic.elasticity[static_cast<std::size_t>(c)].emplace(std::move(value));
               });
   read_forces(binder, text.damping, out, kDampingTable, "coefficient", &DampingText::coefficient,
-              [&](int c, const At<DampingText>& at, auto value) {
-                if (is_belt(out.connection) && c != 0) {
+              [&](int c, const yaml::At<DampingText>& at, auto value) {
+                if (cases::is_belt(out.connection) && c != 0) {
                   binder.error(*at.node, at.path,
                                "the belt of a SLIPRING is damped in component 1 only: its tension "
                                "over the rate of its strain");
@@ -455,28 +460,29 @@ void resolve_forces(Binder& binder, const CaseText& text, Case& out) {
   read_dynamics(binder, text, out);
 }
 
-void finish_forces(Binder& binder, const CaseText& text, Case& out) {
-  if (is_any_connection(out.connection) || is_belt(out.connection)) return;
+void finish_forces(yaml::Binder& binder, const CaseText& text, cases::Case& out) {
+  if (is_any_connection(out.connection) || cases::is_belt(out.connection)) return;
   const HistoryText& history = text.history.value;
-  for (const At<StepText>& step : history.steps) {
+  for (const yaml::At<StepText>& step : history.steps) {
     check_drives(binder, out, step.value.motion, step.value.force);
   }
   if (history.measured) {
     check_drives(binder, out, history.measured->columns.value, history.measured->columns.value);
   }
   for (int c = 0; c < law::kComponents && !out.dynamics; ++c) {
-    if (out.connection.info.available.contains(c) && is_driven(out, kFirstForce + c)) {
+    if (out.connection.info.available.contains(c) &&
+        cases::is_driven(out, cases::kFirstForce + c)) {
       out.force_driven.insert(c);
     }
   }
-  for (const At<ElasticityText>& at : text.elasticity.value) {
+  for (const yaml::At<ElasticityText>& at : text.elasticity.value) {
     if (!at.value.component.sound) continue;
     const auto& spring =
         out.kinetic.elasticity[static_cast<std::size_t>(at.value.component.value - 1)];
     explain_arguments(binder, out, spring ? spring->table() : nullptr, *at.node, at.path,
                       kElasticityTable.what);
   }
-  for (const At<DampingText>& at : text.damping.value) {
+  for (const yaml::At<DampingText>& at : text.damping.value) {
     if (!at.value.component.sound) continue;
     const auto& damper =
         out.kinetic.damping[static_cast<std::size_t>(at.value.component.value - 1)];
@@ -485,4 +491,4 @@ void finish_forces(Binder& binder, const CaseText& text, Case& out) {
   }
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

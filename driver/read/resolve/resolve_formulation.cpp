@@ -16,20 +16,22 @@
 #include "law/base/component.hpp"
 #include "law/update/penalty_predictor.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 /// Reports a key that is of no use where it stands.
 template <class T>
-bool refuse(Binder& binder, const At<T>& at, std::string message, std::string hint = {}) {
+bool refuse(yaml::Binder& binder, const yaml::At<T>& at, std::string message,
+            std::string hint = {}) {
   if (!at.given()) return false;
   binder.error(*at.node, at.path, std::move(message), std::move(hint));
   return true;
 }
 
-std::optional<law::NormalStiffness> normal_stiffness(Binder& binder, const At<NumberOrTable>& at) {
+std::optional<law::NormalStiffness> normal_stiffness(yaml::Binder& binder,
+                                                     const yaml::At<NumberOrTable>& at) {
   if (!at.sound) return std::nullopt;
   if (const double* number = std::get_if<double>(&at.value)) return *number;
   auto function = table_function(binder, std::get<TableText>(at.value), *at.node, at.path,
@@ -39,7 +41,8 @@ std::optional<law::NormalStiffness> normal_stiffness(Binder& binder, const At<Nu
 }
 
 /// VISF, K and m, or C: exactly one of the two ways.
-std::optional<law::ViscousPenalty> viscous(Binder& binder, const At<FormulationText>& at) {
+std::optional<law::ViscousPenalty> viscous(yaml::Binder& binder,
+                                           const yaml::At<FormulationText>& at) {
   const FormulationText& text = at.value;
   bool good = !refuse(binder, text.tangential_stiffness,
                       "K_t belongs to 'penalty: stiffness'; the viscous penalty has no stick",
@@ -58,7 +61,7 @@ std::optional<law::ViscousPenalty> viscous(Binder& binder, const At<FormulationT
     return good ? std::optional(penalty) : std::nullopt;
   }
   if (!text.normal_stiffness.given() || !text.mass.given()) {
-    if (!has_unknown_key<FormulationText>(*at.node)) {
+    if (!yaml::has_unknown_key<FormulationText>(*at.node)) {
       const std::string lacks = sqrt_given ? (text.mass.given() ? "'K'" : "'m'") : "'K' and 'm'";
       binder.error(*at.node, at.path,
                    "a viscous penalty needs " + lacks +
@@ -79,12 +82,12 @@ std::optional<law::ViscousPenalty> viscous(Binder& binder, const At<FormulationT
   if (number != nullptr && !std::isfinite(penalty.visf * std::sqrt(2.0 * *number * penalty.mass))) {
     binder.error(*text.normal_stiffness.node, text.normal_stiffness.path,
                  fmt::format("C = VISF sqrt(2 K m) is not finite for VISF {}, K {} and m {}",
-                             format_number(penalty.visf), format_number(*number),
-                             format_number(penalty.mass)));
+                             base::format_number(penalty.visf), base::format_number(*number),
+                             base::format_number(penalty.mass)));
     return std::nullopt;
   }
   if (penalty.mass == 0.0 || (number != nullptr && *number == 0.0)) {
-    const At<double>& mass = text.mass;
+    const yaml::At<double>& mass = text.mass;
     binder.warning(mass.value == 0.0 ? *mass.node : *text.normal_stiffness.node,
                    mass.value == 0.0 ? mass.path : text.normal_stiffness.path,
                    "C = VISF sqrt(2 K m) = 0: there is no friction force");
@@ -92,7 +95,8 @@ std::optional<law::ViscousPenalty> viscous(Binder& binder, const At<FormulationT
   return penalty;
 }
 
-std::optional<law::StiffnessPenalty> stiffness(Binder& binder, const At<FormulationText>& at) {
+std::optional<law::StiffnessPenalty> stiffness(yaml::Binder& binder,
+                                               const yaml::At<FormulationText>& at) {
   const FormulationText& text = at.value;
   const std::string of_viscous = " belongs to 'penalty: viscous'; a stiffness penalty has 'K_t'";
   bool good = !refuse(binder, text.normal_stiffness, "K" + of_viscous);
@@ -102,7 +106,7 @@ std::optional<law::StiffnessPenalty> stiffness(Binder& binder, const At<Formulat
     binder.warning(*text.visf.node, text.visf.path,
                    "VISF has no effect on a stiffness penalty: it is a factor of the viscous C");
   }
-  if (!text.tangential_stiffness.given() && !has_unknown_key<FormulationText>(*at.node)) {
+  if (!text.tangential_stiffness.given() && !yaml::has_unknown_key<FormulationText>(*at.node)) {
     binder.error(*at.node, at.path, "a stiffness penalty needs 'K_t'");
   }
   if (!good || !text.tangential_stiffness.sound) return std::nullopt;
@@ -110,8 +114,8 @@ std::optional<law::StiffnessPenalty> stiffness(Binder& binder, const At<Formulat
 }
 
 /// alpha of an Xfreq of Ifiltr 2, in one of its two spellings.
-std::optional<double> xfreq_coefficient(Binder& binder, const FilterText& text) {
-  const At<double>& xfreq = text.xfreq;
+std::optional<double> xfreq_coefficient(yaml::Binder& binder, const FilterText& text) {
+  const yaml::At<double>& xfreq = text.xfreq;
   if (!text.xfreq_convention.given()) {
     binder.error(*xfreq.node, xfreq.path,
                  "needs 'xfreq_convention': steps (Xfreq = T/dt) or ratio (Xfreq = dt/T)",
@@ -126,10 +130,10 @@ std::optional<double> xfreq_coefficient(Binder& binder, const FilterText& text) 
                steps
                    ? fmt::format("alpha = 2 pi/Xfreq = {:.7g} is above 1: an Xfreq in steps is at "
                                  "least 2 pi = 6.2831853... (found {})",
-                                 alpha, format_number(xfreq.value))
+                                 alpha, base::format_number(xfreq.value))
                    : fmt::format("alpha = 2 pi Xfreq = {:.7g} is above 1: an Xfreq as a ratio is "
                                  "at most 1/(2 pi) = 0.1591549... (found {})",
-                                 alpha, format_number(xfreq.value)));
+                                 alpha, base::format_number(xfreq.value)));
   return std::nullopt;
 }
 
@@ -146,18 +150,18 @@ bool would_smooth(const FormulationText& text) {
 }
 
 /// The filter of a definition; nothing after an error.
-std::optional<law::Filter> filter(Binder& binder, const At<FilterText>& at,
+std::optional<law::Filter> filter(yaml::Binder& binder, const yaml::At<FilterText>& at,
                                   const FormulationText& formulation) {
   const FilterText& text = at.value;
   using Kind = law::Filter::Kind;
   law::Filter result;
   result.clip = text.clip;
   int ways = 0;
-  for (const At<double>* way : {&text.simple, &text.period, &text.frequency, &text.xfreq}) {
+  for (const yaml::At<double>* way : {&text.simple, &text.period, &text.frequency, &text.xfreq}) {
     ways += way->given() ? 1 : 0;
   }
   if (ways != 1) {
-    if (ways > 1 || !has_unknown_key<FilterText>(*at.node)) {
+    if (ways > 1 || !yaml::has_unknown_key<FilterText>(*at.node)) {
       binder.error(*at.node, at.path,
                    std::string(ways == 0 ? "needs" : "takes only") +
                        " one of 'simple', 'period', 'frequency' and 'Xfreq'");
@@ -170,7 +174,7 @@ std::optional<law::Filter> filter(Binder& binder, const At<FilterText>& at,
     return std::nullopt;
   }
   if (at.faulty()) return std::nullopt;
-  for (const At<double>* way : {&text.simple, &text.frequency, &text.xfreq}) {
+  for (const yaml::At<double>* way : {&text.simple, &text.frequency, &text.xfreq}) {
     if (!way->given() || way->value != 0.0) continue;
     binder.warning(*way->node, way->path, "0 is no filter: the force is not smoothed");
     return result;
@@ -201,7 +205,7 @@ std::optional<law::Filter> filter(Binder& binder, const At<FilterText>& at,
   return result;
 }
 
-std::optional<law::Orthotropy> orthotropy(Binder& binder, const OrthotropicText& text,
+std::optional<law::Orthotropy> orthotropy(yaml::Binder& binder, const OrthotropicText& text,
                                           const LawSurroundings& surroundings) {
   law::Orthotropy result;
   result.speed = text.speed;
@@ -230,7 +234,8 @@ std::optional<law::Orthotropy> orthotropy(Binder& binder, const OrthotropicText&
 }
 
 /// The penalty of `formulation:`, or of the stick stiffness beside an orthotropic coefficient.
-std::optional<law::Formulation> penalty(Binder& binder, const At<FrictionText>& friction) {
+std::optional<law::Formulation> penalty(yaml::Binder& binder,
+                                        const yaml::At<FrictionText>& friction) {
   const FrictionText& text = friction.value;
   law::Formulation result;
   if (!text.formulation.given()) {
@@ -238,7 +243,7 @@ std::optional<law::Formulation> penalty(Binder& binder, const At<FrictionText>& 
       result.penalty = law::StiffnessPenalty{text.stick.value.stiffness.value};
       return result;
     }
-    if (!text.stick.faulty() && !has_unknown_key<FrictionText>(*friction.node)) {
+    if (!text.stick.faulty() && !yaml::has_unknown_key<FrictionText>(*friction.node)) {
       binder.error(*text.coefficient.node, text.coefficient.path,
                    "an orthotropic coefficient needs a 'formulation', or 'stick: {stiffness: k}', "
                    "which stands for the formulation {penalty: stiffness, K_t: k}");
@@ -265,10 +270,11 @@ std::optional<law::Formulation> penalty(Binder& binder, const At<FrictionText>& 
 }
 
 /// The increments of a step against the period of a filter.
-void check_period(Binder& binder, const At<FilterText>& at, bool smooths, const Case& problem) {
-  const At<double>& period = at.value.period;
+void check_period(yaml::Binder& binder, const yaml::At<FilterText>& at, bool smooths,
+                  const cases::Case& problem) {
+  const yaml::At<double>& period = at.value.period;
   if (!period.sound) return;
-  for (const Step& step : problem.steps) {
+  for (const cases::Step& step : problem.steps) {
     const double dt = step.duration / step.increments;
     const double alpha = kTwoPi * dt / period.value;
     if (!(alpha > 1.0)) continue;
@@ -278,7 +284,7 @@ void check_period(Binder& binder, const At<FilterText>& at, bool smooths, const 
         *period.node, period.path,
         fmt::format(
             "alpha = 2 pi dt/T = {:.6g} is above 1 in step '{}' with dt = {}: {}", alpha, step.name,
-            format_number(dt),
+            base::format_number(dt),
             smooths ? "the filter would overshoot" : "the spring would be stiffer than K_t"),
         "give the step " +
             (wanted <= kMostIncrements ? fmt::format("at least {:.0f} increments, or ", wanted)
@@ -289,9 +295,9 @@ void check_period(Binder& binder, const At<FilterText>& at, bool smooths, const 
 }
 
 /// A formulation sees the motion's speed and the wear at the start, whatever `integration:` says.
-void warn_of_timing(Binder& binder, const CaseText& text) {
-  const std::vector<At<FrictionText>>& all = text.friction.value;
-  if (std::none_of(all.begin(), all.end(), [](const At<FrictionText>& friction) {
+void warn_of_timing(yaml::Binder& binder, const CaseText& text) {
+  const std::vector<yaml::At<FrictionText>>& all = text.friction.value;
+  if (std::none_of(all.begin(), all.end(), [](const yaml::At<FrictionText>& friction) {
         return has_formulation(friction.value);
       })) {
     return;
@@ -311,8 +317,8 @@ void warn_of_timing(Binder& binder, const CaseText& text) {
 
 }  // namespace
 
-At<CoefficientText> coefficient_of(const At<DirectionText>& direction) {
-  At<CoefficientText> coefficient;
+yaml::At<CoefficientText> coefficient_of(const yaml::At<DirectionText>& direction) {
+  yaml::At<CoefficientText> coefficient;
   coefficient.value = direction.value.coefficient;
   coefficient.node = direction.node;
   coefficient.path = direction.path;
@@ -324,11 +330,12 @@ bool has_formulation(const FrictionText& text) {
   return text.formulation.given() || text.coefficient.value.orthotropic != nullptr;
 }
 
-std::optional<law::Formulation> formulation(Binder& binder, const At<FrictionText>& friction,
+std::optional<law::Formulation> formulation(yaml::Binder& binder,
+                                            const yaml::At<FrictionText>& friction,
                                             const LawSurroundings& surroundings) {
   const FrictionText& text = friction.value;
   if (!has_formulation(text)) {
-    if (text.filter.given() && !has_unknown_key<FrictionText>(*friction.node)) {
+    if (text.filter.given() && !yaml::has_unknown_key<FrictionText>(*friction.node)) {
       refuse(binder, text.filter,
              "a filter smooths the force of a 'formulation', and this definition has none",
              "add 'formulation: {penalty: stiffness, K_t: ...}' or {penalty: viscous, ...}");
@@ -369,7 +376,7 @@ void set_formulation(law::FrictionDefinition& definition, const law::Formulation
   }
 }
 
-bool slip_suits_formulation(Binder& binder, const At<FrictionText>& friction,
+bool slip_suits_formulation(yaml::Binder& binder, const yaml::At<FrictionText>& friction,
                             const law::FrictionDefinition& definition) {
   const FrictionText& text = friction.value;
   const auto error = [&](std::string message, std::string hint) {
@@ -407,7 +414,7 @@ bool slip_suits_formulation(Binder& binder, const At<FrictionText>& friction,
     const int c = slip.component[i];
     const auto& terms = text.potential.value.terms.value;
     return law::is_rotation(c) && slip.scale[i] == 1.0 && !text.predefined.given() &&
-           std::none_of(terms.begin(), terms.end(), [&](const At<PotentialTermText>& term) {
+           std::none_of(terms.begin(), terms.end(), [&](const yaml::At<PotentialTermText>& term) {
              return term.value.component.value == c + 1 && term.value.scale.given();
            });
   };
@@ -418,8 +425,8 @@ bool slip_suits_formulation(Binder& binder, const At<FrictionText>& friction,
   return false;
 }
 
-void check_formulations(Binder& binder, const CaseText& text, const Case& problem) {
-  const std::vector<At<FrictionText>>& all = text.friction.value;
+void check_formulations(yaml::Binder& binder, const CaseText& text, const cases::Case& problem) {
+  const std::vector<yaml::At<FrictionText>>& all = text.friction.value;
   if (all.empty()) return;
   warn_of_timing(binder, text);
   const bool predefined = all.front().value.predefined.given();
@@ -429,8 +436,8 @@ void check_formulations(Binder& binder, const CaseText& text, const Case& proble
     const FrictionText& friction = all[i].value;
     if (!has_formulation(friction)) continue;
     const bool written = friction.formulation.given();
-    const Node& node = written ? *friction.formulation.node : *friction.coefficient.node;
-    const Path& path = written ? friction.formulation.path : friction.coefficient.path;
+    const yaml::Node& node = written ? *friction.formulation.node : *friction.coefficient.node;
+    const yaml::Path& path = written ? friction.formulation.path : friction.coefficient.path;
     if (problem.dynamics) {
       binder.error(node, path, "a mass of 'dynamics:' sticks rigidly: it takes no formulation",
                    "leave out 'dynamics:', or give the definition no formulation");
@@ -439,7 +446,7 @@ void check_formulations(Binder& binder, const CaseText& text, const Case& proble
       const bool smooths = would_smooth(friction.formulation.value);
       check_period(binder, friction.filter, smooths, problem);
       law::ComponentSet slips;
-      for (const CaseDefinition& definition : problem.definitions) {
+      for (const cases::CaseDefinition& definition : problem.definitions) {
         if (!predefined && &definition != &problem.definitions[i]) continue;
         const law::SlipSpace& slip = definition.law.slip;
         for (int k = 0; k < slip.dimension; ++k) {
@@ -457,4 +464,4 @@ void check_formulations(Binder& binder, const CaseText& text, const Case& proble
   }
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

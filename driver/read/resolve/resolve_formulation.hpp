@@ -9,10 +9,10 @@
 #include "driver/read/resolve/resolve_definition.hpp"
 #include "driver/yaml/binding.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 
 /// The coefficient of one direction as a coefficient of its own.
-At<CoefficientText> coefficient_of(const At<DirectionText>& direction);
+yaml::At<CoefficientText> coefficient_of(const yaml::At<DirectionText>& direction);
 
 /// Tells whether a definition has or implies a formulation: `formulation:`, or an orthotropic
 /// coefficient beside `stick: {stiffness: ..}`. Then no default of `stick:` is in force.
@@ -20,7 +20,8 @@ bool has_formulation(const FrictionText& text);
 
 /// The formulation of a definition with its filter and second direction; nothing if it has none or
 /// one that is faulty, which is reported.
-std::optional<law::Formulation> formulation(Binder& binder, const At<FrictionText>& friction,
+std::optional<law::Formulation> formulation(yaml::Binder& binder,
+                                            const yaml::At<FrictionText>& friction,
                                             const LawSurroundings& surroundings);
 
 /// Puts a formulation into a definition. What the connector's own return mapping knows of stick and
@@ -30,11 +31,11 @@ void set_formulation(law::FrictionDefinition& definition, const law::Formulation
 /// The rules between a formulation and what the definition slips in: no potential, two components
 /// of one kind for two directions.
 /// \return whether they hold; else an error was reported
-bool slip_suits_formulation(Binder& binder, const At<FrictionText>& friction,
+bool slip_suits_formulation(yaml::Binder& binder, const yaml::At<FrictionText>& friction,
                             const law::FrictionDefinition& definition);
 
 /// The rules between formulations and the rest of the case: dynamics, components driven by force,
 /// the increments of a filter's period. Goes after the history and the forces.
-void check_formulations(Binder& binder, const CaseText& text, const Case& problem);
+void check_formulations(yaml::Binder& binder, const CaseText& text, const cases::Case& problem);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

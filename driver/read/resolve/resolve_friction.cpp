@@ -16,7 +16,7 @@
 #include "driver/read/resolve/resolve_potential.hpp"
 #include "law/update/uniqueness.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 using law::ComponentSet;
@@ -24,8 +24,8 @@ using law::ComponentSet;
 constexpr double kDefaultSlipTolerance = 1.0e-4;  // the default of docs/theory, section 10
 
 /// Reports a force of a component that the connection does not have.
-bool has_component(Binder& binder, const law::Connection& connection, int component, const Node& at,
-                   const Path& path) {
+bool has_component(yaml::Binder& binder, const law::Connection& connection, int component,
+                   const yaml::Node& at, const yaml::Path& path) {
   const ComponentSet all = connection.info.held | connection.info.available;
   if (all.contains(component)) return true;
   binder.error(at, path,
@@ -34,8 +34,9 @@ bool has_component(Binder& binder, const law::Connection& connection, int compon
   return false;
 }
 
-std::optional<law::DerivedTerm> derived_term(Binder& binder, const law::Connection& connection,
-                                             const At<DerivedTermText>& at) {
+std::optional<law::DerivedTerm> derived_term(yaml::Binder& binder,
+                                             const law::Connection& connection,
+                                             const yaml::At<DerivedTermText>& at) {
   const DerivedTermText& text = at.value;
   law::DerivedTerm term;
   term.combine = text.combine.value;
@@ -46,7 +47,7 @@ std::optional<law::DerivedTerm> derived_term(Binder& binder, const law::Connecti
   }
   term.sign = text.sign.value;
   ComponentSet seen;
-  for (const At<int>& component : text.components.value) {
+  for (const yaml::At<int>& component : text.components.value) {
     if (!component.sound) continue;
     const int c = component.value - 1;
     if (seen.contains(c)) {
@@ -104,14 +105,15 @@ struct DerivedComponents {
   bool readable = true;            ///< false: not even the names are known
 };
 
-DerivedComponents derived_components(Binder& binder, const CaseText& text, const Case& problem) {
+DerivedComponents derived_components(yaml::Binder& binder, const CaseText& text,
+                                     const cases::Case& problem) {
   DerivedComponents result;
   result.readable = !text.derived_components.given() || text.derived_components.node->is_map();
   for (const auto& named : text.derived_components.value) {
     result.names.push_back(named.name);
     if (!can_be_referred_to(named.name)) {
       binder.error(*named.key, named.path,
-                   "a derived component cannot have the name '" + printable(named.name) +
+                   "a derived component cannot have the name '" + base::printable(named.name) +
                        "': 'contact_force:' reads it as a number");
     }
     law::DerivedComponent component;
@@ -145,13 +147,13 @@ DerivedComponents derived_components(Binder& binder, const CaseText& text, const
 
 }  // namespace
 
-law::StickStiffness stick_stiffness(Binder& binder, const At<StickText>& text, const Node& parent,
-                                    const Path& parent_path, bool parent_misspelt,
-                                    const UnitSystem& units) {
+law::StickStiffness stick_stiffness(yaml::Binder& binder, const yaml::At<StickText>& text,
+                                    const yaml::Node& parent, const yaml::Path& parent_path,
+                                    bool parent_misspelt, const base::UnitSystem& units) {
   const StickText& stick = text.value;
   using Mode = law::StickStiffness::Mode;
   const bool misspelt = parent_misspelt || (text.given() && text.node->is_map() &&
-                                            has_unknown_key<StickText>(*text.node));
+                                            yaml::has_unknown_key<StickText>(*text.node));
   if (text.faulty() || misspelt) return {Mode::kElasticSlip, kDefaultSlipTolerance};
   const int ways = (stick.slip_tolerance.given() || stick.characteristic_length.given() ? 1 : 0) +
                    (stick.elastic_slip.given() ? 1 : 0) + (stick.stiffness.given() ? 1 : 0);
@@ -172,31 +174,31 @@ law::StickStiffness stick_stiffness(Binder& binder, const At<StickText>& text, c
     binder.note(text.given() ? *text.node : parent, text.given() ? text.path : parent_path,
                 "characteristic length not given, 1" + unit +
                     " (1 rad in rotation) used for the stick stiffness: elastic slip " +
-                    format_number(tolerance));
+                    base::format_number(tolerance));
   }
   const double elastic_slip = tolerance * length;
   if (!(elastic_slip >= std::numeric_limits<double>::min()) || !std::isfinite(elastic_slip)) {
     binder.error(*text.node, text.path,
-                 "slip_tolerance * characteristic_length = " + format_number(tolerance) + " * " +
-                     format_number(length) + " is no elastic slip a double can hold");
+                 "slip_tolerance * characteristic_length = " + base::format_number(tolerance) +
+                     " * " + base::format_number(length) + " is no elastic slip a double can hold");
   }
   return {Mode::kElasticSlip, elastic_slip};
 }
 
-void warn_of_snap_back(Binder& binder, const law::FrictionDefinition& d, const CaseText& text,
-                       const Node& node, const Path& path) {
+void warn_of_snap_back(yaml::Binder& binder, const law::FrictionDefinition& d, const CaseText& text,
+                       const yaml::Node& node, const yaml::Path& path) {
   const law::SnapBack snap = law::snap_back(d);
-  if (snap.ratio < 1.0 || text.integration.snap_back.value == SnapBackAction::kJump) return;
+  if (snap.ratio < 1.0 || text.integration.snap_back.value == cases::SnapBackAction::kJump) return;
   const auto cell = [](const law::CellRange& range) {
-    return format_number(range.begin) + " .. " + format_number(range.end);
+    return base::format_number(range.begin) + " .. " + base::format_number(range.end);
   };
   const bool uneven = snap.along != 1.0;
-  const std::string stick = format_number(d.stick.value);
+  const std::string stick = base::format_number(d.stick.value);
   std::string message = fmt::format(
       "wear may fall faster than the stick stiffness can follow (snap-back): mu |F'| / {} = {} * "
       "{} "
       "/ {} = {:.6g} in the cell accumulated_slip = {}",
-      uneven ? "(|m|^2 k)" : "k", format_number(snap.growth), format_number(snap.fall),
+      uneven ? "(|m|^2 k)" : "k", base::format_number(snap.growth), base::format_number(snap.fall),
       uneven ? fmt::format("({:.6g} * {})", snap.along, stick) : stick, snap.ratio,
       cell(snap.slip));
   if (snap.contact) message += " at contact_force = " + cell(*snap.contact);
@@ -214,25 +216,26 @@ namespace {
 /// Largest coefficient taken without doubt: dry rubber reaches 2 to 4.
 constexpr double kLargestPlausible = 5.0;
 
-void doubt(Binder& binder, const At<CoefficientText>& text,
+void doubt(yaml::Binder& binder, const yaml::At<CoefficientText>& text,
            const std::optional<law::FrictionLaw>& law) {
   const auto* constant = law ? std::get_if<law::ConstantCoefficient>(&*law) : nullptr;
   if (constant == nullptr || !(constant->mu > kLargestPlausible)) return;
-  binder.warning(*text.node, text.path,
-                 "a coefficient of " + format_number(constant->mu) + " is beyond dry friction",
-                 "a percentage is written as its fraction: " + format_number(constant->mu / 100.0));
+  binder.warning(
+      *text.node, text.path,
+      "a coefficient of " + base::format_number(constant->mu) + " is beyond dry friction",
+      "a percentage is written as its fraction: " + base::format_number(constant->mu / 100.0));
 }
 
-std::optional<law::FrictionLaw> coefficient(Binder& binder, const FrictionText& text,
-                                            const Node& friction, const Path& path,
+std::optional<law::FrictionLaw> coefficient(yaml::Binder& binder, const FrictionText& text,
+                                            const yaml::Node& friction, const yaml::Path& path,
                                             const LawSurroundings& surroundings) {
   const CoefficientText& coefficient = text.coefficient.value;
   if (coefficient.orthotropic) {
-    const At<DirectionText>& first = coefficient.orthotropic->direction1;
+    const yaml::At<DirectionText>& first = coefficient.orthotropic->direction1;
     return coefficient_law(binder, coefficient_of(first), surroundings);
   }
   if (coefficient.with_direction) {
-    const At<DirectionText>& forward = coefficient.with_direction->forward;
+    const yaml::At<DirectionText>& forward = coefficient.with_direction->forward;
     return coefficient_law(binder, coefficient_of(forward), surroundings);
   }
   if (text.coefficient.given()) {
@@ -240,15 +243,15 @@ std::optional<law::FrictionLaw> coefficient(Binder& binder, const FrictionText& 
     doubt(binder, text.coefficient, law);
     return law;
   }
-  if (has_unknown_key<FrictionText>(friction)) return std::nullopt;
+  if (yaml::has_unknown_key<FrictionText>(friction)) return std::nullopt;
   binder.warning(friction, path, "no coefficient: this definition has no effect",
                  "give it a 'coefficient'");
   return law::FrictionLaw(law::ConstantCoefficient{0.0});
 }
 
 /// Returns whether a belt over several rings has a friction definition for each of them.
-bool has_friction_for_each_ring(const CaseText& text, const Case& problem) {
-  return is_belt(problem.connection) && text.friction.value.size() > 1 &&
+bool has_friction_for_each_ring(const CaseText& text, const cases::Case& problem) {
+  return cases::is_belt(problem.connection) && text.friction.value.size() > 1 &&
          text.friction.value.size() ==
              std::get<law::SlipRing>(*problem.connection.type).wrap_angles.size();
 }
@@ -256,21 +259,21 @@ bool has_friction_for_each_ring(const CaseText& text, const Case& problem) {
 /// One entry of `friction:` with what its definitions share.
 class Resolver {
  public:
-  Resolver(Binder& binder, const CaseText& text, bool derived_known, Case& out)
+  Resolver(yaml::Binder& binder, const CaseText& text, bool derived_known, cases::Case& out)
       : binder_(binder), text_(text), out_(out), derived_(derived_components(binder, text, out)) {
     derived_.readable = derived_.readable && derived_known;
   }
 
   /// \param index of the entry
-  law::FrictionOutline add(const At<FrictionText>& friction, std::size_t index) {
+  law::FrictionOutline add(const yaml::At<FrictionText>& friction, std::size_t index) {
     const FrictionText& text = friction.value;
-    const Node& node = *friction.node;
-    const Path& path = friction.path;
+    const yaml::Node& node = *friction.node;
+    const yaml::Path& path = friction.path;
     if (!node.is_map()) {
       outlines_known_ = false;
       return {};
     }
-    if (is_belt(out_.connection) && belt_has_predefined_friction_only(text)) {
+    if (cases::is_belt(out_.connection) && belt_has_predefined_friction_only(text)) {
       outlines_known_ = false;
       return {};
     }
@@ -278,7 +281,7 @@ class Resolver {
                       (text.potential.given() ? 1 : 0);
     if (forms != 1) {
       outlines_known_ = false;
-      if (forms > 1 || !has_unknown_key<FrictionText>(node)) {
+      if (forms > 1 || !yaml::has_unknown_key<FrictionText>(node)) {
         binder_.error(node, path,
                       std::string(forms == 0 ? "needs" : "takes only") +
                           " one of 'predefined', 'component' and 'potential'");
@@ -291,7 +294,8 @@ class Resolver {
     } else if (is_named_law(text.coefficient)) {
       columns_known_ = false;
     }
-    const bool silent = has_unknown_key<FrictionText>(node) || rigid(text) || has_formulation(text);
+    const bool silent =
+        yaml::has_unknown_key<FrictionText>(node) || rigid(text) || has_formulation(text);
     shared.stick = stick_stiffness(binder_, text.stick, node, path, silent, out_.units);
     shared.accumulated_slip = text_.integration.accumulated_slip.value;
     shared.slip_rate = text_.integration.slip_rate.value;
@@ -340,7 +344,7 @@ class Resolver {
 
   /// Suits the law of every definition to what it slips in; goes after all of them.
   void suit_laws() {
-    const At<double>& radius = text_.connector.value.friction_radius;
+    const yaml::At<double>& radius = text_.connector.value.friction_radius;
     std::vector<std::size_t> all(out_.definitions.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     // A case shares its one coefficient if it is predefined or of the parts that meet.
@@ -355,14 +359,14 @@ class Resolver {
           together == all.end()
               ? "not used: no coefficient is shared by a translation and a rotation"
               : "not used: translation and rotation slip together, at the radius " +
-                    format_number(*radius_of_rotation(out_.definitions[*together].law.slip)) +
+                    base::format_number(*radius_of_rotation(out_.definitions[*together].law.slip)) +
                     " of the rotation's 'scale' or of 'predefined'");
     }
     if (mixed && !radius.given()) {
       warn_of_two_units(binder_, *owner_of_definition_.front(), out_.definitions.front().law.law,
                         out_.units, arm_);
     }
-    const At<CoefficientText>* faulty = nullptr;
+    const yaml::At<CoefficientText>* faulty = nullptr;
     for (const std::size_t i : all) {
       if (owner_of_definition_[i] == faulty) continue;  // the same fault in each of them
       const bool good =
@@ -379,14 +383,14 @@ class Resolver {
 
  private:
   /// Gives the definitions from `first` on the coefficient of backward slip.
-  void add_backward(const At<FrictionText>& friction, std::size_t first) {
-    const At<DirectionText>& text = friction.value.coefficient.value.with_direction->backward;
+  void add_backward(const yaml::At<FrictionText>& friction, std::size_t first) {
+    const yaml::At<DirectionText>& text = friction.value.coefficient.value.with_direction->backward;
     const auto law =
         coefficient_law(binder_, coefficient_of(text), {text_.connector.value.area, out_.units});
     if (!law) return;
-    const At<double>& cap = friction.value.force_limit;
+    const yaml::At<double>& cap = friction.value.force_limit;
     for (std::size_t i = first; i < out_.definitions.size(); ++i) {
-      CaseDefinition& definition = out_.definitions[i];
+      cases::CaseDefinition& definition = out_.definitions[i];
       definition.backward = *law;
       law::FrictionDefinition other = definition.law;
       other.law = *law;
@@ -398,12 +402,12 @@ class Resolver {
     }
   }
   /// \return false after reporting an error
-  bool suit_laws(const At<CoefficientText>& coefficient, CaseDefinition& definition,
+  bool suit_laws(const yaml::At<CoefficientText>& coefficient, cases::CaseDefinition& definition,
                  std::optional<double> radius) {
     const auto& directions = coefficient.value.orthotropic;
     const auto& senses = coefficient.value.with_direction;
     law::FrictionDefinition& d = definition.law;
-    const auto suit = [&](const At<CoefficientText>& at, law::FrictionLaw& law) {
+    const auto suit = [&](const yaml::At<CoefficientText>& at, law::FrictionLaw& law) {
       return suit_to_slip(binder_, at, d.slip, out_.units, radius, law);
     };
     bool good = suit(directions ? coefficient_of(directions->direction1)
@@ -420,7 +424,7 @@ class Resolver {
     return good;
   }
   /// A number and a table have the columns of every law.
-  static bool is_named_law(const At<CoefficientText>& coefficient) {
+  static bool is_named_law(const yaml::At<CoefficientText>& coefficient) {
     return coefficient.given() && coefficient.node->is_map() && !coefficient.node->find("columns");
   }
 
@@ -453,7 +457,7 @@ class Resolver {
     return found;
   }
 
-  void predefined(const At<FrictionText>& friction, std::size_t index,
+  void predefined(const yaml::At<FrictionText>& friction, std::size_t index,
                   const law::FrictionDefinition& shared, law::FrictionOutline& outline) {
     const FrictionText& text = friction.value;
     for (const auto& [given, node, path] :
@@ -471,7 +475,7 @@ class Resolver {
       outlines_known_ = false;
       return;
     }
-    const Node& map = *text.predefined.value.node;
+    const yaml::Node& map = *text.predefined.value.node;
     bool found = false;
     if (out_.connection.type) {
       std::visit(
@@ -479,7 +483,7 @@ class Resolver {
             if constexpr (law::HasPredefinedFriction<Type>) {
               found = true;
               Type geometry = type;
-              if (!read_struct(binder_, map, text.predefined.path, geometry) ||
+              if (!yaml::read_struct(binder_, map, text.predefined.path, geometry) ||
                   !tables_available(map, text.predefined.path, geometry)) {
                 outlines_known_ = false;
                 return;
@@ -522,17 +526,17 @@ class Resolver {
       });
       binder_.error(map, text.predefined.path,
                     connector_words(out_.connection) + " has no predefined friction",
-                    "those that have: " + in_words(with, "and") + ", and " +
-                        in_words(in_pairs, "and") +
+                    "those that have: " + base::in_words(with, "and") + ", and " +
+                        base::in_words(in_pairs, "and") +
                         " in a pair with any rotation; here give 'component' or 'potential'");
     }
   }
 
   /// The tables of predefined friction depend on motions the connection has.
   template <class Type>
-  bool tables_available(const Node& map, const Path& path, const Type& geometry) {
+  bool tables_available(const yaml::Node& map, const yaml::Path& path, const Type& geometry) {
     bool good = true;
-    for_each_key<Type>([&](std::string_view key, auto member, const KeyInfo&) {
+    yaml::for_each_key<Type>([&](std::string_view key, auto member, const yaml::KeyInfo&) {
       using Member = std::remove_cvref_t<decltype(geometry.*member)>;
       if constexpr (std::is_same_v<Member, law::InternalContactForce>) {
         const auto* function = std::get_if<law::TableFunction>(&(geometry.*member));
@@ -549,15 +553,16 @@ class Resolver {
   /// PLANAR checks a force over a length and a moment over an angle with one set of numbers: what
   /// one number means for both depends on the unit of length.
   template <class Type>
-  void warn_mixed_units(const At<FrictionText>& friction, [[maybe_unused]] const Type& geometry) {
+  void warn_mixed_units(const yaml::At<FrictionText>& friction,
+                        [[maybe_unused]] const Type& geometry) {
     if constexpr (std::is_same_v<Type, law::Planar>) {
       if (geometry.R > 0.0) arm_ = geometry.mean_arm();
       const FrictionText& text = friction.value;
-      const auto warn = [&](const At<double>& number, std::string_view sliding,
+      const auto warn = [&](const yaml::At<double>& number, std::string_view sliding,
                             std::string_view spinning) {
         if (!number.given() || number.value == 0.0) return;
         binder_.warning(*number.node, number.path,
-                        format_number(number.value) + " is " + std::string(sliding) +
+                        base::format_number(number.value) + " is " + std::string(sliding) +
                             " for sliding and " + std::string(spinning) + " for spinning",
                         "to choose them apart write two definitions: a potential of 2 and 3, and "
                         "component 4");
@@ -589,15 +594,15 @@ class Resolver {
 
   /// A rotation that slips with translations and has no radius: its rate is added to theirs.
   void warn_of_missing_scale(const PotentialText& potential, bool rate) {
-    const auto rotates = [](const At<PotentialTermText>& term) {
+    const auto rotates = [](const yaml::At<PotentialTermText>& term) {
       return law::is_rotation(term.value.component.value - 1);
     };
-    const auto slides = [&](const At<PotentialTermText>& term) {
+    const auto slides = [&](const yaml::At<PotentialTermText>& term) {
       return term.value.component.sound && !rotates(term);
     };
     const auto& terms = potential.terms.value;
     if (std::none_of(terms.begin(), terms.end(), slides)) return;
-    for (const At<PotentialTermText>& term : terms) {
+    for (const yaml::At<PotentialTermText>& term : terms) {
       const PotentialTermText& text = term.value;
       if (!text.component.sound || !rotates(term) || text.scale.given()) continue;
       binder_.warning(*term.node, term.path,
@@ -613,12 +618,13 @@ class Resolver {
 
   /// Returns true if the inner radius of a PLANAR, if it has one, leaves a ring; else reports it.
   template <class Type>
-  bool is_ring(const Node& map, const Path& path, [[maybe_unused]] const Type& geometry) {
+  bool is_ring(const yaml::Node& map, const yaml::Path& path,
+               [[maybe_unused]] const Type& geometry) {
     if constexpr (std::is_same_v<Type, law::Planar>) {
       if (geometry.R_i > 0.0 && geometry.R_i >= geometry.R) {
         binder_.error(*map.find("R_i"), path / "R_i",
                       "the inner radius of a ring must be less than its radius R, " +
-                          format_number(geometry.R));
+                          base::format_number(geometry.R));
         return false;
       }
     }
@@ -627,8 +633,8 @@ class Resolver {
 
   /// A zero length silently drops its term of the contact force: worth a note if it was written.
   template <class Type>
-  void note_dropped_terms(const Node& map, const Path& path, const Type& geometry) {
-    for_each_key<Type>([&](std::string_view key, auto member, const KeyInfo&) {
+  void note_dropped_terms(const yaml::Node& map, const yaml::Path& path, const Type& geometry) {
+    yaml::for_each_key<Type>([&](std::string_view key, auto member, const yaml::KeyInfo&) {
       if constexpr (std::is_same_v<std::remove_cvref_t<decltype(geometry.*member)>, double>) {
         const auto value = map.find(key);
         if constexpr (std::is_same_v<Type, law::Planar>) {
@@ -642,20 +648,21 @@ class Resolver {
   }
 
   /// Slip space and criterion of a potential.
-  void potential(const At<PotentialText>& text, law::FrictionDefinition& d,
+  void potential(const yaml::At<PotentialText>& text, law::FrictionDefinition& d,
                  law::FrictionOutline& outline) {
     const ResolvedPotential resolved = resolve_potential(
-        binder_, text, [this](const At<std::string>& name) { return derived(name); });
+        binder_, text, [this](const yaml::At<std::string>& name) { return derived(name); });
     d.slip = resolved.slip;
     d.criterion = resolved.criterion;
     outline.components = resolved.components;
     outlines_known_ = outlines_known_ && resolved.components_known;
   }
 
-  void user_defined(const At<FrictionText>& friction, law::FrictionDefinition d, bool coupled) {
+  void user_defined(const yaml::At<FrictionText>& friction, law::FrictionDefinition d,
+                    bool coupled) {
     const FrictionText& text = friction.value;
     if (!text.contact_force.given() && !text.internal_contact_force.given() &&
-        !has_unknown_key<FrictionText>(*friction.node)) {
+        !yaml::has_unknown_key<FrictionText>(*friction.node)) {
       binder_.error(*friction.node, friction.path,
                     "neither 'contact_force' nor 'internal_contact_force': nothing presses");
     }
@@ -678,7 +685,7 @@ class Resolver {
     out_.definitions.push_back({text.name.value, coupled, std::move(d)});
   }
 
-  void contact_force(const At<ContactForceText>& contact, law::FrictionDefinition& d) {
+  void contact_force(const yaml::At<ContactForceText>& contact, law::FrictionDefinition& d) {
     if (const int* number = std::get_if<int>(&contact.value.value)) {
       d.contact_force = law::ComponentContactForce{*number - 1};
       // Behind what opens nothing presses: its normal force is one-sided for every definition.
@@ -689,7 +696,7 @@ class Resolver {
       has_component(binder_, out_.connection, *number - 1, *contact.node, contact.path);
       return;
     }
-    At<std::string> name;
+    yaml::At<std::string> name;
     name.value = std::get<std::string>(contact.value.value);
     name.node = contact.node;
     name.path = contact.path;
@@ -699,7 +706,7 @@ class Resolver {
   }
 
   /// A derived component by its name; null if it is faulty or unknown, which is reported.
-  const law::DerivedComponent* derived(const At<std::string>& name) {
+  const law::DerivedComponent* derived(const yaml::At<std::string>& name) {
     for (const auto& [known, component] : derived_.sound) {
       if (known == name.value) return &component;
     }
@@ -711,18 +718,18 @@ class Resolver {
     }
     const std::vector<std::string_view> names(derived_.names.begin(), derived_.names.end());
     binder_.error(*name.node, name.path,
-                  "unknown derived component '" + printable(name.value) + "'",
-                  nearest_or(name.value, names,
-                             names.empty() ? "define it under 'derived_components:'"
-                                           : "known: " + few_in_words(names)));
+                  "unknown derived component '" + base::printable(name.value) + "'",
+                  yaml::nearest_or(name.value, names,
+                                   names.empty() ? "define it under 'derived_components:'"
+                                                 : "known: " + base::few_in_words(names)));
     return nullptr;
   }
 
-  Binder& binder_;
+  yaml::Binder& binder_;
   const CaseText& text_;
-  Case& out_;
+  cases::Case& out_;
   DerivedComponents derived_;
-  std::vector<const At<CoefficientText>*> owner_of_definition_;  ///< where its law is written
+  std::vector<const yaml::At<CoefficientText>*> owner_of_definition_;  ///< where its law is written
   double arm_ = 0.0;  ///< mean friction arm of a predefined puck [L]
   bool outlines_known_ = true;
   bool columns_known_ = true;
@@ -730,27 +737,27 @@ class Resolver {
 
 /// Definitions need different names, and names that can stand in a column.
 /// \return whether they have
-bool name_definitions(Binder& binder, const CaseText& text, Case& out) {
-  const std::vector<At<FrictionText>>& all = text.friction.value;
+bool name_definitions(yaml::Binder& binder, const CaseText& text, cases::Case& out) {
+  const std::vector<yaml::At<FrictionText>>& all = text.friction.value;
   const auto automatic = [](std::size_t i) { return "friction" + std::to_string(i + 1); };
   bool good = true;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const At<std::string>& name = all[i].value.name;
+    const yaml::At<std::string>& name = all[i].value.name;
     if (name.faulty()) good = false;
     if (!name.sound) continue;
-    if (!is_identifier(name.value)) {
+    if (!base::is_identifier(name.value)) {
       binder.error(*name.node, name.path,
                    "a name is a letter, then letters, digits and '_', found '" +
-                       printable(name.value) + "'");
+                       base::printable(name.value) + "'");
       good = false;
     }
     for (std::size_t j = 0; j < all.size(); ++j) {
-      const At<std::string>& other = all[j].value.name;
+      const yaml::At<std::string>& other = all[j].value.name;
       const bool same =
           other.given() ? j < i && other.value == name.value : j != i && automatic(j) == name.value;
       if (!same) continue;
       binder.error(*name.node, name.path,
-                   "the name '" + printable(name.value) + "' is already that of friction[" +
+                   "the name '" + base::printable(name.value) + "' is already that of friction[" +
                        std::to_string(j) + "]");
       good = false;
       break;
@@ -764,8 +771,8 @@ bool name_definitions(Binder& binder, const CaseText& text, Case& out) {
 
 /// Returns where a definition says that it slips in `component` (index 0..5), or that it slips at
 /// all.
-std::pair<Node, Path> place_of(const At<FrictionText>& friction, const CaseText& all,
-                               int component) {
+std::pair<yaml::Node, yaml::Path> place_of(const yaml::At<FrictionText>& friction,
+                                           const CaseText& all, int component) {
   const FrictionText& text = friction.value;
   if (text.component.given()) return {*text.component.node, text.component.path};
   if (text.potential.given()) return place_in_potential(text.potential, all, component);
@@ -773,10 +780,10 @@ std::pair<Node, Path> place_of(const At<FrictionText>& friction, const CaseText&
   return {*friction.node, friction.path};
 }
 
-void report(Binder& binder, const CaseText& text, const Case& problem,
+void report(yaml::Binder& binder, const CaseText& text, const cases::Case& problem,
             const law::FrictionRuleViolation& violation) {
   using Rule = law::FrictionRuleViolation::Rule;
-  const At<FrictionText>& friction =
+  const yaml::At<FrictionText>& friction =
       text.friction.value[static_cast<std::size_t>(violation.definition)];
   const auto name = [](int i) { return "friction[" + std::to_string(i) + "]"; };
   const std::string component = "component " + std::to_string(violation.component + 1);
@@ -815,21 +822,22 @@ void report(Binder& binder, const CaseText& text, const Case& problem,
 
 }  // namespace
 
-bool resolve_friction(Binder& binder, const CaseText& text, bool derived_known, Case& out) {
+bool resolve_friction(yaml::Binder& binder, const CaseText& text, bool derived_known,
+                      cases::Case& out) {
   if (text.friction.sound && text.friction.value.empty()) {
     binder.error(*text.friction.node, text.friction.path, "needs at least one definition");
   }
   if (text.friction.value.empty()) return false;
   Resolver resolver(binder, text, derived_known, out);
   std::vector<law::FrictionOutline> outlines;
-  for (const At<FrictionText>& friction : text.friction.value) {
+  for (const yaml::At<FrictionText>& friction : text.friction.value) {
     outlines.push_back(resolver.add(friction, outlines.size()));
   }
   resolver.suit_laws();
   // The rings of a belt slip in one flow.
   if (has_friction_for_each_ring(text, out)) outlines.resize(1);
   const bool rings_known = !text.connector.value.wrap_angle.faulty();
-  if (is_belt(out.connection) && outlines.size() > 1 && rings_known) {
+  if (cases::is_belt(out.connection) && outlines.size() > 1 && rings_known) {
     const auto& rings = std::get<law::SlipRing>(*out.connection.type).wrap_angles;
     binder.error(*text.friction.node, text.friction.path,
                  "a belt over " + std::to_string(rings.size()) +
@@ -870,4 +878,4 @@ bool resolve_friction(Binder& binder, const CaseText& text, bool derived_known, 
   return name_definitions(binder, text, out) && good && resolver.columns_known();
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

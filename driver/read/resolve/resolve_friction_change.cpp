@@ -13,26 +13,27 @@
 #include "driver/read/resolve/resolve_definition.hpp"
 #include "law/base/component.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 /// The steps of a case, in order: what a change leaves out stays what an earlier one made it.
 class Changes {
  public:
-  Changes(Binder& binder, const CaseText& text, bool definitions_known, Case& out)
+  Changes(yaml::Binder& binder, const CaseText& text, bool definitions_known, cases::Case& out)
       : binder_(binder), text_(text), known_(definitions_known), out_(out) {
-    for (const CaseDefinition& definition : out.definitions) in_force_.push_back(definition.law);
+    for (const cases::CaseDefinition& definition : out.definitions)
+      in_force_.push_back(definition.law);
     ever_changed_.resize(in_force_.size(), false);
   }
 
-  void add_step(std::size_t index, const NamedMap<FrictionChangeText>& changes) {
+  void add_step(std::size_t index, const yaml::NamedMap<FrictionChangeText>& changes) {
     index_ = index;
     changed_by_.assign(in_force_.size(), {});
-    for (const Named<FrictionChangeText>& change : changes) add(change);
+    for (const yaml::Named<FrictionChangeText>& change : changes) add(change);
   }
 
  private:
-  void add(const Named<FrictionChangeText>& change) {
+  void add(const yaml::Named<FrictionChangeText>& change) {
     const FrictionChangeText& text = change.value;
     if (!change.node->is_map()) return;
     const std::vector<std::size_t> meant = definitions_called(change);
@@ -40,7 +41,7 @@ class Changes {
     const bool sound = rules_hold(change, reset);
     const auto law =
         coefficient_law(binder_, text.coefficient, {text_.connector.value.area, out_.units});
-    const Profile* amplitude = amplitude_of(text.amplitude);
+    const history::Profile* amplitude = amplitude_of(text.amplitude);
     std::optional<law::StickStiffness> stick;
     if (text.stick.sound) {
       stick = stick_stiffness(binder_, text.stick, *change.node, change.path, false, out_.units);
@@ -52,7 +53,7 @@ class Changes {
     }
     if (!sound || amplitude == nullptr || (!law && !reset)) return;
     for (const std::size_t definition : meant) {
-      FrictionChange result;
+      cases::FrictionChange result;
       result.definition = definition;
       result.amplitude = *amplitude;
       const law::FrictionDefinition& before = in_force_[definition];
@@ -89,7 +90,7 @@ class Changes {
   }
 
   /// The definitions a name means: one, or both checks of a predefined PLANAR or UJOINT.
-  std::vector<std::size_t> definitions_called(const Named<FrictionChangeText>& change) {
+  std::vector<std::size_t> definitions_called(const yaml::Named<FrictionChangeText>& change) {
     std::vector<std::size_t> meant;
     std::vector<std::string_view> names;
     const auto& friction = text_.friction.value;
@@ -105,8 +106,8 @@ class Changes {
     }
     if (meant.empty() && known_) {
       binder_.error(*change.key, change.path,
-                    "unknown friction definition '" + printable(change.name) + "'",
-                    nearest_or(change.name, names, "known: " + few_in_words(names)));
+                    "unknown friction definition '" + base::printable(change.name) + "'",
+                    yaml::nearest_or(change.name, names, "known: " + base::few_in_words(names)));
     }
     std::vector<std::size_t> once;
     for (const std::size_t i : meant) {
@@ -122,11 +123,11 @@ class Changes {
     return once;
   }
 
-  bool rules_hold(const Named<FrictionChangeText>& change, bool reset) {
+  bool rules_hold(const yaml::Named<FrictionChangeText>& change, bool reset) {
     const FrictionChangeText& text = change.value;
     bool good = change.sound;
     if (!reset && !text.coefficient.given()) {
-      if (!text.reset.faulty() && !has_unknown_key<FrictionChangeText>(*change.node)) {
+      if (!text.reset.faulty() && !yaml::has_unknown_key<FrictionChangeText>(*change.node)) {
         binder_.error(*change.node, change.path,
                       "needs a 'coefficient', or 'reset: true' to go back to the one under "
                       "'friction:'");
@@ -152,11 +153,11 @@ class Changes {
   }
 
   /// The friction radius, if the definitions need one and have it; warns once if they have none.
-  std::optional<double> radius_for(const At<CoefficientText>& coefficient,
+  std::optional<double> radius_for(const yaml::At<CoefficientText>& coefficient,
                                    const std::vector<std::size_t>& group,
                                    const law::FrictionLaw& law) {
     if (!slip_in_two_units(out_, group)) return std::nullopt;
-    const At<double>& radius = text_.connector.value.friction_radius;
+    const yaml::At<double>& radius = text_.connector.value.friction_radius;
     if (radius.sound) return radius.value;
     const law::FrictionLaw& first = out_.definitions[group.front()].law.law;
     const bool said = law::depends_on_slip_rate(first) || law::depends_on_contact_force(first);
@@ -167,26 +168,27 @@ class Changes {
   }
 
   /// Null after an error.
-  const Profile* amplitude_of(const At<AmplitudeText>& amplitude) {
+  const history::Profile* amplitude_of(const yaml::At<AmplitudeText>& amplitude) {
     if (amplitude.faulty()) return nullptr;
-    const Step& step = out_.steps[index_];
-    const auto* table = std::get_if<Tabular>(&amplitude.value.profile);
+    const cases::Step& step = out_.steps[index_];
+    const auto* table = std::get_if<history::Tabular>(&amplitude.value.profile);
     if (table == nullptr) return &amplitude.value.profile;
-    const double slack = kCoverageSlack * step.duration;
+    const double slack = history::kCoverageSlack * step.duration;
     const bool whole = std::abs(table->times.front()) <= slack &&
                        std::abs(table->times.back() - step.duration) <= slack;
     if (whole || text_.history.value.steps[index_].value.duration.faulty()) {
       return &amplitude.value.profile;
     }
     binder_.error(*amplitude.node, amplitude.path,
-                  "the amplitude goes from t = " + format_number(table->times.front()) + " to " +
-                      format_number(table->times.back()) + ", the step from 0 to " +
-                      format_number(step.duration) + ": both must be the same");
+                  "the amplitude goes from t = " + base::format_number(table->times.front()) +
+                      " to " + base::format_number(table->times.back()) + ", the step from 0 to " +
+                      base::format_number(step.duration) + ": both must be the same");
     return nullptr;
   }
 
-  bool result_is_possible(const Named<FrictionChangeText>& change,
-                          const law::FrictionDefinition& before, const FrictionChange& result) {
+  bool result_is_possible(const yaml::Named<FrictionChangeText>& change,
+                          const law::FrictionDefinition& before,
+                          const cases::FrictionChange& result) {
     const FrictionChangeText& text = change.value;
     if (before.formulation && text.stick.given()) {
       binder_.error(*text.stick.node, text.stick.path,
@@ -220,8 +222,8 @@ class Changes {
           given ? *text.force_limit.node : *change.node,
           given ? text.force_limit.path : change.path,
           "exponential decay takes no force limit" +
-              std::string(given ? ""
-                                : ", and " + format_number(result.force_limit) + " is in force"),
+              std::string(
+                  given ? "" : ", and " + base::format_number(result.force_limit) + " is in force"),
           given ? "" : "'force_limit: 0' takes it away");
       return false;
     }
@@ -236,7 +238,7 @@ class Changes {
   }
 
   /// One number for a force over a length and for a moment over an angle.
-  void warn_mixed_units(const Named<FrictionChangeText>& change,
+  void warn_mixed_units(const yaml::Named<FrictionChangeText>& change,
                         const std::vector<std::size_t>& meant) {
     const FrictionChangeText& text = change.value;
     const auto rotational = [&](std::size_t i) {
@@ -247,7 +249,7 @@ class Changes {
                               out_.definitions[meant[1]].name + "' apart";
     if (text.force_limit.given() && text.force_limit.value > 0.0) {
       binder_.warning(*text.force_limit.node, text.force_limit.path,
-                      format_number(text.force_limit.value) +
+                      base::format_number(text.force_limit.value) +
                           " is a force for one and a moment for the other definition",
                       apart);
     }
@@ -257,10 +259,10 @@ class Changes {
     }
   }
 
-  Binder& binder_;
+  yaml::Binder& binder_;
   const CaseText& text_;
   bool known_;
-  Case& out_;
+  cases::Case& out_;
   std::size_t index_ = 0;
   std::vector<law::FrictionDefinition> in_force_;  ///< at the end of the steps so far
   std::vector<bool> ever_changed_;
@@ -270,8 +272,8 @@ class Changes {
 
 }  // namespace
 
-void resolve_friction_changes(Binder& binder, const CaseText& text, bool definitions_known,
-                              Case& out) {
+void resolve_friction_changes(yaml::Binder& binder, const CaseText& text, bool definitions_known,
+                              cases::Case& out) {
   Changes changes(binder, text, definitions_known, out);
   const auto& steps = text.history.value.steps;
   for (std::size_t i = 0; i < steps.size() && i < out.steps.size(); ++i) {
@@ -279,4 +281,4 @@ void resolve_friction_changes(Binder& binder, const CaseText& text, bool definit
   }
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

@@ -13,13 +13,14 @@
 #include "driver/read/keys/degrees.hpp"
 #include "driver/read/resolve/resolve.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 /// A belt is driven by its tension, by that behind its ring, and by its nodes where it has them.
 /// \return nothing if `name` is none of these; the quantity, or -1 after reporting an error
-std::optional<int> belt_quantity_of(Binder& binder, const Case& problem, const std::string& name,
-                                    const Node& key, const Path& path, bool motion, bool force) {
+std::optional<int> belt_quantity_of(yaml::Binder& binder, const cases::Case& problem,
+                                    const std::string& name, const yaml::Node& key,
+                                    const yaml::Path& path, bool motion, bool force) {
   if (motion && name == "CP1" && problem.belt->nodes) {
     binder.error(key, path, "the distance CP1 follows from the nodes a and b",
                  "move them under 'nodes:'");
@@ -30,10 +31,10 @@ std::optional<int> belt_quantity_of(Binder& binder, const Case& problem, const s
     binder.error(key, path, "'f_bc' is a tension: it goes under 'force:'");
     return -1;
   }
-  if (name == "f_bc") return kTensionBehind;
-  const auto c = component_of_force(name);
+  if (name == "f_bc") return cases::kTensionBehind;
+  const auto c = cases::component_of_force(name);
   if (!c) return std::nullopt;
-  if (*c == 0) return kFirstForce;
+  if (*c == 0) return cases::kFirstForce;
   binder.error(key, path,
                "a SLIPRING has the tensions f1, of segment ab, and f_bc, behind the ring; found '" +
                    name + "'");
@@ -43,25 +44,26 @@ std::optional<int> belt_quantity_of(Binder& binder, const Case& problem, const s
 std::string held_message(const law::Connection& connection, int component) {
   return connector_words(connection) + " holds component " + std::to_string(component + 1) +
          " (its constraint " + (law::is_rotation(component) ? "moment " : "force ") +
-         force_name(component) + " goes under 'force:'); free are " +
+         cases::force_name(component) + " goes under 'force:'); free are " +
          motion_names(connection.info.available);
 }
 
 std::string nearest_quantity(std::string_view name, const law::ConnectionInfo& info, bool motion,
                              bool force, bool others, std::string otherwise) {
-  if (force) otherwise = nearest_component(name, info.held, force_name, std::move(otherwise));
+  if (force)
+    otherwise = nearest_component(name, info.held, cases::force_name, std::move(otherwise));
   if (motion) {
-    otherwise = nearest_component(name, info.available, motion_name, std::move(otherwise));
+    otherwise = nearest_component(name, info.available, cases::motion_name, std::move(otherwise));
   }
-  return others ? nearest_or(name, std::array<std::string_view, 2>{"temperature", "field1"},
-                             std::move(otherwise))
+  return others ? yaml::nearest_or(name, std::array<std::string_view, 2>{"temperature", "field1"},
+                                   std::move(otherwise))
                 : otherwise;
 }
 
 /// The quantity a name under motion, force, fields or the columns of a measured history means.
-std::optional<int> quantity_of(Binder& binder, const Case& problem, const std::string& name,
-                               const Node& key, const Path& path, bool motion, bool force,
-                               bool others) {
+std::optional<int> quantity_of(yaml::Binder& binder, const cases::Case& problem,
+                               const std::string& name, const yaml::Node& key,
+                               const yaml::Path& path, bool motion, bool force, bool others) {
   const law::ConnectionInfo& info = problem.connection.info;
   const std::string words = connector_words(problem.connection);
   if (problem.belt) {
@@ -70,16 +72,16 @@ std::optional<int> quantity_of(Binder& binder, const Case& problem, const std::s
     }
   }
   if (name == "driver" && force && problem.dynamics) {
-    if (problem.dynamics->driver) return kDriverLoad;
+    if (problem.dynamics->driver) return cases::kDriverLoad;
     binder.error(key, path, "the mass has no driver that a load could act on",
                  "'dynamics: {driver: {mass: .., velocity: ..}}' gives it one");
     return std::nullopt;
   }
-  if (const auto c = component_of_motion(name); c && (motion || force)) {
+  if (const auto c = cases::component_of_motion(name); c && (motion || force)) {
     if (!motion) {
       binder.error(key, path, "'" + name + "' is a motion: it goes under 'motion:'");
     } else if (info.available.contains(*c)) {
-      return kFirstMotion + *c;
+      return cases::kFirstMotion + *c;
     } else if (info.held.contains(*c)) {
       binder.error(key, path, held_message(problem.connection, *c));
     } else {
@@ -89,13 +91,13 @@ std::optional<int> quantity_of(Binder& binder, const Case& problem, const std::s
     }
     return std::nullopt;
   }
-  if (const auto c = component_of_force(name); c && (motion || force)) {
+  if (const auto c = cases::component_of_force(name); c && (motion || force)) {
     if (!force) {
       binder.error(key, path, "'" + name + "' is a force: it goes under 'force:'");
     } else if (info.held.contains(*c)) {
-      return kFirstForce + *c;
+      return cases::kFirstForce + *c;
     } else if (info.available.contains(*c)) {
-      return kFirstForce + *c;
+      return cases::kFirstForce + *c;
     } else {
       binder.error(key, path,
                    words + " has no component " + std::to_string(*c + 1) +
@@ -105,8 +107,8 @@ std::optional<int> quantity_of(Binder& binder, const Case& problem, const std::s
     return std::nullopt;
   }
   if (others) {
-    if (name == "temperature") return kTemperatureQuantity;
-    if (const auto field = field_of(name)) return kFirstField + *field;
+    if (name == "temperature") return cases::kTemperatureQuantity;
+    if (const auto field = cases::field_of(name)) return cases::kFirstField + *field;
   }
   std::string known;
   if (motion) known += motion_names(info.available);
@@ -115,25 +117,26 @@ std::optional<int> quantity_of(Binder& binder, const Case& problem, const std::s
     known += (known.empty() ? "field1 .. field" : ", temperature, field1 .. field") +
              std::to_string(law::kMaxFields);
   }
-  binder.error(key, path, "unknown quantity '" + printable(name) + "'",
+  binder.error(key, path, "unknown quantity '" + base::printable(name) + "'",
                nearest_quantity(name, info, motion, force, others, "known here: " + known));
   return std::nullopt;
 }
 
 /// The dimensions that a unit of a quantity may have: fields have none that is known.
-std::vector<Dimension> dimensions_of(const Case& problem, int quantity) {
-  const Dimension dimension = dimension_of(problem, quantity);
-  return dimension == Dimension{} ? std::vector<Dimension>{} : std::vector{dimension};
+std::vector<base::Dimension> dimensions_of(const cases::Case& problem, int quantity) {
+  const base::Dimension dimension = cases::dimension_of(problem, quantity);
+  return dimension == base::Dimension{} ? std::vector<base::Dimension>{} : std::vector{dimension};
 }
 
 /// Returns true if a quantity can follow the positions that a formula names; else reports why not.
-bool may_follow_position(Binder& binder, const Case& problem, const PositionFormula& formula,
-                         const Node& node, const Path& path, int quantity) {
+bool may_follow_position(yaml::Binder& binder, const cases::Case& problem,
+                         const history::PositionFormula& formula, const yaml::Node& node,
+                         const yaml::Path& path, int quantity) {
   const std::string named(*std::find_if(
       formula.expression.used_variables().begin(), formula.expression.used_variables().end(),
-      [](const std::string& name) { return component_of_motion(name).has_value(); }));
-  const bool force =
-      (quantity >= kFirstForce && quantity < kTemperatureQuantity) || quantity == kDriverLoad;
+      [](const std::string& name) { return cases::component_of_motion(name).has_value(); }));
+  const bool force = (quantity >= cases::kFirstForce && quantity < cases::kTemperatureQuantity) ||
+                     quantity == cases::kDriverLoad;
   if (!force || problem.belt) {
     binder.error(node, path,
                  "only forces can follow a position such as " + named +
@@ -143,7 +146,7 @@ bool may_follow_position(Binder& binder, const Case& problem, const PositionForm
   }
   const law::ConnectionInfo& info = problem.connection.info;
   for (const std::string& name : formula.expression.used_variables()) {
-    const auto c = component_of_motion(name);
+    const auto c = cases::component_of_motion(name);
     if (!c || (info.held | info.available).contains(*c)) continue;
     binder.error(node, path,
                  connector_words(problem.connection) + " has no position " + name + "; it has " +
@@ -156,29 +159,31 @@ bool may_follow_position(Binder& binder, const Case& problem, const PositionForm
 /// Finishes a profile now that it is known what it drives, and tries its data out.
 ///
 /// \param start of the step; the current value is not known before the run
-std::optional<Profile> finish(Binder& binder, const Case& problem, const ProfileText& text,
-                              const Node& node, const Path& path, int quantity,
-                              const StepStart& start) {
-  doubt_angles_of_profile(binder, node, path, quantity < kFirstForce && law::is_rotation(quantity));
-  Profile profile = text.profile;
-  if (std::holds_alternative<Constant>(profile) && quantity < kFirstForce) {
+std::optional<history::Profile> finish(yaml::Binder& binder, const cases::Case& problem,
+                                       const ProfileText& text, const yaml::Node& node,
+                                       const yaml::Path& path, int quantity,
+                                       const history::StepStart& start) {
+  doubt_angles_of_profile(binder, node, path,
+                          quantity < cases::kFirstForce && law::is_rotation(quantity));
+  history::Profile profile = text.profile;
+  if (std::holds_alternative<history::Constant>(profile) && quantity < cases::kFirstForce) {
     binder.error(node, path, "a motion needs a profile, found a number",
-                 "{to: " + format_number(std::get<Constant>(profile).value) +
+                 "{to: " + base::format_number(std::get<history::Constant>(profile).value) +
                      "} goes there linearly over the step");
     return std::nullopt;
   }
-  if (const auto* points = std::get_if<Tabular>(&profile);
-      points && !covers(*points, start.duration)) {
+  if (const auto* points = std::get_if<history::Tabular>(&profile);
+      points && !history::covers(*points, start.duration)) {
     binder.error(node, path,
-                 "the table covers t = " + format_number(points->times.front()) + " .. " +
-                     format_number(points->times.back()) + ", the step asks for 0 .. " +
-                     format_number(start.duration));
+                 "the table covers t = " + base::format_number(points->times.front()) + " .. " +
+                     base::format_number(points->times.back()) + ", the step asks for 0 .. " +
+                     base::format_number(start.duration));
     return std::nullopt;
   }
-  if (auto* csv = std::get_if<CsvColumn>(&profile)) {
-    const Node& at = *text.csv.node;
+  if (auto* csv = std::get_if<history::CsvColumn>(&profile)) {
+    const yaml::Node& at = *text.csv.node;
     const std::array names{csv->time_column, csv->value_column};
-    const auto file = CsvReader::open(csv->data, names);
+    const auto file = base::CsvReader::open(csv->data, names);
     if (!file) {
       binder.history_error(at, text.csv.path, file.error());
       return std::nullopt;
@@ -186,18 +191,18 @@ std::optional<Profile> finish(Binder& binder, const Case& problem, const Profile
     const auto value = column_unit(binder, &*file, csv->value_column, at, text.csv.path, text.unit,
                                    dimensions_of(problem, quantity), problem.units);
     const auto time = column_unit(binder, &*file, csv->time_column, at, text.csv.path,
-                                  text.time_unit, std::span(&kTime, 1), problem.units);
+                                  text.time_unit, std::span(&base::kTime, 1), problem.units);
     if (!value || !time) return std::nullopt;
     csv->value_conversion = value->conversion;
     csv->time_conversion = time->conversion;
     note_missing(binder, csv->data, names, at, text.csv.path);
   }
-  if (const auto* formula = std::get_if<PositionFormula>(&profile)) {
+  if (const auto* formula = std::get_if<history::PositionFormula>(&profile)) {
     if (!may_follow_position(binder, problem, *formula, node, path, quantity)) return std::nullopt;
     // Where a later step begins shows only on the way.
     if (!problem.steps.empty()) return profile;
   }
-  auto cursor = ProfileCursor::open(profile);
+  auto cursor = history::ProfileCursor::open(profile);
   const auto begun = cursor ? cursor->begin(start) : tl::unexpected(cursor.error());
   if (!begun) {
     const bool file = text.csv.given();
@@ -208,22 +213,22 @@ std::optional<Profile> finish(Binder& binder, const Case& problem, const Profile
 }
 
 /// \param start total time at the step's start
-void read_step(Binder& binder, const StepText& text, Case& out, double start) {
-  Step step;
+void read_step(yaml::Binder& binder, const StepText& text, cases::Case& out, double start) {
+  cases::Step step;
   step.name = text.step.value;
   step.duration = text.duration.value;
   step.increments = text.increments;
   step.repeat = text.repeat;
   // A table may well cover the duration that was meant.
   const bool judge = !text.duration.faulty();
-  const auto add = [&](std::optional<int> quantity, const ProfileText& profile, const Node& node,
-                       const Path& path, bool sound) {
-    if (quantity) binder.settle_units(path, dimension_of(out, *quantity));
+  const auto add = [&](std::optional<int> quantity, const ProfileText& profile,
+                       const yaml::Node& node, const yaml::Path& path, bool sound) {
+    if (quantity) binder.settle_units(path, cases::dimension_of(out, *quantity));
     if (!quantity || !sound || !judge) return;
-    const StepStart begin{.duration = step.duration,
-                          .current_value = 0.0,
-                          .total_time = start,
-                          .position = out.initial.values};
+    const history::StepStart begin{.duration = step.duration,
+                                   .current_value = 0.0,
+                                   .total_time = start,
+                                   .position = out.initial.values};
     auto finished = finish(binder, out, profile, node, path, *quantity, begin);
     if (finished) step.drives.push_back({*quantity, std::move(*finished)});
   };
@@ -231,7 +236,7 @@ void read_step(Binder& binder, const StepText& text, Case& out, double start) {
     add(quantity_of(binder, out, entry.name, *entry.key, entry.path, true, false, false),
         entry.value, *entry.node, entry.path, entry.sound);
   }
-  drive_nodes(binder, text, out, [&](int quantity, const At<ProfileText>& profile) {
+  drive_nodes(binder, text, out, [&](int quantity, const yaml::At<ProfileText>& profile) {
     add(quantity, profile.value, *profile.node, profile.path, profile.sound);
   });
   for (const auto& entry : text.force) {
@@ -239,38 +244,39 @@ void read_step(Binder& binder, const StepText& text, Case& out, double start) {
         entry.value, *entry.node, entry.path, entry.sound);
   }
   if (text.temperature.given()) {
-    add(kTemperatureQuantity, text.temperature.value, *text.temperature.node, text.temperature.path,
-        text.temperature.sound);
+    add(cases::kTemperatureQuantity, text.temperature.value, *text.temperature.node,
+        text.temperature.path, text.temperature.sound);
   }
   for (const auto& entry : text.fields) {
-    const auto field = field_of(entry.name);
+    const auto field = cases::field_of(entry.name);
     if (!field) {
-      binder.error(*entry.key, entry.path, "unknown field '" + printable(entry.name) + "'",
+      binder.error(*entry.key, entry.path, "unknown field '" + base::printable(entry.name) + "'",
                    "fields are field1 .. field" + std::to_string(law::kMaxFields));
       continue;
     }
-    add(kFirstField + *field, entry.value, *entry.node, entry.path, entry.sound);
+    add(cases::kFirstField + *field, entry.value, *entry.node, entry.path, entry.sound);
   }
   out.steps.push_back(std::move(step));
 }
 
-bool names_component(const NamedMap<double>& positions, int component) {
-  return std::any_of(positions.begin(), positions.end(),
-                     [&](const auto& entry) { return entry.name == motion_name(component); });
+bool names_component(const yaml::NamedMap<double>& positions, int component) {
+  return std::any_of(positions.begin(), positions.end(), [&](const auto& entry) {
+    return entry.name == cases::motion_name(component);
+  });
 }
 
-void read_measured(Binder& binder, const MeasuredText& text, const ConnectorText& connector,
-                   Case& out) {
-  MeasuredSource source;
+void read_measured(yaml::Binder& binder, const MeasuredText& text, const ConnectorText& connector,
+                   cases::Case& out) {
+  history::MeasuredSource source;
   const auto data = data_source(binder, text.csv);
   std::vector<std::string> names;
   if (text.time.sound) names.push_back(text.time.value);
   for (const auto& entry : text.columns.value) {
     if (entry.sound) names.push_back(entry.value.column.value);
   }
-  std::optional<CsvReader> file;
+  std::optional<base::CsvReader> file;
   if (data) {
-    auto opened = CsvReader::open(*data, names);
+    auto opened = base::CsvReader::open(*data, names);
     if (opened) {
       file = std::move(*opened);
     } else {
@@ -278,12 +284,12 @@ void read_measured(Binder& binder, const MeasuredText& text, const ConnectorText
     }
     source.data = *data;
   }
-  const CsvReader* const header = file ? &*file : nullptr;
+  const base::CsvReader* const header = file ? &*file : nullptr;
   bool good = file && text.time.sound && text.columns.sound;
   std::optional<ColumnUnit> time;
   if (text.time.sound) {
     time = column_unit(binder, header, text.time.value, *text.time.node, text.time.path,
-                       text.time_unit, std::span(&kTime, 1), out.units);
+                       text.time_unit, std::span(&base::kTime, 1), out.units);
     good = good && time;
   }
   if (text.columns.sound && text.columns.value.empty()) {
@@ -300,7 +306,7 @@ void read_measured(Binder& binder, const MeasuredText& text, const ConnectorText
       good = false;
       continue;
     }
-    const At<std::string>& column = entry.value.column;
+    const yaml::At<std::string>& column = entry.value.column;
     const auto unit = column_unit(binder, header, column.value, *column.node, column.path,
                                   entry.value.unit, dimensions_of(out, *quantity), out.units);
     if (!unit) {
@@ -310,7 +316,7 @@ void read_measured(Binder& binder, const MeasuredText& text, const ConnectorText
     source.columns.push_back({static_cast<std::size_t>(*quantity), column.value, unit->conversion});
   }
   if (!good) return;
-  auto opened = MeasuredHistory::open(source);
+  auto opened = history::MeasuredHistory::open(source);
   const auto first = opened ? opened->advance() : tl::unexpected(opened.error());
   if (!first) {
     binder.history_error(*text.csv.node, text.csv.path, first.error());
@@ -320,7 +326,7 @@ void read_measured(Binder& binder, const MeasuredText& text, const ConnectorText
   // A measured path starts at its first row: that is the initial position unless the case says so.
   for (std::size_t i = 0; i < source.columns.size(); ++i) {
     const int component = static_cast<int>(source.columns[i].quantity);
-    if (component >= kFirstForce || names_component(connector.initial, component)) continue;
+    if (component >= cases::kFirstForce || names_component(connector.initial, component)) continue;
     out.initial[component] = opened->values()[i];
     if (!names_component(connector.reference, component)) {
       out.reference[component] = out.initial[component];
@@ -331,7 +337,7 @@ void read_measured(Binder& binder, const MeasuredText& text, const ConnectorText
 
 }  // namespace
 
-void resolve_history(Binder& binder, const CaseText& text, Case& out) {
+void resolve_history(yaml::Binder& binder, const CaseText& text, cases::Case& out) {
   const HistoryText& history = text.history.value;
   if (history.measured) {
     read_measured(binder, *history.measured, text.connector.value, out);
@@ -348,8 +354,8 @@ void resolve_history(Binder& binder, const CaseText& text, Case& out) {
       const auto [first, is_new] = names.try_emplace(step.step.value, i);
       if (!is_new) {
         binder.error(*step.step.node, step.step.path,
-                     "the name '" + printable(step.step.value) + "' is already that of history[" +
-                         std::to_string(first->second) + "]");
+                     "the name '" + base::printable(step.step.value) +
+                         "' is already that of history[" + std::to_string(first->second) + "]");
       }
     }
     read_step(binder, step, out, start);
@@ -357,4 +363,4 @@ void resolve_history(Binder& binder, const CaseText& text, Case& out) {
   }
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

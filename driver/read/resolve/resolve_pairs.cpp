@@ -16,7 +16,7 @@
 #include "driver/read/resolve/resolve_definition.hpp"
 #include "law/friction/part_pairs.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 /// The name of a group is told from the id of a part by its first character.
@@ -38,8 +38,9 @@ std::string_view kind_of(const CoefficientText& text) {
 /// Reads the table of part pairs against its own rules and looks up the connector's parts.
 class PairTable {
  public:
-  PairTable(Binder& binder, const At<FrictionPairsText>& text) : binder_(binder), text_(text) {
-    for (const At<int>& part : text.value.parts.value) known_.push_back(part.value);
+  PairTable(yaml::Binder& binder, const yaml::At<FrictionPairsText>& text)
+      : binder_(binder), text_(text) {
+    for (const yaml::At<int>& part : text.value.parts.value) known_.push_back(part.value);
     std::sort(known_.begin(), known_.end());
   }
 
@@ -51,11 +52,11 @@ class PairTable {
     for (const auto& group : table.groups) {
       good = check_group(group) && good;
       std::vector<int> parts;
-      for (const At<int>& part : group.value) parts.push_back(part.value);
+      for (const yaml::At<int>& part : group.value) parts.push_back(part.value);
       std::sort(parts.begin(), parts.end());
       groups_.try_emplace(group.name, std::move(parts));
     }
-    for (const At<PartPairText>& record : table.pairs.value) {
+    for (const yaml::At<PartPairText>& record : table.pairs.value) {
       good = resolve_record(record) && good;
     }
     warn_of_mixed_laws();
@@ -63,8 +64,8 @@ class PairTable {
   }
 
   /// Tells whether a part is one of the known ones, which is reported.
-  bool known(int part, const Node& node, const Path& path) {
-    const At<std::vector<At<int>>>& list = text_.value.parts;
+  bool known(int part, const yaml::Node& node, const yaml::Path& path) {
+    const yaml::At<std::vector<yaml::At<int>>>& list = text_.value.parts;
     if (!list.given() || list.faulty()) return true;
     if (std::binary_search(known_.begin(), known_.end(), part)) return true;
     binder_.error(node, path,
@@ -99,11 +100,11 @@ class PairTable {
     const std::vector<int>* group = nullptr;  ///< its parts, ascending; null: a part alone
   };
 
-  bool check_group(const Named<std::vector<At<int>>>& group) {
+  bool check_group(const yaml::Named<std::vector<yaml::At<int>>>& group) {
     bool good = group.sound;
     if (!begins_with_letter(group.name)) {
       binder_.error(*group.key, group.path,
-                    "a group's name begins with a letter, found '" + printable(group.name) +
+                    "a group's name begins with a letter, found '" + base::printable(group.name) +
                         "': a number is the id of a part");
       good = false;
     }
@@ -112,15 +113,15 @@ class PairTable {
                     "list the ids of its parts");
       good = false;
     }
-    for (const At<int>& part : group.value) {
+    for (const yaml::At<int>& part : group.value) {
       if (part.sound) good = known(part.value, *part.node, part.path) && good;
     }
     return good;
   }
 
-  bool resolve_record(const At<PartPairText>& record) {
+  bool resolve_record(const yaml::At<PartPairText>& record) {
     auto& [side1, side2] = records_.emplace_back();
-    const At<std::vector<At<PartOrGroup>>>& sides = record.value.parts;
+    const yaml::At<std::vector<yaml::At<PartOrGroup>>>& sides = record.value.parts;
     bool good = record.sound;
     if (sides.sound && sides.value.size() != 2) {
       binder_.error(*sides.node, sides.path,
@@ -133,7 +134,7 @@ class PairTable {
     return read_side(sides.value[1], side2) && good;
   }
 
-  bool read_side(const At<PartOrGroup>& at, Side& side) {
+  bool read_side(const yaml::At<PartOrGroup>& at, Side& side) {
     if (!at.sound) return false;
     if (const int* part = std::get_if<int>(&at.value.value)) {
       side.part = *part;
@@ -145,16 +146,16 @@ class PairTable {
       return true;
     }
     // A search for the name that was meant; so many messages are not read.
-    if (++unknown_groups_ > Diagnostics::kMaxKept) {
-      binder_.error(*at.node, at.path, "unknown group '" + printable(name) + "'");
+    if (++unknown_groups_ > base::Diagnostics::kMaxKept) {
+      binder_.error(*at.node, at.path, "unknown group '" + base::printable(name) + "'");
       return false;
     }
     std::vector<std::string_view> names;
     for (const auto& group : text_.value.groups) names.push_back(group.name);
-    binder_.error(*at.node, at.path, "unknown group '" + printable(name) + "'",
-                  nearest_or(name, names,
-                             names.empty() ? "name its parts under friction_pairs.groups"
-                                           : "known: " + few_in_words(names)));
+    binder_.error(*at.node, at.path, "unknown group '" + base::printable(name) + "'",
+                  yaml::nearest_or(name, names,
+                                   names.empty() ? "name its parts under friction_pairs.groups"
+                                                 : "known: " + base::few_in_words(names)));
     return false;
   }
 
@@ -162,7 +163,7 @@ class PairTable {
   void warn_of_mixed_laws() {
     std::string_view first;
     std::string first_path;
-    const auto look = [&](const At<CoefficientText>& coefficient) {
+    const auto look = [&](const yaml::At<CoefficientText>& coefficient) {
       if (!coefficient.sound) return false;
       const std::string_view kind = kind_of(coefficient.value);
       const bool number = kind == law::ConstantCoefficient::kName;
@@ -179,13 +180,13 @@ class PairTable {
       return true;
     };
     if (look(text_.value.otherwise.value.coefficient)) return;
-    for (const At<PartPairText>& record : text_.value.pairs.value) {
+    for (const yaml::At<PartPairText>& record : text_.value.pairs.value) {
       if (look(record.value.coefficient)) return;
     }
   }
 
-  Binder& binder_;
-  const At<FrictionPairsText>& text_;
+  yaml::Binder& binder_;
+  const yaml::At<FrictionPairsText>& text_;
   std::vector<int> known_;  ///< of friction_pairs.parts, ascending
   std::map<std::string_view, std::vector<int>> groups_;
   std::vector<std::array<Side, 2>> records_;
@@ -193,7 +194,8 @@ class PairTable {
 };
 
 /// The two parts that meet, or nothing, which is reported.
-std::optional<std::array<int, 2>> parts_of(Binder& binder, const At<std::vector<At<int>>>& parts,
+std::optional<std::array<int, 2>> parts_of(yaml::Binder& binder,
+                                           const yaml::At<std::vector<yaml::At<int>>>& parts,
                                            PairTable& table) {
   if (!parts.sound) return std::nullopt;
   if (parts.value.size() != 2) {
@@ -202,7 +204,7 @@ std::optional<std::array<int, 2>> parts_of(Binder& binder, const At<std::vector<
     return std::nullopt;
   }
   bool good = true;
-  for (const At<int>& part : parts.value) {
+  for (const yaml::At<int>& part : parts.value) {
     good = table.known(part.value, *part.node, part.path) && good;
   }
   if (!good) return std::nullopt;
@@ -210,8 +212,8 @@ std::optional<std::array<int, 2>> parts_of(Binder& binder, const At<std::vector<
 }
 
 /// Gives a definition the friction of the record.
-void take(Binder& binder, FrictionText& friction, const At<CoefficientText>& coefficient,
-          const At<double>& visf) {
+void take(yaml::Binder& binder, FrictionText& friction,
+          const yaml::At<CoefficientText>& coefficient, const yaml::At<double>& visf) {
   friction.coefficient = coefficient;
   if (!visf.sound) return;
   FormulationText& form = friction.formulation.value;
@@ -228,7 +230,7 @@ void take(Binder& binder, FrictionText& friction, const At<CoefficientText>& coe
 }
 
 /// A definition whose coefficient is not missing, only not known.
-void await(FrictionText& friction, const At<FrictionPairsText>& pairs) {
+void await(FrictionText& friction, const yaml::At<FrictionPairsText>& pairs) {
   if (friction.coefficient.given()) return;
   friction.coefficient.node = pairs.node;
   friction.coefficient.path = pairs.path;
@@ -236,9 +238,10 @@ void await(FrictionText& friction, const At<FrictionPairsText>& pairs) {
 
 }  // namespace
 
-void resolve_friction_pairs(Binder& binder, CaseText& text, bool table_known, Case& out) {
-  const At<std::vector<At<int>>>& parts = text.connector.value.parts;
-  const At<FrictionPairsText>& pairs = text.friction_pairs;
+void resolve_friction_pairs(yaml::Binder& binder, CaseText& text, bool table_known,
+                            cases::Case& out) {
+  const yaml::At<std::vector<yaml::At<int>>>& parts = text.connector.value.parts;
+  const yaml::At<FrictionPairsText>& pairs = text.friction_pairs;
   if (!pairs.given()) {
     if (parts.given() && table_known) {
       binder.error(*parts.node, parts.path,
@@ -247,7 +250,7 @@ void resolve_friction_pairs(Binder& binder, CaseText& text, bool table_known, Ca
     return;
   }
   if (!pairs.node->is_map()) {
-    for (At<FrictionText>& friction : text.friction.value) await(friction.value, pairs);
+    for (yaml::At<FrictionText>& friction : text.friction.value) await(friction.value, pairs);
     return;
   }
   PairTable table(binder, pairs);
@@ -255,14 +258,15 @@ void resolve_friction_pairs(Binder& binder, CaseText& text, bool table_known, Ca
   std::optional<std::array<int, 2>> meeting;
   if (parts.given()) {
     meeting = parts_of(binder, parts, table);
-  } else if (text.connector.given() && !is_misspelt<ConnectorText>(*text.connector.node, "parts")) {
+  } else if (text.connector.given() &&
+             !yaml::is_misspelt<ConnectorText>(*text.connector.node, "parts")) {
     binder.error(*pairs.node, pairs.path,
                  "which record holds? Give the two parts that meet: connector: {parts: [a, b]}");
   }
 
   // What is not picked is judged here, what is picked where it is used.
-  const At<CoefficientText>* coefficient = nullptr;
-  const At<double>* visf = nullptr;
+  const yaml::At<CoefficientText>* coefficient = nullptr;
+  const yaml::At<double>* visf = nullptr;
   std::string record;
   std::optional<std::size_t> picked;
   if (sound && meeting) {
@@ -284,11 +288,12 @@ void resolve_friction_pairs(Binder& binder, CaseText& text, bool table_known, Ca
                        std::to_string(b) + ", and there is no default");
     }
   }
-  const auto judge = [&](const At<CoefficientText>& other) {
+  const auto judge = [&](const yaml::At<CoefficientText>& other) {
     if (&other == coefficient || !other.sound) return;
     const LawSurroundings surroundings{text.connector.value.area, out.units};
-    const auto judge_both = [&](const At<DirectionText>& first, const At<DirectionText>& second) {
-      for (const At<DirectionText>* direction : {&first, &second}) {
+    const auto judge_both = [&](const yaml::At<DirectionText>& first,
+                                const yaml::At<DirectionText>& second) {
+      for (const yaml::At<DirectionText>* direction : {&first, &second}) {
         coefficient_law(binder, direction->value.coefficient, *direction->node, direction->path,
                         surroundings);
       }
@@ -302,9 +307,9 @@ void resolve_friction_pairs(Binder& binder, CaseText& text, bool table_known, Ca
     }
   };
   if (pairs.value.otherwise.given()) judge(pairs.value.otherwise.value.coefficient);
-  for (const At<PartPairText>& pair : pairs.value.pairs.value) judge(pair.value.coefficient);
+  for (const yaml::At<PartPairText>& pair : pairs.value.pairs.value) judge(pair.value.coefficient);
 
-  for (At<FrictionText>& friction : text.friction.value) {
+  for (yaml::At<FrictionText>& friction : text.friction.value) {
     if (friction.value.coefficient.given()) {
       binder.error(
           *friction.value.coefficient.node, friction.value.coefficient.path,
@@ -319,8 +324,8 @@ void resolve_friction_pairs(Binder& binder, CaseText& text, bool table_known, Ca
     binder.note(*parts.node, parts.path,
                 "parts " + std::to_string((*meeting)[0]) + " and " + std::to_string((*meeting)[1]) +
                     " take the friction of " + record);
-    out.pair = PickedPair{*meeting, record};
+    out.pair = cases::PickedPair{*meeting, record};
   }
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

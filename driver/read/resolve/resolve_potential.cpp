@@ -10,13 +10,13 @@
 #include "driver/case/quantity_dimension.hpp"
 #include "law/base/component.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 /// Returns what a term is of, where that can be said.
 std::optional<law::PotentialContribution> contribution(
-    Binder& binder, const At<PotentialTermText>& at,
-    const std::function<const law::DerivedComponent*(const At<std::string>&)>& derived) {
+    yaml::Binder& binder, const yaml::At<PotentialTermText>& at,
+    const std::function<const law::DerivedComponent*(const yaml::At<std::string>&)>& derived) {
   if (!at.node->is_map()) return std::nullopt;
   const PotentialTermText& text = at.value;
   law::PotentialContribution result;
@@ -29,7 +29,7 @@ std::optional<law::PotentialContribution> contribution(
     binder.error(*text.sign.node, text.sign.path, "the sign of a term is 1 or -1, found 0");
   }
   if (text.component.given() == text.derived.given()) {
-    if (text.component.given() || !has_unknown_key<PotentialTermText>(*at.node)) {
+    if (text.component.given() || !yaml::has_unknown_key<PotentialTermText>(*at.node)) {
       binder.error(*at.node, at.path,
                    std::string(text.component.given() ? "takes only" : "needs") +
                        " one of 'component' and 'derived'");
@@ -39,8 +39,8 @@ std::optional<law::PotentialContribution> contribution(
   if (text.component.given()) {
     if (!text.component.sound) return std::nullopt;
     const int c = text.component.value - 1;
-    binder.settle_units(text.scale.path, law::is_rotation(c) ? kLength : Dimension{});
-    binder.settle_units(text.shift.path, dimension_of(kFirstForce + c));
+    binder.settle_units(text.scale.path, law::is_rotation(c) ? base::kLength : base::Dimension{});
+    binder.settle_units(text.shift.path, cases::dimension_of(cases::kFirstForce + c));
     result.of = text.component.value - 1;
     return result;
   }
@@ -50,7 +50,7 @@ std::optional<law::PotentialContribution> contribution(
   return result;
 }
 
-void report(Binder& binder, const PotentialText& text, const At<PotentialTermText>& at,
+void report(yaml::Binder& binder, const PotentialText& text, const yaml::At<PotentialTermText>& at,
             const law::PotentialViolation& violation) {
   using Rule = law::PotentialViolation::Rule;
   const PotentialTermText& term = at.value;
@@ -62,8 +62,8 @@ void report(Binder& binder, const PotentialText& text, const At<PotentialTermTex
     }
   };
   const std::string component = "component " + std::to_string(violation.component + 1);
-  const std::string name = "'" + printable(term.derived.value) + "'";
-  const std::string b = format_number(text.exponent.value);
+  const std::string name = "'" + base::printable(term.derived.value) + "'";
+  const std::string b = base::format_number(text.exponent.value);
   switch (violation.rule) {
     case Rule::kSign:
       if (term.sign.value == 0) return;
@@ -74,7 +74,7 @@ void report(Binder& binder, const PotentialText& text, const At<PotentialTermTex
     case Rule::kExponent:
       error(term.exponent,
             "the exponent of every term must be that of the potential (" + b + "), found " +
-                format_number(term.exponent.value),
+                base::format_number(term.exponent.value),
             "leave it out");
       break;
     case Rule::kOneSided:
@@ -129,8 +129,8 @@ void report(Binder& binder, const PotentialText& text, const At<PotentialTermTex
 }  // namespace
 
 ResolvedPotential resolve_potential(
-    Binder& binder, const At<PotentialText>& text,
-    const std::function<const law::DerivedComponent*(const At<std::string>&)>& derived) {
+    yaml::Binder& binder, const yaml::At<PotentialText>& text,
+    const std::function<const law::DerivedComponent*(const yaml::At<std::string>&)>& derived) {
   ResolvedPotential result;
   const PotentialText& potential = text.value;
   result.components_known = potential.terms.given();
@@ -144,8 +144,8 @@ ResolvedPotential resolve_potential(
                 "operator max has no exponent: it is ignored");
   }
   std::vector<law::PotentialContribution> contributions;
-  std::vector<const At<PotentialTermText>*> terms;
-  for (const At<PotentialTermText>& term : potential.terms.value) {
+  std::vector<const yaml::At<PotentialTermText>*> terms;
+  for (const yaml::At<PotentialTermText>& term : potential.terms.value) {
     auto read = contribution(binder, term, derived);
     if (!read) {
       result.components_known = false;
@@ -179,26 +179,26 @@ ResolvedPotential resolve_potential(
   return result;
 }
 
-std::pair<Node, Path> place_in_potential(const At<PotentialText>& text, const CaseText& all,
-                                         int component) {
+std::pair<yaml::Node, yaml::Path> place_in_potential(const yaml::At<PotentialText>& text,
+                                                     const CaseText& all, int component) {
   const auto uses = [&](const std::string& name) {
     for (const auto& named : all.derived_components.value) {
       if (named.name != name) continue;
-      for (const At<DerivedTermText>& term : named.value) {
-        for (const At<int>& number : term.value.components.value) {
+      for (const yaml::At<DerivedTermText>& term : named.value) {
+        for (const yaml::At<int>& number : term.value.components.value) {
           if (number.sound && number.value == component + 1) return true;
         }
       }
     }
     return false;
   };
-  for (const At<PotentialTermText>& term : text.value.terms.value) {
-    const At<int>& number = term.value.component;
+  for (const yaml::At<PotentialTermText>& term : text.value.terms.value) {
+    const yaml::At<int>& number = term.value.component;
     if (number.sound && number.value == component + 1) return {*number.node, number.path};
-    const At<std::string>& name = term.value.derived;
+    const yaml::At<std::string>& name = term.value.derived;
     if (name.sound && uses(name.value)) return {*name.node, name.path};
   }
   return {*text.node, text.path};
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

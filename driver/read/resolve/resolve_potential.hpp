@@ -10,7 +10,7 @@
 #include "law/base/component.hpp"
 #include "law/definition/potential_terms.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 
 /// The potential of a friction definition. Where its text is faulty the slip space is what could be
 /// read.
@@ -25,12 +25,12 @@ struct ResolvedPotential {
 /// fault at the term that has it.
 /// \param derived finds a derived component by its name, or reports why it cannot and returns null
 ResolvedPotential resolve_potential(
-    Binder& binder, const At<PotentialText>& text,
-    const std::function<const law::DerivedComponent*(const At<std::string>& name)>& derived);
+    yaml::Binder& binder, const yaml::At<PotentialText>& text,
+    const std::function<const law::DerivedComponent*(const yaml::At<std::string>& name)>& derived);
 
 /// Returns where a potential brings in `component` (index 0..5): the key of the term, or the
 /// potential.
-std::pair<Node, Path> place_in_potential(const At<PotentialText>& text, const CaseText& all,
-                                         int component);
+std::pair<yaml::Node, yaml::Path> place_in_potential(const yaml::At<PotentialText>& text,
+                                                     const CaseText& all, int component);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

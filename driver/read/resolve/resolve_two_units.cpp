@@ -12,7 +12,7 @@
 #include "driver/base/units/unit_dimension.hpp"
 #include "driver/read/resolve/resolve_definition.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 /// Coefficients that one surface speed and one force give in the two units.
@@ -51,7 +51,7 @@ Disagreement worst_of(const law::FrictionLaw& law, double arm) {
 
 }  // namespace
 
-bool slip_in_two_units(const Case& problem, std::span<const std::size_t> group) {
+bool slip_in_two_units(const cases::Case& problem, std::span<const std::size_t> group) {
   const auto rotational = [&](std::size_t i) {
     return law::is_rotational(problem.definitions[i].law.slip);
   };
@@ -59,24 +59,25 @@ bool slip_in_two_units(const Case& problem, std::span<const std::size_t> group) 
          !std::all_of(group.begin(), group.end(), rotational);
 }
 
-bool warn_of_two_units(Binder& binder, const At<CoefficientText>& coefficient,
-                       const law::FrictionLaw& law, const UnitSystem& units, double arm) {
+bool warn_of_two_units(yaml::Binder& binder, const yaml::At<CoefficientText>& coefficient,
+                       const law::FrictionLaw& law, const base::UnitSystem& units, double arm) {
   const bool rate = law::depends_on_slip_rate(law);
   const bool force = law::depends_on_contact_force(law);
   if (!coefficient.sound || (!rate && !force)) return false;
-  const auto unit = [&](const Dimension& dimension, std::string_view otherwise) {
-    const std::string text = unit_text(dimension, units);
+  const auto unit = [&](const base::Dimension& dimension, std::string_view otherwise) {
+    const std::string text = base::unit_text(dimension, units);
     return text.empty() ? std::string(otherwise) : text;
   };
   std::string units_of;
   if (rate) {
-    constexpr Dimension kSpeed{.length = 1, .time = -1};
+    constexpr base::Dimension kSpeed{.length = 1, .time = -1};
     units_of = fmt::format("slip rates in {} for sliding and {} for spinning",
-                           unit(kSpeed, "length/time"), unit(rotated(kSpeed), "rad/time"));
+                           unit(kSpeed, "length/time"), unit(base::rotated(kSpeed), "rad/time"));
   }
   if (force) {
-    units_of += fmt::format("{}contact forces in {} {} {}", rate ? ", " : "", unit(kForce, "force"),
-                            rate ? "and" : "for sliding and", unit(kMoment, "force*length"));
+    units_of +=
+        fmt::format("{}contact forces in {} {} {}", rate ? ", " : "", unit(base::kForce, "force"),
+                    rate ? "and" : "for sliding and", unit(base::kMoment, "force*length"));
     if (!rate) units_of += " for spinning";
   }
   const std::string name =
@@ -86,18 +87,18 @@ bool warn_of_two_units(Binder& binder, const At<CoefficientText>& coefficient,
   if (arm > 0.0) {
     radius = fmt::format("{:.6g}", arm);
     const Disagreement worst = worst_of(law, arm);
-    const auto with_unit = [&](double value, const Dimension& dimension) {
-      const std::string text = unit_text(dimension, units);
-      return format_number(value) + (text.empty() ? "" : " " + text);
+    const auto with_unit = [&](double value, const base::Dimension& dimension) {
+      const std::string text = base::unit_text(dimension, units);
+      return base::format_number(value) + (text.empty() ? "" : " " + text);
     };
     if (worst.size() > 0.0) {
       std::string where;
       if (rate) where = "speed " + with_unit(worst.speed, {.length = 1, .time = -1});
-      if (force) where += (rate ? " and force " : "force ") + with_unit(worst.force, kForce);
+      if (force) where += (rate ? " and force " : "force ") + with_unit(worst.force, base::kForce);
       message += fmt::format(
           "; at the same {} at the radius {} mu is {:.4g} sliding and {:.4g} "
           "spinning",
-          where, with_unit(std::stod(radius), kLength), worst.sliding, worst.spinning);
+          where, with_unit(std::stod(radius), base::kLength), worst.sliding, worst.spinning);
     }
   }
   binder.warning(*coefficient.node, coefficient.path, std::move(message),
@@ -106,4 +107,4 @@ bool warn_of_two_units(Binder& binder, const At<CoefficientText>& coefficient,
   return true;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

@@ -9,7 +9,7 @@
 #include "driver/read/keys/case_codecs.hpp"
 #include "driver/read/resolve/resolve.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 std::optional<law::Independent> independent(std::string_view name, const TableUse& use) {
@@ -25,11 +25,12 @@ std::optional<law::Independent> independent(std::string_view name, const TableUs
   }
   if (use.velocity && name == "velocity") return law::Independent{Kind::kSlipRate};
   if (name == "temperature") return law::Independent{Kind::kTemperature};
-  if (const auto field = field_of(name)) return law::Independent{Kind::kField, *field};
+  if (const auto field = cases::field_of(name)) return law::Independent{Kind::kField, *field};
   if (use.motion) {
-    if (const auto c = component_of_motion(name)) return law::Independent{Kind::kPosition, *c};
+    if (const auto c = cases::component_of_motion(name))
+      return law::Independent{Kind::kPosition, *c};
     for (const std::string_view prefix : {"CCU", "CU"}) {
-      if (const auto c = component_of_motion(name, prefix)) {
+      if (const auto c = cases::component_of_motion(name, prefix)) {
         return law::Independent{Kind::kConstitutiveMotion, *c};
       }
     }
@@ -52,23 +53,24 @@ std::vector<std::string_view> independents_of(const TableUse& use) {
 /// The rows of a table, from the case or from its CSV file, and how messages point at them.
 struct Rows {
   std::vector<std::vector<double>> values;
-  std::optional<Node> list;  ///< `rows:` of the case
-  Path path;
-  std::optional<Node> csv;  ///< where the case names the file
-  std::string file;         ///< its name
-  std::vector<long> lines;  ///< in the file
+  std::optional<yaml::Node> list;  ///< `rows:` of the case
+  yaml::Path path;
+  std::optional<yaml::Node> csv;  ///< where the case names the file
+  std::string file;               ///< its name
+  std::vector<long> lines;        ///< in the file
 
   /// Reports a fault of row r, item c (-1: the whole row).
-  void error(Binder& binder, int r, int c, const std::string& message) const {
+  void error(yaml::Binder& binder, int r, int c, const std::string& message) const {
     const auto row = static_cast<std::size_t>(r);
     if (list) {
-      const Node node = (*list)[row];
+      const yaml::Node node = (*list)[row];
       const bool item = c >= 0 && node.is_sequence() && static_cast<std::size_t>(c) < node.size();
-      const Path here = path / row;
+      const yaml::Path here = path / row;
       binder.error(item ? node[static_cast<std::size_t>(c)] : node, item ? here / c : here,
                    message);
     } else {
-      binder.error(*csv, path, printable(file) + ":" + std::to_string(lines[row]) + ": " + message);
+      binder.error(*csv, path,
+                   base::printable(file) + ":" + std::to_string(lines[row]) + ": " + message);
     }
   }
   /// "row 3", or "line 5" of the file.
@@ -78,12 +80,12 @@ struct Rows {
   }
 };
 
-std::optional<Rows> rows_of(Binder& binder, const TableText& text, const Node& node,
-                            const Path& path) {
+std::optional<Rows> rows_of(yaml::Binder& binder, const TableText& text, const yaml::Node& node,
+                            const yaml::Path& path) {
   if (text.rows.given() == text.csv.given()) {
     if (text.rows.given()) {
       binder.error(*text.csv.node, text.csv.path, "a table has 'rows' or 'csv', not both");
-    } else if (!has_unknown_key<TableText>(node)) {
+    } else if (!yaml::has_unknown_key<TableText>(node)) {
       binder.error(node, path, "a table needs 'rows' or 'csv'");
     }
     return std::nullopt;
@@ -104,18 +106,18 @@ std::optional<Rows> rows_of(Binder& binder, const TableText& text, const Node& n
   rows.file = source->shown_name;
   std::vector<std::string> columns;
   for (const auto& column : text.columns.value) columns.push_back(column.value);
-  const auto fail = [&](const HistoryError& error) {
+  const auto fail = [&](const base::HistoryError& error) {
     binder.history_error(*text.csv.node, text.csv.path, error);
     return std::nullopt;
   };
-  auto reader = CsvReader::open(*source, columns);
+  auto reader = base::CsvReader::open(*source, columns);
   if (!reader) return fail(reader.error());
   for (const auto& column : text.columns.value) {
     const std::string unit(reader->unit(column.value));
     if (unit.empty() || unit == "-") continue;
     binder.error(*column.node, column.path,
-                 rows.file + " states column '" + printable(column.value) + "' in " +
-                     printable(unit) + ", and a table is read in the case's units",
+                 rows.file + " states column '" + base::printable(column.value) + "' in " +
+                     base::printable(unit) + ", and a table is read in the case's units",
                  "convert the column, and leave its unit out of the file");
     return std::nullopt;
   }
@@ -127,15 +129,15 @@ std::optional<Rows> rows_of(Binder& binder, const TableText& text, const Node& n
     rows.values.push_back(row);
     rows.lines.push_back(reader->line());
   }
-  const std::string missing = in_words(reader->missing(), source->format.missing);
+  const std::string missing = base::in_words(reader->missing(), source->format.missing);
   if (!missing.empty()) binder.note(*rows.csv, rows.path, rows.file + ": " + missing);
   return rows;
 }
 
 }  // namespace
 
-std::optional<law::Table> table(Binder& binder, const TableText& text, const Node& node,
-                                const Path& path, int dependents, int independents,
+std::optional<law::Table> table(yaml::Binder& binder, const TableText& text, const yaml::Node& node,
+                                const yaml::Path& path, int dependents, int independents,
                                 bool not_negative, law::Extrapolation extrapolation) {
   const std::optional<Rows> rows = rows_of(binder, text, node, path);
   if (!rows) return std::nullopt;
@@ -156,9 +158,9 @@ std::optional<law::Table> table(Binder& binder, const TableText& text, const Nod
     for (int c = 0; not_negative && c < dependents; ++c) {
       const double value = values[static_cast<std::size_t>(c)];
       if (value < 0.0) {
-        rows->error(
-            binder, row, c,
-            column(c) + " must be at least 0, " + rows->name(row) + " has " + format_number(value));
+        rows->error(binder, row, c,
+                    column(c) + " must be at least 0, " + rows->name(row) + " has " +
+                        base::format_number(value));
         good = false;
       }
     }
@@ -183,7 +185,7 @@ std::optional<law::Table> table(Binder& binder, const TableText& text, const Nod
       break;
     case Kind::kNotAscending: {
       const auto item = [&](int r) {
-        return format_number(
+        return base::format_number(
             rows->values[static_cast<std::size_t>(r)][static_cast<std::size_t>(error.column)]);
       };
       rows->error(binder, error.row, error.column,
@@ -211,8 +213,8 @@ std::optional<law::Table> table(Binder& binder, const TableText& text, const Nod
   return std::nullopt;
 }
 
-std::optional<law::TableFunction> table_function(Binder& binder, const TableText& text,
-                                                 const Node& node, const Path& path,
+std::optional<law::TableFunction> table_function(yaml::Binder& binder, const TableText& text,
+                                                 const yaml::Node& node, const yaml::Path& path,
                                                  const TableUse& use, int dependents) {
   if (!text.columns.sound) return std::nullopt;
   bool good = true;
@@ -226,7 +228,7 @@ std::optional<law::TableFunction> table_function(Binder& binder, const TableText
   }
   std::vector<law::Independent> independents;
   for (int c = 0; c < columns; ++c) {
-    const At<std::string>& column = text.columns.value[static_cast<std::size_t>(c)];
+    const yaml::At<std::string>& column = text.columns.value[static_cast<std::size_t>(c)];
     const auto found = independent(column.value, use);
     if (c < dependents) {
       if (found) {
@@ -239,9 +241,10 @@ std::optional<law::TableFunction> table_function(Binder& binder, const TableText
     }
     if (!found) {
       const auto known = independents_of(use);
-      binder.error(*column.node, column.path,
-                   std::string(use.what) + " cannot depend on '" + printable(column.value) + "'",
-                   nearest_or(column.value, known, "known: " + few_in_words(known)));
+      binder.error(
+          *column.node, column.path,
+          std::string(use.what) + " cannot depend on '" + base::printable(column.value) + "'",
+          yaml::nearest_or(column.value, known, "known: " + base::few_in_words(known)));
       good = false;
       continue;
     }
@@ -261,9 +264,9 @@ std::optional<law::TableFunction> table_function(Binder& binder, const TableText
   return law::TableFunction(std::move(*built), std::move(independents));
 }
 
-bool independents_available(Binder& binder, const law::Connection& connection,
-                            const law::TableFunction& function, const Node& node,
-                            const Path& path) {
+bool independents_available(yaml::Binder& binder, const law::Connection& connection,
+                            const law::TableFunction& function, const yaml::Node& node,
+                            const yaml::Path& path) {
   const auto columns = node.find("columns");
   if (!columns || !columns->is_sequence()) return true;
   const std::size_t dependents = columns->size() - function.independents().size();
@@ -273,9 +276,10 @@ bool independents_available(Binder& binder, const law::Connection& connection,
     const bool motion = one.kind == law::IndependentKind::kPosition ||
                         one.kind == law::IndependentKind::kConstitutiveMotion;
     if (!motion || connection.info.available.contains(one.index)) continue;
-    const Node name = (*columns)[dependents + i];
+    const yaml::Node name = (*columns)[dependents + i];
     binder.error(name, path / "columns" / (dependents + i),
-                 "'" + printable(name.text()) + "' never changes: " + connector_words(connection) +
+                 "'" + base::printable(name.text()) +
+                     "' never changes: " + connector_words(connection) +
                      (connection.info.held.contains(one.index) ? " holds" : " has no") +
                      " component " + std::to_string(one.index + 1) + "; free are " +
                      motion_names(connection.info.available));
@@ -283,6 +287,12 @@ bool independents_available(Binder& binder, const law::Connection& connection,
   }
   return good;
 }
+
+}  // namespace slipbench::driver::read
+
+namespace slipbench::driver::yaml {
+
+using namespace read;  // specialisations belong to the namespace of their template
 
 bool Codec<law::InternalContactForce>::read(Binder& binder, const Node& node, const Path& path,
                                             const KeyInfo& info, law::InternalContactForce& out) {
@@ -330,4 +340,4 @@ Json Codec<law::Table>::schema(const KeyInfo&) { return struct_schema<TableText>
 std::string Codec<law::Table>::wanted(const KeyInfo&) { return "a table"; }
 void Codec<law::Table>::rows(const std::string&, std::vector<KeyRow>&) {}
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::yaml

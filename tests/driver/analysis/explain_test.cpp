@@ -8,7 +8,7 @@
 #include "driver/base/files/exit_code.hpp"
 #include "driver/read/read_case.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::analysis {
 namespace {
 
 constexpr const char* kShaft = R"(slipbench: 1
@@ -55,15 +55,15 @@ history:
   - {step: rub, duration: 5, increments: 10, motion: {CP1: {to: 10}}}
 )";
 
-Case read(const char* text) {
-  ReadCase result = read_case_text(SourceText("case.yaml", text), ".", {});
-  INFO(render(result.diagnostics, result.sources));
+cases::Case read(const char* text) {
+  read::ReadCase result = read::read_case_text(base::SourceText("case.yaml", text), ".", {});
+  INFO(base::render(result.diagnostics, result.sources));
   REQUIRE(result.value.has_value());
   return std::move(*result.value);
 }
 
 std::string text_of(const char* text, double time) {
-  const Case problem = read(text);
+  const cases::Case problem = read(text);
   const auto explained = explain(problem, time);
   REQUIRE(explained);
   return *explained;
@@ -187,11 +187,11 @@ TEST_CASE("the numbers of an explanation multiply out as printed") {
 
 TEST_CASE("the start can be explained, the time outside the history cannot") {
   CHECK(text_of(kShaft, 0.0).find("case: t = 0 s   the start, step 'load'\nstick") == 0);
-  const Case problem = read(kShaft);
+  const cases::Case problem = read(kShaft);
   for (const double time : {-1.0, 3.5}) {
     const auto explained = explain(problem, time);
     REQUIRE_FALSE(explained);
-    CHECK(explained.error().code == kExitBadInput);
+    CHECK(explained.error().code == base::kExitBadInput);
     CHECK(explained.error().message.find("case runs from t = 0 to t = 3\n") != std::string::npos);
   }
 }
@@ -279,4 +279,4 @@ history:
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::analysis

@@ -9,7 +9,7 @@
 #include "tests/driver/bench/example_cases.hpp"
 #include "tests/driver/read/read_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 namespace {
 
 std::string belt(const std::string& connector, const std::string& more,
@@ -21,16 +21,16 @@ std::string belt(const std::string& connector, const std::string& more,
 
 /// The one message of a case, from the key on.
 std::string message(const std::string& text) {
-  const auto all = messages(text);
+  const auto all = read::messages(text);
   INFO(text);
   REQUIRE(all.size() == 1);
   return all[0].substr(all[0].find(": ") + 2);
 }
 
-std::string end_of(const Case& problem, std::vector<std::string>* warnings = nullptr) {
+std::string end_of(const cases::Case& problem, std::vector<std::string>* warnings = nullptr) {
   auto simulation = Simulation::start(problem);
   REQUIRE(simulation);
-  Summary summary(problem);
+  results::Summary summary(problem);
   summary.add(simulation->row());
   while (true) {
     const auto more = simulation->advance();
@@ -79,7 +79,7 @@ TEST_CASE("a chain takes one definition for all rings or one for each, and no ot
       message(belt("wrap_angle: [1, 2]", third, kPull)) ==
       "error: friction: a belt over 2 rings has one definition, which all rings share, or one for "
       "each; found 3; 'wrap_angle' lists the angle of each ring: [= pi/2, = pi/3]");
-  const Case three = sound(belt("wrap_angle: [1, 2, 3]", third, kPull));
+  const cases::Case three = read::sound(belt("wrap_angle: [1, 2, 3]", third, kPull));
   REQUIRE(three.definitions.size() == 3);
   for (std::size_t i = 0; i < 3; ++i) {
     CHECK(three.definitions[i].name == "ring" + std::to_string(i + 1));
@@ -93,9 +93,9 @@ TEST_CASE("a tension that is written and faulty is not told as missing") {
 }
 
 TEST_CASE("a distance beyond a stop, or below a hundredth of the first, ends the run") {
-  CHECK(end_of(sound(belt("wrap_angle: 1.5, initial: {CP1: 100}",
-                          "stops: [{component: 1, lower: 50}]\n",
-                          "force: {f1: 50}, motion: {CP1: {to: 20}}"))) ==
+  CHECK(end_of(read::sound(belt("wrap_angle: 1.5, initial: {CP1: 100}",
+                                "stops: [{component: 1, lower: 50}]\n",
+                                "force: {f1: 50}, motion: {CP1: {to: 20}}"))) ==
         "step 's', t = 0.75 (total time 0.75): CP1 = 40 is beyond the lower stop of component 1 at "
         "50");
   const std::string to = "force: {f1: 50}, motion: {CP1: {to: 0.1}}";
@@ -103,12 +103,12 @@ TEST_CASE("a distance beyond a stop, or below a hundredth of the first, ends the
   CHECK(message(down) ==
         "warning: history[0].motion.CP1: CP1 goes down to 0.1 in step 's': below 1, a hundredth of "
         "the initial distance, a belt locks");
-  CHECK(end_of(sound(down)) ==
+  CHECK(end_of(read::sound(down)) ==
         "step 's', t = 1 (total time 1): the distance CP1 = 0.1 of the nodes is below 1, a "
         "hundredth of the initial one: the belt locks there, and nothing says with what force");
   std::vector<std::string> warnings;
-  CHECK(end_of(sound(belt("wrap_angle: 1.5, initial: {CP1: 100}", "",
-                          "force: {f1: 50}, motion: {CP1: \"= 100 - 98.5*t\"}")),
+  CHECK(end_of(read::sound(belt("wrap_angle: 1.5, initial: {CP1: 100}", "",
+                                "force: {f1: 50}, motion: {CP1: \"= 100 - 98.5*t\"}")),
                &warnings)
             .empty());
   REQUIRE(warnings.size() == 1);
@@ -120,9 +120,10 @@ TEST_CASE("a distance beyond a stop, or below a hundredth of the first, ends the
 
 TEST_CASE("a tension below 0 is told of once") {
   std::vector<std::string> warnings;
-  CHECK(end_of(sound(belt("wrap_angle: 1.5, initial: {CP1: 100}", "",
-                          "force: {f1: {columns: [value, t], rows: [[50, 0], [-50, 1]]}}, motion: "
-                          "{CP2: {to: 1}}")),
+  CHECK(end_of(read::sound(
+                   belt("wrap_angle: 1.5, initial: {CP1: 100}", "",
+                        "force: {f1: {columns: [value, t], rows: [[50, 0], [-50, 1]]}}, motion: "
+                        "{CP2: {to: 1}}")),
                &warnings)
             .empty());
   REQUIRE(warnings.size() == 1);
@@ -134,10 +135,10 @@ TEST_CASE("a tension below 0 is told of once") {
 
 TEST_CASE("an elastic belt that is never tight is told by its strain") {
   std::vector<std::string> warnings;
-  CHECK(end_of(
-            sound(belt("wrap_angle: 1, initial: {CP1: 100}, initial_strain: -0.1",
-                       "elasticity: [{component: 1, stiffness: 500}]\n", "motion: {CP2: {to: 1}}")),
-            &warnings)
+  CHECK(end_of(read::sound(belt("wrap_angle: 1, initial: {CP1: 100}, initial_strain: -0.1",
+                                "elasticity: [{component: 1, stiffness: 500}]\n",
+                                "motion: {CP2: {to: 1}}")),
+               &warnings)
             .empty());
   REQUIRE(warnings.size() == 1);
   CHECK(warnings[0].find("look at the size and the sign of the strain CU1 in the history") !=
@@ -145,13 +146,15 @@ TEST_CASE("an elastic belt that is never tight is told by its strain") {
 }
 
 TEST_CASE("the force of a belt is the difference of its tensions, prescribed slack too") {
-  const Case problem = sound(belt("wrap_angle: 1.5", "", "force: {f1: {to: -50}, f_bc: 30}"));
-  const auto columns = result_columns(problem);
+  const cases::Case problem =
+      read::sound(belt("wrap_angle: 1.5", "", "force: {f1: {to: -50}, f_bc: 30}"));
+  const auto columns = results::result_columns(problem);
   auto simulation = Simulation::start(problem);
   REQUIRE(simulation);
   while (simulation->advance().value()) {
     const auto value = [&](const char* name) {
-      return column_value(*find_column(problem, columns, name), problem, simulation->row());
+      return results::column_value(*results::find_column(problem, columns, name), problem,
+                                   simulation->row());
     };
     CHECK(value("CTF1") == 0.0);
     CHECK(value("f_bc") == 30.0);
@@ -161,16 +164,17 @@ TEST_CASE("the force of a belt is the difference of its tensions, prescribed sla
 }
 
 TEST_CASE("a chain of known lengths that is cut goes on as if it had not been") {
-  const Case problem =
-      sound(belt("wrap_angle: [1, 2], initial: {CP1: 9}, initial_strain: 0.01, lengths: [3, 4]",
-                 "elasticity: [{component: 1, stiffness: 100}]\n"
-                 "damping: [{component: 1, coefficient: 5}]\n",
-                 "motion: {CP1: {to: 9.1}, CP2: {to: 0.2}, CP3: {to: 0.1}}"));
-  const auto columns = result_columns(problem);
+  const cases::Case problem = read::sound(
+      belt("wrap_angle: [1, 2], initial: {CP1: 9}, initial_strain: 0.01, lengths: [3, 4]",
+           "elasticity: [{component: 1, stiffness: 100}]\n"
+           "damping: [{component: 1, coefficient: 5}]\n",
+           "motion: {CP1: {to: 9.1}, CP2: {to: 0.2}, CP3: {to: 0.1}}"));
+  const auto columns = results::result_columns(problem);
   std::vector<std::vector<double>> whole;
   const auto values = [&](const Row& row) {
     std::vector<double> all;
-    for (const Column& column : columns) all.push_back(column_value(column, problem, row));
+    for (const results::Column& column : columns)
+      all.push_back(results::column_value(column, problem, row));
     return all;
   };
   auto first = Simulation::start(problem);
@@ -191,7 +195,7 @@ TEST_CASE("a chain of known lengths that is cut goes on as if it had not been") 
 }
 
 TEST_CASE("a segment behind a ring whose elasticity ends below its tension ends the run") {
-  const Case problem = sound(
+  const cases::Case problem = read::sound(
       belt("wrap_angle: 3, initial: {CP1: 9}, initial_strain: 0.01, lengths: [3]",
            "elasticity:\n  - {component: 1, columns: [force, displacement], rows: [[0, 0], [10, "
            "0.01], [12, 0.1]]}\n",
@@ -210,24 +214,24 @@ TEST_CASE("keywords of connectors that the bench has not are refused by name, wi
       {"lock", "a connector of this bench does not lock for good"},
       {"uniaxial_behavior", "a connector of this bench has no uniaxial behavior"}};
   for (const auto& [key, why] : keywords) {
-    const std::string text = changed({{"history:", key + ": []\nhistory:"}});
+    const std::string text = read::changed({{"history:", key + ": []\nhistory:"}});
     CHECK_THAT(message(text), Catch::StartsWith("error: " + key + ": " + why));
   }
   CHECK_THAT(
-      message(changed({{"type: CYLINDRICAL", "type: RETRACTOR"}})),
+      message(read::changed({{"type: CYLINDRICAL", "type: RETRACTOR"}})),
       Catch::StartsWith("error: connector.type: a RETRACTOR is JOIN + FLOW-CONVERTER: node b "
                         "sits on a"));
 }
 
 TEST_CASE("the flags of stops are numbered from 1 to 6") {
-  const Case problem =
-      sound(changed({{"history:",
-                      "stops: [{component: 1, upper: 9}, {component: 4, upper: 9}]\n"
-                      "history:"}}));
-  const auto columns = result_columns(problem);
-  CHECK(find_column(problem, columns, "CSLST1"));
-  CHECK(find_column(problem, columns, "CSLST4"));
-  CHECK_FALSE(find_column(problem, columns, "CSLSTR1"));
+  const cases::Case problem =
+      read::sound(read::changed({{"history:",
+                                  "stops: [{component: 1, upper: 9}, {component: 4, upper: 9}]\n"
+                                  "history:"}}));
+  const auto columns = results::result_columns(problem);
+  CHECK(results::find_column(problem, columns, "CSLST1"));
+  CHECK(results::find_column(problem, columns, "CSLST4"));
+  CHECK_FALSE(results::find_column(problem, columns, "CSLSTR1"));
 }
 
 TEST_CASE("exact integration of a damped belt is refused with its reason") {
@@ -240,16 +244,19 @@ TEST_CASE("exact integration of a damped belt is refused with its reason") {
 }
 
 TEST_CASE("a belt counts its flows from where they started") {
-  const Case problem = sound(belt("wrap_angle: 1, initial: {CP2: 4, CP3: 5}", "",
-                                  "force: {f1: 9}, motion: {CP2: {to: 6}, CP3: {to: 6}}"));
+  const cases::Case problem =
+      read::sound(belt("wrap_angle: 1, initial: {CP2: 4, CP3: 5}", "",
+                       "force: {f1: 9}, motion: {CP2: {to: 6}, CP3: {to: 6}}"));
   auto simulation = Simulation::start(problem);
   REQUIRE(simulation);
   while (simulation->advance().value()) {
   }
-  const auto columns = result_columns(problem);
-  CHECK(column_value(*find_column(problem, columns, "CU2"), problem, simulation->row()) == 2.0);
-  CHECK(column_value(*find_column(problem, columns, "CU3"), problem, simulation->row()) == 1.0);
+  const auto columns = results::result_columns(problem);
+  CHECK(results::column_value(*results::find_column(problem, columns, "CU2"), problem,
+                              simulation->row()) == 2.0);
+  CHECK(results::column_value(*results::find_column(problem, columns, "CU3"), problem,
+                              simulation->row()) == 1.0);
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

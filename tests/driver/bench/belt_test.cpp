@@ -12,16 +12,16 @@
 #include "tests/driver/read/read_for_test.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 namespace {
 
 using std::numbers::pi;
 
-double value(const Case& problem, const Row& row, const std::string& name) {
-  const auto column = find_column(problem, result_columns(problem), name);
+double value(const cases::Case& problem, const Row& row, const std::string& name) {
+  const auto column = results::find_column(problem, results::result_columns(problem), name);
   INFO(name);
   REQUIRE(column);
-  return column_value(*column, problem, row);
+  return results::column_value(*column, problem, row);
 }
 
 std::string belt(const std::string& connector, const std::string& history,
@@ -33,9 +33,9 @@ std::string belt(const std::string& connector, const std::string& history,
 
 const std::string kNodes = "nodes: {a: [-3, 0, 0], b: [0, 0, 0], c: [0, 2, 0]}";
 
-std::vector<std::string> names(const Case& problem) {
+std::vector<std::string> names(const cases::Case& problem) {
   std::vector<std::string> all;
-  for (const Column& column : result_columns(problem)) all.push_back(column.name);
+  for (const results::Column& column : results::result_columns(problem)) all.push_back(column.name);
   return all;
 }
 
@@ -45,7 +45,7 @@ bool has(const std::vector<std::string>& all, const std::string& name) {
 
 TEST_CASE("a belt has the columns of what is known of it, each once") {
   const std::string pull = "  - {step: s, increments: 2, force: {f1: 9}, motion: {CP2: {to: 1}}}\n";
-  const auto plain = names(sound(belt("wrap_angle: 2", pull)));
+  const auto plain = names(read::sound(belt("wrap_angle: 2", pull)));
   for (const char* name : {"CP2", "CP3", "CSF2", "CNF2", "CASU2", "f_bc", "CTF1", "CSF2_MAX"}) {
     INFO(name);
     CHECK(has(plain, name));
@@ -55,15 +55,15 @@ TEST_CASE("a belt has the columns of what is known of it, each once") {
     INFO(name);
     CHECK_FALSE(has(plain, name));
   }
-  const auto length = names(sound(belt("wrap_angle: 2, initial: {CP1: 4}", pull)));
+  const auto length = names(read::sound(belt("wrap_angle: 2, initial: {CP1: 4}", pull)));
   for (const char* name : {"CP1", "CU1", "reference_length"}) CHECK(has(length, name));
   CHECK_FALSE(has(length, "wrap_angle"));
   const auto moving =
-      names(sound(belt(kNodes,
-                       "  - {step: s, increments: 2, force: {f1: 9}, nodes: {c: [{to: 1}, 2, "
-                       "0]}}\n")));
+      names(read::sound(belt(kNodes,
+                             "  - {step: s, increments: 2, force: {f1: 9}, nodes: {c: [{to: 1}, 2, "
+                             "0]}}\n")));
   CHECK(has(moving, "wrap_angle"));
-  auto chain = names(sound(belt("wrap_angle: [1, 2]", pull)));
+  auto chain = names(read::sound(belt("wrap_angle: [1, 2]", pull)));
   for (const char* name : {"CSF2", "CSF2.ring1", "f_bc", "f_bc.ring1", "CNF2.ring2", "STATUS.ring2",
                            "CASU2.ring1", "CSF2_MIN.ring2"}) {
     INFO(name);
@@ -74,7 +74,7 @@ TEST_CASE("a belt has the columns of what is known of it, each once") {
 }
 
 TEST_CASE("distance, strain and wrap angle follow from nodes that move") {
-  const Case problem = sound(
+  const cases::Case problem = read::sound(
       belt(kNodes + ", initial_strain: 0.5",
            "  - {step: s, increments: 4, force: {f1: 10}, motion: {CP2: {to: 1}, CP3: {to: 0.5}},"
            " nodes: {a: [{to: -4}, 0, 0], c: [{to: 2}, {to: 0}, 0]}}\n"));
@@ -96,7 +96,7 @@ TEST_CASE("distance, strain and wrap angle follow from nodes that move") {
 }
 
 TEST_CASE("the tension a ring leaves is the one the next meets, increment by increment") {
-  const Case problem = sound(
+  const cases::Case problem = read::sound(
       belt("wrap_angle: [1, 0.5, 2]",
            "  - {step: s, increments: 7, force: {f1: 10}, motion: {CP2: {to: 0.02}}}\n"
            "  - {step: r, increments: 9, force: {f1: {to: 25}}, motion: {CP2: {to: -0.02}}}\n"));
@@ -120,14 +120,14 @@ TEST_CASE("a belt's run cut anywhere and resumed gives the same rows") {
     const bool nodes = connector == kNodes;
     const std::string move = nodes ? ", nodes: {c: [{sine: {amplitude: 1, period: 0.7}}, 2, 0]}"
                                    : ", motion: {CP1: {to: 4}}";
-    const Case problem = sound(belt(
+    const cases::Case problem = read::sound(belt(
         connector,
         "  - {step: s, increments: 9, force: {f1: {to: 20}}" + move +
             "}\n"
             "  - {step: r, increments: 9, force: {f1: {to: 5}}, motion: {CP2: {to: 0.2}, CP3: {to: "
             "0.1}}}\n"));
     const std::vector<Row> whole = rows_of(problem);
-    const auto columns = result_columns(problem);
+    const auto columns = results::result_columns(problem);
     for (std::size_t cut = 0; cut < whole.size(); ++cut) {
       auto first = Simulation::start(problem);
       REQUIRE(first);
@@ -136,10 +136,10 @@ TEST_CASE("a belt's run cut anywhere and resumed gives the same rows") {
       REQUIRE(second);
       for (std::size_t i = cut + 1; i < whole.size(); ++i) {
         REQUIRE(second->advance().value());
-        for (const Column& column : columns) {
+        for (const results::Column& column : columns) {
           INFO(column.name << " in row " << i << " after a cut at " << cut);
-          CHECK(column_value(column, problem, second->row()) ==
-                column_value(column, problem, whole[i]));
+          CHECK(results::column_value(column, problem, second->row()) ==
+                results::column_value(column, problem, whole[i]));
         }
       }
     }
@@ -147,10 +147,10 @@ TEST_CASE("a belt's run cut anywhere and resumed gives the same rows") {
 }
 
 TEST_CASE("both tensions judge the belt without a flow") {
-  const Case problem =
-      sound(belt("wrap_angle: = pi",
-                 "  - {step: s, increments: 3, force: {f1: 10, f_bc: {columns: [value, t], rows: "
-                 "[[10, 0], [40, 1]]}}}\n"));
+  const cases::Case problem = read::sound(
+      belt("wrap_angle: = pi",
+           "  - {step: s, increments: 3, force: {f1: 10, f_bc: {columns: [value, t], rows: "
+           "[[10, 0], [40, 1]]}}}\n"));
   const std::vector<Row> rows = rows_of(problem);
   const std::vector<double> status = {1.0, 2.0, 2.0, 2.0};  // the limit is 18.7
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -164,7 +164,7 @@ TEST_CASE("both tensions judge the belt without a flow") {
 }
 
 std::string failure_of(const std::string& text) {
-  const Case problem = sound(text);
+  const cases::Case problem = read::sound(text);
   auto simulation = Simulation::start(problem);
   while (simulation) {
     const auto more = simulation->advance();
@@ -201,7 +201,7 @@ TEST_CASE("a belt that cannot be there ends the run with its place and reason") 
 TEST_CASE("a measured history drives tension and flow of a belt") {
   TemporaryFolder folder;
   folder.write("rig.csv", "time,load,flow\n0,10,0\n1,10,1\n2,20,0\n");
-  const Case problem = sound(
+  const cases::Case problem = read::sound(
       "slipbench: 1\nconnector: {type: SLIPRING, wrap_angle: = pi}\nfriction:\n"
       "  - {predefined: {}, coefficient: 0.2, stick: {elastic_slip: 0.01}}\n"
       "history: {csv: rig.csv, time: time, columns: {f1: load, CP2: flow}}\n",
@@ -214,13 +214,13 @@ TEST_CASE("a measured history drives tension and flow of a belt") {
 
 TEST_CASE("an angle in degrees, and a belt without tension, are warned of") {
   const std::string pull = "  - {step: s, increments: 2, force: {f1: 9}, motion: {CP2: {to: 1}}}\n";
-  const auto degrees = messages(belt("wrap_angle: [1, 90]", pull));
+  const auto degrees = read::messages(belt("wrap_angle: [1, 90]", pull));
   REQUIRE(degrees.size() == 1);
   CHECK_THAT(degrees[0], Catch::Contains("2:45: warning: connector.wrap_angle[1]: 90 rad is more "
                                          "than two turns of the belt (radians?)"));
-  CHECK(messages(belt("wrap_angle: = 4*pi", pull)).empty());
-  const auto slack =
-      messages(belt("wrap_angle: 2", "  - {step: s, increments: 2, motion: {CP2: {to: 1}}}\n"));
+  CHECK(read::messages(belt("wrap_angle: = 4*pi", pull)).empty());
+  const auto slack = read::messages(
+      belt("wrap_angle: 2", "  - {step: s, increments: 2, motion: {CP2: {to: 1}}}\n"));
   REQUIRE(slack.size() == 1);
   CHECK_THAT(slack[0], Catch::Contains("warning: history: the belt has no tension"));
 }
@@ -228,11 +228,11 @@ TEST_CASE("an angle in degrees, and a belt without tension, are warned of") {
 TEST_CASE("a node may stay where an earlier step has put it, and nowhere else") {
   const std::string first =
       "  - {step: s, increments: 2, force: {f1: 9}, nodes: {c: [{to: 5}, 2, 0]}}\n";
-  CHECK(
-      messages(belt(kNodes, first + "  - {step: r, increments: 2, nodes: {c: [5, {to: 3}, 0]}}\n"))
-          .empty());
-  const auto wrong =
-      messages(belt(kNodes, first + "  - {step: r, increments: 2, nodes: {c: [0, {to: 3}, 0]}}\n"));
+  CHECK(read::messages(
+            belt(kNodes, first + "  - {step: r, increments: 2, nodes: {c: [5, {to: 3}, 0]}}\n"))
+            .empty());
+  const auto wrong = read::messages(
+      belt(kNodes, first + "  - {step: r, increments: 2, nodes: {c: [0, {to: 3}, 0]}}\n"));
   REQUIRE(wrong.size() == 1);
   CHECK_THAT(wrong[0],
              Catch::Contains("history[1].nodes.c[0]: a number is a coordinate that stays, "
@@ -240,4 +240,4 @@ TEST_CASE("a node may stay where an earlier step has put it, and nowhere else") 
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

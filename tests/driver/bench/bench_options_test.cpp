@@ -10,7 +10,7 @@
 #include "tests/driver/bench/example_cases.hpp"
 #include "tests/support/dice.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 namespace {
 
 using test::Dice;
@@ -25,23 +25,23 @@ struct Options {
   law::StickStiffness stick = {law::StickStiffness::Mode::kStiffness, 1000.0};
 };
 
-Case with_options(const Options& options, std::vector<Step> steps) {
-  Case problem = slider_case(std::move(steps));
-  CaseDefinition& definition = problem.definitions[0];
+cases::Case with_options(const Options& options, std::vector<cases::Step> steps) {
+  cases::Case problem = slider_case(std::move(steps));
+  cases::CaseDefinition& definition = problem.definitions[0];
   definition.law.law = law::ConstantCoefficient{options.forward};
   definition.law.stick = options.stick;
   if (options.backward) definition.backward = law::ConstantCoefficient{*options.backward};
-  if (options.gap > 0.0) definition.dead_zone = DeadZone{options.gap, options.start};
+  if (options.gap > 0.0) definition.dead_zone = cases::DeadZone{options.gap, options.start};
   return problem;
 }
 
 /// A connected path of 60 straight steps, from far below the gap to far beyond gap and slip.
-std::vector<Step> random_path(Dice& dice) {
-  std::vector<Step> steps;
+std::vector<cases::Step> random_path(Dice& dice) {
+  std::vector<cases::Step> steps;
   double at = 0.0;
   for (int i = 0; i < 60; ++i) {
     at += dice.dyadic(-1.0, 1.0) * dice.one_of(std::vector<double>{0.0625, 0.25, 0.5, 1.0});
-    steps.push_back(step("leg", 1 + dice.pick(3), 0, LinearTo{at}));
+    steps.push_back(step("leg", 1 + dice.pick(3), 0, history::LinearTo{at}));
   }
   return steps;
 }
@@ -66,7 +66,7 @@ TEST_CASE("a slider with backlash and two limits follows its closed form along a
     Dice dice(seed);
     Options options = random_options(dice);
     options.stick = {law::StickStiffness::Mode::kStiffness, dice.between(100.0, 3000.0)};
-    const Case problem = with_options(options, random_path(dice));
+    const cases::Case problem = with_options(options, random_path(dice));
     const closed::Slider slider{options.stick.value, 100.0 * options.forward,
                                 100.0 * options.backward.value_or(options.forward), options.gap};
     closed::State state = closed::start(0.0, options.start);
@@ -128,9 +128,9 @@ TEST_CASE("one increment across the gap is as good as many") {
   for (const double width : {0.05, 0.3}) {
     const auto rows = [&](int increments) {
       Options options{.gap = width, .backward = 0.1};
-      return rows_of(with_options(options, {step("in", increments, 0, LinearTo{0.5}),
-                                            step("out", increments, 0, LinearTo{-0.4}),
-                                            step("in", increments, 0, LinearTo{0.3})}));
+      return rows_of(with_options(options, {step("in", increments, 0, history::LinearTo{0.5}),
+                                            step("out", increments, 0, history::LinearTo{-0.4}),
+                                            step("in", increments, 0, history::LinearTo{0.3})}));
     };
     const Row few = rows(1).back();
     const Row many = rows(997).back();
@@ -143,18 +143,19 @@ TEST_CASE("one increment across the gap is as good as many") {
 
 TEST_CASE("slip begins where the gap and the elastic slip end") {
   // 0.3 of gap to its upper end, 0.02 of elastic slip, 1 in all.
-  const Row row = rows_of(with_options({.gap = 0.6}, {step("in", 1, 0, LinearTo{1.0})})).back();
+  const Row row =
+      rows_of(with_options({.gap = 0.6}, {step("in", 1, 0, history::LinearTo{1.0})})).back();
   CHECK(row.definitions[0].update.onset == Approx(0.32).epsilon(1e-12));  // rounding
   // Back: 0.02 + 0.6 + 0.02 of 2.
-  const Row back = rows_of(with_options({.gap = 0.6}, {step("in", 1, 0, LinearTo{1.0}),
-                                                       step("out", 1, 0, LinearTo{-1.0})}))
+  const Row back = rows_of(with_options({.gap = 0.6}, {step("in", 1, 0, history::LinearTo{1.0}),
+                                                       step("out", 1, 0, history::LinearTo{-1.0})}))
                        .back();
   CHECK(back.definitions[0].update.onset == Approx(0.32).epsilon(1e-12));
   // The same with two limits under one elastic slip, without a gap: 0.02 + 0.02 of 0.1.
   Options two{.forward = 0.3, .backward = 0.1};
   two.stick = {law::StickStiffness::Mode::kElasticSlip, 0.02};
-  const Row turned = rows_of(with_options(two, {step("in", 1, 0, LinearTo{0.1}),
-                                                step("out", 1, 0, LinearTo{0.0})}))
+  const Row turned = rows_of(with_options(two, {step("in", 1, 0, history::LinearTo{0.1}),
+                                                step("out", 1, 0, history::LinearTo{0.0})}))
                          .back();
   CHECK(turned.definitions[0].update.onset == Approx(0.4).epsilon(1e-12));
 }
@@ -163,17 +164,18 @@ TEST_CASE("lengths and forces in units of powers of two change nothing, to the l
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     Dice dice(seed);
     const Options options = random_options(dice);
-    const Case here = with_options(options, random_path(dice));
+    const cases::Case here = with_options(options, random_path(dice));
     constexpr double kLength = 1024.0;
     constexpr double kForce = 0.125;
-    Case there = here;
-    CaseDefinition& d = there.definitions[0];
+    cases::Case there = here;
+    cases::CaseDefinition& d = there.definitions[0];
     d.law.internal_contact_force = 100.0 * kForce;
     const bool fixed = options.stick.mode == law::StickStiffness::Mode::kStiffness;
     d.law.stick.value *= fixed ? kForce / kLength : kLength;
-    if (d.dead_zone) d.dead_zone = DeadZone{options.gap * kLength, options.start * kLength};
-    for (Step& one : there.steps) {
-      one.drives[0].profile = LinearTo{std::get<LinearTo>(one.drives[0].profile).value * kLength};
+    if (d.dead_zone) d.dead_zone = cases::DeadZone{options.gap * kLength, options.start * kLength};
+    for (cases::Step& one : there.steps) {
+      one.drives[0].profile =
+          history::LinearTo{std::get<history::LinearTo>(one.drives[0].profile).value * kLength};
     }
     const std::vector<Row> a = rows_of(here);
     const std::vector<Row> b = rows_of(there);
@@ -195,10 +197,11 @@ TEST_CASE("mirrored motion with exchanged coefficients mirrors the force, to the
     Dice dice(seed);
     Options options = random_options(dice);
     options.backward = dice.between(0.05, 0.6);
-    const std::vector<Step> path = random_path(dice);
-    std::vector<Step> mirrored = path;
-    for (Step& one : mirrored) {
-      one.drives[0].profile = LinearTo{-std::get<LinearTo>(one.drives[0].profile).value};
+    const std::vector<cases::Step> path = random_path(dice);
+    std::vector<cases::Step> mirrored = path;
+    for (cases::Step& one : mirrored) {
+      one.drives[0].profile =
+          history::LinearTo{-std::get<history::LinearTo>(one.drives[0].profile).value};
     }
     Options other = options;
     other.forward = *options.backward;
@@ -218,10 +221,10 @@ TEST_CASE("mirrored motion with exchanged coefficients mirrors the force, to the
 
 TEST_CASE("a gap of no width and equal coefficients are plain friction, to the last bit") {
   Dice dice(7);
-  const std::vector<Step> path = random_path(dice);
+  const std::vector<cases::Step> path = random_path(dice);
   const std::vector<Row> plain = rows_of(with_options({}, path));
-  Case problem = with_options({.backward = 0.2}, path);
-  problem.definitions[0].dead_zone = DeadZone{0.0, 0.0};
+  cases::Case problem = with_options({.backward = 0.2}, path);
+  problem.definitions[0].dead_zone = cases::DeadZone{0.0, 0.0};
   const std::vector<Row> other = rows_of(problem);
   REQUIRE(plain.size() == other.size());
   for (std::size_t i = 0; i < plain.size(); ++i) {
@@ -232,7 +235,7 @@ TEST_CASE("a gap of no width and equal coefficients are plain friction, to the l
 
 TEST_CASE("a run that was cut in a gap goes on with the same bytes") {
   Dice dice(3);
-  const Case problem =
+  const cases::Case problem =
       with_options({.gap = 0.4, .start = 0.1, .backward = 0.35}, random_path(dice));
   const std::vector<Row> whole = rows_of(problem);
   for (std::size_t cut = 0; cut + 1 < whole.size(); cut += 5) {
@@ -253,14 +256,15 @@ TEST_CASE("a run that was cut in a gap goes on with the same bytes") {
 }
 
 TEST_CASE("while the contact is open the play follows the motion and keeps its place") {
-  Case problem = with_options(
-      {.gap = 0.2}, {step("press", 2, 0, LinearTo{0.3}), step("lift", 2, 0, LinearTo{0.15}),
-                     step("press again", 2, 0, LinearTo{-0.3})});
+  cases::Case problem =
+      with_options({.gap = 0.2}, {step("press", 2, 0, history::LinearTo{0.3}),
+                                  step("lift", 2, 0, history::LinearTo{0.15}),
+                                  step("press again", 2, 0, history::LinearTo{-0.3})});
   problem.definitions[0].law.internal_contact_force = 0.0;
   problem.definitions[0].law.contact_force = law::ComponentContactForce{1};
-  problem.steps[0].drives.push_back({kFirstForce + 1, Constant{100.0}});
-  problem.steps[1].drives.push_back({kFirstForce + 1, Constant{0.0}});
-  problem.steps[2].drives.push_back({kFirstForce + 1, Constant{100.0}});
+  problem.steps[0].drives.push_back({cases::kFirstForce + 1, history::Constant{100.0}});
+  problem.steps[1].drives.push_back({cases::kFirstForce + 1, history::Constant{0.0}});
+  problem.steps[2].drives.push_back({cases::kFirstForce + 1, history::Constant{100.0}});
   const std::vector<Row> rows = rows_of(problem);
   CHECK(rows[2].definitions[0].update.state.force[0] == Approx(20.0));
   const DefinitionRow& open = rows[4].definitions[0];
@@ -275,10 +279,11 @@ TEST_CASE("a direction that does not hold takes back the energy of the other one
   // 30 N on a spring of 0.03 mm: 0.45 mJ that the first increment back gives back.
   for (const double gap : {0.0, 0.06}) {
     for (const int increments : {1, 10}) {
-      const std::vector<Row> rows = rows_of(
-          with_options({.gap = gap, .forward = 0.3, .backward = 0.0},
-                       {step("in", 1, 0, LinearTo{1.0}), step("out", increments, 0, LinearTo{-1.0}),
-                        step("in", 1, 0, LinearTo{1.0})}));
+      const std::vector<Row> rows =
+          rows_of(with_options({.gap = gap, .forward = 0.3, .backward = 0.0},
+                               {step("in", 1, 0, history::LinearTo{1.0}),
+                                step("out", increments, 0, history::LinearTo{-1.0}),
+                                step("in", 1, 0, history::LinearTo{1.0})}));
       const DefinitionRow& there = rows[1].definitions[0];
       const DefinitionRow& back = rows[1 + static_cast<std::size_t>(increments)].definitions[0];
       CHECK(back.update.state.regime == law::Regime::kOpen);
@@ -294,9 +299,9 @@ TEST_CASE("a direction that does not hold takes back the energy of the other one
 TEST_CASE("a coefficient that falls in one direction alone has its thresholds there") {
   const law::FrictionLaw falling =
       law::ExponentialDecay{.mu_static = 0.3, .kinetic = 0.2, .decay = 0.5};
-  const std::vector<Step> path = {step("in", 4, 0, LinearTo{0.5}),
-                                  step("out", 4, 0, LinearTo{-0.5})};
-  Case plain = with_options({}, path);
+  const std::vector<cases::Step> path = {step("in", 4, 0, history::LinearTo{0.5}),
+                                         step("out", 4, 0, history::LinearTo{-0.5})};
+  cases::Case plain = with_options({}, path);
   plain.definitions[0].law.law = falling;
   const law::IncrementThresholds wanted = rows_of(plain).back().definitions[0].thresholds;
   REQUIRE(wanted.unique > 0.0);
@@ -307,7 +312,7 @@ TEST_CASE("a coefficient that falls in one direction alone has its thresholds th
       law::ExponentialDecay{.mu_static = 0.2, .kinetic = 0.2, .decay = 0.5}};
   for (const law::FrictionLaw& other : others) {
     for (const bool backward : {true, false}) {
-      Case problem = plain;
+      cases::Case problem = plain;
       problem.definitions[0].law.law = backward ? other : falling;
       problem.definitions[0].backward = backward ? falling : other;
       const std::vector<Row> rows = rows_of(problem);
@@ -321,7 +326,8 @@ TEST_CASE("a coefficient that falls in one direction alone has its thresholds th
 
 TEST_CASE("thresholds see the motion that a gap leaves for the friction") {
   const auto thresholds = [](double gap) {
-    Case problem = with_options({.gap = gap}, {step("in", 1, 0, LinearTo{0.5 * gap + 0.05})});
+    cases::Case problem =
+        with_options({.gap = gap}, {step("in", 1, 0, history::LinearTo{0.5 * gap + 0.05})});
     problem.definitions[0].law.law =
         law::ExponentialDecay{.mu_static = 0.3, .kinetic = 0.2, .decay = 10.0};
     return rows_of(problem).back().definitions[0].thresholds;
@@ -335,7 +341,7 @@ TEST_CASE("thresholds see the motion that a gap leaves for the friction") {
 
 TEST_CASE("a floor of the backward coefficient is noted") {
   law::GeneralizedViscous floored = law::GeneralizedViscous::example();
-  Case problem = with_options({}, {step("out", 2, 0, LinearTo{-0.5})});
+  cases::Case problem = with_options({}, {step("out", 2, 0, history::LinearTo{-0.5})});
   // Forward it has no floor.
   for (const double shift : {0.0, -1.0}) {
     floored.fric = shift == 0.0 ? 1.0 : -1e3;
@@ -370,17 +376,18 @@ TEST_CASE("in a scaled slip space the gap is in the unit of the component") {
       options.stick = {mode, mode == law::StickStiffness::Mode::kStiffness
                                  ? dice.between(100.0, 3000.0)
                                  : dice.between(1e-3, 0.1)};
-      const std::vector<Step> path = random_path(dice);
+      const std::vector<cases::Step> path = random_path(dice);
       const std::vector<Row> along = rows_of(with_options(options, path));
       constexpr double kRadius = 8.0;
       options.gap /= kRadius;
       options.start /= kRadius;
-      std::vector<Step> turning = path;
-      for (Step& one : turning) {
+      std::vector<cases::Step> turning = path;
+      for (cases::Step& one : turning) {
         one.drives[0].quantity = 3;
-        one.drives[0].profile = LinearTo{std::get<LinearTo>(one.drives[0].profile).value / kRadius};
+        one.drives[0].profile =
+            history::LinearTo{std::get<history::LinearTo>(one.drives[0].profile).value / kRadius};
       }
-      Case around = with_options(options, turning);
+      cases::Case around = with_options(options, turning);
       around.connection = law::find_connection("CYLINDRICAL").value();
       around.definitions[0].law.slip = law::slip_space({4}, kRadius);
       const std::vector<Row> rows = rows_of(around);
@@ -399,9 +406,9 @@ TEST_CASE("in a scaled slip space the gap is in the unit of the component") {
 }
 
 TEST_CASE("the law in force is that of the direction") {
-  const Case problem =
-      with_options({.forward = 0.3, .backward = 0.1},
-                   {step("in", 1, 0, LinearTo{0.1}), step("out", 1, 0, LinearTo{0.0})});
+  const cases::Case problem = with_options(
+      {.forward = 0.3, .backward = 0.1},
+      {step("in", 1, 0, history::LinearTo{0.1}), step("out", 1, 0, history::LinearTo{0.0})});
   auto simulation = Simulation::start(problem);
   const auto mu = [&] {
     return std::get<law::ConstantCoefficient>(simulation->definition(0).law).mu;
@@ -414,4 +421,4 @@ TEST_CASE("the law in force is that of the direction") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

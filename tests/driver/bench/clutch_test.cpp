@@ -9,7 +9,7 @@
 #include "tests/driver/bench/example_cases.hpp"
 #include "tests/driver/read/read_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 namespace {
 
 std::string clutch(const std::string& dynamics, const std::string& steps,
@@ -22,23 +22,24 @@ std::string clutch(const std::string& dynamics, const std::string& steps,
 }
 const std::string kBoth = "mass: 0.6, initial_velocity: 20, driver: {mass: 0.4, velocity: 100}";
 
-double value(const Case& problem, const Row& row, const std::string& name) {
+double value(const cases::Case& problem, const Row& row, const std::string& name) {
   INFO(name);
-  const auto column = find_column(problem, result_columns(problem), name);
+  const auto column = results::find_column(problem, results::result_columns(problem), name);
   REQUIRE(column);
-  return column_value(*column, problem, row);
+  return results::column_value(*column, problem, row);
 }
 
 TEST_CASE("speeds and heat of a clutch do not depend on the increments") {
   const std::string more =
       "elasticity: [{component: 4, stiffness: 3}]\ndamping: [{component: 4, coefficient: 0.05}]\n";
   const auto end = [&](int increments) {
-    return sound(clutch(kBoth,
-                        "  - {step: close, duration: 3, increments: " + std::to_string(increments) +
-                            ", force: {driver: {to: 30}, m1: -2}}\n",
-                        more));
+    return read::sound(
+        clutch(kBoth,
+               "  - {step: close, duration: 3, increments: " + std::to_string(increments) +
+                   ", force: {driver: {to: 30}, m1: -2}}\n",
+               more));
   };
-  const Case one = end(1), many = end(70);
+  const cases::Case one = end(1), many = end(70);
   const Row a = rows_of(one).back(), b = rows_of(many).back();
   for (const char* name : {"CPR1", "CVR1", "MASS_V", "DRIVER_V", "DISS", "VISCOUS_DISS",
                            "ELASTIC_E", "KINETIC_E", "EXTERNAL_WORK", "CSM1"}) {
@@ -58,12 +59,12 @@ TEST_CASE("speeds and heat of a clutch do not depend on the increments") {
 
 TEST_CASE("a driver that nothing moves is a belt") {
   const std::string steps = "  - {step: go, duration: 9, increments: 90}\n";
-  const Case belt = sound(
+  const cases::Case belt = read::sound(
       clutch("mass: 0.6, initial_velocity: 0, belt_velocity: 7, static_coefficient: 1.5", steps));
-  const Case heavy =
-      sound(clutch("mass: 0.6, initial_velocity: 0, driver: {mass: 1.0e15, velocity: 7}, "
-                   "static_coefficient: 1.5",
-                   steps));
+  const cases::Case heavy =
+      read::sound(clutch("mass: 0.6, initial_velocity: 0, driver: {mass: 1.0e15, velocity: 7}, "
+                         "static_coefficient: 1.5",
+                         steps));
   const std::vector<Row> a = rows_of(belt), b = rows_of(heavy);
   REQUIRE(a.size() == b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -74,12 +75,12 @@ TEST_CASE("a driver that nothing moves is a belt") {
 }
 
 TEST_CASE("two masses on the spring between them swing with their reduced mass") {
-  const Case problem =
-      sound(changed({{"coefficient: 1", "coefficient: 0"}},
+  const cases::Case problem = read::sound(
+      read::changed({{"coefficient: 1", "coefficient: 0"}},
                     clutch("mass: 3, initial_velocity: 2, driver: {mass: 6, velocity: 2}",
                            "  - {step: swing, duration: 5, increments: 50}\n",
                            "elasticity: [{component: 4, stiffness: 50}]\n")));
-  Case bent = problem;
+  cases::Case bent = problem;
   bent.initial[3] = 0.1;
   for (const Row& row : rows_of(bent)) {
     CHECK(row.quantities[3] == Approx(0.1 * std::cos(5.0 * row.time)).margin(1e-11));
@@ -90,7 +91,7 @@ TEST_CASE("two masses on the spring between them swing with their reduced mass")
 
 TEST_CASE("a driver is told apart from a belt, and its load from that of the mass") {
   const auto error = [](const std::string& text) {
-    const std::vector<std::string> all = messages(text);
+    const std::vector<std::string> all = read::messages(text);
     REQUIRE(all.size() == 1);
     return all[0];
   };
@@ -104,11 +105,12 @@ TEST_CASE("a driver is told apart from a belt, and its load from that of the mas
   CHECK(error(clutch("mass: 1, driver: {mass: 2}",
                      "  - {step: go, increments: 1, force: {driver: 5 N}}\n"))
             .find("force.driver") != std::string::npos);
-  CHECK(messages(clutch("mass: 1, driver: {mass: 2}", steps)).empty());
+  CHECK(read::messages(clutch("mass: 1, driver: {mass: 2}", steps)).empty());
 }
 
 TEST_CASE("a run of a clutch that was cut goes on with the same bytes") {
-  const Case problem = sound(clutch(kBoth, "  - {step: close, duration: 2, increments: 20}\n"));
+  const cases::Case problem =
+      read::sound(clutch(kBoth, "  - {step: close, duration: 2, increments: 20}\n"));
   auto whole = Simulation::start(problem);
   REQUIRE(whole);
   for (int i = 0; i < 8; ++i) REQUIRE(whole->advance());
@@ -116,16 +118,16 @@ TEST_CASE("a run of a clutch that was cut goes on with the same bytes") {
   REQUIRE(resumed);
   REQUIRE(whole->advance());
   REQUIRE(resumed->advance());
-  for (const Column& column : result_columns(problem)) {
+  for (const results::Column& column : results::result_columns(problem)) {
     INFO(column.name);
-    CHECK(column_value(column, problem, whole->row()) ==
-          column_value(column, problem, resumed->row()));
+    CHECK(results::column_value(column, problem, whole->row()) ==
+          results::column_value(column, problem, resumed->row()));
   }
 }
 
 TEST_CASE("a load on a driver that is not there is told how to have one") {
-  const std::string said =
-      complaint(clutch("mass: 0.6, initial_velocity: 3", "  - {step: a, force: {driver: 3}}\n"));
+  const std::string said = read::complaint(
+      clutch("mass: 0.6, initial_velocity: 3", "  - {step: a, force: {driver: 3}}\n"));
   INFO(said);
   CHECK(said.find("history[0].force.driver: the mass has no driver that a load could act on; "
                   "'dynamics: {driver: {mass: .., velocity: ..}}' gives it one\n") !=
@@ -133,4 +135,4 @@ TEST_CASE("a load on a driver that is not there is told how to have one") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

@@ -7,23 +7,23 @@
 
 #include "tests/driver/bench/example_cases.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 namespace {
 
 // Integrated to 1e-13 of the motion's size; some tens of events.
 constexpr double kIntegration = 1e-11;
 
 /// Reference case K6: m = 1, k = 100, N = 10, mu_s = 0.4, mu_k = 0.3, v = 0.05.
-Case belt_case(std::vector<Step> steps) {
-  Case problem = slider_case(std::move(steps));
+cases::Case belt_case(std::vector<cases::Step> steps) {
+  cases::Case problem = slider_case(std::move(steps));
   problem.definitions[0].law.internal_contact_force = 10.0;
   problem.definitions[0].law.law = law::ConstantCoefficient{0.3};
   problem.kinetic.elasticity[0].emplace(100.0);
-  problem.dynamics = DynamicsData{0, 1.0, 0.05, 0.05, 0.4};
+  problem.dynamics = cases::DynamicsData{0, 1.0, 0.05, 0.05, 0.4};
   return problem;
 }
 
-Step rest(std::string name, int increments, double duration) {
+cases::Step rest(std::string name, int increments, double duration) {
   return {std::move(name), duration, increments, 1, {}};
 }
 
@@ -74,14 +74,15 @@ TEST_CASE("motion and heat do not depend on the increments") {
 }
 
 TEST_CASE("work of belt and load goes into heat, spring, damper and motion") {
-  Case problem = belt_case({rest("free", 10, 1.0)});
+  cases::Case problem = belt_case({rest("free", 10, 1.0)});
   problem.kinetic.damping[0].emplace(0.7);
   problem.definitions[0].law.law = law::ExponentialDecay{0.4, 0.25, 8.0};
   problem.dynamics->static_coefficient.reset();
-  Step loaded = rest("loaded", 60, 3.0);
-  loaded.drives = {{kFirstForce, Wave{WaveShape::kTriangle, 6.0, 1.3, 0.0, 0.0}}};
-  Step unpressed = rest("pressed", 60, 3.0);
-  unpressed.drives = {{kFirstForce, LinearTo{0.0}}};
+  cases::Step loaded = rest("loaded", 60, 3.0);
+  loaded.drives = {
+      {cases::kFirstForce, history::Wave{history::WaveShape::kTriangle, 6.0, 1.3, 0.0, 0.0}}};
+  cases::Step unpressed = rest("pressed", 60, 3.0);
+  unpressed.drives = {{cases::kFirstForce, history::LinearTo{0.0}}};
   problem.steps.push_back(loaded);
   problem.steps.push_back(unpressed);
   const std::vector<Row> rows = rows_of(problem);
@@ -99,8 +100,8 @@ TEST_CASE("work of belt and load goes into heat, spring, damper and motion") {
 TEST_CASE("where the mass turns and slips on, that instant is a change of its own") {
   // m = 1, k = 100, limit 3 on a fixed track, x = 0, v = 1: x = -0.03 + 0.03 cos 10t + 0.1 sin 10t
   // stands still where tan 10t = 1/0.3.
-  Case problem = belt_case({rest("all", 1, 0.2)});
-  problem.dynamics = DynamicsData{0, 1.0, 0.0, 1.0, std::nullopt};
+  cases::Case problem = belt_case({rest("all", 1, 0.2)});
+  problem.dynamics = cases::DynamicsData{0, 1.0, 0.0, 1.0, std::nullopt};
   const std::vector<Row> rows = rows_of(problem);
   const law::RegimeChanges& changes = rows[1].definitions[0].changes;
   REQUIRE(changes.count == 1);
@@ -115,12 +116,12 @@ TEST_CASE("where the mass turns and slips on, that instant is a change of its ow
 
 TEST_CASE("a damped mass without friction swings like the textbook's") {
   // m = 2, k = 50, c = 3 from x = 1 at rest: x = e^(-d t) (cos w t + d/w sin w t).
-  Case problem = slider_case({rest("swing", 40, 4.0)});
+  cases::Case problem = slider_case({rest("swing", 40, 4.0)});
   problem.definitions.clear();
   problem.initial[0] = 1.0;
   problem.kinetic.elasticity[0].emplace(50.0);
   problem.kinetic.damping[0].emplace(3.0);
-  problem.dynamics = DynamicsData{0, 2.0, 0.0, 0.0, {}};
+  problem.dynamics = cases::DynamicsData{0, 2.0, 0.0, 0.0, {}};
   const double d = 3.0 / 4.0, w = std::sqrt(25.0 - d * d);
   const std::vector<Row> rows = rows_of(problem);
   for (const Row& row : rows) {
@@ -133,10 +134,10 @@ TEST_CASE("a damped mass without friction swings like the textbook's") {
 
 TEST_CASE("a resting mass breaks loose when the load or the lost grip says so, at that instant") {
   // No spring: the mass rests until f1 = 4 t exceeds mu_s N = 4, at t = 1.
-  Case problem = belt_case({});
+  cases::Case problem = belt_case({});
   problem.kinetic.elasticity[0].reset();
   problem.dynamics->belt_velocity = problem.dynamics->initial_velocity = 0.0;
-  problem.steps = {step("pull", 7, kFirstForce, LinearTo{12.0}, 3.0)};
+  problem.steps = {step("pull", 7, cases::kFirstForce, history::LinearTo{12.0}, 3.0)};
   const std::vector<Row> rows = rows_of(problem);
   for (const Row& row : rows) {
     // x'' = 4 t - 3 from t = 1.
@@ -152,7 +153,7 @@ TEST_CASE("a resting mass breaks loose when the load or the lost grip says so, a
 }
 
 TEST_CASE("a mass on its belt with equal coefficients slides on smoothly at the limit") {
-  Case problem = belt_case({rest("all", 50, 6.0)});
+  cases::Case problem = belt_case({rest("all", 50, 6.0)});
   problem.dynamics->static_coefficient.reset();
   for (const Row& row : rows_of(problem)) {
     // Rides to mu N/k = 0.03, then overshoots by nothing but its velocity: |x - 0.03| <= v/w.
@@ -162,7 +163,7 @@ TEST_CASE("a mass on its belt with equal coefficients slides on smoothly at the 
 }
 
 TEST_CASE("a dynamic run that is cut and resumed gives the same bytes") {
-  const Case problem = belt_case({rest("all", 12, 4.0)});
+  const cases::Case problem = belt_case({rest("all", 12, 4.0)});
   auto whole = Simulation::start(problem);
   REQUIRE(whole);
   for (int cut = 0; cut < 12; ++cut) {
@@ -176,4 +177,4 @@ TEST_CASE("a dynamic run that is cut and resumed gives the same bytes") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

@@ -9,15 +9,15 @@
 
 #include "tests/driver/bench/example_cases.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 namespace {
 
 // The equilibrium is solved to 1e-12 of the forces; positions to that over the softest slope.
 constexpr double kForceError = 1e-10;
 
 /// The slider of the examples (limit 20 N, k = 1000 N/mm), driven by force, with a spring.
-Case loaded_case(std::vector<Step> steps, double spring = 0.0) {
-  Case problem = slider_case(std::move(steps));
+cases::Case loaded_case(std::vector<cases::Step> steps, double spring = 0.0) {
+  cases::Case problem = slider_case(std::move(steps));
   problem.force_driven.insert(0);
   if (spring > 0.0) problem.kinetic.elasticity[0].emplace(spring);
   return problem;
@@ -26,7 +26,7 @@ Case loaded_case(std::vector<Step> steps, double spring = 0.0) {
 double motion(const Row& row) { return row.quantities[0]; }
 double friction(const Row& row) { return row.definitions[0].update.state.force[0]; }
 
-std::string failure_of(const Case& problem) {
+std::string failure_of(const cases::Case& problem) {
   auto simulation = Simulation::start(problem);
   REQUIRE(simulation);
   while (true) {
@@ -41,7 +41,7 @@ std::string failure_of(const Case& problem) {
 
 TEST_CASE("a load below the limit is held by elastic stick, one above it by nothing") {
   const auto up_to = [](double load) {
-    return loaded_case({step("pull", 8, kFirstForce, LinearTo{load})});
+    return loaded_case({step("pull", 8, cases::kFirstForce, history::LinearTo{load})});
   };
   const std::vector<Row> rows = rows_of(up_to(19.5));
   REQUIRE(rows.size() == 9);
@@ -65,8 +65,9 @@ TEST_CASE("a load that comes back to the rounding of 0 is held") {
   const double left = GENERATE(-7.3e-15, 0.0, 1e-17, 2e-16);
   const auto mode =
       GENERATE(law::StickStiffness::Mode::kStiffness, law::StickStiffness::Mode::kElasticSlip);
-  Case problem = loaded_case({step("pull", 3, kFirstForce, LinearTo{12.99038105676658}),
-                              step("back", 1, kFirstForce, LinearTo{left})});
+  cases::Case problem =
+      loaded_case({step("pull", 3, cases::kFirstForce, history::LinearTo{12.99038105676658}),
+                   step("back", 1, cases::kFirstForce, history::LinearTo{left})});
   problem.definitions[0].law.stick = {
       mode, mode == law::StickStiffness::Mode::kStiffness ? 1000.0 : 0.02};
   const std::vector<Row> rows = rows_of(problem);
@@ -77,9 +78,10 @@ TEST_CASE("a load that comes back to the rounding of 0 is held") {
 TEST_CASE("slip within an increment that had to be cut begins where its piece began to slip") {
   // 18 to 40 N with the spring behind: the limit of 20 N is met at 2/22 of the increment, within
   // the softness of the parallel spring; a cut only moves the pieces.
-  const Case problem = loaded_case(
-      {step("pull", 1, kFirstForce, LinearTo{18.0}), step("on", 1, kFirstForce, LinearTo{40.0})},
-      50.0);
+  const cases::Case problem =
+      loaded_case({step("pull", 1, cases::kFirstForce, history::LinearTo{18.0}),
+                   step("on", 1, cases::kFirstForce, history::LinearTo{40.0})},
+                  50.0);
   const std::vector<Row> rows = rows_of(problem);
   const law::FrictionUpdate& update = rows.back().definitions[0].update;
   REQUIRE(update.state.regime == law::Regime::kSlip);
@@ -91,14 +93,16 @@ TEST_CASE("the motion a load makes gives the friction force back when it is pres
   // A random walk of loads; the motion found is fed to the same slider as a prescribed one.
   std::mt19937 random(7);
   std::uniform_real_distribution<double> load(-60.0, 60.0);
-  std::vector<Step> steps;
+  std::vector<cases::Step> steps;
   for (int i = 0; i < 40; ++i) {
-    steps.push_back(step("s" + std::to_string(i), 3, kFirstForce, LinearTo{load(random)}));
+    steps.push_back(
+        step("s" + std::to_string(i), 3, cases::kFirstForce, history::LinearTo{load(random)}));
   }
   const std::vector<Row> driven = rows_of(loaded_case(steps, 30.0));
-  std::vector<Step> again;
+  std::vector<cases::Step> again;
   for (std::size_t i = 1; i < driven.size(); ++i) {
-    again.push_back(step("m" + std::to_string(i), 1, 0, LinearTo{motion(driven[i])}, 1.0 / 3.0));
+    again.push_back(
+        step("m" + std::to_string(i), 1, 0, history::LinearTo{motion(driven[i])}, 1.0 / 3.0));
   }
   const std::vector<Row> led = rows_of(slider_case(again));
   REQUIRE(led.size() == driven.size());
@@ -112,7 +116,8 @@ TEST_CASE("the motion a load makes gives the friction force back when it is pres
 }
 
 TEST_CASE("a load that a falling coefficient lets go jumps to where the spring holds it") {
-  Case problem = loaded_case({step("pull", 100, kFirstForce, LinearTo{50.0})}, 50.0);
+  cases::Case problem =
+      loaded_case({step("pull", 100, cases::kFirstForce, history::LinearTo{50.0})}, 50.0);
   problem.definitions[0].law.law = law::ExponentialDecay{0.3, 0.2, 5.0};
   double largest = 0.0;
   for (const Row& row : rows_of(problem)) {
@@ -125,8 +130,8 @@ TEST_CASE("a load that a falling coefficient lets go jumps to where the spring h
 }
 
 TEST_CASE("a stop holds what friction and spring do not") {
-  Case problem = loaded_case(
-      {step("out", 10, kFirstForce, LinearTo{50.0}), step("in", 10, kFirstForce, LinearTo{-50.0})});
+  cases::Case problem = loaded_case({step("out", 10, cases::kFirstForce, history::LinearTo{50.0}),
+                                     step("in", 10, cases::kFirstForce, history::LinearTo{-50.0})});
   problem.stop[0] = law::Stop{-0.1, 0.25};
   for (const Row& row : rows_of(problem)) {
     const ComponentForces& forces = row.forces.component[0];
@@ -141,7 +146,7 @@ TEST_CASE("a stop holds what friction and spring do not") {
 }
 
 TEST_CASE("a prescribed motion beyond a stop is an error that names it") {
-  Case problem = slider_case({step("out", 10, 0, LinearTo{0.3})});
+  cases::Case problem = slider_case({step("out", 10, 0, history::LinearTo{0.3})});
   problem.stop[0] = law::Stop{-0.1, 0.25};
   auto simulation = Simulation::start(problem);
   REQUIRE(simulation);
@@ -155,9 +160,10 @@ TEST_CASE("a prescribed motion beyond a stop is an error that names it") {
 }
 
 TEST_CASE("control changes hands without a jump") {
-  const Case problem =
-      loaded_case({step("pull", 4, kFirstForce, LinearTo{15.0}), step("slide", 4, 0, LinearTo{0.1}),
-                   step("let go", 4, kFirstForce, LinearTo{0.0})});
+  const cases::Case problem =
+      loaded_case({step("pull", 4, cases::kFirstForce, history::LinearTo{15.0}),
+                   step("slide", 4, 0, history::LinearTo{0.1}),
+                   step("let go", 4, cases::kFirstForce, history::LinearTo{0.0})});
   const std::vector<Row> rows = rows_of(problem);
   CHECK(motion(rows[4]) == Approx(0.015).epsilon(1e-12));
   CHECK(motion(rows[5]) == Approx(0.015 + 0.085 / 4).epsilon(1e-12));
@@ -168,9 +174,10 @@ TEST_CASE("control changes hands without a jump") {
 }
 
 TEST_CASE("a run of a loaded connector that is cut and resumed gives the same bytes") {
-  const Case problem =
-      loaded_case({step("pull", 7, kFirstForce, LinearTo{35.0}), step("slide", 3, 0, LinearTo{0.1}),
-                   step("let go", 5, kFirstForce, LinearTo{-25.0})},
+  const cases::Case problem =
+      loaded_case({step("pull", 7, cases::kFirstForce, history::LinearTo{35.0}),
+                   step("slide", 3, 0, history::LinearTo{0.1}),
+                   step("let go", 5, cases::kFirstForce, history::LinearTo{-25.0})},
                   100.0);
   auto whole = Simulation::start(problem);
   REQUIRE(whole);
@@ -187,7 +194,7 @@ TEST_CASE("a run of a loaded connector that is cut and resumed gives the same by
 
 TEST_CASE("components that friction couples are solved together") {
   // SLIDE-PLANE, limit 20 N, springs of 40 and 90 N/mm.
-  Case problem = slider_case({});
+  cases::Case problem = slider_case({});
   problem.connection = law::find_connection("SLIDE-PLANE").value();
   problem.definitions[0].law.slip = law::slip_space({2, 3});
   problem.definitions[0].coupled = true;
@@ -196,8 +203,9 @@ TEST_CASE("components that friction couples are solved together") {
   problem.kinetic.elasticity[2].emplace(90.0);
   for (int i = 0; i < 12; ++i) {
     const double angle = 0.7 * i;
-    Step one = step("s" + std::to_string(i), 5, kFirstForce + 1, LinearTo{50 * std::cos(angle)});
-    one.drives.push_back({kFirstForce + 2, LinearTo{50 * std::sin(angle)}});
+    cases::Step one = step("s" + std::to_string(i), 5, cases::kFirstForce + 1,
+                           history::LinearTo{50 * std::cos(angle)});
+    one.drives.push_back({cases::kFirstForce + 2, history::LinearTo{50 * std::sin(angle)}});
     problem.steps.push_back(one);
   }
   int slips = 0;
@@ -207,20 +215,20 @@ TEST_CASE("components that friction couples are solved together") {
     slips += row.definitions[0].update.state.regime == law::Regime::kSlip ? 1 : 0;
     CHECK(std::hypot(y[0], y[1]) <= 20.0 * (1 + 1e-12));
     CHECK(40.0 * row.quantities[1] + y[0] ==
-          Approx(row.quantities[kFirstForce + 1]).margin(kForceError));
+          Approx(row.quantities[cases::kFirstForce + 1]).margin(kForceError));
     CHECK(90.0 * row.quantities[2] + y[1] ==
-          Approx(row.quantities[kFirstForce + 2]).margin(kForceError));
+          Approx(row.quantities[cases::kFirstForce + 2]).margin(kForceError));
   }
   CHECK(slips > 30);
 }
 
 TEST_CASE("loads in a plane beyond the limit have no static solution") {
-  Case problem = slider_case({});
+  cases::Case problem = slider_case({});
   problem.connection = law::find_connection("SLIDE-PLANE").value();
   problem.definitions[0].law.slip = law::slip_space({2, 3});
   problem.force_driven = law::ComponentSet::of(2, 3);
-  Step one = step("pull", 10, kFirstForce + 1, LinearTo{18.0});
-  one.drives.push_back({kFirstForce + 2, LinearTo{18.0}});
+  cases::Step one = step("pull", 10, cases::kFirstForce + 1, history::LinearTo{18.0});
+  one.drives.push_back({cases::kFirstForce + 2, history::LinearTo{18.0}});
   problem.steps = {one};
   const std::string message = failure_of(problem);
   CHECK(message.find("step 'pull', t = 0.78") == 0);  // 20/(18 sqrt 2) = 0.7857
@@ -230,4 +238,4 @@ TEST_CASE("loads in a plane beyond the limit have no static solution") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

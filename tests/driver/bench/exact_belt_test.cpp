@@ -10,7 +10,7 @@
 #include "tests/driver/bench/example_cases.hpp"
 #include "tests/driver/read/read_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 namespace {
 
 const std::string kLinear = "stiffness: 5000";
@@ -19,10 +19,10 @@ const std::string kTable =
     "columns: [force, displacement], rows: [[-5, -0.02], [0, 0], [20, 0.005], [200, 0.04]]";
 
 /// Tightened, let go until it is slack, tightened again while it flows on, and pulled back.
-Case belt(const std::string& elasticity, const std::string& stick, const std::string& coefficient,
-          const std::string& method, int increments) {
+cases::Case belt(const std::string& elasticity, const std::string& stick,
+                 const std::string& coefficient, const std::string& method, int increments) {
   const std::string n = "increments: " + std::to_string(increments) + ", ";
-  return sound(
+  return read::sound(
       "slipbench: 1\n"
       "connector: {type: SLIPRING, wrap_angle: 1.5, initial: {CP1: 100}, initial_strain: 0.002}\n"
       "friction:\n  - {predefined: {}, coefficient: " +
@@ -35,13 +35,13 @@ Case belt(const std::string& elasticity, const std::string& stick, const std::st
 }
 
 /// What every step ends with: forces, slip, energies.
-std::vector<std::array<double, 6>> ends(const Case& problem) {
+std::vector<std::array<double, 6>> ends(const cases::Case& problem) {
   std::vector<std::array<double, 6>> ends;
   const std::vector<Row> rows = rows_of(problem);
   const std::size_t n = (rows.size() - 1) / 4;
   for (std::size_t i = n; i < rows.size(); i += n) {
     const DefinitionRow& row = rows[i].definitions[0];
-    ends.push_back({rows[i].quantities[kFirstForce], row.update.state.force[0],
+    ends.push_back({rows[i].quantities[cases::kFirstForce], row.update.state.force[0],
                     row.update.state.accumulated_slip, row.dissipation, row.work,
                     row.update.stored_energy});
   }
@@ -111,4 +111,4 @@ TEST_CASE("the slip of an elastic belt ends where the strain does") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

@@ -10,20 +10,21 @@
 #include "driver/results/events.hpp"
 #include "tests/driver/bench/example_cases.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 namespace {
 
-Case exactly(Case problem) {
-  problem.integration = {IntegrationMethod::kExact, 1e-12};
+cases::Case exactly(cases::Case problem) {
+  problem.integration = {cases::IntegrationMethod::kExact, 1e-12};
   return problem;
 }
 
 /// Pressed by |f2|: 100 N at first, 25 N at the end of the second step.
-Case unloading_case(int increments) {
-  Case problem = slider_case({step("load", increments, 0, LinearTo{0.015}),
-                              step("unload", increments, kFirstForce + 1, LinearTo{25.0}),
-                              step("reload", increments, kFirstForce + 1, LinearTo{150.0})});
-  problem.steps[0].drives.push_back({kFirstForce + 1, Constant{100.0}});
+cases::Case unloading_case(int increments) {
+  cases::Case problem =
+      slider_case({step("load", increments, 0, history::LinearTo{0.015}),
+                   step("unload", increments, cases::kFirstForce + 1, history::LinearTo{25.0}),
+                   step("reload", increments, cases::kFirstForce + 1, history::LinearTo{150.0})});
+  problem.steps[0].drives.push_back({cases::kFirstForce + 1, history::Constant{100.0}});
   problem.definitions[0].law.internal_contact_force = 0.0;
   problem.definitions[0].law.contact_force = law::DerivedComponent{law::norm_term({2}, 1.0)};
   return problem;
@@ -40,12 +41,12 @@ TEST_CASE("the increment begins with the forces of its begin") {
 }
 
 TEST_CASE("located changes become events") {
-  const Case problem = exactly(unloading_case(1));
+  const cases::Case problem = exactly(unloading_case(1));
   const auto rows = rows_of(problem);
-  EventDetector detector(problem);
-  std::vector<Event> events;
+  results::EventDetector detector(problem);
+  std::vector<results::Event> events;
   for (const Row& row : rows) {
-    for (const Event& event : detector.take(row)) events.push_back(event);
+    for (const results::Event& event : detector.take(row)) events.push_back(event);
   }
   REQUIRE(events.size() == 2);
   // mu N = 15 N at a third of the second step; reloading sticks at once.
@@ -57,8 +58,8 @@ TEST_CASE("located changes become events") {
 }
 
 TEST_CASE("a normal force that jumps between steps does so before the increment") {
-  Case problem = unloading_case(1);
-  problem.steps[1].drives = {{kFirstForce + 1, Constant{25.0}}};
+  cases::Case problem = unloading_case(1);
+  problem.steps[1].drives = {{cases::kFirstForce + 1, history::Constant{25.0}}};
   const auto rows = rows_of(exactly(std::move(problem)));
   CHECK(rows[2].definitions[0].update.state.force[0] == Approx(5.0).epsilon(1e-14));
   // The spring relaxes as under a fast fall of N: (15^2 - 5^2)/(2 k).
@@ -67,10 +68,10 @@ TEST_CASE("a normal force that jumps between steps does so before the increment"
 
 TEST_CASE("a changing coefficient goes over within the increment") {
   const auto end = [](int increments) {
-    Case problem = slider_case({step("hold", 1, 0, LinearTo{0.019}),
-                                step("change", increments, 0, LinearTo{0.019}),
-                                step("back", increments, 0, LinearTo{-0.1})});
-    FrictionChange change;
+    cases::Case problem = slider_case({step("hold", 1, 0, history::LinearTo{0.019}),
+                                       step("change", increments, 0, history::LinearTo{0.019}),
+                                       step("back", increments, 0, history::LinearTo{-0.1})});
+    cases::FrictionChange change;
     change.law = law::ConstantCoefficient{0.05};
     change.stick = {law::StickStiffness::Mode::kStiffness, 1000.0};
     problem.steps[1].friction_changes = {change};
@@ -92,19 +93,19 @@ TEST_CASE("a change of friction under a potential does not see the number of inc
       GENERATE(law::StickStiffness::Mode::kStiffness, law::StickStiffness::Mode::kElasticSlip);
   const bool elastic = mode == law::StickStiffness::Mode::kElasticSlip;
   CAPTURE(op == law::PotentialOperator::kMax, elastic);
-  const auto end = [&](IntegrationMethod method, int increments) {
-    Case problem = slider_case({step("press", increments, 0, LinearTo{0.025}),
-                                step("change", increments, 0, LinearTo{0.06}),
-                                step("back", increments, 0, LinearTo{-0.01})});
-    problem.steps[0].drives.push_back({1, LinearTo{0.01}});
-    problem.steps[1].drives.push_back({1, LinearTo{0.05}});
-    problem.steps[2].drives.push_back({1, LinearTo{0.06}});
+  const auto end = [&](cases::IntegrationMethod method, int increments) {
+    cases::Case problem = slider_case({step("press", increments, 0, history::LinearTo{0.025}),
+                                       step("change", increments, 0, history::LinearTo{0.06}),
+                                       step("back", increments, 0, history::LinearTo{-0.01})});
+    problem.steps[0].drives.push_back({1, history::LinearTo{0.01}});
+    problem.steps[1].drives.push_back({1, history::LinearTo{0.05}});
+    problem.steps[2].drives.push_back({1, history::LinearTo{0.06}});
     const law::BuiltPotential built = both_axes(op, elastic ? 3.0 : 1.0);
     law::FrictionDefinition& definition = problem.definitions[0].law;
     definition.slip = built.slip;
     definition.criterion = built.criterion;
     definition.stick = {mode, elastic ? 0.02 : 1000.0};
-    FrictionChange change;
+    cases::FrictionChange change;
     change.law = law::ConstantCoefficient{0.05};
     change.stick = definition.stick;
     problem.steps[1].friction_changes = {change};
@@ -113,13 +114,13 @@ TEST_CASE("a change of friction under a potential does not see the number of inc
     const law::FrictionState& state = row.update.state;
     return std::array{state.force[0], state.force[1], state.accumulated_slip, row.dissipation};
   };
-  const auto one = end(IntegrationMethod::kExact, 1);
+  const auto one = end(cases::IntegrationMethod::kExact, 1);
   for (const int increments : {3, 50}) {
-    const auto more = end(IntegrationMethod::kExact, increments);
+    const auto more = end(cases::IntegrationMethod::kExact, increments);
     for (std::size_t i = 0; i < one.size(); ++i) CHECK(more[i] == Approx(one[i]).epsilon(1e-9));
   }
-  const auto coarse = end(IntegrationMethod::kBackwardEuler, 1000);
-  const auto fine = end(IntegrationMethod::kBackwardEuler, 2000);
+  const auto coarse = end(cases::IntegrationMethod::kBackwardEuler, 1000);
+  const auto fine = end(cases::IntegrationMethod::kBackwardEuler, 2000);
   for (std::size_t i = 0; i < one.size(); ++i) {
     CAPTURE(i, one[i], coarse[i], fine[i]);
     // The error of the first power of the increment taken out, what is left is of the second.
@@ -129,7 +130,7 @@ TEST_CASE("a change of friction under a potential does not see the number of inc
 }
 
 TEST_CASE("a run that is cut goes on with the same bytes") {
-  const Case problem = exactly(unloading_case(7));
+  const cases::Case problem = exactly(unloading_case(7));
   auto whole = Simulation::start(problem);
   REQUIRE(whole);
   for (int i = 0; i < 9; ++i) REQUIRE(whole->advance().value());
@@ -143,22 +144,22 @@ TEST_CASE("a run that is cut goes on with the same bytes") {
 }
 
 TEST_CASE("cases that have no exact path are refused with a reason") {
-  const Case plain = exactly(unloading_case(1));
+  const cases::Case plain = exactly(unloading_case(1));
   CHECK_FALSE(refuse_exact(plain));
-  Case falling = plain;
+  cases::Case falling = plain;
   falling.definitions[0].law.law = law::ExponentialDecay{0.3, 0.2, 1.0};
   REQUIRE(refuse_exact(falling));
   CHECK(refuse_exact(falling)->message.find("friction 'sleeve'") == 0);
-  Case later = plain;
-  FrictionChange change;
+  cases::Case later = plain;
+  cases::FrictionChange change;
   change.law = law::ExponentialDecay{0.3, 0.2, 1.0};
   change.stick = {law::StickStiffness::Mode::kStiffness, 1000.0};
   later.steps[1].friction_changes = {change};
   CHECK(refuse_exact(later));
-  Case driven = plain;
+  cases::Case driven = plain;
   driven.force_driven.insert(0);
   CHECK(refuse_exact(driven));
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

@@ -12,12 +12,12 @@
 #include "driver/case/quantity.hpp"
 #include "law/definition/potential_terms.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 
 /// mu = 0.2, N = 100 N, k = 1000 N/mm in SLOT: the limit is 20 N, the elastic slip 0.02 mm. The
 /// normal force is an internal one, so nothing but the motion has to be driven.
-inline Case slider_case(std::vector<Step> steps) {
-  Case problem;
+inline cases::Case slider_case(std::vector<cases::Step> steps) {
+  cases::Case problem;
   problem.file = "folder/slider.yaml";
   problem.title = "Slider";
   problem.units = {"mm", "N", "s", ""};
@@ -42,15 +42,15 @@ inline law::BuiltPotential both_axes(law::PotentialOperator op, double exponent)
 }
 
 /// A step that drives one quantity.
-inline Step step(std::string name, int increments, int quantity, Profile profile,
-                 double duration = 1.0, int repeat = 1) {
+inline cases::Step step(std::string name, int increments, int quantity, history::Profile profile,
+                        double duration = 1.0, int repeat = 1) {
   return {std::move(name), duration, increments, repeat, {{quantity, std::move(profile)}}};
 }
 
 /// PLANAR with predefined friction: R = 0.5, F_int = 20, M_int = 3, mu = 0.2, a known
 /// example, pressed by f1 = -100, m2 = 6, m3 = 8.
-inline Case puck_case(std::vector<Step> steps) {
-  Case problem;
+inline cases::Case puck_case(std::vector<cases::Step> steps) {
+  cases::Case problem;
   problem.file = "puck.yaml";
   problem.connection = law::find_connection("PLANAR").value();
   law::Planar planar;
@@ -67,16 +67,16 @@ inline Case puck_case(std::vector<Step> steps) {
         {std::string(check.suffix), check.slip.dimension > 1, definition});
   }
   problem.steps = std::move(steps);
-  for (Step& one : problem.steps) {
-    one.drives.push_back({kFirstForce + 0, Constant{-100.0}});
-    one.drives.push_back({kFirstForce + 4, Constant{6.0}});
-    one.drives.push_back({kFirstForce + 5, Constant{8.0}});
+  for (cases::Step& one : problem.steps) {
+    one.drives.push_back({cases::kFirstForce + 0, history::Constant{-100.0}});
+    one.drives.push_back({cases::kFirstForce + 4, history::Constant{6.0}});
+    one.drives.push_back({cases::kFirstForce + 5, history::Constant{8.0}});
   }
   return problem;
 }
 
 /// All rows of a run; throws if it ends early.
-inline std::vector<Row> rows_of(const Case& problem) {
+inline std::vector<Row> rows_of(const cases::Case& problem) {
   auto simulation = Simulation::start(problem);
   if (!simulation) throw std::runtime_error(simulation.error().message);
   std::vector<Row> rows = {simulation->row()};
@@ -88,4 +88,4 @@ inline std::vector<Row> rows_of(const Case& problem) {
   }
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

@@ -14,12 +14,12 @@
 #include "driver/results/summary.hpp"
 #include "tests/driver/bench/example_cases.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 namespace {
 
-Case read(const std::string& text) {
-  ReadCase result = read_case_text(SourceText("case.yaml", text), ".", {});
-  INFO(render(result.diagnostics, result.sources));
+cases::Case read(const std::string& text) {
+  read::ReadCase result = read::read_case_text(base::SourceText("case.yaml", text), ".", {});
+  INFO(base::render(result.diagnostics, result.sources));
   REQUIRE(result.value.has_value());
   return std::move(*result.value);
 }
@@ -36,24 +36,24 @@ std::string contact(const std::string& friction, const std::string& steps) {
 const std::string kGo =
     "  - {step: go, increments: 100, force: {f1: 100}, motion: {CP2: {to: 10}, CP3: {to: 5}}}\n";
 
-double value(const Case& problem, const Row& row, const std::string& name) {
+double value(const cases::Case& problem, const Row& row, const std::string& name) {
   INFO(name);
-  const auto column = find_column(problem, result_columns(problem), name);
+  const auto column = results::find_column(problem, results::result_columns(problem), name);
   REQUIRE(column);
-  return column_value(*column, problem, row);
+  return results::column_value(*column, problem, row);
 }
-bool has(const Case& problem, const std::string& name) {
-  return find_column(problem, result_columns(problem), name).has_value();
+bool has(const cases::Case& problem, const std::string& name) {
+  return results::find_column(problem, results::result_columns(problem), name).has_value();
 }
 
-Summary summary_of(const Case& problem) {
-  Summary summary(problem);
+results::Summary summary_of(const cases::Case& problem) {
+  results::Summary summary(problem);
   for (const Row& row : rows_of(problem)) summary.add(row);
   return summary;
 }
 
 /// Why a run ends early.
-SimulationFailure failure_of(const Case& problem) {
+SimulationFailure failure_of(const cases::Case& problem) {
   auto simulation = Simulation::start(problem);
   REQUIRE(simulation);
   while (true) {
@@ -64,7 +64,7 @@ SimulationFailure failure_of(const Case& problem) {
 }
 
 TEST_CASE("a formulation has columns for each of its stages") {
-  const Case problem = read(contact(
+  const cases::Case problem = read(contact(
       "coefficient: 0.3, formulation: {penalty: viscous, C: 2}, filter: {simple: 0.5}", kGo));
   const Row row = rows_of(problem).back();
   const double speed = std::sqrt(125.0);
@@ -82,7 +82,7 @@ TEST_CASE("a formulation has columns for each of its stages") {
 }
 
 TEST_CASE("without a formulation there are none of its columns") {
-  const Case problem = read(contact("coefficient: 0.3, stick: {stiffness: 1000}", kGo));
+  const cases::Case problem = read(contact("coefficient: 0.3, stick: {stiffness: 1000}", kGo));
   for (const char* name : {"SPEED", "VISC_C", "CSF2_TRIAL", "CSF2_RAW", "ALPHA", "UTILISATION"}) {
     INFO(name);
     CHECK_FALSE(has(problem, name));
@@ -90,7 +90,7 @@ TEST_CASE("without a formulation there are none of its columns") {
 }
 
 TEST_CASE("two directions have their coefficients and speeds") {
-  const Case problem = read(contact(
+  const cases::Case problem = read(contact(
       "coefficient: {orthotropic: {direction1: 0.3, direction2: 0.1, axis: [0, 1]}}, formulation: "
       "{penalty: stiffness, K_t: 1.0e4}",
       kGo));
@@ -108,7 +108,7 @@ TEST_CASE("two directions have their coefficients and speeds") {
 }
 
 TEST_CASE("increments with a coefficient at its floor are counted and told") {
-  const Case problem = read(contact(
+  const cases::Case problem = read(contact(
       "coefficient: {generalized_viscous: {Fric: 0.1, C2: -0.01, area: 2}}, stick: {stiffness: "
       "1.0e4}",
       "  - {step: slow, increments: 10, force: {f1: 100}, motion: {CP2: {to: 5}}}\n"
@@ -120,7 +120,7 @@ TEST_CASE("increments with a coefficient at its floor are counted and told") {
   CHECK(value(problem, rows.back(), "MU_RAW") == Approx(-0.1).epsilon(1e-9));
   CHECK(value(problem, rows.back(), "MU") == 1e-30);
   CHECK(value(problem, rows.back(), "PRESSURE") == 50.0);
-  const Summary summary = summary_of(problem);
+  const results::Summary summary = summary_of(problem);
   CHECK(summary.definitions()[0].clamped == 10);
   bool told = false;
   for (const std::string& warning : summary.warnings({})) {
@@ -131,7 +131,7 @@ TEST_CASE("increments with a coefficient at its floor are counted and told") {
 }
 
 TEST_CASE("a row farther from the last than a filter's period allows ends the run as bad input") {
-  Case problem = read(contact(
+  cases::Case problem = read(contact(
       "coefficient: 0.3, formulation: {penalty: stiffness, K_t: 10}, filter: {period: 0.1}", kGo));
   problem.steps[0].increments = 10;  // the rows of a measured history are not known before the run
   const SimulationFailure failure = failure_of(problem);
@@ -141,7 +141,7 @@ TEST_CASE("a row farther from the last than a filter's period allows ends the ru
 }
 
 TEST_CASE("an exponent beyond 700 names its coefficient and the speed") {
-  const Case problem = read(contact(
+  const cases::Case problem = read(contact(
       "coefficient: {modified_darmstad: {Fric: 0.1, C5: 0.1, C6: 100}}, formulation: {penalty: "
       "stiffness, K_t: 10}",
       kGo));
@@ -152,20 +152,20 @@ TEST_CASE("an exponent beyond 700 names its coefficient and the speed") {
 }
 
 TEST_CASE("a frequency above what the increments resolve is limited, counted and told") {
-  const Case problem = read(contact(
+  const cases::Case problem = read(contact(
       "coefficient: 0.3, formulation: {penalty: stiffness, K_t: 10}, filter: {frequency: 100}",
       kGo));
-  const Summary summary = summary_of(problem);
+  const results::Summary summary = summary_of(problem);
   CHECK(summary.definitions()[0].alpha_limited == 100);
   CHECK(summary.definitions()[0].largest_alpha == Approx(2.0 * std::acos(-1.0)).epsilon(1e-9));
   CHECK(summary.warnings({}).size() == 1);
 }
 
 TEST_CASE("the largest overshoot of a filter is told with its time") {
-  const Case problem = read(contact(
+  const cases::Case problem = read(contact(
       "coefficient: 0.3, formulation: {penalty: stiffness, K_t: 1.0e5}, filter: {simple: 0.5}",
       kGo + "  - {step: drop, increments: 10, force: {f1: 10}, motion: {CP2: {to: 20}}}\n"));
-  const Summary summary = summary_of(problem);
+  const results::Summary summary = summary_of(problem);
   // alpha + (1 - alpha) 100/10; the force before has settled to 2^-100, its direction to less
   // than the turn of one increment.
   CHECK(summary.definitions()[0].largest_use == Approx(5.5).epsilon(0.02));
@@ -175,7 +175,7 @@ TEST_CASE("the largest overshoot of a filter is told with its time") {
 }
 
 TEST_CASE("a run with a filter that was cut goes on with the same bytes") {
-  const Case problem = read(
+  const cases::Case problem = read(
       contact("coefficient: {renard: {C1: 0.15, C2: 0.10, C3: 0.25, C4: 0.05, C5: 10, C6: 100}}, "
               "formulation: {penalty: stiffness, K_t: 1000}, filter: {simple: 0.1}",
               kGo));
@@ -186,28 +186,28 @@ TEST_CASE("a run with a filter that was cut goes on with the same bytes") {
   REQUIRE(resumed);
   REQUIRE(whole->advance());
   REQUIRE(resumed->advance());
-  for (const Column& column : result_columns(problem)) {
+  for (const results::Column& column : results::result_columns(problem)) {
     INFO(column.name);
-    CHECK(column_value(column, problem, whole->row()) ==
-          column_value(column, problem, resumed->row()));
+    CHECK(results::column_value(column, problem, whole->row()) ==
+          results::column_value(column, problem, resumed->row()));
   }
 }
 
 TEST_CASE("the arithmetic of a formulation is told") {
-  const Case problem = read(contact(
+  const cases::Case problem = read(contact(
       "coefficient: 0.3, formulation: {penalty: viscous, VISF: 4, K: 5100, m: 1.0e-3, convention: "
       "as_coded}, filter: {simple: 0.5}",
       kGo));
-  const auto text = explain(problem, 0.5);
+  const auto text = analysis::explain(problem, 0.5);
   REQUIRE(text);
   INFO(*text);
   CHECK(text->find("C = sqrt(VISF 4.0) x sqrt(2 x K 5100.0 x m 0.001)") != std::string::npos);
   CHECK(text->find("filter alpha 0.5: ") != std::string::npos);
   const auto plain =
-      explain(read(contact("coefficient: {orthotropic: {direction1: 0.3, direction2: "
-                           "0.1}}, stick: {stiffness: 1000}",
-                           kGo)),
-              0.5);
+      analysis::explain(read(contact("coefficient: {orthotropic: {direction1: 0.3, direction2: "
+                                     "0.1}}, stick: {stiffness: 1000}",
+                                     kGo)),
+                        0.5);
   REQUIRE(plain);
   INFO(*plain);
   CHECK(plain->find("formulation stiffness: trial (") != std::string::npos);
@@ -269,7 +269,7 @@ const std::string kZigzag =
 bool contains(const std::string& text, const std::string& words) {
   return text.find(words) != std::string::npos;
 }
-std::string warnings_of(const Case& problem) {
+std::string warnings_of(const cases::Case& problem) {
   std::string all;
   for (const std::string& warning : summary_of(problem).warnings({})) all += warning + "\n";
   return all;
@@ -279,8 +279,8 @@ TEST_CASE("the rounding along a direction that holds nothing is no overshoot") {
   for (const char* rest :
        {", convention: as_coded}", "}", "}, filter: {simple: 0.5, clip: true}"}) {
     INFO(rest);
-    const Case problem = read(contact(kDeadAxis + rest, kZigzag));
-    const Summary summary = summary_of(problem);
+    const cases::Case problem = read(contact(kDeadAxis + rest, kZigzag));
+    const results::Summary summary = summary_of(problem);
     CHECK(summary.definitions()[0].clamped > 0);
     CHECK(summary.definitions()[0].largest_use > 0.99);
     CHECK(summary.definitions()[0].largest_use < 1.0 + 1e-9);
@@ -298,37 +298,37 @@ TEST_CASE("a filtered force beside a limit of 0 is beyond any share of it") {
   for (const std::string& coefficient :
        {falls, "{orthotropic: {direction1: " + falls + ", direction2: 0.2}}"}) {
     INFO(coefficient);
-    const Case problem = read(contact("coefficient: " + coefficient + rest, steps));
-    const Summary summary = summary_of(problem);
+    const cases::Case problem = read(contact("coefficient: " + coefficient + rest, steps));
+    const results::Summary summary = summary_of(problem);
     CHECK(std::isinf(summary.definitions()[0].largest_use));
     CHECK(summary.definitions()[0].largest_use_time == Approx(1.1).epsilon(1e-12));
     CHECK(contains(summary.text(), " limit is 0, at t = 1.1 s"));
-    const auto told = explain(problem, 1.1);
+    const auto told = analysis::explain(problem, 1.1);
     REQUIRE(told);
     CHECK(contains(*told, " limit is 0: overshoot\n"));
   }
 }
 
 TEST_CASE("a stiffness penalty as coded is not said to smooth or to overshoot") {
-  const Case problem = read(contact(
+  const cases::Case problem = read(contact(
       "coefficient: 0.3, formulation: {penalty: stiffness, K_t: 10, convention: as_coded}, filter: "
       "{frequency: 100}",
       kGo));
-  const Summary summary = summary_of(problem);
+  const results::Summary summary = summary_of(problem);
   CHECK(summary.definitions()[0].alpha_overshoots == 100);
   const std::string warnings = warnings_of(problem);
   CHECK(contains(warnings, "above 1 in 100 of 100 increments, up to 6.283: the spring is stiffer"));
   CHECK_FALSE(contains(warnings, "overshoots"));
   CHECK_FALSE(contains(warnings, "diverges"));
   CHECK(contains(summary.to_json().dump(), "\"increments_alpha_above_1\": 100"));
-  const auto told = explain(problem, 0.5);
+  const auto told = analysis::explain(problem, 0.5);
   REQUIRE(told);
   CHECK(contains(*told, " = force before + alpha 6.28319 x K_t 10.0 x ds"));
   CHECK_FALSE(contains(*told, "before the filter"));
 }
 
 TEST_CASE("a load on a stiffness penalty as coded stretches the softer spring of its filter") {
-  const Case problem = read(contact(
+  const cases::Case problem = read(contact(
       "coefficient: 0.3, formulation: {penalty: stiffness, K_t: 1000, convention: as_coded}, "
       "filter: {simple: 0.1}",
       "  - {step: go, increments: 20, force: {f1: 100, f2: {to: 20}}}\n"
@@ -350,11 +350,11 @@ const std::string kFiltered =
     "coefficient: 0.3, formulation: {penalty: stiffness, K_t: 1000}, filter: {simple: 0.1}";
 
 TEST_CASE("the events of a filtered force are those of the force before the filter") {
-  const Case problem = read(contact(kFiltered, kUnload));
-  EventDetector detector(problem);
-  std::vector<Event> events;
+  const cases::Case problem = read(contact(kFiltered, kUnload));
+  results::EventDetector detector(problem);
+  std::vector<results::Event> events;
   for (const Row& row : rows_of(problem)) {
-    for (const Event& event : detector.take(row)) events.push_back(event);
+    for (const results::Event& event : detector.take(row)) events.push_back(event);
   }
   REQUIRE(events.size() == 3);
   CHECK(events[0].to == law::Regime::kSlip);
@@ -367,20 +367,20 @@ TEST_CASE("the events of a filtered force are those of the force before the filt
 }
 
 TEST_CASE("what is told of a filtered force keeps both sides of the filter apart") {
-  const Case problem = read(contact(kFiltered, kUnload));
-  const auto slides = explain(problem, 0.02);
+  const cases::Case problem = read(contact(kFiltered, kUnload));
+  const auto slides = analysis::explain(problem, 0.02);
   REQUIRE(slides);
   INFO(*slides);
   CHECK(contains(*slides, "slip   CSF2 +5.7 N"));
   CHECK(contains(*slides, "  P 30.0 N before the filter = "));
   CHECK(contains(*slides, "given out at 19 % of the limit\n"));
-  const auto sticks = explain(problem, 1.15);
+  const auto sticks = analysis::explain(problem, 1.15);
   REQUIRE(sticks);
   INFO(*sticks);
   CHECK(contains(*sticks, "  P 2.0 N before the filter = "));
   CHECK(contains(*sticks, "  Phi -10.0 N = P - limit   at 16.67 % of the limit\n"));
   CHECK(contains(*sticks, "given out at 109 % of the limit: overshoot\n"));
-  const auto open = explain(problem, 1.3);
+  const auto open = analysis::explain(problem, 1.3);
   REQUIRE(open);
   INFO(*open);
   CHECK(contains(*open, "  open: filter and memory start again from 0\n"));
@@ -389,7 +389,7 @@ TEST_CASE("what is told of a filtered force keeps both sides of the filter apart
 }
 
 TEST_CASE("a coefficient of 0 is not called negative, and directions are told apart") {
-  const Case zero = read(contact(
+  const cases::Case zero = read(contact(
       "coefficient: {generalized_viscous: {Fric: 0, area: 2}}, stick: {stiffness: 1000}", kGo));
   CHECK(contains(warnings_of(zero),
                  "the coefficient is not above 0 in 100 of 100 increments, and "
@@ -403,7 +403,7 @@ TEST_CASE("a coefficient of 0 is not called negative, and directions are told ap
 }
 
 TEST_CASE("a coefficient below its floor in a blend is not said to leave no friction") {
-  const Case problem = read(
+  const cases::Case problem = read(
       contact("name: pad, coefficient: 0.3, stick: {stiffness: 1000}",
               "  - {step: go, increments: 10, force: {f1: 100}, motion: {CP2: {to: 10}}}\n"
               "  - {step: change, increments: 10, motion: {CP2: {to: 20}}, change_friction: {pad: "
@@ -415,14 +415,14 @@ TEST_CASE("a coefficient below its floor in a blend is not said to leave no fric
 
 TEST_CASE("a filter that counts increments is another one with other increments") {
   const std::string words = "its filter counts increments";
-  const auto counts = converge(read(contact(kFiltered, kGo)));
+  const auto counts = analysis::converge(read(contact(kFiltered, kGo)));
   REQUIRE(counts);
   CHECK(contains(*counts, words));
-  const auto by_time = converge(read(contact(
+  const auto by_time = analysis::converge(read(contact(
       "coefficient: 0.3, formulation: {penalty: stiffness, K_t: 1000}, filter: {period: 1}", kGo)));
   REQUIRE(by_time);
   CHECK_FALSE(contains(*by_time, words));
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

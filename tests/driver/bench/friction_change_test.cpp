@@ -8,12 +8,13 @@
 
 #include "tests/driver/bench/example_cases.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 namespace {
 
 /// A change of the sleeve's coefficient alone.
-FrictionChange change_to(law::FrictionLaw law, Profile amplitude = LinearTo{1.0}) {
-  FrictionChange change;
+cases::FrictionChange change_to(law::FrictionLaw law,
+                                history::Profile amplitude = history::LinearTo{1.0}) {
+  cases::FrictionChange change;
   change.amplitude = std::move(amplitude);
   change.law = std::move(law);
   change.stick = {law::StickStiffness::Mode::kStiffness, 1000.0};
@@ -21,10 +22,10 @@ FrictionChange change_to(law::FrictionLaw law, Profile amplitude = LinearTo{1.0}
 }
 
 /// Slides on at 1 mm per step from the first increment on, mu 0.2 at first.
-Case sliding_case(std::vector<FrictionChange> in_second, int repeat = 1) {
-  Case problem = slider_case({step("before", 4, 0, LinearTo{1.0}),
-                              step("change", 4, 0, LinearTo{2}, 1.0, repeat),
-                              step("after", 4, 0, LinearTo{3.0})});
+cases::Case sliding_case(std::vector<cases::FrictionChange> in_second, int repeat = 1) {
+  cases::Case problem = slider_case({step("before", 4, 0, history::LinearTo{1.0}),
+                                     step("change", 4, 0, history::LinearTo{2}, 1.0, repeat),
+                                     step("after", 4, 0, history::LinearTo{3.0})});
   problem.steps[1].friction_changes = std::move(in_second);
   return problem;
 }
@@ -43,15 +44,15 @@ TEST_CASE("the coefficient goes over linearly and stays") {
 
 TEST_CASE("a smooth change has gone a tenth of the way after a quarter of the step") {
   const auto rows =
-      rows_of(sliding_case({change_to(law::ConstantCoefficient{0.12}, SmoothTo{1.0})}));
+      rows_of(sliding_case({change_to(law::ConstantCoefficient{0.12}, history::SmoothTo{1.0})}));
   // 10/64 - 15/256 + 6/1024 = 0.103515625.
   CHECK(mu(rows[5]) == Approx(0.2 - 0.08 * 0.103515625).epsilon(1e-15));
   CHECK(mu(rows[6]) == Approx(0.16).epsilon(1e-15));
 }
 
 TEST_CASE("the corners of an amplitude have increments of their own") {
-  const auto rows = rows_of(sliding_case(
-      {change_to(law::ConstantCoefficient{0.12}, Tabular{{0.0, 0.6, 1.0}, {0.0, 0.9, 1.0}})}));
+  const auto rows = rows_of(sliding_case({change_to(
+      law::ConstantCoefficient{0.12}, history::Tabular{{0.0, 0.6, 1.0}, {0.0, 0.9, 1.0}})}));
   REQUIRE(rows.size() == 14);
   CHECK(rows[7].step_time == 0.6);
   CHECK(mu(rows[7]) == Approx(0.2 - 0.9 * 0.08).epsilon(1e-15));
@@ -59,7 +60,7 @@ TEST_CASE("the corners of an amplitude have increments of their own") {
 }
 
 TEST_CASE("a change sets out from the coefficient in force, whatever law gave it") {
-  Case problem = sliding_case({change_to(law::ConstantCoefficient{0.1})});
+  cases::Case problem = sliding_case({change_to(law::ConstantCoefficient{0.1})});
   problem.definitions[0].law.law = law::ExponentialDecay{0.3, 0.2, 0.5};
   problem.definitions[0].law.stick = {law::StickStiffness::Mode::kElasticSlip, 1e-3};
   problem.steps[1].friction_changes[0].stick = problem.definitions[0].law.stick;
@@ -70,7 +71,7 @@ TEST_CASE("a change sets out from the coefficient in force, whatever law gave it
 }
 
 TEST_CASE("in the first step a change sets out from nothing") {
-  Case problem = sliding_case({});
+  cases::Case problem = sliding_case({});
   problem.steps[0].friction_changes = {change_to(law::ConstantCoefficient{0.4})};
   const auto rows = rows_of(problem);
   CHECK(mu(rows[0]) == 0.0);
@@ -81,16 +82,16 @@ TEST_CASE("in the first step a change sets out from nothing") {
 }
 
 TEST_CASE("in a repeated step the friction changes in the first pass") {
-  Case problem = sliding_case({change_to(law::ConstantCoefficient{0.12})}, 3);
+  cases::Case problem = sliding_case({change_to(law::ConstantCoefficient{0.12})}, 3);
   const auto rows = rows_of(problem);
   CHECK(mu(rows[6]) == Approx(0.16).epsilon(1e-15));
   for (const std::size_t i : {8U, 9U, 12U, 13U, 16U}) CHECK(mu(rows[i]) == 0.12);
 }
 
 TEST_CASE("the force limit switches with the step, the elastic slip follows the amplitude") {
-  Case problem = sliding_case({change_to(law::ConstantCoefficient{0.2})});
+  cases::Case problem = sliding_case({change_to(law::ConstantCoefficient{0.2})});
   problem.definitions[0].law.stick = {law::StickStiffness::Mode::kElasticSlip, 0.02};
-  FrictionChange& change = problem.steps[1].friction_changes[0];
+  cases::FrictionChange& change = problem.steps[1].friction_changes[0];
   change.force_limit = 15.0;
   change.stick = {law::StickStiffness::Mode::kElasticSlip, 0.04};
   change.blends_elastic_slip = true;
@@ -108,7 +109,7 @@ TEST_CASE("the force limit switches with the step, the elastic slip follows the 
 }
 
 TEST_CASE("the simulation tells the definition in force") {
-  const Case problem = sliding_case({change_to(law::ConstantCoefficient{0.12})});
+  const cases::Case problem = sliding_case({change_to(law::ConstantCoefficient{0.12})});
   auto simulation = Simulation::start(problem);
   REQUIRE(simulation);
   for (int i = 0; i < 5; ++i) REQUIRE(simulation->advance().value());
@@ -119,9 +120,11 @@ TEST_CASE("the simulation tells the definition in force") {
 }
 
 TEST_CASE("a run cut before, within or after a change gives the same rows, to the last bit") {
-  Case problem = sliding_case(
-      {change_to(law::ExponentialDecay{0.35, 0.2, 0.3}, Tabular{{0, 0.6, 1}, {0, 0.9, 1}})}, 2);
-  problem.steps[2].friction_changes = {change_to(law::ConstantCoefficient{0.1}, SmoothTo{1.0})};
+  cases::Case problem = sliding_case({change_to(law::ExponentialDecay{0.35, 0.2, 0.3},
+                                                history::Tabular{{0, 0.6, 1}, {0, 0.9, 1}})},
+                                     2);
+  problem.steps[2].friction_changes = {
+      change_to(law::ConstantCoefficient{0.1}, history::SmoothTo{1.0})};
   // A start value that no law gives as it stands: the decay at the rate of the slip.
   problem.definitions[0].law.law = law::ExponentialDecay{0.3, 0.2, 0.7};
   const std::vector<Row> whole = rows_of(problem);
@@ -146,10 +149,10 @@ TEST_CASE("a run cut before, within or after a change gives the same rows, to th
 TEST_CASE("a case without changes has none to pay for") {
   FrictionChanges changes;
   std::vector<law::FrictionDefinition> definitions(1);
-  REQUIRE(changes.begin_step(Step{}, true, 0.0, {}, definitions));
+  REQUIRE(changes.begin_step(cases::Step{}, true, 0.0, {}, definitions));
   CHECK_FALSE(changes.active());
-  CHECK(changes.next_breakpoint(0.0) == kNoBreakpoint);
+  CHECK(changes.next_breakpoint(0.0) == history::kNoBreakpoint);
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

@@ -9,7 +9,7 @@
 #include "tests/driver/bench/example_cases.hpp"
 #include "tests/driver/read/read_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 namespace {
 
 std::string weight(const std::string& steps, const std::string& more = "") {
@@ -25,7 +25,7 @@ std::string growing(int increments) {
                 ", force: {m1: \"= 1000*t*cos(CPR1)\"}}\n");
 }
 
-std::string failure_of(const Case& problem) {
+std::string failure_of(const cases::Case& problem) {
   auto simulation = Simulation::start(problem);
   REQUIRE(simulation);
   while (true) {
@@ -38,7 +38,7 @@ std::string failure_of(const Case& problem) {
 TEST_CASE("where a weight slips to does not depend on the increments") {
   for (const int increments : {1, 2, 7, 50}) {
     INFO(increments);
-    const Row end = rows_of(sound(growing(increments))).back();
+    const Row end = rows_of(read::sound(growing(increments))).back();
     CHECK(end.quantities[3] == Approx(std::acos(0.4)).epsilon(1e-11));
     CHECK(end.forces.component[3].applied == Approx(400.0).epsilon(1e-11));
     CHECK(end.definitions[0].update.state.force[0] == Approx(400.0).epsilon(1e-12));
@@ -46,7 +46,7 @@ TEST_CASE("where a weight slips to does not depend on the increments") {
 }
 
 TEST_CASE("loads that follow each other's positions are solved together") {
-  const Case problem = sound(
+  const cases::Case problem = read::sound(
       "slipbench: 1\n"
       "connector: {type: CARTESIAN}\n"
       "friction: [{component: 3, internal_contact_force: 1, coefficient: 0.1, stick: {stiffness: "
@@ -71,8 +71,8 @@ TEST_CASE("a load that grows faster with the way than the spring has no static s
       "elasticity: [{component: 1, stiffness: 5}]\n"
       "history: [{step: pull, increments: 4, force: {f1: \"= 16*t*(1 + CP1)\"}}]\n";
   // Up to 16 N the friction of 20 N holds elastically; at a stiffness of 8 a slip would go on.
-  CHECK(failure_of(sound(text)).empty());
-  const std::string message = failure_of(sound(changed({{"16*t", "32*t"}}, text)));
+  CHECK(failure_of(read::sound(text)).empty());
+  const std::string message = failure_of(read::sound(read::changed({{"16*t", "32*t"}}, text)));
   INFO(message);
   CHECK(message.find("no static solution: component 1 is loaded with f1 = 20.") !=
         std::string::npos);
@@ -83,7 +83,7 @@ TEST_CASE("a load that grows faster with the way than the spring has no static s
 TEST_CASE("only forces follow positions, and only those the connector has") {
   const auto error = [](const std::string& drive) {
     const std::vector<std::string> all =
-        messages(weight("  - {step: go, increments: 1, " + drive + "}\n"));
+        read::messages(weight("  - {step: go, increments: 1, " + drive + "}\n"));
     REQUIRE(all.size() == 1);
     return all[0];
   };
@@ -92,7 +92,7 @@ TEST_CASE("only forces follow positions, and only those the connector has") {
         "variables here are t and T");
   CHECK(error("temperature: \"= 20 + CPR1\"").find("only forces can follow a position") !=
         std::string::npos);
-  const std::vector<std::string> slot = messages(
+  const std::vector<std::string> slot = read::messages(
       "slipbench: 1\n"
       "connector: {type: SLOT}\n"
       "friction: [{predefined: {}, coefficient: 0.2, stick: {stiffness: 1}}]\n"
@@ -100,7 +100,7 @@ TEST_CASE("only forces follow positions, and only those the connector has") {
   REQUIRE(slot.size() == 1);
   CHECK(slot[0].find("history[0].force.f2: a SLOT connector has no position CPR1; it has CP1, CP2, "
                      "CP3") != std::string::npos);
-  const std::vector<std::string> belt = messages(
+  const std::vector<std::string> belt = read::messages(
       "slipbench: 1\n"
       "connector: {type: SLIPRING, wrap_angle: 1}\n"
       "friction: [{predefined: {}, coefficient: 0.3, stick: {stiffness: 10}}]\n"
@@ -111,14 +111,14 @@ TEST_CASE("only forces follow positions, and only those the connector has") {
 }
 
 TEST_CASE("a parameter of the same name hides a position") {
-  const Case problem = sound(weight(
+  const cases::Case problem = read::sound(weight(
       "  - {step: go, increments: 2, force: {m1: \"= 100*t*CPR1\"}}\n", "parameters: {CPR1: 3}\n"));
-  CHECK(std::holds_alternative<ExpressionProfile>(problem.steps[0].drives[0].profile));
+  CHECK(std::holds_alternative<history::ExpressionProfile>(problem.steps[0].drives[0].profile));
   CHECK(rows_of(problem).back().forces.component[3].applied == Approx(300.0));
 }
 
 TEST_CASE("a formula without a value where the connector comes to ends the run there") {
-  const Case problem = sound(
+  const cases::Case problem = read::sound(
       "slipbench: 1\n"
       "connector: {type: SLOT}\n"
       "friction: [{predefined: {}, coefficient: 0.2, stick: {stiffness: 1}}]\n"
@@ -128,7 +128,7 @@ TEST_CASE("a formula without a value where the connector comes to ends the run t
 }
 
 TEST_CASE("a run with loads over positions that was cut goes on with the same bytes") {
-  const Case problem = sound(growing(40));
+  const cases::Case problem = read::sound(growing(40));
   auto whole = Simulation::start(problem);
   REQUIRE(whole);
   for (int i = 0; i < 25; ++i) REQUIRE(whole->advance());
@@ -143,7 +143,7 @@ TEST_CASE("a run with loads over positions that was cut goes on with the same by
 
 TEST_CASE("a mass under a load over its position moves as its increments do not say") {
   const auto end = [](int increments) {
-    return rows_of(sound(weight(
+    return rows_of(read::sound(weight(
                        "  - {step: swing, duration: 3, increments: " + std::to_string(increments) +
                            ", force: {m1: \"= -8000*sin(CPR1)\"}}\n",
                        "dynamics: {mass: 300, initial_velocity: 9}\n")))
@@ -154,7 +154,7 @@ TEST_CASE("a mass under a load over its position moves as its increments do not 
   CHECK(one.forces.velocity == Approx(many.forces.velocity).margin(1e-9));
   CHECK(one.forces.external_work == Approx(8000.0 * (std::cos(one.quantities[3]) - 1.0))
                                         .margin(1e-7));  // of a kinetic energy of 12 kJ
-  CHECK(one.quantities[kFirstForce + 3] == Approx(-8000.0 * std::sin(one.quantities[3])));
+  CHECK(one.quantities[cases::kFirstForce + 3] == Approx(-8000.0 * std::sin(one.quantities[3])));
 }
 
 TEST_CASE("a load that runs away is not followed to a balance on the other side") {
@@ -162,12 +162,12 @@ TEST_CASE("a load that runs away is not followed to a balance on the other side"
   // balance 3 x - 2 at x < -1 is left, which any shift leaves.
   for (const int increments : {3, 10, 100}) {
     INFO(increments);
-    const std::string end = failure_of(
-        sound("slipbench: 1\nconnector: {type: SLOT}\n"
-              "friction: [{component: 1, internal_contact_force: 10, coefficient: 0.2, stick: "
-              "{stiffness: 1000}}]\nelasticity: [{component: 1, stiffness: 3}]\n"
-              "history: [{step: push, increments: " +
-              std::to_string(increments) + ", force: {f1: \"= 20*t*(1 + CP1)\"}}]\n"));
+    const std::string end = failure_of(read::sound(
+        "slipbench: 1\nconnector: {type: SLOT}\n"
+        "friction: [{component: 1, internal_contact_force: 10, coefficient: 0.2, stick: "
+        "{stiffness: 1000}}]\nelasticity: [{component: 1, stiffness: 3}]\n"
+        "history: [{step: push, increments: " +
+        std::to_string(increments) + ", force: {f1: \"= 20*t*(1 + CP1)\"}}]\n"));
     INFO(end);
     CHECK(end.find("no static solution: component 1 is loaded with f1 = ") != std::string::npos);
     const double time = std::stod(end.substr(end.find("t = ") + 4));
@@ -179,12 +179,12 @@ TEST_CASE("a load that runs away is not followed to a balance on the other side"
 TEST_CASE("exact integration takes a force over the position as straight from row to row") {
   const auto rows = [](const std::string& force) {
     return rows_of(
-        sound("slipbench: 1\n"
-              "connector: {type: SLOT}\n"
-              "friction: [{predefined: {}, coefficient: 0.2, stick: {stiffness: 10}}]\n"
-              "integration: {method: exact}\n"
-              "history: [{step: go, increments: 10, force: {f2: " +
-              force + "}, motion: {CP1: {to: 10}}}]\n"));
+        read::sound("slipbench: 1\n"
+                    "connector: {type: SLOT}\n"
+                    "friction: [{predefined: {}, coefficient: 0.2, stick: {stiffness: 10}}]\n"
+                    "integration: {method: exact}\n"
+                    "history: [{step: go, increments: 10, force: {f2: " +
+                    force + "}, motion: {CP1: {to: 10}}}]\n"));
   };
   // Of a motion that is straight in time, the same force over position and over time.
   const std::vector<Row> position = rows("\"= 50 - CP1^2/4\""),
@@ -198,4 +198,4 @@ TEST_CASE("exact integration takes a force over the position as straight from ro
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

@@ -10,20 +10,21 @@
 #include "tests/driver/bench/example_cases.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 namespace {
 
-Case read(const std::string& text, const std::filesystem::path& folder = ".") {
-  ReadCase result = read_case_text(SourceText("case.yaml", text), folder.string(), {});
-  INFO(render(result.diagnostics, result.sources));
+cases::Case read(const std::string& text, const std::filesystem::path& folder = ".") {
+  read::ReadCase result =
+      read::read_case_text(base::SourceText("case.yaml", text), folder.string(), {});
+  INFO(base::render(result.diagnostics, result.sources));
   REQUIRE(result.value.has_value());
   return std::move(*result.value);
 }
 
-double value(const Case& problem, const Row& row, const std::string& name) {
-  const auto column = find_column(problem, result_columns(problem), name);
+double value(const cases::Case& problem, const Row& row, const std::string& name) {
+  const auto column = results::find_column(problem, results::result_columns(problem), name);
   REQUIRE(column);
-  return column_value(*column, problem, row);
+  return results::column_value(*column, problem, row);
 }
 
 /// A press fit that wears by 50 N per mm, pushed by 0.1 mm in one increment.
@@ -42,7 +43,7 @@ std::string wear(const std::string& integration) {
 }
 
 double force_of(const std::string& text) {
-  const Case problem = read(text);
+  const cases::Case problem = read(text);
   return value(problem, rows_of(problem).back(), "CSF1");
 }
 
@@ -73,7 +74,7 @@ const std::string kGo = "  - {step: go, increments: 2, motion: {CP2: {to: 0.75}}
 // All numbers below are sums of powers of two: the columns are exact.
 
 TEST_CASE("the constitutive reference is the initial position unless the file says otherwise") {
-  const Case problem = read(placed(", initial: {CP2: 0.5, CP3: -2}", kGo));
+  const cases::Case problem = read(placed(", initial: {CP2: 0.5, CP3: -2}", kGo));
   const std::vector<Row> rows = rows_of(problem);
   REQUIRE(rows.size() == 3);
   CHECK(value(problem, rows[0], "CP2") == 0.5);
@@ -86,7 +87,8 @@ TEST_CASE("the constitutive reference is the initial position unless the file sa
 }
 
 TEST_CASE("a reference given for one component leaves that of the others at the initial position") {
-  const Case problem = read(placed(", initial: {CP2: 0.5, CP3: -2}, reference: {CP3: -1.5}", kGo));
+  const cases::Case problem =
+      read(placed(", initial: {CP2: 0.5, CP3: -2}, reference: {CP3: -1.5}", kGo));
   const Row first = rows_of(problem).front();
   CHECK(value(problem, first, "CCU2") == 0.0);
   CHECK(value(problem, first, "CCU3") == -0.5);
@@ -97,7 +99,7 @@ TEST_CASE("a measured history starts at its first row: no displacement, no force
   const TemporaryFolder folder;
   folder.write("rig.csv", "t,u,v\n2,0.5,-2\n3,0.75,-2\n");
   const std::string history = "  {csv: rig.csv, time: t, columns: {CP2: u, CP3: v}}\n";
-  const Case problem = read(placed("", history), folder.path());
+  const cases::Case problem = read(placed("", history), folder.path());
   const std::vector<Row> rows = rows_of(problem);
   REQUIRE(rows.size() == 2);
   for (const char* name : {"CU2", "CU3", "CCU2", "CCU3", "CSF2", "CSF3", "CASUC", "CV2", "CV3"}) {
@@ -116,7 +118,7 @@ TEST_CASE("positions of the file go before those of the first measured row") {
   const TemporaryFolder folder;
   folder.write("rig.csv", "t,u,v\n2,0.5,-2\n3,0.75,-2\n");
   const std::string history = "  {csv: rig.csv, time: t, columns: {CP2: u, CP3: v}}\n";
-  const Case problem =
+  const cases::Case problem =
       read(placed(", initial: {CP2: 0.25}, reference: {CP3: -1.5}", history), folder.path());
   const Row first = rows_of(problem).front();
   CHECK(value(problem, first, "CU2") == 0.25);
@@ -126,4 +128,4 @@ TEST_CASE("positions of the file go before those of the first measured row") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

@@ -5,13 +5,13 @@
 
 #include "tests/driver/bench/example_cases.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 namespace {
 
 TEST_CASE("the number of increments is known before the run, and the part of it that is done") {
   // Two passes of 10, then 100: 120, and 2 s and 1 s.
-  const Case problem = slider_case(
-      {step("cycle", 10, 0, LinearTo{0.1}, 1.0, 2), step("out", 100, 0, LinearTo{1.0})});
+  const cases::Case problem = slider_case({step("cycle", 10, 0, history::LinearTo{0.1}, 1.0, 2),
+                                           step("out", 100, 0, history::LinearTo{1.0})});
   const RunLength length(problem);
   CHECK(length.increments() == 120.0);
   CHECK(length.increments_between({}, 0.0, 3.0) == 120.0);
@@ -26,4 +26,4 @@ TEST_CASE("the number of increments is known before the run, and the part of it 
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

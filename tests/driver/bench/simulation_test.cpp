@@ -9,7 +9,7 @@
 #include "tests/driver/bench/example_cases.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 namespace {
 
 // Rounding of sums of up to a hundred terms; the return mapping is exact in one dimension.
@@ -19,9 +19,9 @@ double motion(const Row& row) { return row.quantities[0]; }
 double force(const Row& row) { return row.definitions[0].update.state.force[0]; }
 
 TEST_CASE("slip and dissipation add up along 0, A, -A, A to the closed form's running totals") {
-  const Case problem =
-      slider_case({step("out", 10, 0, LinearTo{0.1}), step("back", 10, 0, LinearTo{-0.1}),
-                   step("again", 10, 0, LinearTo{0.1})});
+  const cases::Case problem = slider_case({step("out", 10, 0, history::LinearTo{0.1}),
+                                           step("back", 10, 0, history::LinearTo{-0.1}),
+                                           step("again", 10, 0, history::LinearTo{0.1})});
   const std::vector<Row> rows = rows_of(problem);
   REQUIRE(rows.size() == 31);
   // s = A - s_c and then 2 A - 2 s_c each way; W = lim s with lim = 20 N.
@@ -36,16 +36,16 @@ TEST_CASE("slip and dissipation add up along 0, A, -A, A to the closed form's ru
 }
 
 TEST_CASE("row 0 is the initial state: first forces, no motion, limits known") {
-  Case problem = slider_case({step("slide", 4, 0, LinearTo{1.5})});
+  cases::Case problem = slider_case({step("slide", 4, 0, history::LinearTo{1.5})});
   problem.initial[0] = 0.5;
   problem.definitions[0].law.contact_force = law::ComponentContactForce{1};
-  problem.steps[0].drives.push_back({kFirstForce + 1, Constant{50.0}});
+  problem.steps[0].drives.push_back({cases::kFirstForce + 1, history::Constant{50.0}});
   const std::vector<Row> rows = rows_of(problem);
   CHECK(rows[0].index == 0);
   CHECK(rows[0].time == 0.0);
   CHECK(rows[0].duration == 0.0);
   CHECK(motion(rows[0]) == 0.5);
-  CHECK(rows[0].quantities[kFirstForce + 1] == 50.0);
+  CHECK(rows[0].quantities[cases::kFirstForce + 1] == 50.0);
   CHECK(rows[0].definitions[0].update.limit == Approx(30.0).epsilon(kRounding));
   CHECK(rows[0].definitions[0].update.state.regime == law::Regime::kStick);
   CHECK(rows[1].duration == 0.25);
@@ -54,8 +54,8 @@ TEST_CASE("row 0 is the initial state: first forces, no motion, limits known") {
 
 TEST_CASE("a breakpoint of a profile is never stepped over") {
   // Peaks of the triangle at 0.25 and 0.75; three increments alone would miss both.
-  const Case problem =
-      slider_case({step("cycle", 3, 0, Wave{WaveShape::kTriangle, 0.1, 1.0, 0.0, 0.0})});
+  const cases::Case problem = slider_case(
+      {step("cycle", 3, 0, history::Wave{history::WaveShape::kTriangle, 0.1, 1.0, 0.0, 0.0})});
   std::vector<double> times;
   double highest = 0.0;
   double lowest = 0.0;
@@ -72,8 +72,8 @@ TEST_CASE("a breakpoint of a profile is never stepped over") {
 }
 
 TEST_CASE("a repeated step goes on from where it ended, in total time and in value") {
-  const Case problem =
-      slider_case({step("cycle", 4, 0, Wave{WaveShape::kSine, 0.1, 1.0, 0.0, 0.0}, 1.0, 3)});
+  const cases::Case problem = slider_case(
+      {step("cycle", 4, 0, history::Wave{history::WaveShape::kSine, 0.1, 1.0, 0.0, 0.0}, 1.0, 3)});
   const std::vector<Row> rows = rows_of(problem);
   REQUIRE(rows.size() == 13);
   CHECK(rows[9].pass == 2);
@@ -84,20 +84,23 @@ TEST_CASE("a repeated step goes on from where it ended, in total time and in val
 }
 
 TEST_CASE("a quantity that a step does not mention keeps its value") {
-  Case problem = slider_case(
-      {step("press", 2, kFirstForce + 1, LinearTo{30.0}), step("slide", 2, 0, LinearTo{0.1})});
+  cases::Case problem =
+      slider_case({step("press", 2, cases::kFirstForce + 1, history::LinearTo{30.0}),
+                   step("slide", 2, 0, history::LinearTo{0.1})});
   const std::vector<Row> rows = rows_of(problem);
   CHECK(motion(rows[2]) == 0.0);
-  CHECK(rows[4].quantities[kFirstForce + 1] == 30.0);
+  CHECK(rows[4].quantities[cases::kFirstForce + 1] == 30.0);
   CHECK(motion(rows[4]) == 0.1);
 }
 
 TEST_CASE("a run that was cut and taken up again gives the same rows, to the last bit") {
-  Case problem = puck_case({});
-  problem.steps = {step("slide", 7, 1, LinearTo{0.3}),
-                   step("turn", 5, 2, Wave{WaveShape::kTriangle, 0.1, 0.7, 0.0, 0.0}, 1.0, 2)};
-  problem.steps[0].drives.push_back({kFirstForce + 0, LinearTo{-100.0}});
-  problem.steps[1].drives.push_back({3, Wave{WaveShape::kSine, 0.2, 1.0, 0.0, 0.0}});
+  cases::Case problem = puck_case({});
+  problem.steps = {
+      step("slide", 7, 1, history::LinearTo{0.3}),
+      step("turn", 5, 2, history::Wave{history::WaveShape::kTriangle, 0.1, 0.7, 0.0, 0.0}, 1.0, 2)};
+  problem.steps[0].drives.push_back({cases::kFirstForce + 0, history::LinearTo{-100.0}});
+  problem.steps[1].drives.push_back(
+      {3, history::Wave{history::WaveShape::kSine, 0.2, 1.0, 0.0, 0.0}});
   const std::vector<Row> whole = rows_of(problem);
   REQUIRE(whole.size() > 15);
   for (const std::size_t cut : {std::size_t{0}, std::size_t{3}, std::size_t{7}, whole.size() - 2}) {
@@ -124,7 +127,7 @@ TEST_CASE("a run that was cut and taken up again gives the same rows, to the las
 }
 
 TEST_CASE("a state from beyond the end of the history is refused") {
-  const Case problem = slider_case({step("slide", 4, 0, LinearTo{0.1})});
+  const cases::Case problem = slider_case({step("slide", 4, 0, history::LinearTo{0.1})});
   SimulationState state = Simulation::start(problem)->state();
   state.increments = 5;
   const auto resumed = Simulation::resume(problem, state);
@@ -133,8 +136,9 @@ TEST_CASE("a state from beyond the end of the history is refused") {
 }
 
 TEST_CASE("a motion that does not start where the connector is, is noted") {
-  const Case problem = slider_case({step("cycle", 4, 0, Wave{WaveShape::kSine, 0.1, 1.0, 0.5, 0.0}),
-                                    step("on", 4, 0, LinearTo{0.0})});
+  const cases::Case problem = slider_case(
+      {step("cycle", 4, 0, history::Wave{history::WaveShape::kSine, 0.1, 1.0, 0.5, 0.0}),
+       step("on", 4, 0, history::LinearTo{0.0})});
   auto simulation = Simulation::start(problem);
   REQUIRE(simulation);
   while (simulation->advance().value()) {
@@ -147,13 +151,13 @@ TEST_CASE("a motion that does not start where the connector is, is noted") {
 
 TEST_CASE("a measured history drives the case row by row from its first row on") {
   const TemporaryFolder folder;
-  Case problem = slider_case({});
-  problem.measured =
-      MeasuredSource{{folder.write("rig.csv", "time,disp\n1,0.5\n2,0.51\n4,0.6\n"), "rig.csv"},
-                     "time",
-                     {},
-                     {{0, "disp", {}}},
-                     false};
+  cases::Case problem = slider_case({});
+  problem.measured = history::MeasuredSource{
+      {folder.write("rig.csv", "time,disp\n1,0.5\n2,0.51\n4,0.6\n"), "rig.csv"},
+      "time",
+      {},
+      {{0, "disp", {}}},
+      false};
   const std::vector<Row> rows = rows_of(problem);
   REQUIRE(rows.size() == 3);
   CHECK(rows[0].time == 1.0);
@@ -167,12 +171,13 @@ TEST_CASE("a measured history drives the case row by row from its first row on")
 
 TEST_CASE("faulty data end the run and name their line") {
   const TemporaryFolder folder;
-  Case problem = slider_case({});
-  problem.measured = MeasuredSource{{folder.write("rig.csv", "time,disp\n1,0.5\n2,x\n"), "rig.csv"},
-                                    "time",
-                                    {},
-                                    {{0, "disp", {}}},
-                                    false};
+  cases::Case problem = slider_case({});
+  problem.measured =
+      history::MeasuredSource{{folder.write("rig.csv", "time,disp\n1,0.5\n2,x\n"), "rig.csv"},
+                              "time",
+                              {},
+                              {{0, "disp", {}}},
+                              false};
   auto simulation = Simulation::start(problem);
   REQUIRE(simulation);
   const auto more = simulation->advance();
@@ -182,17 +187,18 @@ TEST_CASE("faulty data end the run and name their line") {
 }
 
 TEST_CASE("a file that is missing is a failure of the environment") {
-  Case problem = slider_case({});
-  problem.measured = MeasuredSource{{"missing.csv", "missing.csv"}, "t", {}, {{0, "u", {}}}, false};
+  cases::Case problem = slider_case({});
+  problem.measured =
+      history::MeasuredSource{{"missing.csv", "missing.csv"}, "t", {}, {{0, "u", {}}}, false};
   const auto simulation = Simulation::start(problem);
   REQUIRE_FALSE(simulation);
   CHECK(simulation.error().kind == SimulationFailure::Kind::kEnvironment);
 }
 
 TEST_CASE("a formula without value ends the run and names step, time and quantity") {
-  auto formula = compile_profile("= sqrt(0.6 - t)", {});
+  auto formula = history::compile_profile("= sqrt(0.6 - t)", {});
   REQUIRE(formula);
-  Case problem = slider_case({step("slide", 4, 0, *formula)});
+  cases::Case problem = slider_case({step("slide", 4, 0, *formula)});
   problem.initial[0] = 0.7745966692414834;
   auto simulation = Simulation::start(problem);
   REQUIRE(simulation);
@@ -205,7 +211,8 @@ TEST_CASE("a formula without value ends the run and names step, time and quantit
 }
 
 TEST_CASE("an update that is not finite ends the run and names step, time and definition") {
-  Case problem = slider_case({step("press", 2, kFirstForce + 1, LinearTo{1.5e308})});
+  cases::Case problem =
+      slider_case({step("press", 2, cases::kFirstForce + 1, history::LinearTo{1.5e308})});
   problem.definitions[0].law.contact_force = law::DerivedComponent{law::norm_term({2}, 1.0)};
   auto simulation = Simulation::start(problem);
   REQUIRE(simulation);
@@ -218,4 +225,4 @@ TEST_CASE("an update that is not finite ends the run and names step, time and de
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

@@ -11,7 +11,7 @@
 #include "tests/driver/read/read_for_test.hpp"
 #include "tests/support/dice.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::bench {
 namespace {
 
 /// A CARTESIAN connector whose friction along component 1 is pressed in component 3.
@@ -24,9 +24,9 @@ std::string spring_case(const std::string& history, const std::string& rest,
          friction + rest + "history:\n" + history;
 }
 
-Case sound(const std::string& text) {
-  const ReadCase read = read_text(text);
-  INFO(render(read.diagnostics));
+cases::Case sound(const std::string& text) {
+  const read::ReadCase read = read::read_text(text);
+  INFO(base::render(read.diagnostics));
   REQUIRE(read.value);
   return *read.value;
 }
@@ -34,10 +34,10 @@ Case sound(const std::string& text) {
 /// "severity|path|message|hint" of all that was said but what is said of the units' gaps.
 std::vector<std::string> said(const std::string& text) {
   std::vector<std::string> all;
-  for (const Diagnostic& one : read_text(text).diagnostics.sorted()) {
-    all.push_back(std::string(one.severity == Severity::kError     ? "error"
-                              : one.severity == Severity::kWarning ? "warning"
-                                                                   : "note") +
+  for (const base::Diagnostic& one : read::read_text(text).diagnostics.sorted()) {
+    all.push_back(std::string(one.severity == base::Severity::kError     ? "error"
+                              : one.severity == base::Severity::kWarning ? "warning"
+                                                                         : "note") +
                   "|" + one.path + "|" + one.message + "|" + one.hint);
   }
   return all;
@@ -51,9 +51,9 @@ double friction(const Row& row, std::size_t d = 0) {
 }
 
 TEST_CASE("a spring presses with its force in a prescribed motion, with its sign") {
-  const std::vector<Row> rows = rows_of(
-      sound(spring_case("  - {step: a, increments: 4, motion: {CP1: {to: 1}, CP3: {to: -0.2}}}\n",
-                        "elasticity: [{component: 3, stiffness: 500}]\n")));
+  const std::vector<Row> rows = rows_of(sound(
+      spring_case("  - {step: a, increments: 4, motion: {CP1: {to: 1}, CP3: {to: -0.2}}}\n",
+                  "elasticity: [{component: 3, stiffness: 500}]\n")));
   CHECK(rows.back().definitions[0].update.contact_force == Approx(-100.0).epsilon(1e-15));
   CHECK(friction(rows.back()) == Approx(20.0).epsilon(1e-13));
 }
@@ -166,11 +166,11 @@ TEST_CASE("a mass rubs under a spring that presses as under the same internal fo
   const std::string rest =
       "dynamics: {component: 1, mass: 2, initial_velocity: 3}\nelasticity:\n"
       "  - {component: 1, stiffness: 40}\n";
-  const Case pressed = sound(changed(
+  const cases::Case pressed = sound(read::changed(
       {{"{type: CARTESIAN}", "{type: CARTESIAN, initial: {CP3: 0.2}, reference: {CP3: 0}}"}},
       spring_case(history, rest + "  - {component: 3, stiffness: 50}\n",
                   "  - {component: 1, contact_force: 3, coefficient: 0.2}\n")));
-  const Case given = sound(spring_case(
+  const cases::Case given = sound(spring_case(
       history, rest, "  - {component: 1, internal_contact_force: 10, coefficient: 0.2}\n"));
   const std::vector<Row> a = rows_of(pressed);
   const std::vector<Row> b = rows_of(given);
@@ -183,7 +183,7 @@ TEST_CASE("a mass rubs under a spring that presses as under the same internal fo
 }
 
 TEST_CASE("a mass under coupled springs feels and gives the other component's force") {
-  const Case problem = sound(spring_case(
+  const cases::Case problem = sound(spring_case(
       "  - {step: vibrate, increments: 300, duration: 3, motion: {CP3: = 0.1*sin(t)}}\n",
       kMembrane + "dynamics: {component: 1, mass: 1, initial_velocity: 2}\n",
       "  - {component: 1, contact_force: 3, coefficient: 0.1}\n"));
@@ -205,7 +205,7 @@ TEST_CASE("a mass under coupled springs feels and gives the other component's fo
 
 TEST_CASE("the force of a mass in its own direction presses with what accelerates it") {
   // Without friction along 1, the mass of component 3 swings; what presses is -m a.
-  const Case problem = sound(spring_case(
+  const cases::Case problem = sound(spring_case(
       "  - {step: swing, increments: 50, duration: 2, motion: {CP1: {to: 5}}, force: {f3: 3}}\n",
       "elasticity: [{component: 3, stiffness: 30}]\ndynamics: {component: 3, mass: 2}\n"));
   for (const Row& row : rows_of(problem)) {
@@ -263,23 +263,23 @@ TEST_CASE("a load against a spring that should press is warned of, and the remed
                         "  - {step: a, increments: 4, motion: {CP1: {to: 1}, CP3: {to: 0.1}}}\n",
                         kSpring3)))
                 .back()) == Approx(50.0));
-  std::string slot = changed({{"CARTESIAN", "SLOT"}}, spring_case(kRamp, ""));
+  std::string slot = read::changed({{"CARTESIAN", "SLOT"}}, spring_case(kRamp, ""));
   CHECK(said(slot).empty());
   CHECK(normal_force(rows_of(sound(slot)).back()) == Approx(50.0));
 }
 
 TEST_CASE("the run does not blame the load's size for a pressure that is balanced") {
-  const Case problem = sound(spring_case(kRamp, kSpring3));
-  Plausibility plausibility(problem);
+  const cases::Case problem = sound(spring_case(kRamp, kSpring3));
+  results::Plausibility plausibility(problem);
   for (const Row& row : rows_of(problem)) plausibility.add(row);
   CHECK(plausibility.findings().empty());
 }
 
 TEST_CASE("a spring that is never compressed is told by its motion") {
   const auto finding = [](const std::string& motion) {
-    const Case problem = sound(spring_case(
+    const cases::Case problem = sound(spring_case(
         "  - {step: a, increments: 4, motion: {CP1: {to: 1}" + motion + "}}\n", kSpring3));
-    Plausibility plausibility(problem);
+    results::Plausibility plausibility(problem);
     for (const Row& row : rows_of(problem)) plausibility.add(row);
     REQUIRE(plausibility.findings().size() == 1);
     return plausibility.findings()[0];
@@ -329,13 +329,14 @@ const std::string kNever =
 TEST_CASE("a contact force that nothing drives is said when the case is read") {
   const std::string slides =
       "  - {step: a, increments: 4, motion: {CP1: {to: 6}}, force: {f2: 100}}\n";
-  const std::string slot = changed({{"CARTESIAN", "SLOT"}}, spring_case(slides, ""));
+  const std::string slot = read::changed({{"CARTESIAN", "SLOT"}}, spring_case(slides, ""));
   CHECK(said(slot) ==
         std::vector<std::string>{"warning|friction[0].contact_force|nothing drives f3: the contact "
                                  "force is 0 over the whole run|a step drives it, for example "
                                  "'force: {f3: 100}'"});
-  CHECK(said(changed({{"f2: 100", "f3: 100"}}, slot)).empty());
-  CHECK(said(changed({{"contact_force: 3", "contact_force: 3, internal_contact_force: 5"}}, slot))
+  CHECK(said(read::changed({{"f2: 100", "f3: 100"}}, slot)).empty());
+  CHECK(said(read::changed({{"contact_force: 3", "contact_force: 3, internal_contact_force: 5"}},
+                           slot))
             .front()
             .find("note|") == 0);
   const std::string moves = "  - {step: a, increments: 4, motion: {CP1: {to: 6}, CP3: {to: 1}}}\n";
@@ -347,10 +348,11 @@ TEST_CASE("a contact force that nothing drives is said when the case is read") {
 
 TEST_CASE("of a derived component one driven entry is enough, and zeros are none") {
   const auto both = [](const std::string& forces) {
-    return changed({{"CARTESIAN", "SLOT"}, {"contact_force: 3", "contact_force: n"}},
-                   spring_case("  - {step: a, increments: 4, motion: {CP1: {to: 6}}, force: {" +
-                                   forces + "}}\n",
-                               "derived_components: {n: [{components: [2, 3]}]}\n"));
+    return read::changed(
+        {{"CARTESIAN", "SLOT"}, {"contact_force: 3", "contact_force: n"}},
+        spring_case(
+            "  - {step: a, increments: 4, motion: {CP1: {to: 6}}, force: {" + forces + "}}\n",
+            "derived_components: {n: [{components: [2, 3]}]}\n"));
   };
   CHECK(said(both("f2: 100")).empty());
   CHECK(
@@ -397,4 +399,4 @@ TEST_CASE("a stiffness matrix is told what is wrong with it") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::bench

@@ -12,7 +12,7 @@
 #include "driver/read/read_case.hpp"
 #include "tests/support/project_paths.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,7 +35,7 @@ TEST_CASE("A bad fit file is refused with its place and what is wrong") {
     std::getline(in, what);
     std::getline(in, wanted);
     const ReadFit read = read_fit(file.string());
-    const std::string shown = render(read.diagnostics, read.sources);
+    const std::string shown = base::render(read.diagnostics, read.sources);
     INFO(file.filename() << "\n" << what << "\n" << wanted << "\n" << shown);
     REQUIRE(wanted.starts_with("# wants "));
     const std::size_t dots = wanted.find(" ... ");
@@ -45,8 +45,8 @@ TEST_CASE("A bad fit file is refused with its place and what is wrong") {
     CHECK_FALSE(read.value.has_value());
     CHECK_FALSE(read.environment_failure);
     bool found = false;
-    for (const Diagnostic& one : read.diagnostics.sorted()) {
-      if (one.severity != Severity::kError) continue;
+    for (const base::Diagnostic& one : read.diagnostics.sorted()) {
+      if (one.severity != base::Severity::kError) continue;
       CHECK(one.where.line > 0);
       const std::string text = one.message + "; " + one.hint;
       const bool here = one.path == place || one.file.ends_with(place);
@@ -54,18 +54,18 @@ TEST_CASE("A bad fit file is refused with its place and what is wrong") {
     }
     CHECK(found);
     // One fault is one error.
-    CHECK(read.diagnostics.count(Severity::kError) == 1);
+    CHECK(read.diagnostics.count(base::Severity::kError) == 1);
   }
 }
 
 TEST_CASE("The cases beside the bad fits are sound, or nothing could be learnt from them") {
   for (const char* name : {"loop", "table", "no_units", "extra"}) {
-    const ReadCase read =
-        read_case(test::source_dir() + "/cases/bad/calibration/sound/" + name + ".yaml");
-    INFO(render(read.diagnostics, read.sources));
+    const read::ReadCase read =
+        read::read_case(test::source_dir() + "/cases/bad/calibration/sound/" + name + ".yaml");
+    INFO(base::render(read.diagnostics, read.sources));
     CHECK(read.value.has_value());
   }
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -13,7 +13,7 @@
 #include "reference/exponential_decay.hpp"
 #include "tests/driver/calibrate/fit_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 std::string with(std::string text, std::string_view what, std::string_view by) {
@@ -86,7 +86,7 @@ TEST_CASE("a case that fails at the start values is told with its reason") {
                      "  vary: {c: {bounds: [0, 20]}}\n");
   const auto found = calibrate(fit);
   REQUIRE_FALSE(found);
-  CHECK(found.error().code == kExitNumerical);
+  CHECK(found.error().code == base::kExitNumerical);
   CHECK(found.error().message.find("sheet.yaml: at the start values: ") != std::string::npos);
   CHECK(found.error().message.find("the exponent C6 V of the coefficient passes 700 at V = 100") !=
         std::string::npos);
@@ -126,7 +126,7 @@ TEST_CASE("every case that fails at the start values is told, also by what is no
                 "  vary: {mu: {bounds: [0, 1]}}\n");
   const auto found = calibrate(fit);
   REQUIRE_FALSE(found);
-  CHECK(found.error().code == kExitNumerical);
+  CHECK(found.error().code == base::kExitNumerical);
   for (const char* const name : {"first", "second"}) {
     CHECK(found.error().message.find(fmt::format("{}.yaml: at the start values: ", name)) !=
           std::string::npos);
@@ -374,7 +374,7 @@ TEST_CASE("a resampling that would fill the memory is refused") {
   const auto found = calibrate(
       sound_fit(folder, with(kSliderFit, "time: t,", "time: t, resample: {every: 1.0e-12},")));
   REQUIRE_FALSE(found);
-  CHECK(found.error().code == kExitBadInput);
+  CHECK(found.error().code == base::kExitBadInput);
   CHECK(found.error().message.find("resample: one row every 1e-12 s makes 8e+12 of 7.95 s, more "
                                    "than 1e+07: write a longer 'every'") != std::string::npos);
 }
@@ -391,7 +391,7 @@ TEST_CASE("positions whose branches are not those of the run are refused with a 
       folder, with(kSliderFit, "CSF1: F}", "CSF1: {column: F, over: {quantity: CP1, column: u}}}"));
   const auto found = calibrate(fit);
   REQUIRE_FALSE(found);
-  CHECK(found.error().code == kExitBadInput);
+  CHECK(found.error().code == base::kExitBadInput);
   CHECK(found.error().message.find("branches") != std::string::npos);
   CHECK(found.error().message.find("over time") != std::string::npos);
 }
@@ -472,7 +472,7 @@ TEST_CASE("a fit in which nothing changes anything is refused") {
       folder,
       with(kSliderFit, "{mu: {bounds: [0, 2]}, k: {bounds: [1, 1.0e+5], scale: log}}", "{mu: {}}"));
   CHECK_FALSE(found.fit.converged);
-  CHECK(found.fit.stop == StopReason::kZeroGradient);
+  CHECK(found.fit.stop == fit::StopReason::kZeroGradient);
   CHECK(found.unknowns.at(0).identifiability == Identifiability::kNeverVisited);
   CHECK(estimate(found, "mu") == 500.0);
 }
@@ -498,7 +498,7 @@ TEST_CASE("a limit that the data never reach is no convergence if it is seen els
   folder.write("slider.yaml", with(SliderRig::case_text(), "mu: 0.1", "mu: 5"));
   const Calibration found =
       calibrated(folder, with(kSliderFit, "mu: {bounds: [0, 2]}", "mu: {bounds: [0, 9]}"));
-  CHECK(found.fit.stop == StopReason::kSilent);
+  CHECK(found.fit.stop == fit::StopReason::kSilent);
   CHECK_FALSE(found.fit.converged);
   CHECK(estimate(found, "k") == Approx(120.0).epsilon(1e-9));
   CHECK(found.unknowns.at(0).identifiability == Identifiability::kWeak);
@@ -646,7 +646,7 @@ TEST_CASE("data that have nothing in common with the run are refused with a reas
   folder.write("rig.csv", "t,F\n20,1\n21,2\n");
   const auto found = calibrate(sound_fit(folder, kSliderFit));
   REQUIRE_FALSE(found);
-  CHECK(found.error().code == kExitBadInput);
+  CHECK(found.error().code == base::kExitBadInput);
   CHECK(found.error().message.find("nothing in common") != std::string::npos);
 }
 
@@ -660,4 +660,4 @@ TEST_CASE("an unknown at its bound and a residual that is a trend are told") {
   CHECK(found.unknowns.at(0).distance_to_upper < 1e-6);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

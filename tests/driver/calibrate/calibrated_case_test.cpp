@@ -19,6 +19,7 @@
 #include "tests/support/project_paths.hpp"
 
 using namespace slipbench::driver;
+using namespace slipbench::driver::calibrate;
 namespace law = slipbench::law;
 namespace fs = std::filesystem;
 
@@ -37,20 +38,20 @@ class Made {
     calibration.fit.stop_sentence = "the steps have become negligible";
   }
 
-  void add_experiment(const std::string& name, const fs::path& path, const Case& base,
-                      std::vector<ParameterText> settings = {}) {
-    ExperimentFit experiment;
+  void add_experiment(const std::string& name, const fs::path& path, const cases::Case& base,
+                      std::vector<base::ParameterText> settings = {}) {
+    calibrate::ExperimentFit experiment;
     experiment.name = name;
     experiment.case_path = path;
     experiment.case_file = path.filename().string();
     experiment.data_file = "rig.csv";
     experiment.base = base;
     experiment.settings = std::move(settings);
-    FittedExperiment fitted;
+    calibrate::FittedExperiment fitted;
     fitted.index = fit.experiments.size();
     fitted.data_hash = "0123456789abcdef";
     fitted.rows_read = fitted.rows_used = 200;
-    FittedResponse response;
+    calibrate::FittedResponse response;
     response.quantity = "CSF1";
     response.unit = "N";
     response.rmse_before = 812.0;
@@ -67,14 +68,16 @@ class Made {
   }
 
   /// All ordinates of a table, each changed a little.
-  void vary_table(const std::string& definition, VariedTable::Use use, const law::Table& table) {
-    VariedTable varied;
+  void vary_table(const std::string& definition, calibrate::VariedTable::Use use,
+                  const law::Table& table) {
+    calibrate::VariedTable varied;
     varied.definition = definition;
     varied.use = use;
-    varied.name = definition + (use == VariedTable::Use::kCoefficient ? ".coefficient"
-                                                                      : ".internal_contact_force");
+    varied.name =
+        definition + (use == calibrate::VariedTable::Use::kCoefficient ? ".coefficient"
+                                                                       : ".internal_contact_force");
     varied.free = "mu";
-    FittedTable fitted;
+    calibrate::FittedTable fitted;
     fitted.index = fit.tables.size();
     fitted.first_unknown = calibration.unknowns.size();
     fitted.count = table.rows();
@@ -92,7 +95,7 @@ class Made {
 
  private:
   void add_unknown(const std::string& name, double value) {
-    FittedUnknown unknown;
+    calibrate::FittedUnknown unknown;
     unknown.name = name;
     unknown.value = value;
     calibration.unknowns.push_back(unknown);
@@ -102,8 +105,8 @@ class Made {
   }
 };
 
-ReadCase read_text(const std::string& text, const fs::path& folder) {
-  return read_case_text(SourceText("calibrated.yaml", text), folder.string());
+read::ReadCase read_text(const std::string& text, const fs::path& folder) {
+  return read::read_case_text(base::SourceText("calibrated.yaml", text), folder.string());
 }
 
 /// A case in a folder of its own, which is gone with the object.
@@ -145,7 +148,7 @@ history:
   - {step: pull, duration: 1, increments: 10, motion: {CP1: {to: 5}}, temperature: = T0}
 )";
 
-std::string only_text(const CalibratedCases& cases) {
+std::string only_text(const calibrate::CalibratedCases& cases) {
   for (const std::string& fault : cases.faults) FAIL_CHECK(fault);
   REQUIRE(cases.cases.size() == 1);
   return cases.cases[0].text;
@@ -160,13 +163,14 @@ bool contains(const std::string& text, const std::string& part) {
 TEST_CASE("a calibrated case is the user's text with other numbers") {
   const Folder folder;
   const fs::path path = folder.write("loop.yaml", kSlider);
-  const ReadCase read = read_case(path.string());
+  const read::ReadCase read = read::read_case(path.string());
   REQUIRE(read.value);
   Made made;
   made.add_experiment("cold", path, *read.value, {{"T0", 5.5}});
   made.vary("mu", 0.1 + 0.2);
   made.fit.date = "2026-03-01";
-  const CalibratedCases cases = calibrated_cases(made.fit, made.calibration, folder.path());
+  const calibrate::CalibratedCases cases =
+      calibrate::calibrated_cases(made.fit, made.calibration, folder.path());
   const std::string text = only_text(cases);
   CHECK(cases.cases[0].file_name == "loop.calibrated.yaml");
   CHECK(cases.cases[0].notes.empty());
@@ -188,23 +192,24 @@ TEST_CASE("a calibrated case is the user's text with other numbers") {
     INFO(part << " in\n" << text);
     CHECK(contains(text, part));
   }
-  const ReadCase again = read_text(text, folder.path());
+  const read::ReadCase again = read_text(text, folder.path());
   REQUIRE(again.value);
   CHECK(again.value->parameters ==
-        NamedNumbers{{"mu", 0.1 + 0.2}, {"mu_k", 0.8 * (0.1 + 0.2)}, {"T0", 5.5}});
+        base::NamedNumbers{{"mu", 0.1 + 0.2}, {"mu_k", 0.8 * (0.1 + 0.2)}, {"T0", 5.5}});
 }
 
 TEST_CASE("expressions that are replaced are kept in the comments") {
   const Folder folder;
   const fs::path path = folder.write("loop.yaml", kSlider);
-  const ReadCase read = read_case(path.string());
+  const read::ReadCase read = read::read_case(path.string());
   REQUIRE(read.value);
   Made made;
   made.add_experiment("cold", path, *read.value);
   made.vary("mu_k", 0.25);
   const auto& law = std::get<law::TabularCoefficient>(read.value->definitions[0].law.law);
-  made.vary_table("sleeve", VariedTable::Use::kCoefficient, law.table.table());
-  const std::string text = only_text(calibrated_cases(made.fit, made.calibration, folder.path()));
+  made.vary_table("sleeve", calibrate::VariedTable::Use::kCoefficient, law.table.table());
+  const std::string text =
+      only_text(calibrate::calibrated_cases(made.fit, made.calibration, folder.path()));
   CHECK(contains(text, "# parameters.mu_k was the expression '= 0.8*mu'\n"));
   CHECK(contains(text, "# friction[0].coefficient.rows[1][0] was the expression '= mu_k'\n"));
   CHECK(contains(text, "  mu_k: 0.25   # of slip\n"));
@@ -220,18 +225,19 @@ TEST_CASE("a number with its unit gives way to a bare one of the case's system")
   put("parameters:\n", "units: {length: mm, force: N, time: s, temperature: K}\nparameters:\n");
   put("T0: 20\n", "T0: 20 degC\n  k: 5 kN/mm\n  press: 100\n");
   const fs::path path = folder.write("loop.yaml", with_units);
-  const ReadCase read = read_case(path.string());
+  const read::ReadCase read = read::read_case(path.string());
   REQUIRE(read.value);
   CHECK(read.value->parameters.at("k") == Approx(5000.0));
   Made made;
   made.add_experiment("cold", path, *read.value,
                       {{"T0", std::string("30 degC")}, {"press", std::string("0.2 kN")}});
   made.vary("k", 4321.0);
-  const std::string text = only_text(calibrated_cases(made.fit, made.calibration, folder.path()));
+  const std::string text =
+      only_text(calibrate::calibrated_cases(made.fit, made.calibration, folder.path()));
   CHECK(contains(text, "  k: 4321\n"));
   CHECK(contains(text, "# parameters.k was '5 kN/mm'\n"));
   CHECK(contains(text, "30 degC"));
-  const ReadCase back = read_text(text, folder.path());
+  const read::ReadCase back = read_text(text, folder.path());
   REQUIRE(back.value);
   CHECK(back.value->parameters.at("k") == 4321.0);
   CHECK(back.value->parameters.at("T0") == Approx(303.15));
@@ -241,14 +247,15 @@ TEST_CASE("a number with its unit gives way to a bare one of the case's system")
 TEST_CASE("a search that did not converge is told in the calibrated case") {
   const Folder folder;
   const fs::path path = folder.write("loop.yaml", kSlider);
-  const ReadCase read = read_case(path.string());
+  const read::ReadCase read = read::read_case(path.string());
   REQUIRE(read.value);
   Made made;
   made.add_experiment("cold", path, *read.value);
   made.vary("mu", 0.25);
   made.calibration.fit.converged = false;
   made.calibration.fit.stop_sentence = "nothing\nchanged";
-  const std::string text = only_text(calibrated_cases(made.fit, made.calibration, folder.path()));
+  const std::string text =
+      only_text(calibrate::calibrated_cases(made.fit, made.calibration, folder.path()));
   // What is told cannot break the file.
   CHECK(contains(text,
                  "# NOT CONVERGED: nothing\xEF\xBF\xBD"
@@ -259,7 +266,7 @@ TEST_CASE("a search that did not converge is told in the calibrated case") {
 TEST_CASE("experiments of one case with the same settings share a calibrated case") {
   const Folder folder;
   const fs::path path = folder.write("loop.yaml", kSlider);
-  const ReadCase read = read_case(path.string());
+  const read::ReadCase read = read::read_case(path.string());
   REQUIRE(read.value);
   Made made;
   made.add_experiment("a", path, *read.value, {{"T0", 5.0}});
@@ -267,17 +274,18 @@ TEST_CASE("experiments of one case with the same settings share a calibrated cas
   made.add_experiment("c", path, *read.value, {{"T0", 5.0}});
   made.fit.experiments[2].held_out = true;
   made.vary("mu", 0.25);
-  CalibratedCases cases = calibrated_cases(made.fit, made.calibration, folder.path());
+  calibrate::CalibratedCases cases =
+      calibrate::calibrated_cases(made.fit, made.calibration, folder.path());
   REQUIRE(cases.cases.size() == 1);
   CHECK(cases.cases[0].experiments == std::vector<std::size_t>{0, 1});
 
   // Others are named by their experiment.
   made.add_experiment("hot / 2", path, *read.value, {{"T0", std::string("= 4*mu")}});
-  cases = calibrated_cases(made.fit, made.calibration, folder.path());
+  cases = calibrate::calibrated_cases(made.fit, made.calibration, folder.path());
   REQUIRE(cases.cases.size() == 2);
   CHECK(cases.cases[0].file_name == "loop.a.calibrated.yaml");
   CHECK(cases.cases[1].file_name == "loop.hot---2.calibrated.yaml");
-  CHECK(calibrated_case_names(made.fit) ==
+  CHECK(calibrate::calibrated_case_names(made.fit) ==
         std::vector<std::string>{cases.cases[0].file_name, cases.cases[1].file_name});
   CHECK(contains(cases.cases[0].text, "hot / 2 (another calibrated case of this fit)"));
   CHECK(contains(cases.cases[1].text, "  T0: \"= 4*mu\"\n"));
@@ -288,12 +296,13 @@ TEST_CASE("a calibrated case keeps the line ends of a case from Windows") {
   std::string windows;
   for (const char c : std::string(kSlider)) windows += c == '\n' ? "\r\n" : std::string(1, c);
   const fs::path path = folder.write("loop.yaml", windows);
-  const ReadCase read = read_case(path.string());
+  const read::ReadCase read = read::read_case(path.string());
   REQUIRE(read.value);
   Made made;
   made.add_experiment("a", path, *read.value, {});
   made.vary("mu", 0.25);
-  const CalibratedCases cases = calibrated_cases(made.fit, made.calibration, folder.path());
+  const calibrate::CalibratedCases cases =
+      calibrate::calibrated_cases(made.fit, made.calibration, folder.path());
   REQUIRE(cases.cases.size() == 1);
   const std::string& text = cases.cases[0].text;
   CHECK(std::count(text.begin(), text.end(), '\n') == std::count(text.begin(), text.end(), '\r'));
@@ -312,42 +321,46 @@ TEST_CASE("data files are found from where the calibrated case stands") {
   const fs::path path = folder.write("in/loop.yaml", table);
   folder.write("in/mu table.csv", "note,temperature,mu\n1,0,0.3\n2,50,0.1\n3,90,0.05\n");
   folder.write("in/move.csv", "time,x\n0,0\n1,5\n");
-  const ReadCase read = read_case(path.string());
+  const read::ReadCase read = read::read_case(path.string());
   REQUIRE(read.value);
   Made made;
   made.add_experiment("a", path, *read.value);
   made.calibration.unknowns.resize(0);
 
   SECTION("in the same folder they keep their names") {
-    const auto text = only_text(calibrated_cases(made.fit, made.calibration, folder.path() / "in"));
+    const auto text =
+        only_text(calibrate::calibrated_cases(made.fit, made.calibration, folder.path() / "in"));
     CHECK(text.substr(text.find("slipbench: 1")) == table);
   }
   SECTION("in a folder above they get a path") {
-    const auto text = only_text(calibrated_cases(made.fit, made.calibration, folder.path()));
+    const auto text =
+        only_text(calibrate::calibrated_cases(made.fit, made.calibration, folder.path()));
     CHECK(contains(text, "csv: \"in/mu table.csv\"   # measured\n"));
     CHECK(contains(text, "{csv: in/move.csv, time: time, value: x}"));
     CHECK(read_text(text, folder.path()).value);
   }
   SECTION("elsewhere the case needs leave to read them, which it says") {
     fs::create_directories(folder.path() / "out");
-    const auto cases = calibrated_cases(made.fit, made.calibration, folder.path() / "out");
+    const auto cases =
+        calibrate::calibrated_cases(made.fit, made.calibration, folder.path() / "out");
     const auto text = only_text(cases);
     CHECK(contains(text, "csv: \"../in/mu table.csv\""));
     CHECK(contains(text, "--allow-outside\n"));
     REQUIRE(cases.cases[0].notes.size() == 1);
     CHECK_FALSE(read_text(text, folder.path() / "out").value);
-    CHECK(read_case_text(SourceText("c.yaml", text), (folder.path() / "out").string(),
-                         {{}, true, false})
+    CHECK(read::read_case_text(base::SourceText("c.yaml", text), (folder.path() / "out").string(),
+                               {{}, true, false})
               .value);
   }
   SECTION("a fitted table from a file becomes rows") {
     const auto& law = std::get<law::TabularCoefficient>(read.value->definitions[0].law.law);
-    made.vary_table("friction1", VariedTable::Use::kCoefficient, law.table.table());
-    const auto text = only_text(calibrated_cases(made.fit, made.calibration, folder.path() / "in"));
+    made.vary_table("friction1", calibrate::VariedTable::Use::kCoefficient, law.table.table());
+    const auto text =
+        only_text(calibrate::calibrated_cases(made.fit, made.calibration, folder.path() / "in"));
     CHECK(contains(text, "      rows: [[0.3"));
     CHECK(contains(text, ", 90]]   # measured\n"));
     CHECK(contains(text, "# friction[0].coefficient.csv was the file 'mu table.csv'\n"));
-    const ReadCase again = read_text(text, folder.path() / "in");
+    const read::ReadCase again = read_text(text, folder.path() / "in");
     REQUIRE(again.value);
     const auto& fitted = std::get<law::TabularCoefficient>(again.value->definitions[0].law.law);
     CHECK(fitted.table.table().ordinate(1) == changed(0.1));
@@ -360,13 +373,14 @@ TEST_CASE("a case that cannot be written is told, and the others are written") {
   text.replace(text.find("= 0.8*mu "), 8, "\"= 0.8 *\n    mu\"");
   const fs::path path = folder.write("long.yaml", text);
   const fs::path good = folder.write("loop.yaml", kSlider);
-  const ReadCase read = read_case(path.string());
+  const read::ReadCase read = read::read_case(path.string());
   REQUIRE(read.value);
   Made made;
   made.add_experiment("a", path, *read.value);
   made.add_experiment("b", good, *read.value);
   made.vary("mu_k", 0.25);
-  const CalibratedCases cases = calibrated_cases(made.fit, made.calibration, folder.path());
+  const calibrate::CalibratedCases cases =
+      calibrate::calibrated_cases(made.fit, made.calibration, folder.path());
   REQUIRE(cases.cases.size() == 1);
   CHECK(cases.cases[0].file_name == "loop.calibrated.yaml");
   REQUIRE(cases.faults.size() == 1);
@@ -383,29 +397,29 @@ TEST_CASE("every shipped case reads back with the numbers that were put into it"
          fs::directory_iterator(fs::path(slipbench::test::source_dir()) / "cases" / room)) {
       if (entry.path().extension() != ".yaml") continue;
       INFO(entry.path());
-      const ReadCase read = read_case(entry.path().string());
+      const read::ReadCase read = read::read_case(entry.path().string());
       if (!read.value) continue;  // a fit file, or one that needs a parameter
       Made made;
       made.add_experiment("a", entry.path(), *read.value);
-      std::vector<ParameterText> all;
+      std::vector<base::ParameterText> all;
       for (const auto& [name, value] : read.value->parameters)
         all.push_back({name, changed(value)});
-      ReadCase expected = read_case(entry.path().string(), {all});
+      read::ReadCase expected = read::read_case(entry.path().string(), {all});
       if (!expected.value) {
         // Parameters that only take certain values, as a number of increments, keep theirs.
-        for (ParameterText& one : all) {
-          if (read_case(entry.path().string(), {{one}}).value) continue;
+        for (base::ParameterText& one : all) {
+          if (read::read_case(entry.path().string(), {{one}}).value) continue;
           one.value = read.value->parameters.at(one.name);
         }
-        expected = read_case(entry.path().string(), {all});
+        expected = read::read_case(entry.path().string(), {all});
       }
-      for (const ParameterText& one : all) made.vary(one.name, std::get<double>(one.value));
+      for (const base::ParameterText& one : all) made.vary(one.name, std::get<double>(one.value));
       if (!expected.value) continue;
       with_parameters += all.empty() ? 0 : 1;
-      for (const CaseDefinition& definition : expected.value->definitions) {
-        for (const auto use :
-             {VariedTable::Use::kCoefficient, VariedTable::Use::kInternalContactForce}) {
-          const law::TableFunction* function = varied_table(definition.law, use);
+      for (const cases::CaseDefinition& definition : expected.value->definitions) {
+        for (const auto use : {calibrate::VariedTable::Use::kCoefficient,
+                               calibrate::VariedTable::Use::kInternalContactForce}) {
+          const law::TableFunction* function = calibrate::varied_table(definition.law, use);
           const bool orthotropic =
               definition.law.formulation && definition.law.formulation->orthotropy;
           if (function == nullptr || orthotropic) continue;
@@ -414,15 +428,16 @@ TEST_CASE("every shipped case reads back with the numbers that were put into it"
         }
       }
       const fs::path folder = entry.path().parent_path();
-      const std::string text = only_text(calibrated_cases(made.fit, made.calibration, folder));
-      const ReadCase again = read_text(text, folder);
+      const std::string text =
+          only_text(calibrate::calibrated_cases(made.fit, made.calibration, folder));
+      const read::ReadCase again = read_text(text, folder);
       REQUIRE(again.value);
       CHECK(again.value->parameters == expected.value->parameters);
-      for (const FittedTable& table : made.calibration.tables) {
-        const VariedTable& varied = made.fit.tables[table.index];
-        for (const CaseDefinition& definition : again.value->definitions) {
+      for (const calibrate::FittedTable& table : made.calibration.tables) {
+        const calibrate::VariedTable& varied = made.fit.tables[table.index];
+        for (const cases::CaseDefinition& definition : again.value->definitions) {
           if (definition.name != varied.definition) continue;
-          const law::TableFunction* function = varied_table(definition.law, varied.use);
+          const law::TableFunction* function = calibrate::varied_table(definition.law, varied.use);
           REQUIRE(function != nullptr);
           REQUIRE(function->table().rows() == table.count);
           for (std::size_t r = 0; r < table.count; ++r) {
@@ -434,7 +449,7 @@ TEST_CASE("every shipped case reads back with the numbers that were put into it"
       }
       CHECK(again.value->checks.size() == expected.value->checks.size());
       CHECK(again.value->steps.size() == expected.value->steps.size());
-      CHECK(Simulation::start(*again.value).has_value());
+      CHECK(bench::Simulation::start(*again.value).has_value());
     }
   }
   CHECK(with_parameters > 50);

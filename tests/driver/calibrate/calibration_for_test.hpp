@@ -10,7 +10,7 @@
 
 #include "driver/calibrate/calibration.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// A fit of unknowns with a Jacobian of as many columns, all of its rows compared.
 inline Calibration calibration_of(const std::vector<std::pair<std::string, double>>& unknowns,
@@ -33,10 +33,10 @@ inline Calibration calibration_of(const std::vector<std::pair<std::string, doubl
   calibration.fit.at_lower.assign(n, 0);
   calibration.fit.at_upper.assign(n, 0);
   calibration.fit.converged = true;
-  calibration.fit.stop = StopReason::kStep;
+  calibration.fit.stop = fit::StopReason::kStep;
   calibration.fit.stop_sentence = "the steps have become negligible";
   calibration.fit.iterations = 7;
-  FitStatistics& statistics = calibration.statistics;
+  fit::FitStatistics& statistics = calibration.statistics;
   statistics.data = calibration.problem.rows;
   statistics.unknowns = n;
   statistics.identifiable.assign(n, 1);
@@ -77,4 +77,4 @@ inline FittedTable grid_table(std::vector<double> rates, std::vector<double> tem
   return table;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -9,7 +9,7 @@
 
 #include "tests/driver/calibrate/fit_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 bool says(const std::vector<std::string>& notes, std::string_view words) {
@@ -91,4 +91,4 @@ TEST_CASE("a robust threshold far below the noise is told, a usual one is not") 
   CHECK_FALSE(says(calibrated(folder, fit_with("  loss: {huber: 0.4}\n")).notes, "threshold"));
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

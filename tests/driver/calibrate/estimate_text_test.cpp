@@ -7,8 +7,10 @@
 
 namespace {
 
+using namespace slipbench::driver;
+
 std::string digits(double value, double error) {
-  const auto text = slipbench::driver::value_and_error(value, error);
+  const auto text = slipbench::driver::calibrate::value_and_error(value, error);
   return text.value + " +- " + text.error;
 }
 
@@ -43,7 +45,7 @@ TEST_CASE("a value without a standard error has six digits") {
 }
 
 TEST_CASE("numbers for reading have four digits") {
-  using slipbench::driver::short_number;
+  using slipbench::driver::calibrate::short_number;
   CHECK(short_number(0.0123456) == "0.01235");
   CHECK(short_number(6200.0) == "6200");
   CHECK(short_number(12684.0) == "12680");
@@ -52,16 +54,16 @@ TEST_CASE("numbers for reading have four digits") {
 }
 
 TEST_CASE("a reason does not repeat the verdict") {
-  slipbench::driver::LeastSquaresFit fit;
+  slipbench::driver::fit::LeastSquaresFit fit;
   fit.stop_sentence = "not converged: no step helps";
-  CHECK(slipbench::driver::stop_reason_text(fit) == "no step helps");
+  CHECK(slipbench::driver::calibrate::stop_reason_text(fit) == "no step helps");
   fit.converged = true;
   fit.stop_sentence = "converged: at a kink";
-  CHECK(slipbench::driver::stop_reason_text(fit) == "at a kink");
+  CHECK(slipbench::driver::calibrate::stop_reason_text(fit) == "at a kink");
 }
 
 TEST_CASE("an interval has the digits of its standard error") {
-  using slipbench::driver::interval_text;
+  using slipbench::driver::calibrate::interval_text;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   CHECK(interval_text(0.22704, 0.23501, 0.002) == "0.2270 .. 0.2350");
   CHECK(interval_text(-kInfinity, 0.23501, 0.002) == "-inf .. 0.2350");
@@ -70,18 +72,18 @@ TEST_CASE("an interval has the digits of its standard error") {
 
 TEST_CASE("starts without a value found no minimum") {
   using namespace slipbench::driver;
-  LeastSquaresFit fit;
+  fit::LeastSquaresFit fit;
   fit.cost = 2.0;
   fit.start_cost = 100.0;
-  CHECK(starts_text(fit).empty());
+  CHECK(calibrate::starts_text(fit).empty());
   for (const double cost : {2.0, 2.0000001, 6.0, 0.0}) {
-    SearchTrace search;
+    fit::SearchTrace search;
     search.cost = cost;
-    search.stop = cost > 0.0 ? StopReason::kStep : StopReason::kModelFailure;
+    search.stop = cost > 0.0 ? fit::StopReason::kStep : fit::StopReason::kModelFailure;
     fit.searches.push_back(search);
   }
-  CHECK(starts_text(fit) ==
+  CHECK(calibrate::starts_text(fit) ==
         "2 of 4 starts found this minimum, the next best has 3 times its cost, 1 had no value");
-  CHECK_FALSE(has_value(fit.searches[3]));
-  CHECK_FALSE(found_the_minimum(fit, fit.searches[3]));
+  CHECK_FALSE(calibrate::has_value(fit.searches[3]));
+  CHECK_FALSE(calibrate::found_the_minimum(fit, fit.searches[3]));
 }

@@ -9,7 +9,7 @@
 #include "driver/calibrate/varied_case.hpp"
 #include "tests/driver/calibrate/fit_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 const std::string kCase =
@@ -193,4 +193,4 @@ TEST_CASE("at a bound derivatives look inwards") {
   CHECK(largest > 0.0);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

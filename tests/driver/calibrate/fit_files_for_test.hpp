@@ -11,7 +11,7 @@
 #include "driver/calibrate/read_fit.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 inline const std::string kSliderCase =
     "slipbench: 1\n"
@@ -76,7 +76,7 @@ class FitFolder : public TemporaryFolder {
   /// The fit of a sound text.
   Fit sound(const std::string& text, const ReadFitOptions& options = {}) const {
     ReadFit result = read(text, options);
-    INFO(render(result.diagnostics, result.sources));
+    INFO(base::render(result.diagnostics, result.sources));
     REQUIRE(result.value.has_value());
     return std::move(*result.value);
   }
@@ -84,7 +84,7 @@ class FitFolder : public TemporaryFolder {
   std::string complaint(const std::string& text, const ReadFitOptions& options = {}) const {
     const ReadFit result = read(text, options);
     CHECK(result.value.has_value() == !result.diagnostics.has_errors());
-    std::string shown = render(result.diagnostics, result.sources);
+    std::string shown = base::render(result.diagnostics, result.sources);
     const std::string prefix = path().string() + "/";
     for (std::size_t at = 0; (at = shown.find(prefix, at)) != std::string::npos;) {
       shown.erase(at, prefix.size());
@@ -109,4 +109,4 @@ inline bool contains(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

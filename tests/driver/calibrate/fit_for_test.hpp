@@ -19,12 +19,12 @@
 #include "driver/calibrate/read_fit.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 /// Reads fit.yaml of a folder; it has to be sound.
 inline Fit sound_fit(const TemporaryFolder& folder, std::string_view text) {
   const ReadFit read = read_fit(folder.write("fit.yaml", text).string());
-  INFO(render(read.diagnostics, read.sources));
+  INFO(base::render(read.diagnostics, read.sources));
   REQUIRE(read.value);
   return *read.value;
 }
@@ -127,4 +127,4 @@ inline const std::string kSliderFit =
     "    - {case: slider.yaml, data: rig.csv, time: t, compare: {CSF1: F}}\n"
     "  vary: {mu: {bounds: [0, 2]}, k: {bounds: [1, 1.0e+5], scale: log}}\n";
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

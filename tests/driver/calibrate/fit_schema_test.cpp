@@ -6,14 +6,14 @@
 
 #include "driver/calibrate/fit_reference.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 TEST_CASE("Every key of a fit file is in its schema and once in the reference") {
   const std::string schema = fit_schema().dump();
   const std::string markdown = fit_reference_markdown();
   std::set<std::string> seen;
-  for (const KeyRow& row : fit_rows()) {
+  for (const yaml::KeyRow& row : fit_rows()) {
     INFO(row.path);
     std::string last = row.path.substr(row.path.rfind('.') + 1);
     CHECK(schema.find("\"" + last + "\":") != std::string::npos);
@@ -44,4 +44,4 @@ TEST_CASE("Keys of a fit file know where they belong") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -10,6 +10,7 @@
 #include "tests/driver/calibrate/calibration_for_test.hpp"
 
 using namespace slipbench::driver;
+using namespace slipbench::driver::calibrate;
 
 namespace {
 
@@ -21,7 +22,7 @@ FittedExperiment fitted(std::size_t index, double before, double after) {
   FittedExperiment experiment;
   experiment.index = index;
   experiment.data_hash = "abc";
-  FittedResponse response;
+  calibrate::FittedResponse response;
   response.quantity = "CSF1";
   response.unit = "N";
   response.measured.assign(400, 1.0);
@@ -35,7 +36,8 @@ FittedExperiment fitted(std::size_t index, double before, double after) {
 
 struct Rig {
   Fit fit = fit_of({"mu", "k"});
-  Calibration calibration = calibration_of({{"mu", 0.23104}, {"k", 4212.8}}, {1, 2, 3, 4, 5, 7});
+  calibrate::Calibration calibration =
+      calibration_of({{"mu", 0.23104}, {"k", 4212.8}}, {1, 2, 3, 4, 5, 7});
 
   Rig() {
     for (const char* name : {"loop", "slow", "rig2"}) {
@@ -58,7 +60,7 @@ struct Rig {
 
 TEST_CASE("a summary tells verdict, errors and estimates with the digits that are known") {
   const Rig rig;
-  CHECK(fit_summary(rig.fit, rig.calibration) ==
+  CHECK(calibrate::fit_summary(rig.fit, rig.calibration) ==
         "rig: 2 unknowns, 800 points of 2 experiments, 1 held out, 0.21 s\n"
         "  converged after 7 iterations: the steps have become negligible\n"
         "  RMSE of CSF1 71.01 N of 6200 N (hold-out 74.1 N)\n"
@@ -79,7 +81,7 @@ TEST_CASE("a search that did not converge says so first") {
   rig.calibration.fit.converged = false;
   rig.calibration.fit.stop_sentence = "nothing that is varied changes any residual at the start";
   rig.calibration.fit.iterations = 0;
-  const std::string text = fit_summary(rig.fit, rig.calibration);
+  const std::string text = calibrate::fit_summary(rig.fit, rig.calibration);
   INFO(text);
   CHECK(contains(text,
                  "\n  NOT CONVERGED after 0 iterations: nothing that is varied changes any "
@@ -88,7 +90,7 @@ TEST_CASE("a search that did not converge says so first") {
 
 TEST_CASE("bounds, weak and unseen unknowns, starts, profiles and notes are told in 80 columns") {
   Rig rig;
-  Calibration& c = rig.calibration;
+  calibrate::Calibration& c = rig.calibration;
   c.fit.at_upper[0] = 1;
   c.fit.frozen[1] = 1;
   c.unknowns[0].identifiability = Identifiability::kWeak;
@@ -98,8 +100,8 @@ TEST_CASE("bounds, weak and unseen unknowns, starts, profiles and notes are told
   c.fit.searches.resize(4);
   c.fit.searches[0].cost = c.fit.searches[1].cost = 2.0;
   c.fit.searches[2].cost = 6.8;
-  c.fit.searches[3].stop = StopReason::kModelFailure;
-  LikelihoodProfile profile;
+  c.fit.searches[3].stop = fit::StopReason::kModelFailure;
+  fit::LikelihoodProfile profile;
   profile.lower = 0.22;
   profile.upper = std::numeric_limits<double>::infinity();
   profile.open_above = true;
@@ -112,7 +114,7 @@ TEST_CASE("bounds, weak and unseen unknowns, starts, profiles and notes are told
   c.notes = {
       "a sentence that is longer than a line of a terminal with eighty columns can ever hold, so "
       "that it goes on"};
-  const std::string text = fit_summary(rig.fit, c);
+  const std::string text = calibrate::fit_summary(rig.fit, c);
   for (const char* part :
        {"  2 of 4 starts found this minimum, the next best has 3.4 times its cost, 1 had\n"
         "    no value\n",
@@ -136,7 +138,7 @@ TEST_CASE("names cannot harm the terminal") {
   rig.fit.experiments[0].name = "a\033[31mb";
   rig.calibration.unknowns[0].name = "x\ny";
   rig.calibration.notes = {"z\033[0m"};
-  const std::string text = fit_summary(rig.fit, rig.calibration);
+  const std::string text = calibrate::fit_summary(rig.fit, rig.calibration);
   CHECK_FALSE(contains(text, "\033"));
   CHECK_FALSE(contains(text, "x\ny"));
 }
@@ -146,14 +148,14 @@ TEST_CASE("a fitted table is told row by row, with what was never visited") {
   rig.fit.tables.emplace_back();
   rig.fit.tables[0].name = "sleeve.coefficient";
   rig.fit.tables[0].free = "mu";
-  Calibration c =
+  calibrate::Calibration c =
       calibration_of({{"r0", 0.3}, {"r1", 0.2}, {"r2", 0.25}, {"r3", 1.0}}, {1, 2, 3, 4});
   rig.fit.vary.clear();
-  c.tables.push_back(grid_table({0, 10}, {20, 80}, 0));
+  c.tables.push_back(calibrate::grid_table({0, 10}, {20, 80}, 0));
   c.fit.frozen[3] = 1;
   c.unknowns[3].identifiability = Identifiability::kNeverVisited;
   c.statistics.standard_error[3] = std::numeric_limits<double>::quiet_NaN();
-  const std::string text = fit_summary(rig.fit, c);
+  const std::string text = calibrate::fit_summary(rig.fit, c);
   INFO(text);
   CHECK(contains(
       text,
@@ -170,7 +172,7 @@ TEST_CASE("the JSON document of a calibration has stable keys and null for what 
   rig.calibration.unknowns[1].distance_to_upper = std::numeric_limits<double>::infinity();
   rig.calibration.fit.at_lower[1] = 1;
   rig.calibration.unknowns[0].identifiability = Identifiability::kWeak;
-  const std::string text = calibration_json(rig.fit, rig.calibration).dump();
+  const std::string text = calibrate::calibration_json(rig.fit, rig.calibration).dump();
   for (const char* part :
        {R"({"provenance": {"program": "slipbench")",
         R"("fit": "rig.yaml", "title": "rig", "date": null)",
@@ -194,8 +196,8 @@ TEST_CASE("a start without a value has no cost and found no minimum in the JSON 
   rig.calibration.fit.cost = 2.0;
   rig.calibration.fit.searches.resize(2);
   rig.calibration.fit.searches[0].cost = 2.0;
-  rig.calibration.fit.searches[1].stop = StopReason::kModelFailure;
-  const std::string text = calibration_json(rig.fit, rig.calibration).dump();
+  rig.calibration.fit.searches[1].stop = fit::StopReason::kModelFailure;
+  const std::string text = calibrate::calibration_json(rig.fit, rig.calibration).dump();
   CAPTURE(text);
   CHECK(contains(text, R"("start_cost": null, "cost": null, "iterations": 0, )"
                        R"("stop": "model_failure", "same_minimum": false)"));
@@ -206,11 +208,11 @@ TEST_CASE("a start without a value has no cost and found no minimum in the JSON 
 TEST_CASE("of very many points the JSON document has some, and says how many") {
   Rig rig;
   rig.calibration.experiments.resize(1);
-  FittedResponse& response = rig.calibration.experiments[0].responses[0];
+  calibrate::FittedResponse& response = rig.calibration.experiments[0].responses[0];
   response.measured.clear();
   for (int i = 0; i < 25001; ++i) response.measured.push_back(i);
   response.time = response.before = response.after = response.measured;
-  const std::string text = calibration_json(rig.fit, rig.calibration).dump();
+  const std::string text = calibrate::calibration_json(rig.fit, rig.calibration).dump();
   CHECK(contains(text, R"("points": 25001)"));
   CHECK(contains(text, R"("points_told": 8335)"));
   CHECK(contains(text, "24996, 24999, 25000]"));

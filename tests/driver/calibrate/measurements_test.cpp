@@ -10,7 +10,7 @@
 
 #include "tests/driver/calibrate/fit_files_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 using Numbers = std::vector<double>;
@@ -26,7 +26,7 @@ Measurements measured(const FitFolder& folder, const std::string& experiment) {
   return std::move(*result);
 }
 
-HistoryError refused(const FitFolder& folder, const std::string& experiment) {
+base::HistoryError refused(const FitFolder& folder, const std::string& experiment) {
   const Fit fit = folder.sound(
       changed_fit({{"{case: slider.yaml, data: rig.csv, time: t, compare: {CSF1: load}}",
                     "{case: slider.yaml, data: rig.csv, " + experiment + "}"}}));
@@ -111,7 +111,7 @@ TEST_CASE("The cycles of a steady loop become their mean") {
   CHECK(data.cleaning ==
         std::vector<std::string>{"401 of 801 rows lie within 2 .. 4 s",
                                  "2 of 4 cycles averaged to 100 rows; they differ by 5 N rms"});
-  const HistoryError error =
+  const base::HistoryError error =
       refused(folder, "time: t, from: 3.5, average_cycles: {period: 1}, compare: {CSF1: load}");
   CHECK(error.message == "there is no whole cycle of 1 s from 3.5 to 4 s");
   CHECK(error.file == "rig.csv");
@@ -200,7 +200,7 @@ TEST_CASE("Tabs, blanks in names, other columns of words and notes between rows 
 TEST_CASE("Faults of the data are told with their line") {
   const FitFolder folder;
   folder.write("rig.csv", "t,stroke,load,speed\n0,0,0,0\n1,0,0,0\n1,0,0,0\n");
-  HistoryError error = refused(folder, "time: t, compare: {CSF1: load}");
+  base::HistoryError error = refused(folder, "time: t, compare: {CSF1: load}");
   CHECK(error.line == 4);
   CHECK(error.message == "the time 't' does not increase: 1 after 1 in line 3");
   folder.write("rig.csv", "t,stroke,load,speed\n0,0,0,0\n1,0,bad,0\n");
@@ -214,4 +214,4 @@ TEST_CASE("Faults of the data are told with their line") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

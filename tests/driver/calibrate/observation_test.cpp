@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 std::vector<double> values_at(const std::vector<double>& column, const Observations& found) {
@@ -168,4 +168,4 @@ TEST_CASE("branches that differ in number or direction are a fault") {
   CHECK(observe_positions(time, position, measured).fault.find("opposite") != std::string::npos);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

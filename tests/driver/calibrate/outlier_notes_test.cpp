@@ -13,7 +13,7 @@
 #include "driver/calibrate/report/residual_view.hpp"
 #include "tests/driver/calibrate/fit_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 /// The slider in steps so short that between rows of the run nothing is cut off at its corners.
@@ -163,4 +163,4 @@ TEST_CASE("outliers of quantities of another noise ask for their sigma") {
   CHECK(note.find("the sigma of each response and `loss: {huber: 1.345}`") != std::string::npos);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

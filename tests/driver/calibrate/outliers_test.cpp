@@ -8,7 +8,7 @@
 
 #include "tests/support/dice.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 std::vector<double> noise(test::Dice& dice, std::size_t count) {
@@ -82,4 +82,4 @@ TEST_CASE("what is scattered in two ways, is exact or is short has no outliers")
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

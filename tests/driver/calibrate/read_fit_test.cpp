@@ -9,7 +9,7 @@
 #include "driver/read/read_case.hpp"
 #include "tests/driver/calibrate/fit_files_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,9 +35,9 @@ TEST_CASE("A short fit file has the defaults that its reference promises") {
   const ResponseFit& response = experiment.responses[0];
   CHECK(response.quantity_text == "CSF1");
   CHECK(response.variables == std::vector<std::string>{"CSF1"});
-  CHECK(response.dimension == kForce);
+  CHECK(response.dimension == base::kForce);
   CHECK(response.column.name == "load");
-  CHECK(response.column.conversion == UnitConversion{});
+  CHECK(response.column.conversion == base::UnitConversion{});
   CHECK_FALSE(response.sigma.has_value());
   CHECK_FALSE(response.over.has_value());
   // The case at the start values.
@@ -46,15 +46,15 @@ TEST_CASE("A short fit file has the defaults that its reference promises") {
   CHECK(fit.vary[0].range.start == 0.2);
   CHECK(fit.vary[0].range.lower == 0.0);
   CHECK(fit.vary[0].range.upper == 1.0);
-  CHECK(fit.vary[0].range.scale == Scale::kLinear);
-  CHECK(fit.vary[0].where == SourcePosition{5, 10, 2});
-  CHECK(fit.loss.kind == Loss::Kind::kSquares);
-  CHECK(fit.solver.starts == SolverOptions{}.starts);
-  CHECK(fit.solver.seed == SolverOptions{}.seed);
-  CHECK(fit.solver.most_iterations == SolverOptions{}.most_iterations);
-  CHECK(fit.solver.step_tolerance == SolverOptions{}.step_tolerance);
-  CHECK(fit.solver.gradient_tolerance == SolverOptions{}.gradient_tolerance);
-  CHECK(fit.solver.polish == SolverOptions{}.polish);
+  CHECK(fit.vary[0].range.scale == fit::Scale::kLinear);
+  CHECK(fit.vary[0].where == base::SourcePosition{5, 10, 2});
+  CHECK(fit.loss.kind == fit::Loss::Kind::kSquares);
+  CHECK(fit.solver.starts == fit::SolverOptions{}.starts);
+  CHECK(fit.solver.seed == fit::SolverOptions{}.seed);
+  CHECK(fit.solver.most_iterations == fit::SolverOptions{}.most_iterations);
+  CHECK(fit.solver.step_tolerance == fit::SolverOptions{}.step_tolerance);
+  CHECK(fit.solver.gradient_tolerance == fit::SolverOptions{}.gradient_tolerance);
+  CHECK(fit.solver.polish == fit::SolverOptions{}.polish);
   CHECK(fit.confidence == Fit{}.confidence);
   CHECK(fit.bootstrap == 0);
   CHECK_FALSE(fit.profile);
@@ -84,7 +84,7 @@ TEST_CASE("The numbers of a fit carry units, converted to the system of its case
               "    - {case: other.yaml, data: rig.csv, time: t, compare: {CSF1: load}}\n");
   const ReadFit read = folder.read(two);
   CHECK_FALSE(read.value.has_value());
-  CHECK(render(read.diagnostics)
+  CHECK(base::render(read.diagnostics)
             .find("calibrate.vary.k.start: '5 kN/mm': the cases of this file "
                   "have different units; write the number without a unit") != std::string::npos);
 }
@@ -147,7 +147,7 @@ TEST_CASE("Every key of a fit file arrives") {
   CHECK(loop.from == 1.0);
   CHECK(loop.to == 2.0);
   CHECK(loop.over == "CP1");
-  CHECK(loop.over_dimension == kLength);
+  CHECK(loop.over_dimension == base::kLength);
   CHECK(loop.over_column.name == "stroke");
   CHECK(loop.over_column.conversion.scale == Approx(25.4).epsilon(1e-15));
   CHECK(loop.over_column.factor == -1.0);
@@ -175,8 +175,8 @@ TEST_CASE("Every key of a fit file arrives") {
   CHECK(held.dead_band->column.name == "stroke");
   CHECK(fit.vary[0].range.lower == 0.1);
   CHECK(std::isinf(fit.vary[0].range.upper));
-  CHECK(fit.vary[0].range.scale == Scale::kLog);
-  CHECK(fit.loss.kind == Loss::Kind::kSoftL1);
+  CHECK(fit.vary[0].range.scale == fit::Scale::kLog);
+  CHECK(fit.loss.kind == fit::Loss::Kind::kSoftL1);
   CHECK(fit.loss.threshold == 1.5);
   CHECK(fit.solver.starts == 8);
   CHECK(fit.solver.seed == 7);
@@ -275,12 +275,12 @@ TEST_CASE("Tables are named with their definition, or without where it is the on
   CHECK(mu.use == VariedTable::Use::kCoefficient);
   CHECK(mu.definition == "friction1");
   CHECK(mu.free == "mu");
-  CHECK(mu.shape.monotone == Shape::Monotone::kDecreasing);
-  CHECK(mu.shape.curvature == Shape::Curvature::kConvex);
+  CHECK(mu.shape.monotone == fit::Shape::Monotone::kDecreasing);
+  CHECK(mu.shape.curvature == fit::Shape::Curvature::kConvex);
   CHECK(mu.smoothness == 1e-3);
   CHECK(mu.lower == 0.05);
   CHECK(mu.upper == 1.0);
-  CHECK(mu.scale == Scale::kLog);
+  CHECK(mu.scale == fit::Scale::kLog);
   const VariedTable& force = fit.tables[1];
   CHECK(force.use == VariedTable::Use::kInternalContactForce);
   CHECK(force.definition == "friction1");
@@ -417,7 +417,7 @@ TEST_CASE("Files that are missing are the machine's fault, and named where they 
     const ReadFit read = folder.read(changed_fit({{from, to}}));
     CHECK_FALSE(read.value.has_value());
     CHECK(read.environment_failure);
-    const std::vector<Diagnostic> all = read.diagnostics.sorted();
+    const std::vector<base::Diagnostic> all = read.diagnostics.sorted();
     REQUIRE(all.size() == 1);
     CHECK(all[0].where.line == 4);
     CHECK(contains(all[0].message, to + ": "));
@@ -434,7 +434,7 @@ TEST_CASE("All files that are read are known, so that none is overwritten") {
   folder.write("slider.yaml", text);
   folder.write("mu.csv", "mu,slip_rate\n0.2,0\n0.1,10\n");
   const ReadFit read = folder.read(changed_fit({{"{mu: {", "{k: {"}, {", bounds: [0, 1]", ""}}));
-  INFO(render(read.diagnostics, read.sources));
+  INFO(base::render(read.diagnostics, read.sources));
   REQUIRE(read.value.has_value());
   for (const char* name : {"slider.yaml", "rig.csv", "mu.csv"}) {
     const std::string wanted = (folder.path() / name).string();
@@ -450,7 +450,7 @@ TEST_CASE("Files of other folders are read only if the user allows it") {
       changed_fit({{"slider.yaml", "../slider.yaml"}, {"rig.csv", "../rig.csv"}});
   const std::string file = folder.write("fits/fit.yaml", text).string();
   const ReadFit refused = read_fit(file);
-  CHECK(refused.diagnostics.count(Severity::kError) == 2);
+  CHECK(refused.diagnostics.count(base::Severity::kError) == 2);
   ReadFit read = read_fit(file, {.allow_outside = true});
   REQUIRE(read.value.has_value());
   CHECK(read.value->experiments[0].case_path == folder.path() / "slider.yaml");
@@ -472,11 +472,11 @@ TEST_CASE("A fit file without a folder in its name finds its neighbours") {
 TEST_CASE("A fit file where a case is wanted is sent to the command that reads it") {
   const FitFolder folder;
   const std::string file = folder.write("fit.yaml", kSoundFit).string();
-  const ReadCase read = read_case(file);
+  const read::ReadCase read = read::read_case(file);
   CHECK_FALSE(read.value.has_value());
-  const std::vector<Diagnostic> all = read.diagnostics.sorted();
+  const std::vector<base::Diagnostic> all = read.diagnostics.sorted();
   REQUIRE(all.size() == 1);
-  CHECK(all[0].where == SourcePosition{2, 1, 9});
+  CHECK(all[0].where == base::SourcePosition{2, 1, 9});
   CHECK(all[0].message ==
         "this is a fit file, not a case: 'slipbench calibrate " + file + "' works on it");
 }
@@ -493,4 +493,4 @@ TEST_CASE("A date is a day of the calendar") {
   }
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -16,12 +16,13 @@
 #include "tests/driver/support/temporary_folder.hpp"
 #include "tests/support/project_paths.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
-std::vector<law::FrictionDefinition> laws_of(const Case& problem) {
+std::vector<law::FrictionDefinition> laws_of(const cases::Case& problem) {
   std::vector<law::FrictionDefinition> laws;
-  for (const CaseDefinition& definition : problem.definitions) laws.push_back(definition.law);
+  for (const cases::CaseDefinition& definition : problem.definitions)
+    laws.push_back(definition.law);
   return laws;
 }
 
@@ -35,14 +36,14 @@ std::vector<Replay::Point> all_points(std::size_t rows) {
   return points;
 }
 
-Replay recorded(const Case& problem) {
+Replay recorded(const cases::Case& problem) {
   auto replay = Replay::record(problem);
   INFO((replay ? std::string() : replay.error()));
   REQUIRE(replay);
   return *std::move(replay);
 }
 
-std::string refusal(const Case& problem) {
+std::string refusal(const cases::Case& problem) {
   const auto replay = Replay::record(problem);
   REQUIRE_FALSE(replay);
   return replay.error();
@@ -55,7 +56,7 @@ std::uint64_t bits(double x) {
 }
 
 TEST_CASE("a force that jumps ends a replay as it ends a run, unless the case goes through") {
-  Case problem = slider_case({step("out", 4, 0, LinearTo{2.0})});
+  cases::Case problem = bench::slider_case({bench::step("out", 4, 0, history::LinearTo{2.0})});
   law::Table table;
   law::TableError error;
   REQUIRE(law::Table::build(std::vector<std::vector<double>>{{6000, 0}, {0, 1}}, 1, 1,
@@ -63,7 +64,7 @@ TEST_CASE("a force that jumps ends a replay as it ends a run, unless the case go
   problem.definitions[0].law.internal_contact_force =
       law::TableFunction(table, {{law::IndependentKind::kAccumulatedSlip}});
   CHECK_FALSE(recorded(problem).show(laws_of(problem)));
-  problem.integration.snap_back = SnapBackAction::kJump;
+  problem.integration.snap_back = cases::SnapBackAction::kJump;
   CHECK(recorded(problem).show(laws_of(problem)));
 }
 
@@ -75,9 +76,10 @@ TEST_CASE("every shipped case is replayed bit by bit, or says why not") {
     for (const auto& entry : std::filesystem::directory_iterator(root / folder)) {
       if (entry.path().extension() != ".yaml") continue;
       INFO(entry.path().string());
-      const ReadCase read = read_case(entry.path().string(), {.curves_may_be_missing = true});
+      const read::ReadCase read =
+          read::read_case(entry.path().string(), {.curves_may_be_missing = true});
       if (!read.value) continue;  // not a case, or one that is checked elsewhere
-      const Case& problem = *read.value;
+      const cases::Case& problem = *read.value;
       const auto replay = Replay::record(problem);
       if (!replay) {
         CHECK(replay.error().size() > 5);
@@ -86,7 +88,7 @@ TEST_CASE("every shipped case is replayed bit by bit, or says why not") {
         continue;
       }
       ++replayed;
-      const std::vector<Row> rows = rows_of(problem);
+      const std::vector<bench::Row> rows = bench::rows_of(problem);
       REQUIRE(replay->times().size() == rows.size());
       std::vector<Replay::Response> responses;
       for (int c = 0; c < law::kComponents; ++c) {
@@ -132,24 +134,26 @@ TEST_CASE("every shipped case is replayed bit by bit, or says why not") {
 }
 
 TEST_CASE("what moves by more than the law is refused in a sentence") {
-  const auto sliding = [] { return slider_case({step("slide", 4, 0, LinearTo{0.5})}); };
-  Case problem = sliding();
-  problem.dynamics = DynamicsData{};
+  const auto sliding = [] {
+    return bench::slider_case({bench::step("slide", 4, 0, history::LinearTo{0.5})});
+  };
+  cases::Case problem = sliding();
+  problem.dynamics = cases::DynamicsData{};
   CHECK(refusal(problem) == "it has a mass");
   problem = sliding();
   problem.force_driven.insert(0);
   CHECK(refusal(problem) == "it has a component that is driven by force");
   problem = sliding();
-  problem.belt = Belt{};
+  problem.belt = cases::Belt{};
   CHECK(refusal(problem) == "it has a belt");
   problem = sliding();
-  problem.integration.method = IntegrationMethod::kExact;
+  problem.integration.method = cases::IntegrationMethod::kExact;
   CHECK(refusal(problem) == "it is integrated exactly");
   problem = sliding();
   problem.definitions[0].law.formulation = law::Formulation{.penalty = law::StiffnessPenalty{}};
   CHECK(refusal(problem) == "its friction is a contact penalty");
   problem = sliding();
-  problem.definitions[0].dead_zone = DeadZone{};
+  problem.definitions[0].dead_zone = cases::DeadZone{};
   CHECK(refusal(problem) == "it has a dead zone");
   problem = sliding();
   problem.definitions[0].backward = law::ConstantCoefficient{0.1};
@@ -157,45 +161,52 @@ TEST_CASE("what moves by more than the law is refused in a sentence") {
   problem = sliding();
   problem.steps[0].friction_changes.emplace_back();
   CHECK(refusal(problem) == "its friction changes in step 'slide'");
-  problem = slider_case({step("slide", 4, 0, LinearTo{INFINITY})});
+  problem = bench::slider_case({bench::step("slide", 4, 0, history::LinearTo{INFINITY})});
   CHECK(refusal(problem).find("not a finite number") != std::string::npos);
 }
 
 TEST_CASE("only the friction may differ in the same history") {
-  const Profile wave = Wave{WaveShape::kSine, 0.1, 1.0, 0.0, 0.0};
-  const Case base = slider_case({step("slide", 40, 0, wave)});
+  const history::Profile wave = history::Wave{history::WaveShape::kSine, 0.1, 1.0, 0.0, 0.0};
+  const cases::Case base = bench::slider_case({bench::step("slide", 40, 0, wave)});
   const Replay replay = recorded(base);
   const auto same = [&](const auto& change) {
-    Case other = base;
+    cases::Case other = base;
     change(other);
     return replay.same_history(other);
   };
-  CHECK(same([](Case&) {}));
-  CHECK(same([](Case& c) { c.definitions[0].law.law = law::ConstantCoefficient{0.7}; }));
-  CHECK(same([](Case& c) { c.parameters["mu"] = 0.7; }));
-  CHECK(same([](Case& c) { c.title = "another"; }));
-  CHECK_FALSE(same([](Case& c) { c.steps[0].increments = 41; }));
-  CHECK_FALSE(same([](Case& c) { c.steps[0].duration = 2.0; }));
-  CHECK_FALSE(same([](Case& c) { c.steps[0].repeat = 2; }));
-  CHECK_FALSE(same([](Case& c) { std::get<Wave>(c.steps[0].drives[0].profile).amplitude = 0.2; }));
-  CHECK_FALSE(same([](Case& c) { std::get<Wave>(c.steps[0].drives[0].profile).period = 0.9; }));
-  CHECK_FALSE(same([](Case& c) { std::get<Wave>(c.steps[0].drives[0].profile).mean = 0.1; }));
-  CHECK_FALSE(same([](Case& c) { std::get<Wave>(c.steps[0].drives[0].profile).phase = 0.1; }));
-  CHECK_FALSE(same([](Case& c) { c.steps[0].drives[0].profile = LinearTo{0.1}; }));
-  CHECK_FALSE(same([](Case& c) { c.measured_pieces = 2; }));
-  CHECK_FALSE(same([](Case& c) { c.steps[0].drives.push_back({kFirstForce, Constant{1.0}}); }));
-  CHECK_FALSE(same([](Case& c) { c.steps.push_back(c.steps[0]); }));
-  CHECK_FALSE(same([](Case& c) { c.initial[0] = 0.1; }));
-  CHECK_FALSE(same([](Case& c) { c.reference[0] = 0.1; }));
-  CHECK_FALSE(same([](Case& c) { c.measured = MeasuredSource{}; }));
-  CHECK_FALSE(same([](Case& c) { c.dynamics = DynamicsData{}; }));
+  CHECK(same([](cases::Case&) {}));
+  CHECK(same([](cases::Case& c) { c.definitions[0].law.law = law::ConstantCoefficient{0.7}; }));
+  CHECK(same([](cases::Case& c) { c.parameters["mu"] = 0.7; }));
+  CHECK(same([](cases::Case& c) { c.title = "another"; }));
+  CHECK_FALSE(same([](cases::Case& c) { c.steps[0].increments = 41; }));
+  CHECK_FALSE(same([](cases::Case& c) { c.steps[0].duration = 2.0; }));
+  CHECK_FALSE(same([](cases::Case& c) { c.steps[0].repeat = 2; }));
+  CHECK_FALSE(same([](cases::Case& c) {
+    std::get<history::Wave>(c.steps[0].drives[0].profile).amplitude = 0.2;
+  }));
+  CHECK_FALSE(same(
+      [](cases::Case& c) { std::get<history::Wave>(c.steps[0].drives[0].profile).period = 0.9; }));
+  CHECK_FALSE(same(
+      [](cases::Case& c) { std::get<history::Wave>(c.steps[0].drives[0].profile).mean = 0.1; }));
+  CHECK_FALSE(same(
+      [](cases::Case& c) { std::get<history::Wave>(c.steps[0].drives[0].profile).phase = 0.1; }));
+  CHECK_FALSE(same([](cases::Case& c) { c.steps[0].drives[0].profile = history::LinearTo{0.1}; }));
+  CHECK_FALSE(same([](cases::Case& c) { c.measured_pieces = 2; }));
+  CHECK_FALSE(same([](cases::Case& c) {
+    c.steps[0].drives.push_back({cases::kFirstForce, history::Constant{1.0}});
+  }));
+  CHECK_FALSE(same([](cases::Case& c) { c.steps.push_back(c.steps[0]); }));
+  CHECK_FALSE(same([](cases::Case& c) { c.initial[0] = 0.1; }));
+  CHECK_FALSE(same([](cases::Case& c) { c.reference[0] = 0.1; }));
+  CHECK_FALSE(same([](cases::Case& c) { c.measured = history::MeasuredSource{}; }));
+  CHECK_FALSE(same([](cases::Case& c) { c.dynamics = cases::DynamicsData{}; }));
 }
 
 TEST_CASE("a formula is the same while the parameters that it mentions are") {
-  const auto with = [](const std::string& text, NamedNumbers parameters) {
-    auto profile = compile_profile(text, parameters);
+  const auto with = [](const std::string& text, base::NamedNumbers parameters) {
+    auto profile = history::compile_profile(text, parameters);
     REQUIRE(profile);
-    Case problem = slider_case({step("slide", 10, 0, *std::move(profile))});
+    cases::Case problem = bench::slider_case({bench::step("slide", 10, 0, *std::move(profile))});
     problem.parameters = std::move(parameters);
     return problem;
   };
@@ -217,11 +228,12 @@ TEST_CASE("a measured history is replayed from its file's rows") {
       "0.4}}\n"
       "history:\n"
       "  {csv: rig.csv, time: t, columns: {CP2: u, CP3: v, f1: p}}\n";
-  ReadCase read = read_case_text(SourceText("case.yaml", text), folder.path(), {});
-  INFO(render(read.diagnostics, read.sources));
+  read::ReadCase read =
+      read::read_case_text(base::SourceText("case.yaml", text), folder.path(), {});
+  INFO(base::render(read.diagnostics, read.sources));
   REQUIRE(read.value);
   const Replay replay = recorded(*read.value);
-  const std::vector<Row> rows = rows_of(*read.value);
+  const std::vector<bench::Row> rows = bench::rows_of(*read.value);
   REQUIRE(rows.size() == 3);
   const std::vector<Replay::Response> responses = {{1, 1.0, {{0, 0}, {1, 0}, {2, 0}}},
                                                    {2, 1.0, {{0, 0}, {1, 0}, {2, 0}}}};
@@ -248,8 +260,8 @@ std::vector<law::DefinitionSlopes> slopes_of(const law::FrictionDefinition& defi
 }
 
 TEST_CASE("derivatives are those of the values, at rows and between them, in any order") {
-  const Profile wave = Wave{WaveShape::kSine, 0.1, 1.0, 0.0, 0.0};
-  const Case problem = slider_case({step("slide", 40, 0, wave)});
+  const history::Profile wave = history::Wave{history::WaveShape::kSine, 0.1, 1.0, 0.0, 0.0};
+  const cases::Case problem = bench::slider_case({bench::step("slide", 40, 0, wave)});
   const Replay replay = recorded(problem);
   const auto definitions = laws_of(problem);
   const std::vector<Replay::Point> points = {{30, 0.25}, {0, 0.0},  {12, 0.75}, {12, 0.0},
@@ -283,7 +295,8 @@ TEST_CASE("derivatives are those of the values, at rows and between them, in any
 }
 
 TEST_CASE("a component without friction, an unknown too many, a point too far") {
-  const Case problem = slider_case({step("slide", 4, 0, LinearTo{0.5})});
+  const cases::Case problem =
+      bench::slider_case({bench::step("slide", 4, 0, history::LinearTo{0.5})});
   const Replay replay = recorded(problem);
   const auto definitions = laws_of(problem);
   std::vector<double> values(2, -7.0), jacobian(6, -7.0);
@@ -306,4 +319,4 @@ TEST_CASE("a component without friction, an unknown too many, a point too far") 
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 law::Table table_of(const std::vector<std::vector<double>>& rows, int independents) {
@@ -40,12 +40,12 @@ TEST_CASE("ragged blocks have lines across only where they have the same points"
 TEST_CASE("blocks of unknowns keep the shape along the first independent") {
   const law::Table table = table_of({{1, 0, 20}, {2, 5, 20}, {3, 0, 60}, {4, 7, 60}}, 2);
   const auto blocks =
-      shaped_blocks(table, {.monotone = Shape::Monotone::kDecreasing, .curvature = {}}, 10);
+      shaped_blocks(table, {.monotone = fit::Shape::Monotone::kDecreasing, .curvature = {}}, 10);
   REQUIRE(blocks.size() == 2);
   CHECK(blocks[1].first == 12);
   CHECK(blocks[1].count == 2);
   CHECK(blocks[1].abscissa == std::vector<double>{0, 7});
-  CHECK(blocks[1].shape.monotone == Shape::Monotone::kDecreasing);
+  CHECK(blocks[1].shape.monotone == fit::Shape::Monotone::kDecreasing);
 }
 
 TEST_CASE("smoothness is the second difference, without a dimension") {
@@ -74,4 +74,4 @@ TEST_CASE("smoothness is the second difference, without a dimension") {
   CHECK(other[1] == Approx(one[1]).epsilon(1e-14));
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

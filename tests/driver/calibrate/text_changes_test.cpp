@@ -7,7 +7,7 @@
 
 #include "driver/yaml/parse.hpp"
 
-using slipbench::driver::NodeChange;
+using slipbench::driver::calibrate::NodeChange;
 
 namespace {
 
@@ -20,9 +20,10 @@ NodeChange changed(const std::vector<std::size_t>& way, const std::string& text)
 }
 
 std::string edited(const std::string& text, const NodeChange& change) {
-  const auto tree = slipbench::driver::parse_yaml(slipbench::driver::SourceText("t.yaml", text));
+  const auto tree =
+      slipbench::driver::yaml::parse_yaml(slipbench::driver::base::SourceText("t.yaml", text));
   REQUIRE(tree);
-  const auto result = slipbench::driver::with_changes(*tree, change);
+  const auto result = slipbench::driver::calibrate::with_changes(*tree, change);
   return result ? *result : "fault: " + result.error();
 }
 
@@ -94,7 +95,7 @@ TEST_CASE("a value over several lines is refused with its line") {
 }
 
 TEST_CASE("texts are quoted where YAML would read something else") {
-  using slipbench::driver::yaml_scalar;
+  using slipbench::driver::calibrate::yaml_scalar;
   CHECK(yaml_scalar("data/rig.csv") == "data/rig.csv");
   CHECK(yaml_scalar("../my rig.csv") == "\"../my rig.csv\"");
   CHECK(yaml_scalar("-1.5e3") == "-1.5e3");

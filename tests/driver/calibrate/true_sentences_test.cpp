@@ -18,7 +18,7 @@
 #include "tests/driver/calibrate/fit_for_test.hpp"
 #include "tests/support/project_paths.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 bool has(const std::string& text, const std::string& part) {
@@ -98,7 +98,7 @@ void check_convergence(const Calibration& calibration) {
       x[u] += part * error;
       if (x[u] < unknown.range.lower || x[u] > unknown.range.upper) continue;
       INFO(unknown.name << " moved by " << part << " errors");
-      const double cost = total_cost(calibration.problem, residuals_at(calibration, x));
+      const double cost = fit::total_cost(calibration.problem, residuals_at(calibration, x));
       CHECK(cost >= calibration.fit.cost * (1.0 - 1e-5) - 1e-20 * calibration.fit.start_cost);
     }
   }
@@ -236,4 +236,4 @@ TEST_CASE("bounds, silent and lost unknowns are told as they are") {
   CHECK(stuck.unknowns[1].value == Approx(120.0));
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

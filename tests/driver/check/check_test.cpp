@@ -7,23 +7,23 @@
 
 #include "tests/driver/bench/example_cases.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
-Expression compiled(const std::string& text, const std::vector<std::string>& variables) {
-  auto expression = Expression::compile(text, variables);
+base::Expression compiled(const std::string& text, const std::vector<std::string>& variables) {
+  auto expression = base::Expression::compile(text, variables);
   REQUIRE(expression);
   return std::move(*expression);
 }
 
 /// A check of `quantity` against a formula, both over `variables`.
-Check formula_check(const std::string& quantity, const std::string& formula,
-                    std::vector<std::string> variables, Tolerance tolerance) {
+cases::Check formula_check(const std::string& quantity, const std::string& formula,
+                           std::vector<std::string> variables, cases::Tolerance tolerance) {
   return {.name = "test",
           .quantity = compiled(quantity, variables),
           .quantity_text = quantity,
           .variables = variables,
-          .against = ExpressionReference{compiled(formula, variables), variables},
+          .against = cases::ExpressionReference{compiled(formula, variables), variables},
           .step = {},
           .from = {},
           .to = {},
@@ -32,23 +32,24 @@ Check formula_check(const std::string& quantity, const std::string& formula,
 }
 
 /// The slider of 20 N and 1000 N/mm, driven by `motion`.
-ClosedFormReference slider_reference(const std::string& motion,
-                                     const std::vector<std::string>& variables) {
+cases::ClosedFormReference slider_reference(const std::string& motion,
+                                            const std::vector<std::string>& variables) {
   return {"coulomb_slider",
           {{0.2}, {100.0}, {1000.0}, {1e300}},
-          {ExpressionReference{compiled(motion, variables), variables}},
+          {cases::ExpressionReference{compiled(motion, variables), variables}},
           0};
 }
 
-Verdict verdict_of(const Case& problem, const Check& check) {
+Verdict verdict_of(const cases::Case& problem, const cases::Check& check) {
   CheckProgress progress(problem, check);
-  for (const Row& row : rows_of(problem)) progress.add(row);
+  for (const bench::Row& row : bench::rows_of(problem)) progress.add(row);
   return progress.verdict();
 }
 
 /// CP1 = T in ten increments, two steps of 1 s.
-Case ramp() {
-  return slider_case({step("one", 10, 0, LinearTo{1.0}), step("two", 10, 0, LinearTo{2.0})});
+cases::Case ramp() {
+  return bench::slider_case({bench::step("one", 10, 0, history::LinearTo{1.0}),
+                             bench::step("two", 10, 0, history::LinearTo{2.0})});
 }
 
 TEST_CASE("a quantity within its tolerance passes, and the worst deviation is told") {
@@ -94,7 +95,8 @@ TEST_CASE("a relative tolerance to a constant reference is relative to its magni
 TEST_CASE("many deviating rows are counted although only the suspicious ones are remembered") {
   // The deviation falls while the range of the reference grows: early rows fail for good only
   // where they exceed the final tolerance of 0.05 * 2.
-  const Case problem = slider_case({step("one", 20000, 0, LinearTo{2.0}, 2.0)});
+  const cases::Case problem =
+      bench::slider_case({bench::step("one", 20000, 0, history::LinearTo{2.0}, 2.0)});
   const Verdict verdict =
       verdict_of(problem, formula_check("CP1", "T + 0.2 - 0.1*T", {"CP1", "T"}, {{}, 0.05, ""}));
   CHECK_FALSE(verdict.passed);
@@ -107,7 +109,7 @@ TEST_CASE("many deviating rows are counted although only the suspicious ones are
 }
 
 TEST_CASE("a step and a span of time select the rows; t is the time in the step") {
-  Check check = formula_check("CP1", "1 + t", {"CP1", "t"}, {1e-12, {}, ""});
+  cases::Check check = formula_check("CP1", "1 + t", {"CP1", "t"}, {1e-12, {}, ""});
   check.step = "two";
   CHECK(verdict_of(ramp(), check).compared == 10);
   CHECK(verdict_of(ramp(), check).passed);
@@ -117,13 +119,13 @@ TEST_CASE("a step and a span of time select the rows; t is the time in the step"
 }
 
 TEST_CASE("row 0 belongs to the first step") {
-  Check check = formula_check("CP1", "t", {"CP1", "t"}, {1e-12, {}, ""});
+  cases::Check check = formula_check("CP1", "t", {"CP1", "t"}, {1e-12, {}, ""});
   check.step = "one";
   CHECK(verdict_of(ramp(), check).compared == 11);
 }
 
 TEST_CASE("a check that compares nothing fails") {
-  Check check = formula_check("CP1", "T", {"CP1", "T"}, {1.0, {}, ""});
+  cases::Check check = formula_check("CP1", "T", {"CP1", "T"}, {1.0, {}, ""});
   check.from = 3.0;
   CHECK(verdict_of(ramp(), check).message == "no row was compared");
   CHECK_FALSE(verdict_of(ramp(), check).passed);
@@ -146,9 +148,10 @@ TEST_CASE("a reference without value fails, however large the tolerance") {
 }
 
 TEST_CASE("a closed form follows the whole path, also where only a part is compared") {
-  const Case problem =
-      slider_case({step("out", 10, 0, LinearTo{0.1}), step("back", 10, 0, LinearTo{-0.1})});
-  Check check = formula_check("CSF1", "T", {"CSF1", "T"}, {{}, 1e-12, ""});
+  const cases::Case problem =
+      bench::slider_case({bench::step("out", 10, 0, history::LinearTo{0.1}),
+                          bench::step("back", 10, 0, history::LinearTo{-0.1})});
+  cases::Check check = formula_check("CSF1", "T", {"CSF1", "T"}, {{}, 1e-12, ""});
   check.against = slider_reference("CU1", {"CU1"});
   check.step = "back";
   const Verdict verdict = verdict_of(problem, check);
@@ -159,9 +162,10 @@ TEST_CASE("a closed form follows the whole path, also where only a part is compa
 }
 
 TEST_CASE("a closed form is driven by expressions over times and columns") {
-  const Case problem =
-      slider_case({step("out", 10, 0, LinearTo{0.1}), step("back", 10, 0, LinearTo{-0.1})});
-  Check check = formula_check("CSF1", "T", {"CSF1", "T"}, {{}, 1e-12, ""});
+  const cases::Case problem =
+      bench::slider_case({bench::step("out", 10, 0, history::LinearTo{0.1}),
+                          bench::step("back", 10, 0, history::LinearTo{-0.1})});
+  cases::Check check = formula_check("CSF1", "T", {"CSF1", "T"}, {{}, 1e-12, ""});
   // The motion again, from the times alone and with a column.
   check.against = slider_reference("T <= 1 ? 0.1*T : 0.1 - 0.2*t", {"T", "t"});
   CHECK(verdict_of(problem, check).passed);
@@ -173,9 +177,10 @@ TEST_CASE("a closed form is driven by expressions over times and columns") {
 
 TEST_CASE(
     "an input without a value breaks the path of a closed form, also where nothing compares") {
-  const Case problem =
-      slider_case({step("out", 10, 0, LinearTo{0.1}), step("back", 10, 0, LinearTo{-0.1})});
-  Check check = formula_check("CSF1", "T", {"CSF1", "T"}, {1e9, {}, ""});
+  const cases::Case problem =
+      bench::slider_case({bench::step("out", 10, 0, history::LinearTo{0.1}),
+                          bench::step("back", 10, 0, history::LinearTo{-0.1})});
+  cases::Check check = formula_check("CSF1", "T", {"CSF1", "T"}, {1e9, {}, ""});
   check.against = slider_reference("CU1 + 1/(T - 0.5)", {"CU1", "T"});
   check.step = "back";
   const Verdict verdict = verdict_of(problem, check);
@@ -186,4 +191,4 @@ TEST_CASE(
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -9,16 +9,16 @@
 #include "driver/read/read_case.hpp"
 #include "tests/driver/bench/example_cases.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 std::vector<Verdict> verdicts_of(const std::string& text) {
-  const ReadCase read = read_case_text(SourceText("case.yaml", text), ".", {});
-  INFO(render(read.diagnostics, read.sources));
+  const read::ReadCase read = read::read_case_text(base::SourceText("case.yaml", text), ".", {});
+  INFO(base::render(read.diagnostics, read.sources));
   REQUIRE(read.value.has_value());
   std::vector<CheckProgress> checks;
-  for (const Check& check : read.value->checks) checks.emplace_back(*read.value, check);
-  for (const Row& row : rows_of(*read.value)) {
+  for (const cases::Check& check : read.value->checks) checks.emplace_back(*read.value, check);
+  for (const bench::Row& row : bench::rows_of(*read.value)) {
     for (CheckProgress& check : checks) check.add(row);
   }
   std::vector<Verdict> verdicts;
@@ -92,4 +92,4 @@ TEST_CASE("a closed form is fed from the first row of the run, whichever rows ar
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

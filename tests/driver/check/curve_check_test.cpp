@@ -14,51 +14,51 @@
 #include "tests/driver/bench/example_cases.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
-Expression compiled(const std::string& text, const std::vector<std::string>& variables) {
-  auto expression = Expression::compile(text, variables);
+base::Expression compiled(const std::string& text, const std::vector<std::string>& variables) {
+  auto expression = base::Expression::compile(text, variables);
   REQUIRE(expression);
   return std::move(*expression);
 }
 
 /// A check of CSF1 against columns of a file.
-Check curve_check(const std::filesystem::path& file, Tolerance tolerance,
-                  const std::string& abscissa = "time", const std::string& column = "F") {
-  Check check{.name = "test",
-              .quantity = compiled("CSF1", {"CSF1"}),
-              .quantity_text = "CSF1",
-              .variables = {"CSF1"},
-              .against = CurveReference{.file = file,
-                                        .shown_name = file.filename().string(),
-                                        .abscissa = {{abscissa}, {}},
-                                        .column = {{column}, {}},
-                                        .data = {}},
-              .step = {},
-              .from = {},
-              .to = {},
-              .tolerance = std::move(tolerance),
-              .where = {}};
+cases::Check curve_check(const std::filesystem::path& file, cases::Tolerance tolerance,
+                         const std::string& abscissa = "time", const std::string& column = "F") {
+  cases::Check check{.name = "test",
+                     .quantity = compiled("CSF1", {"CSF1"}),
+                     .quantity_text = "CSF1",
+                     .variables = {"CSF1"},
+                     .against = cases::CurveReference{.file = file,
+                                                      .shown_name = file.filename().string(),
+                                                      .abscissa = {{abscissa}, {}},
+                                                      .column = {{column}, {}},
+                                                      .data = {}},
+                     .step = {},
+                     .from = {},
+                     .to = {},
+                     .tolerance = std::move(tolerance),
+                     .where = {}};
   if (abscissa != "time") {
-    check.abscissa = ExpressionReference{compiled("CU1", {"CU1"}), {"CU1"}};
+    check.abscissa = cases::ExpressionReference{compiled("CU1", {"CU1"}), {"CU1"}};
     check.abscissa_text = "CU1";
   }
   return check;
 }
 
-Verdict verdict_of(const Case& problem, const Check& check, Trace keep = Trace::kNone,
+Verdict verdict_of(const cases::Case& problem, const cases::Check& check, Trace keep = Trace::kNone,
                    CheckTrace* trace = nullptr) {
   CheckProgress progress(problem, check, keep);
-  for (const Row& row : rows_of(problem)) progress.add(row);
+  for (const bench::Row& row : bench::rows_of(problem)) progress.add(row);
   if (trace != nullptr) *trace = progress.trace();
   return progress.verdict();
 }
 
 /// Out to 0.1 mm in 1 s and back to -0.1 mm: 20 N at 0.02 mm; from 20 N back to -20 N over 0.04 mm.
-Case loop(int increments = 10) {
-  return slider_case({step("out", increments, 0, LinearTo{0.1}),
-                      step("back", 2 * increments, 0, LinearTo{-0.1}, 2.0)});
+cases::Case loop(int increments = 10) {
+  return bench::slider_case({bench::step("out", increments, 0, history::LinearTo{0.1}),
+                             bench::step("back", 2 * increments, 0, history::LinearTo{-0.1}, 2.0)});
 }
 
 /// The exact force of `loop` at these times, times `factor`.
@@ -68,8 +68,8 @@ std::string exact_curve(const std::vector<double>& times, double factor = 1.0) {
     const double u = time <= 1.0 ? 0.1 * time : 0.1 - 0.1 * (time - 1.0);
     const double force =
         time <= 1.0 ? std::min(20.0, 1000.0 * u) : std::max(-20.0, 20.0 - 1000.0 * (0.1 - u));
-    text +=
-        format_number(time) + "," + format_number(u) + "," + format_number(factor * force) + "\n";
+    text += base::format_number(time) + "," + base::format_number(u) + "," +
+            base::format_number(factor * force) + "\n";
   }
   return text;
 }
@@ -79,7 +79,8 @@ const std::vector<double> kTimes{0.0, 0.1, 0.2, 0.5, 1.0, 1.1, 1.4, 2.0, 3.0};
 
 TEST_CASE("a curve over time is met between the rows of the result") {
   const TemporaryFolder folder;
-  const Check check = curve_check(folder.write("a.csv", exact_curve(kTimes)), {1e-9, {}, ""});
+  const cases::Check check =
+      curve_check(folder.write("a.csv", exact_curve(kTimes)), {1e-9, {}, ""});
   // Rounding only: the corners are rows of the result, too.
   const Verdict verdict = verdict_of(loop(), check);
   INFO(verdict.message);
@@ -93,7 +94,8 @@ TEST_CASE("a curve over time is met between the rows of the result") {
 
 TEST_CASE("a failure over time is told in times, with what it looks like") {
   const TemporaryFolder folder;
-  const Check check = curve_check(folder.write("a.csv", exact_curve(kTimes, 1.1)), {1.5, {}, ""});
+  const cases::Check check =
+      curve_check(folder.write("a.csv", exact_curve(kTimes, 1.1)), {1.5, {}, ""});
   const Verdict verdict = verdict_of(loop(), check);
   CHECK_FALSE(verdict.passed);
   CHECK(verdict.failing == 6);
@@ -137,23 +139,24 @@ TEST_CASE("a check against a curve that cannot be compared fails and says why") 
 
 TEST_CASE("a number that the change of unit makes infinite fails") {
   const TemporaryFolder folder;
-  Check check = curve_check(folder.write("a.csv", "time,F\n0,1e308\n1,1\n"), {1e9, {}, ""});
-  std::get<CurveReference>(check.against).column.conversion.scale = 1e3;
+  cases::Check check = curve_check(folder.write("a.csv", "time,F\n0,1e308\n1,1\n"), {1e9, {}, ""});
+  std::get<cases::CurveReference>(check.against).column.conversion.scale = 1e3;
   CHECK(verdict_of(loop(), check).message ==
         "a.csv: a number exceeds the range of a double in the case's unit");
 }
 
 TEST_CASE("units of the curve are converted to those of the case") {
   const TemporaryFolder folder;
-  Check check = curve_check(folder.write("a.csv", exact_curve(kTimes, 1e-3)), {1e-9, {}, ""});
+  cases::Check check =
+      curve_check(folder.write("a.csv", exact_curve(kTimes, 1e-3)), {1e-9, {}, ""});
   CHECK_FALSE(verdict_of(loop(), check).passed);
-  std::get<CurveReference>(check.against).column.conversion.scale = 1e3;
+  std::get<cases::CurveReference>(check.against).column.conversion.scale = 1e3;
   CHECK(verdict_of(loop(), check).passed);
 }
 
 TEST_CASE("a span of time selects the rows of a curve over time as it does those of the result") {
   const TemporaryFolder folder;
-  Check check = curve_check(folder.write("a.csv", exact_curve(kTimes)), {1e-9, {}, ""});
+  cases::Check check = curve_check(folder.write("a.csv", exact_curve(kTimes)), {1e-9, {}, ""});
   check.from = 0.5;
   check.to = 1.1;
   // 0.5, 1.0 and 1.1: the borders belong to it.
@@ -166,22 +169,22 @@ TEST_CASE("a span of time selects the rows of a curve over time as it does those
 TEST_CASE("of a golden curve over a position, only the rows at the times of the step count") {
   const TemporaryFolder folder;
   const std::string curve = exact_curve(kTimes);
-  Check check =
+  cases::Check check =
       curve_check(folder.write("a.csv", "# slipbench golden curve\n" + curve), {1e-9, {}, ""}, "u");
   check.step = "back";
   const Verdict golden = verdict_of(loop(), check);
   INFO(golden.message);
   CHECK(golden.passed);
   // Of a foreign one nobody knows which rows belong to the step.
-  Check foreign = curve_check(folder.write("b.csv", curve), {1e-9, {}, ""}, "u");
+  cases::Check foreign = curve_check(folder.write("b.csv", curve), {1e-9, {}, ""}, "u");
   foreign.step = "back";
   CHECK_FALSE(verdict_of(loop(), foreign).passed);
 }
 
 TEST_CASE("a criterion other than pointwise judges measures") {
   const TemporaryFolder folder;
-  Check check = curve_check(folder.write("a.csv", exact_curve(kTimes, 1.1)), {1.0, {}, ""});
-  check.criterion = Criterion::kPeak;
+  cases::Check check = curve_check(folder.write("a.csv", exact_curve(kTimes, 1.1)), {1.0, {}, ""});
+  check.criterion = cases::Criterion::kPeak;
   const Verdict verdict = verdict_of(loop(), check);
   CHECK_FALSE(verdict.passed);
   CHECK(verdict.failing == 2);
@@ -195,13 +198,13 @@ TEST_CASE("a criterion other than pointwise judges measures") {
 }
 
 TEST_CASE("an expression is compared over any abscissa and by any criterion") {
-  Check check = curve_check("", {1e-9, {}, ""}, "u");
-  check.against = ExpressionReference{compiled("CSF1*1.1", {"CSF1"}), {"CSF1"}};
+  cases::Check check = curve_check("", {1e-9, {}, ""}, "u");
+  check.against = cases::ExpressionReference{compiled("CSF1*1.1", {"CSF1"}), {"CSF1"}};
   const Verdict points = verdict_of(loop(), check);
   CHECK_FALSE(points.passed);
   CHECK(points.compared == 31);
   CHECK(points.message.find("at CU1 = 0.02 mm (t = 0.2)") != std::string::npos);
-  check.criterion = Criterion::kArea;
+  check.criterion = cases::Criterion::kArea;
   const Verdict area = verdict_of(loop(), check);
   REQUIRE(area.measures.size() == 1);
   // 20 N over 0.1 mm out, less the triangle of 0.02 mm; back, 20 to -20 N over 0.04 mm, then -20 N
@@ -214,7 +217,8 @@ TEST_CASE("an expression is compared over any abscissa and by any criterion") {
 TEST_CASE("a kept trace holds what was compared, over the abscissa of the check") {
   const TemporaryFolder folder;
   CheckTrace trace;
-  const Check check = curve_check(folder.write("a.csv", exact_curve(kTimes)), {0.5, {}, ""}, "u");
+  const cases::Check check =
+      curve_check(folder.write("a.csv", exact_curve(kTimes)), {0.5, {}, ""}, "u");
   verdict_of(loop(), check, Trace::kKeep, &trace);
   CHECK(trace.abscissa_label == "CU1");
   CHECK(trace.abscissa_unit == "mm");
@@ -227,8 +231,8 @@ TEST_CASE("a kept trace holds what was compared, over the abscissa of the check"
 }
 
 TEST_CASE("a check judged row by row keeps a trace only if it is told to") {
-  Check check = curve_check("", {0.25, {}, ""});
-  check.against = ExpressionReference{compiled("CSF1 + 0.1", {"CSF1"}), {"CSF1"}};
+  cases::Check check = curve_check("", {0.25, {}, ""});
+  check.against = cases::ExpressionReference{compiled("CSF1 + 0.1", {"CSF1"}), {"CSF1"}};
   CheckTrace trace;
   verdict_of(loop(), check, Trace::kNone, &trace);
   CHECK(trace.value.size() == 0);
@@ -264,40 +268,41 @@ TEST_CASE("digits that a curve does not have are doubted, whether the check fail
 TEST_CASE("the span of a check cuts the line of a curve over time between its rows") {
   const TemporaryFolder folder;
   // The force of `loop` is 20 N from 0.2 s on; at 0.9 s the line of this one is at 90 N.
-  const auto verdict = [&](const std::string& rows, Criterion criterion, double from, double to) {
-    Check check = curve_check(folder.write("a.csv", "time,F\n" + rows), {{}, 0.2, ""});
+  const auto verdict = [&](const std::string& rows, cases::Criterion criterion, double from,
+                           double to) {
+    cases::Check check = curve_check(folder.write("a.csv", "time,F\n" + rows), {{}, 0.2, ""});
     check.criterion = criterion;
     check.from = from;
     check.to = to;
     return verdict_of(loop(), check);
   };
   const std::string ramp = "0,0\n1,100\n5,100\n";
-  const Verdict peak = verdict(ramp, Criterion::kPeak, 0.0, 0.9);
+  const Verdict peak = verdict(ramp, cases::Criterion::kPeak, 0.0, 0.9);
   CHECK_FALSE(peak.passed);
   REQUIRE_FALSE(peak.measures.empty());
   CHECK(peak.measures[0].reference == Approx(90.0));
   const std::string knee = "0,0\n0.4,20\n0.45,20\n1,100\n5,100\n";
-  const Verdict plateau = verdict(knee, Criterion::kPlateau, 0.4, 0.9);
+  const Verdict plateau = verdict(knee, cases::Criterion::kPlateau, 0.4, 0.9);
   CHECK_FALSE(plateau.passed);
   REQUIRE_FALSE(plateau.measures.empty());
   // 20 N for 0.05 s, and up to 85.45 N in 0.45 s.
   CHECK(plateau.measures[0].reference == Approx((20 * 0.05 + 52.727272727 * 0.45) / 0.5));
   // Points are those of its rows, and one is not enough.
-  const Verdict points = verdict(ramp, Criterion::kPointwise, 0.0, 0.9);
+  const Verdict points = verdict(ramp, cases::Criterion::kPointwise, 0.0, 0.9);
   CHECK_FALSE(points.passed);
   CHECK(points.message ==
         "a.csv: only 1 of its 3 rows, at 0, is selected by the check, and a curve needs two");
   // A single instant of the run is compared with the line there.
-  CHECK(verdict(ramp, Criterion::kPeak, 0.5, 0.5).measures[0].reference == Approx(50.0));
-  CHECK(verdict("0,0\n0.5,20\n1,20\n", Criterion::kPointwise, 0.5, 0.5).passed);
+  CHECK(verdict(ramp, cases::Criterion::kPeak, 0.5, 0.5).measures[0].reference == Approx(50.0));
+  CHECK(verdict("0,0\n0.5,20\n1,20\n", cases::Criterion::kPointwise, 0.5, 0.5).passed);
 }
 
 TEST_CASE("of a golden curve over a position, the line is cut at the times of the step") {
   const TemporaryFolder folder;
   const auto file =
       folder.write("a.csv", "# slipbench golden curve\n" + exact_curve({0.0, 0.2, 0.9, 1.4, 3.0}));
-  Check check = curve_check(file, {1e9, {}, ""}, "u");
-  check.criterion = Criterion::kArea;
+  cases::Check check = curve_check(file, {1e9, {}, ""}, "u");
+  check.criterion = cases::Criterion::kArea;
   check.step = "back";
   const Verdict verdict = verdict_of(loop(), check);
   REQUIRE(verdict.measures.size() == 1);
@@ -323,11 +328,11 @@ TEST_CASE("a check passes on no fragment of its reference without saying so") {
         "only 9 of the reference's 12 rows were compared, from 0 to 3, while it goes from 0 to 20; "
         "select with 'over' what is meant");
   // What the check selects is meant.
-  Check selected = curve_check(file, {1e-9, {}, ""});
+  cases::Check selected = curve_check(file, {1e-9, {}, ""});
   selected.to = 3.0;
   CHECK(verdict_of(loop(), selected).warnings.empty());
-  Check plateau = curve_check(file, {1e-6, {}, ""});
-  plateau.criterion = Criterion::kPlateau;
+  cases::Check plateau = curve_check(file, {1e-6, {}, ""});
+  plateau.criterion = cases::Criterion::kPlateau;
   CHECK(verdict_of(loop(), plateau).warnings.size() == 1);
 }
 
@@ -335,11 +340,11 @@ TEST_CASE("the coefficient is guessed of friction forces only") {
   const TemporaryFolder folder;
   const auto cause = [&](const std::string& quantity, const std::vector<std::string>& variables,
                          const std::string& reference) {
-    Check check = curve_check("", {1e-6, {}, ""});
+    cases::Check check = curve_check("", {1e-6, {}, ""});
     check.quantity = compiled(quantity, variables);
     check.quantity_text = quantity;
     check.variables = variables;
-    check.against = ExpressionReference{compiled(reference, variables), variables};
+    check.against = cases::ExpressionReference{compiled(reference, variables), variables};
     return verdict_of(loop(100), check).likely_cause;
   };
   CHECK(cause("CU1", {"CU1"}, "CU1/1.1") == "looks like a factor: ratio 1.1 everywhere");
@@ -367,13 +372,13 @@ TEST_CASE(
     "not") {
   const TemporaryFolder folder;
   const auto warnings = [&](double factor) {
-    const std::string limit = format_number(20.0 * factor);
+    const std::string limit = base::format_number(20.0 * factor);
     const auto file = folder.write(
         "a.csv", "# slipbench golden curve\ntime,F\n0," + limit + "\n3," + limit + "\n");
-    Check check = curve_check(file, {{}, 0.9, ""});
+    cases::Check check = curve_check(file, {{}, 0.9, ""});
     check.quantity = compiled("FLIM", {"FLIM"});
     check.variables = {"FLIM"};
-    check.criterion = Criterion::kPeak;
+    check.criterion = cases::Criterion::kPeak;
     return verdict_of(loop(), check).warnings;
   };
   CHECK(warnings(1.0).empty());
@@ -385,8 +390,8 @@ TEST_CASE(
 TEST_CASE("the number of reversals has no tolerance that could be too wide") {
   const TemporaryFolder folder;
   const auto file = folder.write("a.csv", exact_curve({0.0, 1.0, 3.0}));
-  Check check = curve_check(file, {{}, 0.05, ""}, "u");
-  check.criterion = Criterion::kReversals;
+  cases::Check check = curve_check(file, {{}, 0.05, ""}, "u");
+  check.criterion = cases::Criterion::kReversals;
   const Verdict verdict = verdict_of(loop(), check);
   CHECK(verdict.passed);
   for (const std::string& warning : verdict.warnings) {
@@ -396,8 +401,8 @@ TEST_CASE("the number of reversals has no tolerance that could be too wide") {
 
 TEST_CASE("a dimensionless tolerance beyond 1 is doubted, and nothing else beside it") {
   const TemporaryFolder folder;
-  Check check = curve_check(folder.write("a.csv", exact_curve(kTimes)), {2.0, {}, ""});
-  check.criterion = Criterion::kSpragueGeers;
+  cases::Check check = curve_check(folder.write("a.csv", exact_curve(kTimes)), {2.0, {}, ""});
+  check.criterion = cases::Criterion::kSpragueGeers;
   REQUIRE(verdict_of(loop(), check).warnings.size() == 1);
   CHECK(verdict_of(loop(), check).warnings[0] ==
         "the tolerance of 2 has no unit, and 1 is already the error of the opposite curve");
@@ -406,34 +411,35 @@ TEST_CASE("a dimensionless tolerance beyond 1 is doubted, and nothing else besid
 }
 
 TEST_CASE("numbers near the largest double fail with the reason, by every criterion") {
-  Check check = curve_check("", {{}, 0.05, ""});
-  check.against = ExpressionReference{compiled("8.5e306*CSF1", {"CSF1"}), {"CSF1"}};
+  cases::Check check = curve_check("", {{}, 0.05, ""});
+  check.against = cases::ExpressionReference{compiled("8.5e306*CSF1", {"CSF1"}), {"CSF1"}};
   const Verdict points = verdict_of(loop(), check);
   CHECK_FALSE(points.passed);
   CHECK(points.message == "the range of the reference exceeds that of a double");
-  check.criterion = Criterion::kIso18571;
+  check.criterion = cases::Criterion::kIso18571;
   CHECK(verdict_of(loop(), check).message == "the range of the reference exceeds that of a double");
-  check.criterion = Criterion::kArea;
-  check.against = ExpressionReference{compiled("4e306*(CSF1+20)", {"CSF1"}), {"CSF1"}};
+  check.criterion = cases::Criterion::kArea;
+  check.against = cases::ExpressionReference{compiled("4e306*(CSF1+20)", {"CSF1"}), {"CSF1"}};
   check.quantity = compiled("CSF1*4e306", {"CSF1"});
   CHECK_FALSE(verdict_of(loop(), check).passed);
 }
 
 TEST_CASE("messages name times by which a row can be found") {
-  const Case far = slider_case(
-      {step("wait", 10, 0, LinearTo{0.0}, 1000.0), step("out", 200, 0, LinearTo{0.1}, 0.01)});
-  Check check = curve_check("", {0.5, {}, ""});
-  check.against = ExpressionReference{
+  const cases::Case far =
+      bench::slider_case({bench::step("wait", 10, 0, history::LinearTo{0.0}, 1000.0),
+                          bench::step("out", 200, 0, history::LinearTo{0.1}, 0.01)});
+  cases::Check check = curve_check("", {0.5, {}, ""});
+  check.against = cases::ExpressionReference{
       compiled("CSF1*(1 - 0.5*(T > 1000.00412)*(T < 1000.00423))", {"CSF1", "T"}), {"CSF1", "T"}};
   const std::string message = verdict_of(far, check).message;
   INFO(message);
   CHECK(
       message.find("at t = 1000.00415, first at 1000.00415, last at 1000.0042, 2 of 211 points") !=
       std::string::npos);
-  check.criterion = Criterion::kPeak;
-  check.against = ExpressionReference{compiled("0.5*CSF1", {"CSF1"}), {"CSF1"}};
+  check.criterion = cases::Criterion::kPeak;
+  check.against = cases::ExpressionReference{compiled("0.5*CSF1", {"CSF1"}), {"CSF1"}};
   CHECK_THAT(verdict_of(far, check).message, Catch::Contains("at t = 1000.002"));
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -15,13 +15,13 @@
 #include "tests/driver/support/environment_for_test.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 /// The sound case with these checks, in a folder.
-Case with_checks(const TemporaryFolder& folder, const std::string& checks) {
-  const std::string base = kSoundCase.substr(0, kSoundCase.find("  - name: limit"));
-  return sound(base + checks, {.curves_may_be_missing = true}, folder.path().string());
+cases::Case with_checks(const TemporaryFolder& folder, const std::string& checks) {
+  const std::string base = read::kSoundCase.substr(0, read::kSoundCase.find("  - name: limit"));
+  return read::sound(base + checks, {.curves_may_be_missing = true}, folder.path().string());
 }
 
 std::string check(const std::string& name, const std::string& quantity, const std::string& against,
@@ -38,7 +38,7 @@ std::vector<std::string> names_of(const GoldenCurve& curve) {
 
 TEST_CASE("checks that name one golden curve share it, each with its columns") {
   const TemporaryFolder folder;
-  const Case problem =
+  const cases::Case problem =
       with_checks(folder, check("a", "FLIM", "curve: g.csv") +
                               check("b", "CSF1", "curve: g.csv",
                                     "abscissa: "
@@ -92,7 +92,7 @@ TEST_CASE("the golden curve of another case is left to it") {
 
 TEST_CASE("a header keeps the reasons of earlier blessings, the latest first, twenty at most") {
   const TemporaryFolder folder;
-  const Case problem = with_checks(folder, check("a", "FN", "curve: g.csv"));
+  const cases::Case problem = with_checks(folder, check("a", "FN", "curve: g.csv"));
   const GoldenCurve curve = golden_curves(problem)->front();
   const Environment none("SOURCE_DATE_EPOCH", "");
   GoldenHeader header = golden_header(problem, curve, "first\nline", {});
@@ -113,7 +113,7 @@ TEST_CASE("a header keeps the reasons of earlier blessings, the latest first, tw
 
 TEST_CASE("a blessing has a date only if the environment gives one") {
   const TemporaryFolder folder;
-  const Case problem = with_checks(folder, check("a", "FN", "curve: g.csv"));
+  const cases::Case problem = with_checks(folder, check("a", "FN", "curve: g.csv"));
   const GoldenCurve curve = golden_curves(problem)->front();
   const Environment day("SOURCE_DATE_EPOCH", "1700000000");
   CHECK(golden_header(problem, curve, "x", {}).blessings[0] == "# blessed 2023-11-14: x");
@@ -121,19 +121,19 @@ TEST_CASE("a blessing has a date only if the environment gives one") {
 
 TEST_CASE("every row of a run is in its golden curve, to the last digit") {
   const TemporaryFolder folder;
-  const Case problem =
+  const cases::Case problem =
       with_checks(folder, check("a", "FLIM", "curve: g.csv, column: {column: F, unit: kN}"));
   GoldenCurve curve = golden_curves(problem)->front();
   std::string text = to_text(golden_header(problem, curve, "x", {})) + names_row(curve);
-  const std::vector<Row> rows = rows_of(problem);
-  for (const Row& row : rows) REQUIRE(append_golden_row(curve, row, text));
+  const std::vector<bench::Row> rows = bench::rows_of(problem);
+  for (const bench::Row& row : rows) REQUIRE(append_golden_row(curve, row, text));
   folder.write("g.csv", text);
-  Check exact = problem.checks[0];
+  cases::Check exact = problem.checks[0];
   // There and back between newton and kilonewton: two roundings of numbers up to 105 N.
   exact.tolerance = {1e-13, {}, ""};
-  std::get<CurveReference>(exact.against).data.reset();
+  std::get<cases::CurveReference>(exact.against).data.reset();
   CheckProgress progress(problem, exact);
-  for (const Row& row : rows) progress.add(row);
+  for (const bench::Row& row : rows) progress.add(row);
   const Verdict verdict = progress.verdict();
   INFO(verdict.message);
   CHECK(verdict.passed);
@@ -142,11 +142,11 @@ TEST_CASE("every row of a run is in its golden curve, to the last digit") {
 
 TEST_CASE("a column without a value is told with its time") {
   const TemporaryFolder folder;
-  const Case problem =
+  const cases::Case problem =
       with_checks(folder, check("a", "\"= FLIM/T\"", "curve: g.csv, column: rate"));
   GoldenCurve curve = golden_curves(problem)->front();
   std::string text;
-  const auto appended = append_golden_row(curve, rows_of(problem).front(), text);
+  const auto appended = append_golden_row(curve, bench::rows_of(problem).front(), text);
   REQUIRE_FALSE(appended);
   INFO(appended.error());
   CHECK(appended.error().find(
@@ -154,4 +154,4 @@ TEST_CASE("a column without a value is told with its time") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

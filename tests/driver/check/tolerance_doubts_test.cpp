@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 using Doubts = std::vector<std::string>;
 
-Tolerance absolute(double value) { return {.absolute = value, .relative = {}, .why = ""}; }
-Tolerance relative(double value) { return {.absolute = {}, .relative = value, .why = ""}; }
+cases::Tolerance absolute(double value) { return {.absolute = value, .relative = {}, .why = ""}; }
+cases::Tolerance relative(double value) { return {.absolute = {}, .relative = value, .why = ""}; }
 
 TEST_CASE(
     "a tolerance that is orders looser than the agreement is doubted, with one that would do") {
@@ -31,7 +31,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the tolerance that counts is the one that is doubted") {
-  const Tolerance both{.absolute = 0.1, .relative = 0.01, .why = ""};
+  const cases::Tolerance both{.absolute = 0.1, .relative = 0.01, .why = ""};
   const ToleranceUse use{.scale = 1.0, .worst = 1e-6, .resolution = {}, .unit = "mm"};
   REQUIRE(tolerance_doubts(both, use).size() == 1);
   CHECK_THAT(tolerance_doubts(both, use).front(), Catch::Contains("absolute: 1e-05 mm would do"));
@@ -51,7 +51,7 @@ TEST_CASE("a suggested tolerance is not doubted itself, and holds") {
 }
 
 TEST_CASE("tolerances near the agreement, or tight for their scale, are not doubted") {
-  const auto doubted = [](const Tolerance& tolerance, double scale, double worst) {
+  const auto doubted = [](const cases::Tolerance& tolerance, double scale, double worst) {
     return !tolerance_doubts(tolerance,
                              {.scale = scale, .worst = worst, .resolution = {}, .unit = "N"})
                 .empty();
@@ -151,4 +151,4 @@ TEST_CASE("a reference of which less than half was seen is told with both ranges
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 Measure measure(const std::string& name, double deviation, double tolerance, MeasureUnit unit) {
@@ -45,7 +45,7 @@ TEST_CASE("the worst measure is the one nearest to its tolerance, not one that i
 TEST_CASE("JSON has all of a verdict, and null for what is not finite or not there") {
   Verdict verdict;
   verdict.name = "loop";
-  verdict.criterion = Criterion::kLoopEnergy;
+  verdict.criterion = cases::Criterion::kLoopEnergy;
   verdict.message = "wrong";
   verdict.warnings = {"doubtful"};
   verdict.product_unit = "mJ";
@@ -66,4 +66,4 @@ TEST_CASE("JSON has all of a verdict, and null for what is not finite or not the
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -7,15 +7,15 @@
 #include "tests/driver/calibrate/fit_for_test.hpp"
 #include "tests/driver/commands/program_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 namespace {
 
 namespace fs = std::filesystem;
 
 void write_rig(const TemporaryFolder& folder) {
-  folder.write("slider.yaml", SliderRig::case_text());
-  folder.write("rig.csv", SliderRig{.noise = 0.3}.data());
-  folder.write("fit.yaml", kSliderFit);
+  folder.write("slider.yaml", calibrate::SliderRig::case_text());
+  folder.write("rig.csv", calibrate::SliderRig{.noise = 0.3}.data());
+  folder.write("fit.yaml", calibrate::kSliderFit);
 }
 
 bool contains(const std::string& text, std::string_view words) {
@@ -126,7 +126,7 @@ TEST_CASE("calibrate overwrites no file that it reads") {
   CHECK(read(folder.path() / "fit.json") == data);
   const Ended page = slipbench(folder, "calibrate fit.yaml --report slider.yaml");
   CHECK(page.code == 4);
-  CHECK(read(folder.path() / "slider.yaml") == SliderRig::case_text());
+  CHECK(read(folder.path() / "slider.yaml") == calibrate::SliderRig::case_text());
 }
 
 TEST_CASE("no picture of calibrate takes the place of a measurement") {
@@ -195,7 +195,7 @@ TEST_CASE("a fit file given to another command is told where it belongs") {
 TEST_CASE("other values are set for the cases of a fit") {
   const TemporaryFolder folder;
   write_rig(folder);
-  std::string text = SliderRig::case_text();
+  std::string text = calibrate::SliderRig::case_text();
   text.replace(text.find("N: 100"), 6, "N: 7");
   folder.write("slider.yaml", text);
   const Ended ended = slipbench(folder, "calibrate fit.yaml --set N=100 --no-output");
@@ -204,4 +204,4 @@ TEST_CASE("other values are set for the cases of a fit") {
   CHECK(contains(ended.output, "  mu         0.2997"));
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

@@ -15,7 +15,7 @@
 #include "tests/driver/support/environment_for_test.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 namespace {
 
 namespace fs = std::filesystem;
@@ -32,7 +32,7 @@ std::size_t file_count(const fs::path& folder) {
 
 /// The slider of case_for_test.hpp with another text in place of one that stands in it.
 std::string slider_with(const std::string& there, const std::string& instead) {
-  std::string text = slider_text("0.2");
+  std::string text = report::slider_text("0.2");
   text.replace(text.find(there), there.size(), instead);
   return text;
 }
@@ -51,7 +51,7 @@ struct Inputs {
     BlessOptions options;
     options.file = path("blessed.yaml");
     options.reason = "a test";
-    REQUIRE(bless_command(options) == kExitOk);
+    REQUIRE(bless_command(options) == base::kExitOk);
   }
   std::string path(const std::string& name) const { return (folder.path() / name).string(); }
 };
@@ -67,7 +67,7 @@ TEST_CASE("no file of verdicts takes the place of anything that a case is read f
       options.paths = {inputs.folder.path().string()};
       options.*target = inputs.path(name);
       INFO(name);
-      CHECK(check_command(options) == kExitEnvironment);
+      CHECK(check_command(options) == base::kExitEnvironment);
       CHECK(read(inputs.path(name)) == before);
     }
   }
@@ -85,22 +85,22 @@ TEST_CASE("a suite too long to be read ahead replaces none of its inputs either"
   CheckOptions options;
   options.paths = {inputs.folder.path().string()};
   options.json = inputs.path("golden.csv");
-  CHECK(check_command(options) == kExitEnvironment);
+  CHECK(check_command(options) == base::kExitEnvironment);
   CHECK(read(inputs.path("golden.csv")) == before);
 }
 
 TEST_CASE("run replaces no input of another of its cases, and runs none of them") {
   const Inputs inputs;
-  inputs.folder.write("rig.yaml", slider_text("0.2"));
+  inputs.folder.write("rig.yaml", report::slider_text("0.2"));
   const std::string before = read(inputs.path("rig.csv"));
   RunOptions options;
   options.cases = {inputs.path("rig.yaml"), inputs.path("driven.yaml")};
   options.folder = inputs.folder.path().string();
-  CHECK(run_command(options) == kExitEnvironment);
+  CHECK(run_command(options) == base::kExitEnvironment);
   CHECK(read(inputs.path("rig.csv")) == before);
   CHECK(file_count(inputs.folder.path()) == 5);
   options.no_output = true;
-  CHECK(run_command(options) == kExitOk);
+  CHECK(run_command(options) == base::kExitOk);
 }
 
 TEST_CASE("a table and the data of a case with errors are inputs, too") {
@@ -111,7 +111,7 @@ TEST_CASE("a table and the data of a case with errors are inputs, too") {
   RunOptions run;
   run.cases = {(folder.path() / "a.yaml").string()};
   run.folder = folder.path().string();
-  CHECK(run_command(run) == kExitEnvironment);
+  CHECK(run_command(run) == base::kExitEnvironment);
   CHECK(read(folder.path() / "a.csv") == table);
   const std::string faulty = "t,x\n0,zero\n";
   folder.write("rig.csv", faulty);
@@ -120,16 +120,16 @@ TEST_CASE("a table and the data of a case with errors are inputs, too") {
   CheckOptions check;
   check.paths = {(folder.path() / "driven.yaml").string()};
   check.json = (folder.path() / "rig.csv").string();
-  CHECK(check_command(check) == kExitEnvironment);
+  CHECK(check_command(check) == base::kExitEnvironment);
   CHECK(read(folder.path() / "rig.csv") == faulty);
 }
 
 TEST_CASE("a file of verdicts needs a name") {
   const TemporaryFolder folder;
   CheckOptions options;
-  options.paths = {folder.write("a.yaml", slider_text("0.2")).string()};
+  options.paths = {folder.write("a.yaml", report::slider_text("0.2")).string()};
   options.json = "-";
-  CHECK(check_command(options) == kExitBadInput);
+  CHECK(check_command(options) == base::kExitBadInput);
   CHECK_FALSE(fs::exists("-"));
 }
 
@@ -139,7 +139,7 @@ TEST_CASE("what failed is remembered without being asked, and the JSON keeps its
   fs::create_directory(folder.path() / "suite");
   for (const char* name : {"a", "b", "c", "d"}) {
     folder.write(std::string("suite/") + name + ".yaml",
-                 slider_text(*name == 'b' || *name == 'd' ? "0.3" : "0.2"));
+                 report::slider_text(*name == 'b' || *name == 'd' ? "0.3" : "0.2"));
   }
   const auto run = [&](bool failed_first, bool fail_fast, std::vector<std::string> filters = {}) {
     CheckOptions options;
@@ -150,7 +150,7 @@ TEST_CASE("what failed is remembered without being asked, and the JSON keeps its
     options.jobs = 2;
     options.json = (folder.path() / "verdicts.json").string();
     options.junit = (folder.path() / "verdicts.xml").string();
-    CHECK(check_command(options) == kExitCheckFailed);
+    CHECK(check_command(options) == base::kExitCheckFailed);
     return read(options.json);
   };
   const auto tells_of = [](const std::string& text, const std::string& label) {
@@ -163,13 +163,13 @@ TEST_CASE("what failed is remembered without being asked, and the JSON keeps its
   CHECK(tells_of(begin, "b"));
   CHECK_FALSE(tells_of(begin, "a"));
   // A part of the suite says nothing about the rest of it: with b mended, d is still known.
-  folder.write("suite/b.yaml", slider_text("0.2"));
-  folder.write("suite/c.yaml", slider_text("0.3"));
+  folder.write("suite/b.yaml", report::slider_text("0.2"));
+  folder.write("suite/c.yaml", report::slider_text("0.3"));
   run(false, false, {"b", "c"});
   const std::string rest = run(true, true);
   CHECK(tells_of(rest, "c"));
   CHECK_FALSE(tells_of(rest, "b"));
-  folder.write("suite/c.yaml", slider_text("0.2"));
+  folder.write("suite/c.yaml", report::slider_text("0.2"));
   const std::string last = run(true, true);
   CHECK(tells_of(last, "d"));
   CHECK_FALSE(tells_of(last, "a"));
@@ -179,8 +179,8 @@ TEST_CASE("a case alone leaves no memory behind") {
   const TemporaryFolder folder;
   const Environment cache("XDG_CACHE_HOME", (folder.path() / "cache").string());
   CheckOptions options;
-  options.paths = {folder.write("a.yaml", slider_text("0.3")).string()};
-  CHECK(check_command(options) == kExitCheckFailed);
+  options.paths = {folder.write("a.yaml", report::slider_text("0.3")).string()};
+  CHECK(check_command(options) == base::kExitCheckFailed);
   CHECK_FALSE(fs::exists(folder.path() / "cache"));
 }
 
@@ -197,4 +197,4 @@ TEST_CASE("a case may be named as tables show it, without its ending") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

@@ -5,7 +5,7 @@
 
 #include "tests/driver/commands/program_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 namespace {
 
 TEST_CASE("colour is where it is demanded, and nowhere where it is forbidden") {
@@ -51,4 +51,4 @@ TEST_CASE("check tells the slowest cases, and a job's summary that fails is only
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

@@ -6,7 +6,7 @@
 
 #include "tests/driver/commands/program_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 namespace {
 
 struct Mistake {
@@ -78,4 +78,4 @@ TEST_CASE("a missing, extra or wrong value is told with what is wanted") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

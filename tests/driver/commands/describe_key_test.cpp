@@ -21,7 +21,7 @@
 #include "law/connection/connection_type.hpp"
 #include "tests/driver/commands/program_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 namespace {
 
 bool contains(const std::string& text, const std::string& part) {
@@ -44,7 +44,7 @@ std::string typed(std::string path) {
   return path;
 }
 
-using Reader = std::function<bool(Binder&, const Node&, const Path&)>;
+using Reader = std::function<bool(yaml::Binder&, const yaml::Node&, const yaml::Path&)>;
 
 /// Collects how the reader reads each key, by paths as the rows have them.
 struct Readers {
@@ -52,19 +52,19 @@ struct Readers {
 
   template <class T>
   void add_struct(const std::string& path) {
-    for_each_key<T>([&](std::string_view key, auto member, const KeyInfo& info) {
+    yaml::for_each_key<T>([&](std::string_view key, auto member, const yaml::KeyInfo& info) {
       using Member = std::remove_reference_t<decltype(std::declval<T&>().*member)>;
       const std::string here = path.empty() ? std::string(key) : path + "." + std::string(key);
-      by_path[here] = [info](Binder& binder, const Node& node, const Path& at) {
+      by_path[here] = [info](yaml::Binder& binder, const yaml::Node& node, const yaml::Path& at) {
         Member value{};
-        return Codec<Member>::read(binder, node, at, info, value);
+        return yaml::Codec<Member>::read(binder, node, at, info, value);
       };
       add_below(here, std::type_identity<Member>{});
     });
   }
 
   template <class T>
-  void add_below(const std::string& path, std::type_identity<At<T>>) {
+  void add_below(const std::string& path, std::type_identity<yaml::At<T>>) {
     add_below(path, std::type_identity<T>{});
   }
   template <class T>
@@ -72,7 +72,7 @@ struct Readers {
     add_below(path, std::type_identity<T>{});
   }
   template <class T>
-  void add_below(const std::string& path, std::type_identity<std::vector<Named<T>>>) {
+  void add_below(const std::string& path, std::type_identity<std::vector<yaml::Named<T>>>) {
     add_below(path + ".NAME", std::type_identity<T>{});
   }
   template <class T>
@@ -81,19 +81,19 @@ struct Readers {
   }
   template <class T>
   void add_below(const std::string& path, std::type_identity<T>) {
-    if constexpr (Declared<T> || HasFields<T>) add_struct<T>(path);
+    if constexpr (yaml::Declared<T> || yaml::HasFields<T>) add_struct<T>(path);
   }
 };
 
 Readers all_readers() {
   Readers readers;
-  readers.add_struct<CaseText>("");
-  readers.add_struct<FitText>("");
-  readers.add_struct<StepText>("history[]");
-  readers.add_struct<MeasuredText>("history");
-  readers.add_struct<TableText>("friction[].internal_contact_force");
-  readers.add_struct<OrthotropicText>("friction[].coefficient.orthotropic");
-  readers.add_struct<DirectionDependentText>("friction[].coefficient.direction_dependent");
+  readers.add_struct<read::CaseText>("");
+  readers.add_struct<calibrate::FitText>("");
+  readers.add_struct<read::StepText>("history[]");
+  readers.add_struct<read::MeasuredText>("history");
+  readers.add_struct<read::TableText>("friction[].internal_contact_force");
+  readers.add_struct<read::OrthotropicText>("friction[].coefficient.orthotropic");
+  readers.add_struct<read::DirectionDependentText>("friction[].coefficient.direction_dependent");
   [&]<class... Law>(std::type_identity<std::variant<Law...>>) {
     (readers.add_below("friction[].coefficient." + std::string(Law::kName),
                        std::type_identity<Law>{}),
@@ -125,27 +125,27 @@ Reader reader_of(const Readers& readers, const std::string& path) {
 
 /// Returns what the reader says of an example; empty if nothing.
 std::string faults_of_example(const Reader& reader, const std::string& example) {
-  const SourceText source("c.yaml", "value: " + example + "\n");
-  const auto tree = parse_yaml(source);
-  if (!tree) return render(tree.error());
-  Diagnostics out;
-  const NamedNumbers parameters;
-  Binder binder(out, parameters, {}, {}, false, kCaseWords);
-  const bool good = reader(binder, *tree->root().find("value"), Path());
-  return good && !out.has_errors() ? "" : "not read: " + render(out);
+  const base::SourceText source("c.yaml", "value: " + example + "\n");
+  const auto tree = yaml::parse_yaml(source);
+  if (!tree) return base::render(tree.error());
+  base::Diagnostics out;
+  const base::NamedNumbers parameters;
+  yaml::Binder binder(out, parameters, {}, {}, false, read::kCaseWords);
+  const bool good = reader(binder, *tree->root().find("value"), yaml::Path());
+  return good && !out.has_errors() ? "" : "not read: " + base::render(out);
 }
 
-void check_rows(const std::vector<KeyRow>& rows) {
+void check_rows(const std::vector<yaml::KeyRow>& rows) {
   const Readers readers = all_readers();
   REQUIRE(rows.size() > 20);
-  for (const KeyRow& row : rows) {
+  for (const yaml::KeyRow& row : rows) {
     INFO(row.path);
     const std::string text = describe_entries(typed(row.path));
     CHECK(contains(text, "\n  type       "));
     CHECK(contains(text, "\n  unit       "));
     CHECK(contains(text, row.info.required ? "\n  required\n" : "\n  default: "));
     CHECK(contains(text, std::string(row.info.text)));
-    const std::string example = example_of(row, rows);
+    const std::string example = read::example_of(row, rows);
     CHECK_FALSE(example.empty());
     CHECK(contains(text, ": " + example + "\n"));
     const Reader reader = reader_of(readers, row.path);
@@ -158,8 +158,8 @@ void check_rows(const std::vector<KeyRow>& rows) {
 }
 
 TEST_CASE("describe knows every key of cases and fits, with an example that the reader takes") {
-  check_rows(case_rows());
-  check_rows(fit_rows());
+  check_rows(read::case_rows());
+  check_rows(calibrate::fit_rows());
 }
 
 TEST_CASE("an example that the reader refuses would be noticed") {
@@ -212,4 +212,4 @@ TEST_CASE("a name that describe does not know is answered by five at most") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

@@ -17,13 +17,15 @@
 #include "tests/driver/import/radioss/deck_for_test.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kBrake = "/FRICTION/7\nbrake\n" + options(0, 0, "", 2) + coulomb(".1");
-const std::string kSeal = "/FRICTION/8\nseal\n" + options(0, 0, "", 2) + coulomb(".9");
+const std::string kBrake =
+    "/FRICTION/7\nbrake\n" + radioss::options(0, 0, "", 2) + radioss::coulomb(".1");
+const std::string kSeal =
+    "/FRICTION/8\nseal\n" + radioss::options(0, 0, "", 2) + radioss::coulomb(".9");
 
 /// A deck in a folder of its own, and where its case goes.
 struct Import {
@@ -53,41 +55,42 @@ void switch_on(const fs::path& path) {
 TEST_CASE("An import writes a case that wants the values a deck does not have") {
   Import one(kBrake);
   one.options.units = "mm N s";
-  REQUIRE(import_command(one.options) == kExitOk);
-  const ReadCase read = read_case(
+  REQUIRE(import_command(one.options) == base::kExitOk);
+  const read::ReadCase read = read::read_case(
       one.options.output,
       {{{"K_t", 1e4}, {"normal_force", 100.0}, {"speed", 10.0}, {"time_step", 1e-4}}, false});
-  INFO(render(read.diagnostics));
+  INFO(base::render(read.diagnostics));
   REQUIRE(read.value);
   CHECK(read.value->units.force == "N");
-  CHECK_FALSE(read_case(one.options.output).value);
+  CHECK_FALSE(read::read_case(one.options.output).value);
 }
 
 TEST_CASE("Of several frictions one is chosen by its id") {
   Import two(kBrake + kSeal);
-  CHECK(import_command(two.options) == kExitBadInput);
+  CHECK(import_command(two.options) == base::kExitBadInput);
   CHECK_FALSE(fs::exists(two.options.output));
   two.options.id = 9;
-  CHECK(import_command(two.options) == kExitBadInput);
+  CHECK(import_command(two.options) == base::kExitBadInput);
   two.options.id = 8;
-  CHECK(import_command(two.options) == kExitOk);
+  CHECK(import_command(two.options) == base::kExitOk);
   CHECK(fs::exists(two.options.output));
 }
 
 TEST_CASE("A fault in another friction does not hold up the chosen one") {
-  Import two("/FRICTION/8\nother\n" + options(9, 0, "", 1) + coulomb(".1") + kBrake);
-  CHECK(import_command(two.options) == kExitBadInput);
+  Import two("/FRICTION/8\nother\n" + radioss::options(9, 0, "", 1) + radioss::coulomb(".1") +
+             kBrake);
+  CHECK(import_command(two.options) == base::kExitBadInput);
   two.options.id = 8;
-  CHECK(import_command(two.options) == kExitBadInput);
+  CHECK(import_command(two.options) == base::kExitBadInput);
   two.options.id = 7;
-  CHECK(import_command(two.options) == kExitOk);
+  CHECK(import_command(two.options) == base::kExitOk);
 }
 
 TEST_CASE("A faulty deck leaves nothing behind") {
   for (const std::string& text : {std::string(), std::string("/BEGIN\nrun\n"),
                                   kBrake.substr(0, kBrake.size() / 2), std::string("\0\1", 2)}) {
     Import faulty(text);
-    CHECK(import_command(faulty.options) == kExitBadInput);
+    CHECK(import_command(faulty.options) == base::kExitBadInput);
     CHECK_FALSE(fs::exists(faulty.options.output));
   }
 }
@@ -96,53 +99,55 @@ TEST_CASE("A deck that is not there, or would be overwritten, is the machine's f
   Import missing(kBrake);
   const std::string deck = missing.options.deck;
   missing.options.deck = (missing.folder.path() / "other.rad").string();
-  CHECK(import_command(missing.options) == kExitEnvironment);
+  CHECK(import_command(missing.options) == base::kExitEnvironment);
   missing.options.deck = deck;
   missing.options.output = deck;
-  CHECK(import_command(missing.options) == kExitEnvironment);
+  CHECK(import_command(missing.options) == base::kExitEnvironment);
   CHECK(fs::file_size(deck) == kBrake.size());
 }
 
 TEST_CASE("Options of an import that mean nothing are refused") {
   Import one(kBrake);
   one.options.units = "mm N";
-  CHECK(import_command(one.options) == kExitBadInput);
+  CHECK(import_command(one.options) == base::kExitBadInput);
   one.options.units = "mm s N";
-  CHECK(import_command(one.options) == kExitBadInput);
+  CHECK(import_command(one.options) == base::kExitBadInput);
   one.options.units = "mm N s";
   one.options.normal = "0 0 0";
-  CHECK(import_command(one.options) == kExitBadInput);
+  CHECK(import_command(one.options) == base::kExitBadInput);
   CHECK_FALSE(fs::exists(one.options.output));
 }
 
 TEST_CASE("A direction along the contact's normal is FRIC009") {
-  Import woven(kBrake + sides(0, 0, 1, 2, 1) + coulomb(".3") + coulomb(".2") +
-               "/FRIC_ORIENT/1\nweave\n" + integers({0, 1}) + reals({"0", "0", "2"}));
+  Import woven(kBrake + radioss::sides(0, 0, 1, 2, 1) + radioss::coulomb(".3") +
+               radioss::coulomb(".2") + "/FRIC_ORIENT/1\nweave\n" + radioss::integers({0, 1}) +
+               radioss::reals({"0", "0", "2"}));
   woven.options.normal = "0 0 1";
-  CHECK(import_command(woven.options) == kExitBadInput);
+  CHECK(import_command(woven.options) == base::kExitBadInput);
   woven.options.normal = "0 1 1";
-  CHECK(import_command(woven.options) == kExitOk);
+  CHECK(import_command(woven.options) == base::kExitOk);
   // Of a part that no orthotropic record joins it does not matter.
-  Import other(kBrake + sides(0, 0, 1, 2, 1) + coulomb(".3") + coulomb(".2") +
-               "/FRIC_ORIENT/1\nweave\n" + integers({0, 3}) + reals({"0", "0", "2"}));
+  Import other(kBrake + radioss::sides(0, 0, 1, 2, 1) + radioss::coulomb(".3") +
+               radioss::coulomb(".2") + "/FRIC_ORIENT/1\nweave\n" + radioss::integers({0, 3}) +
+               radioss::reals({"0", "0", "2"}));
   other.options.normal = "0 0 1";
-  CHECK(import_command(other.options) == kExitOk);
+  CHECK(import_command(other.options) == base::kExitOk);
 }
 
 /// The values that a case from a deck wants; those it does not want are left out.
-ReadOptions values_for(const fs::path& path) {
+read::ReadOptions values_for(const fs::path& path) {
   std::ifstream stream(path);
   const std::string text((std::istreambuf_iterator<char>(stream)), {});
-  ReadOptions options;
-  for (const auto& [name, value] : std::vector<ParameterText>{{"part1", 1.0},
-                                                              {"part2", 2.0},
-                                                              {"area", 4.0},
-                                                              {"K", 5000.0},
-                                                              {"m", 1e-3},
-                                                              {"K_t", 1e4},
-                                                              {"normal_force", 100.0},
-                                                              {"speed", 30.0},
-                                                              {"time_step", 1e-5}}) {
+  read::ReadOptions options;
+  for (const auto& [name, value] : std::vector<base::ParameterText>{{"part1", 1.0},
+                                                                    {"part2", 2.0},
+                                                                    {"area", 4.0},
+                                                                    {"K", 5000.0},
+                                                                    {"m", 1e-3},
+                                                                    {"K_t", 1e4},
+                                                                    {"normal_force", 100.0},
+                                                                    {"speed", 30.0},
+                                                                    {"time_step", 1e-5}}) {
     if (text.find("\n  " + name + ":") != std::string::npos)
       options.overrides.push_back({name, value});
   }
@@ -152,53 +157,55 @@ ReadOptions values_for(const fs::path& path) {
 TEST_CASE("A case that was imported runs once its parameters have values") {
   // Sets that use all that is in them, of each Ifric, and what is empty.
   const std::vector<std::pair<int, std::string>> sets{
-      {0, coulomb(".3", "4")},
-      {0, coulomb("0")},
-      {1, set({"-2e-4", "-1E-4", "1-6", "4e-7", "5e-8", "", ".12", "2"})},
-      {1, set({"", "1e-3", "", "", "", "9", "", ""})},
-      {1, set({"0", "", "", "", "", "9", "", ""})},
-      {1, set({"0", "", "", "", "", "", "-.1", ""})},
-      {2, set({"1e-6", "-2e-3", "-2e-4", "-1e-3", ".1", "-5e-3", ".08", ""})},
-      {2, set({"", "3", "", "", "", "0", "", ""})},
-      {3, set({".15", ".10", ".25", ".05", "10", "100", "", ""})},
-      {3, set({".3", ".1", ".25", ".05", "10", "100", "", "3"})},
-      {3, set({"-.1", ".1", ".25", ".05", "10", "100", "", ""})},
-      {3, coulomb(".2")},
-      {4, set({".2", ".02", "", "", "", "", ".4", ""})},
-      {4, set({".4", ".02", "", "", "", "", ".2", ""})},
-      {4, set({"", "7", "", "", "", "0", "", ""})}};
+      {0, radioss::coulomb(".3", "4")},
+      {0, radioss::coulomb("0")},
+      {1, radioss::set({"-2e-4", "-1E-4", "1-6", "4e-7", "5e-8", "", ".12", "2"})},
+      {1, radioss::set({"", "1e-3", "", "", "", "9", "", ""})},
+      {1, radioss::set({"0", "", "", "", "", "9", "", ""})},
+      {1, radioss::set({"0", "", "", "", "", "", "-.1", ""})},
+      {2, radioss::set({"1e-6", "-2e-3", "-2e-4", "-1e-3", ".1", "-5e-3", ".08", ""})},
+      {2, radioss::set({"", "3", "", "", "", "0", "", ""})},
+      {3, radioss::set({".15", ".10", ".25", ".05", "10", "100", "", ""})},
+      {3, radioss::set({".3", ".1", ".25", ".05", "10", "100", "", "3"})},
+      {3, radioss::set({"-.1", ".1", ".25", ".05", "10", "100", "", ""})},
+      {3, radioss::coulomb(".2")},
+      {4, radioss::set({".2", ".02", "", "", "", "", ".4", ""})},
+      {4, radioss::set({".4", ".02", "", "", "", "", ".2", ""})},
+      {4, radioss::set({"", "7", "", "", "", "0", "", ""})}};
   const std::string head = "/BEGIN\nbrake\n      2026         0\n" +
                            fmt::format("{:>20}{:>20}{:>20}\n", "Mg", "mm", "s") +
                            "/PART/1\na\n/PART/2\nb\n/PART/3\nc\n/GRPART/PART/100\npads\n" +
-                           integers({1, 3, 9}) + "/GRPART/PART/200\ndisc\n" + integers({2}) +
-                           "/FRIC_ORIENT/1\nweave\n" + integers({0, 1}) + reals({"1", "1", "0"});
+                           radioss::integers({1, 3, 9}) + "/GRPART/PART/200\ndisc\n" +
+                           radioss::integers({2}) + "/FRIC_ORIENT/1\nweave\n" +
+                           radioss::integers({0, 1}) + radioss::reals({"1", "1", "0"});
   const std::array<std::string_view, 4> xfreq{"", "0.1", "60.", "1000"};
   int filter = 0;
   int form = 0;
   for (const auto& [law, coefficients] : sets) {
-    const std::string start = head + "/FRICTION/7\nbrake\n" +
-                              options(law, filter, xfreq[static_cast<std::size_t>(filter)], form) +
-                              coefficients;
+    const std::string start =
+        head + "/FRICTION/7\nbrake\n" +
+        radioss::options(law, filter, xfreq[static_cast<std::size_t>(filter)], form) + coefficients;
     filter = (filter + 1) % 4;
     form = (form + 1) % 3;
     for (const std::string& records :
-         {std::string(), sides(0, 0, 1, 2) + coefficients,
-          sides(100, 200, 0, 0) + coefficients + sides(0, 0, 2, 3) + coefficients,
-          sides(100, 200, 0, 0, 1) + coefficients + coefficients}) {
+         {std::string(), radioss::sides(0, 0, 1, 2) + coefficients,
+          radioss::sides(100, 200, 0, 0) + coefficients + radioss::sides(0, 0, 2, 3) + coefficients,
+          radioss::sides(100, 200, 0, 0, 1) + coefficients + coefficients}) {
       Import one(start + records);
-      REQUIRE(import_command(one.options) == kExitOk);
+      REQUIRE(import_command(one.options) == base::kExitOk);
       // With the checks of all records that hold switched on.
       for (const bool own_checks : {false, true}) {
         if (own_checks) switch_on(one.options.output);
-        const ReadCase read = read_case(one.options.output, values_for(one.options.output));
-        INFO(start + records + render(read.diagnostics, read.sources));
+        const read::ReadCase read =
+            read::read_case(one.options.output, values_for(one.options.output));
+        INFO(start + records + base::render(read.diagnostics, read.sources));
         REQUIRE(read.value);
         CHECK(read.value->checks.size() >= (own_checks && law < 3 ? 2 : 1));
-        CHECK(failed_checks(*read.value).empty());
+        CHECK(radioss::failed_checks(*read.value).empty());
       }
     }
   }
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

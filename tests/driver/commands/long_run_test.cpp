@@ -5,7 +5,7 @@
 #include "driver/commands/outlook.hpp"
 #include "tests/driver/commands/program_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 namespace {
 
 namespace fs = std::filesystem;
@@ -87,4 +87,4 @@ TEST_CASE("checks that keep more rows than there is memory for are refused befor
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

@@ -7,7 +7,7 @@
 #include "law/connection/connection_type.hpp"
 #include "tests/driver/commands/program_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 namespace {
 
 std::vector<std::string> all_types() {
@@ -82,4 +82,4 @@ TEST_CASE("describe draws every connection type, tells its contact force and its
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

@@ -15,7 +15,7 @@
 #include "tests/driver/support/temporary_folder.hpp"
 #include "tests/support/project_paths.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 
 inline const std::string kProgram = test::binary_dir() + "/slipbench";
 
@@ -48,4 +48,4 @@ inline std::string read(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

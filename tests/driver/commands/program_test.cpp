@@ -18,7 +18,7 @@
 #include "tests/driver/support/environment_for_test.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 namespace {
 
 namespace fs = std::filesystem;
@@ -410,4 +410,4 @@ TEST_CASE("an interrupted run ends with its code and leaves nothing behind") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

@@ -12,7 +12,7 @@
 #include "tests/driver/report/case_for_test.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 namespace {
 
 namespace fs = std::filesystem;
@@ -37,10 +37,10 @@ bool has(const std::string& text, const std::string& part) {
 TEST_CASE("a failed check and a faulty case are on the page, and no failure of the command") {
   const TemporaryFolder folder;
   fs::create_directory(folder.path() / "cases");
-  folder.write("cases/a.yaml", slider_text("0.2"));
-  folder.write("cases/b.yaml", slider_text("0.3"));
+  folder.write("cases/a.yaml", report::slider_text("0.2"));
+  folder.write("cases/b.yaml", report::slider_text("0.3"));
   folder.write("cases/c.yaml", "slipbench: 1\n");
-  CHECK(report(folder, {"cases"}) == kExitOk);
+  CHECK(report(folder, {"cases"}) == base::kExitOk);
   const std::string page = read(folder.path() / "page.html");
   CHECK(has(page, "\"passed\":1,\"failed\":1,\"not_run\":1"));
   CHECK(has(page, "\"id\":\"a\""));
@@ -48,21 +48,21 @@ TEST_CASE("a failed check and a faulty case are on the page, and no failure of t
   CHECK(has(page, "c.yaml:1:"));
   CHECK(has(page, "\"title\":\"cases\""));
   // Same input, same bytes.
-  CHECK(report(folder, {"cases"}, "again.html") == kExitOk);
+  CHECK(report(folder, {"cases"}, "again.html") == base::kExitOk);
   CHECK(read(folder.path() / "again.html") == page);
 }
 
 TEST_CASE("results are drawn beside cases, and compared with each other") {
   const TemporaryFolder folder;
-  folder.write("a.yaml", slider_text("0.2"));
+  folder.write("a.yaml", report::slider_text("0.2"));
   for (const char* name : {"old", "new"}) {
     fs::create_directory(folder.path() / name);
     RunOptions options;
     options.cases = {(folder.path() / "a.yaml").string()};
     options.folder = (folder.path() / name).string();
-    REQUIRE(run_command(options) == kExitOk);
+    REQUIRE(run_command(options) == base::kExitOk);
   }
-  CHECK(report(folder, {"old/a.csv", "new/a.csv", "a.yaml"}) == kExitOk);
+  CHECK(report(folder, {"old/a.csv", "new/a.csv", "a.yaml"}) == base::kExitOk);
   const std::string page = read(folder.path() / "page.html");
   // Named by whole paths, they keep the folders that tell them apart, and no other.
   CHECK(has(page, "\"compare\":[[\"old/a\",\"new/a\"]]"));
@@ -73,50 +73,50 @@ TEST_CASE("results are drawn beside cases, and compared with each other") {
 TEST_CASE("with nothing to look at the page is written and the reason is the exit code") {
   const TemporaryFolder folder;
   folder.write("a.yaml", "slipbench: 1\n");
-  CHECK(report(folder, {"a.yaml"}) == kExitBadInput);
+  CHECK(report(folder, {"a.yaml"}) == base::kExitBadInput);
   CHECK(fs::exists(folder.path() / "page.html"));
-  CHECK(report(folder, {"missing.csv"}) == kExitEnvironment);
+  CHECK(report(folder, {"missing.csv"}) == base::kExitEnvironment);
 }
 
 TEST_CASE("a page never takes the place of what it is made of, or of a folder") {
   const TemporaryFolder folder;
-  folder.write("a.yaml", slider_text("0.2"));
+  folder.write("a.yaml", report::slider_text("0.2"));
   fs::create_directory(folder.path() / "empty");
-  CHECK(report(folder, {"a.yaml"}, "a.yaml") == kExitEnvironment);
-  CHECK(read(folder.path() / "a.yaml") == slider_text("0.2"));
-  CHECK(report(folder, {"a.yaml"}, "empty") == kExitEnvironment);
-  CHECK(report(folder, {"a.yaml"}, "a.yaml/page.html") == kExitEnvironment);
-  CHECK(report(folder, {"a.yaml"}, "made/for/page.html") == kExitOk);
+  CHECK(report(folder, {"a.yaml"}, "a.yaml") == base::kExitEnvironment);
+  CHECK(read(folder.path() / "a.yaml") == report::slider_text("0.2"));
+  CHECK(report(folder, {"a.yaml"}, "empty") == base::kExitEnvironment);
+  CHECK(report(folder, {"a.yaml"}, "a.yaml/page.html") == base::kExitEnvironment);
+  CHECK(report(folder, {"a.yaml"}, "made/for/page.html") == base::kExitOk);
   CHECK(fs::exists(folder.path() / "made/for/page.html"));
-  CHECK(report(folder, {"empty"}) == kExitBadInput);
+  CHECK(report(folder, {"empty"}) == base::kExitBadInput);
 }
 
 TEST_CASE("a page takes the place of no file that its cases and results are read from") {
   const TemporaryFolder folder;
   folder.write("rig.csv", "t,x\n0,0\n2,0.1\n");
-  std::string text = slider_text("0.2");
+  std::string text = report::slider_text("0.2");
   text.replace(text.find("{to: 0.1}"), 9, "{csv: rig.csv, time: t, value: x}");
   folder.write("a.yaml", text);
   RunOptions options;
   options.cases = {(folder.path() / "a.yaml").string()};
   options.folder = folder.path().string();
-  REQUIRE(run_command(options) == kExitOk);
+  REQUIRE(run_command(options) == base::kExitOk);
   for (const char* name : {"a.csv", "a.json", "a.events.csv"}) {
     const std::string before = read(folder.path() / name);
-    CHECK(report(folder, {"a.csv"}, name) == kExitEnvironment);
+    CHECK(report(folder, {"a.csv"}, name) == base::kExitEnvironment);
     CHECK(read(folder.path() / name) == before);
   }
   const std::string rig = read(folder.path() / "rig.csv");
-  CHECK(report(folder, {"a.yaml"}, "rig.csv") == kExitEnvironment);
+  CHECK(report(folder, {"a.yaml"}, "rig.csv") == base::kExitEnvironment);
   CHECK(read(folder.path() / "rig.csv") == rig);
 }
 
 TEST_CASE("what the reader of a case remarks stands on its page once") {
   const TemporaryFolder folder;
-  std::string text = slider_text("0.2");
+  std::string text = report::slider_text("0.2");
   text.replace(text.find("{stiffness: 1000}"), 17, "{slip_tolerance: 1.0e-4}");
   folder.write("a.yaml", text);
-  REQUIRE(report(folder, {"a.yaml"}) == kExitOk);
+  REQUIRE(report(folder, {"a.yaml"}) == base::kExitOk);
   const std::string page = read(folder.path() / "page.html");
   const std::string remark = "characteristic length";
   const std::size_t first = page.find(remark);
@@ -126,14 +126,14 @@ TEST_CASE("what the reader of a case remarks stands on its page once") {
 
 TEST_CASE("a result that is named twice is drawn once") {
   const TemporaryFolder folder;
-  folder.write("a.yaml", slider_text("0.2"));
+  folder.write("a.yaml", report::slider_text("0.2"));
   RunOptions options;
   options.cases = {(folder.path() / "a.yaml").string()};
   options.folder = folder.path().string();
-  REQUIRE(run_command(options) == kExitOk);
-  REQUIRE(report(folder, {"a.csv", "./a.csv"}) == kExitOk);
+  REQUIRE(run_command(options) == base::kExitOk);
+  REQUIRE(report(folder, {"a.csv", "./a.csv"}) == base::kExitOk);
   CHECK(has(read(folder.path() / "page.html"), "\"cases\":1,"));
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

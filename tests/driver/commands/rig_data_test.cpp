@@ -5,7 +5,7 @@
 
 #include "tests/driver/commands/program_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 namespace {
 
 /// A slider of mu = 0.2 under 100 N that slips, in German: a preamble, decimal commas, a row of
@@ -172,4 +172,4 @@ TEST_CASE("a table is not read in units that are not the case's") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

@@ -2,7 +2,7 @@
 // Wear that the stick spring cannot follow: what a user reads, writes and gets.
 #include "tests/driver/commands/program_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::commands {
 namespace {
 
 bool has(const std::string& text, const std::string& part) {
@@ -175,4 +175,4 @@ TEST_CASE(
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::commands

@@ -7,12 +7,13 @@
 
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::history {
 namespace {
 
 /// Reads to the end; the error that stops it, if any.
-tl::expected<long, HistoryError> rows_of(const std::string& bytes, UnitConversion time = {},
-                                         UnitConversion value = {}) {
+tl::expected<long, base::HistoryError> rows_of(const std::string& bytes,
+                                               base::UnitConversion time = {},
+                                               base::UnitConversion value = {}) {
   const TemporaryFolder folder;
   auto history = MeasuredHistory::open(
       {{folder.write("rig.csv", bytes), "rig.csv"}, "t", time, {{0, "x", value}}, false});
@@ -53,7 +54,7 @@ TEST_CASE("a measured history yields its rows in the case's units") {
 TEST_CASE("times that do not increase are refused with both of them and their lines") {
   const auto equal = rows_of("t,x\n0,1\n0.5,1\n# note\n0.5,2\n");
   REQUIRE_FALSE(equal);
-  CHECK(equal.error().kind == HistoryError::Kind::kInput);
+  CHECK(equal.error().kind == base::HistoryError::Kind::kInput);
   CHECK(equal.error().file == "rig.csv");
   CHECK(equal.error().line == 5);
   CHECK(equal.error().message == "the time 't' does not increase: 0.5 after 0.5 in line 3");
@@ -101,4 +102,4 @@ TEST_CASE("between two rows a quantity is linear, or held until the later row") 
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::history

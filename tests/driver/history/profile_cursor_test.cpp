@@ -13,7 +13,7 @@
 #include "driver/history/step_grid.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::history {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -40,7 +40,7 @@ std::vector<double> breakpoints(ProfileCursor& cursor, double duration) {
   return times;
 }
 
-CsvColumn csv(const std::filesystem::path& file, UnitConversion value = {}) {
+CsvColumn csv(const std::filesystem::path& file, base::UnitConversion value = {}) {
   return {{file, "rig.csv"}, "t", {}, "x", value};
 }
 
@@ -258,7 +258,7 @@ TEST_CASE("a faulty row of a file shows when the step comes to it") {
   CHECK(one.begin({1.0, 0.0, 0.0}).error().message ==
         "there is one row; a history needs two or more");
   CHECK(ProfileCursor::open(csv(folder.path() / "none.csv")).error().kind ==
-        HistoryError::Kind::kEnvironment);
+        base::HistoryError::Kind::kEnvironment);
 }
 
 TEST_CASE("the first breakpoint of several profiles comes first") {
@@ -299,4 +299,4 @@ TEST_CASE("asking a profile is fast", "[.timing]") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::history

@@ -8,7 +8,7 @@
 
 #include "driver/history/profile_cursor.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::history {
 namespace {
 
 std::vector<double> grid_of(double duration, std::int64_t increments,
@@ -82,4 +82,4 @@ TEST_CASE("many breakpoints in one uniform increment are all met") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::history

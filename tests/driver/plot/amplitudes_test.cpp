@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 double sine(double amplitude, double frequency, double t) {
@@ -42,4 +42,4 @@ TEST_CASE("what does not vibrate has no peak") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

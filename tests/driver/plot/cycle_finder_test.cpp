@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 using Rows = std::array<std::int64_t, 2>;
@@ -50,4 +50,4 @@ TEST_CASE("of many cycles 1, 2, 5, 10 and so on are drawn, and the last") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 std::size_t different(double from, double step, int count, int digits) {
@@ -38,4 +38,4 @@ TEST_CASE("tics that six digits tell apart keep gnuplot's own format") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

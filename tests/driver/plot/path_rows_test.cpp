@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 using Row = std::array<double, 3>;
@@ -44,4 +44,4 @@ TEST_CASE("a path of too many rows ends, and says where") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

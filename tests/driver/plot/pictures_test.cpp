@@ -28,7 +28,7 @@
 #include "tests/driver/support/temporary_folder.hpp"
 #include "tests/support/project_paths.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 namespace fs = std::filesystem;
@@ -70,8 +70,8 @@ std::string picture(const TemporaryFolder& folder, const fs::path& input, const 
   options.settings = settings;
   options.output = (folder.path() / "picture.svg").string();
   fs::remove(options.output);
-  const int code = plot_command(options);
-  return code == kExitOk ? read_text(options.output) : "exit code " + std::to_string(code);
+  const int code = commands::plot_command(options);
+  return code == base::kExitOk ? read_text(options.output) : "exit code " + std::to_string(code);
 }
 
 bool no_gnuplot() {
@@ -160,11 +160,12 @@ TEST_CASE("regimes are those of the events, as the summary of a run tells them")
   if (no_gnuplot()) return;
   const TemporaryFolder folder;
   const auto file = folder.write("coarse.yaml", kCoarse);
-  ReadCase read = read_case(file.string());
+  read::ReadCase read = read::read_case(file.string());
   REQUIRE(read.value);
-  Summary summary(*read.value);
-  REQUIRE(follow_case(*read.value, [&](const Simulation& run) { summary.add(run.row()); }));
-  const DefinitionSummary& sum = summary.definitions()[0];
+  results::Summary summary(*read.value);
+  REQUIRE(bench::follow_case(*read.value,
+                             [&](const bench::Simulation& run) { summary.add(run.row()); }));
+  const results::DefinitionSummary& sum = summary.definitions()[0];
   const std::string told =
       fmt::format("slips {:.3g} % of the time, {} stick-slip events and {} reversals<",
                   100.0 * sum.slip_time, sum.events, sum.reversals);
@@ -172,10 +173,10 @@ TEST_CASE("regimes are those of the events, as the summary of a run tells them")
   CHECK(sum.slip_time == Approx(0.688).margin(5e-4));
   CHECK(contains(picture(folder, file, "bands"), told));
 
-  RunOptions options;
+  commands::RunOptions options;
   options.cases = {file.string()};
   options.folder = folder.path().string();
-  REQUIRE(run_command(options) == kExitOk);
+  REQUIRE(commands::run_command(options) == base::kExitOk);
   const fs::path result = folder.path() / "coarse.csv";
   CHECK(contains(picture(folder, result, "bands"), told));
   // Without the summary the sum is that of the events, without the events that of the rows.
@@ -194,9 +195,9 @@ TEST_CASE("slip within an increment begins where its event is, also in the shade
   const TemporaryFolder folder;
   PlotOptions options;
   options.input = folder.write("coarse.yaml", kCoarse).string();
-  const auto data = result_for_plot(options, folder.path() / "a.svg", PlotDetail::kForces);
+  const auto data = result_for_plot(options, folder.path() / "a.svg", results::PlotDetail::kForces);
   REQUIRE(data);
-  const RegimeHistory& regimes = data->definitions[0].regimes;
+  const results::RegimeHistory& regimes = data->definitions[0].regimes;
   REQUIRE(regimes.spans.size() == 3);
   // The row's increment begins at 0; the limit is reached after 0.1 mm of the 0.304 mm it moves.
   CHECK(regimes.spans[0].from ==
@@ -214,14 +215,14 @@ TEST_CASE("a cyclic run's loops are whole cycles, told by their numbers") {
   };
   PlotOptions options;
   options.input = cycles("100", "8000").string();
-  const auto data =
-      result_for_plot(options, folder.path() / "a.svg", PlotDetail::kState, WithLoops::kYes);
+  const auto data = result_for_plot(options, folder.path() / "a.svg", results::PlotDetail::kState,
+                                    WithLoops::kYes);
   REQUIRE(data);
-  const PlotDefinition& definition = data->definitions[0];
+  const results::PlotDefinition& definition = data->definitions[0];
   // Periods of 0.8 s are 64 increments; turning points lie on rows: after 3/4, 7/4 and so on.
   CHECK(definition.cycles == 125);
   std::vector<std::int64_t> numbers;
-  for (const DrawnLoop& loop : definition.loops) numbers.push_back(loop.cycle);
+  for (const results::DrawnLoop& loop : definition.loops) numbers.push_back(loop.cycle);
   CHECK(numbers == std::vector<std::int64_t>{1, 2, 5, 10, 20, 50, 100, 125});
   const std::size_t columns = data->columns.size();
   const std::vector<double>& second = definition.loops[1].rows;
@@ -268,7 +269,7 @@ TEST_CASE("a short time late in a run has tics and rows of its own") {
   PlotOptions options;
   options.input = folder.write("late.csv", text).string();
   const fs::path name = folder.path() / "a.svg";
-  const auto data = result_for_plot(options, name, PlotDetail::kForces);
+  const auto data = result_for_plot(options, name, results::PlotDetail::kForces);
   REQUIRE(data);
   PlotScript script;
   tell_rows(script, *data);
@@ -348,7 +349,7 @@ TEST_CASE("what a case does not have is not drawn") {
   both.output = (folder.path() / "a.svg").string();
   both.kind = "history";
   both.law = true;
-  CHECK(plot_command(both) == kExitBadInput);
+  CHECK(commands::plot_command(both) == base::kExitBadInput);
   CHECK(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()) == 1);
 }
 
@@ -404,4 +405,4 @@ TEST_CASE("a script tells numbers and texts so that gnuplot reads them back") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace slipbench::driver {
+namespace slipbench::driver::plot {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -26,4 +26,4 @@ TEST_CASE("a long word is broken between letters") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::plot

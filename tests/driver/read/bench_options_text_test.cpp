@@ -6,7 +6,7 @@
 
 #include "tests/driver/read/read_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 const std::string kSleeve =
@@ -20,7 +20,7 @@ std::string sleeve(const std::string& mu, const std::string& zone = "") {
 
 TEST_CASE("a dead zone belongs to the definition of its component, its play where it is told") {
   const auto start = [](const std::string& position) {
-    const Case problem =
+    const cases::Case problem =
         sound(sleeve("0.2", "dead_zone: [{component: 1, width: = g" + position + "}]"));
     REQUIRE(problem.definitions.at(0).dead_zone.has_value());
     CHECK(problem.definitions[0].dead_zone->width == 0.4);
@@ -35,17 +35,17 @@ TEST_CASE("a dead zone belongs to the definition of its component, its play wher
 }
 
 TEST_CASE("each direction has a law of its own, a number, a table or one by name") {
-  const Case problem = sound(sleeve(
+  const cases::Case problem = sound(sleeve(
       "{direction_dependent: {forward: {columns: [mu, slip_rate], rows: [[0.3, 0], [0.2, 9]]}, "
       "backward: {exponential_decay: {static: 0.3, kinetic: 0.2, decay: 1}}}}"));
-  const CaseDefinition& definition = problem.definitions.at(0);
+  const cases::CaseDefinition& definition = problem.definitions.at(0);
   CHECK(std::holds_alternative<law::TabularCoefficient>(definition.law.law));
   REQUIRE(definition.backward.has_value());
   CHECK(std::holds_alternative<law::ExponentialDecay>(*definition.backward));
 }
 
 TEST_CASE("a record of part pairs may have a coefficient for each direction") {
-  const Case problem = sound(
+  const cases::Case problem = sound(
       "slipbench: 1\nconnector: {type: SLOT, parts: [1, 2]}\nfriction_pairs: {default: "
       "{coefficient: {direction_dependent: {forward: 0.3, backward: 0.1}}}}\nfriction:\n  - "
       "{predefined: {}, stick: {stiffness: 10}}\nhistory:\n  - {step: go, increments: 2}\n");
@@ -97,4 +97,4 @@ TEST_CASE("dead zones and directions are refused around a formulation and a mass
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

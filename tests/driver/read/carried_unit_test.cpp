@@ -9,7 +9,7 @@
 
 #include "tests/driver/read/read_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 using std::numbers::pi;
@@ -52,32 +52,35 @@ const std::string kHinge =
     "    increments: 10\n"
     "    motion: {CPR1: {to: 1}}\n";
 
-const law::FrictionDefinition& first(const Case& problem) { return problem.definitions[0].law; }
+const law::FrictionDefinition& first(const cases::Case& problem) {
+  return problem.definitions[0].law;
+}
 
 TEST_CASE("A length, a force, a time and a stiffness are converted to the case's system") {
-  const Case problem = sound(changed({{"elastic_slip: 1.0e-4", "elastic_slip: 2 um"},
-                                      {"contact_force: 2",
-                                       "contact_force: 2\n"
-                                       "    internal_contact_force: 250 N\n"
-                                       "    force_limit: 3 MN"},
-                                      {"duration: 1", "duration: 0.5 s"},
-                                      {"{to: 1}", "{to: 12 mm}"},
-                                      {"f2: 1", "f2: 300 N"},
-                                      {"absolute: 1.0e-9", "absolute: 5 N"}},
-                                     kSlider));
+  const cases::Case problem =
+      read::sound(read::changed({{"elastic_slip: 1.0e-4", "elastic_slip: 2 um"},
+                                 {"contact_force: 2",
+                                  "contact_force: 2\n"
+                                  "    internal_contact_force: 250 N\n"
+                                  "    force_limit: 3 MN"},
+                                 {"duration: 1", "duration: 0.5 s"},
+                                 {"{to: 1}", "{to: 12 mm}"},
+                                 {"f2: 1", "f2: 300 N"},
+                                 {"absolute: 1.0e-9", "absolute: 5 N"}},
+                                kSlider));
   CHECK(first(problem).stick.value == Approx(2.0e-4));
   CHECK(std::get<double>(first(problem).internal_contact_force) == Approx(0.25));
   CHECK(first(problem).force_limit == Approx(3000.0));
   CHECK(problem.steps[0].duration == Approx(500.0));
-  CHECK(std::get<LinearTo>(problem.steps[0].drives[0].profile).value == Approx(1.2));
-  CHECK(std::get<Constant>(problem.steps[0].drives[1].profile).value == Approx(0.3));
+  CHECK(std::get<history::LinearTo>(problem.steps[0].drives[0].profile).value == Approx(1.2));
+  CHECK(std::get<history::Constant>(problem.steps[0].drives[1].profile).value == Approx(0.3));
   CHECK(problem.checks[0].tolerance.absolute == Approx(0.005));
 }
 
 TEST_CASE("A mass follows from force, length and time") {
   // 1 kN ms^2/cm = 1e3 N 1e-6 s^2 / 1e-2 m = 0.1 kg.
-  const Case problem =
-      sound(changed({{"    motion: {CP1: {to: 1}}\n", ""},
+  const cases::Case problem = read::sound(
+      read::changed({{"    motion: {CP1: {to: 1}}\n", ""},
                      {"history:",
                       "dynamics: {mass: 0.3 kg, belt_velocity: 2 m/s, initial_velocity: 36 km/h}\n"
                       "elasticity: [{component: 1, stiffness: 4 kN/mm}]\n"
@@ -94,10 +97,10 @@ TEST_CASE("A mass follows from force, length and time") {
 
 TEST_CASE("A wave carries units in each of its numbers, and the quantity decides of what") {
   const auto wave = [](const std::string& text) {
-    const Case problem = sound(changed({{"{to: 1}", text}}, kHinge));
-    return std::get<Wave>(problem.steps[0].drives[0].profile);
+    const cases::Case problem = read::sound(read::changed({{"{to: 1}", text}}, kHinge));
+    return std::get<history::Wave>(problem.steps[0].drives[0].profile);
   };
-  const Wave found =
+  const history::Wave found =
       wave("{sine: {amplitude: 90 deg, frequency: 1.2 kHz, phase: 45 deg, mean: 0.5 rad}}");
   CHECK(found.amplitude == Approx(pi / 2));
   CHECK(found.period == Approx(1.0 / 1200.0));
@@ -107,16 +110,16 @@ TEST_CASE("A wave carries units in each of its numbers, and the quantity decides
 }
 
 TEST_CASE("A rotation takes moments and angles where a translation takes forces and lengths") {
-  const Case problem = sound(
-      changed({{"internal_contact_force: 10", "internal_contact_force: 2 Nm"},
-               {"elastic_slip: 1.0e-4", "stiffness: 5 kN.m/rad"},
-               {"coefficient: 0.2",
-                "coefficient: {exponential_decay: {static: 0.3, kinetic: 0.2, decay: 0.5 s/rad}}"},
-               {"history:",
-                "elasticity: [{component: 4, stiffness: 4 N m}]\n"
-                "stops: [{component: 4, upper: 130 deg}]\nhistory:"},
-               {"{to: 1}", "{to: 20 deg}"}},
-              kHinge));
+  const cases::Case problem = read::sound(read::changed(
+      {{"internal_contact_force: 10", "internal_contact_force: 2 Nm"},
+       {"elastic_slip: 1.0e-4", "stiffness: 5 kN.m/rad"},
+       {"coefficient: 0.2",
+        "coefficient: {exponential_decay: {static: 0.3, kinetic: 0.2, decay: 0.5 s/rad}}"},
+       {"history:",
+        "elasticity: [{component: 4, stiffness: 4 N m}]\n"
+        "stops: [{component: 4, upper: 130 deg}]\nhistory:"},
+       {"{to: 1}", "{to: 20 deg}"}},
+      kHinge));
   CHECK(std::get<double>(first(problem).internal_contact_force) == Approx(2000.0));
   CHECK(first(problem).stick.value == Approx(5.0e6));
   CHECK(problem.kinetic.elasticity[3]->value(1.0, {}).force == Approx(4000.0));
@@ -124,55 +127,55 @@ TEST_CASE("A rotation takes moments and angles where a translation takes forces 
 }
 
 TEST_CASE("The numbers of a law are converted by their dimensions") {
-  const Case problem = sound(
-      changed({{"coefficient: 0.2",
-                "coefficient: {exponential_decay: {static: 0.3, kinetic: 0.2, decay: 0.5 s/m}}"}},
-              kSlider));
+  const cases::Case problem = read::sound(read::changed(
+      {{"coefficient: 0.2",
+        "coefficient: {exponential_decay: {static: 0.3, kinetic: 0.2, decay: 0.5 s/m}}"}},
+      kSlider));
   CHECK(std::get<law::ExponentialDecay>(first(problem).law).decay == Approx(5.0));  // ms/cm
 }
 
 TEST_CASE("Temperatures are converted with their offset, and their amplitudes without") {
   const auto profile = [](const std::string& text) {
-    const Case problem =
-        sound(changed({{"    force:", "    temperature: " + text + "\n    force:"}}, kSlider));
+    const cases::Case problem = read::sound(
+        read::changed({{"    force:", "    temperature: " + text + "\n    force:"}}, kSlider));
     return problem.steps[0].drives.back().profile;
   };
-  CHECK(std::get<Constant>(profile("80 degC")).value == Approx(353.15));
-  CHECK(std::get<LinearTo>(profile("{to: 212 degF}")).value == Approx(373.15));
+  CHECK(std::get<history::Constant>(profile("80 degC")).value == Approx(353.15));
+  CHECK(std::get<history::LinearTo>(profile("{to: 212 degF}")).value == Approx(373.15));
   const auto wave =
-      std::get<Wave>(profile("{sine: {amplitude: 18 degF, period: 1, mean: 20 degC}}"));
+      std::get<history::Wave>(profile("{sine: {amplitude: 18 degF, period: 1, mean: 20 degC}}"));
   CHECK(wave.amplitude == Approx(10.0));
   CHECK(wave.mean == Approx(293.15));
 }
 
 TEST_CASE("A parameter's dimension is its unit's, on the command line too") {
-  const std::string text = changed(
+  const std::string text = read::changed(
       {{"parameters: {k: 1, phi: 1}", "parameters: {k: 5 N/mm, phi: 130 deg, T0: 20 degC}"}},
       kSlider);
-  CHECK(sound(text).parameters.at("k") == Approx(0.05));
-  CHECK(sound(text).parameters.at("phi") == Approx(130.0 * pi / 180.0));
-  CHECK(sound(text).parameters.at("T0") == Approx(293.15));
-  ReadOptions options;
+  CHECK(read::sound(text).parameters.at("k") == Approx(0.05));
+  CHECK(read::sound(text).parameters.at("phi") == Approx(130.0 * pi / 180.0));
+  CHECK(read::sound(text).parameters.at("T0") == Approx(293.15));
+  read::ReadOptions options;
   options.overrides = {{"k", std::string("5kN/mm")}, {"phi", std::string("90 deg")}};
-  CHECK(sound(text, options).parameters.at("k") == Approx(50.0));
-  CHECK(sound(text, options).parameters.at("phi") == Approx(pi / 2));
+  CHECK(read::sound(text, options).parameters.at("k") == Approx(50.0));
+  CHECK(read::sound(text, options).parameters.at("phi") == Approx(pi / 2));
   options.overrides = {{"k", std::string("5 kN/mmm")}};
-  CHECK(complaint(text, options).find("--set k: '5 kN/mmm': unknown unit 'kN/mmm'") !=
+  CHECK(read::complaint(text, options).find("--set k: '5 kN/mmm': unknown unit 'kN/mmm'") !=
         std::string::npos);
 }
 
 TEST_CASE("Positions and wrap angles carry units") {
-  const Case problem = sound(changed({{"type: SLOT",
-                                       "type: SLOT, initial: {CP1: 3 mm}, "
-                                       "reference: {CP1: 1 in}"}},
-                                     kSlider));
+  const cases::Case problem = read::sound(read::changed({{"type: SLOT",
+                                                          "type: SLOT, initial: {CP1: 3 mm}, "
+                                                          "reference: {CP1: 1 in}"}},
+                                                        kSlider));
   CHECK(problem.initial[0] == Approx(0.3));
   CHECK(problem.reference[0] == Approx(2.54));
   const std::string belt =
       "slipbench: 1\nconnector: {type: SLIPRING, wrap_angle: [130 deg, 0.5 rad, 1]}\n"
       "friction: [{predefined: {}, coefficient: 0.2, stick: {elastic_slip: 1.0e-4}}]\n"
       "history: [{step: go, increments: 1, force: {f1: 1}, motion: {CP2: {to: 1}}}]\n";
-  const Case around = sound(belt);
+  const cases::Case around = read::sound(belt);
   const auto& ring = std::get<law::SlipRing>(*around.connection.type);
   REQUIRE(ring.wrap_angles.size() == 3);
   CHECK(ring.wrap_angles[0] == Approx(130.0 * pi / 180.0));
@@ -181,14 +184,14 @@ TEST_CASE("Positions and wrap angles carry units") {
 }
 
 TEST_CASE("A quoted number with its unit is one too, as JSON has to write it") {
-  const Case problem = sound(changed({{"{to: 1}", "{to: \"12 mm\"}"}}, kSlider));
-  CHECK(std::get<LinearTo>(problem.steps[0].drives[0].profile).value == Approx(1.2));
+  const cases::Case problem = read::sound(read::changed({{"{to: 1}", "{to: \"12 mm\"}"}}, kSlider));
+  CHECK(std::get<history::LinearTo>(problem.steps[0].drives[0].profile).value == Approx(1.2));
 }
 
 TEST_CASE("A unit that does not fit is refused with one that would") {
-  const auto only = [](const std::vector<Change>& changes, const std::string& text,
+  const auto only = [](const std::vector<read::Change>& changes, const std::string& text,
                        const std::string& wanted) {
-    const std::vector<std::string> found = messages(changed(changes, text));
+    const std::vector<std::string> found = read::messages(read::changed(changes, text));
     CAPTURE(found);
     REQUIRE(found.size() == 1);
     CHECK(found[0].ends_with(wanted));
@@ -231,7 +234,7 @@ TEST_CASE("A unit that does not fit is refused with one that would") {
 }
 
 TEST_CASE("Rows are numbers of the case's system, and the message converts for them") {
-  const std::vector<std::string> found = messages(changed(
+  const std::vector<std::string> found = read::messages(read::changed(
       {{"coefficient: 0.2", "coefficient: {columns: [mu, slip_rate], rows: [[0.2, 5 m/s]]}"}},
       kSlider));
   REQUIRE(found.size() == 1);
@@ -242,12 +245,13 @@ TEST_CASE("Rows are numbers of the case's system, and the message converts for t
 
 TEST_CASE("Without a system of units angles alone have one") {
   const std::string text =
-      changed({{"units: {length: mm, force: N, time: s, temperature: degC}\n", ""},
-               {"{to: 1}", "{to: 90 deg}"}},
-              kHinge);
-  CHECK(std::get<LinearTo>(sound(text).steps[0].drives[0].profile).value == Approx(pi / 2));
-  const std::vector<std::string> found =
-      messages(changed({{"internal_contact_force: 10", "internal_contact_force: 1 Nm"}}, text));
+      read::changed({{"units: {length: mm, force: N, time: s, temperature: degC}\n", ""},
+                     {"{to: 1}", "{to: 90 deg}"}},
+                    kHinge);
+  CHECK(std::get<history::LinearTo>(read::sound(text).steps[0].drives[0].profile).value ==
+        Approx(pi / 2));
+  const std::vector<std::string> found = read::messages(
+      read::changed({{"internal_contact_force: 10", "internal_contact_force: 1 Nm"}}, text));
   REQUIRE(found.size() == 1);
   CHECK(found[0].ends_with(
       "friction[0].internal_contact_force: '1 Nm': unit 'Nm' cannot be converted: the case does "
@@ -255,8 +259,8 @@ TEST_CASE("Without a system of units angles alone have one") {
 }
 
 TEST_CASE("A unit where it is not known what is measured is refused") {
-  const std::vector<std::string> found =
-      messages(changed({{"quantity: FLIM", "quantity: \"= 2*FLIM\""}, {"1.0e-9", "1 N"}}, kSlider));
+  const std::vector<std::string> found = read::messages(
+      read::changed({{"quantity: FLIM", "quantity: \"= 2*FLIM\""}, {"1.0e-9", "1 N"}}, kSlider));
   REQUIRE(found.size() == 1);
   CHECK(
       found[0].ends_with("checks[0].tolerance.absolute: '1 N': a number in the case's units is "
@@ -264,4 +268,4 @@ TEST_CASE("A unit where it is not known what is measured is refused") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

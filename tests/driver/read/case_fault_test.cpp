@@ -7,7 +7,7 @@
 
 #include "tests/driver/read/read_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 struct Fault {
@@ -636,4 +636,4 @@ TEST_CASE("A fault elsewhere in the file hides none of them") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

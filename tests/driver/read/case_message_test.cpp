@@ -8,7 +8,7 @@
 #include "tests/driver/read/read_for_test.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 TEST_CASE("A misspelt key shows its line, a caret under it and the nearest key") {
@@ -171,7 +171,7 @@ TEST_CASE("A missing data file is the machine's fault, a path out of the folder 
     const ReadCase refused = read(outside);
     INFO(outside);
     CHECK_FALSE(refused.environment_failure);
-    CHECK(refused.diagnostics.count(Severity::kError) == 1);
+    CHECK(refused.diagnostics.count(base::Severity::kError) == 1);
     CHECK(refused.diagnostics.sorted()[0].path == "history[0].motion.CP1.csv");
   }
   std::filesystem::create_symlink("/etc/hostname", folder.path() / "link.csv");
@@ -261,4 +261,4 @@ TEST_CASE("Faulty parameters are reported where they stand, not where they are u
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

@@ -11,14 +11,14 @@
 #include "driver/read/keys/key_index.hpp"
 #include "tests/support/project_paths.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 TEST_CASE("Every key of a case is in the schema and in the case reference") {
   const std::string schema = case_schema().dump();
   const std::string markdown = case_reference_markdown();
   std::size_t keys = 0;
-  for (const KeyRow& row : case_rows()) {
+  for (const yaml::KeyRow& row : case_rows()) {
     INFO(row.path);
     std::string last = row.path.substr(row.path.rfind('.') + 1);
     if (last.find('|') == std::string::npos) {
@@ -40,7 +40,7 @@ TEST_CASE("Every key of a case is in the schema and in the case reference") {
 
 TEST_CASE("The case reference lists every key once") {
   std::set<std::string> seen;
-  for (const KeyRow& row : case_rows()) {
+  for (const yaml::KeyRow& row : case_rows()) {
     INFO(row.path);
     CHECK(seen.insert(row.path).second);
   }
@@ -61,7 +61,7 @@ TEST_CASE("docs/case-reference.md is what the declarations say today") {
   std::ostringstream text;
   text << file.rdbuf();
   INFO("write it anew with: slipbench schema --markdown > docs/case-reference.md");
-  CHECK(text.str() == case_reference_markdown() + fit_reference_markdown());
+  CHECK(text.str() == case_reference_markdown() + calibrate::fit_reference_markdown());
 }
 
 TEST_CASE("Keys know where they belong") {
@@ -81,4 +81,4 @@ TEST_CASE("Keys know where they belong") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

@@ -9,7 +9,7 @@
 #include "tests/driver/read/read_for_test.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 using law::IndependentKind;
@@ -19,12 +19,12 @@ const std::string kSlotForm =
     "    contact_force: normal\n";
 
 /// The sound case with its motion given by another profile.
-Profile profile_of(const std::string& text, const std::string& folder = ".") {
-  const Case problem = sound(changed({{"{to: 0.45}", text}}), {}, folder);
+history::Profile profile_of(const std::string& text, const std::string& folder = ".") {
+  const cases::Case problem = sound(changed({{"{to: 0.45}", text}}), {}, folder);
   return problem.steps.at(0).drives.at(0).profile;
 }
 
-const law::FrictionDefinition& only_law(const Case& problem) {
+const law::FrictionDefinition& only_law(const cases::Case& problem) {
   REQUIRE(problem.definitions.size() == 1);
   return problem.definitions[0].law;
 }
@@ -35,14 +35,14 @@ law::FrictionDefinition law_of(const std::vector<Change>& changes,
 }
 
 TEST_CASE("Title, units, parameters and connection reach the case") {
-  const Case problem = sound(kSoundCase);
+  const cases::Case problem = sound(kSoundCase);
   CHECK(problem.file == "c.yaml");
   CHECK(problem.title == "base");
   CHECK(problem.units.length == "mm");
   CHECK(problem.units.force == "N");
   CHECK(problem.units.time == "s");
   CHECK(problem.units.temperature == "degC");
-  CHECK(problem.parameters == NamedNumbers{{"r", 0.24}, {"li", 0.55}, {"mu", 0.15}});
+  CHECK(problem.parameters == base::NamedNumbers{{"r", 0.24}, {"li", 0.55}, {"mu", 0.15}});
   CHECK(problem.connection.info.name == "CYLINDRICAL");
   CHECK(problem.output_every == 1);
   CHECK(problem.output_columns.empty());
@@ -63,7 +63,7 @@ TEST_CASE("Parameters may use one another, and --set replaces them first") {
 }
 
 TEST_CASE("Expressions may be quoted and use functions") {
-  const Case problem = sound(changed({{"scale: = r", "scale: \"= sqrt(4)*r\""}}));
+  const cases::Case problem = sound(changed({{"scale: = r", "scale: \"= sqrt(4)*r\""}}));
   CHECK(only_law(problem).slip.scale[1] == 0.48);
 }
 
@@ -73,7 +73,7 @@ TEST_CASE("A pair of basic types is the assembled type") {
 }
 
 TEST_CASE("A plane SLOT has one constraint force") {
-  const Case problem = sound(
+  const cases::Case problem = sound(
       changed({{"type: CYLINDRICAL", "type: SLOT\n  dimension: 2"},
                {"components: [2, 3]}\n    - {operator: norm, components: [5, 6], weights: [= 2/li, "
                 "= 2/li]}",
@@ -84,10 +84,11 @@ TEST_CASE("A plane SLOT has one constraint force") {
 }
 
 TEST_CASE("Reference positions default to the initial ones") {
-  const Case plain = sound(changed({{"CYLINDRICAL\n", "CYLINDRICAL\n  initial: {CP1: = li}\n"}}));
+  const cases::Case plain =
+      sound(changed({{"CYLINDRICAL\n", "CYLINDRICAL\n  initial: {CP1: = li}\n"}}));
   CHECK(plain.initial[0] == 0.55);
   CHECK(plain.reference[0] == 0.55);
-  const Case both = sound(changed(
+  const cases::Case both = sound(changed(
       {{"CYLINDRICAL\n", "CYLINDRICAL\n  initial: {CP1: 2, CP2: 3}\n  reference: {CPR1: 0.5}\n"}}));
   CHECK(both.initial[0] == 2.0);
   CHECK(both.initial[1] == 3.0);
@@ -138,7 +139,7 @@ TEST_CASE("A derived component may be a sum, with weights from a table") {
 }
 
 TEST_CASE("A potential gives the slip space, a component form one entry of it") {
-  const Case coupled = sound(kSoundCase);
+  const cases::Case coupled = sound(kSoundCase);
   CHECK(coupled.definitions[0].coupled);
   CHECK(coupled.definitions[0].name == "sleeve");
   const law::SlipSpace& slip = only_law(coupled).slip;
@@ -147,10 +148,10 @@ TEST_CASE("A potential gives the slip space, a component form one entry of it") 
   CHECK(slip.component[1] == 3);
   CHECK(slip.scale[0] == 1.0);
   CHECK(slip.scale[1] == 0.24);
-  const Case explicit_form = sound(
+  const cases::Case explicit_form = sound(
       changed({{"    potential:\n", "    potential:\n      operator: sum\n      exponent: 2\n"}}));
   CHECK(only_law(explicit_form).slip.dimension == 2);
-  const Case single =
+  const cases::Case single =
       sound(changed({{"    potential:\n      terms: [{component: 1}, {component: 4, scale: = r}]\n",
                       "    component: 4\n"}}));
   CHECK_FALSE(single.definitions[0].coupled);
@@ -159,7 +160,7 @@ TEST_CASE("A potential gives the slip space, a component form one entry of it") 
 }
 
 TEST_CASE("Definitions without names are numbered") {
-  const Case problem = sound(changed(
+  const cases::Case problem = sound(changed(
       {{"  - name: sleeve\n    potential:\n      terms: [{component: 1}, {component: 4, scale: = "
         "r}]\n",
         "  - component: 1\n"},
@@ -280,7 +281,7 @@ TEST_CASE("Predefined friction takes its geometry, also with a table inside") {
 }
 
 TEST_CASE("Predefined friction with two checks gives two named definitions") {
-  const Case problem = sound(
+  const cases::Case problem = sound(
       "slipbench: 1\nconnector: {type: PLANAR}\n"
       "friction:\n  - name: puck\n    predefined: {R: 0.5}\n    coefficient: 0.2\n"
       "    stick: {elastic_slip: 0.1}\n"
@@ -293,7 +294,7 @@ TEST_CASE("Predefined friction with two checks gives two named definitions") {
 }
 
 TEST_CASE("A universal joint's shares may come from a table") {
-  const Case problem = sound(
+  const cases::Case problem = sound(
       "slipbench: 1\nconnector: {type: UJOINT}\n"
       "friction:\n  - predefined:\n      R_p: 0.1\n      L_a: 1\n      hinge_factors:\n"
       "        columns: [k_ax, t_ax, k_tw, t_tw, slenderness]\n"
@@ -316,59 +317,61 @@ TEST_CASE("Integration options reach every definition") {
 }
 
 TEST_CASE("A step has a name, a duration, increments, repetitions and drives") {
-  const Case problem = sound(
+  const cases::Case problem = sound(
       changed({{"    increments: 10\n",
                 "    increments: 10\n    duration: 2.5\n    repeat: 3\n    temperature: {to: 80}\n"
                 "    fields: {field2: 7, field16: {smooth_to: 1}}\n"}}));
   REQUIRE(problem.steps.size() == 1);
-  const Step& step = problem.steps[0];
+  const cases::Step& step = problem.steps[0];
   CHECK(step.name == "press");
   CHECK(step.duration == 2.5);
   CHECK(step.increments == 10);
   CHECK(step.repeat == 3);
   REQUIRE(step.drives.size() == 7);
-  const std::vector<int> wanted{kFirstMotion,    kFirstForce + 1,      kFirstForce + 2,
-                                kFirstForce + 4, kTemperatureQuantity, kFirstField + 1,
-                                kFirstField + 15};
+  const std::vector<int> wanted{cases::kFirstMotion,         cases::kFirstForce + 1,
+                                cases::kFirstForce + 2,      cases::kFirstForce + 4,
+                                cases::kTemperatureQuantity, cases::kFirstField + 1,
+                                cases::kFirstField + 15};
   for (std::size_t i = 0; i < wanted.size(); ++i) CHECK(step.drives[i].quantity == wanted[i]);
-  CHECK(std::get<Constant>(step.drives[1].profile).value == 300.0);
-  CHECK(std::get<LinearTo>(step.drives[4].profile).value == 80.0);
+  CHECK(std::get<history::Constant>(step.drives[1].profile).value == 300.0);
+  CHECK(std::get<history::LinearTo>(step.drives[4].profile).value == 80.0);
   CHECK(sound(kSoundCase).steps[0].duration == 1.0);
   CHECK(sound(kSoundCase).steps[0].repeat == 1);
 }
 
 TEST_CASE("Profiles of every kind are read") {
-  CHECK(std::get<LinearTo>(profile_of("{to: = 2*li}")).value == 1.1);
-  CHECK(std::get<SmoothTo>(profile_of("{smooth_to: 3}")).value == 3.0);
-  const Profile expression = profile_of("\"= 0.1*sin(2*pi*t) + T\"");
-  CHECK(std::get<ExpressionProfile>(expression).expression(std::array{0.0, 4.0}).value() == 4.0);
-  const auto points =
-      std::get<Tabular>(profile_of("{columns: [value, t], rows: [[0, 0], [3, 0.5], [1, 1]]}"));
+  CHECK(std::get<history::LinearTo>(profile_of("{to: = 2*li}")).value == 1.1);
+  CHECK(std::get<history::SmoothTo>(profile_of("{smooth_to: 3}")).value == 3.0);
+  const history::Profile expression = profile_of("\"= 0.1*sin(2*pi*t) + T\"");
+  CHECK(std::get<history::ExpressionProfile>(expression).expression(std::array{0.0, 4.0}).value() ==
+        4.0);
+  const auto points = std::get<history::Tabular>(
+      profile_of("{columns: [value, t], rows: [[0, 0], [3, 0.5], [1, 1]]}"));
   CHECK(points.times == std::vector<double>{0.0, 0.5, 1.0});
   CHECK(points.values == std::vector<double>{0.0, 3.0, 1.0});
 }
 
 TEST_CASE("Waves have a shape, an amplitude, a period or frequency, a mean and a phase") {
-  const auto wave = std::get<Wave>(
+  const auto wave = std::get<history::Wave>(
       profile_of("{triangle: {amplitude: 2, frequency: 4, mean: 1, phase: = pi/2}}"));
-  CHECK(wave.shape == WaveShape::kTriangle);
+  CHECK(wave.shape == history::WaveShape::kTriangle);
   CHECK(wave.amplitude == 2.0);
   CHECK(wave.period == 0.25);
   CHECK(wave.mean == 1.0);
   CHECK(wave.phase == Approx(1.5707963267948966).epsilon(1e-15));
   const auto shape = [](const std::string& name) {
-    return std::get<Wave>(profile_of("{" + name + ": {amplitude: 1, period: 0.5}}"));
+    return std::get<history::Wave>(profile_of("{" + name + ": {amplitude: 1, period: 0.5}}"));
   };
-  CHECK(shape("sine").shape == WaveShape::kSine);
+  CHECK(shape("sine").shape == history::WaveShape::kSine);
   CHECK(shape("sine").period == 0.5);
-  CHECK(shape("sawtooth").shape == WaveShape::kSawtooth);
-  CHECK(shape("square").shape == WaveShape::kSquare);
+  CHECK(shape("sawtooth").shape == history::WaveShape::kSawtooth);
+  CHECK(shape("square").shape == history::WaveShape::kSquare);
 }
 
 TEST_CASE("A profile may be two columns of a CSV file in their own units") {
   const TemporaryFolder folder;
   folder.write("rig.csv", "ms,disp\n0,0\n1000,1\n");
-  const auto csv = std::get<CsvColumn>(
+  const auto csv = std::get<history::CsvColumn>(
       profile_of("{csv: rig.csv, time: ms, time_unit: ms, value: disp, unit: in}", folder.path()));
   CHECK(csv.data.shown_name == "rig.csv");
   CHECK(csv.time_column == "ms");
@@ -381,12 +384,12 @@ TEST_CASE("A profile may be two columns of a CSV file in their own units") {
 TEST_CASE("A column of temperatures keeps its origin") {
   const TemporaryFolder folder;
   folder.write("rig.csv", "t,warm\n0,32\n1,212\n");
-  const Case problem =
+  const cases::Case problem =
       sound(changed({{"    increments: 10\n",
                       "    increments: 10\n    temperature: {csv: rig.csv, time: t, value: warm, "
                       "unit: degF}\n"}}),
             {}, folder.path());
-  const auto& csv = std::get<CsvColumn>(problem.steps[0].drives.back().profile);
+  const auto& csv = std::get<history::CsvColumn>(problem.steps[0].drives.back().profile);
   // 32 degF is 0 degC up to the rounding of 32*5/9 - 160/9, about 1e-14.
   CHECK(csv.value_conversion(32.0) == Approx(0.0).margin(1e-12));
   CHECK(csv.value_conversion(212.0) == Approx(100.0).epsilon(1e-13));
@@ -400,7 +403,7 @@ TEST_CASE("A measured history drives a case, and starts it at its first row") {
                 "300, f3: 400, m2: {to: 55}}\n",
                 "csv: rig.csv\n  time: ms\n  unit: ms\n  hold: true\n"
                 "  columns: {CP1: disp, f2: {column: load, unit: lbf}}\n"}});
-  const Case problem = sound(text, {}, folder.path());
+  const cases::Case problem = sound(text, {}, folder.path());
   CHECK(problem.steps.empty());
   REQUIRE(problem.measured.has_value());
   CHECK(problem.measured->data.shown_name == "rig.csv");
@@ -408,39 +411,39 @@ TEST_CASE("A measured history drives a case, and starts it at its first row") {
   CHECK(problem.measured->time_conversion(1000.0) == Approx(1.0).epsilon(1e-15));
   CHECK(problem.measured->hold);
   REQUIRE(problem.measured->columns.size() == 2);
-  CHECK(problem.measured->columns[0].quantity == std::size_t{kFirstMotion});
+  CHECK(problem.measured->columns[0].quantity == std::size_t{cases::kFirstMotion});
   CHECK(problem.measured->columns[0].column == "disp");
-  CHECK(problem.measured->columns[1].quantity == std::size_t{kFirstForce + 1});
+  CHECK(problem.measured->columns[1].quantity == std::size_t{cases::kFirstForce + 1});
   // The pound-force in newtons as the data base has it, to its printed digits.
   CHECK(problem.measured->columns[1].conversion(1.0) == Approx(4.4482216152605).epsilon(1e-12));
   CHECK(problem.initial[0] == 0.5);
   CHECK(problem.reference[0] == 0.5);
-  const Case placed =
+  const cases::Case placed =
       sound(changed({{"CYLINDRICAL\n", "CYLINDRICAL\n  initial: {CP1: 0.25}\n"}}, text), {},
             folder.path());
   CHECK(placed.initial[0] == 0.25);
 }
 
 TEST_CASE("Output options reach the case") {
-  const Case problem =
+  const cases::Case problem =
       sound(changed({{"checks:", "output: {every: 5, columns: [CSF1, FLIM]}\nchecks:"}}));
   CHECK(problem.output_every == 5);
   CHECK(problem.output_columns == std::vector<std::string>{"CSF1", "FLIM"});
 }
 
 TEST_CASE("A check keeps what it compares, where and how closely") {
-  const Case problem =
+  const cases::Case problem =
       sound(changed({{"    tolerance: {relative: 1.0e-2, why: rounding}",
                       "    step: press\n    over: {from: 0.25, to: 0.75}\n    criterion: "
                       "pointwise\n    abscissa: "
                       "time\n    tolerance: {absolute: = mu, relative: 1.0e-2, why: rounding}"}}));
   REQUIRE(problem.checks.size() == 1);
-  const Check& check = problem.checks[0];
+  const cases::Check& check = problem.checks[0];
   CHECK(check.name == "limit");
   CHECK(check.quantity_text == "FLIM");
   CHECK(check.variables == std::vector<std::string>{"FLIM"});
   CHECK(check.quantity(std::array{7.0}).value() == 7.0);
-  const auto& against = std::get<ExpressionReference>(check.against);
+  const auto& against = std::get<cases::ExpressionReference>(check.against);
   CHECK(against.variables == std::vector<std::string>{"FN"});
   CHECK(against.expression(std::array{100.0}).value() == 15.0);
   CHECK(check.step == "press");
@@ -458,20 +461,20 @@ const reference::ClosedForm& form(const std::string& name) {
   return *found;
 }
 
-ClosedFormReference closed_form_of(const std::string& quantity, const std::string& against) {
-  const Case problem = sound(changed(
+cases::ClosedFormReference closed_form_of(const std::string& quantity, const std::string& against) {
+  const cases::Case problem = sound(changed(
       {{"quantity: FLIM", "quantity: " + quantity}, {"{expression: \"= mu*FN\"}", against}}));
-  return std::get<ClosedFormReference>(problem.checks.at(0).against);
+  return std::get<cases::ClosedFormReference>(problem.checks.at(0).against);
 }
 
 TEST_CASE("A closed form finds its inputs and its output by their meaning") {
   const std::string slider =
       "{closed_form: coulomb_slider, with: {mu: = mu, normal_force: 3, stick_stiffness: 100}}";
-  const ClosedFormReference force = closed_form_of("CSF1", slider);
+  const cases::ClosedFormReference force = closed_form_of("CSF1", slider);
   CHECK(force.name == "coulomb_slider");
   CHECK(force.inputs.at(0).variables == std::vector<std::string>{"CU1"});
   CHECK(force.inputs.at(0).expression(std::array{7.0}).value() == 7.0);
-  const auto output = [](const ClosedFormReference& reference) {
+  const auto output = [](const cases::ClosedFormReference& reference) {
     return form(reference.name).outputs[static_cast<std::size_t>(reference.output)].name;
   };
   CHECK(output(force) == "force");
@@ -483,27 +486,27 @@ TEST_CASE("A closed form finds its inputs and its output by their meaning") {
 }
 
 TEST_CASE("A closed form takes the inputs and the output it is told, and lists") {
-  const ClosedFormReference told = closed_form_of(
+  const cases::ClosedFormReference told = closed_form_of(
       "CSF1",
       "{closed_form: coulomb_slider, with: {mu: 1, normal_force: 3, stick_stiffness: 100}, inputs: "
       "{motion: CUR1}, output: work}");
   CHECK(told.inputs.at(0).variables == std::vector<std::string>{"CUR1"});
   CHECK(form(told.name).outputs[static_cast<std::size_t>(told.output)].name == "work");
-  const ClosedFormReference list = closed_form_of(
+  const cases::ClosedFormReference list = closed_form_of(
       "CSF1",
       "{closed_form: parallel_sliders, with: {stick_stiffnesses: [1, = 2*mu], limits: [3, 4]}}");
   CHECK(list.parameters.at(0) == std::vector<double>{1.0, 0.3});
 }
 
 TEST_CASE("An input of a closed form may be an expression over t, T, parameters and columns") {
-  const ClosedFormReference told = closed_form_of(
+  const cases::ClosedFormReference told = closed_form_of(
       "CSF1",
       "{closed_form: coulomb_slider, with: {mu: 1, normal_force: 3, stick_stiffness: 100}, inputs: "
       "{motion: = CU1 + r*CUR1 - li}}");
-  const ExpressionReference& motion = told.inputs.at(0);
+  const cases::ExpressionReference& motion = told.inputs.at(0);
   CHECK(motion.variables == std::vector<std::string>{"CU1", "CUR1"});
   CHECK(motion.expression(std::array{1.0, 10.0}).value() == Approx(1.0 + 0.24 * 10.0 - 0.55));
-  const ClosedFormReference both_times = closed_form_of(
+  const cases::ClosedFormReference both_times = closed_form_of(
       "CSF1",
       "{closed_form: coulomb_slider, with: {mu: 1, normal_force: 3, stick_stiffness: 100}, inputs: "
       "{motion: = T - t}}");
@@ -512,7 +515,7 @@ TEST_CASE("An input of a closed form may be an expression over t, T, parameters 
 }
 
 TEST_CASE("A closed form without parameters needs no 'with', and its inputs may be constants") {
-  const ClosedFormReference band = closed_form_of(
+  const cases::ClosedFormReference band = closed_form_of(
       "CSF1",
       "{closed_form: capstan_band, inputs: {tension: FN, wrap_angle: = pi}, output: upper_limit}");
   CHECK(band.parameters.empty());
@@ -524,4 +527,4 @@ TEST_CASE("A closed form without parameters needs no 'with', and its inputs may 
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

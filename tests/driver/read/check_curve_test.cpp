@@ -5,11 +5,11 @@
 #include <variant>
 #include <vector>
 
-#include "driver/check/curves/curve_file.hpp"
+#include "driver/case/curve_file.hpp"
 #include "tests/driver/read/read_for_test.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -29,13 +29,13 @@ struct Folder {
   Folder() { folder.write("a.csv", "time,FLIM\n0,1\n1,2\n"); }
 };
 
-const CurveReference& curve_of(const Case& problem, std::size_t check = 0) {
-  return std::get<CurveReference>(problem.checks.at(check).against);
+const cases::CurveReference& curve_of(const cases::Case& problem, std::size_t check = 0) {
+  return std::get<cases::CurveReference>(problem.checks.at(check).against);
 }
 
 TEST_CASE("A curve is met over time by the columns of the same names, unless it is said else") {
   const Folder at;
-  const Case plain = sound(against("{curve: a.csv}"), {}, at.path);
+  const cases::Case plain = sound(against("{curve: a.csv}"), {}, at.path);
   CHECK_FALSE(plain.checks[0].abscissa);
   CHECK(curve_of(plain).shown_name == "a.csv");
   CHECK(curve_of(plain).file == at.folder.path() / "a.csv");
@@ -43,7 +43,8 @@ TEST_CASE("A curve is met over time by the columns of the same names, unless it 
   CHECK(curve_of(plain).column.names == Names{"FLIM"});
   CHECK_FALSE(curve_of(plain).shipped);
 
-  const Case named = sound(against("{curve: a.csv, abscissa: Time (s), column: F}"), {}, at.path);
+  const cases::Case named =
+      sound(against("{curve: a.csv, abscissa: Time (s), column: F}"), {}, at.path);
   CHECK_FALSE(named.checks[0].abscissa);
   CHECK(curve_of(named).abscissa.names == Names{"Time (s)"});
   CHECK(curve_of(named).column.names == Names{"F"});
@@ -54,29 +55,30 @@ TEST_CASE("The abscissa of a check is a column, accumulated slip or an expressio
   const auto check = [&](const std::string& curve, const std::string& more) {
     return sound(against(curve, more), {}, at.path).checks[0];
   };
-  const Check column = check("{curve: a.csv}", "    abscissa: CU1\n");
+  const cases::Check column = check("{curve: a.csv}", "    abscissa: CU1\n");
   CHECK(column.abscissa->variables == Names{"CU1"});
   CHECK(column.abscissa_text == "CU1");
-  CHECK(std::get<CurveReference>(column.against).abscissa.names == Names{"CU1"});
+  CHECK(std::get<cases::CurveReference>(column.against).abscissa.names == Names{"CU1"});
 
-  const Check slip = check("{curve: a.csv}", "    abscissa: accumulated_slip\n");
+  const cases::Check slip = check("{curve: a.csv}", "    abscissa: accumulated_slip\n");
   CHECK(slip.abscissa->variables == Names{"CASUC"});
   CHECK(slip.abscissa_text == "accumulated_slip");
-  CHECK(std::get<CurveReference>(slip.against).abscissa.names ==
+  CHECK(std::get<cases::CurveReference>(slip.against).abscissa.names ==
         Names{"accumulated_slip", "CASUC"});
 
-  const Check formula = check("{curve: a.csv, abscissa: s}", "    abscissa: = CU1 + 0.24*CUR1\n");
+  const cases::Check formula =
+      check("{curve: a.csv, abscissa: s}", "    abscissa: = CU1 + 0.24*CUR1\n");
   CHECK(formula.abscissa->variables == Names{"CU1", "CUR1"});
-  CHECK(std::get<CurveReference>(formula.against).abscissa.names == Names{"s"});
+  CHECK(std::get<cases::CurveReference>(formula.against).abscissa.names == Names{"s"});
 
-  const Check implied = check("{curve: a.csv, abscissa: CU1}", "");
+  const cases::Check implied = check("{curve: a.csv, abscissa: CU1}", "");
   CHECK(implied.abscissa->variables == Names{"CU1"});
   CHECK_FALSE(check("{curve: a.csv, abscissa: CU1}", "    abscissa: t\n").abscissa);
 }
 
 TEST_CASE("Numbers of a curve are turned into the case's units") {
   const Folder at;
-  const Case problem =
+  const cases::Case problem =
       sound(against("{curve: a.csv, abscissa: {column: ms, unit: ms}, column: {column: load, "
                     "unit: kN}}"),
             {}, at.path);
@@ -95,7 +97,7 @@ TEST_CASE("Numbers of a curve are turned into the case's units") {
 
 TEST_CASE("Checks that name one file share what is read of it") {
   const Folder at;
-  const Case problem =
+  const cases::Case problem =
       sound(against("{curve: a.csv}") +
                 "  - {name: again, quantity: FN, against: {curve: a.csv}, tolerance: {absolute: "
                 "1, why: x}}\n",
@@ -135,7 +137,7 @@ TEST_CASE("What is wrong in a curve is left to the check, which then fails") {
 }
 
 TEST_CASE("A name without ending is that of a curve that comes with the program") {
-  const Case problem =
+  const cases::Case problem =
       sound(against("{curve: dahl_loop, abscissa: x, column: F_N}", "    abscissa: CU1\n"));
   CHECK(curve_of(problem).shipped);
   CHECK(curve_of(problem).file.filename() == "dahl_loop.csv");
@@ -145,9 +147,9 @@ TEST_CASE("A tolerance of positions is enough where positions are compared") {
   const std::string text =
       changed({{"{relative: 1.0e-2, why: rounding}", "{abscissa: 0.1, why: x}"},
                {"    tolerance", "    criterion: reversals\n    abscissa: CU1\n    tolerance"}});
-  const Case problem = sound(text);
+  const cases::Case problem = sound(text);
   CHECK(problem.checks[0].tolerance.abscissa == 0.1);
-  CHECK(problem.checks[0].criterion == Criterion::kReversals);
+  CHECK(problem.checks[0].criterion == cases::Criterion::kReversals);
 }
 
 TEST_CASE("A tolerance that no curve can miss is refused") {
@@ -175,4 +177,4 @@ TEST_CASE("A check has a name") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

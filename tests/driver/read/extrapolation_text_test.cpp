@@ -7,7 +7,7 @@
 #include "driver/read/read_case.hpp"
 #include "tests/driver/read/read_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 std::string fitted(const std::string& extrapolation, const std::string& own) {
@@ -20,7 +20,7 @@ std::string fitted(const std::string& extrapolation, const std::string& own) {
          "0.1}}\nhistory:\n  - {step: go, increments: 2, motion: {CP1: {to: 1}}}\n";
 }
 
-law::Extrapolation of_force(const Case& problem) {
+law::Extrapolation of_force(const cases::Case& problem) {
   return std::get<law::TableFunction>(problem.definitions.at(0).law.internal_contact_force)
       .table()
       .extrapolation();
@@ -29,7 +29,7 @@ law::Extrapolation of_force(const Case& problem) {
 TEST_CASE("tables of the behaviour follow the case's extrapolation, unless they have their own") {
   using law::Extrapolation;
   CHECK(of_force(sound(fitted("", ""))) == Extrapolation::kConstant);
-  const Case problem = sound(fitted("extrapolation: linear\n", ""));
+  const cases::Case problem = sound(fitted("extrapolation: linear\n", ""));
   CHECK(of_force(problem) == Extrapolation::kLinear);
   CHECK(std::get<law::TabularCoefficient>(problem.definitions[0].law.law)
             .table.table()
@@ -47,4 +47,4 @@ TEST_CASE("an extrapolation that there is none of is refused with those there ar
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

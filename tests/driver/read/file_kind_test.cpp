@@ -7,25 +7,25 @@
 #include "driver/yaml/parse.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 TEST_CASE("A case and a fit file are told by their keys") {
   const auto tree_of = [](const std::string& text) {
-    auto tree = parse_yaml(SourceText("f.yaml", text));
+    auto tree = yaml::parse_yaml(base::SourceText("f.yaml", text));
     REQUIRE(tree.has_value());
     return std::move(*tree);
   };
-  const Tree fit = tree_of("slipbench: 1\ncalibrate: {}\n");
+  const yaml::Tree fit = tree_of("slipbench: 1\ncalibrate: {}\n");
   REQUIRE(key_of_fit(fit.root()).has_value());
-  CHECK(key_of_fit(fit.root())->where() == SourcePosition{2, 1, 9});
+  CHECK(key_of_fit(fit.root())->where() == base::SourcePosition{2, 1, 9});
   CHECK_FALSE(key_of_case(fit.root()).has_value());
-  const Tree problem = tree_of("slipbench: 1\nhistory: []\n");
+  const yaml::Tree problem = tree_of("slipbench: 1\nhistory: []\n");
   REQUIRE(key_of_case(problem.root()).has_value());
   CHECK(key_of_case(problem.root())->text() == "history");
   CHECK_FALSE(key_of_fit(problem.root()).has_value());
   // Both at once is neither: the key that does not belong is reported.
-  const Tree both = tree_of("calibrate: {}\nfriction: []\n");
+  const yaml::Tree both = tree_of("calibrate: {}\nfriction: []\n");
   CHECK_FALSE(key_of_fit(both.root()).has_value());
   CHECK_FALSE(key_of_case(both.root()).has_value());
 }
@@ -46,4 +46,4 @@ TEST_CASE("A fit file is known by a line of its own, without being sound") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

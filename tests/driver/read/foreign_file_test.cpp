@@ -6,15 +6,15 @@
 
 #include "driver/read/read_case.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 /// Returns what is said of a text that is given as a case, without the lines that are quoted.
 std::string said_of(const std::string& name, const std::string& text) {
-  const SourceText source(name, text);
+  const base::SourceText source(name, text);
   const ReadCase read = read_case_text(source, ".");
   CHECK_FALSE(read.value);
-  return render(read.diagnostics);
+  return base::render(read.diagnostics);
 }
 
 TEST_CASE("a file of another program is named as what it is, with what to do") {
@@ -41,9 +41,9 @@ TEST_CASE("a fault of a case is not taken for another kind of file") {
        {"slipbench: 1\ntitle: \"open\n", "title: a: b\n", "# deck\nslipbench 1\n", "- a\n- b\n",
         "friction:\n\t- a\n", "word\n", "/friction: a: b\n"}) {
     CAPTURE(text);
-    CHECK_FALSE(foreign_file(SourceText("c.yaml", text)).has_value());
+    CHECK_FALSE(foreign_file(base::SourceText("c.yaml", text)).has_value());
   }
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

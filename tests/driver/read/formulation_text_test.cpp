@@ -11,7 +11,7 @@
 #include "law/connection/connection_type.hpp"
 #include "tests/driver/read/read_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 /// A contact point; \p friction stands beside `predefined`, line 5 from column 5 on.
@@ -27,7 +27,7 @@ std::string contact(const std::string& friction, const std::string& more = {},
 
 const std::string kStiff = "coefficient: 0.3, formulation: {penalty: stiffness, K_t: 1000}";
 
-const law::Formulation& formulation_of(const Case& problem) {
+const law::Formulation& formulation_of(const cases::Case& problem) {
   REQUIRE(problem.definitions.size() == 1);
   REQUIRE(problem.definitions[0].law.formulation.has_value());
   return *problem.definitions[0].law.formulation;
@@ -51,7 +51,7 @@ void check_error(const std::string& text, const std::string& words) {
 }
 
 TEST_CASE("what presses on a contact point is one-sided for every definition") {
-  const Case problem = sound(
+  const cases::Case problem = sound(
       "slipbench: 1\nunits: {length: mm, force: N, time: s}\nconnector: {type: CONTACT}\n"
       "friction:\n  - {component: 2, contact_force: 1, coefficient: 0.3, stick: {stiffness: 1}}\n"
       "history:\n  - {step: go, increments: 1, force: {f1: 1}, motion: {CP2: {to: 1}}}\n");
@@ -78,7 +78,7 @@ TEST_CASE("timings that a formulation does not follow are told") {
 }
 
 TEST_CASE("a contact point presses on one side and slips in two tangents, or in one") {
-  const Case space = sound(contact("coefficient: 0.3, stick: {stiffness: 1000}"));
+  const cases::Case space = sound(contact("coefficient: 0.3, stick: {stiffness: 1000}"));
   const law::FrictionDefinition& d = space.definitions.at(0).law;
   CHECK(d.slip.dimension == 2);
   CHECK(d.slip.component[0] == 1);
@@ -89,8 +89,8 @@ TEST_CASE("a contact point presses on one side and slips in two tangents, or in 
   CHECK(law::evaluate(d.contact_force, force, ambient) == 70.0);
   force[0] = -70.0;
   CHECK(law::evaluate(d.contact_force, force, ambient) == 0.0);
-  const Case plane = sound(changed({{"type: CONTACT", "type: CONTACT, dimension: 2"}},
-                                   contact("coefficient: 0.3, stick: {stiffness: 1000}")));
+  const cases::Case plane = sound(changed({{"type: CONTACT", "type: CONTACT, dimension: 2"}},
+                                          contact("coefficient: 0.3, stick: {stiffness: 1000}")));
   CHECK(plane.definitions.at(0).law.slip.dimension == 1);
   CHECK_FALSE(plane.connection.info.available.contains(2));
 }
@@ -117,7 +117,7 @@ TEST_CASE("a viscous penalty has VISF, K and m, or C") {
 }
 
 TEST_CASE("a stiffness penalty takes the place of the stick stiffness") {
-  const Case problem = sound(contact(kStiff));
+  const cases::Case problem = sound(contact(kStiff));
   const law::Formulation& f = formulation_of(problem);
   CHECK(std::get<law::StiffnessPenalty>(f.penalty).stiffness == 1000.0);
   CHECK(f.convention == law::Convention::kDocumented);
@@ -234,13 +234,13 @@ const std::string kTwo = "coefficient: {orthotropic: {direction1: 0.3, direction
 
 TEST_CASE("an orthotropic coefficient has two laws, an axis and a speed") {
   const std::string form = ", formulation: {penalty: stiffness, K_t: 1000}";
-  const Case problem = sound(contact(kTwo + form));
+  const cases::Case problem = sound(contact(kTwo + form));
   const law::Orthotropy& two = formulation_of(problem).orthotropy.value();
   CHECK(std::get<law::ConstantCoefficient>(problem.definitions[0].law.law).mu == 0.3);
   CHECK(std::get<law::ConstantCoefficient>(two.second).mu == 0.1);
   CHECK(two.first == std::array{1.0, 0.0});
   CHECK(two.speed == law::Orthotropy::Speed::kComponent);
-  const Case turned = sound(contact(
+  const cases::Case turned = sound(contact(
       "coefficient: {orthotropic: {direction1: {exponential_decay: {static: 0.3, kinetic: 0.2, "
       "decay: 1}}, direction2: {columns: [mu, slip_rate], rows: [[0.2, 0], [0.1, 9]]}, speed: "
       "total, axis: [3, 4]}}" +
@@ -397,4 +397,4 @@ TEST_CASE("a column that a formulation brings is told to be one") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

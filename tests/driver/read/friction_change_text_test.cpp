@@ -4,7 +4,7 @@
 
 #include "tests/driver/read/read_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 /// The sound case with a second step that changes friction, and what it changes.
@@ -15,20 +15,20 @@ std::string with_change(const std::string& change, const std::vector<Change>& ch
   return changed(all);
 }
 
-const std::vector<FrictionChange>& changes_of(const Case& problem) {
+const std::vector<cases::FrictionChange>& changes_of(const cases::Case& problem) {
   return problem.steps.at(1).friction_changes;
 }
 
 double constant(const law::FrictionLaw& law) { return std::get<law::ConstantCoefficient>(law).mu; }
 
 TEST_CASE("a change of friction keeps what it does not mention") {
-  const Case problem = sound(with_change("{sleeve: {coefficient: = 2*mu}}",
-                                         {{"stick: {", "force_limit: 70\n    stick: {"}}));
+  const cases::Case problem = sound(with_change("{sleeve: {coefficient: = 2*mu}}",
+                                                {{"stick: {", "force_limit: 70\n    stick: {"}}));
   REQUIRE(changes_of(problem).size() == 1);
-  const FrictionChange& change = changes_of(problem)[0];
+  const cases::FrictionChange& change = changes_of(problem)[0];
   CHECK(change.definition == 0);
   CHECK(constant(change.law) == 0.3);
-  CHECK(std::get<LinearTo>(change.amplitude).value == 1.0);
+  CHECK(std::get<history::LinearTo>(change.amplitude).value == 1.0);
   CHECK(change.force_limit == 70.0);
   CHECK(change.stick.value == 1e-4);
   CHECK(change.blends_elastic_slip);
@@ -41,37 +41,38 @@ TEST_CASE("amplitudes are linear, smooth or a table of weights") {
                sound(with_change("{sleeve: {coefficient: 0.1, amplitude: " + text + "}}")))[0]
         .amplitude;
   };
-  CHECK(std::holds_alternative<LinearTo>(amplitude("linear")));
-  CHECK(std::holds_alternative<SmoothTo>(amplitude("smooth")));
-  const Profile table =
+  CHECK(std::holds_alternative<history::LinearTo>(amplitude("linear")));
+  CHECK(std::holds_alternative<history::SmoothTo>(amplitude("smooth")));
+  const history::Profile table =
       amplitude("{columns: [weight, t], rows: [[0, 0], [0.5, 0.2], [0.5, 0.4], [1, 1]]}");
-  CHECK(std::get<Tabular>(table).times == std::vector{0.0, 0.2, 0.4, 1.0});
-  CHECK(std::get<Tabular>(table).values == std::vector{0.0, 0.5, 0.5, 1.0});
+  CHECK(std::get<history::Tabular>(table).times == std::vector{0.0, 0.2, 0.4, 1.0});
+  CHECK(std::get<history::Tabular>(table).values == std::vector{0.0, 0.5, 0.5, 1.0});
 }
 
 TEST_CASE("a later change knows the earlier ones, and reset goes back to the case's own") {
-  const Case problem = sound(changed(
+  const cases::Case problem = sound(changed(
       {{"checks:",
         "  - {step: one, increments: 5, change_friction: {sleeve: {coefficient: 0.1, force_limit: "
         "9, stick: {elastic_slip: 0.5}}}}\n"
         "  - {step: two, increments: 5, change_friction: {sleeve: {coefficient: 0.2}}}\n"
         "  - {step: three, increments: 5, change_friction: {sleeve: {reset: true}}}\n"
         "checks:"}}));
-  const FrictionChange& second = problem.steps[2].friction_changes.at(0);
+  const cases::FrictionChange& second = problem.steps[2].friction_changes.at(0);
   CHECK(second.force_limit == 9.0);
   CHECK(second.stick.value == 0.5);
-  const FrictionChange& third = problem.steps[3].friction_changes.at(0);
+  const cases::FrictionChange& third = problem.steps[3].friction_changes.at(0);
   CHECK(constant(third.law) == 0.15);
   CHECK(third.force_limit == law::kNoForceLimit);
   CHECK(third.stick.value == 1e-4);
 }
 
 TEST_CASE("the elastic slip switches in the first step and towards the exponential law") {
-  const Case first = sound(changed({{"increments: 10",
-                                     "increments: 10\n    change_friction: {sleeve: {coefficient: "
-                                     "0.1, stick: {elastic_slip: 0.5}}}"}}));
+  const cases::Case first =
+      sound(changed({{"increments: 10",
+                      "increments: 10\n    change_friction: {sleeve: {coefficient: "
+                      "0.1, stick: {elastic_slip: 0.5}}}"}}));
   CHECK_FALSE(first.steps[0].friction_changes.at(0).blends_elastic_slip);
-  const Case exponential = sound(with_change(
+  const cases::Case exponential = sound(with_change(
       "{sleeve: {coefficient: {exponential_decay: {static: 0.3, kinetic: 0.2, decay: 1}}}}"));
   CHECK_FALSE(changes_of(exponential)[0].blends_elastic_slip);
 }
@@ -82,9 +83,9 @@ TEST_CASE("the name of a predefined definition with two checks changes both") {
       "internal_contact_force: 1}, coefficient: 0.2, stick: {slip_tolerance: 1e-3}}\nhistory:\n  - "
       "{step: go, increments: 2, change_friction: {WHOM: {coefficient: 0.1}}}\n";
   const auto changes = [&](const std::string& name, const std::string& whom) {
-    const Case problem = sound(changed({{"NAME", name}, {"WHOM", whom}}, puck));
+    const cases::Case problem = sound(changed({{"NAME", name}, {"WHOM", whom}}, puck));
     std::vector<std::size_t> meant;
-    for (const FrictionChange& change : problem.steps[0].friction_changes) {
+    for (const cases::FrictionChange& change : problem.steps[0].friction_changes) {
       meant.push_back(change.definition);
     }
     return meant;
@@ -135,7 +136,7 @@ TEST_CASE("test data of the exponential decay are in force as what they stand fo
   CHECK(decay.decay == Approx(0.0601986402162968).epsilon(1e-14));
   const auto notes = read.diagnostics.sorted();
   REQUIRE(notes.size() == 1);
-  CHECK(notes[0].severity == Severity::kNote);
+  CHECK(notes[0].severity == base::Severity::kNote);
   CHECK(notes[0].message ==
         "stands for exponential_decay: static 0.3, kinetic 0.2, decay 0.0601986");
 }
@@ -157,4 +158,4 @@ TEST_CASE("test data must fall, and fit no force limit") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

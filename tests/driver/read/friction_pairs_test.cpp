@@ -8,7 +8,7 @@
 #include "law/friction/friction_law.hpp"
 #include "tests/driver/read/read_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 const std::string kTable =
@@ -29,7 +29,7 @@ const std::string kTable =
     "history:\n"
     "  - {step: slide, increments: 2, motion: {CP1: {to: 1}}, force: {f2: 100}}\n";
 
-double coefficient(const Case& problem) {
+double coefficient(const cases::Case& problem) {
   REQUIRE(problem.definitions.size() == 1);
   const auto* constant = std::get_if<law::ConstantCoefficient>(&problem.definitions[0].law.law);
   REQUIRE(constant != nullptr);
@@ -46,7 +46,7 @@ TEST_CASE("The parts of the connector pick the record, and --set can change them
         Wanted{1, 4, 0.2, "friction_pairs.pairs[0]"}, Wanted{1, 2, 0.1, "friction_pairs.default"},
         Wanted{6, 1, 0.1, "friction_pairs.default"}}) {
     INFO(a << " and " << b);
-    const Case problem = sound(kTable, {{{"a", a}, {"b", b}}, false});
+    const cases::Case problem = sound(kTable, {{{"a", a}, {"b", b}}, false});
     CHECK(coefficient(problem) == mu);
     REQUIRE(problem.pair);
     CHECK(problem.pair->record == record);
@@ -68,21 +68,21 @@ TEST_CASE("A part is an integer, also from an expression") {
 }
 
 TEST_CASE("Every definition without a coefficient takes the record's") {
-  const Case problem = sound(changed({{"{type: SLOT, ", "{type: CYLINDRICAL, "},
-                                      {"  - predefined: {}\n",
-                                       "  - component: 4\n    internal_contact_force: 1\n"
-                                       "    stick: {stiffness: 10}\n"
-                                       "  - component: 1\n    internal_contact_force: 2\n"}},
-                                     kTable));
+  const cases::Case problem = sound(changed({{"{type: SLOT, ", "{type: CYLINDRICAL, "},
+                                             {"  - predefined: {}\n",
+                                              "  - component: 4\n    internal_contact_force: 1\n"
+                                              "    stick: {stiffness: 10}\n"
+                                              "  - component: 1\n    internal_contact_force: 2\n"}},
+                                            kTable));
   REQUIRE(problem.definitions.size() == 2);
-  for (const CaseDefinition& definition : problem.definitions) {
+  for (const cases::CaseDefinition& definition : problem.definitions) {
     CHECK(std::get<law::ConstantCoefficient>(definition.law.law).mu == 0.3);
   }
 }
 
 TEST_CASE("A record of another law takes the place of a coefficient like any other") {
   const std::string law = "{exponential_decay: {static: 0.4, kinetic: 0.2, decay: 1}}";
-  const Case problem = sound(changed({{"coefficient: 0.3", "coefficient: " + law}}, kTable));
+  const cases::Case problem = sound(changed({{"coefficient: 0.3", "coefficient: " + law}}, kTable));
   const auto* decay = std::get_if<law::ExponentialDecay>(&problem.definitions[0].law.law);
   REQUIRE(decay != nullptr);
   CHECK(decay->mu_static == 0.4);
@@ -135,7 +135,7 @@ TEST_CASE("A record's VISF takes the place of the formulation's") {
        {"coefficient: 0.3", "coefficient: 0.3, VISF: 4"},
        {"motion: {CP1: {to: 1}}, force: {f2: 100}", "motion: {CP2: {to: 1}}, force: {f1: 100}"}},
       kTable);
-  const auto visf = [](const Case& problem) {
+  const auto visf = [](const cases::Case& problem) {
     REQUIRE(problem.definitions.size() == 1);
     REQUIRE(problem.definitions[0].law.formulation);
     return std::get<law::ViscousPenalty>(problem.definitions[0].law.formulation->penalty).visf;
@@ -176,4 +176,4 @@ TEST_CASE("Parts may be listed in any order, and by the thousand") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

@@ -9,7 +9,7 @@
 
 #include "tests/driver/read/read_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 const std::string kPuck =
@@ -91,7 +91,7 @@ TEST_CASE("what sees neither rate nor force, or has a friction radius, is not wa
 TEST_CASE("at the friction radius the spinning has the coefficient of the sliding") {
   for (const std::vector<Change>& changes :
        {std::vector<Change>{kRadius}, std::vector<Change>{kRadius, kTable}}) {
-    const Case problem = sound(changed(changes, kPuck));
+    const cases::Case problem = sound(changed(changes, kPuck));
     REQUIRE(problem.definitions.size() == 2);
     for (const double speed : {0.0, 3.0, 20.0, 70.0}) {
       for (const double force : {0.0, 40.0, 150.0}) {
@@ -110,7 +110,7 @@ TEST_CASE("a law with a hidden unit of speed keeps it at the friction radius") {
   const Change renard{"{exponential_decay: {static: 0.3, kinetic: 0.1, decay: 0.05}}",
                       "{renard: {C1: 0.15, C2: 0.1, C3: 0.25, C4: 0.05, C5: 1, C6: 2, speed_unit: "
                       "m/s}}"};
-  const Case problem = sound(changed({kRadius, renard}, kPuck));
+  const cases::Case problem = sound(changed({kRadius, renard}, kPuck));
   for (const double speed : {500.0, 1500.0, 9000.0}) {
     const auto mu = [&](std::size_t d, double rate) {
       return law::evaluate(problem.definitions[d].law.law, {}, {.slip_rate = rate}).mu;
@@ -132,8 +132,8 @@ TEST_CASE("a change of friction is converted at the friction radius too, and war
   CHECK(found[0].find("history[1].change_friction.friction1.coefficient: 'exponential_decay' is "
                       "asked for slip rates in mm/s") != std::string::npos);
   CHECK(warnings({kRadius, constant, changing}).empty());
-  const Case problem = sound(changed({kRadius, constant, changing}, kPuck));
-  const std::vector<FrictionChange>& changes = problem.steps[1].friction_changes;
+  const cases::Case problem = sound(changed({kRadius, constant, changing}, kPuck));
+  const std::vector<cases::FrictionChange>& changes = problem.steps[1].friction_changes;
   REQUIRE(changes.size() == 2);
   CHECK(std::get<law::ExponentialDecay>(changes[0].law).decay == 0.05);
   CHECK(std::get<law::ExponentialDecay>(changes[1].law).decay == Approx(0.4));
@@ -178,7 +178,7 @@ TEST_CASE("parts that meet share one coefficient among all definitions") {
         "8:26: warning: friction_pairs.default.coefficient: 'exponential_decay' is asked for slip "
         "rates in mm/s for sliding and rad/s for spinning; 'connector: {friction_radius: R}' asks "
         "for both at that radius");
-  const Case problem =
+  const cases::Case problem =
       sound(changed({{"parts: [1, 2]", "parts: [1, 2], friction_radius: 10 mm"}}, pair));
   CHECK(std::get<law::ExponentialDecay>(problem.definitions[0].law.law).decay == 0.05);
   CHECK(std::get<law::ExponentialDecay>(problem.definitions[1].law.law).decay == Approx(0.5));
@@ -214,10 +214,10 @@ TEST_CASE("one coefficient of a shaft's translation and rotation is looked up at
       "history:\n"
       "  - {step: go, increments: 2, motion: {CP1: {to: 1}}, force: {f2: 50}}\n";
   CHECK(warnings({}, shaft).empty());
-  const Case problem = sound(shaft);
+  const cases::Case problem = sound(shaft);
   REQUIRE(problem.definitions.size() == 1);
   CHECK(problem.definitions[0].law.slip.scale[1] == 8.0);
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

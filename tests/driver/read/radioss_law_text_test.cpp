@@ -6,7 +6,7 @@
 
 #include "tests/driver/read/read_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 const std::string kRenard = "C1: 0.15, C2: 0.10, C3: 0.25, C4: 0.05, C5: 10, C6: 100";
@@ -21,7 +21,7 @@ std::string case_with(const std::string& law, const std::string& connector = "ty
 
 template <class Law>
 Law law_of(const std::string& text) {
-  const Case problem = sound(text);
+  const cases::Case problem = sound(text);
   REQUIRE(problem.definitions.size() == 1);
   REQUIRE(std::holds_alternative<Law>(problem.definitions[0].law.law));
   return std::get<Law>(problem.definitions[0].law.law);
@@ -145,4 +145,4 @@ TEST_CASE("A coefficient that is not used, or starts below zero, is pointed out"
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

@@ -9,7 +9,7 @@
 
 #include "driver/read/read_case.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 
 /// A sound case with a bit of everything; tests change a few words of it.
 inline const std::string kSoundCase =
@@ -56,14 +56,14 @@ inline std::string changed(const std::vector<Change>& changes, std::string text 
 
 inline ReadCase read_text(const std::string& text, const ReadOptions& options = {},
                           const std::string& folder = ".") {
-  return read_case_text(SourceText("c.yaml", text), folder, options);
+  return read_case_text(base::SourceText("c.yaml", text), folder, options);
 }
 
 /// The case of a sound text.
-inline Case sound(const std::string& text, const ReadOptions& options = {},
-                  const std::string& folder = ".") {
+inline cases::Case sound(const std::string& text, const ReadOptions& options = {},
+                         const std::string& folder = ".") {
   ReadCase read = read_text(text, options, folder);
-  INFO(render(read.diagnostics, read.sources));
+  INFO(base::render(read.diagnostics, read.sources));
   REQUIRE(read.value.has_value());
   return std::move(*read.value);
 }
@@ -73,7 +73,7 @@ inline std::string complaint(const std::string& text, const ReadOptions& options
                              const std::string& folder = ".") {
   const ReadCase read = read_text(text, options, folder);
   CHECK(read.value.has_value() == !read.diagnostics.has_errors());
-  return render(read.diagnostics, read.sources);
+  return base::render(read.diagnostics, read.sources);
 }
 
 /// The messages without the lines they quote and without the file's name.
@@ -90,4 +90,4 @@ inline std::vector<std::string> messages(const std::string& text, const ReadOpti
   return lines;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

@@ -5,7 +5,7 @@
 
 #include "driver/read/read_case.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 /// A slot whose press fit is a table; `reference` and `drives` vary.
@@ -26,12 +26,12 @@ ReadCase slot(const std::string& independents, const std::string& reference,
       "history:\n"
       "  - {step: go, increments: 1, motion: {CP1: {to: 6}}" +
       drives + "}\n";
-  return read_case_text(SourceText("c.yaml", text), ".");
+  return read_case_text(base::SourceText("c.yaml", text), ".");
 }
 
 std::string said(const ReadCase& read) {
   REQUIRE(read.value);
-  return render(read.diagnostics, read.sources);
+  return base::render(read.diagnostics, read.sources);
 }
 
 TEST_CASE("A table over a temperature or field that nobody gives is warned of") {
@@ -52,4 +52,4 @@ TEST_CASE("A table over CU is explained where it is not the displacement") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

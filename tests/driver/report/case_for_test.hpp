@@ -18,7 +18,7 @@
 #include "driver/report/collect.hpp"
 #include "driver/yaml/parse.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 
 /// A slider of 20 N (mu N) on a stick stiffness of 1000 N/mm, to and fro by 0.1 mm: it slips from
 /// 0.02 mm on, and after the turn at t = 1 from 0.06 mm on. `mu` is what its check expects.
@@ -50,15 +50,15 @@ inline std::string slider_text(const std::string& mu, int increments = 10) {
          "    tolerance: {absolute: 0.5, why: a guess}\n";
 }
 
-inline Case read_text(const std::string& text) {
-  ReadCase read = read_case_text(SourceText("case.yaml", text), ".");
+inline cases::Case read_text(const std::string& text) {
+  read::ReadCase read = read::read_case_text(base::SourceText("case.yaml", text), ".");
   if (!read.value || read.diagnostics.has_errors()) {
-    throw std::runtime_error(render(read.diagnostics, read.sources));
+    throw std::runtime_error(base::render(read.diagnostics, read.sources));
   }
   return std::move(*read.value);
 }
 
-inline Case read_slider(const std::string& mu, int increments = 10) {
+inline cases::Case read_slider(const std::string& mu, int increments = 10) {
   return read_text(slider_text(mu, increments));
 }
 
@@ -88,21 +88,22 @@ inline std::string cycles_text(int cycles, int increments) {
          "    tolerance: {absolute: 0.5, why: a guess}\n";
 }
 
-inline Case read_cycles(int cycles, int increments) {
+inline cases::Case read_cycles(int cycles, int increments) {
   return read_text(cycles_text(cycles, increments));
 }
 
 /// The report of a case, run as the commands run it.
-inline CaseReport report_of(const Case& problem, const std::string& name = "case",
+inline CaseReport report_of(const cases::Case& problem, const std::string& name = "case",
                             std::size_t most_rows = kMostRows) {
   CaseCollector collector(problem, most_rows);
-  std::vector<CheckProgress> checks;
-  for (const Check& check : problem.checks) checks.emplace_back(problem, check, Trace::kKeep);
-  auto simulation = Simulation::start(problem);
+  std::vector<check::CheckProgress> checks;
+  for (const cases::Check& check : problem.checks)
+    checks.emplace_back(problem, check, check::Trace::kKeep);
+  auto simulation = bench::Simulation::start(problem);
   if (!simulation) throw std::runtime_error(simulation.error().message);
   while (true) {
     collector.add(simulation->row());
-    for (CheckProgress& check : checks) check.add(simulation->row());
+    for (check::CheckProgress& check : checks) check.add(simulation->row());
     const auto more = simulation->advance();
     if (!more) throw std::runtime_error(more.error().message);
     if (!*more) break;
@@ -174,8 +175,8 @@ inline std::vector<double> unpacked(std::string_view text) {
 }
 
 /// A document as a tree: JSON is YAML.
-inline Tree tree_of(const std::string& document) {
-  auto tree = parse_yaml(SourceText("page.json", document));
+inline yaml::Tree tree_of(const std::string& document) {
+  auto tree = yaml::parse_yaml(base::SourceText("page.json", document));
   if (!tree) throw std::runtime_error("no JSON: " + document);
   return std::move(*tree);
 }
@@ -189,4 +190,4 @@ inline double number_at(const CaseReport& report, std::size_t row, const std::st
   throw std::runtime_error("no column " + column);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

@@ -10,7 +10,7 @@
 #include "tests/driver/bench/example_cases.hpp"
 #include "tests/driver/report/case_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 namespace {
 
 TEST_CASE("a report tells what a picture of friction needs") {
@@ -163,7 +163,8 @@ TEST_CASE("energies are told in the unit of the summary") {
 }
 
 TEST_CASE("the definitions of a coupled connection are drawn with their own columns") {
-  const Case problem = puck_case({step("slide", 20, kFirstMotion + 1, LinearTo{0.1})});
+  const cases::Case problem =
+      bench::puck_case({bench::step("slide", 20, cases::kFirstMotion + 1, history::LinearTo{0.1})});
   const CaseReport report = report_of(problem);
   REQUIRE(report.definitions.size() == 2);
   CHECK(report.definitions[0].force == "CSFC");
@@ -179,7 +180,7 @@ TEST_CASE("the definitions of a coupled connection are drawn with their own colu
 
 TEST_CASE("what the reader noted and warned of is told") {
   CaseReport report;
-  Diagnostics diagnostics;
+  base::Diagnostics diagnostics;
   diagnostics.note("a.yaml", {}, "friction[0]", "1 mm used", "give 'length'");
   diagnostics.warning("a.yaml", {}, "", "odd");
   add_remarks(report, diagnostics);
@@ -188,4 +189,4 @@ TEST_CASE("what the reader noted and warned of is told") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

@@ -8,7 +8,7 @@
 
 #include "driver/report/report.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 namespace {
 
 /// A case with one row; every tenth fails.
@@ -110,4 +110,4 @@ TEST_CASE("the size of a page is told in kB and MB") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

@@ -10,7 +10,7 @@
 #include "driver/report/report.hpp"
 #include "tests/driver/report/case_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 namespace {
 
 std::string document_of(std::vector<CaseReport> reports, const std::string& title = "Title") {
@@ -19,52 +19,52 @@ std::string document_of(std::vector<CaseReport> reports, const std::string& titl
   return report_document(collection, title);
 }
 
-std::string text(const Node& node, const char* name) {
+std::string text(const yaml::Node& node, const char* name) {
   const auto member = node.find(name);
   REQUIRE(member);
   return std::string(member->text());
 }
 
 TEST_CASE("the document has the totals, and of each case columns, events and checks") {
-  const Tree tree = tree_of(
+  const yaml::Tree tree = tree_of(
       document_of({report_of(read_slider("0.2"), "good"), report_of(read_slider("0.3"), "poor"),
                    not_run_report("bad", "", "bad.yaml:1:1: error\n")}));
-  const Node root = tree.root();
+  const yaml::Node root = tree.root();
   CHECK(text(root, "schema") == "1");
-  const Node totals = *root.find("totals");
+  const yaml::Node totals = *root.find("totals");
   CHECK(text(totals, "cases") == "3");
   CHECK(text(totals, "passed") == "1");
   CHECK(text(totals, "failed") == "1");
   CHECK(text(totals, "not_run") == "1");
   CHECK(text(totals, "checks") == "2");
-  const Node cases = *root.find("cases");
+  const yaml::Node cases = *root.find("cases");
   REQUIRE(cases.size() == 3);
-  const Node good = cases[0];
+  const yaml::Node good = cases[0];
   CHECK(text(good, "id") == "good");
   CHECK(text(good, "status") == "passed");
   CHECK(text(good, "details") == "true");
-  const Node columns = *good.find("columns");
-  const Node rows = *good.find("rows");
+  const yaml::Node columns = *good.find("columns");
+  const yaml::Node rows = *good.find("rows");
   REQUIRE(rows.size() == columns.size());
   CHECK(text(columns[0], "name") == "t");
   CHECK(text(columns[0], "unit") == "s");
-  for (const Node column : rows.items()) CHECK(unpacked(column.text()).size() == 21);
+  for (const yaml::Node column : rows.items()) CHECK(unpacked(column.text()).size() == 21);
   // 0.30000000000000004 and the like are told as far as a row is apart from the next.
   CHECK(unpacked(rows[0].text())[3] == 0.3);
-  const Node definition = (*good.find("definitions"))[0];
+  const yaml::Node definition = (*good.find("definitions"))[0];
   CHECK(text(definition, "force") == "CSF1");
   CHECK(definition.find("limit_below")->is_null());
   CHECK((*definition.find("spans"))[0][2].text() == "2");
   CHECK(text((*good.find("events"))[1], "to") == "stick");
-  const Node poor = cases[1];
-  const Node check = (*poor.find("checks"))[0];
+  const yaml::Node poor = cases[1];
+  const yaml::Node check = (*poor.find("checks"))[0];
   CHECK(text(check, "passed") == "false");
   CHECK(text(*check.find("worst"), "reference") == "30");
-  const Node trace = *check.find("trace");
+  const yaml::Node trace = *check.find("trace");
   CHECK(unpacked(text(*trace.find("value"), "x")).size() ==
         unpacked(text(*trace.find("reference"), "y")).size());
   CHECK(text(trace, "tube") == "0.5");
-  const Node bad = cases[2];
+  const yaml::Node bad = cases[2];
   CHECK(text(bad, "status") == "not_run");
   CHECK(text(bad, "message") == "bad.yaml:1:1: error\n");
   CHECK(text(bad, "details") == "false");
@@ -91,8 +91,8 @@ TEST_CASE("a short motion far away and late keeps its times and its shape") {
   }
   report.events[0].time = 1000.0 + 5e-5 * 10.25;
   report.checks[0].verdict.worst.time = 1000.0 + 5e-5 * 60;
-  const Tree tree = tree_of(document_of({report}));
-  const Node one = (*tree.root().find("cases"))[0];
+  const yaml::Tree tree = tree_of(document_of({report}));
+  const yaml::Node one = (*tree.root().find("cases"))[0];
   const auto distinct = [&](std::size_t column) {
     const auto numbers = unpacked((*one.find("rows"))[column].text());
     return std::set<double>(numbers.begin(), numbers.end()).size();
@@ -109,33 +109,33 @@ TEST_CASE("a short motion far away and late keeps its times and its shape") {
 TEST_CASE("spans that cover several regimes are marked") {
   CaseReport report = report_of(read_slider("0.2"));
   report.definitions[0].spans = {{0.2, 1.0, 2, false}, {1.4, 2.0, 2, true}};
-  const Tree tree = tree_of(document_of({report}));
-  const Node spans = *(*(*tree.root().find("cases"))[0].find("definitions"))[0].find("spans");
+  const yaml::Tree tree = tree_of(document_of({report}));
+  const yaml::Node spans = *(*(*tree.root().find("cases"))[0].find("definitions"))[0].find("spans");
   CHECK(spans[0].size() == 3);
   REQUIRE(spans[1].size() == 4);
   CHECK(spans[1][3].text() == "true");
 }
 
 TEST_CASE("a thinned case says which rows there are, its extremes and its cycles") {
-  const Case problem = read_cycles(100, 100);
-  const Tree tree = tree_of(document_of({report_of(problem, "case", 2500)}));
-  const Node one = (*tree.root().find("cases"))[0];
+  const cases::Case problem = read_cycles(100, 100);
+  const yaml::Tree tree = tree_of(document_of({report_of(problem, "case", 2500)}));
+  const yaml::Node one = (*tree.root().find("cases"))[0];
   CHECK(text(one, "thinned") == "true");
   CHECK(text(one, "rows_total") == "10001");
   const auto index = unpacked(text(one, "index"));
   CHECK(index.front() == 0.0);
   CHECK(index.back() == 10000.0);
   CHECK(std::to_string(index.size()) == text(one, "rows_shown"));
-  const Node pieces = *one.find("pieces");
+  const yaml::Node pieces = *one.find("pieces");
   CHECK(pieces.find("low")->size() == one.find("columns")->size());
   // 10001 rows in pieces of 32.
   CHECK(text(pieces, "rows") == "32");
   CHECK(unpacked((*pieces.find("high"))[1].text()).size() == 313);
-  const Node cycles = *one.find("cycles");
+  const yaml::Node cycles = *one.find("cycles");
   CHECK(text(cycles, "of") == "CP1");
   CHECK(text(cycles, "total") == "100");
   const auto times = unpacked((*one.find("rows"))[0].text());
-  for (const Node cycle : cycles.find("drawn")->items()) {
+  for (const yaml::Node cycle : cycles.find("drawn")->items()) {
     if (cycle[0].text() == "0") continue;
     const auto first = static_cast<std::size_t>(std::stoi(std::string(cycle[1].text())));
     const auto last = static_cast<std::size_t>(std::stoi(std::string(cycle[2].text())));
@@ -156,15 +156,15 @@ TEST_CASE("hostile texts stay texts") {
   CHECK(document.find('<') == std::string::npos);
   CHECK(document.find("\xE2\x80\xA8") == std::string::npos);
   CHECK(document.find('\n') == std::string::npos);
-  const Tree tree = tree_of(document);
+  const yaml::Tree tree = tree_of(document);
   CHECK(text(tree.root(), "title") == "</SCRIPT>");
   CHECK(text((*tree.root().find("cases"))[0], "message") == "\"\\\n");
 }
 
 TEST_CASE("cases of one name get ids of their own") {
   const CaseReport same = not_run_report("a", "", "");
-  const Tree tree = tree_of(document_of({same, not_run_report("a (2)", "", ""), same, same}));
-  const Node cases = *tree.root().find("cases");
+  const yaml::Tree tree = tree_of(document_of({same, not_run_report("a (2)", "", ""), same, same}));
+  const yaml::Node cases = *tree.root().find("cases");
   CHECK(text(cases[0], "id") == "a");
   CHECK(text(cases[1], "id") == "a (2)");
   CHECK(text(cases[2], "id") == "a (3)");
@@ -180,8 +180,8 @@ TEST_CASE("results that draw the same columns are compared, cases are not") {
   CaseReport third = result;
   third.name = "another force";
   third.definitions[0].force = "CSF2";
-  const Tree tree = tree_of(document_of({of_case, result, third, other}));
-  const Node groups = *tree.root().find("compare");
+  const yaml::Tree tree = tree_of(document_of({of_case, result, third, other}));
+  const yaml::Node groups = *tree.root().find("compare");
   REQUIRE(groups.size() == 1);
   REQUIRE(groups[0].size() == 2);
   CHECK(groups[0][0].text() == "old (2)");
@@ -190,19 +190,19 @@ TEST_CASE("results that draw the same columns are compared, cases are not") {
 
 TEST_CASE("what is only reported has no tolerance, what is not finite is null") {
   CaseReport report = report_of(read_slider("0.2"));
-  Measure phase;
+  check::Measure phase;
   phase.name = "phase";
-  phase.unit = MeasureUnit::kNone;
+  phase.unit = check::MeasureUnit::kNone;
   phase.tolerance = std::numeric_limits<double>::infinity();
   report.checks[0].verdict.measures = {phase};
   report.drawn.rows.numbers[1] = std::numeric_limits<double>::quiet_NaN();
-  const Tree tree = tree_of(document_of({report}));
-  const Node one = (*tree.root().find("cases"))[0];
-  const Node measure = (*(*one.find("checks"))[0].find("measures"))[0];
+  const yaml::Tree tree = tree_of(document_of({report}));
+  const yaml::Node one = (*tree.root().find("cases"))[0];
+  const yaml::Node measure = (*(*one.find("checks"))[0].find("measures"))[0];
   CHECK(measure.find("tolerance")->is_null());
   CHECK(text(measure, "passed") == "true");
   CHECK(std::isnan(unpacked((*one.find("rows"))[1].text())[0]));
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

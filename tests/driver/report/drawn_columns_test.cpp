@@ -5,12 +5,12 @@
 #include <catch2/catch.hpp>
 #include <set>
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 namespace {
 
 /// A result with so many definitions, each with all columns a page could draw.
-ResultLayout layout_with(int definitions) {
-  ResultLayout layout;
+results::ResultLayout layout_with(int definitions) {
+  results::ResultLayout layout;
   layout.columns = {"t"};
   for (int d = 1; d <= definitions; ++d) {
     const std::string n = std::to_string(d);
@@ -53,10 +53,10 @@ TEST_CASE("of many definitions coefficients go first, forces and regimes never")
 }
 
 TEST_CASE("a table of no result has nothing to draw") {
-  ResultLayout layout;
+  results::ResultLayout layout;
   layout.columns = {"t", "x"};
   CHECK(drawn_columns(layout).definitions.empty());
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

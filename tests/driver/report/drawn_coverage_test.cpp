@@ -4,16 +4,16 @@
 #include <catch2/catch.hpp>
 #include <numeric>
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 namespace {
 
 /// A table with so many intervals along each axis; cell n was visited n times.
-TableCoverage table_of(const std::vector<std::size_t>& intervals) {
-  TableCoverage table;
+results::TableCoverage table_of(const std::vector<std::size_t>& intervals) {
+  results::TableCoverage table;
   table.what = "coefficient";
   std::size_t cells = 1;
   for (const std::size_t count : intervals) {
-    TableCoverage::Axis axis;
+    results::TableCoverage::Axis axis;
     axis.name = "axis" + std::to_string(table.axes.size());
     axis.knots.resize(count + 1);
     std::iota(axis.knots.begin(), axis.knots.end(), 0.0);
@@ -31,7 +31,7 @@ std::int64_t sum(const std::vector<std::int64_t>& visits) {
 }
 
 TEST_CASE("a small table is drawn as it is, the first independent fastest") {
-  const TableCoverage table = table_of({3, 2});
+  const results::TableCoverage table = table_of({3, 2});
   const ReportTable drawn = drawn_coverage(table, "pad");
   CHECK(drawn.name == "friction 'pad': coefficient");
   CHECK(drawn.visits == table.visits);
@@ -44,7 +44,7 @@ TEST_CASE("a small table is drawn as it is, the first independent fastest") {
 TEST_CASE("a large table becomes coarser but loses no visit and no end") {
   for (const auto& intervals : {std::vector<std::size_t>{1000}, std::vector<std::size_t>{100, 7},
                                 std::vector<std::size_t>{49, 48}}) {
-    const TableCoverage table = table_of(intervals);
+    const results::TableCoverage table = table_of(intervals);
     const ReportTable drawn = drawn_coverage(table, "pad");
     CHECK(drawn.coarser);
     CHECK(sum(drawn.visits) == sum(table.visits));
@@ -63,7 +63,7 @@ TEST_CASE("a large table becomes coarser but loses no visit and no end") {
 }
 
 TEST_CASE("of more than two independents there are the sums along each") {
-  const TableCoverage table = table_of({2, 2, 2});
+  const results::TableCoverage table = table_of({2, 2, 2});
   const ReportTable drawn = drawn_coverage(table, "pad");
   CHECK(drawn.visits.empty());
   REQUIRE(drawn.axes.size() == 3);
@@ -72,12 +72,12 @@ TEST_CASE("of more than two independents there are the sums along each") {
 }
 
 TEST_CASE("a table that was too large to count, and one of a single row, can be drawn") {
-  TableCoverage uncounted = table_of({1000, 2});
+  results::TableCoverage uncounted = table_of({1000, 2});
   uncounted.visits.clear();
   const ReportTable drawn = drawn_coverage(uncounted, "pad");
   CHECK(drawn.visits.empty());
   CHECK(drawn.axes[0].visits.empty());
-  TableCoverage single;
+  results::TableCoverage single;
   single.axes.push_back({"slip_rate", {1.0}});
   single.visits = {5};
   const ReportTable one = drawn_coverage(single, "pad");
@@ -86,4 +86,4 @@ TEST_CASE("a table that was too large to count, and one of a single row, can be 
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

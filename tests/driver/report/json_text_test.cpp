@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 namespace {
 
 TEST_CASE("brackets, members and items are separated as JSON wants it") {
@@ -55,4 +55,4 @@ TEST_CASE("no text ends a script element, breaks a line of JavaScript or is no U
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

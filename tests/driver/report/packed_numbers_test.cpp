@@ -10,7 +10,7 @@
 
 #include "tests/driver/report/case_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 namespace {
 
 double largest_error(const std::vector<double>& numbers, const std::vector<double>& told) {
@@ -78,4 +78,4 @@ TEST_CASE("what is no number is none on the page, and spoils none beside it") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

@@ -5,7 +5,7 @@
 
 #include "driver/report/page_parts.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 namespace {
 
 std::size_t count(std::string_view text, std::string_view part) {
@@ -48,4 +48,4 @@ TEST_CASE("a title and a document stay text, whatever they look like") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

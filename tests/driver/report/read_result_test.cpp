@@ -9,17 +9,17 @@
 #include "tests/driver/report/case_for_test.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 namespace {
 
 namespace fs = std::filesystem;
 
 /// Runs the slider into the folder; its check expects `mu`.
 std::string run_slider(const TemporaryFolder& folder, const std::string& mu, int increments = 10) {
-  RunOptions options;
+  commands::RunOptions options;
   options.cases = {folder.write("slider.yaml", slider_text(mu, increments)).string()};
   options.folder = folder.path().string();
-  run_command(options);
+  commands::run_command(options);
   return (folder.path() / "slider.csv").string();
 }
 
@@ -29,7 +29,7 @@ TEST_CASE("a result tells the same as its case, but for the checks' curves") {
   const ReadResult result = read_result(file, "out/slider");
   const CaseReport of_case = report_of(read_slider("0.3"));
   const CaseReport& report = result.report;
-  CHECK(result.code == kExitOk);
+  CHECK(result.code == base::kExitOk);
   CHECK(report.is_result);
   CHECK(report.name == "out/slider");
   CHECK(report.title == "Slider");
@@ -55,7 +55,7 @@ TEST_CASE("a result tells the same as its case, but for the checks' curves") {
   CHECK(report.events[1].force == of_case.events[1].force);
   CHECK(report.events[1].positions == of_case.events[1].positions);
   REQUIRE(report.checks.size() == 1);
-  const Verdict& verdict = report.checks[0].verdict;
+  const check::Verdict& verdict = report.checks[0].verdict;
   CHECK(verdict.name == "limit");
   CHECK_FALSE(verdict.passed);
   CHECK(verdict.message == of_case.checks[0].verdict.message);
@@ -72,7 +72,7 @@ TEST_CASE("a result alone, without the files beside it, is drawn without verdict
   fs::remove(folder.path() / "slider.json");
   fs::remove(folder.path() / "slider.events.csv");
   const ReadResult result = read_result(file, "slider");
-  CHECK(result.code == kExitOk);
+  CHECK(result.code == base::kExitOk);
   CHECK(result.report.status == ReportStatus::kNoChecks);
   CHECK(result.report.events.empty());
   CHECK(result.report.checks.empty());
@@ -115,10 +115,10 @@ TEST_CASE("a long result is thinned as its case is") {
 
 TEST_CASE("the row where a check of a result is worst stays") {
   const TemporaryFolder folder;
-  RunOptions options;
+  commands::RunOptions options;
   options.cases = {folder.write("cycles.yaml", cycles_text(100, 100)).string()};
   options.folder = folder.path().string();
-  run_command(options);
+  commands::run_command(options);
   const ReadResult result = read_result((folder.path() / "cycles.csv").string(), "cycles", 2500);
   const CaseReport& report = result.report;
   REQUIRE(report.drawn.thinned);
@@ -137,17 +137,17 @@ TEST_CASE("the row where a check of a result is worst stays") {
 TEST_CASE("what is no result says why, with its place") {
   const TemporaryFolder folder;
   const ReadResult missing = read_result((folder.path() / "no.csv").string(), "no");
-  CHECK(missing.code == kExitEnvironment);
+  CHECK(missing.code == base::kExitEnvironment);
   CHECK(missing.report.status == ReportStatus::kNotRun);
   CHECK(missing.report.is_result);
   const ReadResult foreign = read_result(folder.write("a.csv", "t,x\n0,1\n").string(), "a");
-  CHECK(foreign.code == kExitBadInput);
+  CHECK(foreign.code == base::kExitBadInput);
   CHECK(foreign.report.message.find("has no friction force to draw") != std::string::npos);
   const ReadResult faulty = read_result(
       folder.write("b.csv", "# friction: a = CSF1\nt,CSF1\n0,1\n1,one\n").string(), "b");
-  CHECK(faulty.code == kExitBadInput);
+  CHECK(faulty.code == base::kExitBadInput);
   CHECK(faulty.report.message.find("b.csv:4: error: ") != std::string::npos);
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

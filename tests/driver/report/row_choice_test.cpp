@@ -9,7 +9,7 @@
 #include <set>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 namespace {
 
 constexpr std::array<std::size_t, 1> kMotion{1};
@@ -151,4 +151,4 @@ TEST_CASE("rows about given times: the nearest, its neighbours, and those of oth
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

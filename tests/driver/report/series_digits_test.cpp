@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 namespace {
 
 TEST_CASE("digits tell a number to within what is asked for") {
@@ -62,4 +62,4 @@ TEST_CASE("times are told to a thousandth of the shortest step") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

@@ -5,15 +5,15 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 namespace {
 
 constexpr std::size_t kPoints = 25000;
 constexpr std::size_t kWorst = 3217;
 
 /// A wave against itself, off by 0.001 at one point: the difference does not show in either curve.
-CheckTrace nearly_right() {
-  CheckTrace trace;
+check::CheckTrace nearly_right() {
+  check::CheckTrace trace;
   trace.abscissa_label = "t";
   trace.abscissa_unit = "s";
   trace.tube = 1e-4;
@@ -28,7 +28,7 @@ CheckTrace nearly_right() {
   return trace;
 }
 
-ReportCheck check_of(const CheckTrace& trace, bool passed) {
+ReportCheck check_of(const check::CheckTrace& trace, bool passed) {
   ReportCheck check;
   check.verdict.passed = passed;
   check.verdict.worst.time = trace.value.time[kWorst];
@@ -42,7 +42,7 @@ std::size_t count_near(const std::vector<double>& x, double place, double distan
 }
 
 TEST_CASE("the worst point and its neighbours survive, in both curves at the same places") {
-  const CheckTrace trace = nearly_right();
+  const check::CheckTrace trace = nearly_right();
   ReportCheck check = check_of(trace, false);
   put_trace(check, trace, 1);
   CHECK(check.thinned);
@@ -61,7 +61,7 @@ TEST_CASE("the worst point and its neighbours survive, in both curves at the sam
 }
 
 TEST_CASE("a passed check has fewer points, one of many fewer still") {
-  const CheckTrace trace = nearly_right();
+  const check::CheckTrace trace = nearly_right();
   ReportCheck alone = check_of(trace, true);
   put_trace(alone, trace, 1);
   ReportCheck one_of_many = check_of(trace, true);
@@ -72,7 +72,7 @@ TEST_CASE("a passed check has fewer points, one of many fewer still") {
 }
 
 TEST_CASE("curves with points of their own are thinned each for itself") {
-  CheckTrace trace = nearly_right();
+  check::CheckTrace trace = nearly_right();
   trace.reference = {{0.0, 25.0, 50.0}, {1.0, 2.0, 3.0}, {}};
   trace.tube = 0.0;
   ReportCheck check = check_of(trace, false);
@@ -86,11 +86,11 @@ TEST_CASE("curves with points of their own are thinned each for itself") {
 
 TEST_CASE("a check that kept nothing has no curves") {
   ReportCheck check;
-  put_trace(check, CheckTrace{}, 1);
+  put_trace(check, check::CheckTrace{}, 1);
   CHECK(check.value.x.empty());
   CHECK(check.reference.x.empty());
   CHECK_FALSE(check.thinned);
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

@@ -5,7 +5,7 @@
 
 #include "tests/driver/report/case_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::report {
 namespace {
 
 TEST_CASE("a page says what was run: connection, law, stick and the steps of the history") {
@@ -30,4 +30,4 @@ TEST_CASE("a page says what was run: connection, law, stick and the steps of the
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::report

@@ -5,7 +5,7 @@
 
 #include "tests/driver/bench/example_cases.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
 law::TableFunction table_of(const std::vector<std::vector<double>>& rows,
@@ -19,26 +19,27 @@ law::TableFunction table_of(const std::vector<std::vector<double>>& rows,
 
 /// mu over temperature 0 .. 10 .. 30 and field1 0 .. 1; a run from 5 to 45 degrees in 8 increments
 /// at field1 = 0.5.
-Case warming_case() {
-  Case problem = slider_case({step("warm", 8, kTemperatureQuantity, LinearTo{45.0})});
+cases::Case warming_case() {
+  cases::Case problem = bench::slider_case(
+      {bench::step("warm", 8, cases::kTemperatureQuantity, history::LinearTo{45.0})});
   problem.definitions[0].law.law = law::TabularCoefficient{
       table_of({{0.3, 0, 0}, {0.2, 10, 0}, {0.1, 30, 0}, {0.3, 0, 1}, {0.2, 10, 1}, {0.1, 30, 1}},
                {{law::IndependentKind::kTemperature}, {law::IndependentKind::kField}})};
-  problem.steps[0].drives.push_back({kFirstField, Constant{0.5}});
-  Step first = step("start", 1, kTemperatureQuantity, Constant{5.0});
+  problem.steps[0].drives.push_back({cases::kFirstField, history::Constant{0.5}});
+  cases::Step first = bench::step("start", 1, cases::kTemperatureQuantity, history::Constant{5.0});
   problem.steps.insert(problem.steps.begin(), first);
-  problem.steps[0].drives.push_back({kFirstField, Constant{2.0}});
+  problem.steps[0].drives.push_back({cases::kFirstField, history::Constant{2.0}});
   return problem;
 }
 
-Coverage coverage_of(const Case& problem) {
+Coverage coverage_of(const cases::Case& problem) {
   Coverage coverage(problem);
-  for (const Row& row : rows_of(problem)) coverage.add(row);
+  for (const bench::Row& row : bench::rows_of(problem)) coverage.add(row);
   return coverage;
 }
 
 TEST_CASE("the cells of a table are counted, those outside for themselves") {
-  const Case problem = warming_case();
+  const cases::Case problem = warming_case();
   const Coverage coverage = coverage_of(problem);
   REQUIRE(coverage.tables().size() == 1);
   const TableCoverage& table = coverage.tables()[0];
@@ -61,7 +62,7 @@ TEST_CASE("the cells of a table are counted, those outside for themselves") {
 }
 
 TEST_CASE("a table that was used up and never left says nothing on the terminal") {
-  Case problem = slider_case({step("slide", 10, 0, LinearTo{1.0})});
+  cases::Case problem = bench::slider_case({bench::step("slide", 10, 0, history::LinearTo{1.0})});
   problem.definitions[0].law.internal_contact_force =
       table_of({{100, 0}, {90, 0.5}, {80, 1.0}}, {{law::IndependentKind::kPosition, 0}});
   const Coverage coverage = coverage_of(problem);
@@ -72,16 +73,17 @@ TEST_CASE("a table that was used up and never left says nothing on the terminal"
 }
 
 TEST_CASE("a case without tables has no coverage") {
-  const Case problem = slider_case({step("slide", 10, 0, LinearTo{1.0})});
+  const cases::Case problem =
+      bench::slider_case({bench::step("slide", 10, 0, history::LinearTo{1.0})});
   CHECK(coverage_of(problem).tables().empty());
 }
 
 TEST_CASE("the table of a changed friction counts from its step on, the old one up to there") {
-  Case problem =
-      slider_case({step("before", 3, 0, LinearTo{0.1}), step("after", 5, 0, LinearTo{0.0})});
+  cases::Case problem = bench::slider_case({bench::step("before", 3, 0, history::LinearTo{0.1}),
+                                            bench::step("after", 5, 0, history::LinearTo{0.0})});
   problem.definitions[0].law.law =
       law::TabularCoefficient{table_of({{0.3, 0}, {0.2, 10}}, {{law::IndependentKind::kSlipRate}})};
-  FrictionChange change;
+  cases::FrictionChange change;
   change.law =
       law::TabularCoefficient{table_of({{0.1, 0}, {0.2, 10}}, {{law::IndependentKind::kSlipRate}})};
   change.stick = problem.definitions[0].law.stick;
@@ -94,4 +96,4 @@ TEST_CASE("the table of a changed friction counts from its step on, the old one 
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

@@ -5,21 +5,21 @@
 
 #include "tests/driver/bench/example_cases.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
-CycleCounter cycles_of(const Case& problem) {
+CycleCounter cycles_of(const cases::Case& problem) {
   CycleCounter cycles(problem);
-  for (const Row& row : rows_of(problem)) cycles.add(row);
+  for (const bench::Row& row : bench::rows_of(problem)) cycles.add(row);
   return cycles;
 }
 
-const Wave kTriangle{WaveShape::kTriangle, 0.1, 1.0, 0.0, 0.0};
+const history::Wave kTriangle{history::WaveShape::kTriangle, 0.1, 1.0, 0.0, 0.0};
 
 TEST_CASE("the energy of a cycle is found from the period of the motion") {
   // Reference cases, J2: 6.4 mJ a cycle; the first begins at rest, 0 -> A -> -A -> 0, which leaves
   // out one elastic slip of 0.02 mm: 20 N (0.08 + 0.16 + 0.06) mm.
-  const Case problem = slider_case({step("cycle", 120, 0, kTriangle, 3.5)});
+  const cases::Case problem = bench::slider_case({bench::step("cycle", 120, 0, kTriangle, 3.5)});
   const CycleCounter cycles = cycles_of(problem);
   REQUIRE(cycles.energies().size() == 1);
   const CycleEnergy& energy = cycles.energies()[0];
@@ -33,8 +33,9 @@ TEST_CASE("the energy of a cycle is found from the period of the motion") {
 }
 
 TEST_CASE("each pass of a repeated step is a cycle") {
-  Step pass = step("there and back", 100, 0, Tabular{{0.0, 0.5, 1.0}, {0.0, 0.1, 0.0}}, 1.0, 4);
-  const CycleCounter cycles = cycles_of(slider_case({pass}));
+  cases::Step pass = bench::step("there and back", 100, 0,
+                                 history::Tabular{{0.0, 0.5, 1.0}, {0.0, 0.1, 0.0}}, 1.0, 4);
+  const CycleCounter cycles = cycles_of(bench::slider_case({pass}));
   // 0 <-> 0.1 mm: 20 N x 2 x (0.1 - 0.04) mm, and 20 (0.08 + 0.06) from rest.
   CHECK(cycles.energies()[0].count == 4);
   CHECK(cycles.energies()[0].first == Approx(2.8).epsilon(1e-12));
@@ -43,14 +44,16 @@ TEST_CASE("each pass of a repeated step is a cycle") {
 }
 
 TEST_CASE("the length of a cycle is the longest period, if the others fit into it") {
-  Step both = step("cycle", 10, 0, kTriangle, 3.0);
-  both.drives.push_back({kFirstForce + 1, Wave{WaveShape::kSine, 1.0, 0.5, 0.0, 0.0}});
+  cases::Step both = bench::step("cycle", 10, 0, kTriangle, 3.0);
+  both.drives.push_back(
+      {cases::kFirstForce + 1, history::Wave{history::WaveShape::kSine, 1.0, 0.5, 0.0, 0.0}});
   CHECK(cycle_length(both) == 1.0);
-  both.drives.push_back({kFirstForce + 2, Wave{WaveShape::kSine, 1.0, 0.3, 0.0, 0.0}});
+  both.drives.push_back(
+      {cases::kFirstForce + 2, history::Wave{history::WaveShape::kSine, 1.0, 0.3, 0.0, 0.0}});
   CHECK(cycle_length(both) == 0.0);
-  CHECK(cycle_length(step("short", 10, 0, kTriangle, 0.5)) == 0.0);
-  CHECK(cycle_length(step("once", 10, 0, LinearTo{1.0})) == 0.0);
+  CHECK(cycle_length(bench::step("short", 10, 0, kTriangle, 0.5)) == 0.0);
+  CHECK(cycle_length(bench::step("once", 10, 0, history::LinearTo{1.0})) == 0.0);
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

@@ -7,7 +7,7 @@
 
 #include "tests/driver/bench/example_cases.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
 struct Found {
@@ -15,10 +15,10 @@ struct Found {
   double place = 0.0;  ///< CP1
 };
 
-std::vector<Found> events_of(const Case& problem) {
+std::vector<Found> events_of(const cases::Case& problem) {
   std::vector<Found> all;
   EventDetector detector(problem);
-  for (const Row& row : rows_of(problem)) {
+  for (const bench::Row& row : bench::rows_of(problem)) {
     for (const Event& event : detector.take(row)) {
       all.push_back({event, position_at(event, row, 0)});
     }
@@ -27,10 +27,11 @@ std::vector<Found> events_of(const Case& problem) {
 }
 
 /// Reference cases, J2: 0 -> A -> -A -> A with A = 0.1 mm, limit 20 N, elastic slip 0.02 mm.
-Case j2(int increments, law::StickStiffness stick) {
-  Case problem = slider_case({step("out", increments, 0, LinearTo{0.1}),
-                              step("back", increments, 0, LinearTo{-0.1}),
-                              step("again", increments, 0, LinearTo{0.1})});
+cases::Case j2(int increments, law::StickStiffness stick) {
+  cases::Case problem =
+      bench::slider_case({bench::step("out", increments, 0, history::LinearTo{0.1}),
+                          bench::step("back", increments, 0, history::LinearTo{-0.1}),
+                          bench::step("again", increments, 0, history::LinearTo{0.1})});
   problem.definitions[0].law.stick = stick;
   return problem;
 }
@@ -75,19 +76,19 @@ TEST_CASE("events of an elastic slider are where its closed form has them, at an
 }
 
 TEST_CASE("a slip that goes on in another direction is no event, one that turns back is") {
-  Case problem = slider_case({step("out", 10, 0, LinearTo{1.0})});
+  cases::Case problem = bench::slider_case({bench::step("out", 10, 0, history::LinearTo{1.0})});
   problem.connection = law::find_connection("SLIDE-PLANE").value();
   problem.definitions[0].coupled = true;
   problem.definitions[0].law.slip = law::slip_space({2, 3});
   const auto drive = [](std::string name, double x, double y) {
-    Step one = step(std::move(name), 5, 1, LinearTo{x});
-    one.drives.push_back({2, LinearTo{y}});
+    cases::Step one = bench::step(std::move(name), 5, 1, history::LinearTo{x});
+    one.drives.push_back({2, history::LinearTo{y}});
     return one;
   };
   problem.steps = {drive("out", 1.0, 0.0), drive("right angle", 1.0, 1.0), drive("back", 1.0, 0.0)};
   std::vector<Event> all;
   EventDetector detector(problem);
-  for (const Row& row : rows_of(problem)) {
+  for (const bench::Row& row : bench::rows_of(problem)) {
     for (const Event& event : detector.take(row)) all.push_back(event);
   }
   REQUIRE(all.size() == 2);
@@ -102,24 +103,25 @@ TEST_CASE("exactly integrated slip that turns far is no event, in one increment 
   // West, then north with a little east while the normal force falls from 100 N to 10 N: the limit
   // comes down on the force and slip never ceases, though its direction turns by over 90 degrees.
   const int increments = GENERATE(1, 7);
-  Case problem = slider_case(
-      {step("west", 1, 1, LinearTo{-1.0}), step("north", increments, 1, LinearTo{-0.99})});
-  problem.steps[0].drives.push_back({kFirstForce, Constant{100.0}});
-  problem.steps[1].drives.push_back({2, LinearTo{0.0995}});
-  problem.steps[1].drives.push_back({kFirstForce, LinearTo{10.0}});
+  cases::Case problem =
+      bench::slider_case({bench::step("west", 1, 1, history::LinearTo{-1.0}),
+                          bench::step("north", increments, 1, history::LinearTo{-0.99})});
+  problem.steps[0].drives.push_back({cases::kFirstForce, history::Constant{100.0}});
+  problem.steps[1].drives.push_back({2, history::LinearTo{0.0995}});
+  problem.steps[1].drives.push_back({cases::kFirstForce, history::LinearTo{10.0}});
   problem.connection = law::find_connection("SLIDE-PLANE").value();
   problem.definitions[0].coupled = true;
   problem.definitions[0].law.slip = law::slip_space({2, 3});
   problem.definitions[0].law.internal_contact_force = 0.0;
   problem.definitions[0].law.contact_force = law::ComponentContactForce{0};
-  problem.integration.method = IntegrationMethod::kExact;
+  problem.integration.method = cases::IntegrationMethod::kExact;
   const auto found = events_of(problem);
   REQUIRE(found.size() == 1);
   CHECK(found[0].event.time == Approx(0.02).margin(1e-12));
 }
 
 TEST_CASE("contact is lost where the increment ends and found where it begins") {
-  Case problem = slider_case({step("slide", 4, 0, LinearTo{0.1})});
+  cases::Case problem = bench::slider_case({bench::step("slide", 4, 0, history::LinearTo{0.1})});
   law::Table table;
   law::TableError error;
   const std::vector<std::vector<double>> rows = {{100, 0.0}, {0, 0.05}, {0, 0.06}, {100, 0.1}};
@@ -136,9 +138,10 @@ TEST_CASE("contact is lost where the increment ends and found where it begins") 
 }
 
 TEST_CASE("where the integration located the changes, they are the events") {
-  const Case problem = slider_case({step("out", 1, 0, LinearTo{0.1})});
-  std::vector<Row> rows = rows_of(problem);
-  DefinitionRow& here = rows[1].definitions[0];
+  const cases::Case problem =
+      bench::slider_case({bench::step("out", 1, 0, history::LinearTo{0.1})});
+  std::vector<bench::Row> rows = bench::rows_of(problem);
+  bench::DefinitionRow& here = rows[1].definitions[0];
   here.changes.count = 3;
   here.changes.at[0] = {0.25, law::Regime::kSlip, 20.0, 20.0, 0.0};
   here.changes.at[1] = {0.5, law::Regime::kStick, 20.0, 20.0, 0.1};
@@ -155,4 +158,4 @@ TEST_CASE("where the integration located the changes, they are the events") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

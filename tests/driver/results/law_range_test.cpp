@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
 TEST_CASE("Renard is drawn beyond its joints, in the case's unit of speed") {
@@ -40,4 +40,4 @@ TEST_CASE("A law without a scale of its own has none") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

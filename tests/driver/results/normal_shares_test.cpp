@@ -13,7 +13,7 @@
 #include "driver/read/read_case.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
 struct Seen {
@@ -24,13 +24,13 @@ struct Seen {
 /// The shares of the definitions of a case at its last row; each row is checked on the way.
 std::vector<Seen> shares_at_end(const std::string& text) {
   const TemporaryFolder folder;
-  const auto read = read_case(folder.write("c.yaml", "slipbench: 1\n" + text).string(), {});
+  const auto read = read::read_case(folder.write("c.yaml", "slipbench: 1\n" + text).string(), {});
   REQUIRE(read.value);
   REQUIRE_FALSE(read.diagnostics.has_errors());
-  const Case& problem = *read.value;
+  const cases::Case& problem = *read.value;
   std::vector<Seen> end(problem.definitions.size());
-  const auto ended = follow_case(problem, [&](const Simulation& simulation) {
-    const law::ConnectorIncrement increment = connector_increment(problem, simulation.row());
+  const auto ended = bench::follow_case(problem, [&](const bench::Simulation& simulation) {
+    const law::ConnectorIncrement increment = bench::connector_increment(problem, simulation.row());
     for (std::size_t d = 0; d < end.size(); ++d) {
       const law::FrictionUpdate& update = simulation.row().definitions[d].update;
       Seen now{normal_shares(simulation.definition(d), update, increment), update.normal_force};
@@ -141,4 +141,4 @@ history:
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

@@ -19,7 +19,7 @@
 #include "tests/driver/bench/example_cases.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
 namespace fs = std::filesystem;
@@ -34,15 +34,15 @@ std::size_t file_count(const TemporaryFolder& folder) {
       std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()));
 }
 
-const FileMark kMark{"a text of this test", "mine", ""};
+const base::FileMark kMark{"a text of this test", "mine", ""};
 
-void complete(OutputFile& file) {
-  OutputFile* const files[] = {&file};
-  REQUIRE(commit(files));
+void complete(base::OutputFile& file) {
+  base::OutputFile* const files[] = {&file};
+  REQUIRE(base::commit(files));
 }
 
 std::string fault_of(const fs::path& target, const std::vector<std::string>& inputs = {}) {
-  const auto file = OutputFile::create(target, {}, {.inputs = inputs});
+  const auto file = base::OutputFile::create(target, {}, {.inputs = inputs});
   return file ? "" : file.error();
 }
 
@@ -50,7 +50,7 @@ TEST_CASE("a file has its name only once it is complete") {
   const TemporaryFolder folder;
   const fs::path target = folder.path() / "a.csv";
   {
-    auto file = OutputFile::create(target, kMark);
+    auto file = base::OutputFile::create(target, kMark);
     REQUIRE(file);
     file->append("text\n");
     CHECK_FALSE(fs::exists(target));
@@ -64,7 +64,7 @@ TEST_CASE("a file that is dropped leaves nothing, and what was there stays") {
   const TemporaryFolder folder;
   const fs::path target = folder.write("a.csv", "mine before");
   {
-    auto file = OutputFile::create(target, kMark);
+    auto file = base::OutputFile::create(target, kMark);
     REQUIRE(file);
     file->append(std::string(1 << 20, 'x'));
   }
@@ -75,8 +75,8 @@ TEST_CASE("a file that is dropped leaves nothing, and what was there stays") {
 TEST_CASE("two programs may write the same file at once: the last one to end counts, whole") {
   const TemporaryFolder folder;
   const fs::path target = folder.path() / "a.csv";
-  auto first = OutputFile::create(target, kMark);
-  auto second = OutputFile::create(target, kMark);
+  auto first = base::OutputFile::create(target, kMark);
+  auto second = base::OutputFile::create(target, kMark);
   REQUIRE(first);
   REQUIRE(second);
   first->append("mine, first");
@@ -89,7 +89,7 @@ TEST_CASE("two programs may write the same file at once: the last one to end cou
 TEST_CASE("a new file is as readable as any other") {
   const TemporaryFolder folder;
   const mode_t before = umask(022);
-  auto file = OutputFile::create(folder.path() / "a.csv", kMark);
+  auto file = base::OutputFile::create(folder.path() / "a.csv", kMark);
   umask(before);
   REQUIRE(file);
   complete(*file);
@@ -127,7 +127,7 @@ TEST_CASE("a name that is a link stays one, and the file it leads to is written"
   fs::create_symlink("link.csv", folder.path() / "link_to_link.csv");
   fs::create_symlink("store/new.csv", folder.path() / "to_new.csv");
   for (const char* name : {"link_to_link.csv", "to_new.csv"}) {
-    auto file = OutputFile::create(folder.path() / name, kMark);
+    auto file = base::OutputFile::create(folder.path() / name, kMark);
     REQUIRE(file);
     CHECK(file->target() == folder.path() / name);
     CHECK(file->temporary().parent_path() == folder.path() / "store");
@@ -166,25 +166,25 @@ TEST_CASE("two names are one file if they lead to it, be it there or not") {
   fs::create_directory_symlink("d", folder.path() / "e");
   fs::create_symlink("d/new", folder.path() / "link");
   const fs::path base = folder.path();
-  CHECK(is_same_file(base / "a", base / "d/../a"));
-  CHECK(is_same_file(base / "d/new", base / "e/new"));
-  CHECK(is_same_file(base / "link", base / "e/new"));
-  CHECK_FALSE(is_same_file(base / "a", base / "d/new"));
-  CHECK_FALSE(is_same_file(base / "d/new", base / "new"));
+  CHECK(base::is_same_file(base / "a", base / "d/../a"));
+  CHECK(base::is_same_file(base / "d/new", base / "e/new"));
+  CHECK(base::is_same_file(base / "link", base / "e/new"));
+  CHECK_FALSE(base::is_same_file(base / "a", base / "d/new"));
+  CHECK_FALSE(base::is_same_file(base / "d/new", base / "new"));
 }
 
 TEST_CASE("who completes files waits for those that hold the folder") {
   const TemporaryFolder folder;
-  auto file = OutputFile::create(folder.path() / "a.csv", kMark);
+  auto file = base::OutputFile::create(folder.path() / "a.csv", kMark);
   REQUIRE(file);
   const fs::path places[] = {folder.path() / "other.csv"};
   std::atomic<bool> released{false};
   std::jthread other;
   {
-    const FolderLocks locks(places);
+    const base::FolderLocks locks(places);
     other = std::jthread([&] {
-      OutputFile* const files[] = {&*file};
-      CHECK(commit(files));
+      base::OutputFile* const files[] = {&*file};
+      CHECK(base::commit(files));
       CHECK(released);
     });
     std::this_thread::sleep_for(std::chrono::milliseconds(30));
@@ -200,59 +200,59 @@ TEST_CASE("a file takes the place of one with its mark or without a byte, and of
   const std::string kept = target.string() +
                            ": is there already and is not a text of this test, and is kept; choose "
                            "another folder or name, or replace it with --force";
-  CHECK(target_fault(target, kMark) == kept);
-  CHECK(OutputFile::create(target, kMark).error() == kept);
-  CHECK(target_fault(target, {}) ==
+  CHECK(base::target_fault(target, kMark) == kept);
+  CHECK(base::OutputFile::create(target, kMark).error() == kept);
+  CHECK(base::target_fault(target, {}) ==
         target.string() +
             ": is there already, and is kept; choose another folder or name, or "
             "replace it with --force");
-  CHECK(target_fault(target, kMark, {.force = true}).empty());
+  CHECK(base::target_fault(target, kMark, {.force = true}).empty());
   const std::vector<std::string> inputs = {target.string()};
-  CHECK_FALSE(target_fault(target, kMark, {.inputs = inputs, .force = true}).empty());
+  CHECK_FALSE(base::target_fault(target, kMark, {.inputs = inputs, .force = true}).empty());
   folder.write("a.csv", "mine");
-  CHECK(target_fault(target, kMark).empty());
-  CHECK_FALSE(target_fault(target, {}).empty());
+  CHECK(base::target_fault(target, kMark).empty());
+  CHECK_FALSE(base::target_fault(target, {}).empty());
   folder.write("a.csv", "");
-  CHECK(target_fault(target, {}).empty());
+  CHECK(base::target_fault(target, {}).empty());
   CHECK(file_count(folder) == 1);
 }
 
 TEST_CASE("a mark is looked for at both ends of a file, and nowhere between them") {
   const TemporaryFolder folder;
-  const std::string filling(10 * kMarkedBytes, 'x');
-  const FileMark mark{"mine", "%PDF", "slipbench picture (a)"};
-  CHECK(carries(folder.write("head", "%PDF" + mark.text + filling), mark));
-  CHECK(carries(folder.write("tail", "%PDF" + filling + mark.text + "\n"), mark));
-  CHECK_FALSE(carries(folder.write("middle", "%PDF" + filling + mark.text + filling), mark));
-  CHECK_FALSE(carries(folder.write("other", "%PNG" + filling + mark.text), mark));
-  CHECK_FALSE(carries(folder.path() / "missing", mark));
+  const std::string filling(10 * base::kMarkedBytes, 'x');
+  const base::FileMark mark{"mine", "%PDF", "slipbench picture (a)"};
+  CHECK(base::carries(folder.write("head", "%PDF" + mark.text + filling), mark));
+  CHECK(base::carries(folder.write("tail", "%PDF" + filling + mark.text + "\n"), mark));
+  CHECK_FALSE(base::carries(folder.write("middle", "%PDF" + filling + mark.text + filling), mark));
+  CHECK_FALSE(base::carries(folder.write("other", "%PNG" + filling + mark.text), mark));
+  CHECK_FALSE(base::carries(folder.path() / "missing", mark));
 }
 
 TEST_CASE("a sealed text carries its mark only as it was made, whatever its line ends") {
   const TemporaryFolder folder;
-  const FileMark mark{.owner = "", .start = "# mine", .sealed = true};
+  const base::FileMark mark{.owner = "", .start = "# mine", .sealed = true};
   for (const std::string text : {"# mine\na: 1\n", "# mine\r\na: 1\r\n", "# mine\na: 1"}) {
     INFO(text);
-    CHECK_FALSE(carries(folder.write("a.yaml", text), mark));
-    CHECK(carries(folder.write("a.yaml", sealed(text)), mark));
-    CHECK(carries(folder.write("a.yaml", sealed(sealed(text))), mark));
-    CHECK_FALSE(carries(folder.write("a.yaml", sealed(text) + "# more\n"), mark));
-    std::string changed = sealed(text);
+    CHECK_FALSE(base::carries(folder.write("a.yaml", text), mark));
+    CHECK(base::carries(folder.write("a.yaml", base::sealed(text)), mark));
+    CHECK(base::carries(folder.write("a.yaml", base::sealed(base::sealed(text))), mark));
+    CHECK_FALSE(base::carries(folder.write("a.yaml", base::sealed(text) + "# more\n"), mark));
+    std::string changed = base::sealed(text);
     changed[changed.find('1')] = '2';
-    CHECK_FALSE(carries(folder.write("a.yaml", changed), mark));
+    CHECK_FALSE(base::carries(folder.write("a.yaml", changed), mark));
   }
-  CHECK(sealed("a: 1\r\n").ends_with("\r\n"));
+  CHECK(base::sealed("a: 1\r\n").ends_with("\r\n"));
 }
 
 TEST_CASE("a file that comes while another is written is kept, and so are all that go with it") {
   const TemporaryFolder folder;
-  auto first = OutputFile::create(folder.path() / "a.csv", kMark);
-  auto second = OutputFile::create(folder.path() / "b.csv", kMark);
+  auto first = base::OutputFile::create(folder.path() / "a.csv", kMark);
+  auto second = base::OutputFile::create(folder.path() / "b.csv", kMark);
   REQUIRE(first);
   REQUIRE(second);
   folder.write("b.csv", "rig data\n");
-  OutputFile* const files[] = {&*first, &*second};
-  CHECK_FALSE(commit(files));
+  base::OutputFile* const files[] = {&*first, &*second};
+  CHECK_FALSE(base::commit(files));
   CHECK_FALSE(fs::exists(folder.path() / "a.csv"));
   CHECK(read(folder.path() / "b.csv") == "rig data\n");
 }
@@ -260,34 +260,34 @@ TEST_CASE("a file that comes while another is written is kept, and so are all th
 TEST_CASE("missing folders are made, and go again with a file that did not come about") {
   const TemporaryFolder folder;
   const fs::path target = folder.path() / "new" / "deep" / "a.csv";
-  CHECK(target_fault(target, kMark).empty());
+  CHECK(base::target_fault(target, kMark).empty());
   CHECK(file_count(folder) == 0);
   {
-    auto first = OutputFile::create(target, kMark);
-    auto second = OutputFile::create(target.parent_path() / "b.csv", kMark);
+    auto first = base::OutputFile::create(target, kMark);
+    auto second = base::OutputFile::create(target.parent_path() / "b.csv", kMark);
     REQUIRE(second);
     const auto moved = std::move(first);  // the first goes before the last
   }
   CHECK(file_count(folder) == 0);
-  auto file = OutputFile::create(target, kMark);
+  auto file = base::OutputFile::create(target, kMark);
   REQUIRE(file);
   file->append("mine");
   complete(*file);
   CHECK(read(target) == "mine");
 }
 
-std::string written_rows(const Case& problem, const fs::path& target) {
-  auto file = OutputFile::create(target, kMark);
+std::string written_rows(const cases::Case& problem, const fs::path& target) {
+  auto file = base::OutputFile::create(target, kMark);
   REQUIRE(file);
   CsvWriter writer(problem, output_columns(problem), *file);
-  for (const Row& row : rows_of(problem)) writer.write(row);
+  for (const bench::Row& row : bench::rows_of(problem)) writer.write(row);
   complete(*file);
   return read(target);
 }
 
 TEST_CASE("rows are written with their origin, a header and the shortest numbers") {
   const TemporaryFolder folder;
-  Case problem = slider_case({step("slide", 2, 0, LinearTo{0.1})});
+  cases::Case problem = bench::slider_case({bench::step("slide", 2, 0, history::LinearTo{0.1})});
   problem.output_columns = {"CP1", "CSF1", "STATUS"};
   const std::string text = written_rows(problem, folder.path() / "a.csv");
   const std::string start = text.substr(0, text.find('\n'));
@@ -301,20 +301,21 @@ TEST_CASE("rows are written with their origin, a header and the shortest numbers
 
 TEST_CASE("the same case gives the same bytes") {
   const TemporaryFolder folder;
-  const Case problem =
-      slider_case({step("cycle", 50, 0, Wave{WaveShape::kSine, 0.1, 1.0, 0.0, 0.3})});
+  const cases::Case problem = bench::slider_case(
+      {bench::step("cycle", 50, 0, history::Wave{history::WaveShape::kSine, 0.1, 1.0, 0.0, 0.3})});
   CHECK(written_rows(problem, folder.path() / "a.csv") ==
         written_rows(problem, folder.path() / "b.csv"));
 }
 
 TEST_CASE("events are the changes of regime, the first slip included") {
   const TemporaryFolder folder;
-  const Case problem =
-      slider_case({step("out", 4, 0, LinearTo{0.1}), step("back", 8, 0, LinearTo{-0.1})});
-  auto file = OutputFile::create(folder.path() / "a.csv", kMark);
+  const cases::Case problem =
+      bench::slider_case({bench::step("out", 4, 0, history::LinearTo{0.1}),
+                          bench::step("back", 8, 0, history::LinearTo{-0.1})});
+  auto file = base::OutputFile::create(folder.path() / "a.csv", kMark);
   REQUIRE(file);
   EventWriter writer(problem, *file);
-  for (const Row& row : rows_of(problem)) writer.write(row);
+  for (const bench::Row& row : bench::rows_of(problem)) writer.write(row);
   complete(*file);
   std::string text = read(folder.path() / "a.csv");
   text.erase(0, text.find("\nt,") + 1);
@@ -329,4 +330,4 @@ TEST_CASE("events are the changes of regime, the first slip included") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

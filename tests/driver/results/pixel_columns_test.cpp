@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
 using Row = std::array<double, 3>;
@@ -52,4 +52,4 @@ TEST_CASE("of many rows in a column of pixels first, last and extremes stay, whe
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

@@ -7,32 +7,32 @@
 
 #include "tests/driver/bench/example_cases.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
-std::vector<std::string> findings_of(const Case& problem) {
+std::vector<std::string> findings_of(const cases::Case& problem) {
   Plausibility plausibility(problem);
-  for (const Row& row : rows_of(problem)) plausibility.add(row);
+  for (const bench::Row& row : bench::rows_of(problem)) plausibility.add(row);
   return plausibility.findings();
 }
 
 /// A slider pressed by its constraint force f3 alone.
-Case pressed_slider(std::vector<Step> steps) {
-  Case problem = slider_case(std::move(steps));
+cases::Case pressed_slider(std::vector<cases::Step> steps) {
+  cases::Case problem = bench::slider_case(std::move(steps));
   problem.definitions[0].law.internal_contact_force = 0.0;
   problem.definitions[0].law.contact_force = law::ComponentContactForce{2};
   return problem;
 }
 
 TEST_CASE("a contact force that is never driven was told when the case was read") {
-  Case problem = pressed_slider({step("out", 3, 0, LinearTo{6.0})});
-  problem.steps[0].drives.push_back({kFirstForce + 1, Constant{100.0}});
+  cases::Case problem = pressed_slider({bench::step("out", 3, 0, history::LinearTo{6.0})});
+  problem.steps[0].drives.push_back({cases::kFirstForce + 1, history::Constant{100.0}});
   CHECK(findings_of(problem).empty());
 }
 
 TEST_CASE("a contact force that is driven, and stays 0, is told apart") {
-  Case problem = pressed_slider({step("out", 3, 0, LinearTo{6.0})});
-  problem.steps[0].drives.push_back({kFirstForce + 2, Constant{0.0}});
+  cases::Case problem = pressed_slider({bench::step("out", 3, 0, history::LinearTo{6.0})});
+  problem.steps[0].drives.push_back({cases::kFirstForce + 2, history::Constant{0.0}});
   CHECK(findings_of(problem) ==
         std::vector<std::string>{
             "friction 'sleeve': nothing ever presses: its contact force is 0 all along, and so is "
@@ -40,7 +40,7 @@ TEST_CASE("a contact force that is driven, and stays 0, is told apart") {
 }
 
 TEST_CASE("a definition with nothing that could press says what it lacks") {
-  Case problem = slider_case({step("out", 3, 0, LinearTo{6.0})});
+  cases::Case problem = bench::slider_case({bench::step("out", 3, 0, history::LinearTo{6.0})});
   problem.definitions[0].law.internal_contact_force = 0.0;
   CHECK(findings_of(problem) ==
         std::vector<std::string>{
@@ -50,14 +50,14 @@ TEST_CASE("a definition with nothing that could press says what it lacks") {
 }
 
 TEST_CASE("a contact that is lost for a while is nobody's mistake") {
-  Case problem = pressed_slider({step("out", 30, 0, LinearTo{6.0})});
+  cases::Case problem = pressed_slider({bench::step("out", 30, 0, history::LinearTo{6.0})});
   problem.steps[0].drives.push_back(
-      {kFirstForce + 2, Tabular{{0.0, 0.4, 0.5, 1.0}, {100.0, 100.0, 0.0, 0.0}}});
+      {cases::kFirstForce + 2, history::Tabular{{0.0, 0.4, 0.5, 1.0}, {100.0, 100.0, 0.0, 0.0}}});
   CHECK(findings_of(problem).empty());
 }
 
 TEST_CASE("a case in which nothing moves says what would") {
-  const Case still = slider_case({step("rest", 3, 0, LinearTo{0.0})});
+  const cases::Case still = bench::slider_case({bench::step("rest", 3, 0, history::LinearTo{0.0})});
   CHECK(findings_of(still) ==
         std::vector<std::string>{
             "history: nothing moves: CP1 never changes, so nothing can slip; a step "
@@ -65,8 +65,8 @@ TEST_CASE("a case in which nothing moves says what would") {
 }
 
 TEST_CASE("a motion within the elastic slip measures the stick spring") {
-  Case problem =
-      slider_case({step("out", 3, 0, LinearTo{0.005}), step("back", 3, 0, LinearTo{-0.005})});
+  cases::Case problem = bench::slider_case({bench::step("out", 3, 0, history::LinearTo{0.005}),
+                                            bench::step("back", 3, 0, history::LinearTo{-0.005})});
   CHECK(findings_of(problem) ==
         std::vector<std::string>{
             "friction 'sleeve': its motion, 0.01 mm in all, is less than the elastic slip that "
@@ -84,15 +84,17 @@ TEST_CASE("a motion within the elastic slip measures the stick spring") {
 }
 
 TEST_CASE("a load below the limit is no motion within the elastic slip") {
-  Case problem = slider_case({step("press", 10, kFirstForce + 0, LinearTo{10.0})});
+  cases::Case problem = bench::slider_case(
+      {bench::step("press", 10, cases::kFirstForce + 0, history::LinearTo{10.0})});
   problem.force_driven.insert(0);
   CHECK(findings_of(problem).empty());
 }
 
 /// Slip while the contact force falls from 100 to 10 N.
-Case falling_force(int increments) {
-  Case problem = pressed_slider({step("out", increments, 0, LinearTo{6.0})});
-  problem.steps[0].drives.push_back({kFirstForce + 2, Tabular{{0.0, 1.0}, {100.0, 10.0}}});
+cases::Case falling_force(int increments) {
+  cases::Case problem = pressed_slider({bench::step("out", increments, 0, history::LinearTo{6.0})});
+  problem.steps[0].drives.push_back(
+      {cases::kFirstForce + 2, history::Tabular{{0.0, 1.0}, {100.0, 10.0}}});
   return problem;
 }
 
@@ -109,10 +111,11 @@ TEST_CASE("an energy balance that is open by more than 1 % is told, with what cl
 TEST_CASE("a stick stiffness that follows the limit opens the balance, whatever the increments") {
   const auto stuck = [](int increments) {
     // 0.5 of the elastic slip, then pressed twice as hard.
-    Case problem = pressed_slider({step("out", increments, 0, LinearTo{0.05}),
-                                   step("press", increments, kFirstForce + 2, LinearTo{200.0}),
-                                   step("on", increments, 0, LinearTo{0.15})});
-    problem.steps[0].drives.push_back({kFirstForce + 2, Constant{100.0}});
+    cases::Case problem = pressed_slider(
+        {bench::step("out", increments, 0, history::LinearTo{0.05}),
+         bench::step("press", increments, cases::kFirstForce + 2, history::LinearTo{200.0}),
+         bench::step("on", increments, 0, history::LinearTo{0.15})});
+    problem.steps[0].drives.push_back({cases::kFirstForce + 2, history::Constant{100.0}});
     problem.definitions[0].law.stick = {law::StickStiffness::Mode::kElasticSlip, 0.1};
     return problem;
   };
@@ -122,10 +125,10 @@ TEST_CASE("a stick stiffness that follows the limit opens the balance, whatever 
       "the friction pays for; a constant 'stick: {stiffness: ..}' and longer motions make it less";
   CHECK(findings_of(stuck(10)) == std::vector<std::string>{told});
   CHECK(findings_of(stuck(1000)) == std::vector<std::string>{told});
-  Case constant = stuck(1000);
+  cases::Case constant = stuck(1000);
   constant.definitions[0].law.stick = {law::StickStiffness::Mode::kStiffness, 200.0};
   CHECK(findings_of(constant).empty());
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

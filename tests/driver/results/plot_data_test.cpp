@@ -7,7 +7,7 @@
 
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
 constexpr const char* kHead =
@@ -86,8 +86,8 @@ TEST_CASE("a file without friction is refused") {
   const TemporaryFolder folder;
   const auto data = read_plot_data(folder.write("a.csv", "t,x\n0,1\n1,2\n"), "a.csv");
   REQUIRE_FALSE(data);
-  CHECK(data.error().kind == HistoryError::Kind::kInput);
+  CHECK(data.error().kind == base::HistoryError::Kind::kInput);
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

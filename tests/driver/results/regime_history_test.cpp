@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
 TEST_CASE("regimes are recorded with their spans, sums and instants") {
@@ -57,4 +57,4 @@ TEST_CASE("a run that chatters keeps its sums but not all of its marks") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

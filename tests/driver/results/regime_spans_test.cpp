@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
 TEST_CASE("spans that meet are one, stick is none, regimes are told apart") {
@@ -47,4 +47,4 @@ TEST_CASE("chatter needs no memory and stays where it was") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

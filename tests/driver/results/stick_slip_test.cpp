@@ -8,31 +8,31 @@
 #include "reference/stick_slip_oscillator.hpp"
 #include "tests/driver/bench/example_cases.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
 /// A summary knows its case, which has to outlive it.
-Summary summary_of(const Case& problem) {
+Summary summary_of(const cases::Case& problem) {
   Summary summary(problem);
-  for (const Row& row : rows_of(problem)) summary.add(row);
+  for (const bench::Row& row : bench::rows_of(problem)) summary.add(row);
   return summary;
 }
-Summary summary_of(Case&&) = delete;
+Summary summary_of(cases::Case&&) = delete;
 
 /// m = 1 t, k = 100 N/mm, N = 10 N, mu_s = 0.4, mu_k = 0.3 on a belt of 0.05 mm/s.
-Case belt_case(int increments, double end = 12.0) {
-  Case problem = slider_case({{"run", end, increments, 1, {}}});
+cases::Case belt_case(int increments, double end = 12.0) {
+  cases::Case problem = bench::slider_case({{"run", end, increments, 1, {}}});
   problem.definitions[0].law.internal_contact_force = 10.0;
   problem.definitions[0].law.law = law::ConstantCoefficient{0.3};
   problem.kinetic.elasticity[0].emplace(100.0);
-  problem.dynamics = DynamicsData{0, 1.0, 0.05, 0.05, 0.4};
+  problem.dynamics = cases::DynamicsData{0, 1.0, 0.05, 0.05, 0.4};
   return problem;
 }
 
 TEST_CASE("stick-slip is told with the frequency and the amplitude of the closed form") {
   const reference::stick_slip_oscillator::Oscillator oscillator{1.0, 100.0, 10.0, 0.4, 0.3, 0.05};
   const auto exact = reference::stick_slip_oscillator::limit_cycle(oscillator);
-  const Case problem = belt_case(3000);
+  const cases::Case problem = belt_case(3000);
   const Summary summary = summary_of(problem);
   const StickSlip& found = summary.definitions()[0].stick_slip;
   CHECK(found.cycles == 13);
@@ -53,8 +53,8 @@ TEST_CASE("stick-slip is told with the frequency and the amplitude of the closed
 }
 
 TEST_CASE("a few rows a cycle find the same frequency, and nearly the amplitude") {
-  const Case of_many_rows = belt_case(3000);
-  const Case of_few_rows = belt_case(300);
+  const cases::Case of_many_rows = belt_case(3000);
+  const cases::Case of_few_rows = belt_case(300);
   const Summary fine = summary_of(of_many_rows);
   const Summary coarse = summary_of(of_few_rows);
   CHECK(coarse.definitions()[0].stick_slip.frequency() ==
@@ -65,10 +65,10 @@ TEST_CASE("a few rows a cycle find the same frequency, and nearly the amplitude"
 
 TEST_CASE("a vibration whose period changes tells the range of it") {
   // A heavier load lets it stick longer.
-  Case problem = belt_case(3000);
+  cases::Case problem = belt_case(3000);
   problem.definitions[0].law.internal_contact_force = 0.0;
   problem.definitions[0].law.contact_force = law::ComponentContactForce{1};
-  problem.steps[0].drives = {{kFirstForce + 1, Tabular{{0.0, 12.0}, {10.0, 20.0}}}};
+  problem.steps[0].drives = {{cases::kFirstForce + 1, history::Tabular{{0.0, 12.0}, {10.0, 20.0}}}};
   const std::string text = summary_of(problem).text();
   CHECK(text.find("stick-slip at ") != std::string::npos);
   CHECK(text.find(" (period 0.8") != std::string::npos);
@@ -76,8 +76,8 @@ TEST_CASE("a vibration whose period changes tells the range of it") {
 }
 
 TEST_CASE("a loop that is driven to and fro is no vibration") {
-  const Case problem =
-      slider_case({step("cycle", 400, 0, Wave{WaveShape::kTriangle, 0.1, 0.1, 0.0, 0.0})});
+  const cases::Case problem = bench::slider_case({bench::step(
+      "cycle", 400, 0, history::Wave{history::WaveShape::kTriangle, 0.1, 0.1, 0.0, 0.0})});
   const Summary summary = summary_of(problem);
   REQUIRE(summary.definitions()[0].events > 10);
   CHECK(summary.definitions()[0].stick_slip.cycles == 0);
@@ -86,4 +86,4 @@ TEST_CASE("a loop that is driven to and fro is no vibration") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

@@ -9,19 +9,20 @@
 #include "tests/driver/bench/example_cases.hpp"
 #include "tests/support/dice.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
-Summary summary_of(const Case& problem) {
+Summary summary_of(const cases::Case& problem) {
   Summary summary(problem);
-  for (const Row& row : rows_of(problem)) summary.add(row);
+  for (const bench::Row& row : bench::rows_of(problem)) summary.add(row);
   return summary;
 }
 
 TEST_CASE("the summary says what happened, in the case's units") {
   // 0.1 mm out and back in 20 increments each; slip from 0.02 mm on, and 0.04 mm after the turn.
-  const Case problem =
-      slider_case({step("out", 20, 0, LinearTo{0.1}), step("back", 20, 0, LinearTo{0.0})});
+  const cases::Case problem =
+      bench::slider_case({bench::step("out", 20, 0, history::LinearTo{0.1}),
+                          bench::step("back", 20, 0, history::LinearTo{0.0})});
   const Summary summary = summary_of(problem);
   // s = 0.08 + 0.06 mm at 20 N; stored lim^2/(2 k) = 0.2 mJ. Slip in 16 and in 12 increments of 40.
   CHECK(summary.definitions()[0].accumulated_slip == Approx(0.14));
@@ -37,8 +38,9 @@ TEST_CASE("the summary says what happened, in the case's units") {
 TEST_CASE("the summary tells the elastic displacement while sticking, and the energy of a cycle") {
   // One increment a half cycle: the stick on the way back is within it.
   const int increments = GENERATE(4, 400);
-  const Wave triangle{WaveShape::kTriangle, 0.1, 1.0, 0.0, 0.0};
-  const Case problem = slider_case({step("cycle", increments, 0, triangle, 2.0)});
+  const history::Wave triangle{history::WaveShape::kTriangle, 0.1, 1.0, 0.0, 0.0};
+  const cases::Case problem =
+      bench::slider_case({bench::step("cycle", increments, 0, triangle, 2.0)});
   const Summary summary = summary_of(problem);
   const DefinitionSummary& sum = summary.definitions()[0];
   // From -0.02 to 0.02 mm of elastic slip.
@@ -59,13 +61,14 @@ TEST_CASE("in one dimension at a constant limit nothing of the external work is 
   // Random paths, increments that fit nothing; what is left is the rounding of their sums.
   test::Dice dice(20240917);
   for (int path = 0; path < 40; ++path) {
-    std::vector<Step> steps;
+    std::vector<cases::Step> steps;
     for (int s = 0; s < 6; ++s) {
-      steps.push_back(step(std::to_string(s), 1 + dice.pick(60), 0,
-                           s % 2 == 0 ? Profile(LinearTo{dice.between(-0.3, 0.3)})
-                                      : Profile(SmoothTo{dice.between(-0.3, 0.3)})));
+      steps.push_back(
+          bench::step(std::to_string(s), 1 + dice.pick(60), 0,
+                      s % 2 == 0 ? history::Profile(history::LinearTo{dice.between(-0.3, 0.3)})
+                                 : history::Profile(history::SmoothTo{dice.between(-0.3, 0.3)})));
     }
-    Case problem = slider_case(std::move(steps));
+    cases::Case problem = bench::slider_case(std::move(steps));
     if (path % 2 == 0) {
       problem.definitions[0].law.stick = {law::StickStiffness::Mode::kElasticSlip,
                                           dice.between(0.001, 0.1)};
@@ -79,47 +82,51 @@ TEST_CASE("in one dimension at a constant limit nothing of the external work is 
 }
 
 TEST_CASE("a slider that never slips says so") {
-  const Case problem = slider_case({step("out", 4, 0, LinearTo{0.01})});
+  const cases::Case problem =
+      bench::slider_case({bench::step("out", 4, 0, history::LinearTo{0.01})});
   CHECK(summary_of(problem).text().find("  never slips\n") == 0);
 }
 
 TEST_CASE("time without contact ends and begins with its events") {
   // Pressed less and less, not at all for 1 s, and more again.
-  Case problem = slider_case({step("less", 4, kFirstForce + 1, LinearTo{0.0}),
-                              step("nothing", 3, kFirstForce + 1, Constant{0.0}),
-                              step("more", 4, kFirstForce + 1, LinearTo{100.0})});
-  problem.steps.insert(problem.steps.begin(), step("press", 1, kFirstForce + 1, Constant{100.0}));
+  cases::Case problem = bench::slider_case(
+      {bench::step("less", 4, cases::kFirstForce + 1, history::LinearTo{0.0}),
+       bench::step("nothing", 3, cases::kFirstForce + 1, history::Constant{0.0}),
+       bench::step("more", 4, cases::kFirstForce + 1, history::LinearTo{100.0})});
+  problem.steps.insert(problem.steps.begin(),
+                       bench::step("press", 1, cases::kFirstForce + 1, history::Constant{100.0}));
   problem.definitions[0].law.internal_contact_force = 0.0;
   problem.definitions[0].law.contact_force = law::ComponentContactForce{1};
   problem.integration.method =
-      GENERATE(IntegrationMethod::kBackwardEuler, IntegrationMethod::kExact);
+      GENERATE(cases::IntegrationMethod::kBackwardEuler, cases::IntegrationMethod::kExact);
   CHECK(summary_of(problem).definitions()[0].open_time == Approx(1.0).epsilon(1e-12));
-  problem.steps = {step("nothing", 10, kFirstForce + 1, Constant{0.0})};
+  problem.steps = {bench::step("nothing", 10, cases::kFirstForce + 1, history::Constant{0.0})};
   CHECK(summary_of(problem).text().find("  never in contact\n") == 0);
 }
 
 TEST_CASE("an instant without contact is no time") {
   // Pressed from 0 on: exact integration leaves the open begin 1e-11 of the increment behind it.
-  Case problem = slider_case(
-      {step("press", 1, kFirstForce + 1, LinearTo{100.0}), step("out", 4, 0, LinearTo{0.1})});
+  cases::Case problem =
+      bench::slider_case({bench::step("press", 1, cases::kFirstForce + 1, history::LinearTo{100.0}),
+                          bench::step("out", 4, 0, history::LinearTo{0.1})});
   problem.definitions[0].law.internal_contact_force = 0.0;
   problem.definitions[0].law.contact_force = law::ComponentContactForce{1};
-  const law::BuiltPotential built = both_axes(law::PotentialOperator::kMax, 1.0);
+  const law::BuiltPotential built = bench::both_axes(law::PotentialOperator::kMax, 1.0);
   problem.definitions[0].law.slip = built.slip;
   problem.definitions[0].law.criterion = built.criterion;
-  problem.integration.method = IntegrationMethod::kExact;
+  problem.integration.method = cases::IntegrationMethod::kExact;
   const Summary summary = summary_of(problem);
   CHECK(summary.definitions()[0].open_time < 1e-10);
   CHECK(summary.text().find(" at 20.0 N\n  friction force") != std::string::npos);
   // A thousandth of the time is time.
-  problem.steps.insert(problem.steps.begin(),
-                       step("nothing", 1, kFirstForce + 1, Constant{0.0}, 2e-3));
+  problem.steps.insert(problem.steps.begin(), bench::step("nothing", 1, cases::kFirstForce + 1,
+                                                          history::Constant{0.0}, 2e-3));
   CHECK(summary_of(problem).text().find(" at 20.0 N, open 0.1 % of the time\n") !=
         std::string::npos);
 }
 
 TEST_CASE("without a coefficient there is no friction, but contact there is") {
-  Case problem = slider_case({step("out", 4, 0, LinearTo{1.0})});
+  cases::Case problem = bench::slider_case({bench::step("out", 4, 0, history::LinearTo{1.0})});
   problem.definitions[0].law.law = law::ConstantCoefficient{0.0};
   CHECK(summary_of(problem).text().find(
             "  no friction all along: its coefficient is 0 (pressed by up to 100.0 N)\n") == 0);
@@ -127,9 +134,10 @@ TEST_CASE("without a coefficient there is no friction, but contact there is") {
 
 TEST_CASE("time at a limit of 0 is not called open where something presses") {
   // The coefficient fades to 0 in the second step; the third is run without.
-  Case problem = slider_case({step("in", 10, 0, LinearTo{0.5}), step("fade", 10, 0, LinearTo{1.0}),
-                              step("out", 10, 0, LinearTo{2.0})});
-  FrictionChange change;
+  cases::Case problem = bench::slider_case({bench::step("in", 10, 0, history::LinearTo{0.5}),
+                                            bench::step("fade", 10, 0, history::LinearTo{1.0}),
+                                            bench::step("out", 10, 0, history::LinearTo{2.0})});
+  cases::FrictionChange change;
   change.law = law::ConstantCoefficient{0.0};
   change.stick = problem.definitions[0].law.stick;
   problem.steps[1].friction_changes = {change};
@@ -138,8 +146,8 @@ TEST_CASE("time at a limit of 0 is not called open where something presses") {
 }
 
 TEST_CASE("an elastic loop that ends where it began loses nothing") {
-  const Case problem =
-      slider_case({step("cycle", 40, 0, Wave{WaveShape::kSine, 0.01, 1.0, 0.0, 0.0})});
+  const cases::Case problem = bench::slider_case(
+      {bench::step("cycle", 40, 0, history::Wave{history::WaveShape::kSine, 0.01, 1.0, 0.0, 0.0})});
   const Summary summary = summary_of(problem);
   REQUIRE(summary.definitions()[0].largest_energy == Approx(0.05));
   // What is left of the work at the end is rounding: it is no measure of itself.
@@ -148,8 +156,9 @@ TEST_CASE("an elastic loop that ends where it began loses nothing") {
 
 TEST_CASE("a mass that moves against its belt slips from the start, without an event") {
   // mass 1 at 1 mm/s on a fixed track, 20 N: it stops after 0.05 s; 0.1 s are run.
-  Case problem = slider_case({step("run", 3, kFirstForce, LinearTo{0.0}, 0.1)});
-  problem.dynamics = DynamicsData{0, 1.0, 0.0, 1.0, std::nullopt};
+  cases::Case problem =
+      bench::slider_case({bench::step("run", 3, cases::kFirstForce, history::LinearTo{0.0}, 0.1)});
+  problem.dynamics = cases::DynamicsData{0, 1.0, 0.0, 1.0, std::nullopt};
   const Summary summary = summary_of(problem);
   const DefinitionSummary& sum = summary.definitions()[0];
   REQUIRE(sum.first_slip);
@@ -165,9 +174,10 @@ TEST_CASE("a mass that moves against its belt slips from the start, without an e
 
 TEST_CASE("a mass that turns slips all the time, up to and beyond its turn") {
   // Spring 1000 N/mm, 20 N, mass 1 thrown with 3 mm/s: it turns far beyond where it could stick.
-  Case problem = slider_case({step("run", 1, kFirstForce, LinearTo{0.0}, 0.06)});
+  cases::Case problem =
+      bench::slider_case({bench::step("run", 1, cases::kFirstForce, history::LinearTo{0.0}, 0.06)});
   problem.kinetic.elasticity[0].emplace(1000.0);
-  problem.dynamics = DynamicsData{0, 1.0, 0.0, 3.0, std::nullopt};
+  problem.dynamics = cases::DynamicsData{0, 1.0, 0.0, 3.0, std::nullopt};
   const Summary summary = summary_of(problem);
   const DefinitionSummary& sum = summary.definitions()[0];
   CHECK(sum.reversals == 1);
@@ -176,7 +186,8 @@ TEST_CASE("a mass that turns slips all the time, up to and beyond its turn") {
 }
 
 TEST_CASE("a coefficient that falls too fast is warned of, with the increment that would do") {
-  Case problem = slider_case({step("out", 100, 0, LinearTo{1.0}, 0.01)});
+  cases::Case problem =
+      bench::slider_case({bench::step("out", 100, 0, history::LinearTo{1.0}, 0.01)});
   // By hand: 2 N (mu_s - mu_k) d/k/2 = N 0.1 0.05/k = 5e-4 s.
   problem.definitions[0].law.law = law::ExponentialDecay{0.3, 0.2, 0.05};
   const Summary summary = summary_of(problem);
@@ -189,15 +200,16 @@ TEST_CASE("a coefficient that falls too fast is warned of, with the increment th
 }
 
 /// Reference case K3: 1 mm/s over increments of the given length; mu 0.3 to 0.2 with d = 0.05.
-Case falling_case(double increment, int count) {
+cases::Case falling_case(double increment, int count) {
   const double end = increment * count;
-  Case problem = slider_case({step("drag", count, 0, LinearTo{end}, end)});
+  cases::Case problem =
+      bench::slider_case({bench::step("drag", count, 0, history::LinearTo{end}, end)});
   problem.definitions[0].law.law = law::ExponentialDecay{0.3, 0.2, 0.05};
   return problem;
 }
 
 TEST_CASE("increments below the smooth threshold are warned of, with both thresholds (K3)") {
-  const Case problem = falling_case(1e-5, 4000);
+  const cases::Case problem = falling_case(1e-5, 4000);
   const Summary summary = summary_of(problem);
   const DefinitionSummary& sum = summary.definitions()[0];
   CHECK(sum.short_increments == 4000);
@@ -225,7 +237,7 @@ TEST_CASE("between the thresholds there is one solution, and still no smooth ans
 TEST_CASE(
     "increments above the thresholds, or that see the rate of the motion, are not warned of") {
   CHECK(summary_of(falling_case(9.6e-4, 100)).warnings({}).empty());
-  Case problem = falling_case(1e-5, 4000);
+  cases::Case problem = falling_case(1e-5, 4000);
   problem.definitions[0].law.slip_rate = law::SlipRateMeasure::kRelativeMotion;
   CHECK(summary_of(problem).warnings({}).empty());
   problem = falling_case(1e-5, 4000);
@@ -241,10 +253,10 @@ TEST_CASE("who never slips has no smooth answer to miss") {
 }
 
 TEST_CASE("a coefficient that begins to fall in a change of friction is warned of") {
-  Case problem = falling_case(1e-4, 1000);
+  cases::Case problem = falling_case(1e-4, 1000);
   problem.definitions[0].law.law = law::ConstantCoefficient{0.2};
-  problem.steps.push_back(step("on", 1000, 0, LinearTo{0.2}, 0.1));
-  FrictionChange change;
+  problem.steps.push_back(bench::step("on", 1000, 0, history::LinearTo{0.2}, 0.1));
+  cases::FrictionChange change;
   change.law = law::ExponentialDecay{0.3, 0.2, 0.05};
   change.stick = problem.definitions[0].law.stick;
   problem.steps[1].friction_changes = {change};
@@ -255,8 +267,9 @@ TEST_CASE("a coefficient that begins to fall in a change of friction is warned o
 }
 
 TEST_CASE("a motion that jumps is warned of") {
-  const Case problem = slider_case({step("out", 4, 0, LinearTo{0.1})});
-  const MotionJump jump{0, 0.5, 0.0, "out"};
+  const cases::Case problem =
+      bench::slider_case({bench::step("out", 4, 0, history::LinearTo{0.1})});
+  const bench::MotionJump jump{0, 0.5, 0.0, "out"};
   const auto warnings = summary_of(problem).warnings(std::span(&jump, 1));
   REQUIRE(warnings.size() == 1);
   CHECK(warnings[0] ==
@@ -265,28 +278,28 @@ TEST_CASE("a motion that jumps is warned of") {
 }
 
 TEST_CASE("numbers for people have few digits and show that they were measured") {
-  CHECK(rounded(105.0) == "105.0");
-  CHECK(rounded(0.01425) == "0.01425");
-  CHECK(rounded(-20.000000001) == "-20.0");
-  CHECK(rounded(1.23456e6) == "1.235e+06");
-  CHECK(energy_unit({"mm", "N", "s", ""}) == "mJ");
-  CHECK(energy_unit({"", "", "", ""}).empty());
+  CHECK(base::rounded(105.0) == "105.0");
+  CHECK(base::rounded(0.01425) == "0.01425");
+  CHECK(base::rounded(-20.000000001) == "-20.0");
+  CHECK(base::rounded(1.23456e6) == "1.235e+06");
+  CHECK(base::energy_unit({"mm", "N", "s", ""}) == "mJ");
+  CHECK(base::energy_unit({"", "", "", ""}).empty());
 }
 
 TEST_CASE("energies are told in the joules that make them readable") {
-  const UnitSystem mm_n{"mm", "N", "s", ""};
-  CHECK(energy_text(9020.0, mm_n) == "9.02 J");
-  CHECK(energy_text(12.4, mm_n) == "12.4 mJ");
-  CHECK(energy_text(-0.0004, mm_n) == "-400.0 nJ");
-  CHECK(energy_text(999.4, mm_n) == "999.0 mJ");
-  CHECK(energy_text(999.7, mm_n) == "1.0 J");
-  CHECK(energy_text(0.0, mm_n) == "0.0 mJ");
-  CHECK(energy_text(2.5e6, {"m", "N", "s", ""}) == "2.5 MJ");
-  CHECK(energy_text(1.5, {"mm", "kN", "ms", ""}) == "1.5 J");
-  CHECK(energy_text(1.5, {"cm", "N", "s", ""}) == "15.0 mJ");
-  CHECK(energy_text(12345.0, {"in", "lbf", "s", ""}) == "1.23e+04 lbf in");
-  CHECK(energy_text(1.5, {}) == "1.5");
+  const base::UnitSystem mm_n{"mm", "N", "s", ""};
+  CHECK(base::energy_text(9020.0, mm_n) == "9.02 J");
+  CHECK(base::energy_text(12.4, mm_n) == "12.4 mJ");
+  CHECK(base::energy_text(-0.0004, mm_n) == "-400.0 nJ");
+  CHECK(base::energy_text(999.4, mm_n) == "999.0 mJ");
+  CHECK(base::energy_text(999.7, mm_n) == "1.0 J");
+  CHECK(base::energy_text(0.0, mm_n) == "0.0 mJ");
+  CHECK(base::energy_text(2.5e6, {"m", "N", "s", ""}) == "2.5 MJ");
+  CHECK(base::energy_text(1.5, {"mm", "kN", "ms", ""}) == "1.5 J");
+  CHECK(base::energy_text(1.5, {"cm", "N", "s", ""}) == "15.0 mJ");
+  CHECK(base::energy_text(12345.0, {"in", "lbf", "s", ""}) == "1.23e+04 lbf in");
+  CHECK(base::energy_text(1.5, {}) == "1.5");
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

@@ -9,7 +9,7 @@
 #include <random>
 #include <set>
 
-namespace slipbench::driver {
+namespace slipbench::driver::results {
 namespace {
 
 /// Rows of `columns` numbers, the first of which is the number of the row.
@@ -201,4 +201,4 @@ TEST_CASE("a limit that is too small for the extremes is raised") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::results

@@ -9,7 +9,7 @@
 #include "tests/driver/suite/outcomes_for_test.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 namespace {
 
 std::ptrdiff_t lines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
@@ -45,7 +45,7 @@ TEST_CASE("failed checks and cases not run are errors, doubts are warnings") {
   CheckOutcome doubtful = passed_check("limit");
   doubtful.verdict.warnings = {"loose"};
   all.add({"a/c.yaml", "a/c"}, outcome_of(doubtful, failed_check("pull", "off")));
-  all.add({"a/broken.yaml", "a/broken"}, outcome_not_run(kExitBadInput, "unknown key"));
+  all.add({"a/broken.yaml", "a/broken"}, outcome_not_run(base::kExitBadInput, "unknown key"));
   all.add({"fine.yaml", "fine"}, outcome_of(passed_check("x")));
   CHECK(all.text() ==
         "::warning file=a/c.yaml,line=7,col=5,title=a/c%3A limit::loose\n"
@@ -86,4 +86,4 @@ TEST_CASE("no more annotations are written than are shown") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

@@ -9,10 +9,10 @@
 #include "tests/driver/suite/outcomes_for_test.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 namespace {
 
-const std::string kHead = "### slipbench " + std::string(program_version()) + ": ";
+const std::string kHead = "### slipbench " + std::string(results::program_version()) + ": ";
 
 TEST_CASE("the summary of a job tells what did not pass, where and why, and the slowest cases") {
   JobSummary summary;
@@ -23,7 +23,7 @@ TEST_CASE("the summary of a job tells what did not pass, where and why, and the 
   };
   add({"a/belt.yaml", "a/belt"},
       outcome_of(passed_check("limit"), failed_check("p|ll", "CSF2 off by <3> N")));
-  add({"a/broken.yaml", "a/broken"}, outcome_not_run(kExitBadInput, "unknown key"));
+  add({"a/broken.yaml", "a/broken"}, outcome_not_run(base::kExitBadInput, "unknown key"));
   add({"top.yaml", "top"}, outcome_of());
   CHECK(summary.text(totals) == kHead +
                                     "0 cases passed, 1 failed, 1 not run, 1 without checks\n\n"
@@ -72,4 +72,4 @@ TEST_CASE("the slowest cases are told slowest first, and no more than were asked
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

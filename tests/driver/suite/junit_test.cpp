@@ -7,7 +7,7 @@
 #include "driver/suite/xml_text.hpp"
 #include "tests/driver/suite/outcomes_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 namespace {
 
 TEST_CASE("each folder is a suite, each check a test, and the counts and times add up") {
@@ -15,7 +15,7 @@ TEST_CASE("each folder is a suite, each check a test, and the counts and times a
   report.add(0, {"a/belt.yaml", "a/belt"},
              outcome_of(passed_check("limit"), failed_check("pull", "CSF2 off by 3.1 N")));
   report.add(1, {"cases/./top.yaml", "top"}, outcome_of());
-  report.add(2, {"a/broken.yaml", "a/broken"}, outcome_not_run(kExitBadInput, "unknown key"));
+  report.add(2, {"a/broken.yaml", "a/broken"}, outcome_not_run(base::kExitBadInput, "unknown key"));
   CHECK(report.text() == R"(<?xml version="1.0" encoding="UTF-8"?>
 <testsuites name="slipbench" tests="4" failures="1" errors="1" time="1.250000">
   <testsuite name="a" tests="3" failures="1" errors="1" time="0.750000" skipped="0">
@@ -42,7 +42,8 @@ TEST_CASE("a file is named from the current folder, and its line is no line of a
   const std::string here = std::filesystem::current_path().string();
   report.add(0, {here + "/a/x.yaml", here + "/a/x"}, outcome_of(passed_check("limit")));
   report.add(1, {"/elsewhere/y.yaml", "/elsewhere/y"}, outcome_of(passed_check("limit")));
-  report.add(2, {"z.yaml", "z"}, outcome_not_run(kExitBadInput, "a/broken.yaml is the data's"));
+  report.add(2, {"z.yaml", "z"},
+             outcome_not_run(base::kExitBadInput, "a/broken.yaml is the data's"));
   const std::string text = report.text();
   CHECK(text.find(" file=\"a/x.yaml\" line=\"7\"") != std::string::npos);
   CHECK(text.find(" file=\"/elsewhere/y.yaml\" line=\"7\"") != std::string::npos);
@@ -99,4 +100,4 @@ TEST_CASE("what XML cannot hold is replaced, and what it can is kept") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 namespace {
 
 TEST_CASE("a filter without wildcards is a part of the label") {
@@ -49,4 +49,4 @@ TEST_CASE("one of several filters is enough, and none lets all through") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

@@ -6,7 +6,7 @@
 
 #include "driver/suite/outcome.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 
 inline CheckOutcome passed_check(std::string name) {
   CheckOutcome check;
@@ -33,7 +33,7 @@ CaseOutcome outcome_of(const Checks&... checks) {
   outcome.verdicts = {checks...};
   outcome.checks = outcome.verdicts.size();
   for (const CheckOutcome& check : outcome.verdicts) outcome.failed += check.verdict.passed ? 0 : 1;
-  outcome.code = outcome.failed > 0 ? kExitCheckFailed : kExitOk;
+  outcome.code = outcome.failed > 0 ? base::kExitCheckFailed : base::kExitOk;
   outcome.kind = outcome.failed > 0   ? CaseOutcome::Kind::kFailed
                  : outcome.checks > 0 ? CaseOutcome::Kind::kPassed
                                       : CaseOutcome::Kind::kNoChecks;
@@ -50,4 +50,4 @@ inline CaseOutcome outcome_not_run(int code, const std::string& message) {
   return outcome;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

@@ -9,7 +9,7 @@
 #include "driver/base/files/work_crew.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 namespace {
 
 /// A slider of so many increments; with another coefficient than 0.2 its check fails.
@@ -106,10 +106,10 @@ TEST_CASE("a failed case knows where its check and its error stand") {
   REQUIRE(outcomes.size() == 2);
   REQUIRE(outcomes[0].verdicts.size() == 1);
   CHECK(outcomes[0].verdicts[0].where.line == 7);
-  CHECK(outcomes[0].code == kExitCheckFailed);
+  CHECK(outcomes[0].code == base::kExitCheckFailed);
   CHECK(outcomes[1].fault.file == suite.cases[1].path);
   CHECK(outcomes[1].fault.where.line > 0);
-  CHECK(outcomes[1].code == kExitBadInput);
+  CHECK(outcomes[1].code == base::kExitBadInput);
 }
 
 TEST_CASE("what a listener throws ends the suite and arrives") {
@@ -129,10 +129,10 @@ TEST_CASE("progress counts every case once, and those that do not pass") {
   Suite suite;
   for (int i = 0; i < 6; ++i)
     suite.add("case" + std::to_string(i), slider(10, i == 3 ? "0.3" : "0.2"));
-  WorkDone last;
+  terminal::WorkDone last;
   SuiteListener listener;
   listener.tell = [](const Candidate&, CaseOutcome&&) {};
-  listener.progress = [&](const WorkDone& work) { last = work; };
+  listener.progress = [&](const terminal::WorkDone& work) { last = work; };
   run_suite(suite.cases, {}, {.threads = 2}, listener);
   CHECK(last.done == 6);
   CHECK(last.total == 6);
@@ -142,11 +142,11 @@ TEST_CASE("progress counts every case once, and those that do not pass") {
 TEST_CASE("every index is worked on once, by however many threads") {
   for (const unsigned threads : {1U, 3U, 50U}) {
     std::vector<std::atomic<int>> counts(40);
-    for_each_index(counts.size(), threads, [&](std::size_t i) { ++counts[i]; });
+    base::for_each_index(counts.size(), threads, [&](std::size_t i) { ++counts[i]; });
     for (const auto& count : counts) CHECK(count == 1);
   }
-  for_each_index(0, 4, [](std::size_t) { FAIL("there is nothing to do"); });
+  base::for_each_index(0, 4, [](std::size_t) { FAIL("there is nothing to do"); });
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

@@ -6,7 +6,7 @@
 #include "driver/results/provenance.hpp"
 #include "tests/driver/suite/outcomes_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 namespace {
 
 TEST_CASE("the JSON of a suite has a line for each case, and the totals") {
@@ -18,10 +18,10 @@ TEST_CASE("the JSON of a suite has a line for each case, and the totals") {
     totals.add(outcome);
   };
   add({"a/b\".yaml", "a/b\""}, outcome_of());
-  add({"a/broken.yaml", "a/broken"}, outcome_not_run(kExitNumerical, "no solution"));
+  add({"a/broken.yaml", "a/broken"}, outcome_not_run(base::kExitNumerical, "no solution"));
   add({"c.yaml", "c"}, outcome_of(passed_check("x"), failed_check("y", "off")));
   const std::string text = suite.text(totals);
-  CHECK(text.find("{\"slipbench\": \"" + std::string(program_version()) +
+  CHECK(text.find("{\"slipbench\": \"" + std::string(results::program_version()) +
                   "\", \"cases\": [\n  {") == 0);
   CHECK(text.find(R"(
   {"case": "a/b\"", "file": "a/b\".yaml", "status": "no_checks", "exit_code": 0, "checks": []},
@@ -47,4 +47,4 @@ TEST_CASE("the cases stand in the order of the suite, in whatever order they wer
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

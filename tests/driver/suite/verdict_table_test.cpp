@@ -8,7 +8,7 @@
 #include "driver/suite/trailing_notes.hpp"
 #include "tests/driver/suite/outcomes_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::suite {
 namespace {
 
 const std::vector<Candidate> kCases = {{"a/short.yaml", "a/short"}, {"a/longer.yaml", "a/longer"}};
@@ -21,9 +21,9 @@ TEST_CASE("the lines of a table stand under each other") {
                                           failed_check("z", "far off"))) ==
         "  FAIL  a/longer   check 'x': off\n  FAIL  a/longer   check 'z': far off\n");
   CHECK(table.lines(kCases[0], outcome_of()) == "  ----  a/short    no checks\n");
-  CHECK(table.lines(kCases[0], outcome_not_run(kExitNumerical, "m")) ==
+  CHECK(table.lines(kCases[0], outcome_not_run(base::kExitNumerical, "m")) ==
         "  FAIL  a/short    numerical failure, see below\n");
-  CHECK(table.lines(kCases[0], outcome_not_run(kExitBadInput, "m")) ==
+  CHECK(table.lines(kCases[0], outcome_not_run(base::kExitBadInput, "m")) ==
         "  FAIL  a/short    cannot be run, see below\n");
 }
 
@@ -32,7 +32,7 @@ TEST_CASE("a quiet table tells what does not pass only") {
   CHECK(table.lines(kCases[0], outcome_of(passed_check("x"))).empty());
   CHECK(table.lines(kCases[0], outcome_of()).empty());
   CHECK_FALSE(table.lines(kCases[0], outcome_of(failed_check("x", "off"))).empty());
-  CHECK_FALSE(table.lines(kCases[0], outcome_not_run(kExitBadInput, "m")).empty());
+  CHECK_FALSE(table.lines(kCases[0], outcome_not_run(base::kExitBadInput, "m")).empty());
 }
 
 TEST_CASE("names cannot break a table or colour a terminal") {
@@ -52,8 +52,8 @@ TEST_CASE("a colour is the verdict's only") {
 
 TEST_CASE("head and totals fill the width of the table") {
   const std::string head = table_head(24, 61, "2 cores");
-  CHECK(head.find("slipbench " + std::string(program_version()) + "   24 cases, 61 checks   ") ==
-        0);
+  CHECK(head.find("slipbench " + std::string(results::program_version()) +
+                  "   24 cases, 61 checks   ") == 0);
   CHECK(head.size() == 73);
   CHECK(head.ends_with(" 2 cores\n"));
   CHECK(table_head(1, std::nullopt, "1 thread").find("   1 case   ") != std::string::npos);
@@ -62,11 +62,11 @@ TEST_CASE("head and totals fill the width of the table") {
   CHECK(table_totals(totals, false, std::chrono::milliseconds(210))
             .find("  1 case passed, 0 failed  ") == 0);
   totals.add(outcome_of());
-  totals.add(outcome_not_run(kExitNumerical, "m"));
+  totals.add(outcome_not_run(base::kExitNumerical, "m"));
   const std::string text = table_totals(totals, true, std::chrono::milliseconds(210));
   CHECK(text.find("  1 case passed, 0 failed, 1 not run, 1 without checks; 1 check   ") == 0);
   CHECK(text.ends_with(" 0.21 s\n"));
-  CHECK(totals.code == kExitNumerical);
+  CHECK(totals.code == base::kExitNumerical);
 }
 
 TEST_CASE("doubts and messages below the table are told, but no flood of them") {
@@ -74,12 +74,12 @@ TEST_CASE("doubts and messages below the table are told, but no flood of them") 
   CHECK(notes.text().empty());
   CheckOutcome doubtful = passed_check("limit");
   doubtful.verdict.warnings = {"loose"};
-  notes.add(kCases[0], outcome_not_run(kExitBadInput, "unknown key"));
+  notes.add(kCases[0], outcome_not_run(base::kExitBadInput, "unknown key"));
   notes.add(kCases[0], outcome_of(doubtful));
   CHECK(notes.text() ==
         "  warning: a/short  check 'limit': loose\na/broken.yaml:3:9: error: unknown key\n");
   for (int i = 0; i < 120; ++i) {
-    notes.add(kCases[0], outcome_not_run(kExitBadInput, "unknown key"));
+    notes.add(kCases[0], outcome_not_run(base::kExitBadInput, "unknown key"));
     notes.add(kCases[0], outcome_of(doubtful));
   }
   const std::string text = notes.text();
@@ -88,4 +88,4 @@ TEST_CASE("doubts and messages below the table are told, but no flood of them") 
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::suite

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-namespace slipbench::driver {
+namespace slipbench::driver::terminal {
 namespace {
 
 TEST_CASE("the line of progress tells how far, what failed and how long it will take") {
@@ -27,4 +27,4 @@ TEST_CASE("the line is cut to what the terminal can take back, by letters") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::terminal

@@ -9,7 +9,7 @@
 
 #include "driver/yaml/parse.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::yaml {
 namespace {
 
 /// A file that nobody has, so that what is tested are the rules and no key of a case.
@@ -50,19 +50,19 @@ struct Bound {
   std::optional<Tree> tree;  ///< nodes point into it
   Wheel wheel;
   bool good = false;
-  Diagnostics messages;
+  base::Diagnostics messages;
   std::string text;  ///< the messages, as a user sees them
 };
 
 Bound bound(const std::string& text) {
   Bound result;
-  const SourceText source("wheel.yaml", text);
+  const base::SourceText source("wheel.yaml", text);
   const auto tree = parse_yaml(source);
   if (tree) {
     result.tree = *tree;
-    const NamedNumbers parameters{{"r", 300.0}};
+    const base::NamedNumbers parameters{{"r", 300.0}};
     Binder binder(result.messages, parameters, {}, ".", false, kWords);
-    binder.set_units(UnitSystem{"mm", "N", "s", "K"});
+    binder.set_units(base::UnitSystem{"mm", "N", "s", "K"});
     result.good = read_struct(binder, tree->root(), {}, result.wheel);
   } else {
     result.messages = tree.error();
@@ -108,7 +108,7 @@ TEST_CASE("every fault of a map is reported once, at its place, and what is soun
       "  last: {holes: 3}\n");
   CHECK_FALSE(found.good);
   std::string places;
-  for (const Diagnostic& one : found.messages.sorted()) {
+  for (const base::Diagnostic& one : found.messages.sorted()) {
     places += std::to_string(one.where.line) + " " + one.path + "\n";
   }
   CHECK(places ==
@@ -131,8 +131,8 @@ TEST_CASE("a wheel with any character replaced is read or refused at a place of 
       INFO(text);
       REQUIRE(found.good != found.messages.has_errors());
       ++(found.messages.has_errors() ? refused : read);
-      const int lines = SourceText("wheel.yaml", text).line_count();
-      for (const Diagnostic& one : found.messages.sorted()) {
+      const int lines = base::SourceText("wheel.yaml", text).line_count();
+      for (const base::Diagnostic& one : found.messages.sorted()) {
         REQUIRE(one.where.line >= 1);
         REQUIRE(one.where.line <= lines);
       }
@@ -144,4 +144,4 @@ TEST_CASE("a wheel with any character replaced is read or refused at a place of 
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::yaml

@@ -9,7 +9,7 @@
 
 #include "driver/yaml/parse.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::yaml {
 namespace {
 
 constexpr std::string_view kSeed = R"(slipbench: 1
@@ -77,8 +77,8 @@ std::string mutate(std::string text, std::mt19937& random) {
 }
 
 // Touches every node as a reader would.
-std::size_t walk(const Node& node, const SourceText& source) {
-  const SourcePosition where = node.where();
+std::size_t walk(const Node& node, const base::SourceText& source) {
+  const base::SourcePosition where = node.where();
   REQUIRE(where.line >= 1);
   REQUIRE(where.line <= source.line_count());
   REQUIRE(where.column >= 1);
@@ -95,13 +95,13 @@ std::size_t walk(const Node& node, const SourceText& source) {
 }
 
 TEST_CASE("Mutated files are read or refused with a place, and never crash") {
-  REQUIRE(parse_yaml(SourceText("m.yaml", std::string(kSeed))).has_value());
+  REQUIRE(parse_yaml(base::SourceText("m.yaml", std::string(kSeed))).has_value());
   std::mt19937 random(19770525);
   std::size_t read = 0;
   std::size_t refused = 0;
   for (int i = 0; i < 8000; ++i) {
     const std::string text = mutate(std::string(kSeed), random);
-    const SourceText source("m.yaml", text);
+    const base::SourceText source("m.yaml", text);
     const auto tree = parse_yaml(source);
     if (tree) {
       ++read;
@@ -110,13 +110,13 @@ TEST_CASE("Mutated files are read or refused with a place, and never crash") {
     }
     ++refused;
     REQUIRE(tree.error().has_errors());
-    for (const Diagnostic& diagnostic : tree.error().sorted()) {
+    for (const base::Diagnostic& diagnostic : tree.error().sorted()) {
       INFO(text);
       REQUIRE(diagnostic.where.line >= 1);
       REQUIRE(diagnostic.where.line <= source.line_count());
       REQUIRE_FALSE(diagnostic.message.empty());
     }
-    REQUIRE_FALSE(render(tree.error(), {&source, 1}).empty());
+    REQUIRE_FALSE(base::render(tree.error(), {&source, 1}).empty());
   }
   // Both kinds must be met, or the test tests nothing.
   CHECK(read > 100);
@@ -124,4 +124,4 @@ TEST_CASE("Mutated files are read or refused with a place, and never crash") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::yaml

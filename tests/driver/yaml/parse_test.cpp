@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::yaml {
 namespace {
 
 using namespace std::string_literals;
@@ -34,19 +34,19 @@ std::string outline(const Node& node) {
 }
 
 std::string outline(const std::string& text) {
-  const auto tree = parse_yaml(SourceText("c.yaml", text));
-  return tree ? outline(tree->root()) : render(tree.error());
+  const auto tree = parse_yaml(base::SourceText("c.yaml", text));
+  return tree ? outline(tree->root()) : base::render(tree.error());
 }
 
 // The messages for a bad text as the user sees them; empty if it is not bad.
 std::string complaint(const std::string& text) {
-  const SourceText source("c.yaml", text);
+  const base::SourceText source("c.yaml", text);
   const auto tree = parse_yaml(source);
-  return tree ? "" : render(tree.error(), {&source, 1});
+  return tree ? "" : base::render(tree.error(), {&source, 1});
 }
 
 Tree parsed(const std::string& text) {
-  auto tree = parse_yaml(SourceText("c.yaml", text));
+  auto tree = parse_yaml(base::SourceText("c.yaml", text));
   REQUIRE(tree.has_value());
   return *tree;
 }
@@ -120,15 +120,15 @@ TEST_CASE("Every node knows its place and length") {
       "gr\xC3\xB6\xC3\x9F"
       "e: 1.25\nq: \"a b\" # c\nl: [10, {k: v}]\nm:\n  n: 'x'\n");
   const Node root = tree.root();
-  CHECK(root.entry(0).key.where() == SourcePosition{1, 1, 5});
-  CHECK(root[0].where() == SourcePosition{1, 8, 4});
-  CHECK(root[1].where() == SourcePosition{2, 4, 5});
-  CHECK(root[2].where() == SourcePosition{3, 4, 1});
-  CHECK(root[2][0].where() == SourcePosition{3, 5, 2});
-  CHECK(root[2][1].where() == SourcePosition{3, 9, 1});
-  CHECK(root[2][1][0].where() == SourcePosition{3, 13, 1});
-  CHECK(root[3].where() == SourcePosition{5, 3, 1});
-  CHECK(root[3][0].where() == SourcePosition{5, 6, 3});
+  CHECK(root.entry(0).key.where() == base::SourcePosition{1, 1, 5});
+  CHECK(root[0].where() == base::SourcePosition{1, 8, 4});
+  CHECK(root[1].where() == base::SourcePosition{2, 4, 5});
+  CHECK(root[2].where() == base::SourcePosition{3, 4, 1});
+  CHECK(root[2][0].where() == base::SourcePosition{3, 5, 2});
+  CHECK(root[2][1].where() == base::SourcePosition{3, 9, 1});
+  CHECK(root[2][1][0].where() == base::SourcePosition{3, 13, 1});
+  CHECK(root[3].where() == base::SourcePosition{5, 3, 1});
+  CHECK(root[3][0].where() == base::SourcePosition{5, 6, 3});
 }
 
 TEST_CASE("A value left empty is shown at its key or dash") {
@@ -137,17 +137,17 @@ TEST_CASE("A value left empty is shown at its key or dash") {
   const Node root = tree.root();
   CHECK(root[0].is_null());
   CHECK(root[0].text().empty());
-  CHECK(root[0].where() == SourcePosition{1, 1, 1});
+  CHECK(root[0].where() == base::SourcePosition{1, 1, 1});
   CHECK(root[1].text() == "null");
-  CHECK(root[1].where() == SourcePosition{2, 4, 1});
+  CHECK(root[1].where() == base::SourcePosition{2, 4, 1});
   CHECK(root[2].text() == "~");
-  CHECK(root[2].where() == SourcePosition{3, 4, 1});
+  CHECK(root[2].where() == base::SourcePosition{3, 4, 1});
   const Node list = *root.find("d");
   REQUIRE(list.size() == 4);
-  CHECK(list[0].where() == SourcePosition{5, 3, 1});
-  CHECK(list[2].where() == SourcePosition{8, 3, 1});
-  CHECK(list[3].where() == SourcePosition{10, 3, 1});
-  CHECK(root[4].where() == SourcePosition{11, 1, 5});
+  CHECK(list[0].where() == base::SourcePosition{5, 3, 1});
+  CHECK(list[2].where() == base::SourcePosition{8, 3, 1});
+  CHECK(list[3].where() == base::SourcePosition{10, 3, 1});
+  CHECK(root[4].where() == base::SourcePosition{11, 1, 5});
 }
 
 TEST_CASE("An alias stands for its anchor but points at itself") {
@@ -156,12 +156,12 @@ TEST_CASE("An alias stands for its anchor but points at itself") {
   const Node root = tree.root();
   CHECK(outline(root) ==
         "{a: 5, b: 5, c: {d: [1, 2]}, e: {d: [1, 2]}, f: [[1, 2], 5], g: null, h: null}");
-  CHECK(root[0].where() == SourcePosition{1, 7, 1});
-  CHECK(root[1].where() == SourcePosition{2, 4, 2});
-  CHECK(root[3].where() == SourcePosition{4, 4, 2});
-  CHECK(root[3][0][1].where() == SourcePosition{3, 18, 1});
-  CHECK(root[4][1].where() == SourcePosition{5, 9, 2});
-  CHECK(root[6].where() == SourcePosition{7, 4, 2});
+  CHECK(root[0].where() == base::SourcePosition{1, 7, 1});
+  CHECK(root[1].where() == base::SourcePosition{2, 4, 2});
+  CHECK(root[3].where() == base::SourcePosition{4, 4, 2});
+  CHECK(root[3][0][1].where() == base::SourcePosition{3, 18, 1});
+  CHECK(root[4][1].where() == base::SourcePosition{5, 9, 2});
+  CHECK(root[6].where() == base::SourcePosition{7, 4, 2});
 }
 
 TEST_CASE("Paths are written as messages show them") {
@@ -439,11 +439,11 @@ TEST_CASE("A flood of errors costs neither time nor memory") {
   text += "}\n";
   for (int i = 0; i < 100000; ++i) text += "word\n";
   const auto start = std::chrono::steady_clock::now();
-  const SourceText source("c.yaml", text);
+  const base::SourceText source("c.yaml", text);
   const auto tree = parse_yaml(source);
   REQUIRE_FALSE(tree.has_value());
-  CHECK(tree.error().sorted().size() <= Diagnostics::kMaxKept);
-  CHECK(render(tree.error(), {&source, 1}).size() < 10000);
+  CHECK(tree.error().sorted().size() <= base::Diagnostics::kMaxKept);
+  CHECK(base::render(tree.error(), {&source, 1}).size() < 10000);
   CHECK(seconds(start) < 10.0);
 }
 
@@ -458,8 +458,8 @@ TEST_CASE("A table of a hundred thousand rows is read quickly and keeps its plac
   CHECK(rows[99999].size() == 5);
   CHECK(rows[99999][0].text() == "99999");
   CHECK(rows[99999][3].text() == "-4");
-  CHECK(rows[99999][3].where() == SourcePosition{100001, 24, 2});
+  CHECK(rows[99999][3].where() == base::SourcePosition{100001, 24, 2});
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::yaml

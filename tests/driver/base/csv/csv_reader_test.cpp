@@ -20,7 +20,7 @@
 
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -356,4 +356,4 @@ TEST_CASE("a row also gives its fields as they are written") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

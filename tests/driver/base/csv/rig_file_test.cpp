@@ -10,7 +10,7 @@
 #include "driver/base/csv/csv_reader.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -191,4 +191,4 @@ TEST_CASE("a source is written as a case would state it") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -6,7 +6,7 @@
 
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 std::string hash_of(std::string_view text) {
@@ -53,4 +53,4 @@ TEST_CASE("A file has the hash of its bytes, one that is not there has none") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

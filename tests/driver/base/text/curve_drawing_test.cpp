@@ -9,7 +9,7 @@
 
 #include "driver/base/text/tics.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 CurveDrawing rising() {
@@ -64,4 +64,4 @@ TEST_CASE("Tics are 1, 2 or 5 times a power of ten") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -9,7 +9,7 @@
 
 #include "driver/base/text/source_text.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 Diagnostic at(SourcePosition where) {
@@ -149,4 +149,4 @@ TEST_CASE("Names are listed in words") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-namespace slipbench::driver::json {
+namespace slipbench::driver::base::json {
 namespace {
 
 TEST_CASE("members keep their order and numbers are the shortest that read back") {
@@ -35,4 +35,4 @@ TEST_CASE("what JSON has no number for is null") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver::json
+}  // namespace slipbench::driver::base::json

@@ -14,7 +14,7 @@
 
 #include "driver/base/text/format_number.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 std::string reason(std::string_view text) {
@@ -159,4 +159,4 @@ TEST_CASE("A locale with a decimal comma changes neither reading nor writing") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 using namespace std::string_literals;
@@ -178,4 +178,4 @@ TEST_CASE("A binary file gets a few messages, not thousands") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -4,7 +4,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 using Names = std::vector<std::string_view>;
@@ -38,4 +38,4 @@ TEST_CASE("A long list of names is cut, a short one is not") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -223,4 +223,4 @@ TEST_CASE("names with a meaning of their own are reserved") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

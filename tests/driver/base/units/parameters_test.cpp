@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 using Parameters = std::vector<ParameterText>;
@@ -112,4 +112,4 @@ TEST_CASE("a long chain of parameters is resolved") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -9,7 +9,7 @@
 
 #include "driver/base/units/unit_dimension.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 const UnitSystem kMillimetres{"mm", "N", "s", "degC"};
@@ -191,4 +191,4 @@ TEST_CASE("everyday base units do not load the unit data base", "[.timing]") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

@@ -8,7 +8,7 @@
 #include "driver/calibrate/cleaning/dead_band.hpp"
 #include "driver/calibrate/cleaning/resample.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cleaning {
 namespace {
 
 using Numbers = std::vector<double>;
@@ -164,4 +164,4 @@ TEST_CASE("The dead band of a sinusoidal motion is what its cosine says") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cleaning

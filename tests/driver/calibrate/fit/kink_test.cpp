@@ -13,7 +13,7 @@
 #include "driver/calibrate/fit/products.hpp"
 #include "driver/calibrate/fit/statistics.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 namespace {
 
 constexpr std::size_t kOrdinates = 6;
@@ -244,4 +244,4 @@ TEST_CASE("Products of columns give the triangle of the factorisation, or none")
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

@@ -15,7 +15,7 @@
 #include "tests/driver/calibrate/fit/nist_models.hpp"
 #include "tests/driver/calibrate/fit/nist_problems.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 namespace {
 
 using nist::Dual;
@@ -133,4 +133,4 @@ TEST_CASE("NIST's regression problems are solved to six digits with differences 
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

@@ -13,7 +13,7 @@
 #include "driver/calibrate/fit/statistics.hpp"
 #include "tests/driver/calibrate/fit/synthetic_models.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 namespace {
 
 using Model = std::function<double(std::span<const double> x, std::size_t row)>;
@@ -529,4 +529,4 @@ TEST_CASE("Tables of any shape through noisy points are the least of their conve
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 namespace {
 
 /// Normal noise of deviation 1, the same with every standard library (Box and Muller).
@@ -243,4 +243,4 @@ TEST_CASE("Differences of an unknown on a logarithmic scale are a part of it, no
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

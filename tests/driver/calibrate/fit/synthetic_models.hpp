@@ -20,7 +20,7 @@
 #include "reference/parallel_sliders.hpp"
 #include "reference/wear.hpp"
 
-namespace slipbench::driver::test {
+namespace slipbench::driver::fit::test {
 
 /// A curve with unknown parameters, its true ones, and the abscissae of the data.
 struct Synthetic {
@@ -124,4 +124,4 @@ inline std::vector<double> noise_of(const Synthetic& synthetic, std::uint64_t se
   return noise;
 }
 
-}  // namespace slipbench::driver::test
+}  // namespace slipbench::driver::fit::test

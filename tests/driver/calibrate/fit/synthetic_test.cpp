@@ -8,7 +8,7 @@
 #include "driver/calibrate/fit/statistics.hpp"
 #include "tests/driver/calibrate/fit/synthetic_models.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::fit {
 namespace {
 
 using test::Synthetic;
@@ -121,4 +121,4 @@ TEST_CASE("Noisy data give the same least cost as MINPACK finds") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::fit

@@ -7,7 +7,7 @@
 
 #include "tests/driver/calibrate/report/made_fits.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 TEST_CASE("few points are all drawn") {
@@ -71,4 +71,4 @@ TEST_CASE("loops are drawn over what is compared over, else over the position") 
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

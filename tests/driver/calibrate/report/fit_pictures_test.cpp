@@ -11,7 +11,7 @@
 #include "tests/driver/calibrate/report/made_fits.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 namespace fs = std::filesystem;
@@ -174,4 +174,4 @@ TEST_CASE("a folder that cannot be written to is one note, no failure") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

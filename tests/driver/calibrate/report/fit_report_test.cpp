@@ -11,7 +11,7 @@
 #include "tests/driver/calibrate/report/made_fits.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 std::string read_text(const std::filesystem::path& file) {
@@ -33,16 +33,16 @@ TEST_CASE("the page of a fit is one file with all that it needs") {
   REQUIRE(size);
   const std::string page = read_text(folder.path() / "fit.html");
   CHECK(page.size() == *size);
-  CHECK(count(page, page_part::style_css()) == 1);
-  CHECK(count(page, page_part::fit_css()) == 1);
-  CHECK(count(page, page_part::tools_js()) == 1);
-  CHECK(count(page, page_part::fit_js()) == 1);
-  CHECK(count(page, page_part::chart_js()) == 1);
+  CHECK(count(page, report::page_part::style_css()) == 1);
+  CHECK(count(page, report::page_part::fit_css()) == 1);
+  CHECK(count(page, report::page_part::tools_js()) == 1);
+  CHECK(count(page, report::page_part::fit_js()) == 1);
+  CHECK(count(page, report::page_part::chart_js()) == 1);
   CHECK(page.find("<title>Brake pad: coefficient over slip rate and temperature</title>") !=
         std::string::npos);
   CHECK(page.find("src=\"") == std::string::npos);
   CHECK(page.find("default-src 'none'") != std::string::npos);
-  CHECK(count(page_part::fit_html(), "<link") == 1);  // the empty icon
+  CHECK(count(report::page_part::fit_html(), "<link") == 1);  // the empty icon
 }
 
 TEST_CASE("names of a fit stay text in its page, whatever they look like") {
@@ -72,4 +72,4 @@ TEST_CASE("a page takes the place of no file that the fit reads") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -11,7 +11,7 @@
 
 #include "tests/support/dice.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 using test::Dice;
@@ -109,7 +109,7 @@ void add_experiment(MadeFit& made, const std::string& name, FittedResponse respo
   made.calibration.experiments.push_back(std::move(one));
 }
 
-FittedUnknown unknown(const std::string& name, const std::string& unit, UnknownRange range,
+FittedUnknown unknown(const std::string& name, const std::string& unit, fit::UnknownRange range,
                       double value) {
   FittedUnknown one;
   one.name = name;
@@ -127,7 +127,7 @@ FittedUnknown unknown(const std::string& name, const std::string& unit, UnknownR
 void state_errors(MadeFit& made, double part, double correlation) {
   Calibration& calibration = made.calibration;
   const std::size_t n = calibration.unknowns.size();
-  FitStatistics& statistics = calibration.statistics;
+  fit::FitStatistics& statistics = calibration.statistics;
   for (std::size_t i = 0; i < n; ++i) {
     const FittedUnknown& one = calibration.unknowns[i];
     const bool seen = one.identifiability != Identifiability::kNeverVisited;
@@ -157,7 +157,7 @@ void state_end(MadeFit& made, bool converged, double start_cost, double cost) {
   calibration.fit.start_cost = start_cost;
   calibration.fit.cost = cost;
   calibration.fit.iterations = converged ? 14 : 200;
-  calibration.fit.stop = converged ? StopReason::kStep : StopReason::kIterations;
+  calibration.fit.stop = converged ? fit::StopReason::kStep : fit::StopReason::kIterations;
   calibration.fit.stop_sentence =
       converged ? "The steps have become negligible."
                 : "The 200 iterations allowed are used up, and the cost was still falling: allow "
@@ -177,9 +177,9 @@ void state_end(MadeFit& made, bool converged, double start_cost, double cost) {
       {{}, calibration.fit.x, start_cost, cost, calibration.fit.iterations, calibration.fit.stop});
 }
 
-LikelihoodProfile profile_of(const MadeFit& made, std::size_t unknown, bool open) {
+fit::LikelihoodProfile profile_of(const MadeFit& made, std::size_t unknown, bool open) {
   const Calibration& calibration = made.calibration;
-  LikelihoodProfile profile;
+  fit::LikelihoodProfile profile;
   profile.unknown = unknown;
   const double value = calibration.unknowns[unknown].value;
   const double error = calibration.statistics.standard_error[unknown];
@@ -233,8 +233,8 @@ MadeFit made_slider_fit() {
   made.calibration.experiments[0].share_of_cost = 0.48;
   made.calibration.experiments[1].share_of_cost = 0.52;
   made.calibration.unknowns = {
-      unknown("mu", "", {0.3, 0.05, 0.6, Scale::kLinear}, 0.2),
-      unknown("stick_stiffness", "N/mm", {200.0, 1.0, 1e4, Scale::kLog}, 400.0),
+      unknown("mu", "", {0.3, 0.05, 0.6, fit::Scale::kLinear}, 0.2),
+      unknown("stick_stiffness", "N/mm", {200.0, 1.0, 1e4, fit::Scale::kLog}, 400.0),
       unknown("internal_force", "N", {20.0, 0.0}, 24.5)};
   made.calibration.unknowns[2].identifiability = Identifiability::kWeak;
   made.calibration.unknowns[2].why = "only its product with mu is told";
@@ -256,12 +256,13 @@ MadeFit made_slider_fit() {
   calibration.profiles = {profile_of(made, 0, false), profile_of(made, 1, false),
                           profile_of(made, 2, true)};
   for (int i = 1; i < 8; ++i) {
-    calibration.fit.searches.push_back({{0.1 * i, 100.0 * i, 20.0},
-                                        calibration.fit.x,
-                                        900.0 * i,
-                                        i % 3 == 2 ? 310.0 : 24.11,
-                                        10 + i,
-                                        i % 3 == 2 ? StopReason::kNoProgress : StopReason::kStep});
+    calibration.fit.searches.push_back(
+        {{0.1 * i, 100.0 * i, 20.0},
+         calibration.fit.x,
+         900.0 * i,
+         i % 3 == 2 ? 310.0 : 24.11,
+         10 + i,
+         i % 3 == 2 ? fit::StopReason::kNoProgress : fit::StopReason::kStep});
   }
   return made;
 }
@@ -285,8 +286,9 @@ MadeFit made_table_fit() {
       table.points.push_back({rates[r], temperatures[t]});
       const auto far = static_cast<double>(t);
       const double value = 0.42 - 0.03 * static_cast<double>(r) + 0.05 * far - 0.03 * far * far;
-      FittedUnknown one = unknown(fmt::format("pad.coefficient[{}].mu", table.points.size() - 1),
-                                  "", {0.35, 0.0, 1.0, Scale::kLinear}, seen(r, t) ? value : 0.35);
+      FittedUnknown one =
+          unknown(fmt::format("pad.coefficient[{}].mu", table.points.size() - 1), "",
+                  {0.35, 0.0, 1.0, fit::Scale::kLinear}, seen(r, t) ? value : 0.35);
       if (!seen(r, t)) {
         one.identifiability = Identifiability::kNeverVisited;
         one.why = "not identifiable: never visited";
@@ -326,7 +328,7 @@ MadeFit made_curve_fit() {
   for (int i = 0; i < 9; ++i) {
     table.points.push_back({-0.8 + 0.2 * i});
     FittedUnknown one = unknown(fmt::format("rod.internal_contact_force[{}].force", i), "N",
-                                {60.0, 0.0, 200.0, Scale::kLinear}, 60.0 + 6.0 * i);
+                                {60.0, 0.0, 200.0, fit::Scale::kLinear}, 60.0 + 6.0 * i);
     if (i == 0 || i == 8) {
       one.identifiability = Identifiability::kNeverVisited;
       one.why = "not identifiable: never visited";
@@ -351,13 +353,13 @@ MadeFit made_unconverged_fit() {
   Dice dice(4);
   made.fit.file = "brake.yaml";
   made.fit.title = "Band brake, cycles 3 and 4";
-  made.fit.loss = {Loss::Kind::kHuber, 2.0};
+  made.fit.loss = {fit::Loss::Kind::kHuber, 2.0};
   add_experiment(made, "brake", slider_response({.stiffness = 250.0, .trend = 3.0}, dice));
   made.calibration.unknowns = {unknown("mu", "", {0.3}, 0.21),
                                unknown("stick_stiffness", "N/mm", {200.0, 0.0}, 250.0),
-                               unknown("offset", "N", {0.0, -1.0, 1.0, Scale::kLinear}, 1.0)};
+                               unknown("offset", "N", {0.0, -1.0, 1.0, fit::Scale::kLinear}, 1.0)};
   state_errors(made, 0.0, 0.5);
-  FitStatistics& statistics = made.calibration.statistics;
+  fit::FitStatistics& statistics = made.calibration.statistics;
   statistics.standard_error.assign(3, kNone);
   statistics.lower.assign(3, kNone);
   statistics.upper.assign(3, kNone);
@@ -388,7 +390,7 @@ MadeFit made_large_fit() {
   for (int i = 0; i < 20; ++i) {
     made.calibration.unknowns.push_back(
         unknown(fmt::format("coefficient_of_the_outer_sleeve_at_the_position_{}", i),
-                i % 2 ? "N mm" : "", {0.3, 0.0, 1.0, Scale::kLinear}, 0.1 + 0.035 * i));
+                i % 2 ? "N mm" : "", {0.3, 0.0, 1.0, fit::Scale::kLinear}, 0.1 + 0.035 * i));
   }
   state_errors(made, 0.04, 0.97);
   state_end(made, true, 1e6, 412.0);
@@ -434,4 +436,4 @@ std::vector<NamedFit> made_fits() {
           {"large", made_large_fit},   {"hostile", made_hostile_fit}};
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -9,7 +9,7 @@
 #include "driver/calibrate/calibration.hpp"
 #include "driver/calibrate/fit.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 
 struct MadeFit {
   Fit fit;
@@ -39,4 +39,4 @@ struct NamedFit {
 };
 std::vector<NamedFit> made_fits();
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -10,7 +10,7 @@
 #include "tests/driver/calibrate/report/made_fits.hpp"
 #include "tests/support/dice.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 /// A response whose model is zero: the residuals are the negatives of what is measured.
@@ -115,4 +115,4 @@ TEST_CASE("what a made fit leaves is what was put into it") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

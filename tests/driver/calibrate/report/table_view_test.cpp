@@ -5,7 +5,7 @@
 
 #include "tests/driver/calibrate/report/made_fits.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::calibrate {
 namespace {
 
 TEST_CASE("a table of two independents is a grid with a block for each of the second") {
@@ -65,4 +65,4 @@ TEST_CASE("a table without rows has no blocks") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::calibrate

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -26,7 +26,9 @@ Series ellipse(double a, double b, int rows, double start = 0.0, double turn = 1
   return curve;
 }
 
-Tolerance within(double absolute) { return {.absolute = absolute, .relative = {}, .why = ""}; }
+cases::Tolerance within(double absolute) {
+  return {.absolute = absolute, .relative = {}, .why = ""};
+}
 
 struct Distance {
   double largest;
@@ -210,4 +212,4 @@ TEST_CASE("no distance without a reference that moves, or numbers") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -6,7 +6,7 @@
 
 #include "tests/driver/check/criteria/sampled_curves.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 TEST_CASE("the area has its sign, and its scale does not cancel") {
@@ -69,4 +69,4 @@ TEST_CASE("back and forth, the area is the work, and branches must match") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -6,7 +6,7 @@
 
 #include "tests/driver/check/criteria/sampled_curves.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 void check_breakaway(const Series& curve, double position, double value, double margin = 1e-9) {
@@ -180,7 +180,7 @@ TEST_CASE("without a breakaway there is a fault that says why") {
 TEST_CASE("value and position of breakaway have bounds of their own") {
   const Series reference = slider(zigzag({0, 0.1}, 20));
   const Series result = scaled(slider(zigzag({0, 0.1}, 33)), 1.0, 1.05);
-  Tolerance tolerance = absolute(1.1);
+  cases::Tolerance tolerance = absolute(1.1);
   tolerance.abscissa = 1e-6;
   const CurveComparison found = compare_breakaway(result, reference, tolerance);
   REQUIRE(found.measures.size() == 2);
@@ -196,4 +196,4 @@ TEST_CASE("value and position of breakaway have bounds of their own") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

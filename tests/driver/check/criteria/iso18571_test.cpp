@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -57,7 +57,9 @@ std::vector<double> changed(std::vector<double> samples, double factor, double o
   return samples;
 }
 
-Tolerance within(double absolute) { return {.absolute = absolute, .relative = {}, .why = ""}; }
+cases::Tolerance within(double absolute) {
+  return {.absolute = absolute, .relative = {}, .why = ""};
+}
 
 struct Rating {
   double r, z, phase, magnitude, slope, delay;
@@ -373,4 +375,4 @@ TEST_CASE("no rating without a reference that moves, a range or numbers") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

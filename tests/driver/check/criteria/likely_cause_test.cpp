@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 constexpr int kStick = 1, kSlip = 2, kUnknown = -1;
@@ -292,4 +292,4 @@ TEST_CASE("a factor that the first stick contradicts is none") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -6,7 +6,7 @@
 
 #include "tests/driver/check/criteria/sampled_curves.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 /// Reference cases, J2: 4 lim (A - s_c) = 6.4 mJ a loop of the amplitude 0.1 mm.
@@ -123,4 +123,4 @@ TEST_CASE("different numbers of branches are a fault") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

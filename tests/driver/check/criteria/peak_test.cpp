@@ -5,7 +5,7 @@
 
 #include "tests/driver/check/criteria/sampled_curves.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 TEST_CASE("the largest and the smallest value are compared, wherever they are") {
@@ -57,4 +57,4 @@ TEST_CASE("of a constant reference the scale is its magnitude") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

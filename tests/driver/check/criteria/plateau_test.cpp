@@ -6,7 +6,7 @@
 
 #include "tests/driver/check/criteria/sampled_curves.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 double mean_of(const Series& curve) {
@@ -52,4 +52,4 @@ TEST_CASE("a single place has no plateau") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

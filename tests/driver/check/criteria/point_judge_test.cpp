@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cstdint>
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 CurvePoint point(double time, double value, double reference) {
@@ -68,4 +68,4 @@ TEST_CASE("what is told of a point has the distance to the nearer of its neighbo
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

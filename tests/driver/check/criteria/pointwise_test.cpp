@@ -6,7 +6,7 @@
 
 #include "tests/driver/check/criteria/sampled_curves.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 double largest(const PointwiseComparison& comparison) {
@@ -180,4 +180,4 @@ TEST_CASE("the one measure of a pointwise comparison is its worst point") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -6,13 +6,13 @@
 
 #include "tests/driver/check/criteria/sampled_curves.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 TEST_CASE("each reversal is compared in position and value") {
   const Series reference = slider(zigzag({0, 0.1, -0.1, 0.05}, 10));
   Series result = slider(zigzag({0, 0.11, -0.1, 0.05}, 1000, true));
-  Tolerance tolerance = absolute(0.5);
+  cases::Tolerance tolerance = absolute(0.5);
   tolerance.abscissa = 0.005;
   const CurveComparison found = compare_reversals(result, reference, tolerance);
   REQUIRE(found.measures.size() == 5);
@@ -46,7 +46,7 @@ TEST_CASE("a bound of values alone leaves positions to be told, and the other wa
   const Series reference = slider(zigzag({0, 0.1, -0.1}, 10));
   const Series result = slider(zigzag({0, 0.2, -0.1}, 10));
   CHECK(passed(compare_reversals(result, reference, absolute(1e-9))));
-  Tolerance positions;
+  cases::Tolerance positions;
   positions.abscissa = 0.15;
   const Series weaker = scaled(result, 1.0, 0.5);
   CHECK(passed(compare_reversals(weaker, reference, positions)));
@@ -67,4 +67,4 @@ TEST_CASE("a reference that never turns has nothing to compare") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -12,7 +12,7 @@
 #include "driver/case/case.hpp"
 #include "driver/check/curves/series.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 
 /// Positions along straight branches between turning points, `rows` increments a branch; ragged
 /// ones differ in width by up to half of their mean.
@@ -63,8 +63,12 @@ inline Series scaled(Series curve, double abscissa, double value) {
   return curve;
 }
 
-inline Tolerance relative(double part) { return {.absolute = {}, .relative = part, .why = {}}; }
-inline Tolerance absolute(double size) { return {.absolute = size, .relative = {}, .why = {}}; }
+inline cases::Tolerance relative(double part) {
+  return {.absolute = {}, .relative = part, .why = {}};
+}
+inline cases::Tolerance absolute(double size) {
+  return {.absolute = size, .relative = {}, .why = {}};
+}
 
 inline const Measure& measure(const CurveComparison& comparison, std::string_view name) {
   return *std::find_if(comparison.measures.begin(), comparison.measures.end(),
@@ -77,4 +81,4 @@ inline bool passed(const CurveComparison& comparison) {
                      [](const Measure& m) { return m.passed(); });
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -22,7 +22,9 @@ Series sampled(const std::function<double(double)>& f, double from, double to, i
   return curve;
 }
 
-Tolerance within(double absolute) { return {.absolute = absolute, .relative = {}, .why = ""}; }
+cases::Tolerance within(double absolute) {
+  return {.absolute = absolute, .relative = {}, .why = ""};
+}
 
 struct Errors {
   double comprehensive;
@@ -139,7 +141,7 @@ TEST_CASE("the tolerance bounds the comprehensive error only") {
   const CurveComparison narrow = compare_sprague_geers(more, sine, within(0.2));
   CHECK_FALSE(narrow.measures[0].passed());
   CHECK(narrow.measures[1].passed());
-  const Tolerance relative{.absolute = {}, .relative = 0.3, .why = ""};
+  const cases::Tolerance relative{.absolute = {}, .relative = 0.3, .why = ""};
   CHECK(compare_sprague_geers(more, sine, relative).measures[0].passed());
   CHECK(narrow.compared == 101);
 }
@@ -167,4 +169,4 @@ TEST_CASE("no errors of magnitude and phase without a reference, a range or numb
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -5,7 +5,7 @@
 
 #include "tests/driver/check/criteria/sampled_curves.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 void check_branch(const Branch& branch, std::size_t first, std::size_t last, int direction) {
@@ -148,4 +148,4 @@ TEST_CASE("times of a reference that decrease are named") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -8,18 +8,19 @@
 #include "driver/check/criteria/criteria.hpp"
 #include "tests/driver/check/criteria/sampled_curves.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
-constexpr std::array kOfThisFile{Criterion::kPointwise,  Criterion::kPeak,      Criterion::kArea,
-                                 Criterion::kLoopEnergy, Criterion::kBreakaway, Criterion::kPlateau,
-                                 Criterion::kReversals};
+constexpr std::array kOfThisFile{cases::Criterion::kPointwise, cases::Criterion::kPeak,
+                                 cases::Criterion::kArea,      cases::Criterion::kLoopEnergy,
+                                 cases::Criterion::kBreakaway, cases::Criterion::kPlateau,
+                                 cases::Criterion::kReversals};
 
 /// A curve that every criterion accepts against itself.
 Series loop() { return slider(zigzag({0, 0.1, -0.1, 0.1}, 20)); }
 
 TEST_CASE("every criterion accepts a curve that is compared with itself") {
-  for (const Criterion criterion : kOfThisFile) {
+  for (const cases::Criterion criterion : kOfThisFile) {
     CAPTURE(info_of(criterion).word);
     const CurveComparison same = compare(criterion, loop(), loop(), absolute(0.0));
     CHECK(same.fault.empty());
@@ -29,7 +30,7 @@ TEST_CASE("every criterion accepts a curve that is compared with itself") {
 }
 
 TEST_CASE("every criterion refuses numbers that are not finite, on either side") {
-  for (const Criterion criterion : kOfThisFile) {
+  for (const cases::Criterion criterion : kOfThisFile) {
     CAPTURE(info_of(criterion).word);
     for (const double bad :
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
@@ -48,7 +49,7 @@ TEST_CASE("every criterion refuses numbers that are not finite, on either side")
 }
 
 TEST_CASE("every criterion refuses empty and ragged columns") {
-  for (const Criterion criterion : kOfThisFile) {
+  for (const cases::Criterion criterion : kOfThisFile) {
     CAPTURE(info_of(criterion).word);
     CHECK(compare(criterion, Series{}, loop(), relative(1e9)).fault == "the result has no rows");
     CHECK(compare(criterion, loop(), Series{}, relative(1e9)).fault == "the reference has no rows");
@@ -66,7 +67,7 @@ TEST_CASE("every criterion refuses curves that share no range, and tells both ra
   for (double& x : far.abscissa) x += 1.0;
   Series touching = loop();
   for (double& x : touching.abscissa) x += 0.2;
-  for (const Criterion criterion : kOfThisFile) {
+  for (const cases::Criterion criterion : kOfThisFile) {
     CAPTURE(info_of(criterion).word);
     const std::string fault = compare(criterion, loop(), far, relative(1e9)).fault;
     CHECK_THAT(fault, Catch::Contains("no common range"));
@@ -90,14 +91,14 @@ TEST_CASE("a common range of rounding alone is kept") {
 TEST_CASE("a reference of one row is no curve, unless the result is one row, too") {
   const Series reference{{0.05}, {20.0}, {}};
   const Series result = slider(zigzag({0, 0.1}, 7));
-  for (const Criterion criterion : kOfThisFile) {
+  for (const cases::Criterion criterion : kOfThisFile) {
     CAPTURE(info_of(criterion).word);
     CHECK_THAT(compare(criterion, result, reference, relative(1e9)).fault,
                Catch::Contains("only one point in common"));
     CHECK_FALSE(
         compare(criterion, result, {{0.05, 0.05}, {20.0, 20.0}, {}}, relative(1e9)).fault.empty());
   }
-  for (const Criterion criterion : {Criterion::kPointwise, Criterion::kPeak}) {
+  for (const cases::Criterion criterion : {cases::Criterion::kPointwise, cases::Criterion::kPeak}) {
     CHECK(passed(compare(criterion, {{0.05}, {19.5}, {}}, reference, absolute(0.6))));
     CHECK_FALSE(passed(compare(criterion, {{0.05}, {19.5}, {}}, reference, absolute(0.4))));
     // The very rows of a result that never moves, as an expression has them.
@@ -110,19 +111,19 @@ TEST_CASE("numbers whose range no double holds are a fault, not a tolerance with
   Series huge = loop();
   huge.value.front() = -1.7e308;
   huge.value.back() = 1.7e308;
-  for (const Criterion criterion : kOfThisFile) {
+  for (const cases::Criterion criterion : kOfThisFile) {
     CAPTURE(info_of(criterion).word);
     CHECK(compare(criterion, loop(), huge, relative(0.05)).fault ==
           "the range of the reference exceeds that of a double");
   }
-  CHECK(compare(Criterion::kIso18571, loop(), huge, relative(0.05)).fault ==
+  CHECK(compare(cases::Criterion::kIso18571, loop(), huge, relative(0.05)).fault ==
         "the range of the reference exceeds that of a double");
 }
 
 TEST_CASE("every criterion judges by the same fraction in other units and mirrored") {
   const Series reference = loop();
   const Series result = scaled(slider(zigzag({0, 0.099, -0.1, 0.1}, 23)), 1.0, 1.03);
-  for (const Criterion criterion : kOfThisFile) {
+  for (const cases::Criterion criterion : kOfThisFile) {
     CAPTURE(info_of(criterion).word);
     const CurveComparison original = compare(criterion, result, reference, relative(0.1));
     REQUIRE(original.fault.empty());
@@ -135,7 +136,7 @@ TEST_CASE("every criterion judges by the same fraction in other units and mirror
       REQUIRE(other.measures.size() == original.measures.size());
       CHECK(other.compared == original.compared);
       // Mirrored, the largest value becomes the smallest.
-      const bool swapped = criterion == Criterion::kPeak && q < 0.0;
+      const bool swapped = criterion == cases::Criterion::kPeak && q < 0.0;
       for (std::size_t i = 0; i < other.measures.size(); ++i) {
         const Measure& a = original.measures[swapped ? 1 - i : i];
         const Measure& b = other.measures[i];
@@ -170,4 +171,4 @@ TEST_CASE("a part of a curve begins and ends between its rows, wherever it goes"
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

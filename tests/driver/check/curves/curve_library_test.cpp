@@ -7,7 +7,7 @@
 
 #include "driver/base/csv/csv_reader.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 TEST_CASE("every shipped curve can be read and says in a sentence what it is") {
@@ -19,7 +19,7 @@ TEST_CASE("every shipped curve can be read and says in a sentence what it is") {
     INFO(curve.name);
     CHECK(is_curve_name(curve.name));
     CHECK(find_shipped_curve(curve.name) == curve.file);
-    CHECK(CsvReader::open(curve.file, {}));
+    CHECK(base::CsvReader::open(curve.file, {}));
     CHECK_FALSE(curve.text.empty());
     CHECK(curve.text.front() != '#');
     CHECK(curve_description(curve.name).find(curve.text) != std::string::npos);
@@ -36,4 +36,4 @@ TEST_CASE("a file is no name, and a name that no curve has finds none") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 TEST_CASE("a branch is read linearly between its rows and not outside") {
@@ -117,4 +117,4 @@ TEST_CASE("an abscissa that creeps by less than rounding costs no more than othe
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-namespace slipbench::driver {
+namespace slipbench::driver::check {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
@@ -41,4 +41,4 @@ TEST_CASE("a point is told apart from the rows around it, not from rows of the s
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::check

@@ -11,14 +11,14 @@
 #include "driver/case/case.hpp"
 #include "driver/check/check.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::radioss {
 
 /// Runs a case to its end. \return the names of the checks that fail
-inline std::vector<std::string> failed_checks(const Case& problem) {
-  std::vector<CheckProgress> checks;
-  for (const Check& check : problem.checks) checks.emplace_back(problem, check);
-  const auto ended = run_case(problem, [&](const Row& row) {
-    for (CheckProgress& check : checks) check.add(row);
+inline std::vector<std::string> failed_checks(const cases::Case& problem) {
+  std::vector<check::CheckProgress> checks;
+  for (const cases::Check& check : problem.checks) checks.emplace_back(problem, check);
+  const auto ended = bench::run_case(problem, [&](const bench::Row& row) {
+    for (check::CheckProgress& check : checks) check.add(row);
   });
   REQUIRE(ended);
   std::vector<std::string> failed;
@@ -28,4 +28,4 @@ inline std::vector<std::string> failed_checks(const Case& problem) {
   return failed;
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::radioss

@@ -16,7 +16,7 @@
 #include "driver/import/radioss/deck_friction.hpp"
 #include "driver/import/radioss/starter_deck.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::radioss {
 
 /// Numbers in columns of 20, as decks have them.
 inline std::string reals(std::initializer_list<std::string_view> numbers) {
@@ -61,8 +61,8 @@ struct ReadDeck {
 };
 
 inline ReadDeck read_deck(const std::string& text, std::optional<int> chosen = {}) {
-  const SourceText source("d.rad", text);
-  Diagnostics diagnostics;
+  const base::SourceText source("d.rad", text);
+  base::Diagnostics diagnostics;
   const StarterDeck deck = split_deck(source, diagnostics);
   ReadDeck read{read_contents(deck, chosen, diagnostics), {}, {}};
   const auto friction =
@@ -71,10 +71,10 @@ inline ReadDeck read_deck(const std::string& text, std::optional<int> chosen = {
   if (friction != read.contents.frictions.end() && !diagnostics.has_errors()) {
     judge(read.contents, *friction, source, diagnostics);
   }
-  const SourceText sources[] = {source};
-  read.said = render(diagnostics, sources);
-  for (const Diagnostic& one : diagnostics.sorted()) {
-    std::string line = render(one);
+  const base::SourceText sources[] = {source};
+  read.said = base::render(diagnostics, sources);
+  for (const base::Diagnostic& one : diagnostics.sorted()) {
+    std::string line = base::render(one);
     line.pop_back();
     read.messages.push_back(line.starts_with("d.rad:") ? line.substr(6) : line);
   }
@@ -90,4 +90,4 @@ inline DeckFriction sound_friction(const std::string& text) {
   return std::move(read.contents.frictions.front());
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::radioss

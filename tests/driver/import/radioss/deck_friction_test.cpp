@@ -7,7 +7,7 @@
 
 #include "tests/driver/import/radioss/deck_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::radioss {
 namespace {
 
 using Messages = std::vector<std::string>;
@@ -399,4 +399,4 @@ TEST_CASE("No piece of a deck upsets the reader") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::radioss

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace slipbench::driver {
+namespace slipbench::driver::radioss {
 namespace {
 
 constexpr std::array kThree{DeckField{0, 20, "a", false}, DeckField{20, 20, "b", false},
@@ -114,4 +114,4 @@ TEST_CASE("A fault quotes the word it is about") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::radioss

@@ -10,53 +10,53 @@
 #include "tests/driver/import/radioss/deck_for_test.hpp"
 #include "tests/driver/read/read_for_test.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::radioss {
 namespace {
 
-const UnitSystem kUnits{"mm", "N", "s", {}};
+const base::UnitSystem kUnits{"mm", "N", "s", {}};
 const std::string kHead = "/FRICTION/7\nbrake\n";
 
-std::string case_of(const std::string& deck, std::optional<UnitSystem> units = kUnits) {
+std::string case_of(const std::string& deck, std::optional<base::UnitSystem> units = kUnits) {
   const ReadDeck read = read_deck(deck);
   INFO(read.said);
   REQUIRE(read.contents.frictions.size() == 1);
   return skeleton(read.contents, read.contents.frictions[0], {"d.rad", std::move(units), {}});
 }
 
-const ReadOptions kViscous{
+const read::ReadOptions kViscous{
     {{"K", 5000.0}, {"m", 1e-3}, {"normal_force", 100.0}, {"speed", 10.0}, {"time_step", 1e-4}},
     false};
 
-ReadOptions with(ReadOptions options, std::vector<ParameterText> more) {
-  for (ParameterText& one : more) options.overrides.push_back(std::move(one));
+read::ReadOptions with(read::ReadOptions options, std::vector<base::ParameterText> more) {
+  for (base::ParameterText& one : more) options.overrides.push_back(std::move(one));
   return options;
 }
-ReadOptions stiffness() {
-  ReadOptions options = kViscous;
+read::ReadOptions stiffness() {
+  read::ReadOptions options = kViscous;
   options.overrides.erase(options.overrides.begin(), options.overrides.begin() + 2);
   options.overrides.push_back({"K_t", 1e4});
   return options;
 }
 
 /// Runs a case to its end; all its checks hold.
-void run(const Case& problem) {
+void run(const cases::Case& problem) {
   REQUIRE_FALSE(problem.checks.empty());
   CHECK(failed_checks(problem).empty());
 }
 
 TEST_CASE("A case from a deck is refused until its parameters have values") {
   const std::string text = case_of(kHead + options(0, 0, "", 1) + coulomb(".1"));
-  const std::vector<std::string> said = messages(text);
+  const std::vector<std::string> said = read::messages(text);
   REQUIRE(said.size() == 5);
   CHECK(said[0] ==
         "8:3: error: parameters.K: wanted a number, found nothing; give it one here, or "
         "with --set K=VALUE");
-  run(sound(text, kViscous));
+  run(read::sound(text, kViscous));
 }
 
 TEST_CASE("A friction without records becomes a coefficient with its formulation and filter") {
-  const Case problem =
-      sound(case_of(kHead + options(0, 1, ".1", 1) + coulomb(".3", "4")), kViscous);
+  const cases::Case problem =
+      read::sound(case_of(kHead + options(0, 1, ".1", 1) + coulomb(".3", "4")), kViscous);
   REQUIRE(problem.definitions.size() == 1);
   const law::FrictionDefinition& d = problem.definitions[0].law;
   CHECK(std::get<law::ConstantCoefficient>(d.law).mu == 0.3);
@@ -75,7 +75,7 @@ TEST_CASE("Records become a table of part pairs that --set looks up") {
               integers({4, 5}) + kHead + options(0, 0, "", 2) + coulomb(".1") +
               sides(100, 200, 0, 0) + coulomb(".2") + sides(0, 0, 2, 4) + coulomb(".3"));
   const auto mu = [&](double a, double b) {
-    const Case problem = sound(text, with(stiffness(), {{"part1", a}, {"part2", b}}));
+    const cases::Case problem = read::sound(text, with(stiffness(), {{"part1", a}, {"part2", b}}));
     run(problem);
     return std::get<law::ConstantCoefficient>(problem.definitions[0].law.law).mu;
   };
@@ -89,24 +89,26 @@ TEST_CASE("Records become a table of part pairs that --set looks up") {
 TEST_CASE("A group without its parts is refused until they are filled in") {
   const std::string text =
       case_of(kHead + options(0, 0, "", 2) + coulomb(".1") + sides(100, 100, 0, 0) + coulomb(".2"));
-  const ReadOptions given = with(stiffness(), {{"part1", 1.0}, {"part2", 2.0}});
-  const ReadCase refused = read_text(text, given);
+  const read::ReadOptions given = with(stiffness(), {{"part1", 1.0}, {"part2", 2.0}});
+  const read::ReadCase refused = read::read_text(text, given);
   CHECK_FALSE(refused.value);
-  CHECK(render(refused.diagnostics)
+  CHECK(base::render(refused.diagnostics)
             .find("friction_pairs.groups.G100: a group needs at least one "
                   "part") != std::string::npos);
-  const Case filled = sound(changed({{"G100: []", "G100: [1, 2]"}}, text), given);
+  const cases::Case filled =
+      read::sound(read::changed({{"G100: []", "G100: [1, 2]"}}, text), given);
   CHECK(std::get<law::ConstantCoefficient>(filled.definitions[0].law.law).mu == 0.2);
 }
 
 TEST_CASE("Every Ifric becomes the law of that number") {
   const std::string viscous_set = set({"-2e-4", "-1e-4", "1e-6", "4e-7", "5e-8", "0", ".12", ""});
-  const auto law = [](int number, const std::string& coefficients, ReadOptions given) {
-    Case problem = sound(case_of(kHead + options(number, 0, "", 1) + coefficients), given);
+  const auto law = [](int number, const std::string& coefficients, read::ReadOptions given) {
+    cases::Case problem =
+        read::sound(case_of(kHead + options(number, 0, "", 1) + coefficients), given);
     run(problem);
     return std::move(problem.definitions[0].law.law);
   };
-  const ReadOptions area = with(kViscous, {{"area", 2.0}});
+  const read::ReadOptions area = with(kViscous, {{"area", 2.0}});
   const auto viscous = std::get<law::GeneralizedViscous>(law(1, viscous_set, area));
   CHECK(viscous.fric == 0.12);
   CHECK(viscous.c5 == 5e-8);
@@ -132,7 +134,7 @@ TEST_CASE("Every Ifric becomes the law of that number") {
 }
 
 TEST_CASE("A Renard set of another shape is taken over leniently") {
-  const Case problem = sound(
+  const cases::Case problem = read::sound(
       case_of(kHead + options(3, 0, "", 1) + set({".3", ".1", ".25", ".05", "10", "100", "0", ""})),
       kViscous);
   CHECK(std::get<law::Renard>(problem.definitions[0].law.law).c1 == 0.3);
@@ -141,15 +143,15 @@ TEST_CASE("A Renard set of another shape is taken over leniently") {
 TEST_CASE("A Renard case without units is refused where the deck states none") {
   const std::string text = case_of(
       kHead + options(3, 0, "", 1) + set({".15", ".10", ".25", ".05", "10", "100", "0", ""}), {});
-  const ReadCase read = read_text(text, kViscous);
+  const read::ReadCase read = read::read_text(text, kViscous);
   CHECK_FALSE(read.value);
   CHECK(text.find("# units: {length: mm, force: N, time: s}") != std::string::npos);
 }
 
 TEST_CASE("Xfreq of Ifiltr 2 counts time steps, that of Ifiltr 3 is a frequency") {
   const auto filter = [](int kind, std::string_view xfreq) {
-    const Case problem =
-        sound(case_of(kHead + options(0, kind, xfreq, 1) + coulomb(".3")), kViscous);
+    const cases::Case problem =
+        read::sound(case_of(kHead + options(0, kind, xfreq, 1) + coulomb(".3")), kViscous);
     return law::filter_coefficient(problem.definitions[0].law.formulation->filter, 1e-4,
                                    law::Convention::kDocumented);
   };
@@ -159,9 +161,10 @@ TEST_CASE("Xfreq of Ifiltr 2 counts time steps, that of Ifiltr 3 is a frequency"
 }
 
 TEST_CASE("An orthotropic record has two coefficients in the case") {
-  const Case problem = sound(case_of(kHead + options(0, 0, "", 2) + coulomb(".1") +
-                                     sides(0, 0, 1, 2, 1) + coulomb(".3") + coulomb(".2")),
-                             with(stiffness(), {{"part1", 2.0}, {"part2", 1.0}}));
+  const cases::Case problem =
+      read::sound(case_of(kHead + options(0, 0, "", 2) + coulomb(".1") + sides(0, 0, 1, 2, 1) +
+                          coulomb(".3") + coulomb(".2")),
+                  with(stiffness(), {{"part1", 2.0}, {"part2", 1.0}}));
   const law::FrictionDefinition& d = problem.definitions[0].law;
   REQUIRE(d.formulation);
   REQUIRE(d.formulation->orthotropy);
@@ -184,13 +187,13 @@ TEST_CASE("The checks of a case notice a constant that is not the deck's") {
         Wrong{4, set({".4", ".02", "", "", "", "0", ".2", ""}), "C6: -0.02", "C6: -0.03"}}) {
     INFO("Ifric " << law);
     const std::string text = case_of(kHead + options(law, 0, "", 1) + coefficients);
-    ReadOptions given = kViscous;
-    for (ParameterText& one : given.overrides) {
+    read::ReadOptions given = kViscous;
+    for (base::ParameterText& one : given.overrides) {
       if (one.name == "speed") one.value = 120.0;
     }
     if (text.find("  area:") != std::string::npos) given = with(given, {{"area", 2.0}});
-    run(sound(text, given));
-    CHECK(failed_checks(sound(changed({{from, to}}, text), given)) ==
+    run(read::sound(text, given));
+    CHECK(failed_checks(read::sound(read::changed({{from, to}}, text), given)) ==
           std::vector<std::string>{"coefficient of the deck's constants"});
   }
 }
@@ -212,8 +215,8 @@ TEST_CASE("Each record has its checks, as comments, up to a number of them") {
 TEST_CASE("A title of any characters stays a title") {
   const std::string text =
       case_of("/FRICTION/7\npad: \"A\" #1 \\ {x\n" + options(0, 0, "", 1) + coulomb(".3"));
-  CHECK(sound(text, kViscous).title == "pad: \"A\" #1 \\ {x");
+  CHECK(read::sound(text, kViscous).title == "pad: \"A\" #1 \\ {x");
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::radioss

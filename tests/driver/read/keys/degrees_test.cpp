@@ -7,7 +7,7 @@
 #include "driver/base/text/one_line.hpp"
 #include "driver/read/read_case.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::read {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -20,10 +20,10 @@ Lines told(const std::string& motion, const std::string& initial = "",
       "}\nfriction:\n  - {component: 4, contact_force: 2, coefficient: 0.1, stick: {elastic_slip: "
       "0.01}}\nhistory:\n  - {step: a, increments: 10, motion: {" +
       motion + "}, force: {" + force + "}}\n";
-  const ReadCase read = read_case_text(SourceText("c.yaml", text), ".");
-  INFO(render(read.diagnostics));
+  const ReadCase read = read_case_text(base::SourceText("c.yaml", text), ".");
+  INFO(base::render(read.diagnostics));
   REQUIRE(read.value);
-  return lines_of(read.diagnostics, Severity::kWarning);
+  return base::lines_of(read.diagnostics, base::Severity::kWarning);
 }
 
 TEST_CASE("an angle that looks like degrees is told in turns, with both ways to mean it") {
@@ -64,4 +64,4 @@ TEST_CASE("what is meant in radians, or is no angle, is not doubted") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::read

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "driver/check/curves/printed_digits.hpp"
+#include "driver/base/csv/printed_digits.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 void PrintedDigits::add(std::string_view text) {
   bool point = false;
@@ -46,4 +46,4 @@ std::optional<double> PrintedDigits::resolution() const {
   return 0.5 * std::pow(10.0, *exponent_ - digits_ + 1);
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

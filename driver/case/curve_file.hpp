@@ -13,7 +13,7 @@
 #include "driver/base/csv/data_source.hpp"
 #include "driver/base/text/history_error.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cases {
 
 /// The first line of a golden curve.
 inline constexpr std::string_view kGoldenMark = "# slipbench golden curve";
@@ -26,11 +26,12 @@ std::span<const std::string> golden_time_names();
 class CurveFile {
  public:
   struct Column {
-    std::vector<double> values;        ///< as they stand in the file
-    std::optional<double> resolution;  ///< half a unit of the last printed digit, see PrintedDigits
+    std::vector<double> values;  ///< as they stand in the file
+    std::optional<double>
+        resolution;  ///< half a unit of the last printed digit, see base::PrintedDigits
   };
 
-  explicit CurveFile(DataSource source) : source_(std::move(source)) {}
+  explicit CurveFile(base::DataSource source) : source_(std::move(source)) {}
 
   /// Says that a column will be asked for: the first of `names` that the file has. Only before the
   /// first `column`.
@@ -48,7 +49,7 @@ class CurveFile {
  private:
   void read() const;
 
-  DataSource source_;
+  base::DataSource source_;
   std::vector<std::string> wanted_;
   mutable std::once_flag once_;
   mutable bool golden_ = false;
@@ -61,10 +62,10 @@ class CurveFile {
 
 /// Opens the file and reads of it, to tell whether it can be; what stands in it is not judged.
 /// Errors are of the kind kEnvironment: missing, unreadable, no regular file.
-tl::expected<void, HistoryError> openable_curve(const std::filesystem::path& file,
-                                                const std::string& shown_name);
+tl::expected<void, base::HistoryError> openable_curve(const std::filesystem::path& file,
+                                                      const std::string& shown_name);
 
 /// Tells whether the file's first line is that of a golden curve.
 bool is_golden_curve(const std::filesystem::path& file);
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cases

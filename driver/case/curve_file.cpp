@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "driver/check/curves/curve_file.hpp"
+#include "driver/case/curve_file.hpp"
 
 #include <fmt/format.h>
 
@@ -8,14 +8,14 @@
 #include <utility>
 
 #include "driver/base/csv/csv_reader.hpp"
+#include "driver/base/csv/printed_digits.hpp"
 #include "driver/base/text/diagnostic.hpp"
-#include "driver/check/curves/printed_digits.hpp"
 
-namespace slipbench::driver {
+namespace slipbench::driver::cases {
 namespace {
 
 /// "golden/belt.csv:17:5: column 'fx' is empty".
-std::string told(const HistoryError& error) {
+std::string told(const base::HistoryError& error) {
   std::string place = error.file;
   if (error.line > 0) place += fmt::format(":{}", error.line);
   if (error.column > 0) place += fmt::format(":{}", error.column);
@@ -41,7 +41,7 @@ void CurveFile::want(std::span<const std::string> names) {
 
 void CurveFile::read() const {
   golden_ = is_golden_curve(source_.file);
-  auto probe = CsvReader::open(source_, {});
+  auto probe = base::CsvReader::open(source_, {});
   if (!probe) {
     fault_ = told(probe.error());
     return;
@@ -55,13 +55,13 @@ void CurveFile::read() const {
     }
   }
   if (names_.empty()) return;
-  auto reader = CsvReader::open(source_, names_);
+  auto reader = base::CsvReader::open(source_, names_);
   if (!reader) {
     fault_ = told(reader.error());
     return;
   }
   columns_.resize(names_.size());
-  std::vector<PrintedDigits> digits(names_.size());
+  std::vector<base::PrintedDigits> digits(names_.size());
   std::vector<double> row(names_.size());
   std::vector<std::string_view> texts(names_.size());
   while (true) {
@@ -94,13 +94,13 @@ tl::expected<const CurveFile::Column*, std::string> CurveFile::column(
   const std::vector<std::string_view> there(header_.begin(), header_.end());
   std::string quoted;
   for (const std::string_view name : wanted) {
-    quoted += fmt::format("{}'{}'", quoted.empty() ? "" : " or ", printable(name));
+    quoted += fmt::format("{}'{}'", quoted.empty() ? "" : " or ", base::printable(name));
   }
   std::string message = fmt::format("{}: no column {}; the columns are {}{}", source_.shown_name,
-                                    quoted, printable(in_words(there, "and")), remedy_);
+                                    quoted, base::printable(base::in_words(there, "and")), remedy_);
   if (wanted.size() == 1 && remedy_.empty()) {
-    if (const auto nearest = nearest_name(wanted.front(), there)) {
-      message += fmt::format("; did you mean '{}'?", printable(*nearest));
+    if (const auto nearest = base::nearest_name(wanted.front(), there)) {
+      message += fmt::format("; did you mean '{}'?", base::printable(*nearest));
     }
   }
   return tl::unexpected(std::move(message));
@@ -111,10 +111,10 @@ bool CurveFile::golden() const {
   return golden_;
 }
 
-tl::expected<void, HistoryError> openable_curve(const std::filesystem::path& file,
-                                                const std::string& shown_name) {
-  const auto opened = CsvReader::open(file, {}, shown_name);
-  if (opened || opened.error().kind == HistoryError::Kind::kInput) return {};
+tl::expected<void, base::HistoryError> openable_curve(const std::filesystem::path& file,
+                                                      const std::string& shown_name) {
+  const auto opened = base::CsvReader::open(file, {}, shown_name);
+  if (opened || opened.error().kind == base::HistoryError::Kind::kInput) return {};
   return tl::unexpected(opened.error());
 }
 
@@ -127,4 +127,4 @@ bool is_golden_curve(const std::filesystem::path& file) {
   return next == '\n' || next == '\r' || next == std::ifstream::traits_type::eof();
 }
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::cases

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "driver/check/curves/printed_digits.hpp"
+#include "driver/base/csv/printed_digits.hpp"
 
 #include <catch2/catch.hpp>
 #include <initializer_list>
 #include <optional>
 #include <string_view>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 namespace {
 
 std::optional<double> resolution(std::initializer_list<std::string_view> numbers) {
@@ -43,4 +43,4 @@ TEST_CASE("the unit does not matter: the resolution scales with the numbers") {
 }
 
 }  // namespace
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base

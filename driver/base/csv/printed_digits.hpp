@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-namespace slipbench::driver {
+namespace slipbench::driver::base {
 
 /// Fineness of the printed numbers of a column.
 ///
@@ -35,4 +35,4 @@ class PrintedDigits {
   std::optional<int> exponent_;
 };
 
-}  // namespace slipbench::driver
+}  // namespace slipbench::driver::base
