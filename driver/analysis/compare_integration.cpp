@@ -3,25 +3,20 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "driver/base/files/exit_code.hpp"
 #include "driver/bench/exact_integration.hpp"
 #include "driver/bench/run_case.hpp"
-#include "driver/bench/simulation.hpp"
 #include "driver/results/csv_writer.hpp"
 #include "driver/results/provenance.hpp"
 #include "driver/terminal/progress.hpp"
 
 namespace slipbench::driver::analysis {
 namespace {
-
-tl::unexpected<CommandFailure> failed(const cases::Case& problem,
-                                      const bench::SimulationFailure& failure) {
-  return tl::unexpected(
-      CommandFailure{bench::exit_code(failure), bench::failure_text(problem, failure)});
-}
 
 /// "0.0663 by backward Euler, 0.0662 exactly: 0.02 % more"
 std::string pair_text(double euler, double exact) {
@@ -35,40 +30,37 @@ std::string pair_text(double euler, double exact) {
 }  // namespace
 
 tl::expected<std::string, CommandFailure> compare_integration(const cases::Case& problem) {
-  cases::Case exact_case = problem;
-  exact_case.integration.method = cases::IntegrationMethod::kExact;
-  if (const auto refusal = bench::refuse_exact(exact_case)) {
+  std::array both{problem, problem};
+  both[0].integration.method = cases::IntegrationMethod::kBackwardEuler;
+  both[1].integration.method = cases::IntegrationMethod::kExact;
+  if (const auto refusal = bench::refuse_exact(both[1])) {
     return tl::unexpected(CommandFailure{
         base::kExitBadInput, fmt::format("{}: error: integration cannot be compared: {}\n",
                                          problem.file, refusal->message)});
   }
-  cases::Case euler_case = problem;
-  euler_case.integration.method = cases::IntegrationMethod::kBackwardEuler;
-
-  auto euler = bench::Simulation::start(euler_case);
-  if (!euler) return failed(euler_case, euler.error());
-  auto exact = bench::Simulation::start(exact_case);
-  if (!exact) return failed(exact_case, exact.error());
   std::vector<ForceDistance> distances(problem.definitions.size());
   terminal::Progress progress(results::case_stem(problem));
-  while (true) {
+  const auto ended = bench::follow_cases(both, [&](std::span<const bench::Simulation> runs) {
+    const bench::Row& row = runs[1].row();
     for (std::size_t d = 0; d < distances.size(); ++d) {
-      distances[d].add(exact->row(), d, euler->row().definitions[d].update.state);
+      distances[d].add(row, d, runs[0].row().definitions[d].update.state);
     }
-    progress.step(exact->row().index, exact->row().time);
-    auto more = euler->advance();
-    if (!more) return failed(euler_case, more.error());
-    auto too = exact->advance();
-    if (!too) return failed(exact_case, too.error());
-    if (!*more || !*too) break;
+    progress.step(row.index, row.time);
+    return true;
+  });
+  if (!ended) {
+    return tl::unexpected(CommandFailure{bench::exit_code(ended.error()),
+                                         bench::failure_text(problem, ended.error())});
   }
+  const bench::Row& euler = (*ended)[0].row();
+  const bench::Row& exact = (*ended)[1].row();
 
   std::string text = fmt::format("{}: backward_euler against exact, {} increments\n",
-                                 results::case_stem(problem), exact->row().index);
+                                 results::case_stem(problem), exact.index);
   for (std::size_t d = 0; d < distances.size(); ++d) {
     const ForceDistance& distance = distances[d];
-    const bench::DefinitionRow& a = euler->row().definitions[d];
-    const bench::DefinitionRow& b = exact->row().definitions[d];
+    const bench::DefinitionRow& a = euler.definitions[d];
+    const bench::DefinitionRow& b = exact.definitions[d];
     text += fmt::format("  {}\n", problem.definitions[d].name);
     // Below that the two differ by the rounding of their sums.
     constexpr double kRounding = 1e-12;

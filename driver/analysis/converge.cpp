@@ -7,10 +7,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "driver/bench/run_case.hpp"
-#include "driver/bench/simulation.hpp"
 #include "driver/check/verdict_text.hpp"
 #include "driver/results/provenance.hpp"
 #include "driver/terminal/progress.hpp"
@@ -121,18 +121,9 @@ ConvergenceVerdict judge(const Convergence& convergence) {
 tl::expected<std::string, CommandFailure> converge(const cases::Case& problem) {
   const std::array cases{refined(problem, kRefinement[0]), refined(problem, kRefinement[1]),
                          refined(problem, kRefinement[2])};
-  std::vector<bench::Simulation> runs;
-  for (const cases::Case& one : cases) {
-    auto run = bench::Simulation::start(one);
-    if (!run) {
-      return tl::unexpected(
-          CommandFailure{bench::exit_code(run.error()), bench::failure_text(one, run.error())});
-    }
-    runs.push_back(std::move(*run));
-  }
   std::vector<Comparison> definitions(problem.definitions.size());
   terminal::Progress progress(results::case_stem(problem));
-  for (bool more = true; more;) {
+  const auto ended = bench::follow_cases(cases, [&](std::span<const bench::Simulation> runs) {
     const bench::Row& row = runs[0].row();
     for (std::size_t d = 0; d < definitions.size(); ++d) {
       Comparison& of = definitions[d];
@@ -147,20 +138,13 @@ tl::expected<std::string, CommandFailure> converge(const cases::Case& problem) {
       }
     }
     progress.step(row.index, row.time);
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-      // The others go on to the end of this increment of the first.
-      const double target = runs[0].row().time - 1e-6 * runs[0].row().duration;
-      do {
-        auto advanced = runs[i].advance();
-        if (!advanced) {
-          return tl::unexpected(CommandFailure{bench::exit_code(advanced.error()),
-                                               bench::failure_text(cases[i], advanced.error())});
-        }
-        if (!*advanced) more = false;
-      } while (more && i > 0 && runs[i].row().time < target);
-      if (!more) break;
-    }
+    return true;
+  });
+  if (!ended) {
+    return tl::unexpected(CommandFailure{bench::exit_code(ended.error()),
+                                         bench::failure_text(problem, ended.error())});
   }
+  const std::vector<bench::Simulation>& runs = *ended;
   std::string text = fmt::format("{}: {}, {} and {} increments\n", results::case_stem(problem),
                                  runs[0].row().index, runs[0].row().index * kRefinement[1],
                                  runs[0].row().index * kRefinement[2]);

@@ -8,6 +8,7 @@
 #include <deque>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -17,7 +18,6 @@
 #include "driver/bench/belt_motion.hpp"
 #include "driver/bench/connector_increment.hpp"
 #include "driver/bench/run_case.hpp"
-#include "driver/bench/simulation.hpp"
 #include "driver/results/coverage.hpp"
 #include "driver/results/csv_writer.hpp"
 #include "driver/results/events.hpp"
@@ -525,48 +525,47 @@ std::string definition_text(const cases::Case& problem, const Instant& instant, 
 
 /// Follows the run to the instant and on to the events behind it.
 tl::expected<Instant, ExplainFailure> find(const cases::Case& problem, double time) {
-  const auto failed = [&](const bench::SimulationFailure& failure) {
-    return tl::unexpected(
-        ExplainFailure{bench::exit_code(failure), bench::failure_text(problem, failure)});
-  };
-  auto simulation = bench::Simulation::start(problem);
-  if (!simulation) return failed(simulation.error());
   const std::size_t count = problem.definitions.size();
   Instant instant;
   instant.before.resize(count);
   instant.after.resize(count);
   results::EventDetector detector(problem);
   bool found = false;
-  const double start_time = simulation->row().time;
-  while (true) {
-    const bench::Row& row = simulation->row();
-    instant.end_time = row.time;
-    const auto events = detector.take(row);
-    constexpr double kSame = 1e-9;
-    if (!found && time >= start_time && time <= row.time + kSame * row.duration) {
-      found = true;
-      instant.row = row;
-      for (std::size_t d = 0; d < count; ++d) instant.in_force.push_back(simulation->definition(d));
-    }
-    for (const results::Event& event : events) {
-      // Those of the increment itself have led to what it ends with.
-      if (!found || row.index == instant.row.index) {
-        auto& before = instant.before[event.definition];
-        before.push_back(event);
-        if (before.size() > kEventsTold) before.pop_front();
-      } else if (instant.after[event.definition].size() < kEventsTold) {
-        instant.after[event.definition].push_back(event);
-      }
-    }
-    if (found && std::all_of(instant.after.begin(), instant.after.end(),
-                             [](const auto& after) { return after.size() == kEventsTold; })) {
-      return instant;
-    }
-    auto more = simulation->advance();
-    // What fails behind the instant does not matter for it.
-    if (!more && found) return instant;
-    if (!more) return failed(more.error());
-    if (!*more) break;
+  bool enough = false;
+  double start_time = 0.0;
+  const auto ended =
+      bench::follow_cases({&problem, 1}, [&](std::span<const bench::Simulation> runs) {
+        const bench::Row& row = runs.front().row();
+        if (row.index == 0) start_time = row.time;
+        instant.end_time = row.time;
+        const auto events = detector.take(row);
+        constexpr double kSame = 1e-9;
+        if (!found && time >= start_time && time <= row.time + kSame * row.duration) {
+          found = true;
+          instant.row = row;
+          for (std::size_t d = 0; d < count; ++d)
+            instant.in_force.push_back(runs.front().definition(d));
+        }
+        for (const results::Event& event : events) {
+          // Those of the increment itself have led to what it ends with.
+          if (!found || row.index == instant.row.index) {
+            auto& before = instant.before[event.definition];
+            before.push_back(event);
+            if (before.size() > kEventsTold) before.pop_front();
+          } else if (instant.after[event.definition].size() < kEventsTold) {
+            instant.after[event.definition].push_back(event);
+          }
+        }
+        enough =
+            found && std::all_of(instant.after.begin(), instant.after.end(),
+                                 [](const auto& after) { return after.size() == kEventsTold; });
+        return !enough;
+      });
+  // What fails behind the instant does not matter for it.
+  if (enough || (!ended && found)) return instant;
+  if (!ended) {
+    return tl::unexpected(ExplainFailure{bench::exit_code(ended.error()),
+                                         bench::failure_text(problem, ended.error())});
   }
   instant.to_the_end = true;
   if (found) return instant;

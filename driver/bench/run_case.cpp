@@ -9,6 +9,30 @@
 
 namespace slipbench::driver::bench {
 
+tl::expected<std::vector<Simulation>, SimulationFailure> follow_cases(
+    std::span<const cases::Case> problems,
+    const std::function<bool(std::span<const Simulation>)>& take) {
+  std::vector<Simulation> runs;
+  runs.reserve(problems.size());
+  for (const cases::Case& problem : problems) {
+    auto run = Simulation::start(problem);
+    if (!run) return tl::unexpected(std::move(run.error()));
+    runs.push_back(std::move(*run));
+  }
+  // Times of different increments are the same but for rounding.
+  constexpr double kSame = 1e-6;
+  while (take(runs)) {
+    for (Simulation& run : runs) {
+      do {
+        const auto more = run.advance();
+        if (!more) return tl::unexpected(more.error());
+        if (!*more) return runs;
+      } while (run.row().time < runs.front().row().time - kSame * runs.front().row().duration);
+    }
+  }
+  return runs;
+}
+
 tl::expected<std::vector<MotionJump>, SimulationFailure> run_case(
     const cases::Case& problem, const std::function<void(const Row&)>& take) {
   return follow_case(problem, [&](const Simulation& simulation) { take(simulation.row()); });
@@ -16,15 +40,13 @@ tl::expected<std::vector<MotionJump>, SimulationFailure> run_case(
 
 tl::expected<std::vector<MotionJump>, SimulationFailure> follow_case(
     const cases::Case& problem, const std::function<void(const Simulation&)>& take) {
-  auto simulation = Simulation::start(problem);
-  if (!simulation) return tl::unexpected(std::move(simulation.error()));
-  while (true) {
-    take(*simulation);
-    auto more = simulation->advance();
-    if (!more) return tl::unexpected(std::move(more.error()));
-    if (!*more) break;
-  }
-  return std::vector<MotionJump>(simulation->jumps().begin(), simulation->jumps().end());
+  const auto runs = follow_cases({&problem, 1}, [&](std::span<const Simulation> all) {
+    take(all.front());
+    return true;
+  });
+  if (!runs) return tl::unexpected(runs.error());
+  const auto jumps = runs->front().jumps();
+  return std::vector<MotionJump>(jumps.begin(), jumps.end());
 }
 
 int exit_code(const SimulationFailure& failure) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -10,6 +11,13 @@
 #include "driver/case/case.hpp"
 
 namespace slipbench::driver::bench {
+
+/// Runs cases side by side, the one loop that follows runs: `take` sees all of them at the start,
+/// and again after each increment of the first, when the others have come to the same time; it
+/// returns whether to go on. Ends with the first of them, or returns why one failed.
+tl::expected<std::vector<Simulation>, SimulationFailure> follow_cases(
+    std::span<const cases::Case> problems,
+    const std::function<bool(std::span<const Simulation>)>& take);
 
 /// Runs a case to its end: `take` gets every row, row 0 first. Returns the motions that jumped, or
 /// why it ended early.

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "driver/base/files/work_crew.hpp"
-#include "driver/bench/simulation.hpp"
+#include "driver/bench/run_case.hpp"
 #include "driver/results/coverage.hpp"
 
 namespace slipbench::driver::calibrate {
@@ -382,12 +382,10 @@ void ExperimentModel::count_cells(std::span<const double> x, const cases::Case& 
     });
     return;
   }
-  auto simulation = bench::Simulation::start(problem);
-  while (simulation) {
-    const auto advanced = simulation->advance();
-    if (!advanced || !*advanced) return;
-    coverage.add(simulation->row());
-  }
+  // Rows behind one that fails are not visited.
+  static_cast<void>(bench::run_case(problem, [&](const bench::Row& row) {
+    if (row.index > 0) coverage.add(row);
+  }));
 }
 
 bool ExperimentModel::values_by_replay(std::span<const double> x, std::span<double> values) const {

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
+#include "driver/bench/run_case.hpp"
 #include "law/base/notation.hpp"
 
 namespace slipbench::driver::calibrate {
@@ -145,14 +147,15 @@ tl::expected<RunTrace, std::string> trace_run(const cases::Case& problem,
   auto tracer = RunTracer::make(problem, experiment, true);
   if (!tracer) return tl::unexpected(tracer.error());
   if (positions != nullptr) *positions = tracer->position_names();
-  auto simulation = bench::Simulation::start(problem);
-  if (!simulation) return tl::unexpected(simulation.error().message);
-  while (true) {
-    if (auto taken = tracer->take(simulation->row()); !taken) return tl::unexpected(taken.error());
-    const auto advanced = simulation->advance();
-    if (!advanced) return tl::unexpected(advanced.error().message);
-    if (!*advanced) return std::move(tracer->trace());
-  }
+  tl::expected<void, std::string> taken;
+  const auto ended =
+      bench::follow_cases({&problem, 1}, [&](std::span<const bench::Simulation> runs) {
+        taken = tracer->take(runs.front().row());
+        return taken.has_value();
+      });
+  if (!ended) return tl::unexpected(ended.error().message);
+  if (!taken) return tl::unexpected(taken.error());
+  return std::move(tracer->trace());
 }
 
 bool is_position(const cases::Case& problem, std::string_view name) {

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "driver/base/text/one_line.hpp"
+#include "driver/bench/run_case.hpp"
 #include "driver/report/drawn_columns.hpp"
 #include "driver/report/drawn_coverage.hpp"
 #include "driver/report/row_choice.hpp"
@@ -152,13 +154,14 @@ void CaseCollector::State::take_numbers(const bench::Row& row, std::span<double>
 /// gone) has its other rows.
 IndexedRows CaseCollector::State::rows_at(std::vector<double> times) const {
   RowsAtTimes wanted(std::move(times));
-  auto simulation = bench::Simulation::start(problem);
   std::vector<double> here(shown.size());
-  while (simulation && !wanted.done()) {
-    take_numbers(simulation->row(), here);
-    wanted.add(here);
-    const auto more = simulation->advance();
-    if (!more || !*more) break;
+  if (!wanted.done()) {
+    static_cast<void>(
+        bench::follow_cases({&problem, 1}, [&](std::span<const bench::Simulation> runs) {
+          take_numbers(runs.front().row(), here);
+          wanted.add(here);
+          return !wanted.done();
+        }));
   }
   return wanted.rows();
 }
