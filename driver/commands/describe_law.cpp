@@ -199,7 +199,7 @@ std::string describe() {
                        "another.",
                        2);
   }
-  if constexpr (Law::kHasFloor) {
+  if (law::has_floor(law)) {
     text += "\n  A coefficient below 1e-30 is kept at 1e-30, and the run says how often.\n";
   }
   if (const std::string picture = drawing(law); !picture.empty()) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <tuple>
+#include <type_traits>
 
 namespace slipbench::driver::results {
 namespace {
@@ -12,6 +14,7 @@ namespace {
 constexpr double kDecays = 4.0;
 /// The size of a change of mu that is worth seeing, where the law has none itself.
 constexpr double kTypicalCoefficient = 0.1;
+constexpr law::Dimension kSpeed{0, 1, -1};
 
 /// Returns where constant + linear x + square x^2 has turned (twice the vertex), or else has
 /// changed by its own size; 0 if it never does.
@@ -75,10 +78,23 @@ LawRange range(const law::TabularCoefficient& law) {
   };
   return {last(law::IndependentKind::kSlipRate), last(law::IndependentKind::kContactForce), {}};
 }
-/// A law that says nothing of itself here is drawn over what is asked for.
+/// A law that says nothing of itself here is drawn up to a few times the largest of its speeds and
+/// of its forces; one without such numbers over what is asked for.
 template <class Law>
-LawRange range(const Law&) {
-  return {};
+LawRange range(const Law& law) {
+  LawRange result;
+  const auto look = [&](const auto& number, const law::Dimension& dimension) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(number)>, double>) {
+      const double end = kDecays * std::abs(number);
+      if (dimension == kSpeed) result.slip_rate = std::max(result.slip_rate, end);
+      if (dimension == law::dimension::kForce) {
+        result.contact_force = std::max(result.contact_force, end);
+      }
+    }
+  };
+  std::apply([&](const auto&... field) { (look(law.*(field.member), field.dimension), ...); },
+             Law::fields());
+  return result;
 }
 
 }  // namespace

@@ -85,7 +85,8 @@ class CapstanLimit {
                            .end = end,
                            .rate_at_zero = motion_rate_,
                            .rate_per_slip = slip_in_rate_,
-                           .force = std::max(tension_, 0.0)},
+                           .force = std::max(tension_, 0.0),
+                           .ambient = &increment_.end},
                           definition_.blend.weight * wrap_angle_, sense_);
   }
   /// Tells whether the limit is cubic between knots.

@@ -101,8 +101,11 @@ class LimitFunction {
   /// or concave, apart from the cubic of a table over both rate and contact force. Infinity, or
   /// something behind `end`, if there is none.
   double next_knot(double slip, double end) const noexcept {
-    SlipLine line{
-        .slip = slip, .end = end, .rate_at_zero = motion_rate_, .rate_per_slip = slip_in_rate_};
+    SlipLine line{.slip = slip,
+                  .end = end,
+                  .rate_at_zero = motion_rate_,
+                  .rate_per_slip = slip_in_rate_,
+                  .ambient = &increment_.end};
     double next = std::numeric_limits<double>::infinity();
     const auto* wear = std::get_if<TableFunction>(&definition_.internal_contact_force);
     const int s = slip_in_wear_ == 0.0 || wear == nullptr

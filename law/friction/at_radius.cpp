@@ -10,17 +10,19 @@
 namespace slipbench::law {
 namespace {
 
-/// A number of dimension T^t stands beside V^t, and V = w R.
+/// A number of dimension T^t stands beside V^t, and V = w R; one of F^f of a law without an area
+/// beside M^-f = (F R)^-f.
 template <class Law>
 void convert(Law& law, double radius) {
-  const auto scale = [&](auto& number, int time) {
+  constexpr bool kHasArea = requires { law.area; };
+  const auto scale = [&](auto& number, const Dimension& dimension) {
     if constexpr (std::is_same_v<std::remove_cvref_t<decltype(number)>, double>) {
-      number *= std::pow(radius, time);
+      number *= std::pow(radius, dimension.time + (kHasArea ? 0 : dimension.force));
     }
   };
-  std::apply([&](const auto&... field) { (scale(law.*field.member, field.dimension.time), ...); },
+  std::apply([&](const auto&... field) { (scale(law.*field.member, field.dimension), ...); },
              Law::fields());
-  if constexpr (requires { law.area; }) law.area = law.area.value_or(1.0) * radius;  // p = M/(R A)
+  if constexpr (kHasArea) law.area = law.area.value_or(1.0) * radius;  // p = M/(R A)
 }
 
 /// The last piece hides a unit of speed in a pure number: the speed is converted on its way in.

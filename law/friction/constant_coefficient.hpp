@@ -55,7 +55,6 @@ struct ConstantCoefficient {
                         FlowSense /*sense*/) const noexcept {
     return kNoBend;
   }
-  bool outside(const Ambient& /*ambient*/, const SlipArguments& /*slip*/) const { return false; }
 };
 
 }  // namespace slipbench::law

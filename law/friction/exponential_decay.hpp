@@ -86,7 +86,6 @@ struct ExponentialDecay {
     const double bend = std::log(falling) / per_slip;
     return bend > line.slip ? bend : kNoBend;
   }
-  bool outside(const Ambient& /*ambient*/, const SlipArguments& /*slip*/) const { return false; }
 };
 
 }  // namespace slipbench::law

@@ -109,7 +109,6 @@ struct ExponentialTestData {
   double next_belt_bend(const SlipLine& line, double wrap_angle, FlowSense sense) const noexcept {
     return fit().next_belt_bend(line, wrap_angle, sense);
   }
-  bool outside(const Ambient& /*ambient*/, const SlipArguments& /*slip*/) const { return false; }
 };
 
 }  // namespace slipbench::law

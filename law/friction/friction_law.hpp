@@ -3,12 +3,15 @@
 
 #include <optional>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 
 #include "law/friction/constant_coefficient.hpp"
 #include "law/friction/exponential_decay.hpp"
 #include "law/friction/exponential_test_data.hpp"
 #include "law/friction/generalized_viscous.hpp"
+#include "law/friction/law_contract.hpp"
+#include "law/friction/law_defaults.hpp"
 #include "law/friction/modified_darmstad.hpp"
 #include "law/friction/renard.hpp"
 #include "law/friction/tabular_coefficient.hpp"
@@ -16,9 +19,11 @@
 namespace slipbench::law {
 
 /// The single list of coefficient laws: the reader, the schema, `slipbench list`, the documentation
-/// and the tests fold over it. A new law is one header and one entry here.
+/// and the tests fold over it. A new law is one header and one entry here. What a law does not say
+/// itself is taken from law_defaults.hpp.
 using FrictionLaw = std::variant<ConstantCoefficient, ExponentialDecay, ExponentialTestData,
                                  GeneralizedViscous, ModifiedDarmstad, Renard, TabularCoefficient>;
+static_assert(keep_contract(std::type_identity<FrictionLaw>{}));
 
 inline CoefficientPoint evaluate(const FrictionLaw& law, const Ambient& ambient,
                                  const SlipArguments& slip) noexcept {
@@ -31,43 +36,108 @@ inline CoefficientPoint evaluate(const FrictionLaw& law, const Ambient& ambient,
   if (const auto* decay = std::get_if<ExponentialDecay>(&law)) {
     return decay->evaluate(ambient, slip);
   }
-  return std::visit([&](const auto& l) { return l.evaluate(ambient, slip); }, law);
+  return std::visit(
+      [&](const auto& l) {
+        if constexpr (requires { l.evaluate(ambient, slip); }) {
+          return l.evaluate(ambient, slip);
+        } else {
+          return default_point(l, ambient, slip);
+        }
+      },
+      law);
 }
 
 inline bool depends_on_slip_rate(const FrictionLaw& law) {
-  return std::visit([](const auto& l) { return l.depends_on_slip_rate(); }, law);
+  return std::visit(
+      [](const auto& l) {
+        if constexpr (requires { l.depends_on_slip_rate(); }) {
+          return l.depends_on_slip_rate();
+        } else {
+          return true;
+        }
+      },
+      law);
 }
 inline bool depends_on_contact_force(const FrictionLaw& law) {
-  return std::visit([](const auto& l) { return l.depends_on_contact_force(); }, law);
+  return std::visit(
+      [](const auto& l) {
+        if constexpr (requires { l.depends_on_contact_force(); }) {
+          return l.depends_on_contact_force();
+        } else {
+          return kSeesForce<std::remove_cvref_t<decltype(l)>>;
+        }
+      },
+      law);
 }
 /// The largest coefficient the law gives inside its data; infinity where no bound is known.
 inline double largest(const FrictionLaw& law) {
-  return std::visit([](const auto& l) { return l.largest(); }, law);
+  return std::visit(
+      [](const auto& l) {
+        if constexpr (requires { l.largest(); }) {
+          return l.largest();
+        } else {
+          return default_largest(l);
+        }
+      },
+      law);
 }
 /// The largest d(mu F_N)/dF_N the law has: how fast the limit can follow the normal force.
 /// Infinity where no bound is known.
 inline double largest_growth(const FrictionLaw& law) {
-  return std::visit([](const auto& l) { return l.largest_growth(); }, law);
+  return std::visit(
+      [](const auto& l) {
+        if constexpr (requires { l.largest_growth(); }) {
+          return l.largest_growth();
+        } else {
+          return default_largest_growth(l);
+        }
+      },
+      law);
 }
 /// max(-dmu/d(slip rate)) [T/L], 0 for a law that never weakens; infinity where no bound is known.
 inline double steepest_weakening(const FrictionLaw& law) {
-  return std::visit([](const auto& l) { return l.steepest_weakening(); }, law);
+  return std::visit(
+      [](const auto& l) {
+        if constexpr (requires { l.steepest_weakening(); }) {
+          return l.steepest_weakening();
+        } else {
+          return default_steepest_weakening(l);
+        }
+      },
+      law);
 }
 /// The next slip along the line [L] at which mu F_N may have a kink or change its curvature, all of
 /// them but the inflection of a table over both rate and contact force; infinity if there is none.
 inline double next_bend(const FrictionLaw& law, const SlipLine& line) noexcept {
   if (const auto* table = std::get_if<TabularCoefficient>(&law)) return table->next_bend(line);
-  return std::visit([&](const auto& l) { return l.next_bend(line); }, law);
+  return std::visit(
+      [&](const auto& l) {
+        if constexpr (requires { l.next_bend(line); }) {
+          return l.next_bend(line);
+        } else {
+          return default_next_bend(l, line);
+        }
+      },
+      law);
 }
 /// The same of exp(mu alpha) or -exp(-mu alpha) at a constant contact force.
 inline double next_belt_bend(const FrictionLaw& law, const SlipLine& line, double wrap_angle,
                              FlowSense sense) noexcept {
-  return std::visit([&](const auto& l) { return l.next_belt_bend(line, wrap_angle, sense); }, law);
+  return std::visit(
+      [&](const auto& l) {
+        if constexpr (requires { l.next_belt_bend(line, wrap_angle, sense); }) {
+          return l.next_belt_bend(line, wrap_angle, sense);
+        } else {
+          return default_next_belt_bend(l, line, wrap_angle, sense);
+        }
+      },
+      law);
 }
 
 /// Tells whether the law keeps its coefficient above kCoefficientFloor.
 inline bool has_floor(const FrictionLaw& law) {
-  return std::visit([](const auto& l) { return l.kHasFloor; }, law);
+  return std::visit([](const auto& l) { return keeps_floor<std::remove_cvref_t<decltype(l)>>(); },
+                    law);
 }
 /// The coefficient [1] before the floor; that of evaluate() for a law without one.
 inline double raw_coefficient(const FrictionLaw& law, const Ambient& ambient,
@@ -76,8 +146,10 @@ inline double raw_coefficient(const FrictionLaw& law, const Ambient& ambient,
       [&](const auto& l) {
         if constexpr (requires { l.raw(ambient, slip); }) {
           return l.raw(ambient, slip);
-        } else {
+        } else if constexpr (requires { l.evaluate(ambient, slip); }) {
           return l.evaluate(ambient, slip).mu;
+        } else {
+          return coefficient_of(l, ambient, slip.slip_rate, slip.contact_force);
         }
       },
       law);
@@ -90,8 +162,12 @@ inline bool is_clamped(const FrictionLaw& law, const Ambient& ambient,
 /// The key of the coefficient whose exponent overflows at a slip rate [L/T], so that mu is
 /// infinite; empty if none does.
 inline std::string_view overflow(const FrictionLaw& law, double slip_rate) {
-  const auto* darmstad = std::get_if<ModifiedDarmstad>(&law);
-  return darmstad == nullptr ? std::string_view{} : darmstad->overflow(slip_rate);
+  return std::visit(
+      [&](const auto& l) {
+        if constexpr (requires { l.overflow(slip_rate); }) return l.overflow(slip_rate);
+        return std::string_view{};
+      },
+      law);
 }
 /// Tells whether the law sees the pressure and has no area to take it from.
 inline bool needs_area(const FrictionLaw& law) {
@@ -111,7 +187,18 @@ inline std::optional<ExponentialDecay> exponential_decay(const FrictionLaw& law)
 }
 /// True if a table is asked outside its data.
 inline bool outside(const FrictionLaw& law, const Ambient& ambient, const SlipArguments& slip) {
-  return std::visit([&](const auto& l) { return l.outside(ambient, slip); }, law);
+  const auto* table = std::get_if<TabularCoefficient>(&law);
+  return table != nullptr && table->outside(ambient, slip);
+}
+
+/// dmu/d(number) in the order of a law's fields().
+template <class Law>
+auto to_numbers(const Law& law, const Ambient& ambient, const SlipArguments& slip) noexcept {
+  if constexpr (requires { law.to_numbers(ambient, slip); }) {
+    return law.to_numbers(ambient, slip);
+  } else {
+    return default_to_numbers(law, ambient, slip);
+  }
 }
 
 }  // namespace slipbench::law

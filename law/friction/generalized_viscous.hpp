@@ -109,7 +109,6 @@ struct GeneralizedViscous {
   double next_belt_bend(const SlipLine& line, double wrap_angle, FlowSense sense) const noexcept {
     return law::next_belt_bend(along(line), line, wrap_angle, sense);
   }
-  bool outside(const Ambient& /*ambient*/, const SlipArguments& /*slip*/) const { return false; }
 
  private:
   /// Under a constant normal force mu F_N is a parabola, which bends at the floor alone: the next

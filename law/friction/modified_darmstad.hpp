@@ -148,7 +148,6 @@ struct ModifiedDarmstad {
     if (overflows_at(line)) return kNoBend;
     return law::next_belt_bend(along(line), line, wrap_angle, sense);
   }
-  bool outside(const Ambient& /*ambient*/, const SlipArguments& /*slip*/) const { return false; }
 
  private:
   /// Tells whether an exponent overflows where the search stands: the coefficient is infinite from

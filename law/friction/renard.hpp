@@ -190,7 +190,6 @@ struct Renard {
   double next_belt_bend(const SlipLine& line, double wrap_angle, FlowSense sense) const noexcept {
     return law::next_belt_bend(along(line), line, wrap_angle, sense);
   }
-  bool outside(const Ambient& /*ambient*/, const SlipArguments& /*slip*/) const { return false; }
 
  private:
   static constexpr std::size_t kNeeded = 3;

@@ -318,14 +318,10 @@ void StateSlopes::take_limit(const ConnectorIncrement& increment, const Friction
     }
   } else if (!slopes_->law.empty()) {
     const auto add = [&]<class Law>(const Law& law) {
-      constexpr bool kHasSlopes = requires { law.to_numbers(increment.end, slip); };
-      static_assert(kHasSlopes || std::is_same_v<Law, TabularCoefficient>,
-                    "add_slopes covers every law: give this one to_numbers(), or its derivatives "
-                    "would be 0");
-      if constexpr (kHasSlopes) {
-        const auto to_numbers = law.to_numbers(increment.end, slip);
+      if constexpr (!std::is_same_v<Law, TabularCoefficient>) {
+        const auto slopes = to_numbers(law, increment.end, slip);
         for (const NumberSlope& s : slopes_->law) {
-          limit[s.unknown] += to_mu * to_numbers[s.number] * s.slope;
+          limit[s.unknown] += to_mu * slopes[s.number] * s.slope;
         }
       }
     };

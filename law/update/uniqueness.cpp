@@ -10,17 +10,37 @@
 namespace slipbench::law {
 namespace {
 
-/// mu before its floor over the rates from 0 (t = 0) to `rate` (t = 1), of a law that is no table
-/// and not bounded; such a law has no denominator.
+/// mu before its floor over the rates from 0 (t = 0) to `rate` (t = 1), of a law that tells its
+/// curve; such a law that is not bounded has no denominator.
 ExponentialSum curve_over_rates(const FrictionLaw& law, double contact_force, double rate) {
   const SlipLine line{.end = rate, .rate_per_slip = 1.0, .force = contact_force};
-  if (const auto* viscous = std::get_if<GeneralizedViscous>(&law)) {
-    return viscous->along(line).numerator;
+  return std::visit(
+      [&](const auto& l) {
+        if constexpr (requires { l.along(line).numerator; }) return l.along(line).numerator;
+        return ExponentialSum{};
+      },
+      law);
+}
+
+constexpr std::size_t kScanned = 65;
+
+/// Rates from 0 to one, denser near 0.
+std::array<double, kScanned> rates_up_to(double rate) {
+  std::array<double, kScanned> rates{};
+  for (std::size_t i = 0; i < kScanned; ++i) {
+    const double part = static_cast<double>(i) / (kScanned - 1);
+    rates[i] = part * part * part * rate;
   }
-  if (const auto* darmstad = std::get_if<ModifiedDarmstad>(&law)) {
-    return darmstad->along(line).numerator;
-  }
-  return {};
+  return rates;
+}
+
+/// True if all that is known of a law's bounds is what a scan finds.
+bool has_scanned_bounds(const FrictionLaw& law) {
+  return std::visit(
+      [](const auto& l) {
+        return !requires { l.largest(); };
+      },
+      law);
 }
 
 }  // namespace
@@ -84,11 +104,21 @@ CoefficientBounds coefficient_bounds(const FrictionLaw& law) {
 
 CoefficientBounds coefficient_bounds(const FrictionLaw& law, const Ambient& ambient,
                                      double contact_force, double rate) {
+  CoefficientBounds found;
+  if (has_scanned_bounds(law)) {
+    const auto point = [&](double at) {
+      return evaluate(law, ambient, {.slip_rate = at, .contact_force = contact_force});
+    };
+    const std::array<double, kScanned> places = rates_up_to(rate);
+    found.largest = scanned_maximum(places, [&](double at) { return point(at).mu; });
+    found.steepest_weakening =
+        std::max(scanned_maximum(places, [&](double at) { return -point(at).to_slip_rate; }), 0.0);
+    return found;
+  }
   const CoefficientBounds over_all = coefficient_bounds(law);
   if (std::isfinite(over_all.largest) && std::isfinite(over_all.steepest_weakening)) {
     return over_all;
   }
-  CoefficientBounds found;
   const auto look = [&](double at) {
     const CoefficientPoint point =
         evaluate(law, ambient, {.slip_rate = at, .contact_force = contact_force});

@@ -66,9 +66,12 @@ TEMPLATE_LIST_TEST_CASE(
     }
   }
   CHECK(steepest <= steepest_weakening(law) * (1.0 + 1e-12));
-  // The steepest place is on the grid above, so the bound is reached, not only kept.
+  // The steepest place is on the grid above, so the bound is reached, not only kept; that of a
+  // scanned bound lies up to half a step beside it.
+  const double beside = requires(const TestType& l) { l.steepest_weakening(); }
+  ? 0.0 : 1e-2;
   if (std::isfinite(steepest_weakening(law))) {
-    CHECK(steepest == Approx(steepest_weakening(law)).margin(1e-15));
+    CHECK(steepest == Approx(steepest_weakening(law)).epsilon(beside + 1e-14).margin(1e-15));
   }
 }
 

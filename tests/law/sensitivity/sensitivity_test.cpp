@@ -280,7 +280,7 @@ TEMPLATE_LIST_TEST_CASE("a law's slopes to its numbers are the derivatives of it
   ambient.temperature = 60.0;
   int compared = 0;
   for (const DefinitionNumber& number : numbers_of(definition)) {
-    if constexpr (requires(TestType law) { law.to_numbers(ambient, SlipArguments{}); }) {
+    if constexpr (!std::is_same_v<TestType, TabularCoefficient>) {
       if (number.name == "stick" || number.name == "internal contact force") continue;
       for (const double rate : {0.0, 0.7, 3.0, 12.0, 40.0, 150.0}) {
         const SlipArguments slip{.slip_rate = rate, .contact_force = 30.0};
@@ -294,10 +294,10 @@ TEMPLATE_LIST_TEST_CASE("a law's slopes to its numbers are the derivatives of it
                            number.at(definition, number.value + h), 2 * h, 0, &slopes));
         REQUIRE(slopes.law.size() == 1);
         CHECK(slopes.law[0].slope == Approx(1.0).epsilon(1e-9));  // rounding over the width
-        const auto to_numbers = std::get<TestType>(definition.law).to_numbers(ambient, slip);
+        const auto slopes_of_law = to_numbers(std::get<TestType>(definition.law), ambient, slip);
         INFO(number.name << " at rate " << rate);
         // Rounding of mu over the width.
-        CHECK(to_numbers[slopes.law[0].number] ==
+        CHECK(slopes_of_law[slopes.law[0].number] ==
               Approx(difference).epsilon(1e-7).margin(1e-15 / h));
         ++compared;
       }
