@@ -42,6 +42,7 @@
 #include "reference/static_kinetic_sawtooth.hpp"
 #include "reference/stick_slip_oscillator.hpp"
 #include "reference/stiffness_penalty.hpp"
+#include "reference/stribeck.hpp"
 #include "reference/tanh_friction.hpp"
 #include "reference/v_groove_capstan.hpp"
 #include "reference/varying_normal_force.hpp"
@@ -66,7 +67,7 @@ inline constexpr std::array kCatalogue{
     contact_force::kCylindrical, contact_force::kTranslator, contact_force::kHinge,
     contact_force::kPlanarSliding, contact_force::kPlanarSpinning, contact_force_ujoint::kAxis1,
     contact_force_ujoint::kAxis3, varying_overlap::kForm, wear::kLinearForm, wear::kExponentialForm,
-    wear_table::kForm, exponential_decay::kForm, exponential_decay::kTestDataForm,
+    wear_table::kForm, exponential_decay::kForm, exponential_decay::kTestDataForm, stribeck::kForm,
     static_kinetic_sawtooth::kForm,
     // Belts
     capstan::kForm, capstan::kBandForm, capstan::kStatusForm, capstan::kWrapAngleForm,

@@ -14,6 +14,7 @@
 #include "law/friction/law_defaults.hpp"
 #include "law/friction/modified_darmstad.hpp"
 #include "law/friction/renard.hpp"
+#include "law/friction/stribeck.hpp"
 #include "law/friction/tabular_coefficient.hpp"
 
 namespace slipbench::law {
@@ -21,8 +22,9 @@ namespace slipbench::law {
 /// The single list of coefficient laws: the reader, the schema, `slipbench list`, the documentation
 /// and the tests fold over it. A new law is one header and one entry here. What a law does not say
 /// itself is taken from law_defaults.hpp.
-using FrictionLaw = std::variant<ConstantCoefficient, ExponentialDecay, ExponentialTestData,
-                                 GeneralizedViscous, ModifiedDarmstad, Renard, TabularCoefficient>;
+using FrictionLaw =
+    std::variant<ConstantCoefficient, ExponentialDecay, ExponentialTestData, GeneralizedViscous,
+                 ModifiedDarmstad, Renard, Stribeck<>, TabularCoefficient>;
 static_assert(keep_contract(std::type_identity<FrictionLaw>{}));
 
 inline CoefficientPoint evaluate(const FrictionLaw& law, const Ambient& ambient,
@@ -191,7 +193,7 @@ inline bool outside(const FrictionLaw& law, const Ambient& ambient, const SlipAr
   return table != nullptr && table->outside(ambient, slip);
 }
 
-/// dmu/d(number) in the order of a law's fields().
+/// Returns dmu/d(number) in the order of a law's fields().
 template <class Law>
 auto to_numbers(const Law& law, const Ambient& ambient, const SlipArguments& slip) noexcept {
   if constexpr (requires { law.to_numbers(ambient, slip); }) {

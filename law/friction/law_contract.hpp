@@ -11,8 +11,8 @@
 
 namespace slipbench::law {
 
-/// True if a law is complete; what it lacks does not compile. A law with an evaluate() of its own
-/// (a table, a law that proves its bends) need not be a template over its number type.
+/// Returns true if a law is complete; what it lacks does not compile. A law with an evaluate() of
+/// its own (a table, a law that proves its bends) need not be a template over its number type.
 template <class Law>
 consteval bool keep_contract(std::type_identity<Law>) {
   static_assert(

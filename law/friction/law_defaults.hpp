@@ -52,14 +52,15 @@ Number coefficient_of(const Law& law, const Ambient& ambient, const Number& rate
 template <class Law>
 inline constexpr bool kSeesForce = !OfRate<Law, double>;
 
-/// True if the coefficient is kept above kCoefficientFloor: unless the law says kHasFloor = false.
+/// Returns true if the coefficient is kept above kCoefficientFloor: unless the law says kHasFloor =
+/// false.
 template <class Law>
 constexpr bool keeps_floor() {
   if constexpr (requires { Law::kHasFloor; }) return Law::kHasFloor;
   return true;
 }
 
-/// The same law over another number type, its numbers as constants.
+/// Returns the same law over another number type, its numbers as constants.
 template <class To, template <class> class Law, class From>
 Law<To> over(const Law<From>& law) {
   Law<To> result;
@@ -79,7 +80,7 @@ Law<To> over(const Law<From>& law) {
   return result;
 }
 
-/// The coefficient before the floor with its slopes to slip rate and contact force.
+/// Returns the coefficient before the floor with its slopes to slip rate and contact force.
 template <class Law>
 CoefficientPoint raw_point(const Law& law, const Ambient& ambient,
                            const SlipArguments& slip) noexcept {
@@ -98,7 +99,8 @@ CoefficientPoint default_point(const Law& law, const Ambient& ambient,
   return keeps_floor<Law>() ? clamped(raw) : raw;
 }
 
-/// dmu/d(number) in the order of fields(); 0 on the floor, and for what is no number or not given.
+/// Returns dmu/d(number) in the order of fields(); 0 on the floor, and for what is no number or not
+/// given.
 template <class Law>
 auto default_to_numbers(const Law& law, const Ambient& ambient,
                         const SlipArguments& slip) noexcept {
@@ -130,10 +132,10 @@ struct LinePoint {
   double curvature = 0.0;
 };
 
-/// The next slip at which a limit changes its curvature or has a kink against it, found by the
-/// signs of its curvature at kBendSamples places, denser near the beginning, and of the rise of its
-/// slope between them; then by bisection. Two bends between neighbouring places may be passed over.
-/// \param at LinePoint of a slip
+/// Returns the next slip at which a limit changes its curvature or has a kink against it, found by
+/// the signs of its curvature at kBendSamples places, denser near the beginning, and of the rise of
+/// its slope between them; then by bisection. Two bends between neighbouring places may be passed
+/// over. \param at LinePoint of a slip
 template <class At>
 double next_sampled_bend(const SlipLine& line, const At& at) noexcept {
   constexpr int kBendSamples = 64;
@@ -209,9 +211,8 @@ double default_next_belt_bend(const Law& law, const SlipLine& line, double wrap_
       law, line, [&](const auto& mu, const auto&) { return sign * exp(sign * wrap_angle * mu); });
 }
 
-/// The largest value of f over some ascending places and between them: at the best of them, then
-/// by golden section between its neighbours.
-/// \param place where it lies, if wanted
+/// Returns the largest value of f over some ascending places and between them: at the best of them,
+/// then by golden section between its neighbours. \param place where it lies, if wanted
 template <class F>
 double scanned_maximum(std::span<const double> places, const F& f, double* place = nullptr) {
   std::size_t best = 0;
@@ -237,7 +238,7 @@ double scanned_maximum(std::span<const double> places, const F& f, double* place
   return largest;
 }
 
-/// 0 and powers of a number between 1e-9 and 1e12.
+/// Returns 0 and the powers of a number between 1e-9 and 1e12.
 inline std::vector<double> scales(int per_decade) {
   std::vector<double> places{0.0};
   for (int i = -9 * per_decade; i <= 12 * per_decade; ++i) {
@@ -246,9 +247,9 @@ inline std::vector<double> scales(int per_decade) {
   return places;
 }
 
-/// The largest f(CoefficientPoint, F_N) of a law over all rates and forces, by a scan of their
-/// scales; infinity where it still grows at the end of it, and for a law that sees the temperature
-/// or a field. Allocates: not for the update.
+/// Returns the largest f(CoefficientPoint, F_N) of a law over all rates and forces, by a scan of
+/// their scales; infinity where it still grows at the end of it, and for a law that sees the
+/// temperature or a field. Allocates: not for the update.
 template <class Law, class F>
 double scanned_bound(const Law& law, const F& f) {
   constexpr double kUnknown = std::numeric_limits<double>::infinity();

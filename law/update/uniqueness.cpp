@@ -24,7 +24,7 @@ ExponentialSum curve_over_rates(const FrictionLaw& law, double contact_force, do
 
 constexpr std::size_t kScanned = 65;
 
-/// Rates from 0 to one, denser near 0.
+/// Returns rates from 0 to one, denser near 0.
 std::array<double, kScanned> rates_up_to(double rate) {
   std::array<double, kScanned> rates{};
   for (std::size_t i = 0; i < kScanned; ++i) {
@@ -34,7 +34,7 @@ std::array<double, kScanned> rates_up_to(double rate) {
   return rates;
 }
 
-/// True if all that is known of a law's bounds is what a scan finds.
+/// Returns true if all that is known of a law's bounds is what a scan finds.
 bool has_scanned_bounds(const FrictionLaw& law) {
   return std::visit(
       [](const auto& l) {

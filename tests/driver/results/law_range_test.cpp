@@ -39,5 +39,10 @@ TEST_CASE("A law without a scale of its own has none") {
   CHECK(law_range(law::ModifiedDarmstad{}).slip_rate == 0.0);
 }
 
+TEST_CASE("a law that says nothing of its range is drawn to a few times its speed") {
+  CHECK(law_range(law::Stribeck<>{0.3, 0.2, 10.0, 2.0, 1e-4}).slip_rate == 40.0);
+  CHECK(law_range(law::Stribeck<>{0.3, 0.2, 10.0, 2.0, 1e-4}).contact_force == 0.0);
+}
+
 }  // namespace
 }  // namespace slipbench::driver::results
