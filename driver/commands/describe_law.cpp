@@ -13,7 +13,6 @@
 #include "driver/read/keys/case_codecs.hpp"
 #include "driver/read/keys/case_reference.hpp"
 #include "driver/read/keys/law_numbers.hpp"
-#include "driver/results/law_range.hpp"
 #include "law/friction/friction_law.hpp"
 
 namespace slipbench::driver::commands {
@@ -140,8 +139,8 @@ std::string symbols(const law::FrictionLaw& example) {
 /// mu over the slip rate, or over the pressure where the rate does not enter, of a typical set of
 /// parameters; empty for a constant.
 std::string drawing(const law::FrictionLaw& law) {
-  const results::LawRange range = results::law_range(law);
-  const double area = results::area_of(law);
+  const law::LawRange range = law::range(law);
+  const double area = law::area_of(law);
   const bool by_rate = law::depends_on_slip_rate(law);
   const bool by_force = law::depends_on_contact_force(law);
   if (!by_rate && !by_force) return {};
@@ -164,8 +163,10 @@ std::string drawing(const law::FrictionLaw& law) {
       }
       picture.curves.push_back({kPens[i], name, [=](double v) { return mu(v, force); }});
     }
-    for (const results::Landmark& landmark : range.landmarks) {
-      picture.points.push_back({landmark.name, landmark.slip_rate, mu(landmark.slip_rate, 0.0)});
+    for (const law::Landmark& landmark : range.landmarks) {
+      if (landmark.name.empty()) continue;
+      picture.points.push_back(
+          {std::string(landmark.name), landmark.slip_rate, mu(landmark.slip_rate, 0.0)});
     }
   } else {
     const double per_force = area > 0.0 ? area : 1.0;
@@ -190,15 +191,7 @@ std::string describe() {
     text += "\n  rules\n";
     for (const std::string_view rule : Law::kRules) text += fmt::format("    {}\n", rule);
   }
-  if constexpr (requires { example.speed_unit; }) {
-    text += "\n" + wrapped(
-                       "The unit of speed is part of the constants: the last piece adds (V - C6)^2 "
-                       "to a number without unit, so half of the way from C4 to C2 is done "
-                       "1/sqrt(C2 - C4) units of speed beyond C6, whichever unit that is. The case "
-                       "must state its units; 'speed_unit' is that of the constants if it is "
-                       "another.",
-                       2);
-  }
+  if constexpr (requires { Law::kNote; }) text += "\n" + wrapped(Law::kNote, 2);
   if (law::has_floor(law)) {
     text += "\n  A coefficient below 1e-30 is kept at 1e-30, and the run says how often.\n";
   }

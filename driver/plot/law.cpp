@@ -23,7 +23,6 @@
 #include "driver/plot/input.hpp"
 #include "driver/plot/law_case.hpp"
 #include "driver/plot/script.hpp"
-#include "driver/results/law_range.hpp"
 #include "driver/terminal/print.hpp"
 
 namespace slipbench::driver::plot {
@@ -70,8 +69,8 @@ class Script {
     const law::FrictionLaw& law = coefficient.law;
     const bool by_rate = law::depends_on_slip_rate(law);
     const bool by_force = law::depends_on_contact_force(law);
-    const results::LawRange range = results::law_range(law);
-    const double area = results::area_of(law);
+    const law::LawRange range = law::range(law);
+    const double area = law::area_of(law);
     const double per_force = area > 0.0 ? area : 1.0;
     const Extent rate =
         extent(by_rate ? range.slip_rate : 0.0, coefficient.visited.largest_slip_rate());
@@ -145,8 +144,8 @@ class Script {
       }
     }
     map_ += "\n\n";
-    for (const results::Landmark& mark : range.landmarks) {
-      if (mark.slip_rate > rate.end) continue;
+    for (const law::Landmark& mark : range.landmarks) {
+      if (mark.name.empty() || mark.slip_rate > rate.end) continue;
       marks_ +=
           fmt::format("{:.6g} {:.6g} \"{}\"\n", mark.slip_rate, mu(mark.slip_rate, 0.0), mark.name);
     }

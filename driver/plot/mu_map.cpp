@@ -15,7 +15,6 @@
 #include "driver/plot/input.hpp"
 #include "driver/plot/kinds.hpp"
 #include "driver/results/coverage.hpp"
-#include "driver/results/law_range.hpp"
 
 namespace slipbench::driver::plot {
 namespace {
@@ -105,12 +104,11 @@ Axis axis_of(const DrawnCoefficient& coefficient, std::size_t k, const base::Uni
   const auto [least, most] = coefficient.visited.range(k);
   const bool from_zero = argument.kind == Kind::kSlipRate || argument.kind == Kind::kContactForce ||
                          argument.kind == Kind::kAccumulatedSlip;
-  const double area =
-      argument.kind == Kind::kContactForce ? results::area_of(coefficient.law) : 0.0;
+  const double area = argument.kind == Kind::kContactForce ? law::area_of(coefficient.law) : 0.0;
   Axis axis;
   axis.label = label_of(argument, coefficient, area, units);
   axis.factor = area > 0.0 ? area : 1.0;
-  const results::LawRange range = results::law_range(coefficient.law);
+  const law::LawRange range = law::range(coefficient.law);
   double from = std::min(least, most);
   double to = most;
   double of_law = argument.kind == Kind::kSlipRate       ? range.slip_rate

@@ -7,17 +7,6 @@
 #include "driver/case/quantity.hpp"
 
 namespace slipbench::driver::results {
-namespace {
-
-std::optional<double> area_of(const law::FrictionLaw& law) {
-  return std::visit(
-      [](const auto& l) -> std::optional<double> {
-        if constexpr (requires { l.area; }) return l.area;
-        return std::nullopt;
-      },
-      law);
-}
-}  // namespace
 
 Owner owner_of(const cases::Case& problem, int component) {
   for (std::size_t d = 0; d < problem.definitions.size(); ++d) {
@@ -34,7 +23,7 @@ Owner owner_of(const cases::Case& problem, int component) {
 std::optional<double> area_of(const cases::Case& problem, std::size_t definition) {
   std::optional<double> area;
   for_each_law(problem, definition, [&](const law::FrictionLaw& law) {
-    if (!area) area = area_of(law);
+    if (const double own = law::area_of(law); !area && own > 0.0) area = own;
   });
   return area;
 }

@@ -54,6 +54,12 @@ struct Field {
   std::string_view text;  ///< one sentence: symbol, meaning
 };
 
+/// A sentence on what a user may not expect of a number that is given; without a key there is none.
+struct Remark {
+  std::string_view key;
+  std::string_view text;
+};
+
 template <class Struct, class Member>
 Field(std::string_view, Member Struct::*, Dimension, Bounds, bool, std::string_view)
     -> Field<Struct, Member>;

@@ -10,6 +10,7 @@
 #include "law/base/capstan.hpp"
 #include "law/base/field.hpp"
 #include "law/friction/coefficient_point.hpp"
+#include "law/friction/law_range.hpp"
 #include "law/friction/slip_line.hpp"
 #include "law/table/table_function.hpp"
 
@@ -67,6 +68,11 @@ struct ExponentialDecay {
   }
   bool depends_on_slip_rate() const { return decay > 0.0 && mu_static > kinetic; }
   bool depends_on_contact_force() const { return false; }
+  LawRange range() const {
+    return {depends_on_slip_rate() ? exponential_scale(-decay) : 0.0,
+            0.0,
+            {{{depends_on_slip_rate() ? "static" : "", 0.0}}}};
+  }
   double largest() const { return mu_static; }
   double largest_growth() const { return mu_static; }
   double steepest_weakening() const { return decay * (mu_static - kinetic); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "law/base/field.hpp"
 #include "law/friction/coefficient_point.hpp"
 #include "law/friction/exponential_decay.hpp"
+#include "law/friction/law_range.hpp"
 #include "law/table/table_function.hpp"
 
 namespace slipbench::law {
@@ -102,6 +104,9 @@ struct ExponentialTestData {
   }
   bool depends_on_slip_rate() const { return fit().depends_on_slip_rate(); }
   bool depends_on_contact_force() const { return false; }
+  LawRange range() const {
+    return {std::max(fit().range().slip_rate, 1.5 * rate2), 0.0, {{{"mu1", 0.0}, {"mu2", rate2}}}};
+  }
   double largest() const { return mu1; }
   double largest_growth() const { return mu1; }
   double steepest_weakening() const { return fit().steepest_weakening(); }

@@ -171,6 +171,28 @@ inline std::string_view overflow(const FrictionLaw& law, double slip_rate) {
       },
       law);
 }
+/// The range over which the law is drawn to be understood.
+inline LawRange range(const FrictionLaw& law) {
+  return std::visit(
+      [](const auto& l) {
+        if constexpr (requires { l.range(); }) {
+          return l.range();
+        } else {
+          return default_range(l);
+        }
+      },
+      law);
+}
+/// The area that the law divides the normal force by [L^2]; 0 for a law of the force itself, or
+/// without an area because it does not need one.
+inline double area_of(const FrictionLaw& law) {
+  return std::visit(
+      [](const auto& l) {
+        if constexpr (requires { l.area; }) return l.area.value_or(0.0);
+        return 0.0;
+      },
+      law);
+}
 /// Tells whether the law sees the pressure and has no area to take it from.
 inline bool needs_area(const FrictionLaw& law) {
   return std::visit(

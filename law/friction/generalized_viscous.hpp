@@ -11,6 +11,7 @@
 
 #include "law/base/field.hpp"
 #include "law/friction/coefficient_curve.hpp"
+#include "law/friction/law_range.hpp"
 #include "law/friction/radioss_coefficient.hpp"
 #include "law/table/table_function.hpp"
 
@@ -52,6 +53,11 @@ struct GeneralizedViscous {
 
   static GeneralizedViscous example() { return {0.12, -2e-4, -1e-4, 1e-6, 4e-7, 5e-8, 0.0, 1.0}; }
 
+  Remark remark() const {
+    if (c6 == 0.0) return {};
+    return {"C6", "C6 is not used by this law (Radioss Ifric 1 has C1 to C5)"};
+  }
+
   /// The coefficient before the floor at p [F/L^2] and V [L/T].
   template <class Number>
   Number raw_coefficient(const Number& p, const Number& v) const {
@@ -78,6 +84,10 @@ struct GeneralizedViscous {
   }
   bool depends_on_slip_rate() const { return c2 != 0.0 || c3 != 0.0 || c5 != 0.0; }
   bool depends_on_contact_force() const { return c1 != 0.0 || c3 != 0.0 || c4 != 0.0; }
+  LawRange range() const {
+    return {
+        polynomial_scale(fric, c2, c5), area.value_or(1.0) * polynomial_scale(fric, c1, c4), {}};
+  }
   bool needs_area() const { return depends_on_contact_force() && !area; }
 
   /// The bounds over all rates and forces; infinity where a term grows for ever.

@@ -16,6 +16,8 @@
 
 #include "law/base/capstan.hpp"
 #include "law/base/dual.hpp"
+#include "law/base/field.hpp"
+#include "law/friction/law_range.hpp"
 #include "law/friction/radioss_coefficient.hpp"
 #include "law/friction/slip_line.hpp"
 #include "law/table/table_function.hpp"
@@ -209,6 +211,23 @@ double default_next_belt_bend(const Law& law, const SlipLine& line, double wrap_
   const double sign = sense == FlowSense::kForward ? 1.0 : -1.0;
   return default_bend(
       law, line, [&](const auto& mu, const auto&) { return sign * exp(sign * wrap_angle * mu); });
+}
+
+/// Returns a range up to a few times the largest speed, and the largest force, of a law's numbers.
+template <class Law>
+LawRange default_range(const Law& law) {
+  constexpr Dimension kSpeed{0, 1, -1};
+  LawRange result;
+  const auto look = [&](const auto& number, const Dimension& of) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(number)>, double>) {
+      const double end = kDecays * std::abs(number);
+      if (of == kSpeed) result.slip_rate = std::max(result.slip_rate, end);
+      if (of == dimension::kForce) result.contact_force = std::max(result.contact_force, end);
+    }
+  };
+  std::apply([&](const auto&... field) { (look(law.*(field.member), field.dimension), ...); },
+             Law::fields());
+  return result;
 }
 
 /// Returns the largest value of f over some ascending places and between them: at the best of them,

@@ -11,6 +11,7 @@
 
 #include "law/base/field.hpp"
 #include "law/friction/coefficient_curve.hpp"
+#include "law/friction/law_range.hpp"
 #include "law/friction/radioss_coefficient.hpp"
 #include "law/table/table_function.hpp"
 
@@ -97,6 +98,18 @@ struct ModifiedDarmstad {
     return (c1 != 0.0 && c2 != 0.0) || (c3 != 0.0 && c4 != 0.0) || (c5 != 0.0 && c6 != 0.0);
   }
   bool depends_on_contact_force() const { return c1 != 0.0 || c3 != 0.0; }
+  LawRange range() const {
+    LawRange result;
+    // Twice as far as the fastest of them: the others are seen well enough.
+    for (const auto& [factor, rate] : {std::pair{c1, c2}, {c3, c4}, {c5, c6}}) {
+      const double scale = factor == 0.0 ? 0.0 : 2.0 * exponential_scale(rate);
+      if (scale > 0.0 && (result.slip_rate == 0.0 || scale < result.slip_rate)) {
+        result.slip_rate = scale;
+      }
+    }
+    result.contact_force = area.value_or(1.0) * polynomial_scale(fric + c5, c3, c1);
+    return result;
+  }
   bool needs_area() const { return depends_on_contact_force() && !area; }
 
   /// The bounds over all rates and forces; infinity where a term grows for ever.

@@ -13,6 +13,7 @@
 #include "law/base/field.hpp"
 #include "law/base/unit_name.hpp"
 #include "law/friction/coefficient_curve.hpp"
+#include "law/friction/law_range.hpp"
 #include "law/friction/radioss_coefficient.hpp"
 #include "law/table/table_function.hpp"
 
@@ -52,6 +53,11 @@ struct Renard {
       "C1 >= 0 must hold",  "C2 >= 0 must hold",  "C3 >= 0 must hold",
       "C4 >= 0 must hold"};
   static constexpr bool kHasFloor = true;
+  static constexpr std::string_view kNote =
+      "The unit of speed is part of the constants: the last piece adds (V - C6)^2 to a number "
+      "without unit, so half of the way from C4 to C2 is done 1/sqrt(C2 - C4) units of speed "
+      "beyond C6, whichever unit that is. The case must state its units; 'speed_unit' is that of "
+      "the constants if it is another.";
 
   double c1 = 0.0, c2 = 0.0, c3 = 0.0, c4 = 0.0, c5 = 1.0, c6 = 2.0;
   double speed_factor = 1.0;  ///< (unit of speed of the case)/(that of the constants)
@@ -104,6 +110,13 @@ struct Renard {
     return broken;
   }
 
+  LawRange range() const {
+    // All of the way back to C2 where that is not far beyond the joints.
+    const double recovery = c2 > c4 ? 3.0 / std::sqrt(c2 - c4) : 0.0;
+    const double end = std::max(1.5 * c6, std::min(c6 + recovery, 3.0 * c6));
+    const double unit = 1.0 / speed_factor;
+    return {unit * end, 0.0, {{{"C1", 0.0}, {"C3", unit * c5}, {"C4", unit * c6}}}};
+  }
   double raw(const Ambient& /*ambient*/, const SlipArguments& slip) const noexcept {
     return point(slip.slip_rate).mu;
   }

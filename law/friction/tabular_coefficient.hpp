@@ -10,6 +10,7 @@
 
 #include "law/base/capstan.hpp"
 #include "law/friction/coefficient_point.hpp"
+#include "law/friction/law_range.hpp"
 #include "law/friction/slip_line.hpp"
 #include "law/table/table_function.hpp"
 
@@ -54,6 +55,13 @@ struct TabularCoefficient {
   bool depends_on_slip_rate() const { return table.column_of(IndependentKind::kSlipRate) >= 0; }
   bool depends_on_contact_force() const {
     return table.column_of(IndependentKind::kContactForce) >= 0;
+  }
+  LawRange range() const {
+    const auto last = [&](IndependentKind kind) {
+      const int column = table.column_of(kind);
+      return column < 0 ? 0.0 : 1.1 * table.table().knots(column).back();
+    };
+    return {last(IndependentKind::kSlipRate), last(IndependentKind::kContactForce), {}};
   }
   double largest() const { return table.table().largest(); }
   double largest_growth() const {

@@ -8,9 +8,22 @@
 
 #include "driver/case/quantity.hpp"
 #include "driver/read/keys/case_reference.hpp"
+#include "law/friction/friction_law.hpp"
 
 namespace slipbench::driver::read {
 namespace {
+
+/// Returns "generalized_viscous, renard, ..".
+std::string laws_with_floor() {
+  std::string names;
+  [&]<class... Law>(std::type_identity<std::variant<Law...>>) {
+    const auto add = [&](bool has_floor, std::string_view name) {
+      if (has_floor) names += (names.empty() ? "" : ", ") + std::string(name);
+    };
+    (add(law::keeps_floor<Law>(), Law::kName), ...);
+  }(std::type_identity<law::FrictionLaw>{});
+  return names;
+}
 
 /// Returns how this format says what an option of a Radioss /FRICTION block says (Ifric, Ifiltr,
 /// Iform, Idir), or a key of old drafts; empty for other keys.
@@ -144,7 +157,7 @@ std::string origin_of_column(std::string_view name) {
   const auto is = [&](std::initializer_list<std::string_view> names) {
     return std::find(names.begin(), names.end(), column) != names.end();
   };
-  std::string_view origin;
+  std::string origin;
   if (column.starts_with("CS") && (column.ends_with("_RAW") || column.ends_with("_TRIAL"))) {
     origin = "a 'formulation'";
   } else if (is({"VISC_C"})) {
@@ -154,9 +167,9 @@ std::string origin_of_column(std::string_view name) {
   } else if (is({"MU1", "MU2", "V1", "V2"})) {
     origin = "an 'orthotropic' coefficient";
   } else if (is({"MU_RAW", "CLAMPED"})) {
-    origin = "a Radioss law (generalized_viscous, modified_darmstad, renard)";
+    origin = "a law with a floor (" + laws_with_floor() + ")";
   } else if (is({"SPEED"})) {
-    origin = "a 'formulation' or a Radioss law";
+    origin = "a 'formulation' or a law with a floor";
   } else if (column.starts_with("PLAY")) {
     origin = "a 'dead_zone'";
   } else if (is({"PRESSURE"})) {
@@ -166,7 +179,7 @@ std::string origin_of_column(std::string_view name) {
   } else {
     return {};
   }
-  return "'" + std::string(column) + "' is a column of a definition with " + std::string(origin);
+  return "'" + std::string(column) + "' is a column of a definition with " + origin;
 }
 
 const yaml::FileWords kCaseWords{later_key, other_name, places_of_key, origin_of_column,

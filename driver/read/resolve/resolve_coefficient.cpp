@@ -68,22 +68,28 @@ bool complete_speed_unit(yaml::Binder& binder, Law& law, const yaml::Node& node,
 }
 
 /// Warns of what a user may not expect of the coefficients given.
-void warn_of(yaml::Binder& binder, const law::GeneralizedViscous& law, const yaml::Node& node,
-             const yaml::Path& path) {
-  if (law.c6 == 0.0) return;
-  const auto [at, where] = place_of(node, path, "C6");
-  binder.warning(at, where, "C6 is not used by this law (Radioss Ifric 1 has C1 to C5)");
-}
 template <class Law>
-void warn_of(yaml::Binder&, const Law&, const yaml::Node&, const yaml::Path&) {}
+void warn_of(yaml::Binder& binder, const Law& law, const yaml::Node& node, const yaml::Path& path) {
+  if constexpr (requires { law.remark(); }) {
+    const law::Remark remark = law.remark();
+    if (remark.key.empty()) return;
+    const auto [at, where] = place_of(node, path, remark.key);
+    binder.warning(at, where, std::string(remark.text));
+  }
+}
 
 /// A coefficient that starts below zero is more often a slip of the sign than meant.
 template <class Law>
 void warn_of_negative_start(yaml::Binder& binder, const Law& law, const yaml::Node& node,
                             const yaml::Path& path) {
+  double start = 0.0;
   if constexpr (requires { law.raw_coefficient(0.0, 0.0); }) {
-    const double start = law.raw_coefficient(0.0, 0.0);
-    if (start >= 0.0) return;
+    start = law.raw_coefficient(0.0, 0.0);
+  } else if constexpr (law::OfRate<Law, double> || law::OfRateAndForce<Law, double> ||
+                       law::OfRateForceAndAmbient<Law, double>) {
+    start = law::coefficient_of(law, law::Ambient{}, 0.0, 0.0);
+  }
+  if (law::keeps_floor<Law>() && start < 0.0) {
     binder.warning(node, path,
                    "mu = " + base::format_number(start) +
                        " at rest and without pressure: a coefficient below 0 is kept at 1e-30, "
