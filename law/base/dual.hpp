@@ -79,6 +79,11 @@ struct Dual {
     using std::atan;
     return chain(x, atan(x.value), T(1.0) / (T(1.0) + x.value * x.value));
   }
+  friend Dual asinh(const Dual& x) {
+    using std::asinh;
+    using std::sqrt;
+    return chain(x, asinh(x.value), T(1.0) / sqrt(T(1.0) + x.value * x.value));
+  }
   /// x^p of x >= 0. At x = 0 the slope to p counts as 0, that of x^0 to x too.
   friend Dual pow(const Dual& x, const Dual& p) {
     using std::log;

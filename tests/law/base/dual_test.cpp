@@ -37,6 +37,7 @@ TEST_CASE("a dual number carries the derivatives of every function it knows") {
     check([](auto y) { return sqrt(y) + -y; }, x);
     check([](auto y) { return tanh(y); }, x);
     check([](auto y) { return atan(y); }, x);
+    check([](auto y) { return asinh(2.0 * y); }, x);
     check([](auto y) { return pow(y, 2.5) + pow(2.0 * y, y); }, x);
     check([](auto y) { return abs(1.5 - y) * y; }, x);
     check([](auto y) { return y < 2.0 ? 3.0 * y : y * y * y; }, x);

@@ -134,11 +134,11 @@ TEST_CASE("no update, force or tangent allocates, whatever the definition") {
 }
 
 TEST_CASE("no belt, potential or exactly integrated increment allocates") {
-  std::vector<FrictionDefinition> definitions(4);
+  std::vector<FrictionDefinition> definitions(4 + laws().size());
   definitions[0].slip = slip_space({2});
   definitions[0].contact_force = ComponentContactForce{0};
   definitions[0].criterion = Capstan{2.0};
-  definitions[0].law = laws().back();
+  definitions[0].law = ConstantCoefficient{0.2};
   std::vector<PotentialContribution> terms(2);
   terms[0].of = 1;
   terms[1].of = 2;
@@ -156,6 +156,10 @@ TEST_CASE("no belt, potential or exactly integrated increment allocates") {
   definitions[3].contact_force = ComponentContactForce{0};
   definitions[3].internal_contact_force = internal_contact_forces().back();
   definitions[3].law = ConstantCoefficient{0.2};
+  for (std::size_t i = 0; i < laws().size(); ++i) {
+    definitions[4 + i] = definitions[0];
+    definitions[4 + i].law = laws()[i];
+  }
 
   int moved = 0;
   for (FrictionDefinition& definition : definitions) {
