@@ -49,7 +49,9 @@ inline CoefficientPoint evaluate(const FrictionLaw& law, const Ambient& ambient,
       law);
 }
 
-inline bool depends_on_slip_rate(const FrictionLaw& law) {
+/// Returns the same as depends_on_slip_rate, out of line: what asks on the way of an update stays
+/// small enough to be in line, however long the list.
+[[gnu::noinline]] inline bool visited_slip_rate_dependence(const FrictionLaw& law) {
   return std::visit(
       [](const auto& l) {
         if constexpr (requires { l.depends_on_slip_rate(); }) {
@@ -59,6 +61,9 @@ inline bool depends_on_slip_rate(const FrictionLaw& law) {
         }
       },
       law);
+}
+inline bool depends_on_slip_rate(const FrictionLaw& law) {
+  return !std::holds_alternative<ConstantCoefficient>(law) && visited_slip_rate_dependence(law);
 }
 inline bool depends_on_contact_force(const FrictionLaw& law) {
   return std::visit(
