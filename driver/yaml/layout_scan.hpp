@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // A first look at a YAML text, line by line, for slips that a YAML library reports late, at a
-// misleading place, or not at all.
+// misleading place, or not at all. yaml-cpp 0.7
+//   reads without a word: a quote that is never closed, as a text up to the end of the file;
+//     a no-break space in the indentation, as a part of the key; directives; "? key";
+//   names a later place, where going on is no longer possible: a bracket that is not closed (the
+//     next ':'), a line without its ':' (the next key's), a key indented below a value (its ':');
+//   names a place but not the slip: a tab in the indentation ("illegal map value" at the next
+//     ':'), text after a closing quote ("end of map not found").
+// Tags, a second document and an expression cut in two do show in its events, but only up to its
+// first complaint.
 #pragma once
 
 #include <cstddef>
