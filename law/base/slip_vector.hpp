@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 #include "law/base/notation.hpp"
 
@@ -21,6 +22,15 @@ Slip<D> load(const std::array<double, kComponents>& a) {
 template <int D>
 void store(const Slip<D>& v, std::array<double, kComponents>* a) {
   Eigen::Map<Slip<D>>(a->data()) = v;
+}
+
+/// Calls visit(D), a constant, for a slip space of that many entries.
+template <int D = 1, class Visit>
+decltype(auto) in_dimension(int dimension, Visit visit) {
+  if constexpr (D < kComponents) {
+    if (dimension > D) return in_dimension<D + 1>(dimension, visit);
+  }
+  return visit(std::integral_constant<int, D>{});
 }
 
 /// |v|; exact in one dimension.

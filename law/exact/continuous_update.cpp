@@ -7,6 +7,7 @@
 
 #include "law/exact/exact_walk.hpp"
 #include "law/exact/extrapolated_update.hpp"
+#include "law/update/six_steps.hpp"
 
 namespace slipbench::law {
 
@@ -54,14 +55,11 @@ FrictionUpdate continuous_update(const FrictionDefinition& definition, const Pat
   const auto dimension = static_cast<std::size_t>(definition.slip.dimension);
 
   // The motion, and the plane it spans with the elastic slip.
-  std::array<double, kComponents> direction{};
-  std::array<double, kComponents> begin{};
+  SlipVector direction = motion_in(definition.slip, increment);
+  SlipVector begin{};
   double square = 0.0;
   double held = 0.0;
   for (std::size_t i = 0; i < dimension; ++i) {
-    const int c = definition.slip.component[i];
-    direction[i] =
-        definition.slip.scale[i] * (increment.end.position[c] - increment.begin_position[c]);
     begin[i] = fixed ? old.force[i] / definition.stick.value : old.elastic_slip[i];
     square += direction[i] * direction[i];
     held += begin[i] * begin[i];
@@ -98,11 +96,7 @@ FrictionUpdate continuous_update(const FrictionDefinition& definition, const Pat
 
   FrictionUpdate result;
   const Limit l = walk.end_limit();
-  result.contact_force = l.contact_force;
-  result.normal_force = l.normal_force;
-  result.mu = l.mu;
-  result.limit = l.force;
-  result.slip_rate = l.slip_rate;
+  report(l, &result);
   const PlaneSlip& end = walk.elastic_slip();
   const double stiffness = fixed ? definition.stick.value : l.force / definition.stick.value;
   const double share = slip.across > 0.0 ? end.across / slip.across : 0.0;

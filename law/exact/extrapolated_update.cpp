@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "law/exact/sub_increment.hpp"
+#include "law/update/six_steps.hpp"
 
 namespace slipbench::law {
 namespace {
@@ -159,11 +160,7 @@ class Pieces {
     }
     update.state.accumulated_slip = at_.accumulated_slip;
     update.state.regime = regime_;
-    update.contact_force = l.contact_force;
-    update.normal_force = l.normal_force;
-    update.mu = l.mu;
-    update.limit = l.force;
-    update.slip_rate = l.slip_rate;
+    report(l, &update);
     update.slip_increment = at_.accumulated_slip - begin_slip_;
     update.dissipation = std::max(dissipation_, 0.0);
     update.work = work_;

@@ -27,16 +27,6 @@ constexpr double kRateSlack = 1e-6;
 /// F_N below this part of F_C and F_int is the rounding of their sum, and of where it vanishes.
 constexpr double kNoContact = 1e-13;
 
-SlipVector motion_of(const FrictionDefinition& definition, const ConnectorIncrement& increment) {
-  SlipVector ds{};
-  for (int i = 0; i < definition.slip.dimension; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const int c = definition.slip.component[k];
-    ds[k] = definition.slip.scale[k] * (increment.end.position[c] - increment.begin_position[c]);
-  }
-  return ds;
-}
-
 /// The norm of a slip space as a potential of one leaf.
 Potential euclidean(const SlipSpace& space) {
   Potential norm;
@@ -74,7 +64,7 @@ SubIncrements::SubIncrements(const FrictionDefinition& definition, const PathSeg
     : definition_(definition),
       norm_(euclidean(definition.slip)),
       potential_(std::get_if<Potential>(&definition.criterion)),
-      motion_(motion_of(definition, segment.increment)),
+      motion_(motion_in(definition.slip, segment.increment)),
       length_(std::sqrt(dot(motion_, motion_))),
       points_(definition, segment, length_),
       inverse_duration_(segment.increment.duration > 0.0 ? 1.0 / segment.increment.duration : 0.0),

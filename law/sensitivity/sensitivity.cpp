@@ -11,7 +11,9 @@
 #include <utility>
 #include <variant>
 
+#include "law/base/slip_vector.hpp"
 #include "law/definition/limit_function.hpp"
+#include "law/definition/motion.hpp"
 
 namespace slipbench::law {
 namespace {
@@ -345,15 +347,8 @@ void StateSlopes::lose_grip(const ConnectorIncrement& increment, const FrictionS
   std::fill(carried_.begin(), carried_.end(), 0.0);
   std::fill(force_.begin(), force_.end(), 0.0);
   if (!(update.slip_increment > 0.0)) return;
-  double square = 0.0;
-  for (int i = 0; i < definition_->slip.dimension; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const int c = definition_->slip.component[k];
-    const double ds =
-        definition_->slip.scale[k] * (increment.end.position[c] - increment.begin_position[c]);
-    square += ds * ds;
-  }
-  const LimitFunction limit(*definition_, increment, old, std::sqrt(square));
+  const SlipVector ds = motion_in(definition_->slip, increment);
+  const LimitFunction limit(*definition_, increment, old, std::sqrt(dot(ds, ds)));
   // Just before that place: behind it the limit has another slope.
   const double before = 1e-9 * update.slip_increment;
   FrictionUpdate there;
@@ -388,10 +383,7 @@ void StateSlopes::advance_in(const ConnectorIncrement& increment, const Friction
   if (fixed_) {
     for (const NumberSlope& s : slopes_->stick) {
       for (std::size_t i = 0; i < kD; ++i) {
-        const int c = definition_->slip.component[i];
-        const double ds =
-            definition_->slip.scale[i] * (increment.end.position[c] - increment.begin_position[c]);
-        carried[i * stride + s.unknown] += s.slope * ds;
+        carried[i * stride + s.unknown] += s.slope * motion_along(definition_->slip, increment, i);
       }
     }
     if (!slips) return;
@@ -477,20 +469,7 @@ void StateSlopes::advance(const ConnectorIncrement& increment, const FrictionSta
     lose_grip(increment, old, update);
     return;
   }
-  switch (definition_->slip.dimension) {
-    case 1:
-      return advance_in<1>(increment, old, update);
-    case 2:
-      return advance_in<2>(increment, old, update);
-    case 3:
-      return advance_in<3>(increment, old, update);
-    case 4:
-      return advance_in<4>(increment, old, update);
-    case 5:
-      return advance_in<5>(increment, old, update);
-    default:
-      return advance_in<6>(increment, old, update);
-  }
+  in_dimension(definition_->slip.dimension, [&](auto d) { advance_in<d>(increment, old, update); });
 }
 
 }  // namespace slipbench::law

@@ -6,6 +6,7 @@
 
 #include "law/base/slip_vector.hpp"
 #include "law/definition/limit_function.hpp"
+#include "law/definition/motion.hpp"
 #include "law/update/axis_limits.hpp"
 #include "law/update/ellipse_return.hpp"
 #include "law/update/penalty_predictor.hpp"
@@ -61,12 +62,7 @@ void add_orthotropic(const FrictionDefinition& definition, const ConnectorIncrem
   const Formulation& formulation = *definition.formulation;
   const SlipSpace& space = definition.slip;
   const PlaneVector& d = formulation.orthotropy->first;
-  Slip<2> ds;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const int c = space.component[i];
-    ds[static_cast<int>(i)] =
-        space.scale[i] * (increment.end.position[c] - increment.begin_position[c]);
-  }
+  const Slip<2> ds(motion_along(space, increment, 0), motion_along(space, increment, 1));
   const AxisLimits axes = axis_limits(definition, increment, ds[0], ds[1], update.contact_force);
   const double widest = std::max(axes.bound[0], axes.bound[1]);
   const double predictor = predictor_stiffness(formulation, coefficient.value, increment.duration,

@@ -8,11 +8,10 @@
 #include <tuple>
 #include <utility>
 
-#include "law/base/slip_vector.hpp"
-#include "law/definition/limit_function.hpp"
 #include "law/update/axis_limits.hpp"
 #include "law/update/ellipse_return.hpp"
 #include "law/update/penalty_predictor.hpp"
+#include "law/update/six_steps.hpp"
 #include "law/update/split_work.hpp"
 
 namespace slipbench::law {
@@ -84,168 +83,171 @@ class Bound {
   std::optional<AxisLimits> axes_;
 };
 
+/// The return of a contact penalty; its limit is that of the speed of the motion.
 template <int D>
-FrictionUpdate update_in(const FrictionDefinition& definition, const ConnectorIncrement& increment,
-                         const FrictionState& old, PenaltyDetail* detail) noexcept {
-  const Formulation& formulation = *definition.formulation;
-  const auto* viscous = std::get_if<ViscousPenalty>(&formulation.penalty);
-  FrictionUpdate result;
-  result.state.accumulated_slip = old.accumulated_slip;
+struct PenaltyReturn : ReturnSteps<Slip<D>, LimitFunction> {
+  using Base = ReturnSteps<Slip<D>, LimitFunction>;
+  using Base::begin, Base::rest;
+  using typename Base::Begin, typename Base::End, typename Base::Vector;
 
-  // 1. Motion, limit and filter of the increment.
-  Slip<D> ds;
-  for (int i = 0; i < D; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const int c = definition.slip.component[k];
-    ds[i] = definition.slip.scale[k] * (increment.end.position[c] - increment.begin_position[c]);
-  }
-  const double motion = norm<D>(ds);
-  const LimitFunction limit(definition, increment, old, motion);
-  const Limit l = limit.at(0.0, limit.motion_rate(motion));
-  const Bound<D> bound(definition, increment, l, ds);
-  const double alpha =
-      filter_coefficient(formulation.filter, increment.duration, formulation.convention);
-  ViscousCoefficient coefficient;
-  if (viscous != nullptr) {
-    coefficient =
-        viscous_coefficient(*viscous, formulation.convention, increment.end, l.normal_force);
-  }
-  result.contact_force = l.contact_force;
-  result.normal_force = l.normal_force;
-  result.slip_rate = l.slip_rate;
-  std::tie(result.mu, result.limit) = bound.towards(ds);
-  if (detail != nullptr) {
-    *detail = {.speed = l.slip_rate, .alpha = alpha, .viscous_coefficient = coefficient.value};
+  PenaltyReturn(const Begin& b, const LimitFunction& l, PenaltyDetail* to) noexcept
+      : Base(b, l, l.at(0.0, l.motion_rate(b.motion))), detail(to) {
+    if (spring == nullptr) {
+      coefficient = viscous_coefficient(*std::get_if<ViscousPenalty>(&formulation.penalty),
+                                        formulation.convention, b.increment.end, rest.normal_force);
+    }
+    if (detail == nullptr) return;
+    *detail = {.speed = rest.slip_rate, .alpha = alpha, .viscous_coefficient = coefficient.value};
     if (bound.axes() != nullptr) {
       detail->speeds = bound.axes()->speed;
       detail->mu = bound.axes()->mu;
     }
   }
-  const Slip<D> given_before = load<D>(old.force);
 
-  // 2. Nothing to hold on to: filter and memory start again. A coefficient that vanishes is no loss
-  //    of contact, and the filter only forgets.
-  const bool filtered = smooths(formulation);
-  if (!(bound.widest() > 0.0) && !(filtered && l.normal_force > 0.0)) {
-    result.state.regime = Regime::kOpen;
-    // The force of a spring falls from its old value to 0; a viscous one goes with the speed.
-    if (viscous == nullptr) result.work = 0.5 * given_before.dot(ds);
-    return result;
+  /// Where it does not, filter and memory start again. A coefficient that vanishes is no loss of
+  /// contact, and the filter only forgets.
+  bool grips() const noexcept {
+    return bound.widest() > 0.0 || (filtered && rest.normal_force > 0.0);
   }
+  Limit open_limit() const noexcept {
+    Limit l = rest;
+    std::tie(l.mu, l.force) = bound.towards(begin.ds);
+    return l;
+  }
+  /// A viscous force goes with the speed.
+  bool is_spring() const noexcept { return spring != nullptr; }
 
-  // 3. Predictor and return.
-  const double predictor = predictor_stiffness(formulation, coefficient.value, increment.duration,
-                                               alpha, motion, bound.widest());
-  Slip<D> base = Slip<D>::Zero();
-  if (const auto* stiff = std::get_if<StiffnessPenalty>(&formulation.penalty)) {
-    base = stiff->stiffness * load<D>(old.elastic_slip);
-  } else if (!(increment.duration > 0.0) && motion == 0.0) {
-    base = given_before;
-  }
-  const Slip<D> trial = base + predictor * ds;
-  const bool outside = !bound.contains(trial);
-  const Slip<D> y = outside ? bound.returned(trial) : trial;
-  const double p = norm<D>(y);
-  if (bound.axes() != nullptr) {
-    result.trial = bound.along(trial);
-    if (p > 0.0) {
-      std::tie(result.mu, result.limit) = bound.towards(y);
-      // A returned force is on the limit; the radius of an ellipse without or hardly with a width
-      // does not say so.
-      const double share = result.limit > 0.0 ? p / result.limit : 1.0;
-      if (outside || share > 1.0) {
-        result.mu *= share;
-        result.limit = p;
+  End end(FrictionUpdate* result) noexcept {
+    const double duration = begin.increment.duration;
+    predictor = predictor_stiffness(formulation, coefficient.value, duration, alpha, begin.motion,
+                                    bound.widest());
+    if (spring != nullptr) {
+      base = spring->stiffness * load<D>(begin.old.elastic_slip);
+    } else if (!(duration > 0.0) && begin.motion == 0.0) {
+      base = begin.force;
+    }
+    trial = base + predictor * begin.ds;
+    outside = !bound.contains(trial);
+    raw = outside ? bound.returned(trial) : trial;
+    const double p = norm<D>(raw);
+    End end;
+    end.limit = rest;
+    if (bound.axes() != nullptr) {
+      result->trial = bound.along(trial);
+      std::tie(end.limit.mu, end.limit.force) = bound.towards(p > 0.0 ? raw : begin.ds);
+      if (p > 0.0) {
+        // A returned force is on the limit; the radius of an ellipse without or hardly with a width
+        // does not say so.
+        const double share = end.limit.force > 0.0 ? p / end.limit.force : 1.0;
+        if (outside || share > 1.0) {
+          end.limit.mu *= share;
+          end.limit.force = p;
+        }
       }
     }
-  }
-
-  // 4. Slip, energies of the force before the filter.
-  result.phi = p - result.limit;
-  if (viscous != nullptr) {
-    result.state.regime = outside && motion > 0.0 ? Regime::kSlip : Regime::kStick;
-    result.slip_increment = motion;
-    result.dissipation = std::max(0.0, y.dot(ds));  // a rounding next to a right angle
-  } else {
-    const double stiffness = std::get_if<StiffnessPenalty>(&formulation.penalty)->stiffness;
-    const Slip<D> elastic = y / stiffness;
-    store<D>(elastic, &result.state.elastic_slip);
-    result.stored_energy = 0.5 * y.dot(elastic);
-    result.state.regime = outside ? Regime::kSlip : Regime::kStick;
-    if (outside) {
-      result.onset = bound.fraction(base, trial);
-      if (bound.axes() == nullptr) {
+    end.direction = p > 0.0 ? Vector(raw / p) : Vector(Vector::Zero());
+    phi = p - end.limit.force;
+    const bool slips = outside && (spring != nullptr || begin.motion > 0.0);
+    end.regime = slips ? Regime::kSlip : Regime::kStick;
+    if (spring == nullptr) {
+      end.elastic_slip.setZero();
+      end.slip = begin.motion;
+    } else {
+      end.elastic_slip = raw / spring->stiffness;
+      if (outside && bound.axes() == nullptr) {
         const double size = norm<D>(trial);
-        result.slip_increment = (size - l.force) / stiffness;
-        result.dissipation = l.force * result.slip_increment;
-        result.phi = size - stiffness * result.slip_increment - l.force;
-      } else {
-        const Slip<D> plastic = (trial - y) / stiffness;
-        result.slip_increment = norm<D>(plastic);
-        result.dissipation = std::max(0.0, y.dot(plastic));
+        end.slip = (size - rest.force) / spring->stiffness;
+        phi = size - spring->stiffness * end.slip - rest.force;
+      } else if (outside) {
+        plastic = (trial - raw) / spring->stiffness;
+        end.slip = norm<D>(plastic);
       }
     }
+    end.force = given_out();
+    if (detail != nullptr) {
+      store<D>(trial, &detail->trial);
+      store<D>(raw, &detail->raw);
+    }
+    return end;
   }
-  result.state.accumulated_slip += result.slip_increment;
-  if (p > 0.0) store<D>(y / p, &result.direction);
-  if (motion > 0.0) store<D>(ds / motion, &result.motion_direction);
 
-  // 5. The filter, and what is given out.
-  Slip<D> given = y;
-  if (filtered) {
-    given = alpha * y + (1.0 - alpha) * given_before;
-    if (formulation.filter.clip && !bound.contains(given)) {
-      result.tangent.clip = bound.towards(given).second / norm<D>(given);
-      given *= result.tangent.clip;
+  /// Dissipation and stored energy of the force before the filter.
+  void take_energies(const End& end, FrictionUpdate* result) const noexcept {
+    result->phi = phi;
+    if (spring == nullptr) {
+      result->dissipation = std::max(0.0, raw.dot(begin.ds));  // a rounding next to a right angle
+      result->work = end.force.dot(begin.ds);
+      return;
+    }
+    result->stored_energy = 0.5 * raw.dot(end.elastic_slip);
+    if (outside) {
+      result->onset = bound.fraction(base, trial);
+      result->dissipation =
+          bound.axes() == nullptr ? rest.force * end.slip : std::max(0.0, raw.dot(plastic));
+    }
+    if (filtered && alpha != 1.0) {
+      result->work = 0.5 * (begin.force + end.force).dot(begin.ds);
+    } else {
+      result->work =
+          work_split_at<D>(outside ? result->onset : 1.0, begin.force, trial, raw, begin.ds);
     }
   }
-  store<D>(given, &result.state.force);
-  if (viscous != nullptr) {
-    result.work = given.dot(ds);
-  } else if (filtered && alpha != 1.0) {
-    result.work = 0.5 * (given_before + given).dot(ds);
-  } else {
-    result.work = work_split_at<D>(outside ? result.onset : 1.0, given_before, trial, y, ds);
+
+  /// That of the isotropic law; penalty_tangent makes the rest of it.
+  SlipTangent tangent(const End& /*end*/) const noexcept {
+    const double weight = filtered ? alpha : 1.0;
+    SlipTangent t;
+    t.clip = clip;
+    if (bound.axes() == nullptr && outside) {
+      t.transverse = weight * rest.force * predictor / norm<D>(trial);
+      t.rate = weight * rest.to_rate * inverse_duration(begin.increment.duration);
+      t.contact = weight * rest.to_contact;
+    } else {
+      t.transverse = t.radial = weight * predictor;
+      const double sign = rest.contact_force < 0.0 ? -1.0 : 1.0;
+      t.contact = weight * sign * coefficient.to_normal_force * rest.slip_rate;
+    }
+    return t;
   }
 
-  // 6. The tangent of the isotropic law; penalty_tangent makes the rest of it.
-  const double weight = filtered ? alpha : 1.0;
-  SlipTangent& t = result.tangent;
-  if (bound.axes() == nullptr && outside) {
-    t.transverse = weight * l.force * predictor / norm<D>(trial);
-    t.rate = weight * l.to_rate * inverse_duration(increment.duration);
-    t.contact = weight * l.to_contact;
-  } else {
-    t.transverse = t.radial = weight * predictor;
-    const double sign = l.contact_force < 0.0 ? -1.0 : 1.0;
-    t.contact = weight * sign * coefficient.to_normal_force * l.slip_rate;
+  /// The force behind the filter.
+  Vector given_out() noexcept {
+    if (!filtered) return raw;
+    Vector given = alpha * raw + (1.0 - alpha) * begin.force;
+    if (formulation.filter.clip && !bound.contains(given)) {
+      clip = bound.towards(given).second / norm<D>(given);
+      given *= clip;
+    }
+    return given;
   }
-  if (detail != nullptr) {
-    store<D>(trial, &detail->trial);
-    store<D>(y, &detail->raw);
-  }
-  return result;
-}
+
+  const Formulation& formulation = *begin.definition.formulation;
+  const StiffnessPenalty* spring =  ///< null: a viscous penalty
+      std::get_if<StiffnessPenalty>(&formulation.penalty);
+  const Bound<D> bound{begin.definition, begin.increment, rest, begin.ds};
+  const double alpha =
+      filter_coefficient(formulation.filter, begin.increment.duration, formulation.convention);
+  const bool filtered = smooths(formulation);
+  ViscousCoefficient coefficient;
+  PenaltyDetail* detail;
+  double predictor = 0.0;        ///< dF*/ds [F/L]
+  Vector base = Vector::Zero();  ///< F* without motion
+  Vector trial;                  ///< F*
+  bool outside = false;          ///< F* is beyond the limit
+  Vector raw;                    ///< the force before the filter
+  Vector plastic;                ///< (F* - F)/K_t of an orthotropic law that slips
+  double phi = 0.0;
+  double clip = 1.0;
+};
 
 }  // namespace
 
 FrictionUpdate update_penalty(const FrictionDefinition& definition,
                               const ConnectorIncrement& increment, const FrictionState& old,
                               PenaltyDetail* detail) noexcept {
-  switch (definition.slip.dimension) {
-    case 1:
-      return update_in<1>(definition, increment, old, detail);
-    case 2:
-      return update_in<2>(definition, increment, old, detail);
-    case 3:
-      return update_in<3>(definition, increment, old, detail);
-    case 4:
-      return update_in<4>(definition, increment, old, detail);
-    case 5:
-      return update_in<5>(definition, increment, old, detail);
-    default:
-      return update_in<6>(definition, increment, old, detail);
-  }
+  return in_dimension(definition.slip.dimension, [&](auto d) {
+    return in_six_steps<PenaltyReturn<d>>(definition, increment, old, detail);
+  });
 }
 
 double limit_use(const FrictionDefinition& definition, const FrictionUpdate& update,

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "law/definition/limit_function.hpp"
 #include "law/update/first_root.hpp"
 #include "law/update/potential_projection.hpp"
 #include "law/update/potential_search.hpp"
+#include "law/update/six_steps.hpp"
 #include "law/update/snap_back.hpp"
 
 namespace slipbench::law {
@@ -110,153 +110,148 @@ double split_work(const Potential& potential, const SlipVector& y0, const SlipVe
                 (1.0 - lambda) * (dot(split, ds) + dot(y1, ds)));
 }
 
+/// The return to a potential.
+struct PotentialReturn : ReturnSteps<SlipVector, LimitFunction> {
+  using ReturnSteps::ReturnSteps;
+
+  /// With shifts a coefficient that vanishes at rest does not grip: the force would have to jump to
+  /// where it is held.
+  bool grips() const noexcept {
+    return potential.homogeneous ? ReturnSteps::grips() : rest.force > start.least;
+  }
+
+  End end(FrictionUpdate* result) noexcept {
+    const bool fixed = begin.fixed;
+    Scale scale = scale_at(start, rest.force);
+    const bool slips = !within(potential, scale.trial, scale.limit);
+    End end{.limit = rest, .force = scale.trial};
+    const Limit& l = end.limit;
+    SlipVector& y = end.force;
+    m = gradient(potential, y);
+    if (fixed) {
+      result->multiple_roots = -limit.slope(rest) > begin.stick * dot(m, m) && dot(m, m) > 0.0;
+    }
+    if (slips) {
+      result->converged = first_slip(start, &end.slip);
+      end.limit = limit(end.slip);
+      end.regime = l.force > start.least ? Regime::kSlip : Regime::kOpen;
+    }
+    const bool opens = end.regime == Regime::kOpen;
+    if (end.regime == Regime::kSlip) {
+      scale = scale_at(start, l.force);
+      const Projection projection(potential, scale.trial);
+      const double x = scale.kappa * end.slip;
+      const Parts parts = potential.combine == PotentialOperator::kMax
+                              ? projection.max_parts(scale.limit)
+                              : projection.sum_parts(x, scale.limit);
+      y = projection.returned(parts);
+      m = projection.normal(parts, x);
+      // Far above rounding: what is left is the failure of the search.
+      const double missed = std::abs(value(potential, y) - scale.limit);
+      result->converged =
+          result->converged && missed <= 1e-9 * scale.limit + 1e-13 * norm(scale.trial);
+      y = put_on_limit(potential, y, scale.limit);
+    }
+    if (fixed && limit.depends_on_slip() && !opens) {
+      const double longest = Projection(potential, begin.trial).longest() / begin.stick;
+      result->multiple_roots = result->multiple_roots || beyond_again(start, end.slip, longest);
+    }
+    // From the slips to the forces where the return was done on slips.
+    kappa = fixed ? begin.stick : l.force / begin.stick;
+    end.elastic_slip = start.closed ? y : fixed || slips ? scaled(y, 1.0 / kappa) : begin.trial;
+    if (start.closed) y = scaled(end.elastic_slip, kappa);
+    trial_force = start.closed ? scaled(begin.trial, kappa) : scale.trial;
+    if (opens) {
+      if (potential.homogeneous) end.slip = first_zero(limit, end.slip);
+      y = end.elastic_slip = SlipVector{};
+      trial_force = fixed ? begin.trial : SlipVector{};
+    }
+    const double square = slips || dot(y, y) > 0.0 ? dot(m, m) : 0.0;
+    if (square > 0.0) end.direction = scaled(m, 1.0 / square);
+    return end;
+  }
+
+  void take_energies(const End& end, FrictionUpdate* result) const noexcept {
+    const bool opens = end.regime == Regime::kOpen;
+    const SlipVector& y = end.force;
+    const SlipVector& ds = begin.ds;
+    // With shifts y . m is not P: the slip's own work counts.
+    result->dissipation = opens                   ? 0.0
+                          : potential.homogeneous ? end.limit.force * end.slip
+                                                  : std::max(end.slip * dot(y, m), 0.0);
+    result->stored_energy = 0.5 * dot(y, end.elastic_slip);
+    result->phi = value(potential, y) - end.limit.force;
+    if (end.regime == Regime::kStick) {
+      result->work = 0.5 * (dot(begin.force, ds) + dot(y, ds));
+      return;
+    }
+    result->work =
+        split_work(potential, begin.force, trial_force, y, ds, end.limit.force, &result->onset);
+    if (opens) {
+      result->onset = begin.fixed
+                          ? meets_limit(potential, begin.force, scaled(ds, begin.stick), rest.force)
+                          : meets_limit(potential, begin.old.elastic_slip, ds, begin.stick);
+    }
+    // Along the normal of the end the spring has the stiffness |m|^2 kappa.
+    const double along = begin.stick * dot(m, m);
+    if (!(along > 0.0) || !may_snap_back(begin.definition)) return;
+    result->snap_back = largest_snap_back(limit, along, end.slip);
+    if (result->snap_back >= 1.0) take_jumps(end, along, result);
+  }
+
+  void take_jumps(const End& end, double along, FrictionUpdate* result) const noexcept {
+    const bool opens = end.regime == Regime::kOpen;
+    const double start_force = value(potential, begin.force);
+    SnapBackPath path = snap_back_path(limit, along, end.slip, start_force, opens);
+    // With shifts y . m is not P.
+    if (!opens) {
+      path.friction_work -=
+          std::min((end.limit.force - dot(end.force, m)) * end.slip, path.friction_work);
+    }
+    const double stored = 0.5 * dot(begin.force, begin.old.elastic_slip);
+    const double work = result->work;
+    book_jumps(path, start_force, value(potential, begin.trial), stored, result);
+    const auto turns = [&](const SlipVector& v) {
+      const SlipVector beside = sum_of(v, -dot(v, m) / dot(m, m), m);
+      return dot(beside, beside) > 1e-20 * dot(v, v);
+    };
+    if (result->jumps > 0 && (turns(begin.trial) || turns(begin.force))) {
+      // The force leaves the line of the path: what is lost is what the spring gives and friction
+      // does not take, with the work of the increment to first order.
+      result->lost =
+          std::max(work + stored - result->stored_energy - result->dissipation - path.fallen, 0.0);
+      result->work =
+          result->dissipation + result->lost + path.fallen + result->stored_energy - stored;
+    }
+  }
+
+  /// The numbers that `potential_tangent` is made of.
+  SlipTangent tangent(const End& end) const noexcept {
+    return {.transverse = kappa,
+            .radial = limit.slope(end.limit),
+            .rate = end.limit.to_rate * limit.motion_in_rate(),
+            .contact = end.limit.to_contact};
+  }
+
+  const Potential& potential = *std::get_if<Potential>(&begin.definition.criterion);
+  const Search start{potential,
+                     limit,
+                     begin.trial,
+                     begin.stick,
+                     value(potential, SlipVector{}),
+                     begin.fixed,
+                     !begin.fixed && potential.homogeneous};
+  SlipVector m{};            ///< dP/dy at the end
+  SlipVector trial_force{};  ///< y_trial at the limit of the end
+  double kappa = 0.0;        ///< at the limit of the end [F/L]
+};
+
 }  // namespace
 
 FrictionUpdate update_potential(const FrictionDefinition& definition,
                                 const ConnectorIncrement& increment,
                                 const FrictionState& old) noexcept {
-  FrictionUpdate result;
-  const Potential& potential = *std::get_if<Potential>(&definition.criterion);
-  const bool fixed = definition.stick.mode == StickStiffness::Mode::kStiffness;
-  const double stick = definition.stick.value;
-
-  SlipVector ds{};
-  for (int i = 0; i < definition.slip.dimension; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const int c = definition.slip.component[k];
-    ds[k] = definition.slip.scale[k] * (increment.end.position[c] - increment.begin_position[c]);
-  }
-  const double motion = std::sqrt(dot(ds, ds));
-  const LimitFunction limit(definition, increment, old, motion);
-  const Limit at_rest = limit(0.0);
-  const double least = value(potential, SlipVector{});
-  result.state.accumulated_slip = old.accumulated_slip;
-
-  const auto report = [&](const Limit& l) {
-    result.contact_force = l.contact_force;
-    result.normal_force = l.normal_force;
-    result.mu = l.mu;
-    result.limit = l.force;
-    result.slip_rate = l.slip_rate;
-  };
-  // A coefficient that vanishes only at rest still grips as soon as there is slip; with shifts it
-  // does not, since the force would have to jump to where it is held.
-  if (!(at_rest.force > least) && (!potential.homogeneous || !(at_rest.normal_force > 0.0) ||
-                                   !(limit.at(0.0, limit.motion_rate(motion)).force > least))) {
-    report(at_rest);
-    result.state.regime = Regime::kOpen;
-    result.work = 0.5 * dot(old.force, ds);  // the force falls to 0
-    return result;
-  }
-
-  const SlipVector trial = fixed ? sum_of(old.force, stick, ds) : sum_of(old.elastic_slip, 1.0, ds);
-  const Search start{potential, limit, trial, stick, least, fixed, !fixed && potential.homogeneous};
-  const Scale rest = scale_at(start, at_rest.force);
-  const bool slips = !within(potential, rest.trial, rest.limit);
-
-  Limit l = at_rest;
-  Scale scale = rest;
-  SlipVector y = rest.trial;
-  SlipVector m = gradient(potential, y);
-  double slip = 0.0;
-  bool opens = false;
-  if (fixed) {
-    result.multiple_roots = -limit.slope(at_rest) > stick * dot(m, m) && dot(m, m) > 0.0;
-  }
-  if (slips) {
-    result.converged = first_slip(start, &slip);
-    l = limit(slip);
-    opens = !(l.force > least);
-  }
-  if (slips && !opens) {
-    scale = scale_at(start, l.force);
-    const Projection projection(potential, scale.trial);
-    const double x = scale.kappa * slip;
-    const Parts parts = potential.combine == PotentialOperator::kMax
-                            ? projection.max_parts(scale.limit)
-                            : projection.sum_parts(x, scale.limit);
-    y = projection.returned(parts);
-    m = projection.normal(parts, x);
-    // Far above rounding: what is left is the failure of the search.
-    const double missed = std::abs(value(potential, y) - scale.limit);
-    const double reach = std::sqrt(dot(scale.trial, scale.trial));
-    result.converged = result.converged && missed <= 1e-9 * scale.limit + 1e-13 * reach;
-    y = put_on_limit(potential, y, scale.limit);
-  }
-  if (fixed && limit.depends_on_slip() && !opens) {
-    const double end = Projection(potential, rest.trial).longest() / stick;
-    result.multiple_roots = result.multiple_roots || beyond_again(start, slip, end);
-  }
-  // From the slips to the forces where the return was done on slips.
-  const double kappa = fixed ? stick : l.force / stick;
-  SlipVector s_elastic;
-  if (start.closed) {
-    s_elastic = y;
-    y = scaled(s_elastic, kappa);
-  } else {
-    s_elastic = fixed || slips ? scaled(y, 1.0 / kappa) : trial;
-  }
-  SlipVector y_trial = start.closed ? scaled(trial, kappa) : scale.trial;
-  if (opens) {
-    if (potential.homogeneous) slip = first_zero(limit, slip);
-    y = s_elastic = SlipVector{};
-    y_trial = fixed ? trial : SlipVector{};
-  }
-
-  report(l);
-  result.state.force = y;
-  result.state.elastic_slip = s_elastic;
-  result.state.regime = opens ? Regime::kOpen : (slips ? Regime::kSlip : Regime::kStick);
-  result.slip_increment = slip;
-  result.state.accumulated_slip += slip;
-  // With shifts y . m is not P: the slip's own work counts.
-  result.dissipation = opens                   ? 0.0
-                       : potential.homogeneous ? l.force * slip
-                                               : std::max(slip * dot(y, m), 0.0);
-  result.stored_energy = 0.5 * dot(y, s_elastic);
-  result.work = slips ? split_work(potential, old.force, y_trial, y, ds, l.force, &result.onset)
-                      : 0.5 * (dot(old.force, ds) + dot(y, ds));
-  if (opens) {
-    result.onset = fixed ? meets_limit(potential, old.force, scaled(ds, stick), at_rest.force)
-                         : meets_limit(potential, old.elastic_slip, ds, stick);
-  }
-  // Along the normal of the end the spring has the stiffness |m|^2 kappa.
-  const double along = stick * dot(m, m);
-  if (slips && along > 0.0 && may_snap_back(definition)) {
-    result.snap_back = largest_snap_back(limit, along, slip);
-    if (result.snap_back >= 1.0) {
-      const double start_force = value(potential, old.force);
-      SnapBackPath path = snap_back_path(limit, along, slip, start_force, opens);
-      // With shifts y . m is not P.
-      if (!opens) path.friction_work -= std::min((l.force - dot(y, m)) * slip, path.friction_work);
-      const double stored = 0.5 * dot(old.force, old.elastic_slip);
-      const double work = result.work;
-      book_jumps(path, start_force, value(potential, trial), stored, &result);
-      const auto turns = [&m](const SlipVector& v) {
-        const SlipVector beside = sum_of(v, -dot(v, m) / dot(m, m), m);
-        return dot(beside, beside) > 1e-20 * dot(v, v);
-      };
-      if (result.jumps > 0 && (turns(trial) || turns(old.force))) {
-        // The force leaves the line of the path: what is lost is what the spring gives and friction
-        // does not take, with the work of the increment to first order.
-        result.lost =
-            std::max(work + stored - result.stored_energy - result.dissipation - path.fallen, 0.0);
-        result.work =
-            result.dissipation + result.lost + path.fallen + result.stored_energy - stored;
-      }
-    }
-  }
-  result.phi = value(potential, y) - l.force;
-  const double square = slips || dot(y, y) > 0.0 ? dot(m, m) : 0.0;
-  if (square > 0.0) result.direction = scaled(m, 1.0 / square);
-  if (motion > 0.0) result.motion_direction = scaled(ds, 1.0 / motion);
-  if (opens) return result;
-
-  result.tangent.transverse = kappa;
-  result.tangent.radial = limit.slope(l);
-  result.tangent.rate = l.to_rate * limit.motion_in_rate();
-  result.tangent.contact = l.to_contact;
-  return result;
+  return in_six_steps<PotentialReturn>(definition, increment, old);
 }
 
 namespace {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "law/definition/limit_function.hpp"
+#include "law/definition/motion.hpp"
 #include "law/update/potential_projection.hpp"
 
 namespace slipbench::law {
@@ -18,17 +19,6 @@ inline bool within(const Potential& potential, const SlipVector& y, double limit
   constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
   return value(potential, y) <=
          limit * (1.0 + 32.0 * kEpsilon) + 4.0 * kEpsilon * std::sqrt(dot(y, y));
-}
-
-inline SlipVector scaled(const SlipVector& a, double factor) {
-  SlipVector result;
-  for (std::size_t k = 0; k < a.size(); ++k) result[k] = factor * a[k];
-  return result;
-}
-inline SlipVector sum_of(const SlipVector& a, double factor, const SlipVector& b) {
-  SlipVector result;
-  for (std::size_t k = 0; k < a.size(); ++k) result[k] = a[k] + factor * b[k];
-  return result;
 }
 
 /// Start of the return of an increment; `limit` gives F_lim at a slip, and its slope there.

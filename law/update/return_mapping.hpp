@@ -40,7 +40,7 @@ struct FrictionUpdate {
   double limit = 0.0;           ///< F_lim [F]
   double slip_increment = 0.0;  ///< dL [L]
   double slip_rate = 0.0;       ///< the rate the coefficient saw [L/T]
-  double wear = 0.0;            ///< dF_int/d(accumulated slip) of a Euclidean norm [F/L]; else 0
+  double wear = 0.0;            ///< dF_int/d(accumulated slip) [F/L]; 0 of a belt
   double dissipation = 0.0;     ///< F_lim dL of this increment [F L], never negative
   double stored_energy = 0.0;   ///< y . s_el / 2 at the end [F L]
   double work = 0.0;            ///< of y over ds, split at the stick-slip point [F L]
