@@ -61,6 +61,7 @@ function(slipbench_install_package)
   write_basic_package_version_file(slipbench-config-version.cmake COMPATIBILITY SameMinorVersion)
   install(FILES ${PROJECT_BINARY_DIR}/slipbench-config.cmake
                 ${PROJECT_BINARY_DIR}/slipbench-config-version.cmake
+                ${PROJECT_SOURCE_DIR}/cmake/FindLibMD.cmake
                 ${PROJECT_SOURCE_DIR}/cmake/FindUDUNITS2.cmake
                 ${PROJECT_SOURCE_DIR}/cmake/SlipbenchAddCases.cmake
           DESTINATION ${SLIPBENCH_INSTALL_CMAKEDIR})

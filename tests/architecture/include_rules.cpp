@@ -21,9 +21,9 @@ const std::vector<Room>& rooms() {
       {std::regex("law/.*"), std::regex("(law|Eigen)/.*"), "law/ and Eigen"},
       {std::regex("reference/.*"), std::regex("reference/.*"), "reference/"},
       {std::regex("driver/.*"),
-       std::regex(
-           "(law|reference|driver|Eigen|fmt|tl|yaml-cpp|CLI|gsl|sys)/.*|muParser.*\\.h|udunits2\\.h"
-           "|(unistd|fcntl|spawn|signal|poll|locale|malloc)\\.h"),
+       std::regex("(law|reference|driver|Eigen|fmt|tl|yaml-cpp|CLI|gsl|sys)/"
+                  ".*|muParser.*\\.h|udunits2\\.h|sha256\\.h"
+                  "|(unistd|fcntl|spawn|signal|poll|locale|malloc)\\.h"),
        "law/, reference/, driver/, its third parties and the system"},
       {std::regex("tests/law/.*"),
        std::regex("(law|reference|Eigen|catch2|tests/law|tests/support)/.*"),
@@ -51,6 +51,8 @@ const std::vector<ThirdParty>& third_parties() {
       {std::regex("udunits2\\.h"), std::regex("driver/.*units[^/]*\\.cpp"),
        "a units .cpp of driver/"},
       {std::regex("gsl/.*"), std::regex("driver/.*\\.cpp"), "a .cpp of driver/"},
+      {std::regex("sha256\\.h"), std::regex("driver/base/files/sha256\\.cpp"),
+       "driver/base/files/sha256.cpp"},
   };
   return kThirdParties;
 }
