@@ -17,8 +17,7 @@ namespace slipbench::driver::bench {
 namespace {
 
 // Of what is integrated, in units of its size: far below what is asked of a result.
-constexpr double kAbsoluteTolerance = 1e-13;
-constexpr double kRelativeTolerance = 1e-13;
+constexpr double kOdeTolerance = 1e-13;
 constexpr int kPieces = 64;  // of a stick whose forces are no straight lines
 
 struct FreeStep {
@@ -42,7 +41,7 @@ struct Dynamics::Stepper {
   std::unique_ptr<gsl_odeiv2_step, FreeStep> probe{
       gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, kEntries)};
   std::unique_ptr<gsl_odeiv2_control, FreeControl> control{
-      gsl_odeiv2_control_y_new(kAbsoluteTolerance, kRelativeTolerance)};
+      gsl_odeiv2_control_y_new(kOdeTolerance, kOdeTolerance)};
   std::unique_ptr<gsl_odeiv2_evolve, FreeEvolve> evolve{gsl_odeiv2_evolve_alloc(kEntries)};
 
   /// The right-hand side in units of the sizes.

@@ -47,10 +47,6 @@ std::string estimate(const Calibration& calibration, std::size_t u, double confi
   return text;
 }
 
-std::string file_name(const std::string& path) {
-  return std::filesystem::path(path).filename().string();
-}
-
 std::vector<std::string> lines_of(const Fit& fit, const FittedExperiment& fitted, bool own) {
   const ExperimentFit& experiment = fit.experiments[fitted.index];
   std::vector<std::string> lines;
@@ -78,7 +74,7 @@ std::string calibration_comment(const Fit& fit, const Calibration& calibration,
   lines.push_back(fmt::format("Calibrated by slipbench {}{}", results::program_version(),
                               fit.date ? ", " + *fit.date : std::string()));
   lines.push_back(
-      fmt::format("fit: {}{}", file_name(fit.file), fit.title.empty() ? "" : ", " + fit.title));
+      fmt::format("fit: {}{}", fit.file_name(), fit.title.empty() ? "" : ", " + fit.title));
   const fit::LeastSquaresFit& found = calibration.fit;
   lines.push_back(fmt::format("{}: {}", found.converged ? "converged" : "NOT CONVERGED",
                               stop_reason_text(found)));

@@ -49,10 +49,6 @@ bool holds(const std::vector<char>& flags, std::size_t i) {
   return i < flags.size() && flags[i] != 0;
 }
 
-std::string file_name(const std::string& path) {
-  return std::filesystem::path(path).filename().string();
-}
-
 std::string_view word_of(fit::StopReason reason) {
   switch (reason) {
     case fit::StopReason::kStep:
@@ -95,7 +91,7 @@ base::json::Value origin(const Fit& fit, const Calibration& calibration) {
   base::json::Value value;
   value["program"] = "slipbench";
   value["version"] = results::program_version();
-  value["fit"] = file_name(fit.file);
+  value["fit"] = fit.file_name();
   value["title"] = fit.title;
   value["date"] = fit.date ? base::json::Value(*fit.date) : base::json::Value();
   base::json::Value experiments = base::json::Array{};
@@ -359,7 +355,7 @@ base::json::Value calibration_json(const Fit& fit, const Calibration& calibratio
 }
 
 base::FileMark calibration_mark(const Fit& fit) {
-  const std::string name = file_name(fit.file);
+  const std::string name = fit.file_name();
   return {"a result of " + name, "{\n  \"provenance\": {\n    \"program\": \"slipbench\",",
           "\"fit\": " + base::json::Value(name).dump() + ","};
 }

@@ -123,6 +123,8 @@ struct Fit {
   int bootstrap = 0;                ///< resamplings; 0: none
   bool profile = false;             ///< profile likelihood of every parameter
   std::optional<std::string> date;  ///< as the user gave it, for the provenance
+
+  std::string file_name() const { return std::filesystem::path(file).filename().string(); }
 };
 
 }  // namespace slipbench::driver::calibrate

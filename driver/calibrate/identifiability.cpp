@@ -121,7 +121,7 @@ void judge_unseen(std::string_view because, const fit::Shape& shape, FittedUnkno
 /// Marks ordinates that the data tell and that have no room in their shape: equal to a neighbour,
 /// or on a straight line with both.
 void mark_held(const FittedTable& table, std::vector<FittedUnknown>& unknowns) {
-  constexpr double kRounding = 1e-12;
+  constexpr double kSumRounding = 1e-12;
   const auto at = [&](std::size_t r) -> FittedUnknown& {
     return unknowns[table.first_unknown + r];
   };
@@ -135,7 +135,7 @@ void mark_held(const FittedTable& table, std::vector<FittedUnknown>& unknowns) {
   for (std::size_t r = 0; r < table.count; ++r) at(r).held_by.clear();
   for (std::size_t r = 1; r < table.points.size(); ++r) {
     if (!same_block(r, r - 1) || !seen(r) || !seen(r - 1)) continue;
-    const double size = kRounding * std::abs(at(r).value);
+    const double size = kSumRounding * std::abs(at(r).value);
     const double step = at(r).value - at(r - 1).value;
     if (table.shape.monotone != fit::Shape::Monotone::kFree && std::abs(step) <= size) {
       at(r).held_by = at(r - 1).held_by = words;

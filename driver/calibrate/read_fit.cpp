@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "driver/base/text/in_quotes.hpp"
 #include "driver/base/text/suggestions.hpp"
 #include "driver/calibrate/fit_reference.hpp"
 #include "driver/calibrate/fit_text.hpp"
@@ -22,8 +23,6 @@ namespace slipbench::driver::calibrate {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string in_quotes(std::string_view name) { return "'" + base::printable(name) + "'"; }
 
 /// Names for experiments that have none: the case's, else the data's, with a number if need be.
 void name_experiments(std::vector<ReadExperiment>& experiments) {
@@ -175,7 +174,7 @@ class FitReader {
       for (std::size_t j = 0; j < i && name.sound; ++j) {
         if (!name_of(j).sound || name_of(j).value != name.value) continue;
         binder_.error(*name.node, name.path,
-                      "another experiment is called " + in_quotes(name.value) + " as well");
+                      "another experiment is called " + base::in_quotes(name.value) + " as well");
         break;
       }
     }
@@ -230,7 +229,7 @@ class FitReader {
     if (!date.sound || is_date(date.value)) return;
     binder_.error(
         *date.node, date.path,
-        "a date is wanted, YYYY-MM-DD, such as 2026-03-01; found " + in_quotes(date.value));
+        "a date is wanted, YYYY-MM-DD, such as 2026-03-01; found " + base::in_quotes(date.value));
   }
 
   /// Settings of the command line that no case takes.
@@ -251,11 +250,11 @@ class FitReader {
       };
       if (std::any_of(fit_.vary.begin(), fit_.vary.end(),
                       [&](const VariedParameter& one) { return one.name == override.name; })) {
-        say(in_quotes(override.name) + " is varied: it cannot be set as well",
+        say(base::in_quotes(override.name) + " is varied: it cannot be set as well",
             "its start stands under 'vary'");
       } else if (all_parsed &&
                  std::find(known.begin(), known.end(), override.name) == known.end()) {
-        say("no case has a parameter " + in_quotes(override.name),
+        say("no case has a parameter " + base::in_quotes(override.name),
             yaml::nearest_or(
                 override.name, names,
                 known.empty() ? "" : "parameters there are: " + base::few_in_words(names)));

@@ -10,6 +10,7 @@
 
 #include "driver/base/csv/csv_fields.hpp"
 #include "driver/base/text/format_number.hpp"
+#include "driver/base/text/in_quotes.hpp"
 #include "driver/base/text/suggestions.hpp"
 #include "driver/read/file_kind.hpp"
 #include "driver/read/keys/column_unit.hpp"
@@ -24,8 +25,6 @@ namespace fs = std::filesystem;
 
 constexpr base::Dimension kSpeed{.length = 1, .time = -1};
 constexpr base::Dimension kAngularSpeed{.time = -1, .angle = 1};
-
-std::string in_quotes(std::string_view name) { return "'" + base::printable(name) + "'"; }
 
 std::vector<std::string_view> views(const std::vector<std::string>& names) {
   return {names.begin(), names.end()};
@@ -53,7 +52,7 @@ DataColumn data_column(yaml::Binder& binder, const Text& text, const yaml::At<st
   if (by_file && std::abs(result.factor) != 1.0) {
     const std::string unit = base::printable(file->unit(name.value));
     binder.error(*text.factor.node, text.factor.path,
-                 "the file gives column " + in_quotes(name.value) + " in " + unit +
+                 "the file gives column " + base::in_quotes(name.value) + " in " + unit +
                      ": is it to be converted before the factor?",
                  "say so: 'unit: " + unit + "', or 'unit: " +
                      base::unit_text(found->dimension, system) + "' for the factor alone");
@@ -140,7 +139,7 @@ void ExperimentReader::read_settings(const ExperimentText& text, ReadExperiment&
   for (const yaml::Named<double>& set : text.set) {
     if (!is_known(set.name)) {
       binder_.error(*set.key, set.path,
-                    result.case_name + " has no parameter " + in_quotes(set.name),
+                    result.case_name + " has no parameter " + base::in_quotes(set.name),
                     yaml::nearest_or(set.name, views(result.parameters),
                                      result.parameters.empty()
                                          ? "it has none at all"
@@ -150,7 +149,7 @@ void ExperimentReader::read_settings(const ExperimentText& text, ReadExperiment&
     }
     if (is_varied(set.name)) {
       binder_.error(*set.key, set.path,
-                    in_quotes(set.name) + " is varied: it cannot be set as well",
+                    base::in_quotes(set.name) + " is varied: it cannot be set as well",
                     "its start stands under 'vary'");
       continue;
     }
@@ -229,7 +228,7 @@ void ExperimentReader::read_data(const ExperimentText& text, ExperimentFit& fit)
   for (const yaml::At<std::string>* use : unknown) {
     binder_.error(
         *use->node, use->path,
-        base::printable(fit.data_file) + " has no column " + in_quotes(use->value),
+        base::printable(fit.data_file) + " has no column " + base::in_quotes(use->value),
         remedy.empty() ? yaml::nearest_or(use->value, views(names), columns) : columns + remedy);
   }
   if (const auto chosen = base::CsvReader::open(*source, wanted); !chosen)
@@ -253,7 +252,7 @@ void ExperimentReader::read_responses(const ExperimentText& text, ReadExperiment
                              const std::string& name, std::string otherwise) {
     std::string hint = read::origin_of_column(name);
     if (hint.empty()) hint = yaml::nearest_or(name, views(names), std::move(otherwise));
-    binder_.error(node, path, result.case_name + " has no result column " + in_quotes(name),
+    binder_.error(node, path, result.case_name + " has no result column " + base::in_quotes(name),
                   std::move(hint));
   };
   for (const yaml::Named<CompareText>& compare : text.compare.value) {
@@ -403,7 +402,7 @@ ReadExperiment ExperimentReader::read(const ExperimentText& text, const yaml::No
       binder_.error(*text.name.node, text.name.path,
                     "files are called by this name: it must not be empty, begin with '.' or "
                     "contain '/', found " +
-                        in_quotes(name));
+                        base::in_quotes(name));
     }
   }
   return result;

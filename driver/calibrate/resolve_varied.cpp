@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "driver/base/text/format_number.hpp"
+#include "driver/base/text/in_quotes.hpp"
 #include "driver/base/text/suggestions.hpp"
 #include "law/friction/tabular_coefficient.hpp"
 
@@ -17,8 +18,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kFromCase = std::numeric_limits<double>::quiet_NaN();
-
-std::string in_quotes(std::string_view name) { return "'" + base::printable(name) + "'"; }
 
 /// "between 0 and 1", "at least 0": bounds in words.
 std::string range_text(double lower, double upper) {
@@ -152,7 +151,7 @@ void settle_parameters(yaml::Binder& binder, const yaml::NamedMap<VaryText>& tex
       if (!all_parsed) continue;
       const std::vector<std::string_view> names(known.begin(), known.end());
       binder.error(
-          *text.key, text.path, "no case has a parameter " + in_quotes(text.name),
+          *text.key, text.path, "no case has a parameter " + base::in_quotes(text.name),
           yaml::nearest_or(text.name, names,
                            known.empty() ? "give the number a name under 'parameters:' of its "
                                            "case, and write '= NAME' in its place"
@@ -161,8 +160,8 @@ void settle_parameters(yaml::Binder& binder, const yaml::NamedMap<VaryText>& tex
     }
     if (!fitted && all_parsed) {
       binder.error(*text.key, text.path,
-                   "only experiments that are held out have the parameter " + in_quotes(text.name) +
-                       ": nothing tells its value");
+                   "only experiments that are held out have the parameter " +
+                       base::in_quotes(text.name) + ": nothing tells its value");
       continue;
     }
     if (text.value.start.given()) continue;
@@ -366,7 +365,7 @@ class TableSearch {
   void unknown() {
     const std::vector<std::string> tables = all_tables();
     const std::vector<std::string_view> names(tables.begin(), tables.end());
-    error("no case has a table " + in_quotes(text_.name),
+    error("no case has a table " + base::in_quotes(text_.name),
           yaml::nearest_or(text_.name, names,
                            tables.empty() ? how_to_write(VariedTable::Use::kCoefficient)
                                           : "tables there are: " + list_of(tables)));
@@ -395,8 +394,8 @@ class TableSearch {
       if (name.definition.empty() && entries.size() > 1) {
         error(experiment.case_name + " has " + std::to_string(entries.size()) +
                   " friction definitions: which of them?",
-              "write " + in_quotes(entries.front().name + "." + text_.name) + " or " +
-                  in_quotes(entries[1].name + "." + text_.name));
+              "write " + base::in_quotes(entries.front().name + "." + text_.name) + " or " +
+                  base::in_quotes(entries[1].name + "." + text_.name));
         return false;
       }
       std::vector<std::string> names;
@@ -420,7 +419,7 @@ class TableSearch {
         if (table == nullptr) {
           without = &experiment;
           found = !node               ? "is not given"
-                  : node->is_scalar() ? "is " + in_quotes(node->text())
+                  : node->is_scalar() ? "is " + base::in_quotes(node->text())
                                       : "is a law";
           continue;
         }
@@ -435,8 +434,8 @@ class TableSearch {
       if (names.size() > 1 && name.use == VariedTable::Use::kInternalContactForce) {
         error(experiment.case_name + " has " + std::to_string(names.size()) +
                   " internal contact forces: which of them?",
-              "write " + in_quotes(names[0] + "." + text_.name) + " or " +
-                  in_quotes(names[1] + "." + text_.name));
+              "write " + base::in_quotes(names[0] + "." + text_.name) + " or " +
+                  base::in_quotes(names[1] + "." + text_.name));
         return false;
       }
       if (!names.empty()) note_name(names, *entry_name);
@@ -516,9 +515,10 @@ class TableSearch {
       const bool independent =
           std::find(columns.begin(), columns.end(), text.free.value) != columns.end();
       binder_.error(*text.free.node, text.free.path,
-                    independent ? in_quotes(text.free.value) + " is an independent of the table"
-                                : "the table has no column " + in_quotes(text.free.value),
-                    "what can be varied is its dependent column, " + in_quotes(result.free));
+                    independent
+                        ? base::in_quotes(text.free.value) + " is an independent of the table"
+                        : "the table has no column " + base::in_quotes(text.free.value),
+                    "what can be varied is its dependent column, " + base::in_quotes(result.free));
       good = false;
     }
     const Range range = range_of(binder_, text.bounds, text.scale, 0.0);
@@ -572,7 +572,7 @@ std::vector<VariedTable> varied_tables(yaml::Binder& binder,
           other.use == table->use && (other.definition.empty() || table->definition.empty() ||
                                       other.definition == table->definition);
       if (!same) continue;
-      binder.error(*text.key, text.path, "is the same table as " + in_quotes(other.name));
+      binder.error(*text.key, text.path, "is the same table as " + base::in_quotes(other.name));
       break;
     }
     tables.push_back(std::move(*table));

@@ -12,8 +12,6 @@
 namespace slipbench::driver::plot {
 namespace {
 
-using Kind = law::IndependentKind;
-
 bool depends_on_slip(const law::FrictionLaw& law) {
   return law::depends_on_slip_rate(law) || law::depends_on_contact_force(law);
 }
@@ -29,10 +27,12 @@ std::array<DrawnArgument, 2> map_arguments(const law::FrictionLaw& law) {
     const auto all = table->table.independents();
     list.assign(all.begin(), all.end());
   } else {
-    if (law::depends_on_slip_rate(law)) list.push_back({Kind::kSlipRate, 0});
-    if (law::depends_on_contact_force(law)) list.push_back({Kind::kContactForce, 0});
+    if (law::depends_on_slip_rate(law)) list.push_back({law::IndependentKind::kSlipRate, 0});
+    if (law::depends_on_contact_force(law))
+      list.push_back({law::IndependentKind::kContactForce, 0});
   }
-  for (const Kind more : {Kind::kSlipRate, Kind::kContactForce}) {
+  for (const law::IndependentKind more :
+       {law::IndependentKind::kSlipRate, law::IndependentKind::kContactForce}) {
     if (list.size() < 2 && (list.empty() || list[0].kind != more)) list.push_back({more, 0});
   }
   return {list[0], list[1]};

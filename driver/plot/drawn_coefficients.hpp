@@ -11,6 +11,10 @@
 
 namespace slipbench::driver::plot {
 
+/// A run that goes further than so many times what the law has to show is cut off, and that is
+/// said.
+inline constexpr double kFarthest = 6.0;
+
 /// Abscissa of a drawn coefficient.
 using DrawnArgument = law::Independent;
 

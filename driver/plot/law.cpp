@@ -32,11 +32,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostPictures = 4;
 constexpr int kCurvePoints = 400;
-constexpr int kMapColumns = 120;
-constexpr int kMapRows = 80;
-/// A run that goes further than so many times what the law has to show is cut off, and that is
-/// said.
-constexpr double kFarthest = 6.0;
+constexpr int kSurfaceColumns = 120;
+constexpr int kSurfaceRows = 80;
 
 /// Extent of an axis: the features of the law, and the range that the run visited.
 struct Extent {
@@ -134,10 +131,10 @@ class Script {
           [&](double v, std::size_t i) { return mu(v, loads[i]); });
     curve(over_load_, pressure_end, rates.size(),
           [&](double p, std::size_t i) { return mu(rates[i], p); });
-    for (int r = 0; r < kMapRows; ++r) {
-      for (int c = 0; c < kMapColumns; ++c) {
-        const double v = rate.end * (c + 0.5) / kMapColumns;
-        const double p = pressure_end * (r + 0.5) / kMapRows;
+    for (int r = 0; r < kSurfaceRows; ++r) {
+      for (int c = 0; c < kSurfaceColumns; ++c) {
+        const double v = rate.end * (c + 0.5) / kSurfaceColumns;
+        const double p = pressure_end * (r + 0.5) / kSurfaceRows;
         const double value = mu(v, p);
         map_ += fmt::format("{:.6g} {:.6g} {:.6g}\n", v, p, value);
         if (std::isfinite(value)) top = std::max(top, value);

@@ -19,14 +19,9 @@
 namespace slipbench::driver::plot {
 namespace {
 
-using Kind = law::IndependentKind;
-
 constexpr std::size_t kMostMaps = 4;
 constexpr int kMapColumns = 160;
 constexpr int kMapRows = 120;
-/// A run that goes further than so many times what the law has to show is cut off, and that is
-/// said.
-constexpr double kFarthest = 6.0;
 
 struct Axis {
   double from = 0.0;
@@ -40,25 +35,25 @@ struct Axis {
 void put(const DrawnArgument& argument, double value, law::Ambient& ambient,
          std::array<double, law::kMaxFields>& fields, law::SlipArguments& slip) {
   switch (argument.kind) {
-    case Kind::kSlipRate:
+    case law::IndependentKind::kSlipRate:
       slip.slip_rate = value;
       break;
-    case Kind::kContactForce:
+    case law::IndependentKind::kContactForce:
       slip.contact_force = value;
       break;
-    case Kind::kAccumulatedSlip:
+    case law::IndependentKind::kAccumulatedSlip:
       slip.accumulated_slip = value;
       break;
-    case Kind::kTemperature:
+    case law::IndependentKind::kTemperature:
       ambient.temperature = value;
       break;
-    case Kind::kField:
+    case law::IndependentKind::kField:
       fields[static_cast<std::size_t>(argument.index)] = value;
       break;
-    case Kind::kPosition:
+    case law::IndependentKind::kPosition:
       ambient.position[argument.index] = value;
       break;
-    case Kind::kConstitutiveMotion:
+    case law::IndependentKind::kConstitutiveMotion:
       ambient.motion[argument.index] = value;
       break;
   }
@@ -71,24 +66,24 @@ std::string label_of(const DrawnArgument& argument, const DrawnCoefficient& coef
   rate.time -= 1;
   base::Dimension force = turns ? base::kMoment : base::kForce;
   switch (argument.kind) {
-    case Kind::kSlipRate:
+    case law::IndependentKind::kSlipRate:
       return axis_label("slip rate V", {"", base::unit_text(rate, units)});
-    case Kind::kContactForce:
+    case law::IndependentKind::kContactForce:
       if (area > 0.0) {
         force.length -= 2;
         return axis_label("pressure p", {"", base::unit_text(force, units)});
       }
       return axis_label(turns ? "normal moment F_N" : "normal force F_N",
                         {"", base::unit_text(force, units)});
-    case Kind::kAccumulatedSlip:
+    case law::IndependentKind::kAccumulatedSlip:
       return axis_label("accumulated slip",
                         {"", base::unit_text(turns ? base::kAngle : base::kLength, units)});
-    case Kind::kTemperature:
+    case law::IndependentKind::kTemperature:
       return axis_label("temperature", {"", units.temperature});
-    case Kind::kField:
+    case law::IndependentKind::kField:
       return results::independent_name(argument);
-    case Kind::kPosition:
-    case Kind::kConstitutiveMotion:
+    case law::IndependentKind::kPosition:
+    case law::IndependentKind::kConstitutiveMotion:
       return axis_label(
           law::is_rotation(argument.index) ? "angle" : "position",
           {results::independent_name(argument),
@@ -102,18 +97,20 @@ std::string label_of(const DrawnArgument& argument, const DrawnCoefficient& coef
 Axis axis_of(const DrawnCoefficient& coefficient, std::size_t k, const base::UnitSystem& units) {
   const DrawnArgument& argument = coefficient.arguments[k];
   const auto [least, most] = coefficient.visited.range(k);
-  const bool from_zero = argument.kind == Kind::kSlipRate || argument.kind == Kind::kContactForce ||
-                         argument.kind == Kind::kAccumulatedSlip;
-  const double area = argument.kind == Kind::kContactForce ? law::area_of(coefficient.law) : 0.0;
+  const bool from_zero = argument.kind == law::IndependentKind::kSlipRate ||
+                         argument.kind == law::IndependentKind::kContactForce ||
+                         argument.kind == law::IndependentKind::kAccumulatedSlip;
+  const double area =
+      argument.kind == law::IndependentKind::kContactForce ? law::area_of(coefficient.law) : 0.0;
   Axis axis;
   axis.label = label_of(argument, coefficient, area, units);
   axis.factor = area > 0.0 ? area : 1.0;
   const law::LawRange range = law::range(coefficient.law);
   double from = std::min(least, most);
   double to = most;
-  double of_law = argument.kind == Kind::kSlipRate       ? range.slip_rate
-                  : argument.kind == Kind::kContactForce ? range.contact_force
-                                                         : 0.0;
+  double of_law = argument.kind == law::IndependentKind::kSlipRate       ? range.slip_rate
+                  : argument.kind == law::IndependentKind::kContactForce ? range.contact_force
+                                                                         : 0.0;
   if (const auto* table = std::get_if<law::TabularCoefficient>(&coefficient.law)) {
     const auto all = table->table.independents();
     const auto found = std::find(all.begin(), all.end(), argument);

@@ -8,6 +8,7 @@
 #include "driver/base/files/data_path.hpp"
 #include "driver/base/files/standard_input.hpp"
 #include "driver/base/text/format_number.hpp"
+#include "driver/base/text/in_quotes.hpp"
 #include "driver/base/text/number.hpp"
 #include "driver/base/text/standard_input.hpp"
 #include "driver/base/text/suggestions.hpp"
@@ -28,8 +29,6 @@ std::string_view bare(std::string_view expression) {
   if (first == std::string_view::npos) return {};
   return expression.substr(first, expression.find_last_not_of(' ') + 1 - first);
 }
-
-std::string in_quotes(std::string_view text) { return "'" + std::string(text) + "'"; }
 
 /// Returns whether a unit stands behind an expression: "= 2*R mm".
 bool ends_with_unit(std::string_view expression) {
@@ -65,7 +64,7 @@ void Binder::note(const Node& at, const Path& path, std::string message, std::st
 
 void Binder::wrong_kind(const Node& node, const Path& path, std::string_view wanted) {
   std::string found(name_of(node.kind()));
-  if (node.is_scalar()) found = in_quotes(base::printable(node.text()));
+  if (node.is_scalar()) found = base::in_quotes(node.text());
   std::string hint;
   if (wanted.starts_with("a list") && node.is_map()) hint = "each item of a list begins with '- '";
   const bool is_word = node.is_scalar() && !base::parse_number(node.text());
@@ -76,7 +75,7 @@ void Binder::wrong_kind(const Node& node, const Path& path, std::string_view wan
 void Binder::missing_key(const Node& map, const Path& path, std::string_view key,
                          std::string_view wanted) {
   // The first error that an empty file leads to.
-  error(map, path, "missing key " + in_quotes(key) + " (" + std::string(wanted) + ")",
+  error(map, path, "missing key " + base::in_quotes(key) + " (" + std::string(wanted) + ")",
         key == "slipbench" ? "a case and a fit begin with 'slipbench: 1'" : "");
 }
 
@@ -94,11 +93,11 @@ std::optional<std::string_view> Binder::unknown_key(const Node& key, const Path&
   std::string hint = words_.other_name(key.text(), path.text());
   const auto nearest = hint.empty() ? base::nearest_name(key.text(), allowed) : std::nullopt;
   if (nearest) {
-    hint = "did you mean " + in_quotes(*nearest) + "?";
+    hint = "did you mean " + base::in_quotes(*nearest) + "?";
   } else if (hint.empty()) {
     const std::string places = words_.places_of_key(key.text());
     hint = places.empty() ? "known here: " + base::few_in_words(allowed)
-                          : in_quotes(key.text()) + " belongs to " + places;
+                          : base::in_quotes(key.text()) + " belongs to " + places;
   }
   error(key, path, "unknown key", std::move(hint));
   return nearest;
@@ -156,13 +155,12 @@ std::optional<double> Binder::number_with_unit(const Node& node, const Path& pat
                                                const KeyInfo& info) {
   const bool is_declared = info.unit == UnitUse::kDeclared;
   if (is_declared && info.dimension == base::Dimension{}) {
-    error(node, path,
-          in_quotes(base::printable(node.text())) + ": a number without a unit is wanted here");
+    error(node, path, base::in_quotes(node.text()) + ": a number without a unit is wanted here");
     return std::nullopt;
   }
   if (!units_) {
     error(node, path,
-          in_quotes(base::printable(node.text())) + ": the cases of this file have different units",
+          base::in_quotes(node.text()) + ": the cases of this file have different units",
           "write the number without a unit");
     return std::nullopt;
   }
@@ -174,8 +172,7 @@ std::optional<double> Binder::number_with_unit(const Node& node, const Path& pat
     return std::nullopt;
   }
   if (info.unit == UnitUse::kNone) {
-    error(node, path,
-          in_quotes(base::printable(node.text())) + ": a number without a unit is wanted here",
+    error(node, path, base::in_quotes(node.text()) + ": a number without a unit is wanted here",
           "in the case's units it is " + base::format_number(read->value));
     return std::nullopt;
   }
@@ -214,7 +211,7 @@ void Binder::settle_slip_units(const Path& below, bool rotation) {
 void Binder::refuse_unsettled_units() {
   for (const UnsettledUnit& one : unsettled_) {
     error(one.node, one.path,
-          in_quotes(base::printable(one.node.text())) +
+          base::in_quotes(one.node.text()) +
               ": a number in the case's units is wanted here, without a unit");
   }
   unsettled_.clear();
@@ -242,7 +239,7 @@ std::optional<double> Binder::number(const Node& node, const Path& path, const K
   const auto value = base::parse_number(node.text());
   if (!value && base::carries_unit(node.text())) return number_with_unit(node, path, info);
   if (node.quoted()) {
-    error(node, path, "wanted a number, found the text " + in_quotes(base::printable(node.text())),
+    error(node, path, "wanted a number, found the text " + base::in_quotes(node.text()),
           "a number stands without quotes");
     return std::nullopt;
   }
@@ -307,7 +304,7 @@ std::string in_words(const law::Bounds& bounds) {
 std::string nearest_or(std::string_view name, std::span<const std::string_view> names,
                        std::string otherwise) {
   const auto nearest = base::nearest_name(name, names);
-  return nearest ? "did you mean " + in_quotes(*nearest) + "?" : std::move(otherwise);
+  return nearest ? "did you mean " + base::in_quotes(*nearest) + "?" : std::move(otherwise);
 }
 
 bool Binder::in_bounds(double value, const Node& node, const Path& path,
@@ -378,8 +375,7 @@ bool Codec<int>::read(Binder& binder, const Node& node, const Path& path, const 
       return false;
     }
     if (node.quoted()) {
-      binder.error(node, path,
-                   "wanted an integer, found the text " + in_quotes(base::printable(node.text())),
+      binder.error(node, path, "wanted an integer, found the text " + base::in_quotes(node.text()),
                    "a number stands without quotes");
       return false;
     }
@@ -457,7 +453,7 @@ std::string listed(std::span<const std::string_view> words) {
   std::vector<std::string> quoted;
   for (const std::string_view word : words) {
     const bool is_mark = word.size() == 1 && std::ispunct(static_cast<unsigned char>(word[0])) != 0;
-    quoted.push_back(is_mark ? in_quotes(word) : std::string(word));
+    quoted.push_back(is_mark ? base::in_quotes(word) : std::string(word));
   }
   return base::in_words(std::vector<std::string_view>(quoted.begin(), quoted.end()));
 }
@@ -470,8 +466,7 @@ bool read_word(Binder& binder, const Node& node, const Path& path,
   }
   const auto word = std::find(words.begin(), words.end(), node.text());
   if (word == words.end()) {
-    binder.error(node, path,
-                 "wanted " + listed(words) + ", found " + in_quotes(base::printable(node.text())),
+    binder.error(node, path, "wanted " + listed(words) + ", found " + base::in_quotes(node.text()),
                  nearest_or(node.text(), words, ""));
     return false;
   }

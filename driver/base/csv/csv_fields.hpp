@@ -15,9 +15,9 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-namespace slipbench::driver::base {
+#include "driver/base/text/letters.hpp"
 
-inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+namespace slipbench::driver::base {
 
 /// Reads a number as std::from_chars does, with another decimal mark than the point.
 const char* read_number_with_comma(const char* begin, const char* end, double& value);

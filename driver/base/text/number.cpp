@@ -13,13 +13,10 @@
 #include <system_error>
 
 #include "driver/base/text/format_number.hpp"
+#include "driver/base/text/letters.hpp"
 
 namespace slipbench::driver::base {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 bool is_sign(char c) { return c == '+' || c == '-'; }
 

@@ -15,12 +15,13 @@
 #include <system_error>
 #include <utility>
 
+#include "driver/base/text/letters.hpp"
+
 namespace slipbench::driver::base {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_name_char(char c) { return is_letter(c) || is_digit(c); }
+bool begins_name(char c) { return is_letter(c) || c == '_'; }
+bool is_name_char(char c) { return begins_name(c) || is_digit(c); }
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 int to_offset(std::size_t position) { return static_cast<int>(position); }
@@ -80,7 +81,7 @@ tl::expected<std::vector<Mention>, ExpressionError> scan(std::string_view text) 
       continue;
     }
     const bool opens_call = std::exchange(after_function, false);
-    if (is_letter(c)) {
+    if (begins_name(c)) {
       std::size_t end = i + 1;
       while (end < text.size() && (is_name_char(text[end]) || text[end] == '.')) ++end;
       std::size_t next = end;
@@ -327,7 +328,7 @@ const std::vector<std::string>& function_names() {
 }
 
 bool is_identifier(std::string_view name) {
-  return !name.empty() && is_letter(name.front()) &&
+  return !name.empty() && begins_name(name.front()) &&
          std::all_of(name.begin(), name.end(), is_name_char);
 }
 

@@ -83,19 +83,19 @@ struct BaseUnit {
   std::span<const std::string_view> everyday;
 };
 
-constexpr std::array<std::string_view, 7> kLengths = {"mm", "m", "cm", "km", "um", "in", "ft"};
-constexpr std::array<std::string_view, 8> kForces = {"N",   "kN",  "MN",  "mN",
-                                                     "daN", "lbf", "kip", "kgf"};
-constexpr std::array<std::string_view, 5> kTimes = {"s", "ms", "us", "min", "h"};
-constexpr std::array<std::string_view, 4> kTemperatures = {"degC", "K", "degF", "degR"};
+constexpr std::array<std::string_view, 7> kLengthUnits = {"mm", "m", "cm", "km", "um", "in", "ft"};
+constexpr std::array<std::string_view, 8> kForceUnits = {"N",   "kN",  "MN",  "mN",
+                                                         "daN", "lbf", "kip", "kgf"};
+constexpr std::array<std::string_view, 5> kTimeUnits = {"s", "ms", "us", "min", "h"};
+constexpr std::array<std::string_view, 4> kTemperatureUnits = {"degC", "K", "degF", "degR"};
 
 std::span<const BaseUnit> base_units() {
   static const std::array<BaseUnit, 4> units = {{
-      {"force", kForce, &UnitSystem::force, &Dimension::force, "N", kForces},
-      {"length", kLength, &UnitSystem::length, &Dimension::length, "m", kLengths},
-      {"time", kTime, &UnitSystem::time, &Dimension::time, "s", kTimes},
+      {"force", kForce, &UnitSystem::force, &Dimension::force, "N", kForceUnits},
+      {"length", kLength, &UnitSystem::length, &Dimension::length, "m", kLengthUnits},
+      {"time", kTime, &UnitSystem::time, &Dimension::time, "s", kTimeUnits},
       {"temperature", kTemperature, &UnitSystem::temperature, &Dimension::temperature, "K",
-       kTemperatures},
+       kTemperatureUnits},
   }};
   return units;
 }

@@ -10,7 +10,7 @@
 namespace slipbench::driver::calibrate {
 namespace {
 
-constexpr std::size_t kFewestPoints = 8;
+constexpr std::size_t kFewestForView = 8;
 constexpr std::size_t kMostLags = 40;
 /// A lag of noise lies within the band 95 of 100 times; one that counts lies clearly beyond it.
 constexpr double kBeyondBand = 1.5;
@@ -45,7 +45,7 @@ void count_bins(ResidualView& view, std::vector<double> sorted) {
 
 /// Autocorrelation as usual: of products over all neighbours, by the sum of squares of all.
 void correlate(ResidualView& view, std::span<const double> values) {
-  if (values.size() < kFewestPoints) return;
+  if (values.size() < kFewestForView) return;
   double squares = 0.0;
   for (const double value : values) squares += (value - view.mean) * (value - view.mean);
   if (!(squares > 0.0)) return;
@@ -73,7 +73,7 @@ std::string bias_words(const ResidualView& view, const std::string& unit, std::s
 }
 
 void judge(ResidualView& view, const FittedResponse& response, std::size_t points) {
-  if (points < kFewestPoints) {
+  if (points < kFewestForView) {
     view.words = fmt::format("{} point{}: too few to tell noise from a trend.", points,
                              points == 1 ? "" : "s");
     return;

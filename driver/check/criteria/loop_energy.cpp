@@ -18,7 +18,7 @@ namespace slipbench::driver::check {
 namespace {
 
 /// A loop whose ends are further apart than this part of its longer branch is not whole.
-constexpr double kOpen = 0.25;
+constexpr double kOpenLoop = 0.25;
 /// Mean gaps that differ by less than this are equal.
 constexpr double kSameGap = 1e-6;
 /// Below this part of range x range, a loop has no energy to be relative to.
@@ -32,20 +32,20 @@ std::vector<std::size_t> turning_rows(const std::vector<Branch>& parts) {
 }
 
 /// Returns how far the loop from turning point `p` to p + 2 is from closed, as a part of its longer
-/// branch; at most kOpen, whatever is beyond.
+/// branch; at most kOpenLoop, whatever is beyond.
 double gap(const Series& curve, const std::vector<std::size_t>& turns, std::size_t p) {
   const auto x = [&](std::size_t i) { return curve.abscissa[turns[i]]; };
   const double there = std::abs(x(p + 1) - x(p));
   const double back = std::abs(x(p + 2) - x(p + 1));
   const double width = std::max(there, back);
-  return std::min(std::abs(there - back) / width, kOpen);
+  return std::min(std::abs(there - back) / width, kOpenLoop);
 }
 
 double mean_gap(const Series& curve, const std::vector<std::size_t>& turns, std::size_t begin) {
   double sum = 0.0;
   std::size_t count = 0;
   for (std::size_t p = begin; p + 2 < turns.size(); p += 2, ++count) sum += gap(curve, turns, p);
-  return count == 0 ? kOpen : sum / static_cast<double>(count);
+  return count == 0 ? kOpenLoop : sum / static_cast<double>(count);
 }
 
 /// The turning points where a whole loop begins.
@@ -54,7 +54,7 @@ std::vector<std::size_t> whole_loops(const Series& curve, const std::vector<std:
       mean_gap(curve, turns, 1) < mean_gap(curve, turns, 0) - kSameGap ? 1 : 0;
   std::vector<std::size_t> loops;
   for (std::size_t p = begin; p + 2 < turns.size(); p += 2) {
-    if (gap(curve, turns, p) < kOpen) loops.push_back(p);
+    if (gap(curve, turns, p) < kOpenLoop) loops.push_back(p);
   }
   return loops;
 }

@@ -86,6 +86,8 @@ bool independents_available(yaml::Binder& binder, const law::Connection& connect
 
 /// "a CYLINDRICAL connector", or "this connector" for a pair of types without a name.
 std::string connector_words(const law::Connection& connection);
+/// "component 3", counted from 1 as a user does; `component` counts from 0.
+std::string component_words(int component);
 /// "CP1, CPR1" or "f2, f3": the names of a set of components; "none" if it is empty.
 std::string motion_names(law::ComponentSet set);
 std::string force_names(law::ComponentSet set);

@@ -96,6 +96,8 @@ std::optional<law::Connection> connection_of(yaml::Binder& binder, const Connect
 
 }  // namespace
 
+std::string component_words(int component) { return "component " + std::to_string(component + 1); }
+
 std::string connector_words(const law::Connection& connection) {
   if (connection.info.name.empty()) return "this connector";
   const bool vowel = connection.info.name == "ALIGN";

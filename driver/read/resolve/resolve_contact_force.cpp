@@ -14,8 +14,6 @@
 namespace slipbench::driver::read {
 namespace {
 
-std::string component_words(int component) { return "component " + std::to_string(component + 1); }
-
 /// Definitions that one entry of `friction:` gives, and where it names its contact force.
 struct Owner {
   std::vector<std::size_t> definitions;

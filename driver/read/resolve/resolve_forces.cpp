@@ -17,8 +17,6 @@
 namespace slipbench::driver::read {
 namespace {
 
-std::string component_words(int component) { return "component " + std::to_string(component + 1); }
-
 /// The index of a free component, or nothing after reporting an error.
 std::optional<int> free_component(yaml::Binder& binder, const yaml::At<int>& at,
                                   const cases::Case& problem, std::string_view what) {
