@@ -18,6 +18,10 @@ bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
 bool is_flow_indicator(char c) { return c == ',' || c == '[' || c == ']' || c == '{' || c == '}'; }
 
+bool is_number_character(char c) {
+  return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+' || c == 'e' || c == 'E';
+}
+
 class LayoutScanner {
  public:
   LayoutScanner(std::string_view text, int deepest)
@@ -263,6 +267,7 @@ class LayoutScanner {
   }
 
   void open_bracket(char c) {
+    if (c == '[' && collect_number_row()) return;
     if (open_.size() >= deepest_) {
       structural_slip(at_, 1, fmt::format("nested deeper than {}", deepest_));
       stopped_ = true;
@@ -290,6 +295,28 @@ class LayoutScanner {
     }
     if (open_.empty()) brackets_trusted_ = true;
     ++at_;
+  }
+
+  // A row of plain numbers is remembered and passed over at once.
+  bool collect_number_row() {
+    std::size_t i = skip_blanks(at_ + 1);
+    for (;;) {
+      const std::size_t begin = i;
+      bool digit = false;
+      while (i < line_end_ && is_number_character(text_[i])) {
+        digit = digit || (text_[i] >= '0' && text_[i] <= '9');
+        ++i;
+      }
+      if (!digit || text_[begin] == 'e' || text_[begin] == 'E') return false;
+      i = skip_blanks(i);
+      if (i >= line_end_) return false;
+      if (text_[i] == ']') break;
+      if (text_[i] != ',') return false;
+      i = skip_blanks(i + 1);
+    }
+    layout_.rows.push_back({at_, i});
+    at_ = i + 1;
+    return true;
   }
 
   // Moves to the end of a plain scalar within the line; true if it ends before ": ".
@@ -502,6 +529,14 @@ class LayoutScanner {
 
 Layout scan_layout(std::string_view text, int deepest) {
   return LayoutScanner(text, deepest).scan();
+}
+
+NumberRange next_number(std::string_view text, const NumberRow& row, std::size_t offset) {
+  std::size_t begin = std::max(offset, row.open + 1);
+  while (begin < row.close && !is_number_character(text[begin])) ++begin;
+  std::size_t end = begin;
+  while (end < row.close && is_number_character(text[end])) ++end;
+  return {begin, end - begin};
 }
 
 }  // namespace slipbench::driver::yaml

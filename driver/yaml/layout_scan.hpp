@@ -26,10 +26,18 @@ struct LayoutSlip {
   std::string hint{};
 };
 
+/// A list of plain numbers within one line, "[1, 2.5, -3e4]": offsets of its brackets.
+struct NumberRow {
+  std::size_t open = 0;
+  std::size_t close = 0;
+};
+
 struct Layout {
   std::vector<LayoutSlip> slips{};
   /// From this byte on the structure is broken: what a parser says about it is a consequence.
   std::size_t first_break = std::string_view::npos;
+  /// The rows that can be read without a YAML parser, in order.
+  std::vector<NumberRow> rows{};
 };
 
 /// Scans a valid UTF-8 text with LF line ends. Slips found: tabs or no-break spaces in the
@@ -37,5 +45,15 @@ struct Layout {
 /// quote, a missing ':', explicit tags, directives, explicit '?' keys, a second document,
 /// brackets nested deeper than `deepest`, an expression in a flow list that a ',' cuts in two.
 [[nodiscard]] Layout scan_layout(std::string_view text, int deepest);
+
+/// The numbers of a row, from left to right, as ranges of bytes {begin, length}.
+struct NumberRange {
+  std::size_t begin = 0;
+  std::size_t length = 0;
+};
+
+/// Finds the next number of a row at or after `offset`; its length is 0 after the last.
+[[nodiscard]] NumberRange next_number(std::string_view text, const NumberRow& row,
+                                      std::size_t offset);
 
 }  // namespace slipbench::driver::yaml
