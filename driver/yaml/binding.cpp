@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <map>
+#include <mutex>
+#include <string>
 
 #include "driver/base/files/data_path.hpp"
 #include "driver/base/files/standard_input.hpp"
@@ -70,6 +73,14 @@ void Binder::wrong_kind(const Node& node, const Path& path, std::string_view wan
   const bool is_word = node.is_scalar() && !base::parse_number(node.text());
   if (wanted == "a map" && (node.is_sequence() || is_word)) hint = "a map is {key: value}";
   error(node, path, "wanted " + std::string(wanted) + ", found " + found, std::move(hint));
+}
+
+std::string_view default_text(double number) {
+  if (number == 0.0) return "";
+  static std::mutex mutex;  // cases are read side by side
+  static std::map<double, std::string> texts;
+  const std::lock_guard lock(mutex);
+  return texts.try_emplace(number, base::format_number(number)).first->second;
 }
 
 void Binder::missing_key(const Node& map, const Path& path, std::string_view key,

@@ -260,9 +260,13 @@ concept HasFields = requires {
 template <class E>
 struct EnumWords;
 
+/// A number as a default is written; empty for 0. The text lasts as long as the program.
+std::string_view default_text(double number);
+
 /// The default of a law's or a connection's member in words; empty for 0.
 template <class T, class Member>
-constexpr std::string_view default_of_member(Member T::*) {
+std::string_view default_of_member(Member T::*member) {
+  if constexpr (std::is_same_v<Member, double>) return default_text(T{}.*member);
   return "";
 }
 template <class T, class Member>
