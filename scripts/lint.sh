@@ -14,6 +14,10 @@ database=build/lint/compile_commands.json
 # find_base: sets base, or leaves it empty and says in why_none why there is none.
 find_base() {
   local branch
+  if ! command -v git >/dev/null; then
+    why_none='there is no git here'
+    return
+  fi
   if [ "$(git rev-parse --show-toplevel 2>/dev/null)" != "$PWD" ]; then
     why_none='this is no git repository'
     return

@@ -90,9 +90,10 @@ std::string dimension_in_words(const base::Dimension& dimension) {
   return std::string(dimension_words(dimension)) + (symbols.empty() ? "" : " [" + symbols + "]");
 }
 
-std::string symbol(std::string_view name, std::string_view dimension, std::string_view text,
-                   std::string_view wanted) {
-  return fmt::format("    {:<10} {:<30} {}{}\n", name, dimension, text,
+/// \param width of the column of names
+std::string symbol(std::size_t width, std::string_view name, std::string_view dimension,
+                   std::string_view text, std::string_view wanted) {
+  return fmt::format("    {:<{}} {:<30} {}{}\n", name, width, dimension, text,
                      wanted.empty() ? "" : fmt::format(" ({})", wanted));
 }
 
@@ -114,22 +115,28 @@ template <class Law>
 std::string symbols(const law::FrictionLaw& example) {
   constexpr base::Dimension kSpeed{0, 1, -1};
   constexpr base::Dimension kPressure{1, -2, 0};
+  std::size_t width = 10;
+  if constexpr (yaml::HasFields<Law>) {
+    yaml::for_each_key<Law>([&](std::string_view key, auto, const yaml::KeyInfo&) {
+      width = std::max(width, key.size());
+    });
+  }
   std::string text;
   if (law::depends_on_slip_rate(example)) {
-    text += symbol("V", dimension_in_words(kSpeed),
+    text += symbol(width, "V", dimension_in_words(kSpeed),
                    "Slip rate: the rate of the slip, or of the relative motion.", "");
   }
   if constexpr (requires(Law law) { law.area; }) {
-    text += symbol("p", dimension_in_words(kPressure), "Pressure F_N/area.", "");
+    text += symbol(width, "p", dimension_in_words(kPressure), "Pressure F_N/area.", "");
   } else if (law::depends_on_contact_force(example)) {
-    text += symbol("F_N", dimension_in_words(base::kForce), "Normal force.", "");
+    text += symbol(width, "F_N", dimension_in_words(base::kForce), "Normal force.", "");
   }
   if constexpr (yaml::HasFields<Law>) {
     yaml::for_each_key<Law>([&](std::string_view key, auto member, const yaml::KeyInfo& info) {
       using Member = std::remove_cvref_t<decltype(std::declval<Law&>().*member)>;
       constexpr bool kNumber =
           std::is_arithmetic_v<Member> || std::is_same_v<Member, std::optional<double>>;
-      text += symbol(key, kNumber ? dimension_in_words(info.dimension) : "a word", info.text,
+      text += symbol(width, key, kNumber ? dimension_in_words(info.dimension) : "a word", info.text,
                      wanted<Member>(info));
     });
   }

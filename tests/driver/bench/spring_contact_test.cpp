@@ -51,9 +51,9 @@ double friction(const Row& row, std::size_t d = 0) {
 }
 
 TEST_CASE("a spring presses with its force in a prescribed motion, with its sign") {
-  const std::vector<Row> rows = rows_of(sound(
-      spring_case("  - {step: a, increments: 4, motion: {CP1: {to: 1}, CP3: {to: -0.2}}}\n",
-                  "elasticity: [{component: 3, stiffness: 500}]\n")));
+  const std::vector<Row> rows = rows_of(
+      sound(spring_case("  - {step: a, increments: 4, motion: {CP1: {to: 1}, CP3: {to: -0.2}}}\n",
+                        "elasticity: [{component: 3, stiffness: 500}]\n")));
   CHECK(rows.back().definitions[0].update.contact_force == Approx(-100.0).epsilon(1e-15));
   CHECK(friction(rows.back()) == Approx(20.0).epsilon(1e-13));
 }
