@@ -163,7 +163,14 @@ struct PenaltyReturn : ReturnSteps<Slip<D>, LimitFunction> {
         end.slip = norm<D>(plastic);
       }
     }
-    end.force = given_out();
+    end.force = raw;
+    if (filtered) {
+      end.force = alpha * raw + (1.0 - alpha) * begin.force;
+      if (formulation.filter.clip && !bound.contains(end.force)) {
+        clip = bound.towards(end.force).second / norm<D>(end.force);
+        end.force *= clip;
+      }
+    }
     if (detail != nullptr) {
       store<D>(trial, &detail->trial);
       store<D>(raw, &detail->raw);
@@ -208,17 +215,6 @@ struct PenaltyReturn : ReturnSteps<Slip<D>, LimitFunction> {
       t.contact = weight * sign * coefficient.to_normal_force * rest.slip_rate;
     }
     return t;
-  }
-
-  /// The force behind the filter.
-  Vector given_out() noexcept {
-    if (!filtered) return raw;
-    Vector given = alpha * raw + (1.0 - alpha) * begin.force;
-    if (formulation.filter.clip && !bound.contains(given)) {
-      clip = bound.towards(given).second / norm<D>(given);
-      given *= clip;
-    }
-    return given;
   }
 
   const Formulation& formulation = *begin.definition.formulation;

@@ -56,8 +56,7 @@ struct RadialReturn : ReturnSteps<Slip<D>, LimitOf, kWantsAll> {
       // (docs/theory, section 11.5).
       end.regime = Regime::kOpen;
       end.slip = first_zero(limit, end.slip);
-      end.force.setZero();
-      end.elastic_slip.setZero();
+      end.force = end.elastic_slip = Vector::Zero();
     }
     return end;
   }

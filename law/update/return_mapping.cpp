@@ -67,6 +67,10 @@ FrictionUpdate update_with(const FrictionDefinition& definition,
   }
 }
 
+double magnitude(const FrictionDefinition& definition, const SlipVector& v) noexcept {
+  return definition.slip.dimension == 1 ? std::abs(v[0]) : std::sqrt(dot(v, v));
+}
+
 }  // namespace
 
 FrictionUpdate update(const FrictionDefinition& definition, const ConnectorIncrement& increment,
@@ -79,14 +83,6 @@ FrictionUpdate update_force(const FrictionDefinition& definition,
                             const FrictionState& old) noexcept {
   return update_with<false>(definition, increment, old);
 }
-
-namespace {
-
-double magnitude(const FrictionDefinition& definition, const SlipVector& v) noexcept {
-  return definition.slip.dimension == 1 ? std::abs(v[0]) : std::sqrt(dot(v, v));
-}
-
-}  // namespace
 
 double equivalent_force(const FrictionDefinition& definition, const FrictionState& state) noexcept {
   // Shifts give P(0) > 0, but where nothing holds there is no force to speak of.

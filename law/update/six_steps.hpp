@@ -45,11 +45,7 @@ struct IncrementBegin {
       constexpr int kD = Vector::RowsAtCompileTime;
       force = load<kD>(old.force);
       for (int k = 0; k < kD; ++k) ds[k] = motion_along(d.slip, i, static_cast<std::size_t>(k));
-      if (fixed) {
-        trial = force + stick * ds;
-      } else {
-        trial = load<kD>(old.elastic_slip) + ds;
-      }
+      trial = fixed ? Vector(force + stick * ds) : Vector(load<kD>(old.elastic_slip) + ds);
     }
     motion = norm(ds);
   }
