@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a calibration found: everything that is printed, drawn and written.
+// Findings of a calibration: everything that is printed, drawn and written.
 #pragma once
 
 #include <cstdint>

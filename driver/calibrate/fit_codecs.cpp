@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the values of a fit file are read that may be written in several ways.
+// Codecs of the values of a fit file that may be written in several ways.
 #include <array>
 #include <utility>
 

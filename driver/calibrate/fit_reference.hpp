@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is generated from the declarations of fit files.
+// Texts generated from the declarations of fit files.
 #pragma once
 
 #include <string>

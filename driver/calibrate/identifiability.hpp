@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether the measurements say anything about what is varied, and which data would say more.
+// Identifiability: whether the measurements say anything about what is varied, and which data would
+// say more.
 #pragma once
 
 #include <string>

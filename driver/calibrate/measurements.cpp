@@ -45,7 +45,7 @@ std::string rows_word(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " row" : " rows");
 }
 
-/// Which times rows cover.
+/// Times that rows cover.
 struct Span {
   double first = 0.0;
   double last = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where in a run a measurement is met.
+// Places of a run where a measurement is met.
 #pragma once
 
 #include <cstddef>

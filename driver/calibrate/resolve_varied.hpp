@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a fit varies: its numbers checked by themselves, then against the cases that have them.
+// Unknowns of a fit: its numbers checked by themselves, then against the cases that have them.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a fit looks at in a run of a case.
+// Trace of a run of a case that a fit looks at.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a failed check says, in a sentence.
+// Sentences of failed checks.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is wrong with a command line, in words that say what to type.
+// Faults of a command line, in words that say what to type.
 #pragma once
 
 #include <span>

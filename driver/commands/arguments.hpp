@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the words of the command line name.
+// Arguments of the command line, and the files that they name.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the commands that draw have in common: gnuplot's terminals, texts and tics, and running it.
+// Common parts of the commands that draw: gnuplot's terminals, texts and tics, and running it.
 #pragma once
 
 #include <filesystem>

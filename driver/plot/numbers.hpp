@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How finely numbers are told to gnuplot, and by it.
+// Digits of the numbers that are told to gnuplot, and by it.
 #pragma once
 
 #include <string>

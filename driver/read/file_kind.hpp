@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a file of slipbench is: a case, or a fit of cases to measurements.
+// Kinds of files of slipbench: a case, or a fit of cases to measurements.
 #pragma once
 
 #include <array>

@@ -16,7 +16,7 @@ void append(IndexedRows& rows, std::int64_t index, std::span<const double> row) 
   rows.numbers.insert(rows.numbers.end(), row.begin(), row.end());
 }
 
-/// Which of the rows has this place; it is one of them.
+/// Finds the row that has this place; it is one of them.
 std::size_t find(const IndexedRows& rows, std::int64_t index) {
   return static_cast<std::size_t>(std::lower_bound(rows.index.begin(), rows.index.end(), index) -
                                   rows.index.begin());

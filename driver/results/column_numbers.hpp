@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the list of columns needs: numbers that more than one column shows, or that take more than a
+// Numbers for the list of columns: those that more than one column shows, or that take more than a
 // line. All others stand with their column.
 #pragma once
 

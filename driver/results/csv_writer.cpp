@@ -13,7 +13,7 @@
 namespace slipbench::driver::results {
 namespace {
 
-/// Which force columns belong to which definition: "# friction: sliding = CSFC(CSF2 CSF3),
+/// Lists the force columns of each definition: "# friction: sliding = CSFC(CSF2 CSF3),
 /// spinning = CSM1".
 std::string friction_line(const ResultLayout& layout) {
   std::string text;

@@ -14,7 +14,7 @@
 
 namespace slipbench::driver::results {
 
-/// Which force columns belong to a friction definition.
+/// Force columns of a friction definition.
 struct FrictionColumns {
   std::string name;
   bool coupled = false;             ///< CSFC is its total force

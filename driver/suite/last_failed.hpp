@@ -14,7 +14,7 @@
 
 namespace slipbench::driver::suite {
 
-/// Which cases of a suite did not pass last time. It is kept in a file of the user's cache
+/// Cases of a suite that did not pass last time. They are kept in a file of the user's cache
 /// ($XDG_CACHE_HOME/slipbench, or ~/.cache/slipbench), one for each set of paths that are checked,
 /// however they are written. A cache that is missing or cannot be read or written means a suite
 /// without memory, never an error.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What became of the cases of a suite.
+// Outcomes of the cases of a suite.
 #pragma once
 
 #include <cstddef>

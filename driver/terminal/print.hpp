@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is printed, and how it went.
+// Printing, and whether it went well.
 #pragma once
 
 #include <chrono>

@@ -29,7 +29,7 @@ namespace slipbench::driver::yaml {
 
 using Json = base::json::Value;
 
-/// Which unit a number may carry: "12 mm" is converted to the case's system.
+/// Units that a number may carry: "12 mm" is converted to the case's system.
 enum class UnitUse {
   kDeclared,  ///< of KeyInfo::dimension; none for a number without dimension
   kSlip,      ///< of KeyInfo::dimension in a translation, of that rotated() in a rotation: judged

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a YAML file says, as an immutable tree that remembers where everything stood.
+// A YAML file as an immutable tree that remembers where everything stood.
 #pragma once
 
 #include <cstddef>

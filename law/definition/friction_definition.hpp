@@ -58,13 +58,13 @@ struct StickStiffness {
   double value = 1.0e-4;  ///< g_c [L] or kappa [F/L], > 0
 };
 
-/// Which accumulated slip the internal contact force sees.
+/// Accumulated slip that the internal contact force sees.
 enum class AccumulatedSlipTiming : std::uint8_t {
   kEnd,   ///< of the end of the increment: implicit, exact for linear wear
   kStart  ///< of its start: explicit
 };
 
-/// Which rate the coefficient sees.
+/// Rate that the coefficient sees.
 enum class SlipRateMeasure : std::uint8_t {
   kSlip,           ///< equivalent slip increment / dt, zero in stick: the documented meaning
   kRelativeMotion  ///< |ds| / dt, known before the return mapping

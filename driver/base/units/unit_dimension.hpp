@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a unit measures, as opposed to how many of another it is.
+// Dimensions of units: what one measures, as opposed to how many of another it is.
 #pragma once
 
 #include <string>

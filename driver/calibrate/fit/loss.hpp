@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a residual adds to the cost, and with which weight it acts.
+// Losses: what a residual adds to the cost, and with which weight it acts.
 #pragma once
 
 #include <span>

@@ -107,7 +107,7 @@ static_assert(
 /// Holds a result against a reference by a criterion. Every criterion refuses empty curves, numbers
 /// that are not finite and curves without a common range with a fault in words; none depends on how
 /// either curve is sampled but for the errors its own header names, and none on the units.
-/// Of kPointwise it gives the worst point as one measure; compare_points gives all of them.
+/// Gives the worst point of kPointwise as one measure; compare_points gives all of them.
 inline CurveComparison compare(cases::Criterion criterion, const Series& result,
                                const Series& reference, const cases::Tolerance& tolerance) {
   return info_of(criterion).compare(result, reference, tolerance);

@@ -67,7 +67,7 @@ std::string different_branches(const Series& result, const std::vector<Branch>& 
       counted(ours.size()), counted(theirs.size()), about_noise(more, more_parts, taken));
 }
 
-/// Which ends of a trimmed curve lie between its rows.
+/// Ends of a trimmed curve that lie between its rows.
 struct Ends {
   bool enters = false;
   bool leaves = false;

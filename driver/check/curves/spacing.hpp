@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far rows are from their neighbours, so that a message can tell them apart.
+// Distances of rows from their neighbours, so that a message can tell them apart.
 #pragma once
 
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a starter deck says of friction between parts.
+// Friction between parts, as a starter deck states it.
 #pragma once
 
 #include <array>

@@ -49,7 +49,7 @@ SLIPBENCH_DECLARE_CODEC(law::Table);
 
 namespace slipbench::driver::read {
 
-/// Which independents a table may have.
+/// Independents that a table may have.
 struct TableUse {
   std::string_view what;  ///< "an internal contact force", for messages
   bool slip_rate = false;

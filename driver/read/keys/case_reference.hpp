@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is generated from the declarations of the case format.
+// Texts generated from the declarations of the case format.
 #pragma once
 
 #include <span>

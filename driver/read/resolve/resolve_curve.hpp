@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a check compares over, and the reference curve it names.
+// Abscissa of a check, and the reference curve it names.
 #pragma once
 
 #include <optional>
