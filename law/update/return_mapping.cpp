@@ -21,7 +21,7 @@ struct EuclideanReturn : RadialReturn<EuclideanReturn<D, kAll>, D, LimitFunction
   using typename Base::End;
 
   End end(FrictionUpdate* result) noexcept {
-    const End end = Base::end(result);
+    End end = Base::end(result);
     // Wear that the spring cannot follow: has the force jumped on its way (theory 11.4)?
     if (end.regime != Regime::kStick && may_snap_back(begin.definition)) {
       result->snap_back = largest_snap_back(limit, begin.stick, end.slip);
