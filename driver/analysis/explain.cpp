@@ -561,7 +561,7 @@ tl::expected<Instant, ExplainFailure> find(const cases::Case& problem, double ti
                                  [](const auto& after) { return after.size() == kEventsTold; });
         return !enough;
       });
-  // What fails behind the instant does not matter for it.
+  // A failure behind the instant does not matter for it.
   if (enough || (!ended && found)) return instant;
   if (!ended) {
     return tl::unexpected(ExplainFailure{bench::exit_code(ended.error()),

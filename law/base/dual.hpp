@@ -94,7 +94,7 @@ struct Dual {
   }
 
  private:
-  /// What does not change changes nothing, however steep the formula is there (sqrt at 0).
+  /// A number that does not change changes nothing, however steep the formula is there (sqrt at 0).
   static T product(const T& derivative, const T& slope) {
     if constexpr (std::is_same_v<T, double>) return slope == 0.0 ? 0.0 : derivative * slope;
     return derivative * slope;

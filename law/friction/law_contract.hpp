@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a coefficient law must say. A missing piece is the first error of the compiler, in words.
+// Contract of a coefficient law: what it must say. A missing piece is the first error of the
+// compiler, in words.
 #pragma once
 
 #include <optional>

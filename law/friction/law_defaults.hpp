@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a coefficient law need not say: all of it follows from its coefficient().
+// Defaults of a coefficient law, which it need not say: all of them follow from its coefficient().
 #pragma once
 
 #include <algorithm>

@@ -72,7 +72,7 @@ struct IncrementEnd {
   Regime regime = Regime::kStick;
 };
 
-/// What a return does in the six steps; updates derive from it, and put their own in place of what
+/// Parts of a return in the six steps; updates derive from it, and put their own in place of what
 /// is not theirs. They add
 ///   end(&result)                   step 4: stick, or slip to the limit;
 ///   take_energies(end, &result)    of step 5: dissipation, stored energy, work, onset, phi;

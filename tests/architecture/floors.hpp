@@ -22,9 +22,9 @@ std::span<const Room> floors();
 /// a room above its own, or lies in no room. Files of other folders have no violations.
 std::vector<Violation> floor_violations(const SourceFile& file);
 
-/// Where a C++ file of law/ or driver/ opens a namespace that is neither its room's nor that of a
-/// room below it, such as the one of a template that it specialises. Files of other folders have no
-/// violations.
+/// Finds where a C++ file of law/ or driver/ opens a namespace that is neither its room's nor that
+/// of a room below it, such as the one of a template that it specialises. Files of other folders
+/// have no violations.
 std::vector<Violation> namespace_violations(const SourceFile& file);
 
 }  // namespace slipbench::architecture

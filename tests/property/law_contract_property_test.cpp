@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every law of the list keeps, whatever its numbers: the tests fold over FrictionLaw, and a
-// law that joins the list is tried without a word here.
+// Properties that every law of the list keeps, whatever its numbers: the tests fold over
+// FrictionLaw, and a law that joins the list is tried without a word here.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>

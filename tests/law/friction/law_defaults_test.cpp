@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a law gets that tells only its coefficient.
+// Defaults of a law that tells only its coefficient.
 #include "law/friction/law_defaults.hpp"
 
 #include <catch2/catch.hpp>
