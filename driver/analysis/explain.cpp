@@ -294,10 +294,9 @@ std::string coefficient_text(const law::FrictionDefinition& definition,
     text += "   from its table: " + cell_text(table->table, end, slip);
     if (table->table.value(end, slip) < 0.0) text += "; negative there, 0 is taken";
   } else if (const auto decay = law::exponential_decay(definition.law)) {
-    text += fmt::format("{}kinetic {} + (static {} - kinetic {}) x exp(-{} x slip rate {})",
-                        definition.blend.weight != 1.0 ? " = " : " = ", digits(decay->kinetic),
-                        digits(decay->mu_static), digits(decay->kinetic), digits(decay->decay),
-                        digits(update.slip_rate));
+    text += fmt::format(" = kinetic {} + (static {} - kinetic {}) x exp(-{} x slip rate {})",
+                        digits(decay->kinetic), digits(decay->mu_static), digits(decay->kinetic),
+                        digits(decay->decay), digits(update.slip_rate));
   } else if (law::has_floor(definition.law)) {
     text +=
         "   " + floored_text(definition.law, update.slip_rate, update.normal_force, row.raw_mu[0]);

@@ -54,8 +54,8 @@ struct Dual {
   friend Dual abs(const Dual& x) { return x < Dual() ? -x : x; }
   friend Dual exp(const Dual& x) {
     using std::exp;
-    const T value = exp(x.value);
-    return chain(x, value, value);
+    const T power = exp(x.value);
+    return chain(x, power, power);
   }
   friend Dual log(const Dual& x) {
     using std::log;
@@ -72,8 +72,8 @@ struct Dual {
   }
   friend Dual tanh(const Dual& x) {
     using std::tanh;
-    const T value = tanh(x.value);
-    return chain(x, value, T(1.0) - value * value);
+    const T ratio = tanh(x.value);
+    return chain(x, ratio, T(1.0) - ratio * ratio);
   }
   friend Dual atan(const Dual& x) {
     using std::atan;
@@ -88,9 +88,9 @@ struct Dual {
   friend Dual pow(const Dual& x, const Dual& p) {
     using std::log;
     using std::pow;
-    const T value = pow(x.value, p.value);
+    const T power = pow(x.value, p.value);
     const T to_base = p.value == T() ? T() : p.value * pow(x.value, p.value - T(1.0));
-    return chain(x, p, value, to_base, x.value > T() ? value * log(x.value) : T());
+    return chain(x, p, power, to_base, x.value > T() ? power * log(x.value) : T());
   }
 
  private:
