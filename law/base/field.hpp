@@ -64,4 +64,23 @@ template <class Struct, class Member>
 Field(std::string_view, Member Struct::*, Dimension, Bounds, bool, std::string_view)
     -> Field<Struct, Member>;
 
+/// A Field of other pieces does not compile, and the compiler's first error says what it is made
+/// of.
+template <class Struct, class Member>
+void take_field(std::string_view, Member Struct::*, Dimension, Bounds, bool, std::string_view);
+template <class... Piece>
+concept NoField = sizeof...(Piece) > 0 && !requires(const Piece&... piece) {
+  take_field(piece...);
+};
+template <class... Piece>
+struct WrongPieces {
+  static_assert(!NoField<Piece...>,
+                "a Field lacks a piece, or one has another type: Field{\"key\", &Law::number, "
+                "dimension, bounds, true (required) or false, \"One sentence.\"}");
+  using Member = int;
+};
+template <class... Piece>
+requires NoField<Piece...> Field(Piece...)
+->Field<WrongPieces<Piece...>, typename WrongPieces<Piece...>::Member>;
+
 }  // namespace slipbench::law

@@ -3,14 +3,73 @@
 // compiler, in words.
 #pragma once
 
+#include <concepts>
 #include <optional>
 #include <string_view>
+#include <tuple>
 #include <type_traits>
+#include <utility>
 #include <variant>
 
 #include "law/friction/law_defaults.hpp"
 
 namespace slipbench::law {
+
+/// Returns true if a number of a law follows its number type: it is no plain double.
+template <class Struct, class Member>
+constexpr bool follows_number(const Field<Struct, Member>&) {
+  return !std::is_same_v<Member, double> && !std::is_same_v<Member, std::optional<double>>;
+}
+
+/// Returns true if the numbers and the arguments of a law follow its number type.
+template <class Law>
+constexpr bool follows_number_type() {
+  using Number = Dual<double, 1>;
+  if constexpr (requires(const Law& l) { over<Number>(l); }) {
+    using Other = decltype(over<Number>(std::declval<const Law&>()));
+    return OfRate<Law, double> == OfRate<Other, Number> &&
+           OfRateAndForce<Law, double> == OfRateAndForce<Other, Number> &&
+           OfRateForceAndAmbient<Law, double> == OfRateForceAndAmbient<Other, Number> &&
+           std::apply([](const auto&... field) { return (follows_number(field) && ...); },
+                      Other::fields());
+  }
+  return true;
+}
+
+/// Checks the pieces that a law may leave out: one of another form would be passed over, so it does
+/// not compile.
+template <class Law>
+consteval void keep_optional_contract() {
+  if constexpr (requires { &Law::next_bend; }) {
+    static_assert(
+        requires(const Law& l, const SlipLine& line) {
+          { l.next_bend(line) } -> std::same_as<double>;
+        },
+        "a friction law's next_bend is double next_bend(const SlipLine&) const");
+  }
+  if constexpr (requires { &Law::next_belt_bend; }) {
+    static_assert(
+        requires(const Law& l, const SlipLine& line, double angle, FlowSense sense) {
+          { l.next_belt_bend(line, angle, sense) } -> std::same_as<double>;
+        },
+        "a friction law's next_belt_bend is double next_belt_bend(const SlipLine&, double "
+        "wrap_angle, FlowSense) const");
+  }
+  if constexpr (requires { &Law::range; }) {
+    static_assert(
+        requires(const Law& l) {
+          { l.range() } -> std::same_as<LawRange>;
+        },
+        "a friction law's range is LawRange range() const");
+  }
+  if constexpr (requires { &Law::largest; }) {
+    static_assert(
+        requires(const Law& l) {
+          { l.largest() } -> std::same_as<double>;
+        },
+        "a friction law's largest is double largest() const");
+  }
+}
 
 /// Returns true if a law is complete; what it lacks does not compile. A law with an evaluate() of
 /// its own (a table, a law that proves its bends) need not be a template over its number type.
@@ -47,6 +106,9 @@ consteval bool keep_contract(std::type_identity<Law>) {
         requires(const Law& l) { over<Dual<double, 1>>(l); },
         "a friction law is a template over its number type: template <class Number = "
         "double> struct, its list entry Law<>");
+    static_assert(follows_number_type<Law>(),
+                  "a friction law has a double among its numbers, or as an argument of "
+                  "coefficient(): write Number, which carries the derivatives along");
   }
   if constexpr (requires { Law::kRules.size(); }) {
     if constexpr (Law::kRules.size() > 0) {
@@ -56,6 +118,7 @@ consteval bool keep_contract(std::type_identity<Law>) {
           "violation() const");
     }
   }
+  keep_optional_contract<Law>();
   return true;
 }
 

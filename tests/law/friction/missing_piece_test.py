@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""A friction law that lacks a piece does not compile, and the compiler's first error says which.
+"""A friction law that lacks a piece, or has one of another form, does not compile, and the compiler's first error says which.
 
 usage: missing_piece_test.py COMPILER SOURCE_DIR
 """
@@ -23,11 +23,28 @@ PIECES = [
     ("coefficient", r"  Number coefficient[\s\S]*?\n  }\n", "lacks Number coefficient(V), (V, F_N)"),
 ]
 
+# The text that another one takes the place of, and what the compiler says then.
+FIELD = "a Field lacks a piece, or one has another type"
+NUMBER = "write Number, which carries the derivatives along"
+EXAMPLE = "  static Stribeck example"
+OTHERS = [
+    ("a dimension that is a word", "dimension::kNone", '"none"', FIELD),
+    ("bounds left out", "Bounds{.lower = 1.0}, ", "", FIELD),
+    ("required or not left out", "kNotNegative, true,", "kNotNegative,", FIELD),
+    ("a sentence left out", ',\n              "Growth c of the coefficient with the slip rate."', "", FIELD),
+    ("a number in the place of the member", "&Stribeck::viscous", "1e-4", FIELD),
+    ("a number of type double", ", viscous{};", "; double viscous{};", NUMBER),
+    ("an argument of type double", "coefficient(const Number& slip_rate)", "coefficient(double slip_rate)", NUMBER),
+    ("a next_bend() that no const law has", EXAMPLE,
+     "  double next_bend(const SlipLine&) { return kNoBend; }\n" + EXAMPLE, "next_bend is double next_bend(const SlipLine&) const"),
+    ("a range() of a number", EXAMPLE, "  double range() const { return 1.0; }\n" + EXAMPLE, "range is LawRange range() const"),
+]
+
 
 def first_error(compiler, root, header):
     with tempfile.TemporaryDirectory() as folder:
         source = pathlib.Path(folder, "law.cpp")
-        source.write_text(header + '#include "law/friction/law_contract.hpp"\nnamespace slipbench::law {\n'
+        source.write_text('#include "law/friction/slip_line.hpp"\n' + header + '#include "law/friction/law_contract.hpp"\nnamespace slipbench::law {\n'
                           "static_assert(keep_contract(std::type_identity<std::variant<Stribeck<>>>{}));\n}\n")
         run = subprocess.run([compiler, "-std=c++20", "-fsyntax-only", "-I", root, str(source)],
                              capture_output=True, text=True, check=False)
@@ -46,7 +63,11 @@ def main(compiler, root):
         first = first_error(compiler, root, without)
         if count != 1 or sentence not in first:
             failures.append(f"{name}: the first error is '{first}', not one with '{sentence}'")
-    print("\n".join(failures) or f"{len(PIECES)} missing pieces are told")
+    for name, text, other, sentence in OTHERS:
+        first = first_error(compiler, root, header.replace(text, other, 1))
+        if text not in header or sentence not in first:
+            failures.append(f"{name}: the first error is '{first}', not one with '{sentence}'")
+    print("\n".join(failures) or f"{len(PIECES)} missing pieces and {len(OTHERS)} of another form are told")
     return 1 if failures else 0
 
 
