@@ -5,6 +5,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "law/update/return_mapping.hpp"
@@ -40,6 +41,7 @@ void check_slope(double x, double h, const Value& f, const Slope& slope) {
 
 TEMPLATE_LIST_TEST_CASE("the slopes of any law are the derivatives of its coefficient", "",
                         FrictionLaw) {
+  INFO("the law " << TestType::kName);
   Dice dice(1);
   for (int draw = 0; draw < kDraws; ++draw) {
     const FrictionLaw law = random_law<TestType>(dice);
@@ -56,6 +58,7 @@ TEMPLATE_LIST_TEST_CASE("the slopes of any law are the derivatives of its coeffi
 }
 
 TEMPLATE_LIST_TEST_CASE("the slopes of any law to its numbers are derivatives", "", FrictionLaw) {
+  INFO("the law " << TestType::kName);
   if constexpr (!std::is_same_v<TestType, TabularCoefficient>) {
     Dice dice(2);
     for (int draw = 0; draw < kDraws; ++draw) {
@@ -90,6 +93,7 @@ TEMPLATE_LIST_TEST_CASE("the slopes of any law to its numbers are derivatives", 
 
 TEMPLATE_LIST_TEST_CASE("a coefficient of any law does not change with the units", "",
                         FrictionLaw) {
+  INFO("the law " << TestType::kName);
   if constexpr (!std::is_same_v<TestType, TabularCoefficient>) {
     Dice dice(3);
     for (int draw = 0; draw < kDraws; ++draw) {
@@ -114,6 +118,7 @@ TEMPLATE_LIST_TEST_CASE("a coefficient of any law does not change with the units
 
 TEMPLATE_LIST_TEST_CASE("no law passes its bounds, and what it does not depend on it does not see",
                         "", FrictionLaw) {
+  INFO("the law " << TestType::kName);
   Dice dice(4);
   for (int draw = 0; draw < kDraws / 10; ++draw) {
     const FrictionLaw law = random_law<TestType>(dice);
@@ -125,6 +130,14 @@ TEMPLATE_LIST_TEST_CASE("no law passes its bounds, and what it does not depend o
     const double steepest = steepest_weakening(law);
     CHECK(std::isfinite(near.largest));
     CHECK(std::isfinite(near.steepest_weakening));
+    for (const auto& [rate, normal] : {std::pair{0.0, 0.0}, {0.0, force}, {top, 0.0}}) {
+      const CoefficientPoint limit = at(law, rate, normal);
+      INFO("coefficient() and its slopes are to be finite at rest and without normal force");
+      CAPTURE(draw, rate, normal);
+      CHECK(std::isfinite(limit.mu));
+      CHECK(std::isfinite(limit.to_slip_rate));
+      CHECK(std::isfinite(limit.to_contact_force));
+    }
     for (int i = 0; i <= 60; ++i) {
       const double rate = top * i / 60.0;
       CAPTURE(draw, rate, force);
@@ -145,6 +158,7 @@ TEMPLATE_LIST_TEST_CASE("no law passes its bounds, and what it does not depend o
 
 TEMPLATE_LIST_TEST_CASE("between two bends the limit of any law is convex or concave", "",
                         FrictionLaw) {
+  INFO("the law " << TestType::kName);
   Dice dice(5);
   for (int draw = 0; draw < kDraws; ++draw) {
     const FrictionLaw law = random_law<TestType>(dice);
@@ -184,6 +198,8 @@ TEMPLATE_LIST_TEST_CASE("between two bends the limit of any law is convex or con
         most = std::max(most, a - 2.0 * b + c);
       }
       if (!std::isfinite(size)) break;  // exp(mu alpha) has an end of its own
+      INFO((belt ? "next_belt_bend()" : "next_bend()")
+           << " passes a bend over between the slips " << low << " and " << high);
       // Second differences have one sign but for the rounding of terms that may cancel.
       CHECK(std::min(-least, most) <= 1e-12 * (size + line.force));
       low = high;
@@ -193,6 +209,7 @@ TEMPLATE_LIST_TEST_CASE("between two bends the limit of any law is convex or con
 }
 
 TEMPLATE_LIST_TEST_CASE("the first root is taken under any law", "", FrictionLaw) {
+  INFO("the law " << TestType::kName);
   Dice dice(6);
   int slips = 0;
   int several = 0;
