@@ -56,7 +56,7 @@ int main() {
 
 def main(compiler, root, library):
     root = pathlib.Path(root)
-    block = re.search(r"```cpp\n// (law/friction/\w+\.hpp)\n([\s\S]*?)```", (root / "CONTRIBUTING.md").read_text())
+    block = re.search(r"```cpp\n// SPDX-[^\n]*\n// (law/friction/\w+\.hpp)\n([\s\S]*?)```", (root / "CONTRIBUTING.md").read_text())
     law = (root / "law/friction/friction_law.hpp").read_text()
     with_entry = law.replace("Stribeck<>,", "Logarithmic<>, Stribeck<>,", 1).replace(
         '#include "law/friction/stribeck.hpp"', f'#include "{block[1]}"\n#include "law/friction/stribeck.hpp"', 1)
