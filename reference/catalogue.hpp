@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <string_view>
@@ -86,6 +87,13 @@ inline constexpr std::array kCatalogue{
     stick_slip_oscillator::kForm, coulomb_vibration::kForm, clutch_engagement::kForm,
     // Laws that people compare with
     dahl::kForm, bouc_wen::kForm, lugre::kForm, tanh_friction::kForm, tanh_friction::kCreepForm};
+
+static_assert(std::all_of(kCatalogue.begin(), kCatalogue.end(),
+                          [](const ClosedForm& form) {
+                            return form.make != nullptr && form.violation != nullptr;
+                          }),
+              "a closed form lacks its make, or its violation: no_violation where its parameters "
+              "have no rules between them");
 
 /// All closed forms a check can name, in the order they are listed to the user.
 inline std::span<const ClosedForm> catalogue() { return kCatalogue; }
