@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every coefficient law keeps, whatever its constants.
+// Properties of single laws, and of the update under them, whatever their constants; those of every
+// law stand in law_contract_property_test.
 #include <rapidcheck.h>
 
 #include <algorithm>
-#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
@@ -14,7 +14,6 @@
 #include "law/base/exponential_sum.hpp"
 #include "law/friction/friction_law.hpp"
 #include "law/update/return_mapping.hpp"
-#include "law/update/uniqueness.hpp"
 #include "tests/support/law_tables.hpp"
 #include "tests/support/random_definition.hpp"
 
@@ -37,18 +36,6 @@ void check(const std::string& text, const Property& property) {
 
 CoefficientPoint at(const FrictionLaw& law, double rate, double force) {
   return evaluate(law, Ambient{}, {.slip_rate = rate, .contact_force = force});
-}
-
-template <class Law = FrictionLaw>
-Law random_radioss_law(Dice& dice) {
-  switch (dice.pick(3)) {
-    case 0:
-      return random_viscous(&dice);
-    case 1:
-      return random_darmstad(&dice);
-    default:
-      return random_renard(&dice);
-  }
 }
 
 TEST_CASE("Renard's curve is continuous and monotone on each piece and goes to C2") {
@@ -84,129 +71,6 @@ TEST_CASE("Renard's curve is continuous and monotone on each piece and goes to C
     monotone(0.0, joint1, 1.0);
     monotone(joint1, joint2, -1.0);
     monotone(joint2, joint2 + 100.0, 1.0);
-  });
-}
-
-TEST_CASE("slopes of random laws are the derivatives of their coefficients") {
-  check("slopes", [](Dice& dice) {
-    const FrictionLaw law = random_radioss_law(dice);
-    const double rate = dice.between(0.0, 5.0);
-    const double force = dice.between(1.0, 200.0);
-    const double h = 1e-5 * (1.0 + rate);
-    const double g = 1e-4 * force;
-    const CoefficientPoint here = at(law, rate + h, force);
-    const auto kind = [&](double r, double f) {
-      const SlipArguments slip{.slip_rate = r, .contact_force = f};
-      const auto* renard = std::get_if<Renard>(&law);
-      const double v = renard != nullptr ? renard->speed_factor * r : 0.0;
-      const int piece =
-          renard == nullptr ? 0 : (v > renard->c5 ? 1 : 0) + (v >= renard->c6 ? 2 : 0);
-      return 10 * piece + (is_clamped(law, Ambient{}, slip) ? 1 : 0);
-    };
-    if (kind(rate, force) != kind(rate + 2.0 * h, force) ||
-        kind(rate + h, force - g) != kind(rate + h, force + g)) {
-      return;  // across a joint or onto the floor
-    }
-    const double by_rate =
-        (at(law, rate + 2.0 * h, force).mu - at(law, rate, force).mu) / (2.0 * h);
-    const double by_force =
-        (at(law, rate + h, force + g).mu - at(law, rate + h, force - g).mu) / (2.0 * g);
-    // Central differences: the third derivative times h^2, and the rounding of mu over h.
-    RC_ASSERT(std::abs(here.to_slip_rate - by_rate) <= 1e-6 * (1.0 + std::abs(by_rate)));
-    RC_ASSERT(std::abs(here.to_contact_force - by_force) <= 1e-9);
-  });
-}
-
-TEST_CASE("a coefficient does not change with the units") {
-  check("units of force, length and time", [](Dice& dice) {
-    DefinitionDescription d;
-    d.slip.dimension = 1;
-    d.slip.component[0] = 0;
-    d.law = random_radioss_law<decltype(d.law)>(dice);
-    const Units units{std::pow(10.0, dice.between(-3, 3)), std::pow(10.0, dice.between(-3, 3)),
-                      std::pow(10.0, dice.between(-3, 3))};
-    const FrictionLaw here = d.build().law;
-    const FrictionLaw there = in_units(d, units).build().law;
-    const double speed = units.length / units.time;
-    for (int i = 0; i < 20; ++i) {
-      const double rate = dice.between(0.0, 6.0);
-      const double force = dice.between(0.0, 200.0);
-      const CoefficientPoint a = at(here, rate, force);
-      const CoefficientPoint b = at(there, rate / speed, force / units.force);
-      // Rounding of the terms, which may cancel.
-      RC_ASSERT(std::abs(a.mu - b.mu) <= 1e-13);
-      RC_ASSERT(std::abs(a.to_slip_rate - b.to_slip_rate / speed) <= 1e-12);
-      RC_ASSERT(std::abs(a.to_contact_force - b.to_contact_force / units.force) <= 1e-13);
-    }
-  });
-}
-
-TEST_CASE("no coefficient falls below its floor or passes the bounds it gives") {
-  check("floor and bounds", [](Dice& dice) {
-    const FrictionLaw law = random_radioss_law(dice);
-    const double force = dice.between(0.0, 200.0);
-    const double top = dice.between(0.1, 8.0);
-    const CoefficientBounds bounds = coefficient_bounds(law, Ambient{}, force, top);
-    RC_ASSERT(std::isfinite(bounds.largest) && std::isfinite(bounds.steepest_weakening));
-    for (int i = 0; i <= 60; ++i) {
-      const double rate = top * i / 60.0;
-      const CoefficientPoint here = at(law, rate, force);
-      const SlipArguments slip{.slip_rate = rate, .contact_force = force};
-      RC_ASSERT(here.mu >= kCoefficientFloor);
-      RC_ASSERT(here.mu == std::max(raw_coefficient(law, Ambient{}, slip), kCoefficientFloor));
-      RC_ASSERT(here.mu <= bounds.largest * (1.0 + 1e-12));
-      // Bounds beside the floor are looked for a billionth away from it.
-      RC_ASSERT(-here.to_slip_rate <= bounds.steepest_weakening * (1.0 + 1e-7) + 1e-12);
-      RC_ASSERT(-here.to_slip_rate <= steepest_weakening(law) * (1.0 + 1e-12));
-      RC_ASSERT(here.mu <= largest(law) * (1.0 + 1e-12));
-    }
-  });
-}
-
-TEST_CASE("between two bends the limit is convex or concave") {
-  check("mu F_N, and the limit of a belt, between bends", [](Dice& dice) {
-    const FrictionLaw law = random_radioss_law(dice);
-    SlipLine line{.slip = dice.chance(0.3) ? 0.0 : dice.between(0.0, 2.0),
-                  .end = 0.0,
-                  .rate_at_zero = 0.0,
-                  .rate_per_slip = dice.between(0.1, 4.0),
-                  .force = dice.between(1.0, 150.0),
-                  .force_per_slip = 0.0};
-    line.end = line.slip + dice.between(0.1, 3.0);
-    const bool belt = dice.chance(0.4);
-    const auto sense = dice.chance(0.5) ? FlowSense::kForward : FlowSense::kBackward;
-    const double wrap = dice.between(0.5, 12.0);
-    if (!belt && dice.chance(0.7)) {
-      line.force_per_slip = dice.between(-1.0, 1.0) * line.force / (line.end - line.slip);
-    }
-    const auto limit = [&](double x) {
-      const double force = line.force_at(x);
-      const double mu = at(law, line.rate_at(x), force).mu;
-      return belt ? capstan_limit(wrap * mu, sense) : mu * force;
-    };
-    double low = line.slip;
-    for (int pieces = 0; low < line.end; ++pieces) {
-      RC_ASSERT(pieces < 40);
-      SlipLine rest = line;
-      rest.slip = low;
-      rest.force = line.force_at(low);
-      const double bend = belt ? next_belt_bend(law, rest, wrap, sense) : next_bend(law, rest);
-      RC_ASSERT(bend > low);
-      const double high = std::min(bend, line.end);
-      double least = 0.0, most = 0.0, size = 0.0;
-      constexpr int kCells = 24;
-      const double step = (high - low) / kCells;
-      for (int i = 1; i < kCells; ++i) {
-        const double x = low + step * i;
-        const double a = limit(x - step), b = limit(x), c = limit(x + step);
-        size = std::max({size, a, b, c});
-        least = std::min(least, a - 2.0 * b + c);
-        most = std::max(most, a - 2.0 * b + c);
-      }
-      // Second differences have one sign but for the rounding of the limit.
-      RC_ASSERT(std::min(-least, most) <= 1e-13 * size);
-      low = high;
-    }
   });
 }
 

@@ -144,7 +144,11 @@ TEMPLATE_LIST_TEST_CASE("no law passes its bounds, and what it does not depend o
       const CoefficientPoint here = at(law, rate, force);
       constexpr double kRounding = 1.0 + 1e-9;
       CHECK(std::isfinite(here.mu));
-      CHECK(here.mu >= 0.0);
+      CHECK(here.mu >= (has_floor(law) ? kCoefficientFloor : 0.0));
+      if (has_floor(law)) {
+        const SlipArguments slip{.slip_rate = rate, .contact_force = force};
+        CHECK(here.mu == std::max(raw_coefficient(law, Ambient{}, slip), kCoefficientFloor));
+      }
       CHECK(here.mu <= std::min(most, near.largest) * kRounding);
       CHECK(here.mu + force * here.to_contact_force <= growth * kRounding + 1e-15);
       // Bounds beside the floor are looked for a billionth away from it.
