@@ -12,7 +12,6 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -71,7 +70,7 @@ TEST_CASE("a blessed case passes, a changed one fails, and passes once it is ble
   CHECK(first.code == 0);
   CHECK(contains(first.output, "  golden/belt.csv: new, 81 rows, 3 columns\n"));
   CHECK(contains(first.output, "  check 'pull': no curve before, now 0\n"));
-  const std::string blessed = read(folder.path() / "golden/belt.csv");
+  const std::string blessed = file_text(folder.path() / "golden/belt.csv");
   CHECK(blessed.find("# slipbench golden curve\n# slipbench ") == 0);
   CHECK(contains(blessed, "# case: belt.yaml\n"));
   CHECK(contains(blessed, "# parameters: mu = 0.2\n"));
@@ -94,7 +93,7 @@ TEST_CASE("a blessed case passes, a changed one fails, and passes once it is ble
                  "    parameters were mu = 0.2\n"
                  "    parameters are  mu = 0.214\n"));
   CHECK(contains(again.output, "  check 'pull': was 2.8 of its tolerance (CSF1 off by 1.4 N"));
-  CHECK(contains(read(folder.path() / "golden/belt.csv"),
+  CHECK(contains(file_text(folder.path() / "golden/belt.csv"),
                  "# blessed: new liner\n# blessed: as measured in May\ntime,"));
   CHECK(slipbench(folder, "check belt.yaml --set mu=0.214").code == 0);
   CHECK(files_in(folder.path() / "golden") == 1);
@@ -104,11 +103,11 @@ TEST_CASE("a curve that would not change is left alone, byte for byte") {
   const TemporaryFolder folder;
   folder.write("belt.yaml", kBelt);
   REQUIRE(slipbench(folder, "bless belt.yaml --reason one").code == 0);
-  const std::string once = read(folder.path() / "golden/belt.csv");
+  const std::string once = file_text(folder.path() / "golden/belt.csv");
   const Ended again = slipbench(folder, "bless belt.yaml --reason two");
   CHECK(again.code == 0);
   CHECK(contains(again.output, "golden/belt.csv: as it was, left alone"));
-  CHECK(read(folder.path() / "golden/belt.csv") == once);
+  CHECK(file_text(folder.path() / "golden/belt.csv") == once);
 }
 
 TEST_CASE("somebody else's reference is never overwritten") {
@@ -120,7 +119,7 @@ TEST_CASE("somebody else's reference is never overwritten") {
   const Ended ended = slipbench(folder, "bless belt.yaml --reason x");
   CHECK(ended.code == 2);
   CHECK(contains(ended.output, "golden/belt.csv is no golden curve but somebody's reference"));
-  CHECK(read(folder.path() / "golden/belt.csv") == rig);
+  CHECK(file_text(folder.path() / "golden/belt.csv") == rig);
 }
 
 TEST_CASE("a blessing needs a reason, a curve to bless and a case that runs") {
@@ -157,13 +156,13 @@ TEST_CASE("a full disk leaves the old curve as it was") {
   const TemporaryFolder folder;
   folder.write("belt.yaml", kBelt);
   REQUIRE(slipbench(folder, "bless belt.yaml --reason one").code == 0);
-  const std::string once = read(folder.path() / "golden/belt.csv");
+  const std::string once = file_text(folder.path() / "golden/belt.csv");
   // No file may grow: the system's message for what happens on a full disk.
   const Ended ended =
       slipbench(folder, "--version > /dev/null; trap '' XFSZ; ulimit -f 0; '" + kProgram +
                             "' bless belt.yaml --set mu=0.3 --reason two");
   CHECK(ended.code == 4);
-  CHECK(read(folder.path() / "golden/belt.csv") == once);
+  CHECK(file_text(folder.path() / "golden/belt.csv") == once);
   CHECK(files_in(folder.path() / "golden") == 1);
 }
 
@@ -171,12 +170,12 @@ TEST_CASE("a golden curve that was cut off behind its header is made anew") {
   const TemporaryFolder folder;
   folder.write("belt.yaml", kBelt);
   REQUIRE(slipbench(folder, "bless belt.yaml --reason one").code == 0);
-  const std::string whole = read(folder.path() / "golden/belt.csv");
+  const std::string whole = file_text(folder.path() / "golden/belt.csv");
   folder.write("golden/belt.csv", whole.substr(0, whole.find("\ntime,")));
   const Ended ended = shell(folder, "timeout 60 '" + kProgram + "' bless belt.yaml --reason one");
   INFO(ended.output);
   CHECK(ended.code == 0);
-  CHECK(read(folder.path() / "golden/belt.csv") == whole);
+  CHECK(file_text(folder.path() / "golden/belt.csv") == whole);
 }
 
 TEST_CASE("a golden curve that is a link stays one, and its file is replaced") {
@@ -189,7 +188,7 @@ TEST_CASE("a golden curve that is a link stays one, and its file is replaced") {
   // A link that leads out of golden/ stays inside the case's folder.
   REQUIRE(slipbench(folder, "bless belt.yaml --set mu=0.3 --reason two").code == 0);
   CHECK(fs::is_symlink(folder.path() / "golden/belt.csv"));
-  CHECK(contains(read(folder.path() / "store/belt.csv"), "# blessed: two\n# blessed: one\n"));
+  CHECK(contains(file_text(folder.path() / "store/belt.csv"), "# blessed: two\n# blessed: one\n"));
 }
 
 TEST_CASE("blessings at the same time lose none of their reasons") {

@@ -59,13 +59,13 @@ TEST_CASE("the same fit writes the same bytes, and without output none at all") 
   CHECK(slipbench(folder, "calibrate fit.yaml --no-output").code == 0);
   CHECK(files_in(folder) == before);
   CHECK(slipbench(folder, "calibrate fit.yaml").code == 0);
-  const std::string json = read(folder.path() / "fit.json");
-  const std::string page = read(folder.path() / "fit.html");
-  const std::string calibrated_text = read(folder.path() / "slider.calibrated.yaml");
+  const std::string json = file_text(folder.path() / "fit.json");
+  const std::string page = file_text(folder.path() / "fit.html");
+  const std::string calibrated_text = file_text(folder.path() / "slider.calibrated.yaml");
   CHECK(slipbench(folder, "calibrate fit.yaml").code == 0);
-  CHECK(read(folder.path() / "fit.json") == json);
-  CHECK(read(folder.path() / "fit.html") == page);
-  CHECK(read(folder.path() / "slider.calibrated.yaml") == calibrated_text);
+  CHECK(file_text(folder.path() / "fit.json") == json);
+  CHECK(file_text(folder.path() / "fit.html") == page);
+  CHECK(file_text(folder.path() / "slider.calibrated.yaml") == calibrated_text);
 }
 
 TEST_CASE("calibrate ends with 3 and a reason where nothing changes anything") {
@@ -118,15 +118,15 @@ TEST_CASE("calibrate overwrites no file that it reads") {
                "calibrate:\n"
                "  experiments: [{case: slider.yaml, data: fit.json, time: t, compare: {CSF1: F}}]\n"
                "  vary: {mu: {}}\n");
-  const std::string data = read(folder.path() / "fit.json");
+  const std::string data = file_text(folder.path() / "fit.json");
   const Ended ended = slipbench(folder, "calibrate fit.yaml");
   CAPTURE(ended.output);
   CHECK(ended.code == 4);
   CHECK(contains(ended.output, "fit.json"));
-  CHECK(read(folder.path() / "fit.json") == data);
+  CHECK(file_text(folder.path() / "fit.json") == data);
   const Ended page = slipbench(folder, "calibrate fit.yaml --report slider.yaml");
   CHECK(page.code == 4);
-  CHECK(read(folder.path() / "slider.yaml") == calibrate::SliderRig::case_text());
+  CHECK(file_text(folder.path() / "slider.yaml") == calibrate::SliderRig::case_text());
 }
 
 TEST_CASE("no picture of calibrate takes the place of a measurement") {
@@ -140,7 +140,7 @@ TEST_CASE("no picture of calibrate takes the place of a measurement") {
                "  experiments: [{name: loop, case: slider.yaml, data: fit.loop.loop.svg, time: t, "
                "compare: {CSF1: F}}]\n"
                "  vary: {mu: {}}\n");
-  const std::string data = read(folder.path() / name);
+  const std::string data = file_text(folder.path() / name);
   const Ended ended = slipbench(folder, "calibrate fit.yaml");
   CAPTURE(ended.output);
   CHECK(ended.code == 4);
@@ -149,7 +149,7 @@ TEST_CASE("no picture of calibrate takes the place of a measurement") {
   fs::create_directory(folder.path() / "out");
   fs::create_symlink("../" + name, folder.path() / "out" / name);
   CHECK(slipbench(folder, "calibrate fit.yaml -o out").code == 4);
-  CHECK(read(folder.path() / name) == data);
+  CHECK(file_text(folder.path() / name) == data);
 }
 
 TEST_CASE("the page of calibrate is no other result, and is written if it is asked for") {

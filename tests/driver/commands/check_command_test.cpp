@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -13,22 +11,13 @@
 #include "driver/commands/run.hpp"
 #include "tests/driver/report/case_for_test.hpp"
 #include "tests/driver/support/environment_for_test.hpp"
+#include "tests/driver/support/files_for_test.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver::commands {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string read(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
-std::size_t file_count(const fs::path& folder) {
-  return static_cast<std::size_t>(
-      std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
-}
 
 /// The slider of case_for_test.hpp with another text in place of one that stands in it.
 std::string slider_with(const std::string& there, const std::string& instead) {
@@ -60,7 +49,7 @@ TEST_CASE("no file of verdicts takes the place of anything that a case is read f
   const Inputs inputs;
   const Environment cache("XDG_CACHE_HOME", inputs.path("cache"));
   for (const std::string& name : inputs.names) {
-    const std::string before = read(inputs.path(name));
+    const std::string before = file_text(inputs.path(name));
     for (std::string CheckOptions::*target :
          {&CheckOptions::junit, &CheckOptions::json, &CheckOptions::report}) {
       CheckOptions options;
@@ -68,7 +57,7 @@ TEST_CASE("no file of verdicts takes the place of anything that a case is read f
       options.*target = inputs.path(name);
       INFO(name);
       CHECK(check_command(options) == base::kExitEnvironment);
-      CHECK(read(inputs.path(name)) == before);
+      CHECK(file_text(inputs.path(name)) == before);
     }
   }
   CHECK(file_count(inputs.folder.path()) == 4);
@@ -81,23 +70,23 @@ TEST_CASE("a suite too long to be read ahead replaces none of its inputs either"
   for (int i = 0; i < 1000; ++i) {
     inputs.folder.write("more/" + std::to_string(i) + ".yaml", "slipbench: 1\n");
   }
-  const std::string before = read(inputs.path("golden.csv"));
+  const std::string before = file_text(inputs.path("golden.csv"));
   CheckOptions options;
   options.paths = {inputs.folder.path().string()};
   options.json = inputs.path("golden.csv");
   CHECK(check_command(options) == base::kExitEnvironment);
-  CHECK(read(inputs.path("golden.csv")) == before);
+  CHECK(file_text(inputs.path("golden.csv")) == before);
 }
 
 TEST_CASE("run replaces no input of another of its cases, and runs none of them") {
   const Inputs inputs;
   inputs.folder.write("rig.yaml", report::slider_text("0.2"));
-  const std::string before = read(inputs.path("rig.csv"));
+  const std::string before = file_text(inputs.path("rig.csv"));
   RunOptions options;
   options.cases = {inputs.path("rig.yaml"), inputs.path("driven.yaml")};
   options.folder = inputs.folder.path().string();
   CHECK(run_command(options) == base::kExitEnvironment);
-  CHECK(read(inputs.path("rig.csv")) == before);
+  CHECK(file_text(inputs.path("rig.csv")) == before);
   CHECK(file_count(inputs.folder.path()) == 5);
   options.no_output = true;
   CHECK(run_command(options) == base::kExitOk);
@@ -112,7 +101,7 @@ TEST_CASE("a table and the data of a case with errors are inputs, too") {
   run.cases = {(folder.path() / "a.yaml").string()};
   run.folder = folder.path().string();
   CHECK(run_command(run) == base::kExitEnvironment);
-  CHECK(read(folder.path() / "a.csv") == table);
+  CHECK(file_text(folder.path() / "a.csv") == table);
   const std::string faulty = "t,x\n0,zero\n";
   folder.write("rig.csv", faulty);
   folder.write("driven.yaml",
@@ -121,7 +110,7 @@ TEST_CASE("a table and the data of a case with errors are inputs, too") {
   check.paths = {(folder.path() / "driven.yaml").string()};
   check.json = (folder.path() / "rig.csv").string();
   CHECK(check_command(check) == base::kExitEnvironment);
-  CHECK(read(folder.path() / "rig.csv") == faulty);
+  CHECK(file_text(folder.path() / "rig.csv") == faulty);
 }
 
 TEST_CASE("a file of verdicts needs a name") {
@@ -151,7 +140,7 @@ TEST_CASE("what failed is remembered without being asked, and the JSON keeps its
     options.json = (folder.path() / "verdicts.json").string();
     options.junit = (folder.path() / "verdicts.xml").string();
     CHECK(check_command(options) == base::kExitCheckFailed);
-    return read(options.json);
+    return file_text(options.json);
   };
   const auto tells_of = [](const std::string& text, const std::string& label) {
     return text.find("\"case\": \"" + label + "\"") != std::string::npos;

@@ -47,7 +47,7 @@ TEST_CASE("check tells the slowest cases, and a job's summary that fails is only
   CHECK(ended.output.find("slipbench: warning: the summary of the job is not written to no/x.md: "
                           "No such file or directory\n") != std::string::npos);
   shell(folder, "env GITHUB_STEP_SUMMARY=x.md '" + kProgram + "' check .");
-  CHECK(read(folder.path() / "x.md").find("| a.yaml&#58;1 | not run | ") != std::string::npos);
+  CHECK(file_text(folder.path() / "x.md").find("| a.yaml&#58;1 | not run | ") != std::string::npos);
 }
 
 }  // namespace

@@ -65,9 +65,9 @@ TEST_CASE("run keeps what is no result of the case, whichever of its files that 
     CHECK(ended.output == kept("slider" + ending, "a result of slider.yaml"));
     CHECK(names_in(folder.path()) ==
           std::set<std::string>{"first.yaml", "slider.yaml", "slider" + ending});
-    CHECK(read(folder.path() / ("slider" + ending)) == "rig data\n");
+    CHECK(file_text(folder.path() / ("slider" + ending)) == "rig data\n");
     CHECK(slipbench(folder, "run slider.yaml --solver-report --force").code == 0);
-    CHECK(read(folder.path() / ("slider" + ending)) != "rig data\n");
+    CHECK(file_text(folder.path() / ("slider" + ending)) != "rig data\n");
     CHECK(slipbench(folder, "run slider.yaml --solver-report --set mu=0.3").code == 1);
   }
 }
@@ -81,7 +81,7 @@ TEST_CASE("a result of another case is kept, and so is a golden curve of the sam
   fs::copy(folder.path() / "results/slider.csv", folder.path() / "rail.csv");
   CHECK(slipbench(folder, "run other/rail.yaml").output ==
         kept("rail.csv", "a result of rail.yaml"));
-  const std::string rows = read(folder.path() / "results/slider.csv");
+  const std::string rows = file_text(folder.path() / "results/slider.csv");
   folder.write("slider.csv", "# slipbench golden curve\n" + rows);
   CHECK(slipbench(folder, "run slider.yaml").output ==
         kept("slider.csv", "a result of slider.yaml"));
@@ -96,7 +96,7 @@ TEST_CASE("an input stays whatever is forced") {
   const Ended ended = slipbench(folder, "run slider.yaml --force");
   CHECK(ended.code == 4);
   CHECK(contains(ended.output, "slider.csv: is an input (./slider.csv) and is not overwritten"));
-  CHECK(read(folder.path() / "slider.csv") == "t,u\n0,0\n1,0.1\n");
+  CHECK(file_text(folder.path() / "slider.csv") == "t,u\n0,0\n1,0.1\n");
 }
 
 TEST_CASE(
@@ -114,7 +114,7 @@ TEST_CASE(
   CHECK(ended.code == 4);
   CHECK(contains(ended.output,
                  kept("slider.failed.yaml", "an unchanged case that fails as slider.yaml did")));
-  CHECK(read(folder.path() / "slider.failed.yaml") == "my own\n");
+  CHECK(file_text(folder.path() / "slider.failed.yaml") == "my own\n");
 }
 
 TEST_CASE("folders are made for every kind of file") {
@@ -148,7 +148,7 @@ TEST_CASE("files of verdicts and pages are replaced by their kind only") {
     const Ended ended = slipbench(folder, arguments);
     CHECK(ended.code == 4);
     CHECK(ended.output == kept(file, owner));
-    CHECK(read(folder.path() / file) == "rig data\n");
+    CHECK(file_text(folder.path() / file) == "rig data\n");
     CHECK(slipbench(folder, arguments + " --force").code == 0);
     CHECK(slipbench(folder, arguments).code == 0);
   };
@@ -201,10 +201,10 @@ TEST_CASE("pictures carry whose they are, and keep what is none") {
     const Ended ended = slipbench(folder, "plot a--b.yaml -o " + file);
     CHECK(ended.code == 4);
     CHECK(ended.output == kept(file, "a picture of a--b"));
-    CHECK(read(folder.path() / file) == "my own\n");
+    CHECK(file_text(folder.path() / file) == "my own\n");
     CHECK(slipbench(folder, "plot a--b.yaml --force -o " + file).code == 0);
     CHECK(slipbench(folder, "plot a--b.yaml --as history -o " + file).code == 0);
-    CHECK(contains(read(folder.path() / file), "slipbench picture (a%2D%2Db)"));
+    CHECK(contains(file_text(folder.path() / file), "slipbench picture (a%2D%2Db)"));
     CHECK(slipbench(folder, "plot other.yaml -o " + file).code == 4);
   }
   CHECK(shell(folder, "xmllint --noout drawing.svg").code == 0);
@@ -224,9 +224,9 @@ TEST_CASE("run -o - prints the rows and nothing else there, as they would be wri
   REQUIRE(slipbench(folder, "run slider.yaml -o files").code == 0);
   const Ended rows = slipbench(folder, "run slider.yaml -o - 2>told");
   CHECK(rows.code == 0);
-  CHECK(rows.output == read(folder.path() / "files/slider.csv"));
-  CHECK(contains(read(folder.path() / "told"), "slider: 10 increments, "));
-  CHECK(contains(read(folder.path() / "told"), "  PASS  check 'limit'"));
+  CHECK(rows.output == file_text(folder.path() / "files/slider.csv"));
+  CHECK(contains(file_text(folder.path() / "told"), "slider: 10 increments, "));
+  CHECK(contains(file_text(folder.path() / "told"), "  PASS  check 'limit'"));
   CHECK_FALSE(fs::exists(folder.path() / "slider.json"));
   CHECK_FALSE(fs::exists(folder.path() / "-"));
   const Ended two = slipbench(folder, "run slider.yaml files/x.yaml -o -");
@@ -254,10 +254,10 @@ TEST_CASE("a case can come from standard input, with data of the current folder"
   CHECK(ran.code == 0);
   CHECK(contains(ran.output, "stdin: 10 increments, "));
   CHECK(contains(ran.output, "  stdin.csv  stdin.events.csv  stdin.json\n"));
-  CHECK(contains(read(folder.path() / "stdin.csv"), "\n# case: stdin\n"));
+  CHECK(contains(file_text(folder.path() / "stdin.csv"), "\n# case: stdin\n"));
   const Ended rows = shell(folder, "cat slider | '" + kProgram + "' run - -q -o -");
   CHECK(rows.code == 0);
-  CHECK(rows.output == read(folder.path() / "stdin.csv"));
+  CHECK(rows.output == file_text(folder.path() / "stdin.csv"));
   const Ended checked = slipbench(folder, "check - < slider");
   CHECK(checked.code == 0);
   CHECK(contains(checked.output, "  PASS  stdin "));
@@ -369,14 +369,14 @@ TEST_CASE("import never replaces a case that somebody may have worked on") {
   const Ended first = slipbench(folder, "import model_0000.rad -o cases/pad.yaml");
   INFO(first.output);
   REQUIRE(first.code == 0);
-  const std::string text = read(folder.path() / "cases/pad.yaml");
+  const std::string text = file_text(folder.path() / "cases/pad.yaml");
   const Ended second = slipbench(folder, "import model_0000.rad -o cases/pad.yaml");
   CHECK(second.code == 4);
   CHECK(contains(second.output,
                  "cases/pad.yaml: is there already, and is kept; choose another folder or name, "
                  "or replace it with --force\n"));
   CHECK(slipbench(folder, "import model_0000.rad -o cases/pad.yaml --force").code == 0);
-  CHECK(read(folder.path() / "cases/pad.yaml") == text);
+  CHECK(file_text(folder.path() / "cases/pad.yaml") == text);
 }
 
 }  // namespace

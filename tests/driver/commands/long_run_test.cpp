@@ -56,7 +56,7 @@ TEST_CASE("rows that the disk has no room for are not begun in earnest") {
   const TemporaryFolder folder;
   // Some 250 bytes a row: 1e9 passes make 2.5e20 bytes.
   folder.write("c.yaml", endless());
-  std::string text = read(folder.path() / "c.yaml");
+  std::string text = file_text(folder.path() / "c.yaml");
   text.replace(text.find("duration"), 0, "repeat: 1000000000, ");
   folder.write("c.yaml", text);
   const Ended ended = slipbench(folder, "run c.yaml");

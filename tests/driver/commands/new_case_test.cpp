@@ -28,7 +28,7 @@ TEST_CASE("the minimal case of every connection type runs, rubs and passes its c
     INFO(type);
     const Ended written = slipbench(folder, "new " + type + " -o " + type + ".yaml");
     CHECK(written.code == 0);
-    CHECK(read(folder.path() / (type + ".yaml")) == slipbench(folder, "new " + type).output);
+    CHECK(file_text(folder.path() / (type + ".yaml")) == slipbench(folder, "new " + type).output);
     const Ended run = slipbench(folder, "run " + type + ".yaml --no-output");
     INFO(run.output);
     CHECK(run.code == 0);
@@ -51,7 +51,7 @@ TEST_CASE("new replaces nothing, and a type that it does not know is answered by
   CHECK(there.output ==
         "slipbench: error: a.yaml: is there already and is not replaced; choose another name or "
         "remove it\n");
-  CHECK(read(folder.path() / "a.yaml") == "mine");
+  CHECK(file_text(folder.path() / "a.yaml") == "mine");
   const Ended nowhere = slipbench(folder, "new SLOT -o no/a.yaml");
   CHECK(nowhere.code == 4);
   CHECK(nowhere.output == "slipbench: error: no/a.yaml: No such file or directory\n");

@@ -9,9 +9,9 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 
+#include "tests/driver/support/files_for_test.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 #include "tests/support/project_paths.hpp"
 
@@ -41,11 +41,6 @@ inline Ended shell(const TemporaryFolder& folder, const std::string& line) {
 
 inline Ended slipbench(const TemporaryFolder& folder, const std::string& arguments) {
   return shell(folder, "'" + kProgram + "' " + arguments);
-}
-
-inline std::string read(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
 }  // namespace slipbench::driver::commands

@@ -9,13 +9,12 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <thread>
 
 #include "tests/driver/commands/program_for_test.hpp"
 #include "tests/driver/support/environment_for_test.hpp"
+#include "tests/driver/support/files_for_test.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver::commands {
@@ -40,11 +39,6 @@ checks:
     against: {closed_form: coulomb_slider, with: {mu: 0.2, normal_force: 100, stick_stiffness: 1000}, inputs: {motion: CU1}, output: force}
     tolerance: {relative: 1.0e-12, why: rounding}
 )";
-
-std::size_t file_count(const fs::path& folder) {
-  return static_cast<std::size_t>(
-      std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
-}
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -74,7 +68,7 @@ TEST_CASE("run --solver-report judges the tangents and writes them") {
   CHECK(contains(ended.output,
                  "an implicit solver will want its unsymmetric scheme: the contact "
                  "force follows the constraint forces 0.2\n"));
-  const std::string rows = read(folder.path() / "slider.solver.csv");
+  const std::string rows = file_text(folder.path() / "slider.solver.csv");
   CHECK(contains(rows,
                  "\nt,duration,asymmetry,by_position,by_rate,force_coupling,snap_back,"
                  "unique_increment,smooth_increment,several_solutions\n0.1,0.1,0,0,0,0,0,0,"
@@ -95,12 +89,12 @@ TEST_CASE("run writes three files and tells what happened") {
   CHECK(contains(ended.output, "  PASS  check 'force': worst "));
   CHECK(contains(ended.output, "  slider.csv  slider.events.csv  slider.json\n"));
   CHECK(file_count(folder.path()) == 4);
-  const std::string rows = read(folder.path() / "slider.csv");
+  const std::string rows = file_text(folder.path() / "slider.csv");
   CHECK(contains(rows, "\n1,0.1,0.1,0.1,"));
-  CHECK(contains(read(folder.path() / "slider.json"), "\"stick_slip_events\": 1,"));
+  CHECK(contains(file_text(folder.path() / "slider.json"), "\"stick_slip_events\": 1,"));
 
   slipbench(folder, "run slider.yaml");
-  CHECK(read(folder.path() / "slider.csv") == rows);
+  CHECK(file_text(folder.path() / "slider.csv") == rows);
 }
 
 TEST_CASE("a parameter can be set, and a failed check is exit code 1") {
@@ -117,7 +111,7 @@ TEST_CASE("The option --every keeps the first and the last row") {
   const TemporaryFolder folder;
   folder.write("slider.yaml", kSlider);
   CHECK(slipbench(folder, "run slider.yaml --every 4").code == 0);
-  std::string rows = read(folder.path() / "slider.csv");
+  std::string rows = file_text(folder.path() / "slider.csv");
   rows.erase(0, rows.find("\nt,"));
   CHECK(std::count(rows.begin(), rows.end(), '\n') == 6);
   CHECK(contains(rows, "\n0.8,"));
@@ -164,7 +158,7 @@ TEST_CASE("what the machine refuses is exit code 4") {
   CHECK(slipbench(folder, "plot slider.yaml -o /proc/missing/a.svg").code == 4);
   CHECK(shell(folder, "PATH=/nowhere '" + kProgram + "' plot slider.yaml -o a.svg").code == 4);
   CHECK(file_count(folder.path()) == 1);
-  CHECK(read(folder.path() / "slider.yaml") == kSlider);
+  CHECK(file_text(folder.path() / "slider.yaml") == kSlider);
 }
 
 TEST_CASE("a numerical failure is exit code 3, names the place and leaves no result") {
@@ -195,7 +189,7 @@ TEST_CASE("a load that nothing holds is exit code 3, and the case left behind fa
   CHECK(contains(ended.output, "slider.yaml: " + message));
   CHECK(contains(ended.output, "but only 30 can hold against it"));
   REQUIRE(file_count(folder.path()) == 2);
-  const std::string left = read(folder.path() / "slider.failed.yaml");
+  const std::string left = file_text(folder.path() / "slider.failed.yaml");
   CHECK(contains(left, "parameters: {mu: 0.3}\n"));
   CHECK_FALSE(contains(left, "checks"));
   CHECK_FALSE(contains(left, "later"));
@@ -256,7 +250,7 @@ TEST_CASE("plot draws a case and a result") {
   const Ended ended = slipbench(folder, "plot slider.yaml");
   INFO(ended.output);
   CHECK(ended.code == 0);
-  const std::string picture = read(folder.path() / "slider.svg");
+  const std::string picture = file_text(folder.path() / "slider.svg");
   CHECK(contains(picture, "Slider"));
   CHECK(contains(picture, "time t [s]"));
   CHECK(contains(picture, "friction force CSF1 [N]"));
@@ -265,7 +259,7 @@ TEST_CASE("plot draws a case and a result") {
   CHECK(file_count(folder.path()) == 2);
   REQUIRE(slipbench(folder, "run slider.yaml").code == 0);
   CHECK(slipbench(folder, "plot slider.csv -o result.svg").code == 0);
-  CHECK(contains(read(folder.path() / "result.svg"), "Slider"));
+  CHECK(contains(file_text(folder.path() / "result.svg"), "Slider"));
   CHECK(slipbench(folder, "plot slider.csv -o result.jpg").code == 2);
   CHECK(slipbench(folder, "plot slider.csv -o slider.csv").code == 2);
 }
@@ -290,7 +284,7 @@ TEST_CASE("plot --law draws the coefficients of a case that depend on something"
   const Ended ended = slipbench(folder, "plot --law slider.yaml");
   INFO(ended.output);
   CHECK(ended.code == 0);
-  const std::string picture = read(folder.path() / "slider.law.svg");
+  const std::string picture = file_text(folder.path() / "slider.law.svg");
   CHECK(contains(picture, "Generalised viscous"));
   CHECK(contains(picture, "slip rate V [mm/s]"));
   CHECK(contains(picture, "pressure p [N/mm^2]"));
@@ -332,7 +326,7 @@ TEST_CASE("the picture of a coefficient calls stick only what stuck") {
     const Ended ended = slipbench(folder, "plot --law c.yaml");
     INFO(ended.output);
     CHECK(ended.code == 0);
-    return read(folder.path() / "c.law.svg");
+    return file_text(folder.path() / "c.law.svg");
   };
   const std::string slips = picture_of("{penalty: stiffness, K_t: 1000}", "10");
   CHECK(contains(slips, "visited in slip"));

@@ -3,24 +3,18 @@
 
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 #include "driver/base/files/exit_code.hpp"
 #include "driver/commands/run.hpp"
 #include "tests/driver/report/case_for_test.hpp"
+#include "tests/driver/support/files_for_test.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver::commands {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string read(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
 
 int report(const TemporaryFolder& folder, std::vector<std::string> names,
            const std::string& page = "page.html") {
@@ -41,7 +35,7 @@ TEST_CASE("a failed check and a faulty case are on the page, and no failure of t
   folder.write("cases/b.yaml", report::slider_text("0.3"));
   folder.write("cases/c.yaml", "slipbench: 1\n");
   CHECK(report(folder, {"cases"}) == base::kExitOk);
-  const std::string page = read(folder.path() / "page.html");
+  const std::string page = file_text(folder.path() / "page.html");
   CHECK(has(page, "\"passed\":1,\"failed\":1,\"not_run\":1"));
   CHECK(has(page, "\"id\":\"a\""));
   CHECK(has(page, "\"id\":\"b\""));
@@ -49,7 +43,7 @@ TEST_CASE("a failed check and a faulty case are on the page, and no failure of t
   CHECK(has(page, "\"title\":\"cases\""));
   // Same input, same bytes.
   CHECK(report(folder, {"cases"}, "again.html") == base::kExitOk);
-  CHECK(read(folder.path() / "again.html") == page);
+  CHECK(file_text(folder.path() / "again.html") == page);
 }
 
 TEST_CASE("results are drawn beside cases, and compared with each other") {
@@ -63,7 +57,7 @@ TEST_CASE("results are drawn beside cases, and compared with each other") {
     REQUIRE(run_command(options) == base::kExitOk);
   }
   CHECK(report(folder, {"old/a.csv", "new/a.csv", "a.yaml"}) == base::kExitOk);
-  const std::string page = read(folder.path() / "page.html");
+  const std::string page = file_text(folder.path() / "page.html");
   // Named by whole paths, they keep the folders that tell them apart, and no other.
   CHECK(has(page, "\"compare\":[[\"old/a\",\"new/a\"]]"));
   CHECK_FALSE(has(page, folder.path().generic_string()));
@@ -83,7 +77,7 @@ TEST_CASE("a page never takes the place of what it is made of, or of a folder") 
   folder.write("a.yaml", report::slider_text("0.2"));
   fs::create_directory(folder.path() / "empty");
   CHECK(report(folder, {"a.yaml"}, "a.yaml") == base::kExitEnvironment);
-  CHECK(read(folder.path() / "a.yaml") == report::slider_text("0.2"));
+  CHECK(file_text(folder.path() / "a.yaml") == report::slider_text("0.2"));
   CHECK(report(folder, {"a.yaml"}, "empty") == base::kExitEnvironment);
   CHECK(report(folder, {"a.yaml"}, "a.yaml/page.html") == base::kExitEnvironment);
   CHECK(report(folder, {"a.yaml"}, "made/for/page.html") == base::kExitOk);
@@ -102,13 +96,13 @@ TEST_CASE("a page takes the place of no file that its cases and results are read
   options.folder = folder.path().string();
   REQUIRE(run_command(options) == base::kExitOk);
   for (const char* name : {"a.csv", "a.json", "a.events.csv"}) {
-    const std::string before = read(folder.path() / name);
+    const std::string before = file_text(folder.path() / name);
     CHECK(report(folder, {"a.csv"}, name) == base::kExitEnvironment);
-    CHECK(read(folder.path() / name) == before);
+    CHECK(file_text(folder.path() / name) == before);
   }
-  const std::string rig = read(folder.path() / "rig.csv");
+  const std::string rig = file_text(folder.path() / "rig.csv");
   CHECK(report(folder, {"a.yaml"}, "rig.csv") == base::kExitEnvironment);
-  CHECK(read(folder.path() / "rig.csv") == rig);
+  CHECK(file_text(folder.path() / "rig.csv") == rig);
 }
 
 TEST_CASE("what the reader of a case remarks stands on its page once") {
@@ -117,7 +111,7 @@ TEST_CASE("what the reader of a case remarks stands on its page once") {
   text.replace(text.find("{stiffness: 1000}"), 17, "{slip_tolerance: 1.0e-4}");
   folder.write("a.yaml", text);
   REQUIRE(report(folder, {"a.yaml"}) == base::kExitOk);
-  const std::string page = read(folder.path() / "page.html");
+  const std::string page = file_text(folder.path() / "page.html");
   const std::string remark = "characteristic length";
   const std::size_t first = page.find(remark);
   REQUIRE(first != std::string::npos);
@@ -132,7 +126,7 @@ TEST_CASE("a result that is named twice is drawn once") {
   options.folder = folder.path().string();
   REQUIRE(run_command(options) == base::kExitOk);
   REQUIRE(report(folder, {"a.csv", "./a.csv"}) == base::kExitOk);
-  CHECK(has(read(folder.path() / "page.html"), "\"cases\":1,"));
+  CHECK(has(file_text(folder.path() / "page.html"), "\"cases\":1,"));
 }
 
 }  // namespace

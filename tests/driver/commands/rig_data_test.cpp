@@ -60,7 +60,7 @@ TEST_CASE("run, check and calibrate read the same file of a rig by the same word
   const Ended run = slipbench(folder, "run loop.yaml");
   INFO(run.output);
   CHECK(run.code == 0);
-  CHECK(read(folder.path() / "loop.csv").find("\n0.15,0.15,") != std::string::npos);
+  CHECK(file_text(folder.path() / "loop.csv").find("\n0.15,0.15,") != std::string::npos);
   CHECK(
       run.output.find(
           "  note: history.time: rig.txt: column 't' is converted from ms, as the file says, to s\n"
@@ -81,7 +81,7 @@ TEST_CASE("run, check and calibrate read the same file of a rig by the same word
   CHECK(calibrate.code == 0);
   CHECK(calibrate.output.find("loop: 1 row was left out, as it lacks a sample (line 7)") !=
         std::string::npos);
-  CHECK(read(folder.path() / "loop.calibrated.yaml").find("mu: 0.2") != std::string::npos);
+  CHECK(file_text(folder.path() / "loop.calibrated.yaml").find("mu: 0.2") != std::string::npos);
 }
 
 TEST_CASE("a file of which nothing is said is refused with the words that would read it") {
@@ -130,7 +130,7 @@ TEST_CASE("the unit that the case states is believed more than the file's, with 
                       "read in N, as stated here") != std::string::npos);
   CHECK(run.output.find("note: history.csv: rig.csv: 2 missing samples were held at the values "
                         "before (first in line 3)") != std::string::npos);
-  const std::string result = read(folder.path() / "a.csv");
+  const std::string result = file_text(folder.path() / "a.csv");
   CHECK(result.find("\n1,0,") != std::string::npos);
   CHECK(result.find("\n2,0.1,") != std::string::npos);
 }

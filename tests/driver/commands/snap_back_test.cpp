@@ -67,16 +67,16 @@ TEST_CASE("integration: {snap_back: jump} goes on, and names the energy lost") {
   CHECK(has(run.output, "\n  375.0 mJ were lost in 1 jump (snap-back), the first at t = 1.5 s\n"));
   CHECK(has(run.output, "dissipated 750.0 mJ, stored 0.0 mJ, energy balance 0\n"));
   CHECK_FALSE(has(run.output, "warning"));
-  const std::string json = read(folder.path() / "worn.json");
+  const std::string json = file_text(folder.path() / "worn.json");
   CHECK(has(json, "\"lost_in_jumps\": 375,"));
   CHECK(has(json, "\"jumps\": 1,"));
-  const std::string events = read(folder.path() / "worn.events.csv");
+  const std::string events = file_text(folder.path() / "worn.events.csv");
   CHECK(has(events, "\n1.5,pad,stick,slip,1500,1500,0,1.5\n1.5,pad,slip,jump,0,0,1,1.5\n"));
-  const std::string rows = read(folder.path() / "worn.csv");
+  const std::string rows = file_text(folder.path() / "worn.csv");
   CHECK(has(rows, ",WORK,LOST\n"));
   // A picture of the result and a page of the case take the events as they are.
   CHECK(slipbench(folder, "plot worn.csv --as bands -o bands.svg").code == 0);
-  CHECK(has(read(folder.path() / "bands.svg"), "slips"));
+  CHECK(has(file_text(folder.path() / "bands.svg"), "slips"));
   CHECK(has(slipbench(folder, "run worn.yaml --explain 1.75").output, "slip -> jump"));
 }
 
@@ -95,8 +95,8 @@ TEST_CASE("exact integration ends at the same place, and loses the same energy")
   CHECK(has(run.output, "\n  375.0 mJ were lost in 1 jump (snap-back), the first at t = 1.5 s\n"));
   CHECK(has(run.output, "dissipated 750.0 mJ, stored 0.0 mJ, energy balance "));
   CHECK_FALSE(has(run.output, "warning"));
-  CHECK(has(read(folder.path() / "worn.csv"), ",WORK,LOST\n"));
-  CHECK(has(read(folder.path() / "worn.json"), "\"jumps\": 1,"));
+  CHECK(has(file_text(folder.path() / "worn.csv"), ",WORK,LOST\n"));
+  CHECK(has(file_text(folder.path() / "worn.json"), "\"jumps\": 1,"));
 }
 
 TEST_CASE("a cell that makes the bound and that no run reaches is named, and does not end it") {
@@ -170,8 +170,8 @@ TEST_CASE(
   CHECK(has(coarse.output,
             "1 stick-slip event, first slip at t = 0.1667 s (CP1 = 0.1667 mm) at "
             "1500.0 N"));
-  CHECK(has(read(folder.path() / "worn.events.csv"), ",pad,stick,slip,1500,1500,0,"));
-  CHECK(has(read(folder.path() / "worn.events.csv"), "\n3,pad,slip,open,0,0,1,3\n"));
+  CHECK(has(file_text(folder.path() / "worn.events.csv"), ",pad,stick,slip,1500,1500,0,"));
+  CHECK(has(file_text(folder.path() / "worn.events.csv"), "\n3,pad,slip,open,0,0,1,3\n"));
 }
 
 }  // namespace

@@ -34,12 +34,12 @@ TEST_CASE("a warning after the run is told everywhere, and fails it under --stri
   const Ended plain = slipbench(folder, "run c.yaml");
   CHECK(plain.code == 0);
   CHECK(contains(plain.output, "  warning: " + kNothingPresses + "\n"));
-  CHECK(contains(read(folder.path() / "c.json"), kNothingPresses));
+  CHECK(contains(file_text(folder.path() / "c.json"), kNothingPresses));
   const Ended strict = slipbench(folder, "run c.yaml --strict");
   CHECK(strict.code == 1);
   CHECK(contains(strict.output, "  FAIL  1 warning under --strict\n"));
   CHECK(slipbench(folder, "report c.yaml -o c.html").code == 0);
-  CHECK(contains(read(folder.path() / "c.html"), "nothing ever presses"));
+  CHECK(contains(file_text(folder.path() / "c.html"), "nothing ever presses"));
   // What the warning says helps.
   folder.write("c.yaml", block("f3: 100"));
   CHECK(slipbench(folder, "run c.yaml --strict").code == 0);
@@ -50,7 +50,7 @@ TEST_CASE("under --strict a warning of reading a case stops it before anything i
   folder.write("c.yaml", block("f3: 100", ""));
   const Ended plain = slipbench(folder, "run c.yaml");
   CHECK(plain.code == 0);
-  CHECK(contains(read(folder.path() / "c.json"),
+  CHECK(contains(file_text(folder.path() / "c.json"),
                  "friction[0]: no coefficient: this definition has no effect"));
   fs::remove(folder.path() / "c.json");
   fs::remove(folder.path() / "c.csv");
@@ -67,7 +67,8 @@ TEST_CASE("check tells what no passing check has settled") {
   const Ended none = slipbench(folder, "check c.yaml --json c.json");
   CHECK(none.code == 0);
   CHECK(contains(none.output, "  warning: c  " + kNothingPresses + "\n"));
-  CHECK(contains(read(folder.path() / "c.json"), "\"warnings\": [\"" + kNothingPresses + "\"]"));
+  CHECK(
+      contains(file_text(folder.path() / "c.json"), "\"warnings\": [\"" + kNothingPresses + "\"]"));
   const std::string check = "checks:\n  - {name: free, quantity: CSF1, against: {expression: \"= ";
   const std::string tolerance = "\"}, tolerance: {absolute: 1.0e-9, why: nothing presses}}\n";
   folder.write("c.yaml", block("f3: 0", "coefficient: 0.2, ", check + "0" + tolerance));
@@ -83,7 +84,7 @@ TEST_CASE("check --strict fails a case for each of its warnings, its checks or n
   CHECK(strict.code == 1);
   CHECK(contains(strict.output, "  FAIL  c   warning: " + kNothingPresses + "\n"));
   CHECK(contains(strict.output, "0 cases passed, 1 failed"));
-  CHECK(contains(read(folder.path() / "c.xml"), "failures=\"1\""));
+  CHECK(contains(file_text(folder.path() / "c.xml"), "failures=\"1\""));
 }
 
 }  // namespace

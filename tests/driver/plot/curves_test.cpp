@@ -6,13 +6,12 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <numbers>
 #include <string>
 
 #include "driver/plot/kinds.hpp"
 #include "driver/plot/look.hpp"
+#include "tests/driver/support/files_for_test.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver::plot {
@@ -39,8 +38,7 @@ std::string drawn(const TemporaryFolder& folder, const PlotOptions& options) {
   const fs::path file = folder.path() / "picture.svg";
   fs::remove(file);
   if (const auto done = draw_picture(options, file); !done) return done.error().message;
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  return file_text(file);
 }
 
 bool contains(const std::string& text, const std::string& part) {

@@ -8,7 +8,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <numbers>
 #include <string>
@@ -25,6 +24,7 @@
 #include "driver/plot/script.hpp"
 #include "driver/read/read_case.hpp"
 #include "driver/results/summary.hpp"
+#include "tests/driver/support/files_for_test.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 #include "tests/support/project_paths.hpp"
 
@@ -52,11 +52,6 @@ checks:
     tolerance: {absolute: 1.0e-9, why: rounding}
 )";
 
-std::string read_text(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
@@ -71,7 +66,7 @@ std::string picture(const TemporaryFolder& folder, const fs::path& input, const 
   options.output = (folder.path() / "picture.svg").string();
   fs::remove(options.output);
   const int code = commands::plot_command(options);
-  return code == base::kExitOk ? read_text(options.output) : "exit code " + std::to_string(code);
+  return code == base::kExitOk ? file_text(options.output) : "exit code " + std::to_string(code);
 }
 
 bool no_gnuplot() {
@@ -185,7 +180,7 @@ TEST_CASE("regimes are those of the events, as the summary of a run tells them")
                  fmt::format("slips {:.3g} % of the time", 100.0 * sum.slip_time)));
   // Events of another run do not count.
   const fs::path events = folder.path() / "coarse.events.csv";
-  std::string others = read_text(events);
+  std::string others = file_text(events);
   others.replace(others.find("Coarse"), 6, "Course");
   folder.write("coarse.events.csv", others);
   CHECK(contains(picture(folder, result, "bands"), "slips 83.3 % of the time"));
@@ -319,7 +314,7 @@ double luminance(const std::string& colour) {
 }
 
 TEST_CASE("in grey the parts of a stack can be told apart") {
-  const std::string style = read_text(fs::path(test::source_dir()) / "plots/style.gp");
+  const std::string style = file_text(fs::path(test::source_dir()) / "plots/style.gp");
   std::string line = style.substr(style.find("array stack_colour[6]"));
   line = line.substr(0, line.find('\n'));
   std::vector<double> levels;

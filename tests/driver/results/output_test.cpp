@@ -7,8 +7,6 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <thread>
 #include <vector>
@@ -17,22 +15,13 @@
 #include "driver/results/csv_writer.hpp"
 #include "driver/results/events.hpp"
 #include "tests/driver/bench/example_cases.hpp"
+#include "tests/driver/support/files_for_test.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver::results {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string read(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
-
-std::size_t file_count(const TemporaryFolder& folder) {
-  return static_cast<std::size_t>(
-      std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()));
-}
 
 const base::FileMark kMark{"a text of this test", "mine", ""};
 
@@ -55,9 +44,9 @@ TEST_CASE("a file has its name only once it is complete") {
     file->append("text\n");
     CHECK_FALSE(fs::exists(target));
     complete(*file);
-    CHECK(read(target) == "text\n");
+    CHECK(file_text(target) == "text\n");
   }
-  CHECK(file_count(folder) == 1);
+  CHECK(file_count(folder.path()) == 1);
 }
 
 TEST_CASE("a file that is dropped leaves nothing, and what was there stays") {
@@ -68,8 +57,8 @@ TEST_CASE("a file that is dropped leaves nothing, and what was there stays") {
     REQUIRE(file);
     file->append(std::string(1 << 20, 'x'));
   }
-  CHECK(read(target) == "mine before");
-  CHECK(file_count(folder) == 1);
+  CHECK(file_text(target) == "mine before");
+  CHECK(file_count(folder.path()) == 1);
 }
 
 TEST_CASE("two programs may write the same file at once: the last one to end counts, whole") {
@@ -83,7 +72,7 @@ TEST_CASE("two programs may write the same file at once: the last one to end cou
   second->append("mine, second");
   complete(*second);
   complete(*first);
-  CHECK(read(target) == "mine, first");
+  CHECK(file_text(target) == "mine, first");
 }
 
 TEST_CASE("a new file is as readable as any other") {
@@ -106,7 +95,7 @@ TEST_CASE("what cannot be a result file is refused before anything is written") 
         base + "/plain/a.csv: " + base + "/plain is not a folder");
   CHECK(fault_of(folder.path() / "d.csv") == base + "/d.csv: is a folder");
   CHECK(fault_of(folder.path() / "full.csv") == base + "/full.csv: is no regular file");
-  CHECK(file_count(folder) == 3);
+  CHECK(file_count(folder.path()) == 3);
 }
 
 TEST_CASE("an input is never overwritten, whatever it is called") {
@@ -116,7 +105,7 @@ TEST_CASE("an input is never overwritten, whatever it is called") {
   CHECK_FALSE(fault_of(folder.path() / "rig.csv", {input}).empty());
   CHECK_FALSE(fault_of(folder.path() / "same.csv", {input}).empty());
   CHECK(fault_of(folder.path() / "other.csv", {input}).empty());
-  CHECK(read(input) == "data");
+  CHECK(file_text(input) == "data");
 }
 
 TEST_CASE("a name that is a link stays one, and the file it leads to is written") {
@@ -135,9 +124,9 @@ TEST_CASE("a name that is a link stays one, and the file it leads to is written"
     complete(*file);
     CHECK(fs::is_symlink(folder.path() / name));
   }
-  CHECK(read(real) == "after");
-  CHECK(read(folder.path() / "store/new.csv") == "after");
-  CHECK(file_count(folder) == 4);
+  CHECK(file_text(real) == "after");
+  CHECK(file_text(folder.path() / "store/new.csv") == "after");
+  CHECK(file_count(folder.path()) == 4);
 }
 
 TEST_CASE("links in a circle, pipes and links to open files are refused") {
@@ -156,7 +145,7 @@ TEST_CASE("links in a circle, pipes and links to open files are refused") {
   CHECK(fault_of(folder.path() / "out") ==
         (folder.path() / "out").string() + ": is no regular file");
   ::close(descriptor);
-  CHECK(read(open_file) == "kept");
+  CHECK(file_text(open_file) == "kept");
 }
 
 TEST_CASE("two names are one file if they lead to it, be it there or not") {
@@ -214,7 +203,7 @@ TEST_CASE("a file takes the place of one with its mark or without a byte, and of
   CHECK_FALSE(base::target_fault(target, {}).empty());
   folder.write("a.csv", "");
   CHECK(base::target_fault(target, {}).empty());
-  CHECK(file_count(folder) == 1);
+  CHECK(file_count(folder.path()) == 1);
 }
 
 TEST_CASE("a mark is looked for at both ends of a file, and nowhere between them") {
@@ -254,26 +243,26 @@ TEST_CASE("a file that comes while another is written is kept, and so are all th
   base::OutputFile* const files[] = {&*first, &*second};
   CHECK_FALSE(base::commit(files));
   CHECK_FALSE(fs::exists(folder.path() / "a.csv"));
-  CHECK(read(folder.path() / "b.csv") == "rig data\n");
+  CHECK(file_text(folder.path() / "b.csv") == "rig data\n");
 }
 
 TEST_CASE("missing folders are made, and go again with a file that did not come about") {
   const TemporaryFolder folder;
   const fs::path target = folder.path() / "new" / "deep" / "a.csv";
   CHECK(base::target_fault(target, kMark).empty());
-  CHECK(file_count(folder) == 0);
+  CHECK(file_count(folder.path()) == 0);
   {
     auto first = base::OutputFile::create(target, kMark);
     auto second = base::OutputFile::create(target.parent_path() / "b.csv", kMark);
     REQUIRE(second);
     const auto moved = std::move(first);  // the first goes before the last
   }
-  CHECK(file_count(folder) == 0);
+  CHECK(file_count(folder.path()) == 0);
   auto file = base::OutputFile::create(target, kMark);
   REQUIRE(file);
   file->append("mine");
   complete(*file);
-  CHECK(read(target) == "mine");
+  CHECK(file_text(target) == "mine");
 }
 
 std::string written_rows(const cases::Case& problem, const fs::path& target) {
@@ -282,7 +271,7 @@ std::string written_rows(const cases::Case& problem, const fs::path& target) {
   CsvWriter writer(problem, output_columns(problem), *file);
   for (const bench::Row& row : bench::rows_of(problem)) writer.write(row);
   complete(*file);
-  return read(target);
+  return file_text(target);
 }
 
 TEST_CASE("rows are written with their origin, a header and the shortest numbers") {
@@ -317,7 +306,7 @@ TEST_CASE("events are the changes of regime, the first slip included") {
   EventWriter writer(problem, *file);
   for (const bench::Row& row : bench::rows_of(problem)) writer.write(row);
   complete(*file);
-  std::string text = read(folder.path() / "a.csv");
+  std::string text = file_text(folder.path() / "a.csv");
   text.erase(0, text.find("\nt,") + 1);
   // Out: slip from 0.02 mm on. Back: from the turn at t = 1 it sticks over 0.04 mm of 0.2 mm.
   CHECK(text.find("t,definition,from,to,force,limit,accumulated_slip,CP1\n"

@@ -2,11 +2,10 @@
 #include "driver/suite/job_summary.hpp"
 
 #include <catch2/catch.hpp>
-#include <fstream>
-#include <iterator>
 
 #include "driver/results/provenance.hpp"
 #include "tests/driver/suite/outcomes_for_test.hpp"
+#include "tests/driver/support/files_for_test.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver::suite {
@@ -52,8 +51,7 @@ TEST_CASE("the summary of a job is appended, and a place that cannot be written 
   const std::string file = (folder.path() / "summary.md").string();
   JobSummary summary;
   CHECK(summary.append_to(file, {}).empty());
-  std::ifstream in(file);
-  const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  const std::string text = file_text(file);
   CHECK(text.find("before\n" + kHead + "0 cases passed") == 0);
   const std::string missing = (folder.path() / "no/summary.md").string();
   CHECK(summary.append_to(missing, {}) ==

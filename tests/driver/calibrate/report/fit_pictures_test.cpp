@@ -9,6 +9,7 @@
 
 #include "driver/calibrate/report/fit_report.hpp"
 #include "tests/driver/calibrate/report/made_fits.hpp"
+#include "tests/driver/support/files_for_test.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver::calibrate {
@@ -20,11 +21,6 @@ bool no_gnuplot() {
   if (system("command -v gnuplot > /dev/null 2>&1") == 0) return false;
   WARN("gnuplot is not installed; nothing was drawn");
   return true;
-}
-
-std::string read_text(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
 bool contains(const std::string& text, const std::string& part) {
@@ -46,14 +42,14 @@ TEST_CASE("each experiment has a loop and its residuals, each table its ordinate
   REQUIRE(pictures.written.size() == wanted.size());
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     CHECK(pictures.written[i].filename() == wanted[i]);
-    CHECK(contains(read_text(pictures.written[i]), "</svg>"));
+    CHECK(contains(file_text(pictures.written[i]), "</svg>"));
   }
-  const std::string loop = read_text(pictures.written[0]);
+  const std::string loop = file_text(pictures.written[0]);
   CHECK(contains(loop, "position CP1 [mm]"));
   CHECK(contains(loop, "CSF1 [N]"));
   CHECK(contains(loop, "time t [s]"));
   CHECK(contains(loop, "measured"));
-  const std::string table = read_text(pictures.written[4]);
+  const std::string table = file_text(pictures.written[4]);
   CHECK(contains(table, "slip rate [mm/s]"));
   CHECK(contains(table, "temperature 250 degC"));
   CHECK(contains(table, "6 of 12 cells never visited: slip_rate 200 .. 1000, temperature 20"));
@@ -66,7 +62,7 @@ TEST_CASE("a table of one independent has its band, and hatches what was never v
   const TemporaryFolder folder;
   const FitPictures pictures = draw_all(folder, made_curve_fit());
   REQUIRE(pictures.written.size() == 3);
-  const std::string table = read_text(pictures.written[2]);
+  const std::string table = file_text(pictures.written[2]);
   CHECK(contains(table, "95 % interval"));
   CHECK(contains(table, "never visited"));
   CHECK(contains(table, "CP1 [mm]"));
@@ -78,10 +74,10 @@ TEST_CASE("residuals say what they are, a long history is told to be thinned") {
   const TemporaryFolder folder;
   const FitPictures trend = draw_all(folder, made_unconverged_fit());
   REQUIRE(trend.written.size() == 2);
-  CHECK(contains(read_text(trend.written[1]), "A trend, no noise"));
+  CHECK(contains(file_text(trend.written[1]), "A trend, no noise"));
   const FitPictures many = draw_all(folder, made_large_fit());
   REQUIRE(many.written.size() == 2);
-  CHECK(contains(read_text(many.written[0]), "thinned"));
+  CHECK(contains(file_text(many.written[0]), "thinned"));
 }
 
 TEST_CASE("no picture has points of no size, which some programs cannot draw") {
@@ -90,7 +86,7 @@ TEST_CASE("no picture has points of no size, which some programs cannot draw") {
   for (const MadeFit& made : {made_slider_fit(), made_table_fit(), made_large_fit()}) {
     for (const fs::path& file : draw_all(folder, made).written) {
       CAPTURE(file);
-      CHECK_FALSE(contains(read_text(file), "scale(0.00)"));
+      CHECK_FALSE(contains(file_text(file), "scale(0.00)"));
     }
   }
 }
@@ -106,7 +102,7 @@ TEST_CASE("a picture does not take the place of an input, by whatever name") {
   const std::vector<std::string> inputs{data.string()};
   const FitPictures pictures =
       draw_fit_pictures(made.fit, made.calibration, folder.path(), "fit", {.inputs = inputs});
-  CHECK(read_text(data) == "t,F\n");
+  CHECK(file_text(data) == "t,F\n");
   CHECK(pictures.written.size() + 1 == names.size());
   REQUIRE(pictures.notes.size() == 1);
   CHECK(contains(pictures.notes[0], "is an input"));
@@ -119,7 +115,7 @@ TEST_CASE("cells of which increments only met the edge are drawn as never visite
   made.calibration.tables[0].cells[0].edge_only = true;
   const FitPictures pictures = draw_all(folder, made);
   REQUIRE(pictures.written.size() == 5);
-  CHECK(contains(read_text(pictures.written[4]), "7 of 12 cells never visited: slip_rate 0 .. 10"));
+  CHECK(contains(file_text(pictures.written[4]), "7 of 12 cells never visited: slip_rate 0 .. 10"));
   const std::string document = fit_document(made.fit, made.calibration);
   CHECK(contains(document, "\"visited\":false"));
 }
@@ -147,7 +143,7 @@ TEST_CASE("names that look like gnuplot or HTML are shown as they are") {
   const FitPictures pictures = draw_all(folder, made_hostile_fit());
   CHECK(pictures.notes.empty());
   REQUIRE(pictures.written.size() == 7);
-  const std::string loop = read_text(pictures.written[0]);
+  const std::string loop = file_text(pictures.written[0]);
   CHECK(contains(loop, "&lt;script>window.broken"));
   CHECK_FALSE(contains(loop, "<script>window"));
 }

@@ -4,20 +4,14 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "driver/report/page_parts.hpp"
 #include "tests/driver/calibrate/report/made_fits.hpp"
+#include "tests/driver/support/files_for_test.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver::calibrate {
 namespace {
-
-std::string read_text(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
 
 std::size_t count(std::string_view text, std::string_view part) {
   std::size_t found = 0;
@@ -31,7 +25,7 @@ TEST_CASE("the page of a fit is one file with all that it needs") {
   const MadeFit made = made_table_fit();
   const auto size = write_fit_report(made.fit, made.calibration, folder.path() / "fit.html");
   REQUIRE(size);
-  const std::string page = read_text(folder.path() / "fit.html");
+  const std::string page = file_text(folder.path() / "fit.html");
   CHECK(page.size() == *size);
   CHECK(count(page, report::page_part::style_css()) == 1);
   CHECK(count(page, report::page_part::fit_css()) == 1);
@@ -51,8 +45,8 @@ TEST_CASE("names of a fit stay text in its page, whatever they look like") {
   const MadeFit hostile = made_hostile_fit();
   REQUIRE(write_fit_report(plain.fit, plain.calibration, folder.path() / "plain.html"));
   REQUIRE(write_fit_report(hostile.fit, hostile.calibration, folder.path() / "hostile.html"));
-  const std::string page = read_text(folder.path() / "plain.html");
-  const std::string other = read_text(folder.path() / "hostile.html");
+  const std::string page = file_text(folder.path() / "plain.html");
+  const std::string other = file_text(folder.path() / "hostile.html");
   for (const char* tag : {"<script", "</script>", "<b>", "</title>"}) {
     INFO(tag);
     CHECK(count(other, tag) == count(page, tag));
@@ -68,7 +62,7 @@ TEST_CASE("a page takes the place of no file that the fit reads") {
   const auto size = write_fit_report(made.fit, made.calibration, data, {.inputs = inputs});
   REQUIRE_FALSE(size);
   CHECK(size.error().find("data.csv") != std::string::npos);
-  CHECK(read_text(data) == "t,F\n");
+  CHECK(file_text(data) == "t,F\n");
 }
 
 }  // namespace
