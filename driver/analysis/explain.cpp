@@ -600,7 +600,7 @@ tl::expected<std::string, ExplainFailure> explain(const cases::Case& problem, do
   }
   if (problem.pair) {
     text += fmt::format("  parts {} and {} take the friction of {}\n", problem.pair->parts[0],
-                        problem.pair->parts[1], problem.pair->record);
+                        problem.pair->parts[1], problem.pair->record());
   }
   law::ConnectorIncrement increment = bench::connector_increment(problem, row);
   for (std::size_t d = 0; d < problem.definitions.size(); ++d) {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <map>
 #include <optional>
 #include <set>
 #include <system_error>
@@ -21,7 +20,9 @@
 #include "driver/base/text/source_text.hpp"
 #include "driver/base/units/carried_unit.hpp"
 #include "driver/calibrate/calibration_comment.hpp"
+#include "driver/calibrate/table_place.hpp"
 #include "driver/calibrate/text_changes.hpp"
+#include "driver/calibrate/varied_case.hpp"
 #include "driver/check/curves/curve_library.hpp"
 #include "driver/yaml/parse.hpp"
 
@@ -29,25 +30,6 @@ namespace slipbench::driver::calibrate {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A node and the way to it from the root: indices of items and entries.
-struct Place {
-  yaml::Node node;
-  std::vector<std::size_t> way;
-  yaml::Path path;
-
-  [[nodiscard]] std::optional<Place> find(std::string_view key) const {
-    for (std::size_t i = 0; node.is_map() && i < node.size(); ++i) {
-      if (node.entry(i).key.text() == key) return at(i);
-    }
-    return std::nullopt;
-  }
-  [[nodiscard]] Place at(std::size_t i) const {
-    Place below{node[i], way, node.is_map() ? path / node.entry(i).key.text() : path / i};
-    below.way.push_back(i);
-    return below;
-  }
-};
 
 NodeChange& change_at(NodeChange& root, const std::vector<std::size_t>& way) {
   NodeChange* change = &root;
@@ -130,7 +112,7 @@ class CaseWriter {
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
  private:
-  [[nodiscard]] Place root() const { return {tree_.root(), {}, {}}; }
+  [[nodiscard]] Place root() const { return {tree_.root()}; }
 
   /// The new number is one of the case's system and stands bare; an expression, and a number with
   /// its unit, are kept in the comments.
@@ -175,72 +157,6 @@ class CaseWriter {
     }
   }
 
-  /// The tables of the case that a varied one stands for.
-  [[nodiscard]] std::vector<Place> tables(const VariedTable& table) const {
-    std::vector<Place> found;
-    const auto add = [&](const std::optional<Place>& place) {
-      if (place && place->node.is_map() && place->node.find("columns")) found.push_back(*place);
-    };
-    const auto friction = root().find("friction");
-    if (!friction || !friction->node.is_sequence()) return found;
-    for (std::size_t i = 0; i < friction->node.size(); ++i) {
-      const Place entry = friction->at(i);
-      if (!belongs(table, entry, i)) continue;
-      const auto predefined = entry.find("predefined");
-      if (table.use == VariedTable::Use::kCoefficient) {
-        add(experiment_.base.pair ? record_of(*experiment_.base.pair) : entry.find("coefficient"));
-      } else if (!predefined) {
-        add(entry.find("internal_contact_force"));
-      } else {
-        for (std::size_t k = 0; predefined->node.is_map() && k < predefined->node.size(); ++k) {
-          const bool internal =
-              predefined->node.entry(k).key.text().starts_with("internal_contact_");
-          if (internal) add(predefined->at(k));
-        }
-      }
-    }
-    return found;
-  }
-
-  /// Tells whether an entry of `friction:` has the definition of a varied table. Predefined
-  /// friction may give several, `name.force` and `name.moment`, without a name just `force` and
-  /// `moment`.
-  [[nodiscard]] bool belongs(const VariedTable& table, const Place& entry, std::size_t i) const {
-    if (table.definition.empty()) return true;
-    const auto name = entry.find("name");
-    const std::string called =
-        name ? std::string(name->node.text()) : fmt::format("friction{}", i + 1);
-    if (table.definition == called || table.definition.starts_with(called + ".")) return true;
-    return !name && entry.find("predefined") && !names_an_entry(table.definition);
-  }
-
-  /// Tells whether a definition is that of an entry of `friction:` by its name or number.
-  [[nodiscard]] bool names_an_entry(const std::string& definition) const {
-    const auto friction = root().find("friction");
-    for (std::size_t i = 0; i < friction->node.size(); ++i) {
-      const auto name = friction->at(i).find("name");
-      const std::string called =
-          name ? std::string(name->node.text()) : fmt::format("friction{}", i + 1);
-      if (definition == called || definition.starts_with(called + ".")) return true;
-    }
-    return false;
-  }
-
-  /// The coefficient of the record of a table of part pairs.
-  [[nodiscard]] std::optional<Place> record_of(const cases::PickedPair& pair) const {
-    const auto table = root().find("friction_pairs");
-    if (!table) return std::nullopt;
-    if (const auto otherwise = table->find("default");
-        otherwise && otherwise->path.text() == pair.record) {
-      return otherwise->find("coefficient");
-    }
-    const auto pairs = table->find("pairs");
-    for (std::size_t i = 0; pairs && i < pairs->node.size(); ++i) {
-      if (pairs->at(i).path.text() == pair.record) return pairs->at(i).find("coefficient");
-    }
-    return std::nullopt;
-  }
-
   [[nodiscard]] static std::size_t free_column(const Place& table, const std::string& name) {
     const yaml::Node columns = *table.node.find("columns");
     for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -255,8 +171,11 @@ class CaseWriter {
     const auto fitted = std::find_if(calibration_.tables.begin(), calibration_.tables.end(),
                                      [&](const FittedTable& table) { return table.index == t; });
     if (fitted == calibration_.tables.end()) return std::nullopt;
-    const std::vector<Place> places = tables(varied);
-    for (const Place& place : places) {
+    std::set<std::vector<std::size_t>> done;  // sliding and spinning may share one table
+    for (const std::size_t i : definitions_with(experiment_.base, varied)) {
+      const auto found = table_place(tree_.root(), experiment_.base, i, varied.use);
+      if (!found || !found->node.find("columns") || !done.insert(found->way).second) continue;
+      const Place& place = *found;
       if (const auto rows = place.find("rows")) {
         if (!set_rows(*rows, free_column(place, varied.free), *fitted)) {
           return fmt::format("the rows of table '{}' are not those that were fitted", varied.name);
@@ -265,7 +184,7 @@ class CaseWriter {
         write_rows(*csv, *fitted);
       }
     }
-    if (places.empty()) return std::nullopt;
+    if (done.empty()) return std::nullopt;
     for (std::size_t i = 0; i < fitted->count; ++i) unknowns_.push_back(fitted->first_unknown + i);
     return std::nullopt;
   }
@@ -309,7 +228,7 @@ class CaseWriter {
     NodeChange& change = change_at(changes_, csv.way);
     change.key = "rows";
     change.text = text + "]";
-    became_rows_.insert(csv.path.text());
+    became_rows_.insert(csv.way);
   }
 
   /// Paths of data files, from where the calibrated case is going to be.
@@ -339,7 +258,7 @@ class CaseWriter {
       }
       const std::string_view file = below.node.text();
       if (file == "-" || (key == "curve" && check::is_curve_name(file))) continue;
-      if (became_rows_.contains(source.path.text())) continue;
+      if (became_rows_.contains(source.way)) continue;
       const fs::path written(file);
       std::string now(file);
       if (!written.is_absolute() && old_folder != new_folder_) {
@@ -358,7 +277,7 @@ class CaseWriter {
   std::vector<std::size_t> unknowns_;  ///< that the case has
   std::vector<std::string> remarks_;
   std::vector<std::string> notes_;
-  std::set<std::string> became_rows_;  ///< paths of `csv:`
+  std::set<std::vector<std::size_t>> became_rows_;  ///< ways to `csv:`
   fs::path new_folder_;
   bool outside_ = false;
 };

@@ -2,7 +2,6 @@
 #include "driver/calibrate/resolve_varied.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "driver/base/text/format_number.hpp"
 #include "driver/base/text/in_quotes.hpp"
 #include "driver/base/text/suggestions.hpp"
+#include "driver/calibrate/table_place.hpp"
 #include "law/friction/tabular_coefficient.hpp"
 
 namespace slipbench::driver::calibrate {
@@ -191,9 +191,6 @@ void settle_parameters(yaml::Binder& binder, const yaml::NamedMap<VaryText>& tex
 
 namespace {
 
-constexpr std::string_view kCoefficient = "coefficient";
-constexpr std::string_view kInternalForce = "internal_contact_force";
-
 /// A key of `tables:` taken apart.
 struct TableName {
   std::string definition;
@@ -205,93 +202,11 @@ std::optional<TableName> table_name(std::string_view key) {
   const std::string_view last = dot == std::string_view::npos ? key : key.substr(dot + 1);
   TableName name;
   if (dot != std::string_view::npos) name.definition = std::string(key.substr(0, dot));
-  if (last == kInternalForce) name.use = VariedTable::Use::kInternalContactForce;
-  if (last == kInternalForce || last == kCoefficient) return name;
-  return std::nullopt;
-}
-
-std::string_view word_of(VariedTable::Use use) {
-  return use == VariedTable::Use::kCoefficient ? kCoefficient : kInternalForce;
-}
-
-/// One entry of `friction:` as a case's text has it.
-struct FrictionEntry {
-  std::string name;
-  yaml::Node node;
-};
-
-std::vector<FrictionEntry> friction_entries(const yaml::Node& root) {
-  std::vector<FrictionEntry> entries;
-  const auto list = root.find("friction");
-  if (!list || !list->is_sequence()) return entries;
-  for (std::size_t i = 0; i < list->size(); ++i) {
-    const auto name = (*list)[i].find("name");
-    entries.push_back(
-        {name ? std::string(name->text()) : "friction" + std::to_string(i + 1), (*list)[i]});
-  }
-  return entries;
-}
-
-/// The record of part pairs that gives a case its coefficient.
-std::optional<yaml::Node> pair_record(const yaml::Node& root, const cases::Case& problem) {
-  const auto pairs = root.find("friction_pairs");
-  if (!pairs || !problem.pair) return std::nullopt;
-  std::string_view record = problem.pair->record;
-  record.remove_prefix(std::min(record.size(), std::string_view("friction_pairs.").size()));
-  const std::size_t bracket = record.find('[');
-  const auto node = pairs->find(record.substr(0, bracket));
-  if (!node || bracket == std::string_view::npos) return node;
-  const auto index = static_cast<std::size_t>(std::stoul(std::string(record.substr(bracket + 1))));
-  return index < node->size() ? std::optional((*node)[index]) : std::nullopt;
-}
-
-/// The key under which predefined friction has the internal contact force of a definition.
-std::optional<yaml::Node> predefined_internal_force(const yaml::Node& predefined,
-                                                    std::size_t definition,
-                                                    std::size_t definitions) {
-  constexpr std::array<std::array<std::string_view, 2>, 2> kKeys{
-      {{"internal_contact_force", "internal_contact_moment_1"},
-       {"internal_contact_moment", "internal_contact_moment_3"}}};
-  for (std::size_t i = 0; i < kKeys.size(); ++i) {
-    if (definitions > 1 && i != definition) continue;
-    for (const std::string_view key : kKeys[i]) {
-      if (const auto value = predefined.find(key)) return value;
-    }
+  for (const auto use : {VariedTable::Use::kCoefficient, VariedTable::Use::kInternalContactForce}) {
+    name.use = use;
+    if (last == word_of(use)) return name;
   }
   return std::nullopt;
-}
-
-/// A definition of a case with the entry of `friction:` that it comes from.
-struct Owned {
-  std::size_t definition = 0;
-  FrictionEntry entry;
-};
-
-/// Predefined friction is alone in its case and may give several definitions; all others give one.
-std::vector<Owned> owned_definitions(const ReadExperiment& experiment) {
-  const std::vector<FrictionEntry> entries = friction_entries(*experiment.root);
-  const std::size_t count = experiment.fit.base.definitions.size();
-  std::vector<Owned> all;
-  for (std::size_t i = 0; i < count && !entries.empty(); ++i) {
-    all.push_back(
-        {i, entries.size() == 1 ? entries.front() : entries[std::min(i, entries.size() - 1)]});
-  }
-  return all;
-}
-
-/// Returns where a case writes what a varied table stands for.
-std::optional<yaml::Node> value_node(const ReadExperiment& experiment, const Owned& owned,
-                                     VariedTable::Use use) {
-  const std::string_view key = word_of(use);
-  if (const auto value = owned.entry.node.find(key)) return value;
-  if (use == VariedTable::Use::kInternalContactForce) {
-    const auto predefined = owned.entry.node.find("predefined");
-    if (!predefined) return std::nullopt;
-    return predefined_internal_force(*predefined, owned.definition,
-                                     experiment.fit.base.definitions.size());
-  }
-  const auto record = pair_record(*experiment.root, experiment.fit.base);
-  return record ? record->find(key) : std::nullopt;
 }
 
 /// The table that a definition has; null if it has none.
@@ -348,14 +263,14 @@ class TableSearch {
     std::vector<std::string> names;
     for (const ReadExperiment& experiment : experiments_) {
       if (!experiment.read) continue;
-      for (const Owned& owned : owned_definitions(experiment)) {
-        const cases::CaseDefinition& definition = experiment.fit.base.definitions[owned.definition];
-        using Use = VariedTable::Use;
-        if (table_of(definition, Use::kCoefficient) != nullptr) {
-          add_once(names, owned.entry.name + "." + std::string(kCoefficient));
-        }
-        if (table_of(definition, Use::kInternalContactForce) != nullptr) {
-          add_once(names, definition.name + "." + std::string(kInternalForce));
+      const std::vector<std::string> entries = entry_names(*experiment.root);
+      for (const cases::CaseDefinition& definition : experiment.fit.base.definitions) {
+        for (const auto& [use, name] :
+             {std::pair{VariedTable::Use::kCoefficient, &entries[definition.entry]},
+              std::pair{VariedTable::Use::kInternalContactForce, &definition.name}}) {
+          if (table_of(definition, use) != nullptr) {
+            add_once(names, *name + "." + std::string(word_of(use)));
+          }
         }
       }
     }
@@ -390,20 +305,21 @@ class TableSearch {
     for (const ReadExperiment& experiment : experiments_) {
       all_read = all_read && experiment.read;
       if (!experiment.read) continue;
-      const std::vector<FrictionEntry> entries = friction_entries(*experiment.root);
+      const std::vector<std::string> entries = entry_names(*experiment.root);
       if (name.definition.empty() && entries.size() > 1) {
         error(experiment.case_name + " has " + std::to_string(entries.size()) +
                   " friction definitions: which of them?",
-              "write " + base::in_quotes(entries.front().name + "." + text_.name) + " or " +
-                  base::in_quotes(entries[1].name + "." + text_.name));
+              "write " + base::in_quotes(entries[0] + "." + text_.name) + " or " +
+                  base::in_quotes(entries[1] + "." + text_.name));
         return false;
       }
       std::vector<std::string> names;
       const std::string* entry_name = nullptr;
-      const std::vector<Owned> all = owned_definitions(experiment);
-      for (const Owned& owned : all) {
-        const cases::CaseDefinition& definition = experiment.fit.base.definitions[owned.definition];
-        if (!name.definition.empty() && owned.entry.name != name.definition &&
+      const cases::Case& problem = experiment.fit.base;
+      for (std::size_t i = 0; i < problem.definitions.size(); ++i) {
+        const cases::CaseDefinition& definition = problem.definitions[i];
+        const std::string& entry = entries[definition.entry];
+        if (!name.definition.empty() && entry != name.definition &&
             definition.name != name.definition) {
           continue;
         }
@@ -414,22 +330,22 @@ class TableSearch {
                 "write its numbers as parameters and vary those");
           return false;
         }
-        const auto node = value_node(experiment, owned, name.use);
+        const auto place = table_place(*experiment.root, problem, i, name.use);
         const law::TableFunction* table = table_of(definition, name.use);
         if (table == nullptr) {
           without = &experiment;
-          found = !node               ? "is not given"
-                  : node->is_scalar() ? "is " + base::in_quotes(node->text())
-                                      : "is a law";
+          found = !place                    ? "is not given"
+                  : place->node.is_scalar() ? "is " + base::in_quotes(place->node.text())
+                                            : "is a law";
           continue;
         }
         // Sliding and spinning share one table, at a friction radius with its points converted.
         const bool again = name.use == VariedTable::Use::kCoefficient && entry_name != nullptr &&
-                           *entry_name == owned.entry.name;
-        if (!again) found_.push_back({&experiment, table, columns_of(node)});
+                           *entry_name == entry;
+        if (!again) found_.push_back({&experiment, table, columns_of(place)});
         fitted = fitted || !experiment.fit.held_out;
         names.push_back(definition.name);
-        entry_name = &owned.entry.name;
+        entry_name = &entry;
       }
       if (names.size() > 1 && name.use == VariedTable::Use::kInternalContactForce) {
         error(experiment.case_name + " has " + std::to_string(names.size()) +
@@ -458,9 +374,9 @@ class TableSearch {
     return same_everywhere();
   }
 
-  static std::vector<std::string> columns_of(const std::optional<yaml::Node>& node) {
+  static std::vector<std::string> columns_of(const std::optional<Place>& place) {
     std::vector<std::string> names;
-    const auto columns = node ? node->find("columns") : std::nullopt;
+    const auto columns = place ? place->node.find("columns") : std::nullopt;
     if (!columns || !columns->is_sequence()) return names;
     for (const yaml::Node column : columns->items()) names.emplace_back(column.text());
     return names;

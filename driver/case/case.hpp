@@ -41,12 +41,19 @@ struct CaseDefinition {
   /// Law of the other direction: `law.law` then holds for forward slip only. One component.
   std::optional<law::FrictionLaw> backward = {};
   std::optional<DeadZone> dead_zone = {};  ///< in series with the friction of one component
+  std::size_t entry = 0;                   ///< of `friction:`, that it comes from
 };
 
 /// The record of a table of part pairs whose friction is in force.
 struct PickedPair {
-  std::array<int, 2> parts{};  ///< ids, as the case names them
-  std::string record;          ///< its path in the case: "friction_pairs.pairs[1]"
+  std::array<int, 2> parts{};        ///< ids, as the case names them
+  std::optional<std::size_t> index;  ///< of friction_pairs.pairs; nothing: the default
+
+  /// The record's path in the case.
+  std::string record() const {
+    return index ? "friction_pairs.pairs[" + std::to_string(*index) + "]"
+                 : "friction_pairs.default";
+  }
 };
 
 /// The belt of a SLIPRING connector; the wrap angles are the connection type's.

@@ -14,7 +14,7 @@ namespace slipbench::driver::plot {
 namespace {
 
 /// From the lowest to the highest of some columns, 0 included, with room above and below.
-struct Range {
+struct AxisRange {
   double low = 0.0;
   double high = 0.0;
   double above = 0.08;  ///< room, as a part of the range
@@ -42,7 +42,7 @@ void tell_motion(PlotScript& script, const results::PlotData& data,
   std::string names;
   std::string axes;
   std::string labels[2];
-  Range range[2];
+  AxisRange range[2];
   std::string first;
   for (const int position : definition.positions) {
     if (position < 0) continue;
@@ -80,9 +80,9 @@ void tell_force_axis(PlotScript& script, const results::PlotData& data,
 
 void tell_state(PlotScript& script, const results::PlotData& data,
                 const results::PlotDefinition& definition) {
-  Range normal;
-  Range mu;
-  Range energy;
+  AxisRange normal;
+  AxisRange mu;
+  AxisRange energy;
   normal.include(data, definition.normal_force);
   mu.include(data, definition.mu);
   std::string unit;

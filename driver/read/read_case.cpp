@@ -186,11 +186,11 @@ struct Reading {
   yaml::Binder binder;
 };
 
-/// Everything up to the friction. Faults do not hide one another: each part is judged as far as it
-/// was understood.
-/// \return whether it is known which result columns there are
-bool resolve_to_friction(Reading& reading, const yaml::Node& root, CaseText& text,
-                         cases::Case& problem) {
+/// Resolves what goes before the friction. Faults do not hide one another: each part is judged as
+/// far as it was understood.
+/// \return the text with the coefficients of the parts that meet
+CaseText resolve_connection(Reading& reading, const yaml::Node& root, CaseText text,
+                            cases::Case& problem) {
   yaml::Binder& binder = reading.binder;
   problem.file = root.source().name();
   problem.title =
@@ -200,8 +200,14 @@ bool resolve_to_friction(Reading& reading, const yaml::Node& root, CaseText& tex
   if (text.extrapolation.sound) binder.set_extrapolation(text.extrapolation.value);
   resolve_connector(binder, text, problem);
   resolve_belt(binder, text, problem);
-  resolve_friction_pairs(binder, text, !yaml::is_misspelt<CaseText>(root, "friction_pairs"),
-                         problem);
+  return with_friction_of_parts(binder, std::move(text),
+                                !yaml::is_misspelt<CaseText>(root, "friction_pairs"), problem);
+}
+
+/// Resolves the friction, and the units that follow from what it slips in.
+/// \return whether it is known which result columns there are
+bool resolve_friction_and_units(yaml::Binder& binder, const yaml::Node& root, const CaseText& text,
+                                cases::Case& problem) {
   const bool derived_known = !yaml::is_misspelt<CaseText>(root, "derived_components");
   const bool columns_known = resolve_friction(binder, text, derived_known, problem);
   if (text.friction_pairs.given() && !problem.definitions.empty()) {
@@ -247,11 +253,12 @@ ReadCase ParsedCase::resolve(const ReadOptions& options) const {
   Reading reading(root, folder_, options, out);
   yaml::Binder& binder = reading.binder;
 
-  CaseText text;
-  const bool bound = yaml::read_struct(binder, root, yaml::Path(), text);
+  CaseText written;
+  const bool bound = yaml::read_struct(binder, root, yaml::Path(), written);
 
   cases::Case problem;
-  const bool columns_known = resolve_to_friction(reading, root, text, problem);
+  const CaseText text = resolve_connection(reading, root, std::move(written), problem);
+  const bool columns_known = resolve_friction_and_units(binder, root, text, problem);
   const std::size_t errors = binder.errors();
   resolve_forces(binder, text, problem);
   resolve_history(binder, text, problem);
@@ -289,7 +296,8 @@ ParsedCase::resolve_friction_only(const ReadOptions& options) const {
     }
   });
   cases::Case problem;
-  resolve_to_friction(reading, root, text, problem);
+  text = resolve_connection(reading, root, std::move(text), problem);
+  resolve_friction_and_units(reading.binder, root, text, problem);
   if (out.has_errors()) return tl::unexpected(std::move(out));
   return std::move(problem.definitions);
 }

@@ -117,7 +117,7 @@ class Teller {
     fact("connection", fmt::format("{}, free: {}", info.name, fmt::join(free, ", ")));
     if (problem_.pair) {
       fact("part pair", fmt::format("{} and {}: {}", problem_.pair->parts[0],
-                                    problem_.pair->parts[1], problem_.pair->record));
+                                    problem_.pair->parts[1], problem_.pair->record()));
     }
   }
 

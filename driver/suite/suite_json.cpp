@@ -10,11 +10,11 @@ namespace slipbench::driver::suite {
 
 namespace {
 
-constexpr const char* kStart = "{\"slipbench\": ";
+constexpr const char* kJsonStart = "{\"slipbench\": ";
 
 }  // namespace
 
-base::FileMark SuiteJson::mark() { return {"a JSON file of 'slipbench check'", kStart, ""}; }
+base::FileMark SuiteJson::mark() { return {"a JSON file of 'slipbench check'", kJsonStart, ""}; }
 
 void SuiteJson::add(std::size_t place, const Candidate& candidate, const CaseOutcome& outcome) {
   base::json::Value one;
@@ -51,8 +51,8 @@ std::string SuiteJson::text(const SuiteTotals& totals) const {
   sums["exit_code"] = totals.code;
   std::string cases;
   for (const auto& [place, text] : cases_) cases += (cases.empty() ? "\n  " : ",\n  ") + text;
-  return kStart + base::json::Value(results::program_version()).dump() + ", \"cases\": [" + cases +
-         "\n], \"totals\": " + sums.dump() + "}\n";
+  return kJsonStart + base::json::Value(results::program_version()).dump() + ", \"cases\": [" +
+         cases + "\n], \"totals\": " + sums.dump() + "}\n";
 }
 
 }  // namespace slipbench::driver::suite

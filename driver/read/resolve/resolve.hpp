@@ -25,12 +25,11 @@ void finish_belt(yaml::Binder& binder, const CaseText& text, cases::Case& out);
 /// \param drive is called with each coordinate that is driven
 void drive_nodes(yaml::Binder& binder, const StepText& text, const cases::Case& problem,
                  const std::function<void(int quantity, const yaml::At<ProfileText>&)>& drive);
-/// Picks the record of `friction_pairs:` that joins the connector's parts and gives its coefficient
-/// (and VISF) to every friction definition of `text`, as if it were written there. Goes before the
-/// friction.
+/// Picks the record of `friction_pairs:` that joins the connector's parts. Goes before friction.
 /// \param table_known false: the table may be missing because its key is misspelt
-void resolve_friction_pairs(yaml::Binder& binder, CaseText& text, bool table_known,
-                            cases::Case& out);
+/// \return the text with the record's coefficient (and VISF) in every friction definition
+CaseText with_friction_of_parts(yaml::Binder& binder, CaseText text, bool table_known,
+                                cases::Case& out);
 /// \param derived_known false: derived components may be missing
 /// \return whether it is known which components slip and what their laws bring with them, and so
 ///         which result columns there are

@@ -331,6 +331,7 @@ class Resolver {
     if (text.coefficient.value.with_direction) add_backward(friction, first);
     for (std::size_t i = first; i < out_.definitions.size(); ++i) {
       owner_of_definition_.push_back(&text.coefficient);
+      out_.definitions[i].entry = index;
     }
     // Where sliding and spinning share a number, it is the sliding one's.
     if (first < out_.definitions.size()) {

@@ -238,8 +238,8 @@ void await(FrictionText& friction, const yaml::At<FrictionPairsText>& pairs) {
 
 }  // namespace
 
-void resolve_friction_pairs(yaml::Binder& binder, CaseText& text, bool table_known,
-                            cases::Case& out) {
+CaseText with_friction_of_parts(yaml::Binder& binder, CaseText text, bool table_known,
+                                cases::Case& out) {
   const yaml::At<std::vector<yaml::At<int>>>& parts = text.connector.value.parts;
   const yaml::At<FrictionPairsText>& pairs = text.friction_pairs;
   if (!pairs.given()) {
@@ -247,11 +247,11 @@ void resolve_friction_pairs(yaml::Binder& binder, CaseText& text, bool table_kno
       binder.error(*parts.node, parts.path,
                    "parts pick a record of 'friction_pairs:', and there is none");
     }
-    return;
+    return text;
   }
   if (!pairs.node->is_map()) {
     for (yaml::At<FrictionText>& friction : text.friction.value) await(friction.value, pairs);
-    return;
+    return text;
   }
   PairTable table(binder, pairs);
   const bool sound = table.resolve();
@@ -267,7 +267,6 @@ void resolve_friction_pairs(yaml::Binder& binder, CaseText& text, bool table_kno
   // What is not picked is judged here, what is picked where it is used.
   const yaml::At<CoefficientText>* coefficient = nullptr;
   const yaml::At<double>* visf = nullptr;
-  std::string record;
   std::optional<std::size_t> picked;
   if (sound && meeting) {
     const PairDefaultText& otherwise = pairs.value.otherwise.value;
@@ -277,11 +276,9 @@ void resolve_friction_pairs(yaml::Binder& binder, CaseText& text, bool table_kno
       const PartPairText& pair = pairs.value.pairs.value[*picked].value;
       coefficient = &pair.coefficient;
       visf = &pair.visf;
-      record = pairs.value.pairs.value[*picked].path.text();
     } else if (pairs.value.otherwise.given()) {
       coefficient = &otherwise.coefficient;
       visf = &otherwise.visf;
-      record = pairs.value.otherwise.path.text();
     } else {
       binder.error(*parts.node, parts.path,
                    "no record of friction_pairs joins the parts " + std::to_string(a) + " and " +
@@ -321,11 +318,12 @@ void resolve_friction_pairs(yaml::Binder& binder, CaseText& text, bool table_kno
     }
   }
   if (coefficient != nullptr) {
+    out.pair = cases::PickedPair{*meeting, picked};
     binder.note(*parts.node, parts.path,
                 "parts " + std::to_string((*meeting)[0]) + " and " + std::to_string((*meeting)[1]) +
-                    " take the friction of " + record);
-    out.pair = cases::PickedPair{*meeting, record};
+                    " take the friction of " + out.pair->record());
   }
+  return text;
 }
 
 }  // namespace slipbench::driver::read

@@ -389,6 +389,33 @@ TEST_CASE("a case that cannot be written is told, and the others are written") {
         "write it in one line");
 }
 
+TEST_CASE("of two internal contact forces only the varied one has new numbers") {
+  const Folder folder;
+  const fs::path path = folder.write("puck.yaml", R"(slipbench: 1
+connector: {type: PLANAR}
+friction:
+  - predefined:
+      R: 20
+      internal_contact_force: {columns: [force, temperature], rows: [[100, 0], [90, 50]]}
+      internal_contact_moment: {columns: [force, temperature], rows: [[300, 0], [200, 50]]}
+    coefficient: 0.2
+    stick: {elastic_slip: 1e-3}
+history:
+  - {step: slide, duration: 1, increments: 10, motion: {CP2: {to: 5}}}
+)");
+  const read::ReadCase read = read::read_case(path.string());
+  REQUIRE(read.value);
+  Made made;
+  made.add_experiment("a", path, *read.value);
+  constexpr auto kUse = calibrate::VariedTable::Use::kInternalContactForce;
+  made.vary_table("spinning", kUse,
+                  calibrate::varied_table(read.value->definitions.at(1).law, kUse)->table());
+  const std::string text =
+      only_text(calibrate::calibrated_cases(made.fit, made.calibration, folder.path()));
+  CHECK(contains(text, "rows: [[100, 0], [90, 50]]"));
+  CHECK_FALSE(contains(text, "[300, 0]"));
+}
+
 TEST_CASE("every shipped case reads back with the numbers that were put into it") {
   int with_parameters = 0;
   int with_tables = 0;

@@ -49,7 +49,7 @@ TEST_CASE("The parts of the connector pick the record, and --set can change them
     const cases::Case problem = sound(kTable, {{{"a", a}, {"b", b}}, false});
     CHECK(coefficient(problem) == mu);
     REQUIRE(problem.pair);
-    CHECK(problem.pair->record == record);
+    CHECK(problem.pair->record() == record);
     CHECK(problem.pair->parts == std::array{static_cast<int>(a), static_cast<int>(b)});
   }
 }

@@ -9,7 +9,7 @@
 
 namespace slipbench::driver {
 
-/// The bytes of a file; none of one that cannot be read.
+/// Reads a file; nothing of one that cannot be read.
 inline std::string file_text(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
