@@ -20,7 +20,7 @@ using std::numbers::pi;
 constexpr int kIncrements = 100000;
 constexpr double kEndTime = 100.0;
 
-/// What moves and pulls over the history; one row an increment.
+/// Motions and loads over the history; one row an increment.
 struct History {
   std::vector<double> motion2, motion3, force1, temperature;
 };

@@ -16,17 +16,17 @@
 #include "law/connection/connection_type.hpp"
 #include "law/sensitivity/sensitivity.hpp"
 
-/// What a calibration spends its time on: a SLIDE-PLANE on a growing Lissajous path, 10,000
-/// increments, both forces compared at every increment. The law alone, its forces at the compared
-/// points, these with exact derivatives; over the forces' time, differences would take one run an
-/// unknown more. Every timed run checks where it ended.
+// Work of a calibration: a SLIDE-PLANE on a growing Lissajous path, 10,000
+// increments, both forces compared at every increment. The law alone, its forces at the compared
+// points, these with exact derivatives; over the forces' time, differences would take one run an
+// unknown more. Every timed run checks where it ended.
 namespace {
 
 using namespace slipbench;
 
 constexpr int kIncrements = 10000;
 
-/// What is fitted: a definition, and how its numbers depend on the unknowns.
+/// Problem of a fit: a definition, and how its numbers depend on the unknowns.
 struct Problem {
   law::FrictionDefinition definition;
   law::DefinitionSlopes slopes;

@@ -18,7 +18,7 @@ class RunLength {
 
   double increments() const { return increments_; }
 
-  /// Of the increments, those of a step (any if there is none) between two total times.
+  /// Counts the increments of a step (any if there is none) between two total times.
   double increments_between(const std::optional<std::string>& step, double from, double to) const;
 
   /// The part of the increments that lies behind a row of the run, 0 .. 1.

@@ -48,7 +48,7 @@ class VariedCase {
 
   /// The unknowns that the case has: its parameters and its tables' ordinates, ascending.
   std::span<const std::size_t> unknowns() const { return unknowns_; }
-  /// Of those, the ones that stand for parameters.
+  /// Counts those that stand for parameters.
   std::size_t parameters() const { return parameters_.size(); }
   const std::string& parameter_name(std::size_t i) const { return parameters_[i].name; }
   /// Unknowns from here on are ordinates.

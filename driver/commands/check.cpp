@@ -73,7 +73,7 @@ std::vector<suite::Candidate> reordered(const std::vector<suite::Candidate>& cas
   return result;
 }
 
-/// All that are told how the cases went.
+/// All outputs of how the cases went.
 struct Told {
   suite::SuiteTotals totals;
   suite::TrailingNotes notes;

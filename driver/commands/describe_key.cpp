@@ -30,7 +30,8 @@ std::string_view name_of(std::string_view segment) {
   return segment.substr(0, segment.find_first_of(" ["));
 }
 
-/// True if a row is meant by the segments that were typed; names of the user's may be left out.
+/// Tells whether a row is meant by the segments that were typed; names of the user's may be left
+/// out.
 bool is_meant(const yaml::KeyRow& row, const std::vector<std::string_view>& asked) {
   std::vector<std::string_view> segments = split(row.path, '.');
   if (name_of(segments.back()) == "NAME") return false;

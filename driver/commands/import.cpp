@@ -73,7 +73,7 @@ tl::expected<std::array<double, 3>, std::string> parse_normal(const std::string&
   return normal;
 }
 
-/// The friction that is meant; null if it cannot be told, which is said.
+/// Chooses the friction that is meant; null if that is open, which is reported.
 const radioss::DeckFriction* choose(const radioss::DeckContents& contents,
                                     const ImportOptions& options, base::Diagnostics& out) {
   constexpr std::size_t kMostNamed = 20;

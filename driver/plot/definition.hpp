@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the templates that draw a result are told about it: its rows, its spans of slip, and the
+// Variables of the templates that draw a result: its rows, its spans of slip, and the
 // columns of each friction definition. Columns count from 1 in gnuplot; 0 is none.
 #pragma once
 
@@ -33,7 +33,7 @@ std::string axis_label(std::string_view what, const results::PlotColumn& column)
 /// Tells whether all forces of a definition are moments.
 bool is_moment(const results::PlotData& data, const results::PlotDefinition& definition);
 std::string force_label(const results::PlotData& data, int force);
-/// Of a position: "position CP1 [mm]" or "angle CPR1 [rad]".
+/// Names a position: "position CP1 [mm]" or "angle CPR1 [rad]".
 std::string motion_label(const results::PlotData& data, int position);
 
 /// CSFC of a coupled definition, else its only force.

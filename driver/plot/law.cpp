@@ -54,7 +54,7 @@ std::vector<double> levels(double end) {
   return list;
 }
 
-/// Writes what the template is told about one coefficient, and its data.
+/// Script of one coefficient: the variables of the template, and the data.
 class Script {
  public:
   /// \param without why there are no states of a run; empty if there are

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Digits of the numbers that are told to gnuplot, and by it.
+// Digits of the numbers that go to gnuplot, and that it writes.
 #pragma once
 
 #include <string>

@@ -14,7 +14,7 @@ namespace slipbench::driver::read {
 /// Endings of the names of cases and fits; the first wins where both files exist.
 inline constexpr std::array<std::string_view, 2> kCaseEndings{".yaml", ".yml"};
 
-/// True for a name with one of these endings.
+/// Tells whether a name has one of these endings.
 bool has_case_ending(const std::filesystem::path& file);
 
 /// The key `calibrate` of a file that is a fit and no case; nothing of any other file.

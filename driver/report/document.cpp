@@ -79,7 +79,7 @@ std::vector<double> column_of(const CaseReport& one, std::size_t c) {
   return column_of(one.drawn.rows.numbers, one.columns.size(), c);
 }
 
-/// Of a thinned run: which rows there are, the extremes of its pieces, and its cycles.
+/// Writes which rows of a thinned run there are, the extremes of its pieces, and its cycles.
 void write_thinning(JsonText& json, const CaseReport& one) {
   const DrawnRows& drawn = one.drawn;
   const std::vector<double> index(drawn.rows.index.begin(), drawn.rows.index.end());

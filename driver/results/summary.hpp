@@ -105,7 +105,7 @@ class Summary {
   void add_events(const bench::Row& row);
   void add_creep(const bench::DefinitionRow& here, std::size_t index);
   void add_formulation(const bench::Row& row, std::size_t index);
-  /// Of a coefficient that falls too fast for the increments; empty if none does.
+  /// Warns of a coefficient that falls too fast for the increments; empty if none does.
   std::string falling_warning(const DefinitionSummary& definition, std::size_t index) const;
   std::vector<std::string> formulation_warnings(const DefinitionSummary& definition,
                                                 std::size_t index) const;
@@ -123,7 +123,7 @@ class Summary {
   std::vector<StickSlipCounter> stick_slip_;
   std::vector<double> since_;  ///< fraction of the increment at the last event in it
   std::vector<law::FrictionState> stick_start_;  ///< where the current stick began
-  /// Of a belt: the shortest distance CP1 and the most negative prescribed tension, and when.
+  /// Shortest distance CP1 of a belt, and most negative prescribed tension, and when.
   struct Least {
     double value = 0.0;
     double time = 0.0;

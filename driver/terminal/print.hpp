@@ -25,9 +25,9 @@ int refuse(int code, std::string_view message);
 /// base::kExitNoReader.
 int finish_output(int code);
 
-/// True if colour is wanted on a stream. The first of these decides: NO_COLOR that is not empty
-/// forbids it, FORCE_COLOR or CLICOLOR_FORCE that is neither empty nor 0 demands it, CLICOLOR=0
-/// forbids it; else a terminal whose TERM is neither empty nor "dumb" has it.
+/// Tells whether colour is wanted on a stream. The first of these decides: NO_COLOR that is not
+/// empty forbids it, FORCE_COLOR or CLICOLOR_FORCE that is neither empty nor 0 demands it,
+/// CLICOLOR=0 forbids it; else a terminal whose TERM is neither empty nor "dumb" has it.
 bool colour_wanted(int descriptor);
 
 /// "12 ms", "0.21 s", "3.4 s".

@@ -24,8 +24,8 @@ namespace {
 using detail::NodeRecord;
 using detail::TreeData;
 
-// What the YAML library gets to read: the source with each row of numbers cut down to "[]", which
-// makes long tables several times faster, and the way back from its offsets to those of the source.
+// Text for the YAML library: the source with each row of numbers cut down to "[]", which makes
+// long tables several times faster, and the way back from its offsets to those of the source.
 class Feed {
  public:
   Feed(std::string_view text, std::vector<NumberRow> rows) : rows_(std::move(rows)) {

@@ -257,7 +257,7 @@ class Pieces {
     return result;
   }
 
-  /// True if what holds the force on its limit still does so where the piece ends: the last
+  /// Tells whether what holds the force on its limit still does so where the piece ends: the last
   /// sub-increment of every row may have passed the place where it lets go.
   bool goes_on(const Run& run, double from, double to) noexcept {
     const Signature& common = run.last.signature;
@@ -269,7 +269,7 @@ class Pieces {
            steps_.keeps_rate(steps_.point(to, end, run.end.slip_rate));
   }
 
-  /// True if a step lets go of a term that the one before it pulls on, or holds at 0.
+  /// Tells whether a step lets go of a term that the one before it pulls on, or holds at 0.
   static bool lets_go(const Signature& before, const Signature& after) noexcept {
     for (std::size_t g = 0; g < kComponents; ++g) {
       const auto was = before.leaf[g], is = after.leaf[g];
@@ -279,7 +279,7 @@ class Pieces {
     return false;
   }
 
-  /// True if a piece that this step goes through can begin at `from`.
+  /// Tells whether a piece that this step goes through can begin at `from`.
   bool begins(const SubIncrement& first, double from, double to) noexcept {
     const Signature& signature = first.signature;
     const double ahead = std::min(from + kAhead, from + 0.5 * (to - from));
@@ -307,8 +307,8 @@ class Pieces {
            steps_.can_begin(signature, at_, from);
   }
 
-  /// True if what a step from here to `to` no longer holds is left alone from the begin: a limit
-  /// may rise slowly first, pulled along, and fast enough to let go of the force later.
+  /// Tells whether what a step from here to `to` no longer holds is left alone from the begin: a
+  /// limit may rise slowly first, pulled along, and fast enough to let go of the force later.
   bool lets_go_at_once(const Signature& signature, double from, double to) noexcept {
     const bool slips = signature.regime == Regime::kSlip;
     const bool sticks = signature.regime == Regime::kStick && steps_.holds(at_, from) < kAhead;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the limit of a segment is one smooth formula: between the corners of everything that
+// Pieces of a segment whose limit is one smooth formula: between the corners of everything that
 // decides on a formula (theory 11.9).
 #pragma once
 

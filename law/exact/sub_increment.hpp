@@ -64,23 +64,23 @@ class SubIncrements {
   double reserve(double tau, double accumulated_slip) noexcept {
     return strength(tau, accumulated_slip) - least_;
   }
-  /// True if the limit holds a force, at rest or with a slip per segment [L].
+  /// Tells whether the limit holds a force, at rest or with a slip per segment [L].
   bool grips(double tau, double accumulated_slip, double slip_rate) noexcept;
   /// Goes to the smooth piece of the limit that holds `here`, or begins there towards `ahead`.
   void enter(const LimitPoint& here, const LimitPoint& ahead) noexcept;
-  /// True if the point is in that piece.
+  /// Tells whether the point is in that piece.
   bool stays(const LimitPoint& point) noexcept;
-  /// True if it is, as far as the rate of the slip at the end of a piece is known.
+  /// Tells whether it is, as far as the rate of the slip at the end of a piece is known.
   bool keeps_rate(const LimitPoint& end) noexcept;
   LimitPoint point(double tau, const SlipPoint& at, double slip_rate) const {
     return {tau, at.accumulated_slip, slip_rate * inverse_duration_, at.held.front()};
   }
-  /// True if a step with this signature can begin here: on the limit where it slips, its leaves
-  /// where the signature has them.
+  /// Tells whether a step with this signature can begin here: on the limit where it slips, its
+  /// leaves where the signature has them.
   bool can_begin(const Signature& signature, const SlipPoint& at, double tau) noexcept;
   /// Returns what the limit leaves to the force, as a part of the limit.
   double holds(const SlipPoint& at, double tau) noexcept;
-  /// True if the force is beyond the limit, as after a jump of it.
+  /// Tells whether the force is beyond the limit, as after a jump of it.
   bool beyond(const SlipPoint& at, double tau) noexcept;
   /// Integral of F_lim over a slip from an accumulated slip on, at tau [F L].
   double friction_work(double tau, double accumulated_slip, double slip) noexcept;
@@ -93,12 +93,12 @@ class SubIncrements {
   /// y [F] of a state.
   SlipVector force(const SlipPoint& at, double tau, double slip_rate) noexcept;
   const Potential& potential() const { return *potential_; }
-  /// True if slip that takes F_C + F_int through 0 ends there: an elastic slip is lost with the
-  /// limit and sticks first behind it, and a shifted potential holds no force. The force of a
+  /// Tells whether slip that takes F_C + F_int through 0 ends there: an elastic slip is lost with
+  /// the limit and sticks first behind it, and a shifted potential holds no force. The force of a
   /// constant stiffness comes to 0 with the limit and slips on.
   bool ends_where_contact_turns() const { return !fixed_ || !potential_->homogeneous; }
   bool fixed() const { return fixed_; }
-  /// True if the limit follows the rate of the slip, and if the slip follows that limit.
+  /// Tells whether the limit follows the rate of the slip, and if the slip follows that limit.
   bool by_rate() const { return by_rate_; }
   bool viscous() const { return viscous_; }
   /// kappa [F/L] or g_c [L].
@@ -107,7 +107,7 @@ class SubIncrements {
   double length() const { return length_; }             ///< |ds| [L]
 
  private:
-  /// True if P is smooth where the leaf passes 0.
+  /// Tells whether P is smooth where the leaf passes 0.
   bool is_smooth_at_zero(const PotentialLeaf& leaf) const {
     return smooth_ && leaf.kind != PotentialLeaf::Kind::kHalfLine;
   }

@@ -214,7 +214,7 @@ inline std::optional<ExponentialDecay> exponential_decay(const FrictionLaw& law)
   if (const auto* data = std::get_if<ExponentialTestData>(&law)) return data->fit();
   return std::nullopt;
 }
-/// True if a table is asked outside its data.
+/// Tells whether a table is asked outside its data.
 inline bool outside(const FrictionLaw& law, const Ambient& ambient, const SlipArguments& slip) {
   const auto* table = std::get_if<TabularCoefficient>(&law);
   return table != nullptr && table->outside(ambient, slip);

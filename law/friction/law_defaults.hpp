@@ -24,8 +24,8 @@
 
 namespace slipbench::law {
 
-/// True if a law tells its coefficient of the slip rate V alone, of V and F_N, or of V, F_N and the
-/// Ambient (temperature, fields): its argument list says what it depends on.
+/// Tells whether a law tells its coefficient of the slip rate V alone, of V and F_N, or of V, F_N
+/// and the Ambient (temperature, fields): its argument list says what it depends on.
 template <class Law, class Number>
 concept OfRate = requires(const Law& law, Number x) {
   law.coefficient(x);

@@ -129,7 +129,7 @@ class Table {
   /// The cell that `value` takes its result from; for reading, not for the update path.
   TableCell cell(std::span<const double> x) const noexcept;
 
-  /// True if some coordinate of `x` lies outside its (union) range.
+  /// Tells whether some coordinate of `x` lies outside its (union) range.
   bool outside(std::span<const double> x) const noexcept;
 
  private:

@@ -83,7 +83,7 @@ class TableFunction {
   /// The cell a value is taken from.
   TableCell cell(const Ambient& ambient, const SlipArguments& slip) const noexcept;
 
-  /// True if an argument lies outside the table.
+  /// Tells whether an argument lies outside the table.
   bool outside(const Ambient& ambient, const SlipArguments& slip) const noexcept;
 
  private:

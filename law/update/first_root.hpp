@@ -15,7 +15,7 @@ namespace slipbench::law {
 template <class LimitOf>
 double first_root(const LimitOf& limit, double trial, double kappa) noexcept;
 
-/// True if h is positive at a knot after `root`, where it is not: then there are (more) roots.
+/// Tells whether h is positive at a knot after `root`, where it is not: there are more roots.
 template <class LimitOf>
 bool has_later_root(const LimitOf& limit, double trial, double kappa, double root) noexcept;
 

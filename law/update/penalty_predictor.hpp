@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a contact penalty predicts before its limit, and which of its two conventions does what.
+// The prediction of a contact penalty before its limit, and its two conventions.
 #pragma once
 
 #include "law/definition/formulation.hpp"

@@ -104,8 +104,8 @@ struct PenaltyReturn : ReturnSteps<Slip<D>, LimitFunction> {
     }
   }
 
-  /// Where it does not, filter and memory start again. A coefficient that vanishes is no loss of
-  /// contact, and the filter only forgets.
+  /// Tells whether it grips; else filter and memory start again. A coefficient that vanishes is no
+  /// loss of contact, and the filter only forgets.
   bool grips() const noexcept {
     return bound.widest() > 0.0 || (filtered && rest.normal_force > 0.0);
   }

@@ -13,8 +13,8 @@
 
 namespace slipbench::law {
 
-/// True if P <= F_lim up to rounding: P rounds more often than a norm does, and where forces that
-/// do not count cancel in it, by a part of these.
+/// Tells whether P <= F_lim up to rounding: P rounds more often than a norm does, and where forces
+/// that do not count cancel in it, by a part of these.
 inline bool within(const Potential& potential, const SlipVector& y, double limit) noexcept {
   constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
   return value(potential, y) <=

@@ -18,7 +18,7 @@ struct Room {
 /// The rooms of law/ and driver/, from the ground up.
 std::span<const Room> floors();
 
-/// What a C++ file of law/ or driver/ does against the order of the rooms: it includes a header of
+/// Finds what a C++ file of law/ or driver/ does against the order of the rooms: a header of
 /// a room above its own, or lies in no room. Files of other folders have no violations.
 std::vector<Violation> floor_violations(const SourceFile& file);
 

@@ -18,7 +18,7 @@ struct Include {
 /// The #include lines of a C++ text, those in comments left out.
 std::vector<Include> includes(const SourceFile& file);
 
-/// Who may know whom, read off the #include lines of a C++ file:
+/// Checks who may know whom, read off the #include lines of a C++ file:
 /// - law/ knows law/, Eigen and the standard library; reference/ knows reference/ and the standard
 ///   library; driver/ knows law/, reference/, driver/ and its third parties;
 /// - a third party is known at one place: yaml-cpp in driver/yaml/*.cpp, CLI11 in driver/cli/*.cpp,

@@ -86,6 +86,8 @@ TEST_CASE("plot templates read result files only") { CHECK(broken(plot_violation
 
 TEST_CASE("every test case is one that ctest runs") { CHECK(broken(test_case_violations) == ""); }
 
+TEST_CASE("comments begin with a verb or a noun") { CHECK(broken(comment_violations) == ""); }
+
 TEST_CASE("every source states its licence") { CHECK(broken(licence_violations) == ""); }
 
 TEST_CASE("no file names a place outside of the repository") {

@@ -37,7 +37,7 @@ std::vector<Violation> find_lines(const std::string& path, const std::string& te
   return violations;
 }
 
-/// True if `relative`, seen from the folder of `path`, leaves the repository.
+/// Tells whether `relative`, seen from the folder of `path`, leaves the repository.
 bool climbs_out(const std::string& path, const std::string& relative) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   return (folder / relative).lexically_normal().generic_string().starts_with("..");
@@ -69,6 +69,19 @@ std::vector<Violation> test_case_violations(const SourceFile& file) {
   static const std::regex kTestCase(R"(^\s*((TEMPLATE_)?TEST_CASE|SCENARIO)\w*\s*\()");
   if (!is_cpp(file.path) || file.path.ends_with("_test.cpp")) return {};
   return find_lines(file.path, file.text, kTestCase, "a test case stands in a file *_test.cpp");
+}
+
+std::vector<Violation> comment_violations(const SourceFile& file) {
+  static const std::regex kQuestion(R"(^\s*/// (What|Who|Whether|Why|How|Which)\b)");
+  if (!is_cpp(file.path)) return {};
+  std::vector<Violation> violations = find_lines(
+      file.path, file.text, kQuestion, "a comment begins with a verb (function) or a noun (type)");
+  const std::vector<std::string> text = lines(file.text);
+  std::erase_if(violations, [&](const Violation& one) {  // a sentence goes on
+    return one.line > 1 &&
+           text[static_cast<std::size_t>(one.line) - 2].find("///") != std::string::npos;
+  });
+  return violations;
 }
 
 std::vector<Violation> licence_violations(const SourceFile& file) {

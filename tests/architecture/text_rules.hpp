@@ -17,6 +17,9 @@ std::vector<Violation> plot_violations(const SourceFile& file);
 /// Test cases stand in files *_test.cpp, which ctest runs; in another file they would never be run.
 std::vector<Violation> test_case_violations(const SourceFile& file);
 
+/// The comment of a function begins with a verb, that of a type with a noun: not with a question.
+std::vector<Violation> comment_violations(const SourceFile& file);
+
 /// C++, CMake, shell and Python sources carry the licence in their first line (after a #! line).
 std::vector<Violation> licence_violations(const SourceFile& file);
 

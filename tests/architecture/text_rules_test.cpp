@@ -56,6 +56,15 @@ TEST_CASE("a test case that ctest would not run is found") {
   CHECK(test_case_violations({"tests/law/a.cpp", "// no TEST_CASE(here)\n"}).empty());
 }
 
+TEST_CASE("a comment that begins with a question is found, one that goes on with it is none") {
+  const std::vector<Violation> found = comment_violations(
+      {"law/a.hpp",
+       "/// Tells\n/// Whether it grips.\nbool a();\n  /// What is left.\nint b();\n"});
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].line == 4);
+  CHECK(comment_violations({"law/a.hpp", "// What is left is rounding.\n"}).empty());
+}
+
 TEST_CASE("a source without its licence line is found") {
   const std::string licence = std::string("SPDX-License-") + "Identifier: Apache-2.0\n";
   const auto ok = [](const std::string& path, const std::string& text) {

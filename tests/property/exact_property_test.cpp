@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What exact integration promises on histories of straight pieces, whatever the law.
+// Promises of exact integration on histories of straight pieces, whatever the law.
 #include <rapidcheck.h>
 
 #include <array>
@@ -188,8 +188,8 @@ struct Case {
   std::vector<HistoryRow> rows;
 };
 
-/// Of the kinds of definitions, and belts, one after the other; by Dice alone, since RapidCheck
-/// draws small numbers first: few kinds, and the same ones again.
+/// Draws a case of each kind of definitions, and belts, one after the other; by Dice alone, since
+/// RapidCheck draws small numbers first: few kinds, and the same ones again.
 std::optional<Case> draw_case(std::uint64_t seed) {
   Dice dice(seed);
   const int kind = static_cast<int>(seed % (kDefinitionKinds + 1));
@@ -265,7 +265,7 @@ TEST_CASE("whatever the law, exact results are finite, admissible and dissipate"
   }
 }
 
-/// What a run leaves behind, row by row.
+/// Record of a run, row by row.
 struct Trace {
   std::vector<double> force, slip, dissipation, stored, work;
   bool opens = false;

@@ -32,7 +32,7 @@ struct Case {
   FrictionDefinition definition() const { return description.build(); }
 };
 
-/// How often each kind of definition was drawn, to see that none was left out.
+/// Count of each kind of definition that was drawn, to see that none was left out.
 std::array<int, kDefinitionKinds> drawn{};
 
 /// Kind and length are drawn by RapidCheck, so a failure shrinks to the simplest kind and the

@@ -203,7 +203,7 @@ std::vector<Step> run(const FrictionDefinition& definition, const std::vector<Hi
   return steps;
 }
 
-/// Whether the force given out is within the circle or the ellipse of its increment.
+/// Tells whether the force given out is within the circle or the ellipse of its increment.
 bool within_limit(const FrictionDefinition& definition, const Step& step) {
   constexpr double kRounding = 1e-13;
   const FrictionUpdate& u = step.update;

@@ -99,7 +99,7 @@ struct DefinitionDescription {
     }
     return std::holds_alternative<law::ConstantCoefficient>(law);
   }
-  /// Whether P(-y) = P(y).
+  /// Tells whether P(-y) = P(y).
   bool symmetric() const {
     if (!potential) return true;
     return std::all_of(potential->leaf.begin(), potential->leaf.begin() + potential->leaves,
@@ -358,7 +358,7 @@ inline std::vector<law::Independent> some_of(Dice* dice, std::vector<law::Indepe
   return chosen;
 }
 
-/// What random definitions may contain.
+/// Contents that random definitions may have.
 struct DefinitionOptions {
   std::vector<int> table_motions = {1, 2, 3, 4, 5, 6};  ///< components tables may depend on, 1..6
 };

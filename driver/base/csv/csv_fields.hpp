@@ -73,8 +73,8 @@ inline const char* read_number(const char* begin, const char* end, char decimal,
 /// The number that `text` is, all of it; nothing if it is none in the range of a double.
 std::optional<double> number_in(std::string_view text, char decimal);
 
-/// True for what stands where a sample is missing: nothing at all, nan, na, n/a, \#n/a, null, none
-/// (in any case), 1.\#QNAN, and dashes alone.
+/// Tells whether a text stands where a sample is missing: nothing at all, nan, na, n/a, \#n/a,
+/// null, none (in any case), 1.\#QNAN, and dashes alone.
 bool is_missing(std::string_view text);
 
 struct Field {
@@ -103,7 +103,7 @@ struct NameAndUnit {
 };
 NameAndUnit split_column_name(std::string_view column);
 
-/// True for a unit, and for the dash that says there is none.
+/// Tells whether a text is a unit, or the dash that says there is none.
 bool is_unit_or_dash(std::string_view text);
 
 /// The column of the header that is meant by `name`: the one of this name, or else the only one

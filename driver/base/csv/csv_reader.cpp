@@ -83,7 +83,7 @@ std::string CsvReader::File::remedy(std::span<const std::string> wanted) const {
   return guess ? written_as(*guess) : "";
 }
 
-/// True if the rows in the file's start end with a separator.
+/// Tells whether the rows in the file's start end with a separator.
 bool CsvReader::File::rows_end_alike() const {
   std::istringstream head(lines.head());
   std::string row;

@@ -25,7 +25,7 @@ class PrintedDigits {
   /// digits of a double (15 or more), where rounding is not the file's.
   std::optional<double> resolution() const;
 
-  /// True once no further number can change that there is no resolution.
+  /// Tells that no further number can change that there is no resolution.
   bool exact() const { return digits_ >= kDigitsOfADouble; }
 
  private:

@@ -14,7 +14,7 @@ enum ExitCode : int {
   kExitNoReader = 141,  ///< standard output was closed by its reader before its end, as by head
 };
 
-/// Of two outcomes the one to report: the larger number is the worse trouble.
+/// Returns the one of two outcomes to report: the larger number is the worse trouble.
 inline int worse(int a, int b) { return a > b ? a : b; }
 
 }  // namespace slipbench::driver::base

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What must not be left behind when the user interrupts a run.
+// Files that must not be left behind when the user interrupts a run.
 #pragma once
 
 #include <string>

@@ -57,9 +57,9 @@ class Diagnostics {
   /// Adds all messages of another list, and its count of those not kept.
   void append(const Diagnostics& other);
 
-  /// True if at least one error was added.
+  /// Tells whether at least one error was added.
   [[nodiscard]] bool has_errors() const { return count(Severity::kError) > 0; }
-  /// True if nothing was added.
+  /// Tells whether nothing was added.
   [[nodiscard]] bool empty() const;
   /// Returns how many messages of this severity were added, kept or not.
   [[nodiscard]] std::size_t count(Severity severity) const;

@@ -49,7 +49,7 @@ struct UnitConversion {
 /// "rad"; empty when the dimension needs a unit the case does not state, or none at all.
 std::string unit_text(const Dimension& dimension, const UnitSystem& system);
 
-/// True if `text` is the name of a unit that a case may have ("kN", "mm/s", "%"), and no number.
+/// Tells whether `text` names a unit that a case may have ("kN", "mm/s", "%"), and no number.
 bool is_unit(std::string_view text);
 
 /// Checks one entry of `units:`; `dimension` is the entry's (kLength, kForce, kTime, kTemperature).

@@ -64,7 +64,7 @@ std::string with_unit(double value, const std::string& unit) {
   return fmt::format("{:.3g}{}{}", value, unit.empty() ? "" : " ", unit);
 }
 
-/// Of a mean that noise alone would hardly have.
+/// Tells of a mean that noise alone would hardly have.
 std::string bias_words(const ResidualView& view, const std::string& unit, std::size_t points) {
   const double by_chance = 3.0 * view.deviation / std::sqrt(static_cast<double>(points));
   if (std::abs(view.mean) <= std::max(by_chance, 0.2 * view.deviation)) return {};

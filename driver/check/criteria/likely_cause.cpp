@@ -26,7 +26,7 @@ constexpr double kOfLargest = 0.1;
 
 constexpr int kOpen = 0, kStick = 1, kSlip = 2;
 
-/// A point with what it is told about: f - f0 and r - r0 belong to the stick that began at f0, r0.
+/// A point with its stick: f - f0 and r - r0 belong to the one that began at f0, r0.
 struct Point {
   double at = 0.0;
   double f = 0.0;

@@ -138,7 +138,7 @@ constexpr std::array kExamples{
     Example{"calibrate.date", "2024-05-17"},
 };
 
-/// True if `path` is `key` or ends with it, behind a dot.
+/// Tells whether `path` is `key` or ends with it, behind a dot.
 bool ends_with_key(std::string_view path, std::string_view key) {
   if (!path.ends_with(key)) return false;
   return path.size() == key.size() || path[path.size() - key.size() - 1] == '.';

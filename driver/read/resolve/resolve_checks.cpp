@@ -278,7 +278,7 @@ StepNames step_names(const CaseText& text) {
   return result;
 }
 
-/// Which of the three a check holds its quantity against; reports what does not go together.
+/// Checks which of the three a quantity is held against; reports what does not go together.
 /// \return whether it is one, and what stands beside it belongs to it
 bool one_reference(yaml::Binder& binder, const yaml::At<AgainstText>& at) {
   if (!at.given() || !at.node->is_map()) return false;

@@ -16,7 +16,7 @@ namespace {
 using test::Dice;
 namespace closed = reference::backlash_slider;
 
-/// What the random slider of a test is: limits 20 N forward unless it has other coefficients.
+/// Numbers of the random slider of a test: limits 20 N forward unless it has other coefficients.
 struct Options {
   double gap = 0.0;
   double start = 0.0;

@@ -34,7 +34,7 @@ cases::Case belt(const std::string& elasticity, const std::string& stick,
       "motion: {CP1: {to: 102}, CP2: {to: 1.6}}}\n");
 }
 
-/// What every step ends with: forces, slip, energies.
+/// Returns what every step ends with: forces, slip, energies.
 std::vector<std::array<double, 6>> ends(const cases::Case& problem) {
   std::vector<std::array<double, 6>> ends;
   const std::vector<Row> rows = rows_of(problem);

@@ -52,7 +52,7 @@ results::Summary summary_of(const cases::Case& problem) {
   return summary;
 }
 
-/// Why a run ends early.
+/// Returns why a run ends early.
 SimulationFailure failure_of(const cases::Case& problem) {
   auto simulation = Simulation::start(problem);
   REQUIRE(simulation);

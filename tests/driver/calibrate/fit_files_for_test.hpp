@@ -93,7 +93,7 @@ class FitFolder : public TemporaryFolder {
   }
 };
 
-/// What to replace by what, once each, in a fit file.
+/// Replaces texts of a fit file, once each.
 inline std::string changed_fit(const std::vector<std::pair<std::string, std::string>>& changes,
                                std::string text = kSoundFit) {
   for (const auto& [from, to] : changes) {

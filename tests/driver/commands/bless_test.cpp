@@ -229,7 +229,8 @@ TEST_CASE("a curve that does not fit into memory is the machine's fault, not a b
   CHECK(files_in(folder.path()) == 1);
 }
 
-/// What a command draws on a terminal before it is ended, up to a first bar or line of progress.
+/// Returns what a command draws on a terminal before it is ended, up to a first bar or line of
+/// progress.
 std::string drawn(const TemporaryFolder& folder, const std::vector<std::string>& arguments) {
   const int master = posix_openpt(O_RDWR | O_NOCTTY);
   if (master < 0 || grantpt(master) != 0 || unlockpt(master) != 0) return "no terminal";

@@ -41,7 +41,7 @@ inline const std::string kSoundCase =
     "    against: {expression: \"= mu*FN\"}\n"
     "    tolerance: {relative: 1.0e-2, why: rounding}\n";
 
-/// What to replace by what, once each.
+/// A text to replace, and by what; once.
 using Change = std::pair<std::string, std::string>;
 
 inline std::string changed(const std::vector<Change>& changes, std::string text = kSoundCase) {

@@ -34,7 +34,7 @@ struct Suite {
   }
 };
 
-/// What is told of a suite, a word a case.
+/// Runs a suite; returns a word a case.
 std::string told(const Suite& suite, const SuiteOptions& options, bool read_ahead = false) {
   std::string text;
   SuiteListener listener;

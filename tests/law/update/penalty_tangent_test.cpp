@@ -18,7 +18,7 @@ namespace {
 using namespace slipbench::law;
 using namespace slipbench::test;
 
-/// What must not change between the evaluations of a difference quotient.
+/// Branch of an evaluation, which must not change between the evaluations of a difference quotient.
 struct Branch {
   Regime regime = Regime::kOpen;
   bool clipped = false;

@@ -19,8 +19,8 @@ namespace {
 using namespace slipbench::law;
 using namespace slipbench::test;
 
-/// What must not change between the evaluations of a difference quotient: the regime, the side of
-/// the force limit, the signs inside absolute values, and the cell of every table.
+/// Branch, the same in all evaluations of a difference quotient: the regime, the side of the
+/// force limit, the signs inside absolute values, and the cell of every table.
 struct Branch {
   Regime regime = Regime::kOpen;
   bool capped = false;

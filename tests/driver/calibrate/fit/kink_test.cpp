@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What everyday data do to a fit: noise, and a cost with kinks where points begin to slip.
+// Everyday data in a fit: noise, and a cost with kinks where points begin to slip.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -57,7 +57,7 @@ void slide(std::span<const double> limits, std::span<double> force, std::span<do
   }
 }
 
-/// Of variance 1.
+/// Draws noise of variance 1.
 std::vector<double> noise_of(unsigned seed) {
   std::mt19937 engine(seed);
   std::vector<double> noise(kRows);

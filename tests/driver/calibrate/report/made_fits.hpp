@@ -26,7 +26,7 @@ MadeFit made_slider_fit();
 MadeFit made_table_fit();
 /// A table over the position, of which the first and the last cell were not seen.
 MadeFit made_curve_fit();
-/// What did not converge: a trend is left, no errors are known, some bounds are open.
+/// Makes one that did not converge: a trend is left, no errors are known, some bounds are open.
 MadeFit made_unconverged_fit();
 /// Twenty unknowns with long names, compared over the position, very many points.
 MadeFit made_large_fit();

@@ -37,7 +37,7 @@ double triangle(double t) {
   return phase < 0.25 ? 0.4 * phase : phase < 0.75 ? 0.2 - 0.4 * phase : 0.4 * phase - 0.4;
 }
 
-/// What a slider of other numbers makes of a path, against 20 N and 1000 N/mm; the status is that
+/// Runs a slider of other numbers on a path, against 20 N and 1000 N/mm; the status is that
 /// of the result.
 std::vector<CausePoint> sliders(Slider result, const std::function<double(double)>& path,
                                 double duration, int rows, double tolerance) {

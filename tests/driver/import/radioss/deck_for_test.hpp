@@ -53,7 +53,7 @@ inline std::string coulomb(std::string_view fric, std::string_view visf = "") {
   return set({"0", "", "", "", "", "", fric, visf});
 }
 
-/// What reading a deck and judging its first friction, or the chosen one, gave.
+/// Result of reading a deck and judging its first friction, or the chosen one.
 struct ReadDeck {
   DeckContents contents;
   std::string said;                   ///< all messages, as the user sees them
