@@ -35,7 +35,7 @@ std::string fit_reference_markdown() {
 }
 
 const yaml::FileWords kFitWords{[](std::string_view) { return std::optional<yaml::LaterKey>(); },
-                                [](std::string_view, std::string_view) { return std::string(); },
+                                [](std::string_view) { return std::string(); },
                                 [](std::string_view key) {
                                   static const std::vector<yaml::KeyRow> rows = fit_rows();
                                   return read::places_of_key(key, rows);

@@ -91,7 +91,8 @@ void Binder::missing_key(const Node& map, const Path& path, std::string_view key
 }
 
 std::optional<std::string_view> Binder::unknown_key(const Node& key, const Path& path,
-                                                    std::span<const std::string_view> allowed) {
+                                                    std::span<const std::string_view> allowed,
+                                                    std::string_view known) {
   if (const auto later = words_.later_key(key.text())) {
     error(key, path, std::string(later->why));
     if (later->in_place_of.empty()) return std::nullopt;
@@ -101,7 +102,7 @@ std::optional<std::string_view> Binder::unknown_key(const Node& key, const Path&
     error(key, path, "unknown key");
     return std::nullopt;
   }
-  std::string hint = words_.other_name(key.text(), path.text());
+  std::string hint = known.empty() ? words_.other_name(key.text()) : std::string(known);
   const auto nearest = hint.empty() ? base::nearest_name(key.text(), allowed) : std::nullopt;
   if (nearest) {
     hint = "did you mean " + base::in_quotes(*nearest) + "?";

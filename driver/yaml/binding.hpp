@@ -73,8 +73,8 @@ struct LaterKey {
 /// has nothing to say returns an empty text, or nothing; none is null.
 struct FileWords {
   std::optional<LaterKey> (*later_key)(std::string_view key);
-  /// Returns what is written in place of the key at a path, or where it belongs if that is certain.
-  std::string (*other_name)(std::string_view key, std::string_view path);
+  /// Returns what is written in place of a key, or where it belongs if that is certain.
+  std::string (*other_name)(std::string_view key);
   /// Returns where in such a file a key is known.
   std::string (*places_of_key)(std::string_view key);
   /// Returns what brings a result column.
@@ -126,7 +126,7 @@ class Binder {
   /// Reports every number whose unit was never judged.
   void refuse_unsettled_units();
 
-  /// True if the scalar is an expression (starts with '='), quoted or not.
+  /// Tells whether the scalar is an expression (starts with '='), quoted or not.
   static bool is_expression(const Node& node);
   /// Compiles an expression; `variables` get their values at evaluation.
   std::optional<base::Expression> expression(const Node& node, const Path& path,
@@ -136,9 +136,11 @@ class Binder {
                         const std::vector<std::string>& variables);
 
   /// Reports a key that `allowed` does not have: nearest name, or where in the file it belongs.
+  /// \param hint if something is known of the key here
   /// \return the allowed key that was probably meant, or nothing
   std::optional<std::string_view> unknown_key(const Node& key, const Path& path,
-                                              std::span<const std::string_view> allowed);
+                                              std::span<const std::string_view> allowed,
+                                              std::string_view hint = {});
   void missing_key(const Node& map, const Path& path, std::string_view key,
                    std::string_view wanted);
   /// "wanted a number, found a list".
@@ -154,7 +156,7 @@ class Binder {
   /// Reports a fault of a data file, in the file's own words and place.
   void history_error(const Node& node, const Path& path, const base::HistoryError& error,
                      std::string hint = {});
-  /// True if some fault was the machine's (a file that cannot be read), not the text's.
+  /// Tells whether some fault was the machine's (a file that cannot be read), not the text's.
   [[nodiscard]] bool environment_failed() const { return environment_failed_; }
 
   /// Until the next call, unknown names in expressions are excused: they may be result columns,
@@ -163,8 +165,8 @@ class Binder {
   [[nodiscard]] bool unknown_names_excused() const { return unknown_names_excused_; }
 
   [[nodiscard]] std::size_t errors() const { return out_.count(base::Severity::kError); }
-  /// True if there are so many errors that further ones are only counted: what costs time or memory
-  /// for their sake can be left out.
+  /// Tells whether there are so many errors that further ones are only counted: what costs time or
+  /// memory for their sake can be left out.
   [[nodiscard]] bool flooded() const { return errors() > base::Diagnostics::kMaxKept; }
 
  private:
@@ -353,7 +355,11 @@ bool read_struct(Binder& binder, const Node& node, const Path& path, T& out) {
   std::vector<std::string_view> meant;  // a misspelt key is not missing as well
   for (const Entry entry : node.entries()) {
     if (std::find(allowed.begin(), allowed.end(), entry.key.text()) == allowed.end()) {
-      const auto key = binder.unknown_key(entry.key, path / entry.key.text(), allowed);
+      std::string_view hint;
+      if constexpr (requires { T::kForeignKey; }) {
+        if (entry.key.text() == T::kForeignKey.key) hint = T::kForeignKey.text;
+      }
+      const auto key = binder.unknown_key(entry.key, path / entry.key.text(), allowed, hint);
       if (key) meant.push_back(*key);
       good = false;
     }

@@ -46,7 +46,7 @@ struct Renard {
       "V <= C5: mu = C1 + (C3 - C1) x (2 - x), x = V/C5; C5 < V < C6: mu = C3 - (C3 - C4) y^2 (3 - "
       "2 y), y = (V - C5)/(C6 - C5); V >= C6: mu = C2 - d/(1 + d s^2), d = C2 - C4, s = V - C6";
   static constexpr std::string_view kSource = "RADIOSS";
-  /// The first three hold even if lenient.
+  static constexpr std::size_t kNeeded = 3;  ///< of kRules, even if lenient
   static constexpr std::array<std::string_view, 10> kRules{
       "C5 > 0 must hold",   "C5 < C6 must hold",  "C4 <= C2 must hold, or mu has a pole beyond C6",
       "C1 <= C3 must hold", "C2 <= C3 must hold", "C4 <= C1 must hold",
@@ -58,6 +58,10 @@ struct Renard {
       "without unit, so half of the way from C4 to C2 is done 1/sqrt(C2 - C4) units of speed "
       "beyond C6, whichever unit that is. The case must state its units; 'speed_unit' is that of "
       "the constants if it is another.";
+  static constexpr std::string_view kWithoutUnits =
+      "its piece beyond C6 hides a unit of speed: the case must state its units of length and time";
+  static constexpr Remark kForeignKey{"Fric",
+                                      "Renard's law has no Fric: its coefficient at rest is C1"};
 
   double c1 = 0.0, c2 = 0.0, c3 = 0.0, c4 = 0.0, c5 = 1.0, c6 = 2.0;
   double speed_factor = 1.0;  ///< (unit of speed of the case)/(that of the constants)
@@ -205,8 +209,6 @@ struct Renard {
   }
 
  private:
-  static constexpr std::size_t kNeeded = 3;
-
   /// Before the floor.
   CoefficientPoint point(double slip_rate) const noexcept {
     if (!depends_on_slip_rate()) return {c2, 0.0, 0.0};

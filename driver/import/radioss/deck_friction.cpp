@@ -10,10 +10,12 @@
 #include <numbers>
 #include <set>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include "driver/base/text/format_number.hpp"
 #include "driver/import/radioss/deck_line.hpp"
+#include "law/friction/renard.hpp"
 
 namespace slipbench::driver::radioss {
 namespace {
@@ -545,15 +547,14 @@ bool sees_pressure(const DeckFriction& friction, const DeckCoefficients& set) {
 
 RenardFaults renard_faults(const DeckCoefficients& set) {
   RenardFaults faults;
-  const auto& [c1, c2, c3, c4, c5, c6] = set.c;
-  if (!(c5 > 0.0)) faults.fatal.emplace_back("C5 > 0");
-  if (!(c5 < c6)) faults.fatal.emplace_back("C5 < C6");
-  if (!(c4 <= c2)) faults.fatal.emplace_back("C4 <= C2");
-  if (!(c1 <= c3)) faults.lenient.emplace_back("C1 <= C3");
-  if (!(c2 <= c3)) faults.lenient.emplace_back("C2 <= C3");
-  if (!(c4 <= c1)) faults.lenient.emplace_back("C4 <= C1");
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (set.c[i] < 0.0) faults.lenient.push_back("C" + std::to_string(i + 1) + " >= 0");
+  law::Renard law;
+  std::tie(law.c1, law.c2, law.c3, law.c4, law.c5, law.c6) = std::tuple_cat(set.c);
+  const auto held = law.rules_held();
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    const std::string_view rule = law::Renard::kRules[i];
+    if (held[i]) continue;
+    (i < law::Renard::kNeeded ? faults.fatal : faults.lenient)
+        .emplace_back(rule.substr(0, rule.find(" must hold")));
   }
   return faults;
 }

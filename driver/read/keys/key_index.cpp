@@ -62,12 +62,9 @@ std::string_view key_for_option(std::string_view option) {
 
 /// Returns what is written in place of a key of other programs or of another place; empty for other
 /// keys.
-std::string other_name(std::string_view key, std::string_view path) {
+std::string other_name(std::string_view key) {
   if (const std::string_view here = key_for_option(key); !here.empty()) return std::string(here);
   if (key.starts_with('*')) return "a case has keys of its own, such as 'connector' and 'friction'";
-  if (key == "Fric" && path.ends_with("renard.Fric")) {
-    return "Renard's law has no Fric: its coefficient at rest is C1";
-  }
   const std::string quantity = place_of_quantity(key);
   return quantity.empty() ? "" : "'" + std::string(key) + "' belongs to " + quantity;
 }

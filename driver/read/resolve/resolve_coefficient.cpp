@@ -36,15 +36,12 @@ bool complete_area(yaml::Binder& binder, Law& law, const yaml::Node& node, const
   return false;
 }
 
-/// Gives a law whose constants hide a unit of speed its factor: Renard's last piece adds the square
-/// of a speed to a pure number, which has no meaning without a unit.
+/// Gives a law whose constants hide a unit of speed its factor.
 template <class Law>
 bool complete_speed_unit(yaml::Binder& binder, Law& law, const yaml::Node& node,
                          const yaml::Path& path, bool rotational, const base::UnitSystem& units) {
   if ((units.length.empty() && !rotational) || units.time.empty()) {
-    binder.error(node, path,
-                 "its piece beyond C6 hides a unit of speed: the case must state its units of "
-                 "length and time",
+    binder.error(node, path, std::string(Law::kWithoutUnits),
                  "units: {length: mm, time: s}, and 'speed_unit' here if the constants are of "
                  "another system");
     return false;

@@ -42,7 +42,7 @@ struct Wheel {
 };
 
 const FileWords kWords{[](std::string_view) { return std::optional<LaterKey>(); },
-                       [](std::string_view, std::string_view) { return std::string(); },
+                       [](std::string_view) { return std::string(); },
                        [](std::string_view) { return std::string(); },
                        [](std::string_view) { return std::string(); }, "no such name"};
 
