@@ -249,9 +249,12 @@ using NamedMap = std::vector<Named<T>>;
 // Structs: T::declare(visitor) calls visitor(key, &T::member, KeyInfo) for every key; a law's or a
 // connection's fields() tuple serves as well.
 
+struct AnyVisitor {
+  void operator()(std::string_view key, auto member, const KeyInfo& info) const;
+};
 template <class T>
-concept Declared = requires {
-  &T::kIsDeclared;
+concept Declared = requires(const AnyVisitor& visitor) {
+  T::declare(visitor);
 };
 template <class T>
 concept HasFields = requires {

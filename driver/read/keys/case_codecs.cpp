@@ -453,76 +453,63 @@ void Codec<PredefinedText>::rows(const std::string& path, std::vector<KeyRow>& r
 namespace {
 
 struct ToText {
-  static constexpr bool kIsDeclared = true;
   double to = 0.0;
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("to", &ToText::to,
-        KeyInfo{.required = true,
-                .text = "Linear from the current value to this.",
-                .unit = UnitUse::kQuantity});
+        {.required = true,
+         .text = "Linear from the current value to this.",
+         .unit = UnitUse::kQuantity});
   }
 };
 struct SmoothToText {
-  static constexpr bool kIsDeclared = true;
   double smooth_to = 0.0;
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("smooth_to", &SmoothToText::smooth_to,
-        KeyInfo{.required = true,
-                .text = "From the current value to this, with zero rate at both ends.",
-                .unit = UnitUse::kQuantity});
+        {.required = true,
+         .text = "From the current value to this, with zero rate at both ends.",
+         .unit = UnitUse::kQuantity});
   }
 };
 struct WaveText {
-  static constexpr bool kIsDeclared = true;
   double amplitude = 0.0;
   At<double> frequency, period;
   double mean = 0.0;
   double phase = 0.0;
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("amplitude", &WaveText::amplitude,
-        KeyInfo{.required = true,
-                .text = "Half the peak-to-peak value.",
-                .unit = UnitUse::kQuantity,
-                .difference = true});
+        {.required = true,
+         .text = "Half the peak-to-peak value.",
+         .unit = UnitUse::kQuantity,
+         .difference = true});
     key("frequency", &WaveText::frequency,
-        KeyInfo{.text = "Cycles per time.",
-                .default_text = "period",
-                .dimension = base::kFrequency,
-                .bounds = law::kPositive});
+        {.text = "Cycles per time.",
+         .default_text = "period",
+         .dimension = base::kFrequency,
+         .bounds = law::kPositive});
     key("period", &WaveText::period,
-        KeyInfo{.text = "Length of a cycle.",
-                .default_text = "frequency",
-                .dimension = base::kTime,
-                .bounds = law::kPositive});
+        {.text = "Length of a cycle.",
+         .default_text = "frequency",
+         .dimension = base::kTime,
+         .bounds = law::kPositive});
     key("mean", &WaveText::mean,
-        KeyInfo{.text = "Value the wave swings about.",
-                .default_text = "0",
-                .unit = UnitUse::kQuantity});
+        {.text = "Value the wave swings about.", .default_text = "0", .unit = UnitUse::kQuantity});
     key("phase", &WaveText::phase,
-        KeyInfo{.text = "Phase in radians: where in its cycle the wave starts.",
-                .default_text = "0",
-                .dimension = base::kAngle});
+        {.text = "Phase in radians: where in its cycle the wave starts.",
+         .default_text = "0",
+         .dimension = base::kAngle});
   }
 };
 struct CsvProfileText {
-  static constexpr bool kIsDeclared = true;
   At<DataSourceText> csv;
   At<std::string> time, value, unit, time_unit;
-  template <class V>
-  static void declare(V& key) {
-    key("csv", &CsvProfileText::csv,
-        KeyInfo{.required = true, .text = "CSV file in the case's folder."});
-    key("time", &CsvProfileText::time,
-        KeyInfo{.required = true, .text = "Name of the time column."});
-    key("value", &CsvProfileText::value,
-        KeyInfo{.required = true, .text = "Name of the value column."});
+  static void declare(auto& key) {
+    key("csv", &CsvProfileText::csv, {.required = true, .text = "CSV file in the case's folder."});
+    key("time", &CsvProfileText::time, {.required = true, .text = "Name of the time column."});
+    key("value", &CsvProfileText::value, {.required = true, .text = "Name of the value column."});
     key("unit", &CsvProfileText::unit,
-        KeyInfo{.text = "Unit of the value column.", .default_text = "the case's"});
+        {.text = "Unit of the value column.", .default_text = "the case's"});
     key("time_unit", &CsvProfileText::time_unit,
-        KeyInfo{.text = "Unit of the time column.", .default_text = "the case's"});
+        {.text = "Unit of the time column.", .default_text = "the case's"});
   }
 };
 
@@ -760,13 +747,11 @@ void Codec<AmplitudeText>::rows(const std::string&, std::vector<KeyRow>&) {}
 namespace {
 
 struct ColumnAndUnit {
-  static constexpr bool kIsDeclared = true;
   At<std::string> column, unit;
-  template <class V>
-  static void declare(V& key) {
-    key("column", &ColumnAndUnit::column, KeyInfo{.required = true, .text = "Name of the column."});
+  static void declare(auto& key) {
+    key("column", &ColumnAndUnit::column, {.required = true, .text = "Name of the column."});
     key("unit", &ColumnAndUnit::unit,
-        KeyInfo{.text = "Unit of the column.", .default_text = "the case's"});
+        {.text = "Unit of the column.", .default_text = "the case's"});
   }
 };
 

@@ -23,19 +23,16 @@
 namespace slipbench::driver::read {
 
 struct UnitsText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<std::string> length, force, time, temperature;
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("length", &UnitsText::length,
-        yaml::KeyInfo{.text = "Unit of length, e.g. mm.", .default_text = "not stated"});
+        {.text = "Unit of length, e.g. mm.", .default_text = "not stated"});
     key("force", &UnitsText::force,
-        yaml::KeyInfo{.text = "Unit of force, e.g. N.", .default_text = "not stated"});
-    key("time", &UnitsText::time,
-        yaml::KeyInfo{.text = "Unit of time, e.g. s.", .default_text = "not stated"});
+        {.text = "Unit of force, e.g. N.", .default_text = "not stated"});
+    key("time", &UnitsText::time, {.text = "Unit of time, e.g. s.", .default_text = "not stated"});
     key("temperature", &UnitsText::temperature,
-        yaml::KeyInfo{.text = "Unit of temperature, e.g. degC.", .default_text = "not stated"});
+        {.text = "Unit of temperature, e.g. degC.", .default_text = "not stated"});
   }
 };
 
@@ -52,28 +49,25 @@ struct NumberOrList {
 
 /// Nodes of a belt.
 struct NodesText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<std::vector<double>> a, b, c;
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("a", &NodesText::a,
-        yaml::KeyInfo{.required = true,
-                      .text = "Position [x, y, z] of node a, where the belt comes from.",
-                      .dimension = base::kLength});
+        {.required = true,
+         .text = "Position [x, y, z] of node a, where the belt comes from.",
+         .dimension = base::kLength});
     key("b", &NodesText::b,
-        yaml::KeyInfo{.required = true,
-                      .text = "Position [x, y, z] of node b, the ring.",
-                      .dimension = base::kLength});
+        {.required = true,
+         .text = "Position [x, y, z] of node b, the ring.",
+         .dimension = base::kLength});
     key("c", &NodesText::c,
-        yaml::KeyInfo{.required = true,
-                      .text = "Position [x, y, z] of node c, where the belt goes to.",
-                      .dimension = base::kLength});
+        {.required = true,
+         .text = "Position [x, y, z] of node c, where the belt goes to.",
+         .dimension = base::kLength});
   }
 };
 
 struct ConnectorText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<TypeNames> type;
   yaml::At<int> dimension = yaml::default_of(3);
   yaml::NamedMap<double> reference;
@@ -87,68 +81,61 @@ struct ConnectorText {
   yaml::At<double> friction_radius;
   yaml::At<std::vector<yaml::At<int>>> parts;
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("type", &ConnectorText::type,
-        yaml::KeyInfo{.required = true, .text = "Connection type, or a list of two basic types."});
+        {.required = true, .text = "Connection type, or a list of two basic types."});
     key("dimension", &ConnectorText::dimension,
-        yaml::KeyInfo{.text = "Dimension of space; 2 exists for SLOT and CONTACT only.",
-                      .default_text = "3",
-                      .bounds = {.lower = 2, .upper = 3}});
+        {.text = "Dimension of space; 2 exists for SLOT and CONTACT only.",
+         .default_text = "3",
+         .bounds = {.lower = 2, .upper = 3}});
     key("reference", &ConnectorText::reference,
-        yaml::KeyInfo{.text = "Constitutive reference positions, {CP1: ..}; angles in radians.",
-                      .default_text = "the initial position",
-                      .unit = yaml::UnitUse::kQuantity});
+        {.text = "Constitutive reference positions, {CP1: ..}; angles in radians.",
+         .default_text = "the initial position",
+         .unit = yaml::UnitUse::kQuantity});
     key("initial", &ConnectorText::initial,
-        yaml::KeyInfo{.text = "Initial relative position, {CP1: ..}; angles in radians.",
-                      .default_text = "0",
-                      .unit = yaml::UnitUse::kQuantity});
+        {.text = "Initial relative position, {CP1: ..}; angles in radians.",
+         .default_text = "0",
+         .unit = yaml::UnitUse::kQuantity});
     key("wrap_angle", &ConnectorText::wrap_angle,
-        yaml::KeyInfo{.text =
-                          "SLIPRING: angle the belt turns by on its ring, in radians, of any size; "
-                          "a list for a belt that runs over ring after ring.",
-                      .default_text = "from nodes",
-                      .dimension = base::kAngle,
-                      .bounds = law::kNotNegative});
+        {.text = "SLIPRING: angle the belt turns by on its ring, in radians, of any size; "
+                 "a list for a belt that runs over ring after ring.",
+         .default_text = "from nodes",
+         .dimension = base::kAngle,
+         .bounds = law::kNotNegative});
     key("nodes", &ConnectorText::nodes,
-        yaml::KeyInfo{
-            .text = "SLIPRING: positions of the nodes: the distance CP1 follows from them, and the "
-                    "wrap angle where it is not given.",
-            .default_text = "none: initial CP1, wrap_angle"});
+        {.text = "SLIPRING: positions of the nodes: the distance CP1 follows from them, and the "
+                 "wrap angle where it is not given.",
+         .default_text = "none: initial CP1, wrap_angle"});
     key("half_turns", &ConnectorText::half_turns,
-        yaml::KeyInfo{.text =
-                          "SLIPRING with nodes: whole half turns of the belt on its ring at the "
-                          "start; its angle follows the nodes from there, of any size.",
-                      .default_text = "the angle stays within half a turn",
-                      .bounds = {.lower = 0, .upper = 1000}});
+        {.text = "SLIPRING with nodes: whole half turns of the belt on its ring at the "
+                 "start; its angle follows the nodes from there, of any size.",
+         .default_text = "the angle stays within half a turn",
+         .bounds = {.lower = 0, .upper = 1000}});
     key("lengths", &ConnectorText::lengths,
-        yaml::KeyInfo{.text =
-                          "SLIPRING: length of the segment behind each ring, in the belt's order; "
-                          "flows and strains of these segments then follow.",
-                      .default_text = "not modelled: all rings share one flow",
-                      .dimension = base::kLength,
-                      .bounds = law::kPositive});
+        {.text = "SLIPRING: length of the segment behind each ring, in the belt's order; "
+                 "flows and strains of these segments then follow.",
+         .default_text = "not modelled: all rings share one flow",
+         .dimension = base::kLength,
+         .bounds = law::kPositive});
     key("initial_strain", &ConnectorText::initial_strain,
-        yaml::KeyInfo{.text = "SLIPRING: strain of the belt between a and b at the start.",
-                      .default_text = "0",
-                      .bounds = {.lower = -1.0, .lower_open = true}});
+        {.text = "SLIPRING: strain of the belt between a and b at the start.",
+         .default_text = "0",
+         .bounds = {.lower = -1.0, .lower_open = true}});
     key("area", &ConnectorText::area,
-        yaml::KeyInfo{
-            .text = "Area A of the contact, for coefficients that see the pressure p = F_N/A.",
-            .default_text = "that of each coefficient",
-            .dimension = {0, 2, 0},
-            .bounds = law::kPositive});
+        {.text = "Area A of the contact, for coefficients that see the pressure p = F_N/A.",
+         .default_text = "that of each coefficient",
+         .dimension = {0, 2, 0},
+         .bounds = law::kPositive});
     key("friction_radius", &ConnectorText::friction_radius,
-        yaml::KeyInfo{.text = "R at which a coefficient that sliding and spinning share sees the "
-                              "spinning: at the speed R w and the force M_N/R.",
-                      .default_text = "none: w and M_N as they are",
-                      .dimension = base::kLength,
-                      .bounds = law::kPositive});
+        {.text = "R at which a coefficient that sliding and spinning share sees the "
+                 "spinning: at the speed R w and the force M_N/R.",
+         .default_text = "none: w and M_N as they are",
+         .dimension = base::kLength,
+         .bounds = law::kPositive});
     key("parts", &ConnectorText::parts,
-        yaml::KeyInfo{
-            .text = "Ids of the two parts that meet here: pick a record of friction_pairs.",
-            .default_text = "none",
-            .bounds = {.lower = 1}});
+        {.text = "Ids of the two parts that meet here: pick a record of friction_pairs.",
+         .default_text = "none",
+         .bounds = {.lower = 1}});
   }
 };
 
@@ -156,32 +143,27 @@ struct ConnectorText {
 template <class Text, class V>
 void declare_rows(V& key) {
   key("rows", &Text::rows,
-      yaml::KeyInfo{.text = "Rows of numbers; the first independent varies fastest, ascending.",
-                    .default_text = "from csv",
-                    .unit = yaml::UnitUse::kNone});
+      {.text = "Rows of numbers; the first independent varies fastest, ascending.",
+       .default_text = "from csv",
+       .unit = yaml::UnitUse::kNone});
   key("csv", &Text::csv,
-      yaml::KeyInfo{.text = "A CSV file with these columns, in place of rows.",
-                    .default_text = "from rows"});
+      {.text = "A CSV file with these columns, in place of rows.", .default_text = "from rows"});
   key("extrapolate", &Text::extrapolate,
-      yaml::KeyInfo{.text = "Outside the table: the end value, or the end slope.",
-                    .default_text = "constant, or 'extrapolation' for the tables it is for"});
+      {.text = "Outside the table: the end value, or the end slope.",
+       .default_text = "constant, or 'extrapolation' for the tables it is for"});
 }
 
 /// A table: `columns` names the dependents first, then the independents.
 struct TableText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<std::vector<yaml::At<std::string>>> columns;
   yaml::At<std::vector<std::vector<double>>> rows;
   yaml::At<DataSourceText> csv;
   yaml::At<law::Extrapolation> extrapolate = yaml::default_of(law::Extrapolation::kConstant);
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("columns", &TableText::columns,
-        yaml::KeyInfo{
-            .required = true,
-            .text =
-                "Names of the columns: the dependent quantities first, then the independents."});
+        {.required = true,
+         .text = "Names of the columns: the dependent quantities first, then the independents."});
     declare_rows<TableText>(key);
   }
 };
@@ -191,34 +173,29 @@ using NumberOrMatrix = std::variant<double, std::vector<std::vector<double>>>;
 using WeightsText = std::variant<std::vector<double>, TableText>;
 
 struct DerivedTermText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<law::TermOperator> combine;
   yaml::At<int> sign = yaml::default_of(1);
   yaml::At<std::vector<yaml::At<int>>> components;
   yaml::At<WeightsText> weights;
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("operator", &DerivedTermText::combine,
-        yaml::KeyInfo{.text = "How the weighted forces are combined.", .default_text = "norm"});
+        {.text = "How the weighted forces are combined.", .default_text = "norm"});
     key("sign", &DerivedTermText::sign,
-        yaml::KeyInfo{
-            .text = "1 or -1.", .default_text = "1", .bounds = {.lower = -1, .upper = 1}});
+        {.text = "1 or -1.", .default_text = "1", .bounds = {.lower = -1, .upper = 1}});
     key("components", &DerivedTermText::components,
-        yaml::KeyInfo{.required = true,
-                      .text = "Component numbers 1-6 of the forces and moments.",
-                      .bounds = {.lower = 1, .upper = 6}});
+        {.required = true,
+         .text = "Component numbers 1-6 of the forces and moments.",
+         .bounds = {.lower = 1, .upper = 6}});
     key("weights", &DerivedTermText::weights,
-        yaml::KeyInfo{.text =
-                          "A weight for each component: numbers, or a table over motions CP, CU, "
-                          "temperature and fields.",
-                      .default_text = "1 each",
-                      .unit = yaml::UnitUse::kNone});
+        {.text = "A weight for each component: numbers, or a table over motions CP, CU, "
+                 "temperature and fields.",
+         .default_text = "1 each",
+         .unit = yaml::UnitUse::kNone});
   }
 };
 
 struct PotentialTermText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<int> component;
   yaml::At<std::string> derived;
   yaml::At<double> scale = yaml::default_of(1.0);
@@ -227,92 +204,81 @@ struct PotentialTermText {
   yaml::At<double> exponent;
   yaml::At<int> sign = yaml::default_of(1);
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("component", &PotentialTermText::component,
-        yaml::KeyInfo{.text = "E: number 1-6 of a free component.",
-                      .default_text = "derived",
-                      .bounds = {.lower = 1, .upper = 6}});
+        {.text = "E: number 1-6 of a free component.",
+         .default_text = "derived",
+         .bounds = {.lower = 1, .upper = 6}});
     key("derived", &PotentialTermText::derived,
-        yaml::KeyInfo{.text = "E: name of a derived component of free components.",
-                      .default_text = "component"});
+        {.text = "E: name of a derived component of free components.",
+         .default_text = "component"});
     key("scale", &PotentialTermText::scale,
-        yaml::KeyInfo{
-            .text = "R of the contribution X = (E - a)/R; a radius turns a moment into a force.",
-            .default_text = "1",
-            .bounds = law::kPositive,
-            .unit = yaml::UnitUse::kQuantity});
+        {.text = "R of the contribution X = (E - a)/R; a radius turns a moment into a force.",
+         .default_text = "1",
+         .bounds = law::kPositive,
+         .unit = yaml::UnitUse::kQuantity});
     key("shift", &PotentialTermText::shift,
-        yaml::KeyInfo{.text = "a of the contribution, in the unit of E.",
-                      .default_text = "0",
-                      .unit = yaml::UnitUse::kQuantity});
+        {.text = "a of the contribution, in the unit of E.",
+         .default_text = "0",
+         .unit = yaml::UnitUse::kQuantity});
     key("of", &PotentialTermText::of,
-        yaml::KeyInfo{
-            .text = "What of X counts: its absolute value, its positive part (macauley), or X "
-                    "itself (none).",
-            .default_text = "abs"});
+        {.text = "What of X counts: its absolute value, its positive part (macauley), or X "
+                 "itself (none).",
+         .default_text = "abs"});
     key("exponent", &PotentialTermText::exponent,
-        yaml::KeyInfo{
-            .text = "Exponent of this contribution; friction needs that of the potential.",
-            .default_text = "the potential's",
-            .bounds = {.lower = 1.0}});
+        {.text = "Exponent of this contribution; friction needs that of the potential.",
+         .default_text = "the potential's",
+         .bounds = {.lower = 1.0}});
     key("sign", &PotentialTermText::sign,
-        yaml::KeyInfo{.text = "Sign of the contribution; friction needs 1.",
-                      .default_text = "1",
-                      .bounds = {.lower = -1, .upper = 1}});
+        {.text = "Sign of the contribution; friction needs 1.",
+         .default_text = "1",
+         .bounds = {.lower = -1, .upper = 1}});
   }
 };
 
 struct PotentialText {
-  static constexpr bool kIsDeclared = true;
   law::PotentialOperator combine = law::PotentialOperator::kSum;
   yaml::At<double> exponent = yaml::default_of(2.0);
   yaml::At<std::vector<yaml::At<PotentialTermText>>> terms;
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("operator", &PotentialText::combine,
-        yaml::KeyInfo{.text = "sum: P = (sum of X^exponent)^(1/exponent); max: P is the largest X.",
-                      .default_text = "sum"});
+        {.text = "sum: P = (sum of X^exponent)^(1/exponent); max: P is the largest X.",
+         .default_text = "sum"});
     key("exponent", &PotentialText::exponent,
-        yaml::KeyInfo{.text = "Exponent of the sum; for one beyond the range take operator max.",
-                      .default_text = "2",
-                      .bounds = {.lower = 1.0, .upper = 1.0e4}});
-    key("terms", &PotentialText::terms,
-        yaml::KeyInfo{.required = true, .text = "The contributions."});
+        {.text = "Exponent of the sum; for one beyond the range take operator max.",
+         .default_text = "2",
+         .bounds = {.lower = 1.0, .upper = 1.0e4}});
+    key("terms", &PotentialText::terms, {.required = true, .text = "The contributions."});
   }
 };
 
 struct StickText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<double> slip_tolerance, characteristic_length, elastic_slip, stiffness;
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("slip_tolerance", &StickText::slip_tolerance,
-        yaml::KeyInfo{.text = "F_f: elastic slip as a part of the characteristic length.",
-                      .default_text = "1e-4",
-                      .bounds = law::kPositive});
+        {.text = "F_f: elastic slip as a part of the characteristic length.",
+         .default_text = "1e-4",
+         .bounds = law::kPositive});
     key("characteristic_length", &StickText::characteristic_length,
-        yaml::KeyInfo{.text = "Length (angle for rotations) the slip tolerance refers to.",
-                      .default_text = "1, with a note",
-                      .dimension = base::kLength,
-                      .bounds = law::kPositive,
-                      .unit = yaml::UnitUse::kSlip});
+        {.text = "Length (angle for rotations) the slip tolerance refers to.",
+         .default_text = "1, with a note",
+         .dimension = base::kLength,
+         .bounds = law::kPositive,
+         .unit = yaml::UnitUse::kSlip});
     key("elastic_slip", &StickText::elastic_slip,
-        yaml::KeyInfo{.text = "Allowable elastic slip g_c, in place of the slip tolerance.",
-                      .default_text = "slip_tolerance * characteristic_length",
-                      .dimension = base::kLength,
-                      .bounds = law::kPositive,
-                      .unit = yaml::UnitUse::kSlip});
+        {.text = "Allowable elastic slip g_c, in place of the slip tolerance.",
+         .default_text = "slip_tolerance * characteristic_length",
+         .dimension = base::kLength,
+         .bounds = law::kPositive,
+         .unit = yaml::UnitUse::kSlip});
     key("stiffness", &StickText::stiffness,
-        yaml::KeyInfo{
-            .text =
-                "Constant stick stiffness kappa in the slip space, in place of an elastic slip.",
-            .default_text = "limit / elastic slip",
-            .dimension = {1, -1, 0},
-            .bounds = law::kPositive,
-            .unit = yaml::UnitUse::kSlip});
+        {.text = "Constant stick stiffness kappa in the slip space, in place of an elastic slip.",
+         .default_text = "limit / elastic slip",
+         .dimension = {1, -1, 0},
+         .bounds = law::kPositive,
+         .unit = yaml::UnitUse::kSlip});
   }
 };
 
@@ -333,58 +299,48 @@ struct DirectionText {
 
 /// Two coefficients at right angles.
 struct OrthotropicText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<DirectionText> direction1, direction2;
   law::Orthotropy::Speed speed = law::Orthotropy::Speed::kComponent;
   yaml::At<std::vector<double>> axis;
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("direction1", &OrthotropicText::direction1,
-        yaml::KeyInfo{.required = true,
-                      .text = "Coefficient along direction 1.",
-                      .bounds = law::kNotNegative});
+        {.required = true, .text = "Coefficient along direction 1.", .bounds = law::kNotNegative});
     key("direction2", &OrthotropicText::direction2,
-        yaml::KeyInfo{.required = true,
-                      .text = "Coefficient along direction 2, at right angles to direction 1.",
-                      .bounds = law::kNotNegative});
+        {.required = true,
+         .text = "Coefficient along direction 2, at right angles to direction 1.",
+         .bounds = law::kNotNegative});
     key("speed", &OrthotropicText::speed,
-        yaml::KeyInfo{.text =
-                          "Speed that each coefficient sees: the component of the motion along its "
-                          "direction, or the total.",
-                      .default_text = "component"});
+        {.text = "Speed that each coefficient sees: the component of the motion along its "
+                 "direction, or the total.",
+         .default_text = "component"});
     key("axis", &OrthotropicText::axis,
-        yaml::KeyInfo{.text =
-                          "Direction 1 in the two components that slip, of any length; direction 2 "
-                          "is turned by 90 degrees from it.",
-                      .default_text = "[1, 0]"});
+        {.text = "Direction 1 in the two components that slip, of any length; direction 2 "
+                 "is turned by 90 degrees from it.",
+         .default_text = "[1, 0]"});
   }
 };
 
 /// One coefficient for each sense of the slip of one component.
 struct DirectionDependentText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<DirectionText> forward, backward;
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("forward", &DirectionDependentText::forward,
-        yaml::KeyInfo{.required = true,
-                      .text =
-                          "Coefficient where the connector would slip towards larger positions, "
-                          "under a positive friction force.",
-                      .bounds = law::kNotNegative});
+        {.required = true,
+         .text = "Coefficient where the connector would slip towards larger positions, "
+                 "under a positive friction force.",
+         .bounds = law::kNotNegative});
     key("backward", &DirectionDependentText::backward,
-        yaml::KeyInfo{.required = true,
-                      .text = "Coefficient where it would slip towards smaller positions, under a "
-                              "negative friction force.",
-                      .bounds = law::kNotNegative});
+        {.required = true,
+         .text = "Coefficient where it would slip towards smaller positions, under a "
+                 "negative friction force.",
+         .bounds = law::kNotNegative});
   }
 };
 
 /// A contact penalty in place of the connector's return mapping.
 struct FormulationText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<PenaltyKind> penalty;
   yaml::At<double> visf;
   yaml::At<NumberOrTable> normal_stiffness;
@@ -393,93 +349,82 @@ struct FormulationText {
   yaml::At<double> tangential_stiffness;
   law::Convention convention = law::Convention::kDocumented;
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("penalty", &FormulationText::penalty,
-        yaml::KeyInfo{.required = true,
-                      .text = "viscous (Radioss Iform 1) or stiffness (Iform 2)."});
+        {.required = true, .text = "viscous (Radioss Iform 1) or stiffness (Iform 2)."});
     key("VISF", &FormulationText::visf,
-        yaml::KeyInfo{.text = "viscous: factor of the viscous coefficient C; 0 means 1.",
-                      .default_text = "1",
-                      .bounds = law::kNotNegative});
+        {.text = "viscous: factor of the viscous coefficient C; 0 means 1.",
+         .default_text = "1",
+         .bounds = law::kNotNegative});
     key("K", &FormulationText::normal_stiffness,
-        yaml::KeyInfo{.text = "viscous: stiffness of the normal penalty, a number or a table over "
-                              "contact_force, temperature, fields; C = VISF sqrt(2 K m).",
-                      .default_text = "C",
-                      .dimension = {1, -1, 0},
-                      .bounds = law::kNotNegative,
-                      .unit = yaml::UnitUse::kSlip});
+        {.text = "viscous: stiffness of the normal penalty, a number or a table over "
+                 "contact_force, temperature, fields; C = VISF sqrt(2 K m).",
+         .default_text = "C",
+         .dimension = {1, -1, 0},
+         .bounds = law::kNotNegative,
+         .unit = yaml::UnitUse::kSlip});
     key("m", &FormulationText::mass,
-        yaml::KeyInfo{.text = "viscous: mass of the contact point.",
-                      .default_text = "C",
-                      .dimension = {1, -1, 2},
-                      .bounds = law::kNotNegative,
-                      .unit = yaml::UnitUse::kSlip});
+        {.text = "viscous: mass of the contact point.",
+         .default_text = "C",
+         .dimension = {1, -1, 2},
+         .bounds = law::kNotNegative,
+         .unit = yaml::UnitUse::kSlip});
     key("C", &FormulationText::viscous_coefficient,
-        yaml::KeyInfo{.text = "viscous: the coefficient itself, in place of VISF, K and m.",
-                      .default_text = "VISF sqrt(2 K m)",
-                      .dimension = {1, -1, 1},
-                      .bounds = law::kPositive,
-                      .unit = yaml::UnitUse::kSlip});
+        {.text = "viscous: the coefficient itself, in place of VISF, K and m.",
+         .default_text = "VISF sqrt(2 K m)",
+         .dimension = {1, -1, 1},
+         .bounds = law::kPositive,
+         .unit = yaml::UnitUse::kSlip});
     key("K_t", &FormulationText::tangential_stiffness,
-        yaml::KeyInfo{.text = "stiffness: tangential stiffness of the contact.",
-                      .default_text = "-",
-                      .dimension = {1, -1, 0},
-                      .bounds = law::kPositive,
-                      .unit = yaml::UnitUse::kSlip});
+        {.text = "stiffness: tangential stiffness of the contact.",
+         .default_text = "-",
+         .dimension = {1, -1, 0},
+         .bounds = law::kPositive,
+         .unit = yaml::UnitUse::kSlip});
     key("convention", &FormulationText::convention,
-        yaml::KeyInfo{
-            .text = "Where the published page and the program differ: as the page promises, or "
-                    "as OpenRadioss (2026) computes.",
-            .default_text = "documented"});
+        {.text = "Where the published page and the program differ: as the page promises, or "
+                 "as OpenRadioss (2026) computes.",
+         .default_text = "documented"});
   }
 };
 
 /// First-order filter of the friction force of a formulation.
 struct FilterText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<double> simple, period, frequency, xfreq;
   yaml::At<XfreqConvention> xfreq_convention;
   bool clip = false;
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("simple", &FilterText::simple,
-        yaml::KeyInfo{
-            .text = "alpha of F_k = alpha F + (1 - alpha) F_{k-1} (Radioss Ifiltr 1), up to 1; "
-                    "0 is no filter.",
-            .default_text = "another of the four",
-            .bounds = {.lower = 0.0, .upper = 1.0}});
+        {.text = "alpha of F_k = alpha F + (1 - alpha) F_{k-1} (Radioss Ifiltr 1), up to 1; "
+                 "0 is no filter.",
+         .default_text = "another of the four",
+         .bounds = {.lower = 0.0, .upper = 1.0}});
     key("period", &FilterText::period,
-        yaml::KeyInfo{.text =
-                          "Time T of alpha = 2 pi dt/T (Ifiltr 2); increments longer than T/(2 pi) "
-                          "are refused.",
-                      .default_text = "another of the four",
-                      .dimension = base::kTime,
-                      .bounds = law::kPositive});
+        {.text = "Time T of alpha = 2 pi dt/T (Ifiltr 2); increments longer than T/(2 pi) "
+                 "are refused.",
+         .default_text = "another of the four",
+         .dimension = base::kTime,
+         .bounds = law::kPositive});
     key("frequency", &FilterText::frequency,
-        yaml::KeyInfo{.text =
-                          "Cut-off frequency f of alpha = min(1, 2 pi f dt) (Ifiltr 3); 0 is no "
-                          "filter.",
-                      .default_text = "another of the four",
-                      .dimension = {0, 0, -1},
-                      .bounds = law::kNotNegative});
+        {.text = "Cut-off frequency f of alpha = min(1, 2 pi f dt) (Ifiltr 3); 0 is no "
+                 "filter.",
+         .default_text = "another of the four",
+         .dimension = {0, 0, -1},
+         .bounds = law::kNotNegative});
     key("Xfreq", &FilterText::xfreq,
-        yaml::KeyInfo{.text =
-                          "The number of Ifiltr 2 as a deck has it, read as xfreq_convention says; "
-                          "0 is no filter.",
-                      .default_text = "another of the four",
-                      .bounds = law::kNotNegative});
+        {.text = "The number of Ifiltr 2 as a deck has it, read as xfreq_convention says; "
+                 "0 is no filter.",
+         .default_text = "another of the four",
+         .bounds = law::kNotNegative});
     key("xfreq_convention", &FilterText::xfreq_convention,
-        yaml::KeyInfo{
-            .text = "steps: Xfreq = T/dt, as OpenRadioss (2026) computes; ratio: Xfreq = dt/T, "
-                    "as the page says.",
-            .default_text = "required with Xfreq"});
+        {.text = "steps: Xfreq = T/dt, as OpenRadioss (2026) computes; ratio: Xfreq = dt/T, "
+                 "as the page says.",
+         .default_text = "required with Xfreq"});
     key("clip", &FilterText::clip,
-        yaml::KeyInfo{
-            .text = "true: a filtered force above the limit is taken back to it, which neither "
-                    "the page nor the program does.",
-            .default_text = "false"});
+        {.text = "true: a filtered force above the limit is taken back to it, which neither "
+                 "the page nor the program does.",
+         .default_text = "false"});
   }
 };
 
@@ -494,7 +439,6 @@ struct PredefinedText {
 };
 
 struct FrictionText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<std::string> name;
   yaml::At<PredefinedText> predefined;
   yaml::At<int> component;
@@ -507,54 +451,51 @@ struct FrictionText {
   yaml::At<FormulationText> formulation;
   yaml::At<FilterText> filter;
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("name", &FrictionText::name,
-        yaml::KeyInfo{.text = "Name used in result columns where there are several definitions.",
-                      .default_text = "friction1, ..."});
+        {.text = "Name used in result columns where there are several definitions.",
+         .default_text = "friction1, ..."});
     key("predefined", &FrictionText::predefined,
-        yaml::KeyInfo{.text = "Predefined friction of the connection type, with its geometry.",
-                      .default_text = "component or potential"});
+        {.text = "Predefined friction of the connection type, with its geometry.",
+         .default_text = "component or potential"});
     key("component", &FrictionText::component,
-        yaml::KeyInfo{.text = "Free component 1-6 that slips: P = abs(f_i).",
-                      .default_text = "predefined or potential",
-                      .bounds = {.lower = 1, .upper = 6}});
+        {.text = "Free component 1-6 that slips: P = abs(f_i).",
+         .default_text = "predefined or potential",
+         .bounds = {.lower = 1, .upper = 6}});
     key("potential", &FrictionText::potential,
-        yaml::KeyInfo{.text = "Several free components that slip together.",
-                      .default_text = "predefined or component"});
+        {.text = "Several free components that slip together.",
+         .default_text = "predefined or component"});
     key("contact_force", &FrictionText::contact_force,
-        yaml::KeyInfo{
-            .text = "F_C: the name of a derived component, or a component number 1-6 (signed). "
-                    "Of a held component the constraint force counts, of a free one its "
-                    "spring, damper, stop and load, CEF + CVF + CRF - CCF.",
-            .default_text = "none"});
+        {.text = "F_C: the name of a derived component, or a component number 1-6 (signed). "
+                 "Of a held component the constraint force counts, of a free one its "
+                 "spring, damper, stop and load, CEF + CVF + CRF - CCF.",
+         .default_text = "none"});
     key("internal_contact_force", &FrictionText::internal_contact_force,
-        yaml::KeyInfo{.text =
-                          "F_int: a number, or a table over accumulated_slip, temperature, fields, "
-                          "CP and CU.",
-                      .default_text = "0",
-                      .dimension = base::kForce,
-                      .bounds = law::kNotNegative,
-                      .unit = yaml::UnitUse::kSlip});
+        {.text = "F_int: a number, or a table over accumulated_slip, temperature, fields, "
+                 "CP and CU.",
+         .default_text = "0",
+         .dimension = base::kForce,
+         .bounds = law::kNotNegative,
+         .unit = yaml::UnitUse::kSlip});
     key("coefficient", &FrictionText::coefficient,
-        yaml::KeyInfo{.text = "Coefficient of friction: a number, a table, or a law by name.",
-                      .default_text = "0: no friction",
-                      .bounds = law::kNotNegative});
+        {.text = "Coefficient of friction: a number, a table, or a law by name.",
+         .default_text = "0: no friction",
+         .bounds = law::kNotNegative});
     key("force_limit", &FrictionText::force_limit,
-        yaml::KeyInfo{.text = "Cap f_t^max of the limiting friction force; 0 means none.",
-                      .default_text = "none",
-                      .dimension = base::kForce,
-                      .bounds = law::kNotNegative,
-                      .unit = yaml::UnitUse::kSlip});
+        {.text = "Cap f_t^max of the limiting friction force; 0 means none.",
+         .default_text = "none",
+         .dimension = base::kForce,
+         .bounds = law::kNotNegative,
+         .unit = yaml::UnitUse::kSlip});
     key("stick", &FrictionText::stick,
-        yaml::KeyInfo{.text = "How stiff the connector is while it sticks.",
-                      .default_text = "slip tolerance 1e-4"});
+        {.text = "How stiff the connector is while it sticks.",
+         .default_text = "slip tolerance 1e-4"});
     key("formulation", &FrictionText::formulation,
-        yaml::KeyInfo{.text = "The penalty of a Radioss contact in place of 'stick'.",
-                      .default_text = "the connector's stick and return mapping"});
+        {.text = "The penalty of a Radioss contact in place of 'stick'.",
+         .default_text = "the connector's stick and return mapping"});
     key("filter", &FrictionText::filter,
-        yaml::KeyInfo{.text = "Smooths the friction force of a formulation over the increments.",
-                      .default_text = "none"});
+        {.text = "Smooths the friction force of a formulation over the increments.",
+         .default_text = "none"});
   }
 };
 
@@ -565,76 +506,64 @@ struct PartOrGroup {
 
 /// Friction of a record of a table of part pairs.
 struct PairDefaultText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<CoefficientText> coefficient;
   yaml::At<double> visf;
 
-  template <class V>
-  static void declare(V& key) {
-    declare_friction<PairDefaultText>(key);
-  }
+  static void declare(auto& key) { declare_friction<PairDefaultText>(key); }
 
   /// The keys that the default and the records share.
   template <class Text, class V>
   static void declare_friction(V& key) {
     key("coefficient", &Text::coefficient,
-        yaml::KeyInfo{.required = true,
-                      .text = "Coefficient of friction: a number, a table, or a law by name.",
-                      .bounds = law::kNotNegative});
+        {.required = true,
+         .text = "Coefficient of friction: a number, a table, or a law by name.",
+         .bounds = law::kNotNegative});
     key("VISF", &Text::visf,
-        yaml::KeyInfo{
-            .text = "VISF of a viscous penalty, in place of that under 'formulation:'; 0 means "
-                    "1.",
-            .default_text = "that of the formulation",
-            .bounds = law::kNotNegative});
+        {.text = "VISF of a viscous penalty, in place of that under 'formulation:'; 0 means "
+                 "1.",
+         .default_text = "that of the formulation",
+         .bounds = law::kNotNegative});
   }
 };
 
 /// A record of a table of part pairs.
 struct PartPairText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<std::vector<yaml::At<PartOrGroup>>> parts;
   yaml::At<CoefficientText> coefficient;
   yaml::At<double> visf;
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("parts", &PartPairText::parts,
-        yaml::KeyInfo{.required = true, .text = "The two sides, each a part or a group."});
+        {.required = true, .text = "The two sides, each a part or a group."});
     PairDefaultText::declare_friction<PartPairText>(key);
   }
 };
 
 /// Friction by the parts that meet: `connector.parts` picks the record.
 struct FrictionPairsText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<std::vector<yaml::At<int>>> parts;
   yaml::NamedMap<std::vector<yaml::At<int>>> groups;
   yaml::At<PairDefaultText> otherwise;
   yaml::At<std::vector<yaml::At<PartPairText>>> pairs;
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("parts", &FrictionPairsText::parts,
-        yaml::KeyInfo{.text = "Ids of all parts there are, so that a mistyped one is found.",
-                      .default_text = "any id will do",
-                      .bounds = {.lower = 1}});
+        {.text = "Ids of all parts there are, so that a mistyped one is found.",
+         .default_text = "any id will do",
+         .bounds = {.lower = 1}});
     key("groups", &FrictionPairsText::groups,
-        yaml::KeyInfo{
-            .text = "Named lists of part ids.", .default_text = "none", .bounds = {.lower = 1}});
+        {.text = "Named lists of part ids.", .default_text = "none", .bounds = {.lower = 1}});
     key("default", &FrictionPairsText::otherwise,
-        yaml::KeyInfo{.text = "Friction of the parts that no pair joins.",
-                      .default_text = "none: such parts are an error"});
+        {.text = "Friction of the parts that no pair joins.",
+         .default_text = "none: such parts are an error"});
     key("pairs", &FrictionPairsText::pairs,
-        yaml::KeyInfo{.text =
-                          "Records in order, each symmetric; of those that join the two parts the "
-                          "last one holds.",
-                      .default_text = "none"});
+        {.text = "Records in order, each symmetric; of those that join the two parts the "
+                 "last one holds.",
+         .default_text = "none"});
   }
 };
 
 struct IntegrationText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<cases::IntegrationMethod> method =
       yaml::default_of(cases::IntegrationMethod::kBackwardEuler);
   yaml::At<double> tolerance = yaml::default_of(cases::Integration{}.tolerance);
@@ -643,33 +572,27 @@ struct IntegrationText {
   yaml::At<law::SlipRateMeasure> slip_rate = yaml::default_of(law::SlipRateMeasure::kSlip);
   yaml::At<cases::SnapBackAction> snap_back = yaml::default_of(cases::SnapBackAction::kStop);
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("method", &IntegrationText::method,
-        yaml::KeyInfo{.text =
-                          "Integration over an increment: one implicit step, as solvers do, or the "
-                          "continuous solution between the rows.",
-                      .default_text = "backward_euler"});
+        {.text = "Integration over an increment: one implicit step, as solvers do, or the "
+                 "continuous solution between the rows.",
+         .default_text = "backward_euler"});
     key("tolerance", &IntegrationText::tolerance,
-        yaml::KeyInfo{.text =
-                          "Of exact integration, as a part of the limit, where there is no closed "
-                          "solution.",
-                      .default_text = "1e-10",
-                      .bounds = {.lower = 1e-13, .upper = 1e-3}});
+        {.text = "Of exact integration, as a part of the limit, where there is no closed "
+                 "solution.",
+         .default_text = "1e-10",
+         .bounds = {.lower = 1e-13, .upper = 1e-3}});
     key("accumulated_slip", &IntegrationText::accumulated_slip,
-        yaml::KeyInfo{
-            .text = "Accumulated slip that the internal contact force sees: of the end of the "
-                    "increment (implicit) or of its start.",
-            .default_text = "end"});
+        {.text = "Accumulated slip that the internal contact force sees: of the end of the "
+                 "increment (implicit) or of its start.",
+         .default_text = "end"});
     key("slip_rate", &IntegrationText::slip_rate,
-        yaml::KeyInfo{
-            .text = "Rate that the coefficient sees: of the slip, or of the whole motion.",
-            .default_text = "slip"});
+        {.text = "Rate that the coefficient sees: of the slip, or of the whole motion.",
+         .default_text = "slip"});
     key("snap_back", &IntegrationText::snap_back,
-        yaml::KeyInfo{
-            .text = "Where wear takes the limit away faster than the stick spring follows: end "
-                    "the run, or jump to the next equilibrium and book the energy lost.",
-            .default_text = "stop"});
+        {.text = "Where wear takes the limit away faster than the stick spring follows: end "
+                 "the run, or jump to the next equilibrium and book the energy lost.",
+         .default_text = "stop"});
   }
 };
 
@@ -682,22 +605,17 @@ struct ProfileText {
 
 /// Motion of the nodes of a belt in a step.
 struct NodeMotionText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<std::vector<yaml::At<ProfileText>>> a, b, c;
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     constexpr std::string_view kText =
         "Profiles [x, y, z] of the node's coordinates; a number is one that stays.";
     key("a", &NodeMotionText::a,
-        yaml::KeyInfo{
-            .text = kText, .default_text = "unchanged", .unit = yaml::UnitUse::kQuantity});
+        {.text = kText, .default_text = "unchanged", .unit = yaml::UnitUse::kQuantity});
     key("b", &NodeMotionText::b,
-        yaml::KeyInfo{
-            .text = kText, .default_text = "unchanged", .unit = yaml::UnitUse::kQuantity});
+        {.text = kText, .default_text = "unchanged", .unit = yaml::UnitUse::kQuantity});
     key("c", &NodeMotionText::c,
-        yaml::KeyInfo{
-            .text = kText, .default_text = "unchanged", .unit = yaml::UnitUse::kQuantity});
+        {.text = kText, .default_text = "unchanged", .unit = yaml::UnitUse::kQuantity});
   }
 };
 
@@ -708,43 +626,36 @@ struct AmplitudeText {
 
 /// New friction of one definition, in force at the end of the step.
 struct FrictionChangeText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<CoefficientText> coefficient;
   yaml::At<AmplitudeText> amplitude;
   yaml::At<double> force_limit;
   yaml::At<StickText> stick;
   yaml::At<bool> reset;
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("coefficient", &FrictionChangeText::coefficient,
-        yaml::KeyInfo{.text = "The new coefficient: a number, a table, or a law by name.",
-                      .default_text = "required but with reset",
-                      .bounds = law::kNotNegative});
+        {.text = "The new coefficient: a number, a table, or a law by name.",
+         .default_text = "required but with reset",
+         .bounds = law::kNotNegative});
     key("amplitude", &FrictionChangeText::amplitude,
-        yaml::KeyInfo{
-            .text = "How the coefficient goes over: mu = mu_start + A(t) (mu_end - mu_start).",
-            .default_text = "linear"});
+        {.text = "How the coefficient goes over: mu = mu_start + A(t) (mu_end - mu_start).",
+         .default_text = "linear"});
     key("force_limit", &FrictionChangeText::force_limit,
-        yaml::KeyInfo{.text =
-                          "New cap of the limiting friction force from the start of the step; 0 "
-                          "means none.",
-                      .default_text = "unchanged",
-                      .dimension = base::kForce,
-                      .bounds = law::kNotNegative,
-                      .unit = yaml::UnitUse::kSlip});
+        {.text = "New cap of the limiting friction force from the start of the step; 0 "
+                 "means none.",
+         .default_text = "unchanged",
+         .dimension = base::kForce,
+         .bounds = law::kNotNegative,
+         .unit = yaml::UnitUse::kSlip});
     key("stick", &FrictionChangeText::stick,
-        yaml::KeyInfo{.text = "New stick stiffness of the same kind.",
-                      .default_text = "unchanged"});
+        {.text = "New stick stiffness of the same kind.", .default_text = "unchanged"});
     key("reset", &FrictionChangeText::reset,
-        yaml::KeyInfo{
-            .text = "true: back to the friction under 'friction:', in place of a coefficient.",
-            .default_text = "false"});
+        {.text = "true: back to the friction under 'friction:', in place of a coefficient.",
+         .default_text = "false"});
   }
 };
 
 struct StepText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<std::string> step;
   yaml::At<double> duration = yaml::default_of(1.0);
   int increments = 1;
@@ -756,45 +667,43 @@ struct StepText {
   yaml::NamedMap<ProfileText> fields;
   yaml::NamedMap<FrictionChangeText> change_friction;
 
-  template <class V>
-  static void declare(V& key) {
-    key("step", &StepText::step, yaml::KeyInfo{.required = true, .text = "Name of the step."});
+  static void declare(auto& key) {
+    key("step", &StepText::step, {.required = true, .text = "Name of the step."});
     key("duration", &StepText::duration,
-        yaml::KeyInfo{.text = "Length of the step in time.",
-                      .default_text = "1",
-                      .dimension = base::kTime,
-                      .bounds = law::kPositive});
+        {.text = "Length of the step in time.",
+         .default_text = "1",
+         .dimension = base::kTime,
+         .bounds = law::kPositive});
     key("increments", &StepText::increments,
-        yaml::KeyInfo{.required = true,
-                      .text = "Number of equal increments; breakpoints of the profiles are added.",
-                      .bounds = {.lower = 1}});
+        {.required = true,
+         .text = "Number of equal increments; breakpoints of the profiles are added.",
+         .bounds = {.lower = 1}});
     key("repeat", &StepText::repeat,
-        yaml::KeyInfo{.text = "How often the step runs, one run after the other.",
-                      .default_text = "1",
-                      .bounds = {.lower = 1}});
+        {.text = "How often the step runs, one run after the other.",
+         .default_text = "1",
+         .bounds = {.lower = 1}});
     key("motion", &StepText::motion,
-        yaml::KeyInfo{.text = "Profiles of free components, {CP1: ..., CPR1: ...}.",
-                      .default_text = "unchanged",
-                      .unit = yaml::UnitUse::kQuantity});
+        {.text = "Profiles of free components, {CP1: ..., CPR1: ...}.",
+         .default_text = "unchanged",
+         .unit = yaml::UnitUse::kQuantity});
     key("nodes", &StepText::nodes,
-        yaml::KeyInfo{
-            .text = "SLIPRING with nodes: how they move, {c: [profile, profile, profile]}.",
-            .default_text = "unchanged"});
+        {.text = "SLIPRING with nodes: how they move, {c: [profile, profile, profile]}.",
+         .default_text = "unchanged"});
     key("force", &StepText::force,
-        yaml::KeyInfo{.text = "Profiles of constraint forces and moments, {f2: ..., m3: ...}.",
-                      .default_text = "unchanged",
-                      .unit = yaml::UnitUse::kQuantity});
+        {.text = "Profiles of constraint forces and moments, {f2: ..., m3: ...}.",
+         .default_text = "unchanged",
+         .unit = yaml::UnitUse::kQuantity});
     key("temperature", &StepText::temperature,
-        yaml::KeyInfo{.text = "Profile of the temperature.",
-                      .default_text = "unchanged, at first 0",
-                      .unit = yaml::UnitUse::kQuantity});
+        {.text = "Profile of the temperature.",
+         .default_text = "unchanged, at first 0",
+         .unit = yaml::UnitUse::kQuantity});
     key("fields", &StepText::fields,
-        yaml::KeyInfo{.text = "Profiles of field variables, {field1: ...}.",
-                      .default_text = "unchanged, at first 0",
-                      .unit = yaml::UnitUse::kQuantity});
+        {.text = "Profiles of field variables, {field1: ...}.",
+         .default_text = "unchanged, at first 0",
+         .unit = yaml::UnitUse::kQuantity});
     key("change_friction", &StepText::change_friction,
-        yaml::KeyInfo{.text = "New friction of definitions by name, {sleeve: {coefficient: 0.12}}.",
-                      .default_text = "unchanged"});
+        {.text = "New friction of definitions by name, {sleeve: {coefficient: 0.12}}.",
+         .default_text = "unchanged"});
   }
 };
 
@@ -805,30 +714,24 @@ struct MeasuredColumnText {
 };
 
 struct MeasuredText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<DataSourceText> csv;
   yaml::At<std::string> time;
   yaml::At<std::string> time_unit;
   yaml::At<yaml::NamedMap<MeasuredColumnText>> columns;
   bool hold = false;
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("csv", &MeasuredText::csv,
-        yaml::KeyInfo{.required = true,
-                      .text = "CSV file whose rows drive the case, one increment a row."});
-    key("time", &MeasuredText::time,
-        yaml::KeyInfo{.required = true, .text = "Name of the time column."});
+        {.required = true, .text = "CSV file whose rows drive the case, one increment a row."});
+    key("time", &MeasuredText::time, {.required = true, .text = "Name of the time column."});
     key("unit", &MeasuredText::time_unit,
-        yaml::KeyInfo{.text = "Unit of the time column.", .default_text = "the case's"});
+        {.text = "Unit of the time column.", .default_text = "the case's"});
     key("columns", &MeasuredText::columns,
-        yaml::KeyInfo{
-            .required = true,
-            .text =
-                "Which quantity each column drives: {CP1: disp, f2: {column: load, unit: lbf}}."});
+        {.required = true,
+         .text = "Which quantity each column drives: {CP1: disp, f2: {column: load, unit: lbf}}."});
     key("hold", &MeasuredText::hold,
-        yaml::KeyInfo{.text = "true: a value holds until the next row; false: linear between rows.",
-                      .default_text = "false"});
+        {.text = "true: a value holds until the next row; false: linear between rows.",
+         .default_text = "false"});
   }
 };
 
@@ -839,24 +742,20 @@ struct HistoryText {
 };
 
 struct OutputText {
-  static constexpr bool kIsDeclared = true;
   int every = 1;
   yaml::At<std::vector<yaml::At<std::string>>> columns;
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("every", &OutputText::every,
-        yaml::KeyInfo{.text = "Write every n-th increment, and the last of the run.",
-                      .default_text = "1",
-                      .bounds = {.lower = 1}});
+        {.text = "Write every n-th increment, and the last of the run.",
+         .default_text = "1",
+         .bounds = {.lower = 1}});
     key("columns", &OutputText::columns,
-        yaml::KeyInfo{.text = "Result columns to write; t is always the first.",
-                      .default_text = "all"});
+        {.text = "Result columns to write; t is always the first.", .default_text = "all"});
   }
 };
 
 struct AgainstText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<std::string> expression;
   yaml::At<std::string> closed_form;
   yaml::At<yaml::NamedMap<NumberOrList>> with;
@@ -866,88 +765,77 @@ struct AgainstText {
   yaml::At<MeasuredColumnText> abscissa;
   yaml::At<MeasuredColumnText> column;
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("expression", &AgainstText::expression,
-        yaml::KeyInfo{.text = "Expression over t, T, parameters and result columns.",
-                      .default_text = "closed_form or curve"});
+        {.text = "Expression over t, T, parameters and result columns.",
+         .default_text = "closed_form or curve"});
     key("closed_form", &AgainstText::closed_form,
-        yaml::KeyInfo{.text = "Name of a closed form (slipbench list closed-forms).",
-                      .default_text = "expression or curve"});
+        {.text = "Name of a closed form (slipbench list closed-forms).",
+         .default_text = "expression or curve"});
     key("with", &AgainstText::with,
-        yaml::KeyInfo{.text = "Parameters of the closed form.",
-                      .default_text = "its defaults",
-                      .unit = yaml::UnitUse::kNone});
+        {.text = "Parameters of the closed form.",
+         .default_text = "its defaults",
+         .unit = yaml::UnitUse::kNone});
     key("inputs", &AgainstText::inputs,
-        yaml::KeyInfo{.text = "Result columns or expressions over them that drive the closed form, "
-                              "{motion: CU1} or {phase: = 2*pi*T}.",
-                      .default_text = "the columns of the same meaning"});
+        {.text = "Result columns or expressions over them that drive the closed form, "
+                 "{motion: CU1} or {phase: = 2*pi*T}.",
+         .default_text = "the columns of the same meaning"});
     key("output", &AgainstText::output,
-        yaml::KeyInfo{.text = "Which result of the closed form is compared.",
-                      .default_text = "what the quantity is"});
+        {.text = "Which result of the closed form is compared.",
+         .default_text = "what the quantity is"});
     key("curve", &AgainstText::curve,
-        yaml::KeyInfo{.text =
-                          "CSV file of a reference curve, or the name of a shipped one (slipbench "
-                          "list curves).",
-                      .default_text = "expression or closed_form"});
+        {.text = "CSV file of a reference curve, or the name of a shipped one (slipbench "
+                 "list curves).",
+         .default_text = "expression or closed_form"});
     key("abscissa", &AgainstText::abscissa,
-        yaml::KeyInfo{.text = "Column of the curve that holds the abscissa, with its unit if it is "
-                              "another: {column: stroke, unit: in}.",
-                      .default_text = "that of the abscissa's name"});
+        {.text = "Column of the curve that holds the abscissa, with its unit if it is "
+                 "another: {column: stroke, unit: in}.",
+         .default_text = "that of the abscissa's name"});
     key("column", &AgainstText::column,
-        yaml::KeyInfo{.text =
-                          "Column of the curve that is compared, with its unit if it is another: "
-                          "{column: load, unit: lbf}.",
-                      .default_text = "that of the quantity's name"});
+        {.text = "Column of the curve that is compared, with its unit if it is another: "
+                 "{column: load, unit: lbf}.",
+         .default_text = "that of the quantity's name"});
   }
 };
 
 struct OverText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<double> from, to;
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("from", &OverText::from,
-        yaml::KeyInfo{
-            .text = "First total time.", .default_text = "the start", .dimension = base::kTime});
+        {.text = "First total time.", .default_text = "the start", .dimension = base::kTime});
     key("to", &OverText::to,
-        yaml::KeyInfo{
-            .text = "Last total time.", .default_text = "the end", .dimension = base::kTime});
+        {.text = "Last total time.", .default_text = "the end", .dimension = base::kTime});
   }
 };
 
 struct ToleranceText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<double> absolute, relative, abscissa;
   std::string why;
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("absolute", &ToleranceText::absolute,
-        yaml::KeyInfo{.text = "Admissible deviation in the quantity's unit.",
-                      .default_text = "relative",
-                      .bounds = law::kNotNegative,
-                      .unit = yaml::UnitUse::kQuantity,
-                      .difference = true});
+        {.text = "Admissible deviation in the quantity's unit.",
+         .default_text = "relative",
+         .bounds = law::kNotNegative,
+         .unit = yaml::UnitUse::kQuantity,
+         .difference = true});
     key("relative", &ToleranceText::relative,
-        yaml::KeyInfo{.text = "Admissible deviation as a part of the reference's range.",
-                      .default_text = "absolute",
-                      .bounds = law::kNotNegative});
+        {.text = "Admissible deviation as a part of the reference's range.",
+         .default_text = "absolute",
+         .bounds = law::kNotNegative});
     key("abscissa", &ToleranceText::abscissa,
-        yaml::KeyInfo{.text =
-                          "Admissible shift along the abscissa, in its unit, of the points that "
-                          "breakaway and reversals compare.",
-                      .default_text = "relative, of the abscissa's range",
-                      .bounds = law::kNotNegative,
-                      .unit = yaml::UnitUse::kNone});
+        {.text = "Admissible shift along the abscissa, in its unit, of the points that "
+                 "breakaway and reversals compare.",
+         .default_text = "relative, of the abscissa's range",
+         .bounds = law::kNotNegative,
+         .unit = yaml::UnitUse::kNone});
     key("why", &ToleranceText::why,
-        yaml::KeyInfo{.text = "Which error this tolerance allows for.", .default_text = "none"});
+        {.text = "Which error this tolerance allows for.", .default_text = "none"});
   }
 };
 
 struct CheckText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<std::string> name;
   yaml::At<std::string> quantity;
   yaml::At<AgainstText> against;
@@ -957,37 +845,32 @@ struct CheckText {
   yaml::At<std::string> abscissa;
   yaml::At<ToleranceText> tolerance;
 
-  template <class V>
-  static void declare(V& key) {
-    key("name", &CheckText::name, yaml::KeyInfo{.required = true, .text = "What the check shows."});
+  static void declare(auto& key) {
+    key("name", &CheckText::name, {.required = true, .text = "What the check shows."});
     key("quantity", &CheckText::quantity,
-        yaml::KeyInfo{
-            .required = true,
-            .text = "A result column, or an expression over t, T, parameters and columns."});
+        {.required = true,
+         .text = "A result column, or an expression over t, T, parameters and columns."});
     key("against", &CheckText::against,
-        yaml::KeyInfo{.required = true, .text = "What the quantity is compared with."});
+        {.required = true, .text = "What the quantity is compared with."});
     key("step", &CheckText::step,
-        yaml::KeyInfo{.text = "Compare the rows of this step only.", .default_text = "all steps"});
+        {.text = "Compare the rows of this step only.", .default_text = "all steps"});
     key("over", &CheckText::over,
-        yaml::KeyInfo{.text = "Compare the rows within these total times only.",
-                      .default_text = "the whole run"});
+        {.text = "Compare the rows within these total times only.",
+         .default_text = "the whole run"});
     key("criterion", &CheckText::criterion,
-        yaml::KeyInfo{.text = "How the two are compared.", .default_text = "pointwise"});
+        {.text = "How the two are compared.", .default_text = "pointwise"});
     key("abscissa", &CheckText::abscissa,
-        yaml::KeyInfo{
-            .text = "What the two are compared over: time, accumulated_slip, a result column, "
-                    "or an expression over t, T, parameters and columns.",
-            .default_text = "time, or what 'against: {abscissa: ..}' names"});
+        {.text = "What the two are compared over: time, accumulated_slip, a result column, "
+                 "or an expression over t, T, parameters and columns.",
+         .default_text = "time, or what 'against: {abscissa: ..}' names"});
     key("tolerance", &CheckText::tolerance,
-        yaml::KeyInfo{.required = true,
-                      .text = "How far they may be apart; the larger of the two counts."});
+        {.required = true, .text = "How far they may be apart; the larger of the two counts."});
   }
 };
 
 /// A spring along a component: linear, or a table whose keys stand beside the component; or linear
 /// springs that join several components.
 struct ElasticityText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<int> component;
   yaml::At<std::vector<yaml::At<int>>> components;
   yaml::At<NumberOrMatrix> stiffness;
@@ -996,38 +879,33 @@ struct ElasticityText {
   yaml::At<DataSourceText> csv;
   yaml::At<law::Extrapolation> extrapolate = yaml::default_of(law::Extrapolation::kConstant);
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("component", &ElasticityText::component,
-        yaml::KeyInfo{.text = "Number 1-6 of a free component.",
-                      .default_text = "components",
-                      .bounds = {.lower = 1, .upper = 6}});
+        {.text = "Number 1-6 of a free component.",
+         .default_text = "components",
+         .bounds = {.lower = 1, .upper = 6}});
     key("components", &ElasticityText::components,
-        yaml::KeyInfo{
-            .text = "Numbers 1-6 of two or more free components that a stiffness matrix joins.",
-            .default_text = "component",
-            .bounds = {.lower = 1, .upper = 6}});
+        {.text = "Numbers 1-6 of two or more free components that a stiffness matrix joins.",
+         .default_text = "component",
+         .bounds = {.lower = 1, .upper = 6}});
     key("stiffness", &ElasticityText::stiffness,
-        yaml::KeyInfo{
-            .text = "k of the force k u along the component, u its constitutive displacement; "
-                    "of several components the matrix K of the forces K u, row by row, "
-                    "symmetric and positive semidefinite.",
-            .default_text = "a table",
-            .dimension = {1, -1, 0},
-            .bounds = law::kPositive,
-            .unit = yaml::UnitUse::kSlip});
+        {.text = "k of the force k u along the component, u its constitutive displacement; "
+                 "of several components the matrix K of the forces K u, row by row, "
+                 "symmetric and positive semidefinite.",
+         .default_text = "a table",
+         .dimension = {1, -1, 0},
+         .bounds = law::kPositive,
+         .unit = yaml::UnitUse::kSlip});
     key("columns", &ElasticityText::columns,
-        yaml::KeyInfo{
-            .text = "Columns of a table in place of the stiffness: a name for the force, then "
-                    "displacement, temperature, fields.",
-            .default_text = "a stiffness"});
+        {.text = "Columns of a table in place of the stiffness: a name for the force, then "
+                 "displacement, temperature, fields.",
+         .default_text = "a stiffness"});
     declare_rows<ElasticityText>(key);
   }
 };
 
 /// A damper along a component: linear, or a table whose keys stand beside the component.
 struct DampingText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<int> component;
   yaml::At<double> coefficient;
   yaml::At<std::vector<yaml::At<std::string>>> columns;
@@ -1035,48 +913,44 @@ struct DampingText {
   yaml::At<DataSourceText> csv;
   yaml::At<law::Extrapolation> extrapolate = yaml::default_of(law::Extrapolation::kConstant);
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("component", &DampingText::component,
-        yaml::KeyInfo{.required = true,
-                      .text = "Number 1-6 of a free component.",
-                      .bounds = {.lower = 1, .upper = 6}});
+        {.required = true,
+         .text = "Number 1-6 of a free component.",
+         .bounds = {.lower = 1, .upper = 6}});
     key("coefficient", &DampingText::coefficient,
-        yaml::KeyInfo{.text = "c of the force c v along the component, v its velocity.",
-                      .default_text = "a table",
-                      .dimension = {1, -1, 1},
-                      .bounds = law::kPositive,
-                      .unit = yaml::UnitUse::kSlip});
+        {.text = "c of the force c v along the component, v its velocity.",
+         .default_text = "a table",
+         .dimension = {1, -1, 1},
+         .bounds = law::kPositive,
+         .unit = yaml::UnitUse::kSlip});
     key("columns", &DampingText::columns,
-        yaml::KeyInfo{
-            .text = "Columns of a table in place of the coefficient: a name for the force, then "
-                    "velocity, temperature, fields.",
-            .default_text = "a coefficient"});
+        {.text = "Columns of a table in place of the coefficient: a name for the force, then "
+                 "velocity, temperature, fields.",
+         .default_text = "a coefficient"});
     declare_rows<DampingText>(key);
   }
 };
 
 struct StopText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<int> component;
   yaml::At<double> lower, upper;
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("component", &StopText::component,
-        yaml::KeyInfo{.required = true,
-                      .text = "Number 1-6 of a free component.",
-                      .bounds = {.lower = 1, .upper = 6}});
+        {.required = true,
+         .text = "Number 1-6 of a free component.",
+         .bounds = {.lower = 1, .upper = 6}});
     key("lower", &StopText::lower,
-        yaml::KeyInfo{.text = "Lowest position CP of the component.",
-                      .default_text = "no stop below",
-                      .dimension = base::kLength,
-                      .unit = yaml::UnitUse::kSlip});
+        {.text = "Lowest position CP of the component.",
+         .default_text = "no stop below",
+         .dimension = base::kLength,
+         .unit = yaml::UnitUse::kSlip});
     key("upper", &StopText::upper,
-        yaml::KeyInfo{.text = "Highest position CP of the component.",
-                      .default_text = "no stop above",
-                      .dimension = base::kLength,
-                      .unit = yaml::UnitUse::kSlip});
+        {.text = "Highest position CP of the component.",
+         .default_text = "no stop above",
+         .dimension = base::kLength,
+         .unit = yaml::UnitUse::kSlip});
   }
 };
 
@@ -1086,58 +960,52 @@ struct PlayPositionText {
 
 /// Backlash between the connector and the friction of one component.
 struct DeadZoneText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<int> component;
   yaml::At<double> width;
   yaml::At<PlayPositionText> position;
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("component", &DeadZoneText::component,
-        yaml::KeyInfo{.required = true,
-                      .text = "Number 1-6 of a free component that slips alone in its definition.",
-                      .bounds = {.lower = 1, .upper = 6}});
+        {.required = true,
+         .text = "Number 1-6 of a free component that slips alone in its definition.",
+         .bounds = {.lower = 1, .upper = 6}});
     key("width", &DeadZoneText::width,
-        yaml::KeyInfo{.required = true,
-                      .text = "g: free travel without force at every reversal; 0 is none.",
-                      .dimension = base::kLength,
-                      .bounds = law::kNotNegative,
-                      .unit = yaml::UnitUse::kSlip});
+        {.required = true,
+         .text = "g: free travel without force at every reversal; 0 is none.",
+         .dimension = base::kLength,
+         .bounds = law::kNotNegative,
+         .unit = yaml::UnitUse::kSlip});
     key("position", &DeadZoneText::position,
-        yaml::KeyInfo{.text =
-                          "Play at the start: centred, lower (motion to smaller positions meets "
-                          "friction at once), upper, or a number from -width/2 to width/2.",
-                      .default_text = "centred",
-                      .dimension = base::kLength,
-                      .unit = yaml::UnitUse::kSlip});
+        {.text = "Play at the start: centred, lower (motion to smaller positions meets "
+                 "friction at once), upper, or a number from -width/2 to width/2.",
+         .default_text = "centred",
+         .dimension = base::kLength,
+         .unit = yaml::UnitUse::kSlip});
   }
 };
 
 /// The second mass of a clutch or brake.
 struct DriverText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<double> mass;
   yaml::At<double> velocity = yaml::default_of(0.0);
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("mass", &DriverText::mass,
-        yaml::KeyInfo{.required = true,
-                      .text = "Mass of the driver, or its moment of inertia.",
-                      .dimension = {1, -1, 2},
-                      .bounds = law::kPositive,
-                      .unit = yaml::UnitUse::kSlip});
+        {.required = true,
+         .text = "Mass of the driver, or its moment of inertia.",
+         .dimension = {1, -1, 2},
+         .bounds = law::kPositive,
+         .unit = yaml::UnitUse::kSlip});
     key("velocity", &DriverText::velocity,
-        yaml::KeyInfo{.text = "Velocity of the driver at the start.",
-                      .default_text = "0",
-                      .dimension = {0, 1, -1},
-                      .unit = yaml::UnitUse::kSlip});
+        {.text = "Velocity of the driver at the start.",
+         .default_text = "0",
+         .dimension = {0, 1, -1},
+         .unit = yaml::UnitUse::kSlip});
   }
 };
 
 /// One free component as a mass on a belt, or on a driver.
 struct DynamicsText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<int> component;
   yaml::At<double> mass;
   yaml::At<double> belt_velocity = yaml::default_of(0.0);
@@ -1145,35 +1013,34 @@ struct DynamicsText {
   yaml::At<double> static_coefficient;
   yaml::At<DriverText> driver;
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("component", &DynamicsText::component,
-        yaml::KeyInfo{.text = "Number 1-6 of the free component that moves.",
-                      .default_text = "the only free one",
-                      .bounds = {.lower = 1, .upper = 6}});
+        {.text = "Number 1-6 of the free component that moves.",
+         .default_text = "the only free one",
+         .bounds = {.lower = 1, .upper = 6}});
     key("mass", &DynamicsText::mass,
-        yaml::KeyInfo{.required = true,
-                      .text = "Mass, or moment of inertia of a rotation.",
-                      .dimension = {1, -1, 2},
-                      .bounds = law::kPositive,
-                      .unit = yaml::UnitUse::kSlip});
+        {.required = true,
+         .text = "Mass, or moment of inertia of a rotation.",
+         .dimension = {1, -1, 2},
+         .bounds = law::kPositive,
+         .unit = yaml::UnitUse::kSlip});
     key("belt_velocity", &DynamicsText::belt_velocity,
-        yaml::KeyInfo{.text = "Constant velocity of the belt the mass rubs on.",
-                      .default_text = "0",
-                      .dimension = {0, 1, -1},
-                      .unit = yaml::UnitUse::kSlip});
+        {.text = "Constant velocity of the belt the mass rubs on.",
+         .default_text = "0",
+         .dimension = {0, 1, -1},
+         .unit = yaml::UnitUse::kSlip});
     key("initial_velocity", &DynamicsText::initial_velocity,
-        yaml::KeyInfo{.text = "Velocity of the mass at the start.",
-                      .default_text = "0",
-                      .dimension = {0, 1, -1},
-                      .unit = yaml::UnitUse::kSlip});
+        {.text = "Velocity of the mass at the start.",
+         .default_text = "0",
+         .dimension = {0, 1, -1},
+         .unit = yaml::UnitUse::kSlip});
     key("static_coefficient", &DynamicsText::static_coefficient,
-        yaml::KeyInfo{.text = "Coefficient that holds while the mass sticks.",
-                      .default_text = "the coefficient at rate 0",
-                      .bounds = law::kNotNegative});
+        {.text = "Coefficient that holds while the mass sticks.",
+         .default_text = "the coefficient at rate 0",
+         .bounds = law::kNotNegative});
     key("driver", &DynamicsText::driver,
-        yaml::KeyInfo{.text = "A second mass to rub on, free as the first: a clutch.",
-                      .default_text = "none: the mass rubs on the belt"});
+        {.text = "A second mass to rub on, free as the first: a clutch.",
+         .default_text = "none: the mass rubs on the belt"});
   }
 };
 
@@ -1181,7 +1048,6 @@ struct DynamicsText {
 struct ParameterValue {};
 
 struct CaseText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<int> slipbench;
   std::string title;
   UnitsText units;
@@ -1201,61 +1067,56 @@ struct CaseText {
   OutputText output;
   yaml::At<std::vector<yaml::At<CheckText>>> checks;
 
-  template <class V>
-  static void declare(V& key) {
+  static void declare(auto& key) {
     key("slipbench", &CaseText::slipbench,
-        yaml::KeyInfo{.required = true,
-                      .text = "Version of the case format: 1.",
-                      .bounds = {.lower = 1, .upper = 1}});
+        {.required = true,
+         .text = "Version of the case format: 1.",
+         .bounds = {.lower = 1, .upper = 1}});
     key("title", &CaseText::title,
-        yaml::KeyInfo{.text = "One line for results and plots.",
-                      .default_text = "the file's name"});
+        {.text = "One line for results and plots.", .default_text = "the file's name"});
     key("units", &CaseText::units,
-        yaml::KeyInfo{.text = "The one consistent system of units; angles are radians.",
-                      .default_text = "none"});
+        {.text = "The one consistent system of units; angles are radians.",
+         .default_text = "none"});
     key("parameters", &CaseText::parameters,
-        yaml::KeyInfo{.text = "Named numbers for expressions, --set, sweeps and fits.",
-                      .default_text = "none",
-                      .unit = yaml::UnitUse::kAny});
-    key("connector", &CaseText::connector,
-        yaml::KeyInfo{.required = true, .text = "The connector."});
+        {.text = "Named numbers for expressions, --set, sweeps and fits.",
+         .default_text = "none",
+         .unit = yaml::UnitUse::kAny});
+    key("connector", &CaseText::connector, {.required = true, .text = "The connector."});
     key("derived_components", &CaseText::derived_components,
-        yaml::KeyInfo{.text = "Named contact forces g(f); the terms of a name are added.",
-                      .default_text = "none"});
+        {.text = "Named contact forces g(f); the terms of a name are added.",
+         .default_text = "none"});
     key("friction", &CaseText::friction,
-        yaml::KeyInfo{.required = true,
-                      .text = "Friction definitions, each a stick-slip check of its own."});
+        {.required = true, .text = "Friction definitions, each a stick-slip check of its own."});
     key("friction_pairs", &CaseText::friction_pairs,
-        yaml::KeyInfo{.text = "Coefficients by the parts that meet; connector.parts picks one.",
-                      .default_text = "none: each definition has its own coefficient"});
+        {.text = "Coefficients by the parts that meet; connector.parts picks one.",
+         .default_text = "none: each definition has its own coefficient"});
     key("extrapolation", &CaseText::extrapolation,
-        yaml::KeyInfo{
-            .text = "Of the tables of elasticity, damping, weights and internal contact force "
-                    "that have no 'extrapolate': the end value, or the end slope. Coefficients "
-                    "have their own.",
-            .default_text = "constant"});
+        {.text = "Of the tables of elasticity, damping, weights and internal contact force "
+                 "that have no 'extrapolate': the end value, or the end slope. Coefficients "
+                 "have their own.",
+         .default_text = "constant"});
     key("elasticity", &CaseText::elasticity,
-        yaml::KeyInfo{.text = "Springs along free components, in parallel with friction.",
-                      .default_text = "none"});
+        {.text = "Springs along free components, in parallel with friction.",
+         .default_text = "none"});
     key("damping", &CaseText::damping,
-        yaml::KeyInfo{.text = "Dampers along free components, in parallel with friction.",
-                      .default_text = "none"});
+        {.text = "Dampers along free components, in parallel with friction.",
+         .default_text = "none"});
     key("stops", &CaseText::stops,
-        yaml::KeyInfo{.text = "Rigid stops of free components.", .default_text = "none"});
+        {.text = "Rigid stops of free components.", .default_text = "none"});
     key("dead_zone", &CaseText::dead_zone,
-        yaml::KeyInfo{.text = "Backlash in series with the friction of single components.",
-                      .default_text = "none"});
+        {.text = "Backlash in series with the friction of single components.",
+         .default_text = "none"});
     key("dynamics", &CaseText::dynamics,
-        yaml::KeyInfo{.text = "One free component as a mass with rigid stick, stepped in time.",
-                      .default_text = "none: motions and forces are quasi-static"});
+        {.text = "One free component as a mass with rigid stick, stepped in time.",
+         .default_text = "none: motions and forces are quasi-static"});
     key("integration", &CaseText::integration,
-        yaml::KeyInfo{.text = "How an increment is integrated.", .default_text = "as below"});
+        {.text = "How an increment is integrated.", .default_text = "as below"});
     key("history", &CaseText::history,
-        yaml::KeyInfo{.required = true, .text = "Steps in order, or a measured history."});
+        {.required = true, .text = "Steps in order, or a measured history."});
     key("output", &CaseText::output,
-        yaml::KeyInfo{.text = "What the result file holds.", .default_text = "everything"});
+        {.text = "What the result file holds.", .default_text = "everything"});
     key("checks", &CaseText::checks,
-        yaml::KeyInfo{.text = "What the run is held against.", .default_text = "none"});
+        {.text = "What the run is held against.", .default_text = "none"});
   }
 };
 

@@ -15,7 +15,6 @@ namespace slipbench::driver::read {
 
 /// A file of numbers wherever one is read: its name, or its name and how it is written.
 struct DataSourceText {
-  static constexpr bool kIsDeclared = true;
   yaml::At<std::string> file;
   yaml::At<DecimalMark> decimal = yaml::default_of(DecimalMark::kPoint);
   yaml::At<ColumnSeparator> separator;
@@ -23,27 +22,24 @@ struct DataSourceText {
   bool units_row = false;
   base::MissingSample missing = base::MissingSample::kError;
 
-  template <class V>
-  static void declare(V& key) {
-    key("file", &DataSourceText::file,
-        yaml::KeyInfo{.required = true, .text = "Name of the file."});
+  static void declare(auto& key) {
+    key("file", &DataSourceText::file, {.required = true, .text = "Name of the file."});
     key("decimal", &DataSourceText::decimal,
-        yaml::KeyInfo{.text = "Decimal mark of its numbers.", .default_text = "."});
+        {.text = "Decimal mark of its numbers.", .default_text = "."});
     key("separator", &DataSourceText::separator,
-        yaml::KeyInfo{.text = "Between its columns; space: runs of blanks.",
-                      .default_text = "as the header shows: comma, semicolon or tab"});
+        {.text = "Between its columns; space: runs of blanks.",
+         .default_text = "as the header shows: comma, semicolon or tab"});
     key("skip", &DataSourceText::skip,
-        yaml::KeyInfo{.text = "How many lines stand before the header.",
-                      .default_text = "0",
-                      .bounds = law::kNotNegative});
+        {.text = "How many lines stand before the header.",
+         .default_text = "0",
+         .bounds = law::kNotNegative});
     key("units_row", &DataSourceText::units_row,
-        yaml::KeyInfo{.text = "true: the line below the header holds the units of the columns.",
-                      .default_text = "false"});
+        {.text = "true: the line below the header holds the units of the columns.",
+         .default_text = "false"});
     key("missing", &DataSourceText::missing,
-        yaml::KeyInfo{.text =
-                          "Where a sample is empty or nan: refuse the file, leave out the row, or "
-                          "hold the column's value of the row before.",
-                      .default_text = "error"});
+        {.text = "Where a sample is empty or nan: refuse the file, leave out the row, or "
+                 "hold the column's value of the row before.",
+         .default_text = "error"});
   }
 };
 

@@ -17,12 +17,11 @@ struct Spoke {
   double length = 0.0;
   At<int> holes;
 
-  static constexpr bool kIsDeclared = true;
   template <class Visitor>
   static void declare(Visitor&& key) {
     key("length", &Spoke::length,
-        KeyInfo{.required = true, .dimension = {.length = 1}, .bounds = law::kPositive});
-    key("holes", &Spoke::holes, KeyInfo{.text = "Holes of the rim"});
+        {.required = true, .dimension = {.length = 1}, .bounds = law::kPositive});
+    key("holes", &Spoke::holes, {.text = "Holes of the rim"});
   }
 };
 struct Wheel {
@@ -31,13 +30,12 @@ struct Wheel {
   std::vector<double> loads;
   NamedMap<Spoke> spokes;
 
-  static constexpr bool kIsDeclared = true;
   template <class Visitor>
   static void declare(Visitor&& key) {
-    key("name", &Wheel::name, KeyInfo{.required = true});
-    key("driven", &Wheel::driven, KeyInfo{});
-    key("loads", &Wheel::loads, KeyInfo{.dimension = {.force = 1}});
-    key("spokes", &Wheel::spokes, KeyInfo{});
+    key("name", &Wheel::name, {.required = true});
+    key("driven", &Wheel::driven, {});
+    key("loads", &Wheel::loads, {.dimension = {.force = 1}});
+    key("spokes", &Wheel::spokes, {});
   }
 };
 
