@@ -52,6 +52,30 @@ bool looks_like_number(std::string_view text) {
   return first == '-' || first == '+' || first == '.' || (first >= '0' && first <= '9');
 }
 
+/// Reads a value that may be written in several ways as a T.
+template <class T, class Value>
+bool read_as(Binder& binder, const Node& node, const Path& path, const KeyInfo& info, Value& out) {
+  T value{};
+  if (!Codec<T>::read(binder, node, path, info, value)) return false;
+  out = std::move(value);
+  return true;
+}
+
+/// Reads a Number, or a Name in its place.
+/// \param info of the name
+template <class Number, class Name, class Text>
+bool read_number_or(Binder& binder, const Node& node, const Path& path, const KeyInfo& number,
+                    const KeyInfo& info, Text& out) {
+  if (!node.is_scalar() || node.text().empty()) {
+    binder.wrong_kind(node, path, Codec<Text>::wanted(info));
+    return false;
+  }
+  if (Binder::is_expression(node) || (!node.quoted() && looks_like_number(node.text()))) {
+    return read_as<Number>(binder, node, path, number, out.value);
+  }
+  return read_as<Name>(binder, node, path, info, out.value);
+}
+
 }  // namespace
 
 // --- connector.type ---------------------------------------------------------------------------
@@ -97,20 +121,10 @@ void Codec<TypeNames>::rows(const std::string&, std::vector<KeyRow>&) {}
 
 bool Codec<NumberOrTable>::read(Binder& binder, const Node& node, const Path& path,
                                 const KeyInfo& info, NumberOrTable& out) {
-  if (node.is_map()) {
-    TableText text;
-    if (!Codec<TableText>::read(binder, node, path, info, text)) return false;
-    out = std::move(text);
-    return true;
-  }
-  if (!node.is_scalar()) {
-    binder.wrong_kind(node, path, wanted(info));
-    return false;
-  }
-  double number = 0.0;
-  if (!Codec<double>::read(binder, node, path, info, number)) return false;
-  out = number;
-  return true;
+  if (node.is_map()) return read_as<TableText>(binder, node, path, info, out);
+  if (node.is_scalar()) return read_as<double>(binder, node, path, info, out);
+  binder.wrong_kind(node, path, wanted(info));
+  return false;
 }
 Json Codec<NumberOrTable>::schema(const KeyInfo& info) {
   return any_of({Codec<double>::schema(info), struct_schema<TableText>()});
@@ -122,22 +136,14 @@ void Codec<NumberOrTable>::rows(const std::string& path, std::vector<KeyRow>& ro
 
 bool Codec<NumberOrMatrix>::read(Binder& binder, const Node& node, const Path& path,
                                  const KeyInfo& info, NumberOrMatrix& out) {
-  if (node.is_scalar()) {
-    double number = 0.0;
-    if (!Codec<double>::read(binder, node, path, info, number)) return false;
-    out = number;
-    return true;
-  }
+  if (node.is_scalar()) return read_as<double>(binder, node, path, info, out);
   if (!node.is_sequence()) {
     binder.wrong_kind(node, path, wanted(info));
     return false;
   }
   KeyInfo entry = info;
   entry.bounds = {};
-  std::vector<std::vector<double>> rows;
-  if (!Codec<std::vector<std::vector<double>>>::read(binder, node, path, entry, rows)) return false;
-  out = std::move(rows);
-  return true;
+  return read_as<std::vector<std::vector<double>>>(binder, node, path, entry, out);
 }
 Json Codec<NumberOrMatrix>::schema(const KeyInfo& info) {
   return any_of({Codec<double>::schema(info), Codec<std::vector<std::vector<double>>>::schema({})});
@@ -149,20 +155,10 @@ void Codec<NumberOrMatrix>::rows(const std::string&, std::vector<KeyRow>&) {}
 
 bool Codec<WeightsText>::read(Binder& binder, const Node& node, const Path& path,
                               const KeyInfo& info, WeightsText& out) {
-  if (node.is_map()) {
-    TableText text;
-    if (!Codec<TableText>::read(binder, node, path, info, text)) return false;
-    out = std::move(text);
-    return true;
-  }
-  std::vector<double> numbers;
-  if (!node.is_sequence()) {
-    binder.wrong_kind(node, path, wanted(info));
-    return false;
-  }
-  if (!Codec<std::vector<double>>::read(binder, node, path, info, numbers)) return false;
-  out = std::move(numbers);
-  return true;
+  if (node.is_map()) return read_as<TableText>(binder, node, path, info, out);
+  if (node.is_sequence()) return read_as<std::vector<double>>(binder, node, path, info, out);
+  binder.wrong_kind(node, path, wanted(info));
+  return false;
 }
 Json Codec<WeightsText>::schema(const KeyInfo& info) {
   return any_of({Codec<std::vector<double>>::schema(info), struct_schema<TableText>()});
@@ -233,10 +229,7 @@ bool Codec<CoefficientText>::read(Binder& binder, const Node& node, const Path& 
     return false;
   }
   if (has_key(node, "columns")) {
-    TableText text;
-    if (!Codec<TableText>::read(binder, node, path, info, text)) return false;
-    out.value = std::move(text);
-    return true;
+    return read_as<TableText>(binder, node, path, info, out.value);
   }
   if (node.size() == 1 && has_key(node, kOrthotropic)) {
     auto text = std::make_shared<OrthotropicText>();
@@ -347,19 +340,8 @@ void Codec<DirectionText>::rows(const std::string&, std::vector<KeyRow>&) {}
 
 bool Codec<ContactForceText>::read(Binder& binder, const Node& node, const Path& path,
                                    const KeyInfo& info, ContactForceText& out) {
-  if (!node.is_scalar() || node.text().empty()) {
-    binder.wrong_kind(node, path, wanted(info));
-    return false;
-  }
-  if (Binder::is_expression(node) || (!node.quoted() && looks_like_number(node.text()))) {
-    int component = 0;
-    const KeyInfo number{.bounds = {.lower = 1, .upper = 6}};
-    if (!Codec<int>::read(binder, node, path, number, component)) return false;
-    out.value = component;
-    return true;
-  }
-  out.value = std::string(node.text());
-  return true;
+  const KeyInfo number{.bounds = {.lower = 1, .upper = 6}};
+  return read_number_or<int, std::string>(binder, node, path, number, info, out);
 }
 Json Codec<ContactForceText>::schema(const KeyInfo&) {
   return any_of({Codec<int>::schema(KeyInfo{.bounds = {.lower = 1, .upper = 6}}), plain("string")});
@@ -373,18 +355,8 @@ void Codec<ContactForceText>::rows(const std::string&, std::vector<KeyRow>&) {}
 
 bool Codec<PartOrGroup>::read(Binder& binder, const Node& node, const Path& path,
                               const KeyInfo& info, PartOrGroup& out) {
-  if (!node.is_scalar() || node.text().empty()) {
-    binder.wrong_kind(node, path, wanted(info));
-    return false;
-  }
-  if (Binder::is_expression(node) || (!node.quoted() && looks_like_number(node.text()))) {
-    int part = 0;
-    if (!Codec<int>::read(binder, node, path, KeyInfo{.bounds = {.lower = 1}}, part)) return false;
-    out.value = part;
-    return true;
-  }
-  out.value = std::string(node.text());
-  return true;
+  const KeyInfo number{.bounds = {.lower = 1}};
+  return read_number_or<int, std::string>(binder, node, path, number, info, out);
 }
 Json Codec<PartOrGroup>::schema(const KeyInfo&) {
   return any_of({Codec<int>::schema(KeyInfo{.bounds = {.lower = 1}}), plain("string")});
@@ -396,20 +368,7 @@ void Codec<PartOrGroup>::rows(const std::string&, std::vector<KeyRow>&) {}
 
 bool Codec<PlayPositionText>::read(Binder& binder, const Node& node, const Path& path,
                                    const KeyInfo& info, PlayPositionText& out) {
-  if (!node.is_scalar() || node.text().empty()) {
-    binder.wrong_kind(node, path, wanted(info));
-    return false;
-  }
-  if (Binder::is_expression(node) || (!node.quoted() && looks_like_number(node.text()))) {
-    double place = 0.0;
-    if (!Codec<double>::read(binder, node, path, info, place)) return false;
-    out.value = place;
-    return true;
-  }
-  PlayPlace place{};
-  if (!Codec<PlayPlace>::read(binder, node, path, info, place)) return false;
-  out.value = place;
-  return true;
+  return read_number_or<double, PlayPlace>(binder, node, path, info, info, out);
 }
 Json Codec<PlayPositionText>::schema(const KeyInfo& info) {
   return any_of({Codec<double>::schema(info), Codec<PlayPlace>::schema(info)});
