@@ -54,13 +54,13 @@ class Panels {
         check::compare_points(judged.trace.value, judged.trace.reference);
     const double tube = pointwise ? judged.trace.tube : 0.0;
     double worst = 0.0;
-    results::RowThinner thinner(2, kRows);
+    std::vector<double> table;
     double from = std::numeric_limits<double>::infinity();
     double to = -from;
     const check::CurvePoint* at = nullptr;
     for (const check::CurvePoint& point : compared.points) {
       const double residual = point.value - point.reference;
-      thinner.add(std::array{point.abscissa, residual});
+      table.insert(table.end(), {point.abscissa, residual});
       from = std::min(from, point.abscissa);
       to = std::max(to, point.abscissa);
       if (at == nullptr || std::abs(residual) > worst) {
@@ -68,13 +68,14 @@ class Panels {
         at = &point;
       }
     }
-    const std::vector<double> rows = thinner.rows();
-    for (std::size_t r = 0; r + 1 < rows.size(); r += 2) {
-      points_ += fmt::format("{:.{}g} {:.6g} {}\n", rows[r], drawn_digits(from, to), rows[r + 1],
-                             tube > 0.0 && std::abs(rows[r + 1]) > tube ? 1 : 0);
+    const std::vector<std::size_t> rows = results::thinned_rows(table, 2, kRows);
+    for (const std::size_t row : rows) {
+      const double residual = table[2 * row + 1];
+      points_ += fmt::format("{:.{}g} {:.6g} {}\n", table[2 * row], drawn_digits(from, to),
+                             residual, tube > 0.0 && std::abs(residual) > tube ? 1 : 0);
     }
     points_ += rows.empty() ? "NaN NaN 0\n\n\n" : "\n\n";
-    script_.add("POINTS", static_cast<int>(rows.size() / 2));
+    script_.add("POINTS", static_cast<int>(rows.size()));
     tell_lines("NAME", (verdict.passed ? "PASS  " : "FAIL  ") + verdict.name, kHeadingLength);
     tell_lines("SAYS", says(judged, compared.fault), kTextLength);
     script_.add("LABEL", axis_label("residual", {"", verdict.unit}));

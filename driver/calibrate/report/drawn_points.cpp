@@ -32,23 +32,24 @@ DrawnPoints drawn_points(const FittedResponse& response, std::size_t limit) {
   constexpr std::size_t kColumns = 7;
   constexpr std::array<std::size_t, 6> kWatched{1, 2, 3, 4, 5, 6};
   const bool loop = !loop_axis(response).name.empty();
-  results::RowThinner thinner(kColumns, limit, kWatched);
+  std::vector<double> table;
   for (std::size_t i = 0; i < response.measured.size(); ++i) {
     const double measured = response.measured[i];
     const double before = value_at(response.before, i);
     const double after = value_at(response.after, i);
-    thinner.add(std::array{value_at(response.time, i), loop ? positions_of(response)[i] : 0.0,
-                           measured, before, after, before - measured, after - measured});
+    table.insert(table.end(), {value_at(response.time, i), loop ? positions_of(response)[i] : 0.0,
+                               measured, before, after, before - measured, after - measured});
   }
   DrawnPoints drawn;
-  drawn.thinned = thinner.thinned();
-  const std::vector<double> rows = thinner.rows();
-  for (std::size_t i = 0; i < rows.size(); i += kColumns) {
-    drawn.time.push_back(rows[i]);
-    if (loop) drawn.position.push_back(rows[i + 1]);
-    drawn.measured.push_back(rows[i + 2]);
-    drawn.before.push_back(rows[i + 3]);
-    drawn.after.push_back(rows[i + 4]);
+  const std::vector<std::size_t> rows = results::thinned_rows(table, kColumns, limit, kWatched);
+  drawn.thinned = rows.size() < response.measured.size();
+  for (const std::size_t row : rows) {
+    const double* numbers = &table[row * kColumns];
+    drawn.time.push_back(numbers[0]);
+    if (loop) drawn.position.push_back(numbers[1]);
+    drawn.measured.push_back(numbers[2]);
+    drawn.before.push_back(numbers[3]);
+    drawn.after.push_back(numbers[4]);
   }
   return drawn;
 }

@@ -8,7 +8,7 @@
 
 namespace slipbench::driver::calibrate {
 
-/// The points of a response that are drawn: all, or of many those that RowThinner keeps, so that
+/// The points of a response that are drawn: all, or of many those of thinned_rows, so that
 /// the curves, and the residuals before and after, cover the same area as all of them would.
 struct DrawnPoints {
   std::vector<double> time;

@@ -155,15 +155,15 @@ Drawing residuals(const Fit& fit, const FittedExperiment& one) {
     const FittedResponse& response = one.responses[r];
     const ResidualView view = residual_view(response, response.after);
     const Span time = span_of({&response.time}, 0.0);
-    results::RowThinner thinner(2, kPoints);
+    std::vector<double> table;
     for (std::size_t i = 0; i < std::min(view.residuals.size(), response.time.size()); ++i) {
-      thinner.add(std::array{response.time[i], view.residuals[i]});
+      table.insert(table.end(), {response.time[i], view.residuals[i]});
     }
-    thinned = thinned || thinner.thinned();
-    const std::vector<double> drawn = thinner.rows();
-    for (std::size_t i = 0; i + 1 < drawn.size(); i += 2) {
-      rows += fmt::format("{:.{}g} {:.7g}\n", drawn[i], plot::drawn_digits(time.low, time.high),
-                          drawn[i + 1]);
+    const std::vector<std::size_t> drawn = results::thinned_rows(table, 2, kPoints);
+    thinned = thinned || drawn.size() < table.size() / 2;
+    for (const std::size_t row : drawn) {
+      rows += fmt::format("{:.{}g} {:.7g}\n", table[2 * row],
+                          plot::drawn_digits(time.low, time.high), table[2 * row + 1]);
     }
     rows += drawn.empty() ? "NaN NaN\n\n\n" : "\n\n";
     const double width = (view.highest - view.lowest) /
@@ -198,7 +198,7 @@ Drawing residuals(const Fit& fit, const FittedExperiment& one) {
     script.add("DEVIATION", view.deviation);
     script.add("TOTAL", static_cast<double>(total));
     tell_axis(script, "BEGIN", "END", "T_STEP", "T_FORMAT", time);
-    script.add("POINT_SIZE", drawn.size() / 2 > kFewPoints ? 0.0 : 0.4);
+    script.add("POINT_SIZE", drawn.size() > kFewPoints ? 0.0 : 0.4);
   }
   script.set("PANELS", static_cast<int>(count));
   script.set("NOTE", thinned_note(thinned));

@@ -14,8 +14,8 @@
 namespace slipbench::driver::calibrate {
 
 /// The JSON document of a fit's page, on one line, to be embedded as it is in a script element: no
-/// '<' stands in it. Of many points some are drawn (RowThinner keeps extremes); what is told of the
-/// residuals (histogram, autocorrelation) is that of all. What is no finite number is null. The
+/// '<' stands in it. Of many points some are drawn (thinned_rows keeps extremes); what is told of
+/// the residuals (histogram, autocorrelation) is that of all. What is no finite number is null. The
 /// same fit gives the same bytes: no date but the user's, no seconds.
 std::string fit_document(const Fit& fit, const Calibration& calibration);
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <random>
-#include <set>
 
 namespace slipbench::driver::results {
 namespace {
@@ -40,14 +39,13 @@ Table random_table(std::mt19937& random, std::size_t rows, std::size_t columns) 
   return table;
 }
 
-Table thin(const Table& table, std::size_t limit, std::span<const std::size_t> watched = {},
-           const std::set<std::size_t>& kept = {}) {
-  RowThinner thinner(table.columns, limit, watched);
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    thinner.add(std::span(table.numbers).subspan(i * table.columns, table.columns),
-                kept.contains(i));
+Table thin(const Table& table, std::size_t limit, std::span<const std::size_t> watched = {}) {
+  Table thinned{table.columns, {}};
+  for (const std::size_t row : thinned_rows(table.numbers, table.columns, limit, watched)) {
+    const auto numbers = std::span(table.numbers).subspan(row * table.columns, table.columns);
+    thinned.numbers.insert(thinned.numbers.end(), numbers.begin(), numbers.end());
   }
-  return {table.columns, thinner.rows()};
+  return thinned;
 }
 
 std::vector<std::size_t> numbers_of(const Table& table) {
@@ -58,18 +56,16 @@ std::vector<std::size_t> numbers_of(const Table& table) {
   return numbers;
 }
 
-TEST_CASE("a thinned table keeps ends, extremes, order, wanted rows and its limit") {
+TEST_CASE("a thinned table keeps ends, extremes, order and its limit") {
   std::mt19937 random(20240611);
   for (int trial = 0; trial < 60; ++trial) {
     const std::size_t columns = 2 + random() % 9;
     const std::size_t rows = 1 + random() % 20000;
     const std::size_t limit = 60 + random() % 500;
     const Table table = random_table(random, rows, columns);
-    std::set<std::size_t> kept;
-    while (kept.size() < std::min(rows, limit / 4)) kept.insert(random() % rows);
     const std::vector<std::size_t> watched{columns - 1};
     const Table thinned =
-        thin(table, limit, trial % 2 == 0 ? std::span<const std::size_t>() : watched, kept);
+        thin(table, limit, trial % 2 == 0 ? std::span<const std::size_t>() : watched);
     CAPTURE(trial, columns, rows, limit);
 
     REQUIRE(thinned.size() <= limit);
@@ -78,9 +74,6 @@ TEST_CASE("a thinned table keeps ends, extremes, order, wanted rows and its limi
     CHECK(std::adjacent_find(numbers.begin(), numbers.end()) == numbers.end());
     CHECK(numbers.front() == 0);
     CHECK(numbers.back() == rows - 1);
-    for (const std::size_t row : kept) {
-      CHECK(std::binary_search(numbers.begin(), numbers.end(), row));
-    }
     for (std::size_t c = 0; c < columns; ++c) {
       double lowest = std::numeric_limits<double>::infinity();
       double highest = -lowest;
@@ -136,47 +129,6 @@ TEST_CASE("the band of a fast oscillation stays full wherever one looks") {
   }
 }
 
-TEST_CASE("too many wanted rows are halved evenly, not cut off") {
-  constexpr std::size_t kRows = 50000;
-  Table table{2, {}};
-  std::set<std::size_t> kept;
-  for (std::size_t i = 0; i < kRows; ++i) {
-    table.numbers.push_back(static_cast<double>(i));
-    table.numbers.push_back(0.0);
-    if (i % 10 == 3) kept.insert(i);
-  }
-  const Table thinned = thin(table, 400, {}, kept);
-  CHECK(thinned.size() <= 400);
-  std::size_t first_half = 0;
-  std::size_t second_half = 0;
-  for (const std::size_t number : numbers_of(thinned)) {
-    if (!kept.contains(number)) continue;
-    ++(number < kRows / 2 ? first_half : second_half);
-  }
-  // At least an eighth of the limit stays, half of it in each half.
-  CHECK(first_half >= 25);
-  CHECK(second_half >= 25);
-}
-
-TEST_CASE("rows know their places, and fewer than the limit can be had") {
-  std::mt19937 random(3);
-  const Table table = random_table(random, 9000, 4);
-  RowThinner thinner(4, 400);
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    thinner.add(std::span(table.numbers).subspan(i * 4, 4), i == 777);
-  }
-  for (const std::size_t most : {std::size_t{400}, std::size_t{120}}) {
-    const RowThinner::Rows rows = thinner.indexed_rows(most);
-    CHECK(rows.size() <= most);
-    CHECK(rows.size() > most / 2);
-    REQUIRE(rows.numbers.size() == 4 * rows.size());
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      CHECK(rows.numbers[4 * i] == static_cast<double>(rows.index[i]));
-    }
-    CHECK(std::count(rows.index.begin(), rows.index.end(), 777) == 1);
-  }
-}
-
 TEST_CASE("what is no number is never an extreme, what is infinite is") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
@@ -195,8 +147,7 @@ TEST_CASE("a limit that is too small for the extremes is raised") {
   std::mt19937 random(11);
   const Table table = random_table(random, 5000, 10);
   const std::size_t size = thin(table, 1).size();
-  // 4/3 (2 + 2 * 10 + 2 * 10)
-  CHECK(size <= 56);
+  CHECK(size <= 2 + 2 * 10);
   CHECK(size >= 12);
 }
 
