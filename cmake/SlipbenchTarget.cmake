@@ -15,10 +15,10 @@ function(slipbench_target target)
   endif()
 endfunction()
 
-# slipbench_build_together(TARGET): compiles several sources at a time where CMAKE_UNITY_BUILD says so: a build from nothing
+# slipbench_build_together(TARGET BATCH): compiles BATCH sources at a time where CMAKE_UNITY_BUILD says so: a build from nothing
 # reads each header less often, a change costs the few sources that go with it. Not for sources that are optimised for long.
-function(slipbench_build_together target)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD "${CMAKE_UNITY_BUILD}" UNITY_BUILD_BATCH_SIZE 8)
+function(slipbench_build_together target batch)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD "${CMAKE_UNITY_BUILD}" UNITY_BUILD_BATCH_SIZE ${batch})
 endfunction()
 
 # slipbench_build_quickly(TARGET): for code that no run spends its time in.
