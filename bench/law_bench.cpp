@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "law/connection/connection_type.hpp"
+#include "law/friction/law_list.hpp"
 #include "law/update/return_mapping.hpp"
 
 /// One increment of the law, timed over whole histories. Every timed run checks where it ended, so
@@ -217,7 +218,7 @@ bool register_rows() {
   };
   [&]<class... Law>(std::type_identity<std::variant<Law...>>) {
     (add_law(std::type_identity<Law>{}), ...);
-  }(std::type_identity<FrictionLaw>{});
+  }(std::type_identity<LawList>{});
 
   const auto add_penalty = [&](const std::string& name, const Formulation& formulation) {
     FrictionDefinition definition = base;

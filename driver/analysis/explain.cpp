@@ -242,22 +242,15 @@ std::pair<double, std::string> magnitude(const law::FrictionDefinition& definiti
 /// Returns what a law with a floor saw and what it gave before it.
 std::string floored_text(const law::FrictionLaw& law, double speed, double normal_force,
                          double raw) {
-  return std::visit(
-      [&](const auto& l) {
-        std::string text = fmt::format("{} at speed {}", l.kName, digits(speed));
-        if constexpr (requires { l.area; }) {
-          if (l.area) {
-            text +=
-                fmt::format(" and pressure {} = F_N {} / area {}", digits(normal_force / *l.area),
-                            digits(normal_force), digits(*l.area));
-          }
-        }
-        if (law::has_floor(law) && raw < 0.0) {
-          text += fmt::format("; it gives {}, kept at 1e-30", digits(raw));
-        }
-        return text;
-      },
-      law);
+  std::string text = fmt::format("{} at speed {}", law::name_of(law), digits(speed));
+  if (const double area = law::area_of(law); area > 0.0) {
+    text += fmt::format(" and pressure {} = F_N {} / area {}", digits(normal_force / area),
+                        digits(normal_force), digits(area));
+  }
+  if (law::has_floor(law) && raw < 0.0) {
+    text += fmt::format("; it gives {}, kept at 1e-30", digits(raw));
+  }
+  return text;
 }
 
 /// Both coefficients of an orthotropic one.

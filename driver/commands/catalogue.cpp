@@ -22,6 +22,7 @@
 #include "driver/read/resolve/resolve.hpp"
 #include "driver/results/columns.hpp"
 #include "driver/terminal/print.hpp"
+#include "law/friction/law_list.hpp"
 #include "reference/catalogue.hpp"
 
 namespace slipbench::driver::commands {
@@ -39,7 +40,7 @@ template <class Visit>
 void for_each_law(Visit&& visit) {
   [&]<class... Law>(std::type_identity<std::variant<Law...>>) {
     (visit(std::type_identity<Law>{}), ...);
-  }(std::type_identity<law::FrictionLaw>{});
+  }(std::type_identity<law::LawList>{});
 }
 
 void list_connections() {

@@ -13,7 +13,7 @@
 #include "driver/read/keys/case_codecs.hpp"
 #include "driver/read/keys/case_reference.hpp"
 #include "driver/read/keys/law_numbers.hpp"
-#include "law/friction/friction_law.hpp"
+#include "law/friction/law_list.hpp"
 
 namespace slipbench::driver::commands {
 namespace {
@@ -317,7 +317,7 @@ std::string laws_by_number() {
           fmt::format("    {:<3} {:<22} {}\n", title.substr(at + kNumber.size(), 1), name, title);
     };
     (add(Law::kName, Law::kTitle), ...);
-  }(std::type_identity<law::FrictionLaw>{});
+  }(std::type_identity<law::LawList>{});
   return text + fmt::format("    {:<3} {:<22} {}\n", 4, law::ExponentialDecay::kName,
                             law::ExponentialDecay::kTitle);
 }
@@ -328,7 +328,7 @@ std::string describe_law(std::string_view name) {
   std::string text;
   [&]<class... Law>(std::type_identity<std::variant<Law...>>) {
     ((Law::kName == name ? void(text = describe<Law>()) : void()), ...);
-  }(std::type_identity<law::FrictionLaw>{});
+  }(std::type_identity<law::LawList>{});
   return text;
 }
 

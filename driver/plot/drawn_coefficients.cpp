@@ -42,7 +42,7 @@ std::string title_of(const cases::CaseDefinition& definition, bool several,
                      const law::FrictionLaw& law, std::string_view direction) {
   std::string text = several ? one_line(definition.name, kNameLength) + ": " : "";
   if (!direction.empty()) text += std::string(direction) + ": ";
-  return text + std::string(std::visit([](const auto& one) { return one.kTitle; }, law));
+  return text + std::string(law::title_of(law));
 }
 
 }  // namespace

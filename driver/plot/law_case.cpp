@@ -15,6 +15,7 @@
 #include "driver/base/text/source_text.hpp"
 #include "driver/base/units/parameters.hpp"
 #include "driver/read/read_case.hpp"
+#include "law/friction/law_list.hpp"
 
 namespace slipbench::driver::plot {
 namespace {
@@ -78,7 +79,7 @@ std::optional<cases::Case> case_of_law(std::string_view name) {
   };
   [&]<class... Law>(std::type_identity<std::variant<Law...>>) {
     (look(std::type_identity<Law>{}), ...);
-  }(std::type_identity<law::FrictionLaw>{});
+  }(std::type_identity<law::LawList>{});
   return found;
 }
 

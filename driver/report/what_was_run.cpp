@@ -14,6 +14,7 @@
 #include "driver/read/keys/law_numbers.hpp"
 #include "driver/results/coverage.hpp"
 #include "driver/results/normal_shares.hpp"
+#include "law/friction/law_list.hpp"
 
 namespace slipbench::driver::report {
 namespace {
@@ -58,7 +59,7 @@ TextTable table_of(const std::string& title, const std::string& value,
 
 /// A coefficient law: its title, its formula and its numbers.
 std::string law_words(const law::FrictionLaw& law) {
-  return std::visit(
+  return law::visit_law(
       [](const auto& one) -> std::string {
         using Law = std::remove_cvref_t<decltype(one)>;
         if constexpr (std::is_same_v<Law, law::TabularCoefficient>) {

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "law/friction/law_list.hpp"
+
 namespace slipbench::law {
 namespace {
 
@@ -51,7 +53,7 @@ void convert(TabularCoefficient& law, double radius) {
 }  // namespace
 
 FrictionLaw at_radius(FrictionLaw law, double radius) {
-  std::visit([&](auto& one) { convert(one, radius); }, law);
+  visit_law([&](auto& one) { convert(one, radius); }, law);
   return law;
 }
 

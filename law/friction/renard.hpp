@@ -24,6 +24,7 @@ enum class RenardRules : std::uint8_t {
   kStrict,  ///< an error
   kLenient  ///< a warning, where mu still has a meaning
 };
+constexpr std::array<std::string_view, 2> enum_words(RenardRules) { return {"strict", "lenient"}; }
 
 /// Renard friction: from C1 at rest up to C3 at the speed C5, down to C4 at C6, then towards C2
 /// (Radioss Ifric 3). With the speed V in the unit the constants were fitted in:

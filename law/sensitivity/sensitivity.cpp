@@ -14,6 +14,7 @@
 #include "law/base/slip_vector.hpp"
 #include "law/definition/limit_function.hpp"
 #include "law/definition/motion.hpp"
+#include "law/friction/law_list.hpp"
 
 namespace slipbench::law {
 namespace {
@@ -96,10 +97,10 @@ bool compare(const TabularCoefficient& below, const TabularCoefficient& above, D
 }
 
 bool compare(const FrictionLaw& below, const FrictionLaw& above, Differences* numbers) {
-  if (below.index() != above.index()) return false;
-  return std::visit(
-      [&](const auto& a) {
-        return compare(a, *std::get_if<std::remove_cvref_t<decltype(a)>>(&above), numbers);
+  return visit_law(
+      [&]<class Law>(const Law& a) {
+        const Law* b = get_law_if<Law>(above);
+        return b != nullptr && compare(a, *b, numbers);
       },
       below);
 }
@@ -327,7 +328,7 @@ void StateSlopes::take_limit(const ConnectorIncrement& increment, const Friction
         }
       }
     };
-    std::visit(add, definition_->law);
+    visit_law(add, definition_->law);
   }
   if (to_contact == 0.0) return;
   const bool at_end = definition_->accumulated_slip == AccumulatedSlipTiming::kEnd;

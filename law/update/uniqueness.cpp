@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "law/friction/law_list.hpp"
 #include "law/update/snap_back.hpp"
 
 namespace slipbench::law {
@@ -14,7 +15,7 @@ namespace {
 /// curve; such a law that is not bounded has no denominator.
 ExponentialSum curve_over_rates(const FrictionLaw& law, double contact_force, double rate) {
   const SlipLine line{.end = rate, .rate_per_slip = 1.0, .force = contact_force};
-  return std::visit(
+  return visit_law(
       [&](const auto& l) {
         if constexpr (requires { l.along(line).numerator; }) return l.along(line).numerator;
         return ExponentialSum{};
@@ -36,7 +37,7 @@ std::array<double, kScanned> rates_up_to(double rate) {
 
 /// Returns true if all that is known of a law's bounds is what a scan finds.
 bool has_scanned_bounds(const FrictionLaw& law) {
-  return std::visit(
+  return visit_law(
       [](const auto& l) {
         return !requires { l.largest(); };
       },

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "law/base/exponential_sum.hpp"
-#include "law/friction/friction_law.hpp"
+#include "law/friction/law_list.hpp"
 #include "law/update/return_mapping.hpp"
 #include "tests/support/law_tables.hpp"
 #include "tests/support/random_definition.hpp"

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "law/friction/law_list.hpp"
 #include "law/update/return_mapping.hpp"
 #include "law/update/uniqueness.hpp"
 #include "tests/support/random_law.hpp"
@@ -40,7 +41,7 @@ void check_slope(double x, double h, const Value& f, const Slope& slope) {
 }
 
 TEMPLATE_LIST_TEST_CASE("the slopes of any law are the derivatives of its coefficient", "",
-                        FrictionLaw) {
+                        LawList) {
   INFO("the law " << TestType::kName);
   Dice dice(1);
   for (int draw = 0; draw < kDraws; ++draw) {
@@ -57,7 +58,7 @@ TEMPLATE_LIST_TEST_CASE("the slopes of any law are the derivatives of its coeffi
   }
 }
 
-TEMPLATE_LIST_TEST_CASE("the slopes of any law to its numbers are derivatives", "", FrictionLaw) {
+TEMPLATE_LIST_TEST_CASE("the slopes of any law to its numbers are derivatives", "", LawList) {
   INFO("the law " << TestType::kName);
   if constexpr (!std::is_same_v<TestType, TabularCoefficient>) {
     Dice dice(2);
@@ -91,8 +92,7 @@ TEMPLATE_LIST_TEST_CASE("the slopes of any law to its numbers are derivatives", 
   }
 }
 
-TEMPLATE_LIST_TEST_CASE("a coefficient of any law does not change with the units", "",
-                        FrictionLaw) {
+TEMPLATE_LIST_TEST_CASE("a coefficient of any law does not change with the units", "", LawList) {
   INFO("the law " << TestType::kName);
   if constexpr (!std::is_same_v<TestType, TabularCoefficient>) {
     Dice dice(3);
@@ -117,7 +117,7 @@ TEMPLATE_LIST_TEST_CASE("a coefficient of any law does not change with the units
 }
 
 TEMPLATE_LIST_TEST_CASE("no law passes its bounds, and what it does not depend on it does not see",
-                        "", FrictionLaw) {
+                        "", LawList) {
   INFO("the law " << TestType::kName);
   Dice dice(4);
   for (int draw = 0; draw < kDraws / 10; ++draw) {
@@ -161,7 +161,7 @@ TEMPLATE_LIST_TEST_CASE("no law passes its bounds, and what it does not depend o
 }
 
 TEMPLATE_LIST_TEST_CASE("between two bends the limit of any law is convex or concave", "",
-                        FrictionLaw) {
+                        LawList) {
   INFO("the law " << TestType::kName);
   Dice dice(5);
   for (int draw = 0; draw < kDraws; ++draw) {
@@ -212,7 +212,7 @@ TEMPLATE_LIST_TEST_CASE("between two bends the limit of any law is convex or con
   }
 }
 
-TEMPLATE_LIST_TEST_CASE("the first root is taken under any law", "", FrictionLaw) {
+TEMPLATE_LIST_TEST_CASE("the first root is taken under any law", "", LawList) {
   INFO("the law " << TestType::kName);
   Dice dice(6);
   int slips = 0;

@@ -12,6 +12,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "law/friction/law_list.hpp"
 #include "law/update/connector_tangent.hpp"
 #include "law/update/ellipse_return.hpp"
 #include "law/update/penalty_update.hpp"
@@ -93,7 +94,7 @@ FrictionLaw random_law(Dice* dice, int kind) {
 
 /// A law in other units: every coefficient by its dimension.
 FrictionLaw in_units(FrictionLaw law, const Units& units) {
-  std::visit(
+  visit_law(
       [&](auto& l) {
         using L = std::decay_t<decltype(l)>;
         if constexpr (!std::is_same_v<L, TabularCoefficient>) {
@@ -387,7 +388,7 @@ TEST_CASE("other units give the same answer") {
     // Translations only: every entry is a length and a force.
     if (other.slip.dimension > 2) return;
     other.law = in_units(other.law, units);
-    if (auto* renard = std::get_if<Renard>(&other.law)) {
+    if (auto* renard = get_law_if<Renard>(other.law)) {
       renard->c5 *= units.length / units.time;
       renard->c6 *= units.length / units.time;
       renard->speed_factor = units.length / units.time;
@@ -406,7 +407,7 @@ TEST_CASE("other units give the same answer") {
     if (formulation.filter.kind == Filter::Kind::kFrequency) formulation.filter.value *= units.time;
     if (formulation.orthotropy) {
       formulation.orthotropy->second = in_units(formulation.orthotropy->second, units);
-      if (auto* renard = std::get_if<Renard>(&formulation.orthotropy->second)) {
+      if (auto* renard = get_law_if<Renard>(formulation.orthotropy->second)) {
         renard->c5 *= units.length / units.time;
         renard->c6 *= units.length / units.time;
         renard->speed_factor = units.length / units.time;

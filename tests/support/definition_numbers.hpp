@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "law/definition/friction_definition.hpp"
+#include "law/friction/law_list.hpp"
 
 namespace slipbench::test {
 
@@ -71,7 +72,7 @@ inline std::vector<DefinitionNumber> numbers_of(const law::FrictionDefinition& d
         },
         &list);
   }
-  std::visit(
+  visit_law(
       [&]<class Law>(const Law& law) {
         if constexpr (!std::is_same_v<Law, law::TabularCoefficient>) {
           const auto one = [&](const auto& field) {
@@ -84,7 +85,7 @@ inline std::vector<DefinitionNumber> numbers_of(const law::FrictionDefinition& d
               if (!value) return;
               list.push_back(
                   {std::string(field.key), *value, [member](FrictionDefinition* d, double x) {
-                     std::get<Law>(d->law).*member = x;
+                     get_law_if<Law>(d->law)->*member = x;
                    }});
             }
           };

@@ -13,6 +13,7 @@
 #include "law/connection/connection_type.hpp"
 #include "law/definition/friction_definition.hpp"
 #include "law/definition/potential_terms.hpp"
+#include "law/friction/law_list.hpp"
 #include "tests/support/dice.hpp"
 #include "tests/support/law_tables.hpp"
 

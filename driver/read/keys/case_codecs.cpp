@@ -12,6 +12,7 @@
 #include "driver/case/quantity.hpp"
 #include "driver/read/keys/law_numbers.hpp"
 #include "law/connection/connection_type.hpp"
+#include "law/friction/law_list.hpp"
 
 namespace slipbench::driver::yaml {
 
@@ -181,7 +182,7 @@ void for_each_named_law(Visit&& visit) {
       if constexpr (HasFields<L> && !std::is_same_v<L, law::ConstantCoefficient>) visit(law);
     };
     (one(std::type_identity<Law>{}), ...);
-  }(std::type_identity<law::FrictionLaw>{});
+  }(std::type_identity<law::LawList>{});
 }
 
 /// Reports what rules between its parameters a law breaks: as errors, or, where the law lets it

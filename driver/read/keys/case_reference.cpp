@@ -3,6 +3,7 @@
 
 #include "driver/read/keys/case_codecs.hpp"
 #include "law/connection/connection_type.hpp"
+#include "law/friction/law_list.hpp"
 #include "reference/catalogue.hpp"
 
 namespace slipbench::driver::read {
@@ -112,7 +113,7 @@ std::string case_reference_markdown() {
     ((out += "| " + std::string(Law::kTitle) + " | `" + cell(Law::kFormula) + "` | " +
              std::string(Law::kSource) + " |\n"),
      ...);
-  }(std::type_identity<law::FrictionLaw>{});
+  }(std::type_identity<law::LawList>{});
   out +=
       "\n## Closed forms\n\n| name | what | parameters | inputs | outputs "
       "|\n|---|---|---|---|---|\n";

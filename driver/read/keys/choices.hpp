@@ -67,9 +67,11 @@ template <>
 struct EnumWords<law::PotentialOperator> {
   static constexpr std::array<std::string_view, 2> kWords{"sum", "max"};
 };
-template <>
-struct EnumWords<law::RenardRules> {
-  static constexpr std::array<std::string_view, 2> kWords{"strict", "lenient"};
+/// Words that a law says itself of a choice of its own.
+template <class T>
+requires requires { enum_words(T{}); }
+struct EnumWords<T> {
+  static constexpr auto kWords = enum_words(T{});
 };
 template <>
 struct EnumWords<law::Orthotropy::Speed> {

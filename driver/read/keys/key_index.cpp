@@ -8,7 +8,7 @@
 
 #include "driver/case/quantity.hpp"
 #include "driver/read/keys/case_reference.hpp"
-#include "law/friction/friction_law.hpp"
+#include "law/friction/law_list.hpp"
 
 namespace slipbench::driver::read {
 namespace {
@@ -21,7 +21,7 @@ std::string laws_with_floor() {
       if (has_floor) names += (names.empty() ? "" : ", ") + std::string(name);
     };
     (add(law::keeps_floor<Law>(), Law::kName), ...);
-  }(std::type_identity<law::FrictionLaw>{});
+  }(std::type_identity<law::LawList>{});
   return names;
 }
 

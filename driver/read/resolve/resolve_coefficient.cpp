@@ -7,6 +7,7 @@
 #include "driver/read/keys/case_codecs.hpp"
 #include "driver/read/resolve/resolve_definition.hpp"
 #include "law/friction/at_radius.hpp"
+#include "law/friction/law_list.hpp"
 
 namespace slipbench::driver::read {
 namespace {
@@ -120,9 +121,9 @@ std::optional<law::FrictionLaw> coefficient_law(yaml::Binder& binder,
   law::FrictionLaw law = std::get<law::FrictionLaw>(coefficient.value);
   const auto [below, place] = below_name(node, path);
   const bool good =
-      std::visit([&, &at = below, &where = place](
-                     auto& one) { return complete(binder, one, at, where, surroundings); },
-                 law);
+      law::visit_law([&, &at = below, &where = place](
+                         auto& one) { return complete(binder, one, at, where, surroundings); },
+                     law);
   if (!good) return std::nullopt;
   return law;
 }
@@ -143,7 +144,7 @@ bool suit_to_slip(yaml::Binder& binder, const yaml::At<CoefficientText>& coeffic
   const bool at_radius = radius && law::is_rotational(slip);
   const bool rotational = law::is_rotational(slip) && !at_radius;
   const auto [node, path] = below_name(*coefficient.node, coefficient.path);
-  const bool good = std::visit(
+  const bool good = law::visit_law(
       [&, &at = node, &where = path](auto& one) {
         if constexpr (requires { one.speed_unit; }) {
           return complete_speed_unit(binder, one, at, where, rotational, units);

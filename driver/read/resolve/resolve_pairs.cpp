@@ -31,8 +31,7 @@ std::string_view kind_of(const CoefficientText& text) {
   if (text.orthotropic) return kind_of(text.orthotropic->direction1.value.coefficient);
   if (text.with_direction) return kind_of(text.with_direction->forward.value.coefficient);
   if (std::holds_alternative<TableText>(text.value)) return "table";
-  return std::visit([]<class Law>(const Law&) { return Law::kName; },
-                    std::get<law::FrictionLaw>(text.value));
+  return law::name_of(std::get<law::FrictionLaw>(text.value));
 }
 
 /// Reads the table of part pairs against its own rules and looks up the connector's parts.

@@ -80,9 +80,7 @@ bool warn_of_two_units(yaml::Binder& binder, const yaml::At<CoefficientText>& co
                     rate ? "and" : "for sliding and", unit(base::kMoment, "force*length"));
     if (!rate) units_of += " for spinning";
   }
-  const std::string name =
-      std::visit([]<class Law>(const Law&) { return std::string(Law::kName); }, law);
-  std::string message = fmt::format("'{}' is asked for {}", name, units_of);
+  std::string message = fmt::format("'{}' is asked for {}", law::name_of(law), units_of);
   std::string radius = "R";
   if (arm > 0.0) {
     radius = fmt::format("{:.6g}", arm);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "driver/bench/dead_zone.hpp"
+#include "law/friction/law_list.hpp"
 #include "reference/backlash_slider.hpp"
 #include "tests/driver/bench/example_cases.hpp"
 #include "tests/support/dice.hpp"

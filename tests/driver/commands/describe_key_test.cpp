@@ -19,6 +19,7 @@
 #include "driver/read/keys/key_index.hpp"
 #include "driver/yaml/parse.hpp"
 #include "law/connection/connection_type.hpp"
+#include "law/friction/law_list.hpp"
 #include "tests/driver/commands/program_for_test.hpp"
 
 namespace slipbench::driver::commands {
@@ -98,7 +99,7 @@ Readers all_readers() {
     (readers.add_below("friction[].coefficient." + std::string(Law::kName),
                        std::type_identity<Law>{}),
      ...);
-  }(std::type_identity<law::FrictionLaw>{});
+  }(std::type_identity<law::LawList>{});
   law::for_each_connection_type([&]<class Type>(std::type_identity<Type>) {
     readers.add_below("friction[].predefined (" + std::string(Type::kInfo.name) + ")",
                       std::type_identity<Type>{});

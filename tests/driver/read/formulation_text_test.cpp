@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "law/connection/connection_type.hpp"
+#include "law/friction/law_list.hpp"
 #include "tests/driver/read/read_for_test.hpp"
 
 namespace slipbench::driver::read {

@@ -4,6 +4,7 @@
 #include <string>
 #include <variant>
 
+#include "law/friction/law_list.hpp"
 #include "tests/driver/read/read_for_test.hpp"
 
 namespace slipbench::driver::read {
@@ -23,8 +24,9 @@ template <class Law>
 Law law_of(const std::string& text) {
   const cases::Case problem = sound(text);
   REQUIRE(problem.definitions.size() == 1);
-  REQUIRE(std::holds_alternative<Law>(problem.definitions[0].law.law));
-  return std::get<Law>(problem.definitions[0].law.law);
+  const Law* law = law::get_law_if<Law>(problem.definitions[0].law.law);
+  REQUIRE(law != nullptr);
+  return *law;
 }
 
 bool says(const std::string& text, const std::string& words) {

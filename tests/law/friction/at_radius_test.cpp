@@ -4,11 +4,13 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "law/friction/law_list.hpp"
+
 namespace {
 
 using namespace slipbench::law;
 
-TEMPLATE_LIST_TEST_CASE("at a radius R a law sees w as w R and M as M/R", "", FrictionLaw) {
+TEMPLATE_LIST_TEST_CASE("at a radius R a law sees w as w R and M as M/R", "", LawList) {
   const FrictionLaw law = TestType::example();
   for (const double radius : {0.3, 1.0, 8.0}) {
     const FrictionLaw spinning = at_radius(law, radius);

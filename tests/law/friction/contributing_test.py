@@ -15,7 +15,7 @@ TRIAL = r"""
 #include <cmath>
 #include <cstdio>
 
-#include "law/friction/friction_law.hpp"
+#include "law/friction/law_list.hpp"
 
 using namespace slipbench::law;
 
@@ -57,18 +57,19 @@ int main() {
 def main(compiler, root, library):
     root = pathlib.Path(root)
     block = re.search(r"```cpp\n// SPDX-[^\n]*\n// (law/friction/\w+\.hpp)\n([\s\S]*?)```", (root / "CONTRIBUTING.md").read_text())
-    law = (root / "law/friction/friction_law.hpp").read_text()
+    law = (root / "law/friction/law_list.hpp").read_text()
     with_entry = law.replace("Stribeck<>,", "Logarithmic<>, Stribeck<>,", 1).replace(
         '#include "law/friction/stribeck.hpp"', f'#include "{block[1]}"\n#include "law/friction/stribeck.hpp"', 1)
     if len(block[2].splitlines()) >= 60 or with_entry.count("Logarithmic<>") != 1:
         print("the law of CONTRIBUTING is to be shorter than 60 lines, and the list to have a place for it")
         return 1
     with tempfile.TemporaryDirectory() as folder:
-        for name, text in [(block[1], block[2]), ("law/friction/friction_law.hpp", with_entry), ("trial.cpp", TRIAL)]:
+        for name, text in [(block[1], block[2]), ("law/friction/law_list.hpp", with_entry), ("trial.cpp", TRIAL)]:
             path = pathlib.Path(folder, name)
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text)
-        build = [compiler, "-std=c++20", "-I", folder, "-I", str(root), f"{folder}/trial.cpp", library, "-o", f"{folder}/trial"]
+        build = [compiler, "-std=c++20", "-I", folder, "-I", str(root), f"{folder}/trial.cpp",
+                 f"{root}/law/friction/friction_law.cpp", library, "-o", f"{folder}/trial"]
         for command in (build, [f"{folder}/trial"]):
             run = subprocess.run(command, capture_output=True, text=True, check=False)
             if run.returncode != 0:

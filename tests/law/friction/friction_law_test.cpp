@@ -9,6 +9,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "law/friction/law_list.hpp"
 #include "law/update/uniqueness.hpp"
 #include "tests/support/finite_difference.hpp"
 #include "tests/support/law_tables.hpp"
@@ -18,7 +19,7 @@ namespace {
 using namespace slipbench::law;
 using namespace slipbench::test;
 
-TEMPLATE_LIST_TEST_CASE("a law's slopes are the derivatives of its coefficient", "", FrictionLaw) {
+TEMPLATE_LIST_TEST_CASE("a law's slopes are the derivatives of its coefficient", "", LawList) {
   const FrictionLaw law = TestType::example();
   Ambient ambient;
   ambient.temperature = 60.0;
@@ -44,8 +45,7 @@ TEMPLATE_LIST_TEST_CASE("a law's slopes are the derivatives of its coefficient",
 }
 
 TEMPLATE_LIST_TEST_CASE(
-    "a law stays between 0 and its largest value and weakens no faster than said", "",
-    FrictionLaw) {
+    "a law stays between 0 and its largest value and weakens no faster than said", "", LawList) {
   const FrictionLaw law = TestType::example();
   double steepest = 0.0;
   for (double temperature = 0.0; temperature <= 140.0; temperature += 10.0) {
@@ -76,7 +76,7 @@ TEMPLATE_LIST_TEST_CASE(
 }
 
 TEMPLATE_LIST_TEST_CASE("a law that says it does not depend on something does not look at it", "",
-                        FrictionLaw) {
+                        LawList) {
   const FrictionLaw law = TestType::example();
   Ambient ambient;
   ambient.temperature = 60.0;
@@ -94,7 +94,7 @@ TEMPLATE_LIST_TEST_CASE("a law that says it does not depend on something does no
   }
 }
 
-TEMPLATE_LIST_TEST_CASE("a law names itself, its formula and its source", "", FrictionLaw) {
+TEMPLATE_LIST_TEST_CASE("a law names itself, its formula and its source", "", LawList) {
   CHECK_FALSE(std::string(TestType::kName).empty());
   CHECK_FALSE(std::string(TestType::kTitle).empty());
   CHECK_FALSE(std::string(TestType::kFormula).empty());
@@ -102,7 +102,7 @@ TEMPLATE_LIST_TEST_CASE("a law names itself, its formula and its source", "", Fr
   for (const std::string_view rule : TestType::kRules) CHECK_FALSE(rule.empty());
 }
 
-TEMPLATE_LIST_TEST_CASE("a law's example keeps its own rules and bounds", "", FrictionLaw) {
+TEMPLATE_LIST_TEST_CASE("a law's example keeps its own rules and bounds", "", LawList) {
   const TestType law = TestType::example();
   if constexpr (requires { law.violation(); }) CHECK_FALSE(law.violation().has_value());
   if constexpr (requires { TestType::fields(); }) {

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "law/base/field.hpp"
+#include "law/friction/law_list.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "law/friction/friction_law.hpp"
+#include "law/friction/law_list.hpp"
 
 namespace {
 

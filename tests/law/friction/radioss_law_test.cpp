@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "law/friction/friction_law.hpp"
+#include "law/friction/law_list.hpp"
 #include "law/update/uniqueness.hpp"
 
 namespace {

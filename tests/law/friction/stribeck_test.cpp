@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "law/friction/friction_law.hpp"
+#include "law/friction/law_list.hpp"
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "law/friction/law_list.hpp"
 #include "tests/support/definition_numbers.hpp"
 #include "tests/support/friction_run.hpp"
 #include "tests/support/law_tables.hpp"
@@ -273,7 +274,7 @@ TEST_CASE("constant weights of a derived component count through what they weigh
 }
 
 TEMPLATE_LIST_TEST_CASE("a law's slopes to its numbers are the derivatives of its coefficient", "",
-                        FrictionLaw) {
+                        LawList) {
   FrictionDefinition definition;
   definition.law = TestType::example();
   Ambient ambient;
@@ -294,7 +295,7 @@ TEMPLATE_LIST_TEST_CASE("a law's slopes to its numbers are the derivatives of it
                            number.at(definition, number.value + h), 2 * h, 0, &slopes));
         REQUIRE(slopes.law.size() == 1);
         CHECK(slopes.law[0].slope == Approx(1.0).epsilon(1e-9));  // rounding over the width
-        const auto slopes_of_law = to_numbers(std::get<TestType>(definition.law), ambient, slip);
+        const auto slopes_of_law = to_numbers(*get_law_if<TestType>(definition.law), ambient, slip);
         INFO(number.name << " at rate " << rate);
         // Rounding of mu over the width.
         CHECK(slopes_of_law[slopes.law[0].number] ==
@@ -364,7 +365,7 @@ TEST_CASE("differences that the derivatives do not cover are refused and leave n
   FrictionDefinition renard = base;
   renard.law = Renard::example();
   FrictionDefinition other_unit = renard;
-  std::get<Renard>(other_unit.law).speed_factor = 1000.0;
+  get_law_if<Renard>(other_unit.law)->speed_factor = 1000.0;
   CHECK_FALSE(add_slopes(renard, other_unit, 1.0, 0, &none));
 }
 

@@ -8,6 +8,7 @@
 #include "law/connection/connection_type.hpp"
 #include "law/definition/potential_terms.hpp"
 #include "law/exact/continuous_update.hpp"
+#include "law/friction/law_list.hpp"
 #include "law/sensitivity/sensitivity.hpp"
 #include "law/update/connector_tangent.hpp"
 #include "law/update/return_mapping.hpp"
@@ -51,7 +52,7 @@ std::vector<FrictionLaw> laws() {
                                        {kOverSlipRate, kOverContactForce, over_field(1)})}};
   [&]<class... Law>(std::type_identity<std::variant<Law...>>) {
     (all.push_back(Law::example()), ...);
-  }(std::type_identity<FrictionLaw>{});
+  }(std::type_identity<LawList>{});
   // Joints and floors within reach of the slip rates of the runs.
   Renard renard = Renard::example();
   renard.c5 = 1.0, renard.c6 = 3.0;

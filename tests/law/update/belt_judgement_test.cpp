@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "law/friction/law_list.hpp"
 #include "law/update/capstan_update.hpp"
 #include "law/update/uniqueness.hpp"
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "law/friction/law_list.hpp"
 #include "law/update/connector_tangent.hpp"
 #include "tests/support/dice.hpp"
 #include "tests/support/force_difference.hpp"

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "law/friction/law_list.hpp"
 #include "law/update/penalty_predictor.hpp"
 #include "tests/support/dice.hpp"
 #include "tests/support/law_tables.hpp"

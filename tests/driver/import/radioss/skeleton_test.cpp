@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "driver/import/radioss/case_writer.hpp"
+#include "law/friction/law_list.hpp"
 #include "tests/driver/import/radioss/checks_for_test.hpp"
 #include "tests/driver/import/radioss/deck_for_test.hpp"
 #include "tests/driver/read/read_for_test.hpp"
@@ -109,15 +110,15 @@ TEST_CASE("Every Ifric becomes the law of that number") {
     return std::move(problem.definitions[0].law.law);
   };
   const read::ReadOptions area = with(kViscous, {{"area", 2.0}});
-  const auto viscous = std::get<law::GeneralizedViscous>(law(1, viscous_set, area));
+  const auto viscous = *law::get_law_if<law::GeneralizedViscous>(law(1, viscous_set, area));
   CHECK(viscous.fric == 0.12);
   CHECK(viscous.c5 == 5e-8);
   CHECK(viscous.area == 2.0);
-  const auto darmstad = std::get<law::ModifiedDarmstad>(
+  const auto darmstad = *law::get_law_if<law::ModifiedDarmstad>(
       law(2, set({"1e-6", "-2e-3", "-2e-4", "-1e-3", ".1", "-5e-3", ".08", ""}), area));
   CHECK(darmstad.c6 == -5e-3);
   CHECK(darmstad.fric == 0.08);
-  const auto renard = std::get<law::Renard>(
+  const auto renard = *law::get_law_if<law::Renard>(
       law(3, set({".15", ".10", ".25", ".05", "10", "100", "0", ""}), kViscous));
   CHECK(renard.c3 == 0.25);
   CHECK(renard.c6 == 100.0);
@@ -127,7 +128,7 @@ TEST_CASE("Every Ifric becomes the law of that number") {
   CHECK(decay.kinetic == 0.2);
   CHECK(decay.decay == 0.02);
   // A coefficient that rises from 0.2 to 0.4 is no decay, but the same curve.
-  const auto rise = std::get<law::ModifiedDarmstad>(
+  const auto rise = *law::get_law_if<law::ModifiedDarmstad>(
       law(4, set({".4", ".02", "", "", "", "0", ".2", ""}), kViscous));
   CHECK(rise.raw_coefficient(0.0, 0.0) == Approx(0.2).epsilon(1e-15));
   CHECK(rise.raw_coefficient(0.0, 1e6) == Approx(0.4).epsilon(1e-15));
@@ -137,7 +138,7 @@ TEST_CASE("A Renard set of another shape is taken over leniently") {
   const cases::Case problem = read::sound(
       case_of(kHead + options(3, 0, "", 1) + set({".3", ".1", ".25", ".05", "10", "100", "0", ""})),
       kViscous);
-  CHECK(std::get<law::Renard>(problem.definitions[0].law.law).c1 == 0.3);
+  CHECK(law::get_law_if<law::Renard>(problem.definitions[0].law.law)->c1 == 0.3);
 }
 
 TEST_CASE("A Renard case without units is refused where the deck states none") {
