@@ -3,7 +3,7 @@
 """The law that CONTRIBUTING shows joins the list of laws by the one entry that it speaks of, and is
 then a law like any other.
 
-usage: contributing_test.py COMPILER SOURCE_DIR LIBRARY_OF_LAW
+usage: contributing_test.py COMPILER SOURCE_DIR LIBRARY_OF_LAW [FLAGS OF THE LIBRARY..]
 """
 import pathlib
 import re
@@ -54,7 +54,7 @@ int main() {
 """
 
 
-def main(compiler, root, library):
+def main(compiler, root, library, *flags):
     root = pathlib.Path(root)
     block = re.search(r"```cpp\n// SPDX-[^\n]*\n// (law/friction/\w+\.hpp)\n([\s\S]*?)```", (root / "CONTRIBUTING.md").read_text())
     law = (root / "law/friction/law_list.hpp").read_text()
@@ -68,7 +68,7 @@ def main(compiler, root, library):
             path = pathlib.Path(folder, name)
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text)
-        build = [compiler, "-std=c++20", "-I", folder, "-I", str(root), f"{folder}/trial.cpp",
+        build = [compiler, *flags, "-std=c++20", "-I", folder, "-I", str(root), f"{folder}/trial.cpp",
                  f"{root}/law/friction/friction_law.cpp", library, "-o", f"{folder}/trial"]
         for command in (build, [f"{folder}/trial"]):
             run = subprocess.run(command, capture_output=True, text=True, check=False)
