@@ -260,6 +260,6 @@ bool register_rows() {
   });
   return true;
 }
-const bool registered = register_rows();
+const bool kRegistered = register_rows();
 
 }  // namespace

@@ -170,7 +170,7 @@ void replayed(benchmark::State& state, const Problem& problem, bool derivatives)
   const law::FrictionState end = end_of(problem.definition, increments_of(history));
   const auto responses = both_forces();
   const std::size_t unknowns = problem.slopes.unknowns;
-  std::vector<double> values(2 * kIncrements);
+  std::vector<double> values(std::size_t{2} * kIncrements);
   std::vector<double> jacobian(values.size() * unknowns);
   for (auto _ : state) {
     const std::span<const law::FrictionDefinition> definitions(&problem.definition, 1);
@@ -189,8 +189,8 @@ void replayed(benchmark::State& state, const Problem& problem, bool derivatives)
 bool register_rows() {
   for (const auto& [name, problem] : {std::pair<std::string, Problem>{"4 numbers", four_numbers()},
                                       {"20 ordinates", twenty_ordinates()}}) {
-    const auto add = [&](const std::string& what, const auto& row) {
-      benchmark::RegisterBenchmark(("calibration, " + name + ", " + what).c_str(), row)
+    const auto add = [&, &of = name](const std::string& what, const auto& row) {
+      benchmark::RegisterBenchmark(("calibration, " + of + ", " + what).c_str(), row)
           ->Unit(benchmark::kMillisecond);
     };
     add("law alone", [p = problem](benchmark::State& state) { law_alone(state, p); });
@@ -200,6 +200,6 @@ bool register_rows() {
   }
   return true;
 }
-const bool registered = register_rows();
+const bool kRegistered = register_rows();
 
 }  // namespace

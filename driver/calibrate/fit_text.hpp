@@ -13,6 +13,7 @@
 #include "driver/calibrate/fit/problem.hpp"
 #include "driver/read/keys/data_source_text.hpp"
 #include "driver/yaml/binding.hpp"
+#include "driver/yaml/declare_codec.hpp"
 
 // Specialisations belong to the namespace of their template.
 namespace slipbench::driver::yaml {
@@ -383,16 +384,6 @@ struct FitText {
 // Specialisations belong to the namespace of their template.
 namespace slipbench::driver::yaml {
 
-#define SLIPBENCH_DECLARE_CODEC(Type)                                                         \
-  template <>                                                                                 \
-  struct Codec<Type> {                                                                        \
-    static bool read(Binder& binder, const Node& node, const Path& path, const KeyInfo& info, \
-                     Type& out);                                                              \
-    static Json schema(const KeyInfo& info);                                                  \
-    static std::string wanted(const KeyInfo& info);                                           \
-    static void rows(const std::string& path, std::vector<KeyRow>& rows);                     \
-  }
-
 SLIPBENCH_DECLARE_CODEC(calibrate::DataColumnText);
 SLIPBENCH_DECLARE_CODEC(calibrate::OverColumnText);
 SLIPBENCH_DECLARE_CODEC(calibrate::CompareText);
@@ -400,8 +391,4 @@ SLIPBENCH_DECLARE_CODEC(calibrate::HoldoutText);
 SLIPBENCH_DECLARE_CODEC(calibrate::BoundsText);
 SLIPBENCH_DECLARE_CODEC(calibrate::LossText);
 
-#undef SLIPBENCH_DECLARE_CODEC
-
 }  // namespace slipbench::driver::yaml
-
-namespace slipbench::driver::calibrate {}  // namespace slipbench::driver::calibrate

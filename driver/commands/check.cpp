@@ -69,6 +69,7 @@ std::vector<suite::Candidate> chosen(const CheckOptions& options,
 std::vector<suite::Candidate> reordered(const std::vector<suite::Candidate>& cases,
                                         const std::vector<std::size_t>& order) {
   std::vector<suite::Candidate> result;
+  result.reserve(order.size());
   for (const std::size_t place : order) result.push_back(cases[place]);
   return result;
 }

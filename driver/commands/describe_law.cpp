@@ -354,6 +354,7 @@ std::string describe_key(std::string_view name) {
 
 std::vector<DescribedKey> described_keys() {
   std::vector<DescribedKey> keys;
+  keys.reserve(std::size(kTopics));
   for (const Topic& topic : kTopics) keys.push_back({topic.key, topic.title});
   return keys;
 }

@@ -263,7 +263,7 @@ tl::expected<void, PlotFailure> draw_laws(const PlotOptions& options, const fs::
                                   : "there is nothing to draw"));
   }
   if (without.empty()) {
-    const auto followed = follow_for_plot(
+    auto followed = follow_for_plot(
         *problem, [&](const bench::Simulation& simulation) { all->visit(simulation); });
     if (!followed && followed.error().code != base::kExitNumerical) return followed;
     if (!followed) {

@@ -163,7 +163,7 @@ tl::expected<void, PlotFailure> draw_residuals(const PlotOptions& options,
   std::vector<check::CheckProgress> checks;
   for (const cases::Check& check : problem->checks)
     checks.emplace_back(*problem, check, check::Trace::kKeep);
-  const auto followed = follow_for_plot(*problem, [&](const bench::Simulation& simulation) {
+  auto followed = follow_for_plot(*problem, [&](const bench::Simulation& simulation) {
     for (check::CheckProgress& check : checks) check.add(simulation.row());
   });
   if (!followed) return followed;

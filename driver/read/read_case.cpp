@@ -64,6 +64,7 @@ void resolve(yaml::Binder& binder, const yaml::Node& root, base::Diagnostics& ou
              std::span<const std::string> names, Parameters& result) {
   const auto texts = [](const std::vector<Definition>& definitions) {
     std::vector<base::ParameterText> list;
+    list.reserve(definitions.size());
     for (const Definition& definition : definitions) list.push_back(definition.text);
     return list;
   };

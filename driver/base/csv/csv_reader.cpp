@@ -427,7 +427,7 @@ tl::expected<bool, HistoryError> CsvReader::next(std::span<double> values,
       std::string_view line(start, static_cast<std::size_t>(line_end - start));
       if (line.ends_with('\r')) line.remove_suffix(1);
       if (file.format.missing == MissingSample::kError) return file.diagnose(line, lines.next_line);
-      const auto whole = file.mend(line, values, texts);
+      auto whole = file.mend(line, values, texts);
       if (!whole) return whole;
       if (!*whole) {
         lines.take_line();

@@ -7,22 +7,11 @@
 #include <string_view>
 
 #include "driver/read/keys/case_text.hpp"
+#include "driver/yaml/declare_codec.hpp"
 #include "law/table/table_function.hpp"
-
-namespace slipbench::driver::read {}  // namespace slipbench::driver::read
 
 // Specialisations belong to the namespace of their template.
 namespace slipbench::driver::yaml {
-
-#define SLIPBENCH_DECLARE_CODEC(Type)                                                         \
-  template <>                                                                                 \
-  struct Codec<Type> {                                                                        \
-    static bool read(Binder& binder, const Node& node, const Path& path, const KeyInfo& info, \
-                     Type& out);                                                              \
-    static Json schema(const KeyInfo& info);                                                  \
-    static std::string wanted(const KeyInfo& info);                                           \
-    static void rows(const std::string& path, std::vector<KeyRow>& rows);                     \
-  }
 
 SLIPBENCH_DECLARE_CODEC(read::TypeNames);
 SLIPBENCH_DECLARE_CODEC(read::NumberOrTable);
@@ -42,8 +31,6 @@ SLIPBENCH_DECLARE_CODEC(read::NumberOrList);
 SLIPBENCH_DECLARE_CODEC(read::ParameterValue);
 SLIPBENCH_DECLARE_CODEC(law::InternalContactForce);
 SLIPBENCH_DECLARE_CODEC(law::Table);
-
-#undef SLIPBENCH_DECLARE_CODEC
 
 }  // namespace slipbench::driver::yaml
 

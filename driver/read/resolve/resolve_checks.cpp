@@ -371,7 +371,8 @@ void read_check(yaml::Binder& binder, const yaml::At<CheckText>& at,
   if (abscissa) good = judge_criterion(binder, text, *abscissa, out) && good;
   const AgainstText& against = text.against.value;
   std::optional<decltype(cases::Check::against)> reference;
-  if (!one_reference(binder, text.against)) {
+  if (!one_reference(binder, text.against) ||
+      (against.closed_form.given() && !against.closed_form.sound)) {
     good = false;
   } else if (against.expression.given()) {
     if (auto compiled = compile_expression(binder, against.expression, variables)) {
@@ -381,8 +382,6 @@ void read_check(yaml::Binder& binder, const yaml::At<CheckText>& at,
     auto curve =
         abscissa ? read_curve(binder, text, *abscissa, out, curves_may_be_missing) : std::nullopt;
     if (curve) reference = std::move(*curve);
-  } else if (!against.closed_form.sound) {
-    good = false;
   } else if (auto form = closed_form(binder, against, text.quantity.value, out, variables)) {
     reference = std::move(*form);
   }
@@ -435,6 +434,7 @@ void resolve_output_and_checks(yaml::Binder& binder, const CaseText& text, cases
   std::vector<std::string> variables = check_variables(out);
   const auto all = results::result_columns(out);
   std::vector<std::string_view> columns;
+  columns.reserve(all.size());
   for (const results::Column& column : all) columns.push_back(column.name);
   // What is driven has a column; a faulty history may have been meant to drive anything.
   std::vector<std::string> driven;

@@ -438,10 +438,10 @@ class Resolver {
   /// \return whether an error was reported
   bool belt_has_predefined_friction_only(const FrictionText& text) {
     bool found = false;
-    const auto refuse = [&](const auto& at, std::string message) {
+    const auto refuse = [&](const auto& at, const std::string& message) {
       if (!at.given()) return;
       found = true;
-      binder_.error(*at.node, at.path, std::move(message),
+      binder_.error(*at.node, at.path, message,
                     "the friction of a SLIPRING is 'predefined: {}' with its coefficient");
     };
     const std::string band =
