@@ -11,7 +11,6 @@ namespace {
 
 /// The least of |matrix u - target| with u >= 0 (Lawson and Hanson's active set).
 Eigen::VectorXd non_negative(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& target) {
-  constexpr double kSlope = 1e-12;
   const Eigen::Index m = matrix.cols();
   Eigen::VectorXd u = Eigen::VectorXd::Zero(m);
   std::vector<Eigen::Index> active;
@@ -20,7 +19,7 @@ Eigen::VectorXd non_negative(const Eigen::MatrixXd& matrix, const Eigen::VectorX
     const Eigen::VectorXd slope = matrix.transpose() * (target - matrix * u);
     Eigen::Index steepest = -1;
     for (Eigen::Index i = 0; i < m; ++i) {
-      if (is_active[static_cast<std::size_t>(i)] != 0 || !(slope(i) > kSlope)) continue;
+      if (is_active[static_cast<std::size_t>(i)] != 0 || !(slope(i) > 0.0)) continue;
       if (steepest < 0 || slope(i) > slope(steepest)) steepest = i;
     }
     if (steepest < 0) break;

@@ -169,7 +169,6 @@ std::vector<double> Objective::moved(const SearchPoint& point, const Eigen::Vect
     any = any || shaped_[free_[c]] != 0;
   }
   if (!any) return z;
-  constexpr double kInset = 1e-3;
   constexpr double kMostLogarithm = 2.0;
   std::vector<double> x = point.x;
   const std::vector<double> change = unknown_step(point, step);
@@ -180,7 +179,7 @@ std::vector<double> Objective::moved(const SearchPoint& point, const Eigen::Vect
       x[j] += change[j];
     }
   }
-  const std::vector<double> target = map_->coordinates(x, kInset);
+  const std::vector<double> target = map_->coordinates(x, 0.0);
   for (std::size_t c = 0; c < z.size(); ++c) {
     if (shaped_[c] != 0 && held_[c] == 0) z[c] = target[c];
   }
@@ -217,7 +216,6 @@ Linearisation Objective::linearise(SearchPoint& point) {
     const double projected = take_step(qr);
     const double length = std::hypot(qr.projection.norm(), qr.rest);
     linear.offset = length > 0.0 ? projected / length : 0.0;
-    linear.far_step = linear.step;
   };
   const std::vector<double> root = root_weights(point);
   linear.products = unknown_products(point, root);

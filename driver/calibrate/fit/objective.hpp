@@ -25,7 +25,6 @@ struct SearchPoint {
 /// The linearised problem at a point: f = sqrt(w) r, G = sqrt(w) dr/dz over the free coordinates.
 struct Linearisation {
   Eigen::VectorXd step;      ///< of the free coordinates: the least of |G step + f|
-  Eigen::VectorXd far_step;  ///< the same without the curvatures of robust losses: from far off
   Eigen::MatrixXd triangle;  ///< R: step is the least of |R step + projection|
   Eigen::VectorXd projection;
   Eigen::MatrixXd products;  ///< of sqrt(w) dr/dx and sqrt(w) r: over the unknowns
@@ -34,6 +33,9 @@ struct Linearisation {
   double offset = 0.0;
   std::size_t rank = 0;  ///< of G, columns scaled to unit length
 };
+
+/// The model's own rounding in a cost, as a part of it: a gain below it is none.
+inline constexpr double kCostNoise = 1e-10;
 
 class Objective {
  public:

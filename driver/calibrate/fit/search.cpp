@@ -24,6 +24,9 @@ namespace {
 constexpr double kRounding = 1e-14;
 /// Standard errors, all unknowns together, from where a minimum counts as near.
 constexpr double kNearErrors = 5.0;
+/// Standard errors, root mean square over the unknowns, that are left at a point which counts as a
+/// minimum though the gradient says that there is something to gain.
+constexpr double kNearMinimum = 1e-3;
 /// Standard errors, in the mean of all unknowns, that are too small to matter.
 constexpr double kInvisible = 0.01;
 
@@ -78,8 +81,7 @@ class Search {
 std::optional<StopReason> Search::judge(const Linearisation& linear) const {
   const SearchPoint& point = end_.point;
   // A cost of zero, but for rounding, has no angle.
-  constexpr double kNothing = 1e-28;
-  if (point.cost <= kNothing * end_.start_cost) return StopReason::kCost;
+  if (point.cost <= kRounding * kRounding * end_.start_cost) return StopReason::kCost;
   if (linear.offset <= options_.gradient_tolerance) return StopReason::kGradient;
   const std::vector<double> change = objective_.unknown_step(point, linear.step);
   bool small = true;
@@ -94,9 +96,8 @@ std::optional<StopReason> Search::judge(const Linearisation& linear) const {
 /// the cost or the gradient down.
 std::optional<StopReason> Search::finish() {
   constexpr int kMostSteps = 40;
-  // The model's own rounding in the cost; a step within it must bring the offset down.
-  constexpr double kNoise = 1e-10;
-  constexpr double kEnough = 0.8;  // of the offset before: else the trust region is better
+  // Of the offset before: a step without a gain must do that, else the trust region is better.
+  constexpr double kEnough = 0.8;
   SearchPoint& point = end_.point;
   SearchPoint& trial = trial_;
   // The differences of the trust region are not fine enough to end on.
@@ -117,8 +118,7 @@ std::optional<StopReason> Search::finish() {
         kInvisible * error * std::sqrt(static_cast<double>(objective_.free().size()));
     const bool near =
         linear.rank == objective_.free().size() && linear.projection.norm() <= kNearErrors * error;
-    constexpr double kFar = 0.1;  // of the offset
-    KinkStep next{linear.offset > kFar ? linear.far_step : linear.step, 0.0, {}};
+    KinkStep next{linear.step, 0.0, {}};
     if (near) {
       const KinkCut here = cut_of(point, linear);
       next =
@@ -134,13 +134,13 @@ std::optional<StopReason> Search::finish() {
     const std::vector<double> z = objective_.moved(point, next.step);
     if (!objective_.derivatives(z, trial, differences)) break;
     const double gain = 1.0 - trial.cost / point.cost;
-    if (gain < -kNoise && !near) break;
+    if (gain < -kCostNoise && !near) break;
     const Linearisation there = objective_.linearise(trial);
     const bool nearer = there.offset < kEnough * linear.offset;
-    const bool lower = gain > kRounding || (gain >= -kNoise && nearer);
+    const bool lower = gain > kRounding || (gain >= -kCostNoise && nearer);
     // With a kink on the way little of what was promised is kept.
     const bool kept = lower && (gain * point.cost > 0.5 * next.gain || gain >= 1e-3 || nearer);
-    if (!kept && !(near && next.gain > kNoise * point.cost && ++poor <= most_poor)) {
+    if (!kept && !(near && next.gain > kCostNoise * point.cost && ++poor <= most_poor)) {
       if (lower) {
         std::swap(point, trial);
         linear = there;
@@ -251,8 +251,7 @@ bool Search::jumps(const KinkCut& here, std::span<const KinkCut> holders) {
       mildest = &cut;
     }
   }
-  constexpr double kSurely = 1e3;
-  if (mildest == nullptr || least > kSurely) return true;
+  if (mildest == nullptr) return true;
   Evaluator& evaluator = objective_.evaluator();
   return kinks_between(0.0, 1.0, 3, evaluator.problem().threads, [&](double t) {
     if (t == 0.0) return point.cost;
@@ -268,15 +267,14 @@ bool Search::jumps(const KinkCut& here, std::span<const KinkCut> holders) {
 
 /// Tries steps of so many standard errors, both ways along as many directions as there are
 /// unknowns, independent of one another by the linearised problem.
-/// \return whether one of them lowers the cost by what can be seen; the point is then the lowest
+/// \return whether one of them lowers the cost; the point is then the lowest
 bool Search::poll(double errors) {
-  constexpr double kSeen = 1e-3;  // of the variance
   SearchPoint& point = end_.point;
   const Linearisation linear = objective_.linearise(point);
   const Eigen::Index m = linear.triangle.cols();
   if (linear.rank < objective_.free().size()) return false;
   const double error = residual_error();
-  double lowest = point.cost - kSeen * error * error;
+  double lowest = point.cost;
   std::vector<double> best;
   for (Eigen::Index i = 0; i < 2 * m; ++i) {
     const double length = (i % 2 == 0 ? errors : -errors) * error;
@@ -360,7 +358,6 @@ bool Search::hold_at_folds() {
 
 /// Gives back what is held although the cost falls inside.
 bool Search::release() {
-  constexpr double kSlope = 1e-7;
   constexpr double kInside = 0.05;
   SearchPoint& point = end_.point;
   const std::vector<double> slopes = objective_.inward_slopes(point);
@@ -368,7 +365,7 @@ bool Search::release() {
   const std::vector<FoldPoint> folds = objective_.map().folds(z);
   bool any = false;
   for (std::size_t k = 0; k < slopes.size(); ++k) {
-    if (slopes[k] >= -kSlope || released_[k] > 2) continue;
+    if (slopes[k] >= 0.0 || released_[k] > 2) continue;
     // The way inside that lowers the cost may be short.
     for (double inside = kInside; inside > 1e-5; inside *= 0.1) {
       std::vector<double> moved = z;
@@ -393,9 +390,6 @@ Search::Settled Search::settle_shapes() {
   constexpr Eigen::Index kMost = 200;
   constexpr int kMostSteps = 50;
   constexpr int kHalvings = 12;
-  constexpr double kNearMinimum = 1e-3;
-  constexpr double kPromise = 1e-6;  // of the cost
-  constexpr double kOnFold = 1e-6;
   SearchPoint& point = end_.point;
   const std::vector<Inequality> inequalities = objective_.map().inequalities();
   bool lower = false;
@@ -418,7 +412,7 @@ Search::Settled Search::settle_shapes() {
       verdict = StopReason::kGradient;
     } else if (small) {
       verdict = StopReason::kStep;
-    } else if (promise <= 1e-12 || point.cost <= 1e-28 * end_.start_cost) {
+    } else if (promise <= kRounding || point.cost <= kRounding * kRounding * end_.start_cost) {
       verdict = StopReason::kCost;
     }
     if (verdict) {
@@ -449,7 +443,7 @@ Search::Settled Search::settle_shapes() {
     std::vector<double> z = point.z;
     const std::vector<FoldPoint> folds = objective_.map().folds(z);
     for (std::size_t k = 0; k < folds.size(); ++k) {
-      objective_.set_held(k, folds[k].distance <= kOnFold);
+      objective_.set_held(k, folds[k].distance < kOnFold);
     }
   }
   if (stopped()) return Settled::kNothing;
@@ -463,7 +457,7 @@ Search::Settled Search::settle_shapes() {
   }
   if (lower) return Settled::kLower;
   // More is promised than was kept: no minimum, unless the model has a kink there.
-  if (promise > kPromise && is_convergence(end_.stop) && !end_.at_kink) {
+  if (is_convergence(end_.stop) && !end_.at_kink) {
     end_.stop = StopReason::kNoProgress;
   }
   return Settled::kNothing;
@@ -499,8 +493,6 @@ SearchEnd Search::run(std::span<const double> start, TrustScaling scaling, Searc
   constexpr int kNearRounds = 2;  // where little is left
   constexpr double kNearKink = 0.1;
   constexpr int kMostPolls = 3;
-  constexpr int kMostSettled = 5;
-  int settled = 0;
   int polls = 0;
   bool first = true;
   auto strategy = static_cast<std::size_t>(std::find(kScalings.begin(), kScalings.end(), scaling) -
@@ -525,7 +517,7 @@ SearchEnd Search::run(std::span<const double> start, TrustScaling scaling, Searc
     if (verdict) {
       end_.stop = *verdict;
       if (release()) continue;
-      if (shaped_ && settle_shapes() == Settled::kLower && ++settled <= kMostSettled) {
+      if (shaped_ && settle_shapes() == Settled::kLower) {
         end_.at_kink = false;
         idle = 0;
         continue;
@@ -551,24 +543,21 @@ SearchEnd Search::run(std::span<const double> start, TrustScaling scaling, Searc
       idle = 0;
       continue;
     }
-    if (shaped_ && settled < kMostSettled) {
+    if (shaped_) {
       const Settled how = settle_shapes();
       if (how == Settled::kMinimum) break;
       if (how == Settled::kLower) {
-        ++settled;
         idle = 0;
         continue;
       }
     }
     // Bates and Watts' relative offset: the step that is left, in standard errors.
-    constexpr double kNearMinimum = 1e-3;
     const auto data = static_cast<double>(point.residuals.size());
     const auto unknowns = static_cast<double>(objective_.free().size());
     const double relative = end_.offset * std::sqrt(std::max(data - unknowns, 1.0) / unknowns);
     if (relative <= kNearMinimum) {
-      constexpr double kDrowned = 3e-8;  // its square is the gain that is left
-      end_.stop = end_.offset <= kDrowned ? StopReason::kCost : StopReason::kStep;
-      if (end_.stop == StopReason::kStep) end_.step_left = kNearMinimum;
+      end_.stop = StopReason::kStep;
+      end_.step_left = kNearMinimum;
       break;
     }
     // A kink has no gradient to follow.
@@ -595,8 +584,8 @@ SearchEnd Search::run(std::span<const double> start, TrustScaling scaling, Searc
     break;
   }
   end_.reached = end_.stop;
-  constexpr double kGained = 1e-12;  // less is rounding: the start was the minimum, or a kink
-  if (end_.iterations == 0 || !(point.cost < end_.start_cost * (1.0 - kGained))) {
+  // Less is rounding: the start was the minimum, or a kink.
+  if (end_.iterations == 0 || !(point.cost < end_.start_cost * (1.0 - kRounding))) {
     end_.iterations = 0;
     end_.stop = StopReason::kNoIteration;
   }

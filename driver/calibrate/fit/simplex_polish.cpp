@@ -36,7 +36,6 @@ double cost(const gsl_vector* free, void* context) {
 
 bool simplex_polish(Objective& objective, SearchPoint& point) {
   constexpr std::size_t kMostUnknowns = 8;
-  constexpr double kGain = 1e-10;
   const std::size_t n = objective.free().size();
   if (n == 0 || n > kMostUnknowns) return false;
   std::vector<double> start(n);
@@ -64,7 +63,8 @@ bool simplex_polish(Objective& objective, SearchPoint& point) {
     if (gsl_multimin_fminimizer_iterate(simplex.get()) != GSL_SUCCESS) break;
     if (gsl_multimin_fminimizer_size(simplex.get()) < 1e-7 * first_size) break;
   }
-  if (!(gsl_multimin_fminimizer_minimum(simplex.get()) < point.cost * (1.0 - kGain))) return false;
+  if (!(gsl_multimin_fminimizer_minimum(simplex.get()) < point.cost * (1.0 - kCostNoise)))
+    return false;
   context.set(gsl_multimin_fminimizer_x(simplex.get()));
   SearchPoint lower;
   if (!objective.derivatives(context.z, lower, false) || lower.cost >= point.cost) return false;

@@ -20,6 +20,9 @@ namespace {
 /// between two bounds.
 constexpr double kInset = 0.1;
 
+/// Part of themselves, or of their range, by which two numbers may differ and count as the same.
+constexpr double kSame = 1e-9;
+
 /// Tells whether an unknown changes any residual.
 std::vector<char> silent_unknowns(std::span<const double> jacobian, std::size_t unknowns) {
   std::vector<char> silent(unknowns, 1);
@@ -33,7 +36,6 @@ std::vector<char> silent_unknowns(std::span<const double> jacobian, std::size_t 
 
 /// Tells whether `a` is the better end: a clearly lower cost, or the same and converged.
 bool better(const SearchEnd& a, const SearchEnd& b) {
-  constexpr double kSame = 1e-9;
   const bool a_failed = a.stop == StopReason::kModelFailure;
   const bool b_failed = b.stop == StopReason::kModelFailure;
   if (a_failed != b_failed) return b_failed;
@@ -79,8 +81,8 @@ SearchEnd search_from(Evaluator& evaluator, const UnknownMap& map, std::span<con
   return best;
 }
 
-/// Tells whether x is on a bound or beyond, within a part of what the scale measures.
-bool on_bound(const UnknownRange& range, double x, bool upper, double part) {
+/// Tells whether x is on a bound or beyond, within kSame of what the scale measures.
+bool on_bound(const UnknownRange& range, double x, bool upper) {
   const double bound = upper ? range.upper : range.lower;
   if (!std::isfinite(bound)) return false;
   if (upper ? x >= bound : x <= bound) return true;
@@ -88,24 +90,22 @@ bool on_bound(const UnknownRange& range, double x, bool upper, double part) {
   if (range.scale == Scale::kLog) {
     if (!(bound > 0.0)) return false;
     const double width = between && range.lower > 0.0 ? std::log(range.upper / range.lower) : 1.0;
-    return std::abs(std::log(x / bound)) <= part * width;
+    return std::abs(std::log(x / bound)) <= kSame * width;
   }
   const double width = between ? range.upper - range.lower : std::max(std::abs(bound), std::abs(x));
-  return std::abs(x - bound) <= part * width;
+  return std::abs(x - bound) <= kSame * width;
 }
 
 void mark_bounds(const ResidualProblem& problem, LeastSquaresFit& fit) {
-  constexpr double kAt = 1e-8;
   for (std::size_t j = 0; j < fit.x.size(); ++j) {
     const UnknownRange& range = problem.unknowns[j];
-    fit.at_lower[j] = fit.frozen[j] == 0 && on_bound(range, fit.x[j], false, kAt);
-    fit.at_upper[j] = fit.frozen[j] == 0 && on_bound(range, fit.x[j], true, kAt);
+    fit.at_lower[j] = fit.frozen[j] == 0 && on_bound(range, fit.x[j], false);
+    fit.at_upper[j] = fit.frozen[j] == 0 && on_bound(range, fit.x[j], true);
   }
 }
 
 /// The unknowns whose start is on a bound or beyond, or is not of its shape.
 void mark_moved(const ResidualProblem& problem, const UnknownMap& map, LeastSquaresFit& fit) {
-  constexpr double kPart = 1e-9;
   std::vector<double> start;
   for (const UnknownRange& range : problem.unknowns) start.push_back(range.start);
   std::vector<double> shaped(start.size());
@@ -115,9 +115,8 @@ void mark_moved(const ResidualProblem& problem, const UnknownMap& map, LeastSqua
     const UnknownRange& range = problem.unknowns[j];
     double width = range.upper - range.lower;
     if (!std::isfinite(width)) width = std::abs(start[j]);
-    fit.moved_inside[j] = on_bound(range, start[j], false, kPart) ||
-                          on_bound(range, start[j], true, kPart) ||
-                          std::abs(shaped[j] - start[j]) > kPart * width;
+    fit.moved_inside[j] = on_bound(range, start[j], false) || on_bound(range, start[j], true) ||
+                          std::abs(shaped[j] - start[j]) > kSame * width;
   }
 }
 
@@ -207,9 +206,8 @@ void Searches::follow(std::span<const double> start) {
     trace.end =
         search_from(evaluator_, map, trace.frozen, kept, z, same ? &point : nullptr, options_);
   }
-  constexpr int kMostRounds = 4;
   constexpr double kBesideFold = 1e-3;
-  for (int round = 0; round < kMostRounds && any_of(trace.frozen); ++round) {
+  while (any_of(trace.frozen)) {
     SearchEnd& end = trace.end;
     if (end.stop == StopReason::kModelFailure || end.stop == StopReason::kTooFewData) break;
     const std::vector<char> silent = silent_unknowns(end.point.jacobian, n);

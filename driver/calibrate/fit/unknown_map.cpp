@@ -10,9 +10,6 @@
 namespace slipbench::driver::fit {
 namespace {
 
-/// A coordinate this far from a fold, 2e-9 of the way between two bounds, is not on it.
-constexpr double kInside = 1e-4;
-
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double safe_log(double x) { return x > 0.0 ? std::log(x) : -kInfinity; }
@@ -214,9 +211,9 @@ std::vector<double> UnknownMap::coordinates(std::span<const double> x, double in
     walk(piece, y, nullptr, [&](std::size_t step, std::size_t k, const Limits& limits) {
       double& coordinate = z[piece.first + step];
       coordinate = unfold(limits, target[k], inset);
-      if (n == 1 && limits.any() && inset > kInside) {
+      if (n == 1 && limits.any() && inset > kOnFold) {
         const double own = unfold(limits, target[k], 0.0);
-        if (nearest_fold(limits, own).distance >= kInside) coordinate = own;
+        if (nearest_fold(limits, own).distance >= kOnFold) coordinate = own;
       }
       return fold(limits, coordinate);
     });

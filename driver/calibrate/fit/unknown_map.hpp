@@ -17,6 +17,9 @@ namespace slipbench::driver::fit {
 /// Change of the unknowns with one coordinate: pairs of an unknown and dx/dz.
 using CoordinateColumn = std::vector<std::pair<std::size_t, double>>;
 
+/// Distance from a fold below which a coordinate is on it: 2e-9 of the way between two bounds.
+inline constexpr double kOnFold = 1e-4;
+
 /// x(z). A scalar unknown has one coordinate (see fold.hpp; the logarithm is folded where the scale
 /// is one). The ordinates of a shaped block share as many coordinates, each ordinate moving between
 /// limits that those before it leave (triangular; docs/theory, section 17):
