@@ -289,11 +289,9 @@ ReadFit read_fit(const std::string& path, const ReadFitOptions& options) {
     result.diagnostics = tree.error();
     return result;
   }
-  if (const auto key = read::key_of_case(tree->root())) {
-    result.diagnostics.error(source->name(), key->where(), std::string(key->text()),
-                             "this is a case, not a fit file: 'slipbench run " +
-                                 base::printable(source->name()) + "' runs it",
-                             "a fit file has 'calibrate:' and names its cases");
+  if (const auto other = read::other_kind(tree->root(), read::FileKind::kFit)) {
+    result.diagnostics.error(source->name(), other->key.where(), std::string(other->key.text()),
+                             other->sentence, "a fit file has 'calibrate:' and names its cases");
     return result;
   }
   FitReader(tree->root(), path, options, result).read();

@@ -172,7 +172,7 @@ void ExperimentReader::read_case_file(const ExperimentText& text, ReadExperiment
   const Parsed& parsed = parse(text.case_file, result.fit.case_path);
   if (!parsed) return;
   const yaml::Node root = parsed->root();
-  if (!read::key_of_fit(root)) result.root = root;
+  if (!read::key_of(root, read::FileKind::kFit)) result.root = root;
   if (const auto parameters = root.find("parameters")) {
     for (const yaml::Entry entry : parameters->entries()) {
       result.parameters.emplace_back(entry.key.text());

@@ -6,13 +6,28 @@
 #include <span>
 #include <string_view>
 
+#include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/source_text.hpp"
 
 namespace slipbench::driver::read {
 namespace {
 
-constexpr std::string_view kFitKey = "calibrate";
+struct KindWords {
+  FileKind kind;
+  std::string_view name;
+  std::string_view command;  ///< and what it does to the file
+  std::string_view does;
+};
+constexpr std::array kKinds{KindWords{FileKind::kCase, "case", "run", "runs it"},
+                            KindWords{FileKind::kFit, "fit file", "calibrate", "works on it"},
+                            KindWords{FileKind::kSweep, "sweep file", "sweep", "works on it"}};
 constexpr std::array<std::string_view, 3> kCaseKeys{"connector", "friction", "history"};
+
+/// The keys that only a file of the kind has: fits and sweeps have that of their command's name.
+std::span<const std::string_view> keys_of(const KindWords& kind) {
+  if (kind.kind == FileKind::kCase) return kCaseKeys;
+  return {&kind.command, 1};
+}
 
 std::optional<yaml::Node> key_among(const yaml::Node& root,
                                     std::span<const std::string_view> names) {
@@ -30,25 +45,43 @@ bool has_case_ending(const std::filesystem::path& file) {
          kCaseEndings.end();
 }
 
-std::optional<yaml::Node> key_of_fit(const yaml::Node& root) {
-  if (key_among(root, kCaseKeys)) return std::nullopt;
-  return key_among(root, std::span(&kFitKey, 1));
+std::optional<yaml::Node> key_of(const yaml::Node& root, FileKind kind) {
+  std::optional<yaml::Node> found;
+  for (const KindWords& one : kKinds) {
+    const auto key = key_among(root, keys_of(one));
+    if (key && one.kind != kind) return std::nullopt;
+    if (key) found = key;
+  }
+  return found;
 }
 
-std::optional<yaml::Node> key_of_case(const yaml::Node& root) {
-  if (key_among(root, std::span(&kFitKey, 1))) return std::nullopt;
-  return key_among(root, kCaseKeys);
+std::optional<OtherKind> other_kind(const yaml::Node& root, FileKind wanted) {
+  const std::string_view wanted_name = kKinds[static_cast<std::size_t>(wanted)].name;
+  for (const KindWords& one : kKinds) {
+    if (one.kind == wanted) continue;
+    if (const auto key = key_of(root, one.kind)) {
+      return OtherKind{
+          *key, "this is a " + std::string(one.name) + ", not a " + std::string(wanted_name) +
+                    ": 'slipbench " + std::string(one.command) + " " +
+                    base::printable(root.source().name()) + "' " + std::string(one.does)};
+    }
+  }
+  return std::nullopt;
 }
 
-bool looks_like_fit(const std::filesystem::path& file) {
+bool looks_like_no_case(const std::filesystem::path& file) {
   const auto source = base::read_source(file.string());
   if (!source) return false;
   const std::string_view text = source->text();
-  for (std::size_t at = text.find(kFitKey); at != std::string_view::npos;
-       at = text.find(kFitKey, at + 1)) {
-    if (at > 0 && text[at - 1] != '\n') continue;
-    const std::size_t colon = text.find_first_not_of(" \t", at + kFitKey.size());
-    if (colon != std::string_view::npos && text[colon] == ':') return true;
+  for (const KindWords& one : kKinds) {
+    if (one.kind == FileKind::kCase) continue;
+    const std::string_view word = one.command;
+    for (std::size_t at = text.find(word); at != std::string_view::npos;
+         at = text.find(word, at + 1)) {
+      if (at > 0 && text[at - 1] != '\n') continue;
+      const std::size_t colon = text.find_first_not_of(" \t", at + word.size());
+      if (colon != std::string_view::npos && text[colon] == ':') return true;
+    }
   }
   return false;
 }

@@ -245,10 +245,9 @@ ReadCase ParsedCase::resolve(const ReadOptions& options) const {
   const yaml::Node root = tree_.root();
   result.sources.push_back(root.source());
   base::Diagnostics& out = result.diagnostics;
-  if (const auto key = key_of_fit(root)) {
-    out.error(root.source().name(), key->where(), "calibrate",
-              "this is a fit file, not a case: 'slipbench calibrate " +
-                  base::printable(root.source().name()) + "' works on it");
+  if (const auto other = other_kind(root, FileKind::kCase)) {
+    out.error(root.source().name(), other->key.where(), std::string(other->key.text()),
+              other->sentence);
     return result;
   }
   Reading reading(root, folder_, options, out);

@@ -74,7 +74,7 @@ Candidates find_candidates(std::span<const std::string> paths) {
     search(path, files, all.faults);
     std::vector<Candidate> found;
     for (const fs::path& file : files) {
-      if (read::looks_like_fit(file)) continue;
+      if (read::looks_like_no_case(file)) continue;
       const fs::path shown = paths.size() == 1 ? file.lexically_relative(path) : file;
       found.push_back({file.string(), label_of(shown)});
     }

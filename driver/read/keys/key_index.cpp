@@ -120,7 +120,7 @@ std::optional<yaml::LaterKey> later_key(std::string_view key) {
       yaml::LaterKey{"adaptive", "adaptive increments are not in this version; give their number",
                      "increments"},
       yaml::LaterKey{"calibrate", "belongs to a fit file: slipbench calibrate FIT.yaml"},
-      yaml::LaterKey{"sweep", "sweeps are not in this version"},
+      yaml::LaterKey{"sweep", "belongs to a sweep file: slipbench sweep SWEEP.yaml"},
       yaml::LaterKey{
           "plasticity",
           "a connector of this bench has no plasticity: it tests friction, and what acts beside "
