@@ -21,6 +21,7 @@
 #include "driver/read/keys/key_index.hpp"
 #include "driver/read/resolve/resolve.hpp"
 #include "driver/results/columns.hpp"
+#include "driver/sweep/sweep_reference.hpp"
 #include "driver/terminal/print.hpp"
 #include "law/friction/law_list.hpp"
 #include "reference/catalogue.hpp"
@@ -309,9 +310,16 @@ int describe_command(const std::string& name) {
   return unknown("connection, law, closed form, quantity, key, criterion or curve", name, known);
 }
 
-int schema_command(bool markdown, bool fit) {
-  terminal::print(markdown ? read::case_reference_markdown() + calibrate::fit_reference_markdown()
-                           : (fit ? calibrate::fit_schema() : read::case_schema()).dump(2) + "\n");
+int schema_command(bool markdown, read::FileKind kind) {
+  if (markdown) {
+    terminal::print(read::case_reference_markdown() + calibrate::fit_reference_markdown() +
+                    sweep::sweep_reference_markdown());
+    return base::kExitOk;
+  }
+  const yaml::Json schema = kind == read::FileKind::kFit     ? calibrate::fit_schema()
+                            : kind == read::FileKind::kSweep ? sweep::sweep_schema()
+                                                             : read::case_schema();
+  terminal::print(schema.dump(2) + "\n");
   return base::kExitOk;
 }
 

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "driver/read/file_kind.hpp"
+
 namespace slipbench::driver::commands {
 
 /// `slipbench list`: the names of one kind of thing with one sentence each; `what` is connections,
@@ -14,8 +16,8 @@ int list_command(const std::string& what);
 /// quantity of that name. Returns the exit code: bad input for an unknown name.
 int describe_command(const std::string& name);
 
-/// `slipbench schema`: the JSON Schema of a case file, or of a fit file, or the case reference,
-/// which tells of both, as Markdown. Returns the exit code.
-int schema_command(bool markdown = false, bool fit = false);
+/// `slipbench schema`: the JSON Schema of a kind of files, or the case reference, which tells of
+/// all kinds, as Markdown. Returns the exit code.
+int schema_command(bool markdown, read::FileKind kind);
 
 }  // namespace slipbench::driver::commands

@@ -11,6 +11,7 @@
 #include "driver/calibrate/fit_reference.hpp"
 #include "driver/read/keys/case_reference.hpp"
 #include "driver/read/keys/key_examples.hpp"
+#include "driver/sweep/sweep_reference.hpp"
 
 namespace slipbench::driver::commands {
 namespace {
@@ -191,6 +192,10 @@ const std::vector<yaml::KeyRow>& rows_of_fits() {
   static const std::vector<yaml::KeyRow> rows = calibrate::fit_rows();
   return rows;
 }
+const std::vector<yaml::KeyRow>& rows_of_sweeps() {
+  static const std::vector<yaml::KeyRow> rows = sweep::sweep_rows();
+  return rows;
+}
 
 }  // namespace
 
@@ -198,6 +203,7 @@ std::string describe_entries(std::string_view asked) {
   std::vector<Meaning> meanings;
   add_meanings(asked, rows_of_cases(), "case", meanings);
   add_meanings(asked, rows_of_fits(), "fit", meanings);
+  add_meanings(asked, rows_of_sweeps(), "sweep", meanings);
   std::string text;
   for (const Meaning& meaning : meanings) text += (text.empty() ? "" : "\n") + described(meaning);
   return text;
@@ -205,7 +211,8 @@ std::string describe_entries(std::string_view asked) {
 
 std::vector<std::string> key_names() {
   std::vector<std::string> names;
-  for (const std::vector<yaml::KeyRow>* rows : {&rows_of_cases(), &rows_of_fits()}) {
+  for (const std::vector<yaml::KeyRow>* rows :
+       {&rows_of_cases(), &rows_of_fits(), &rows_of_sweeps()}) {
     for (const yaml::KeyRow& row : *rows) {
       if (row.path.find(".coefficient.") != std::string::npos) continue;
       for (const std::string_view way : split(name_of(split(row.path, '.').back()), '|')) {

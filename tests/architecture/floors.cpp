@@ -16,7 +16,7 @@ namespace {
 // law is one, and so are rooms of one folder but for those that know nothing of the rest; `case` is
 // no name in C++.
 // clang-format off
-constexpr std::array<Room, 37> kFloors{
+constexpr std::array<Room, 38> kFloors{
     Room{"law/base",                 "law"},               // names, components, conventions, small numerics
     Room{"law/table",                "law"},               // tables over up to several arguments
     Room{"law/friction",             "law"},               // the friction laws, a header each, and their list
@@ -51,6 +51,7 @@ constexpr std::array<Room, 37> kFloors{
     Room{"driver/plot",              "driver::plot"},      // pictures
     Room{"driver/suite",             "driver::suite"},     // many cases, and what became of them
     Room{"driver/analysis",          "driver::analysis"},  // explanations, convergence, comparisons of integration
+    Room{"driver/sweep",             "driver::sweep"},     // runs of one case with other parameters
     Room{"driver/calibrate",         "driver::calibrate"}, // fits of cases to measurements
     Room{"driver/calibrate/report",  "driver::calibrate"}, // the page and the pictures of a fit
     Room{"driver/commands",          "driver::commands"},  // what each command does

@@ -15,6 +15,8 @@ TEST is one of
              raised by 1 % the verification cases fail
   calibration  the fits of cases/calibration find the numbers that their data were made with, within 4 standard errors,
              and name the ones that no data tell; the calibrated cases pass their checks
+  sweeps     the sweeps of cases/sweeps keep `slipbench schema --sweep`; threads and parts change no byte of their rows,
+             and a row is what `slipbench run` gives with its values
   increments every file of increments/, integrated exactly, ends its steps alike with 1, 3, 7 and 50 increments each
   twins      predefined and user-defined examples give the same result, column by column
   suite      a suite with hostile names and broken cases: JUnit XML keeps the schema junit.xsd, JSON, annotations, what
@@ -248,6 +250,40 @@ def calibration():
             expect(abs(value - truth) <= 4.0 * error, f"{fit}: {name} is {value} +- {error}, wanted {truth}")
             # An error that is any size holds any truth: the widest of them is 1.7 %.
             expect(error <= 0.02 * abs(truth), f"{fit}: {name} is only known to {error}")
+
+
+def sweeps():
+    code, text = run("schema", "--sweep")
+    expect(code == 0, f"slipbench schema --sweep ended with {code}")
+    validator = jsonschema.Draft202012Validator(json.loads(text))
+    for path in files("cases/sweeps"):
+        document = yaml.safe_load(path.read_text())
+        if "sweep" not in document:
+            continue
+        for error in validator.iter_errors(document):
+            expect(False, f"{path.name}: does not validate: {error.json_path}: {error.message:.200}")
+        with tempfile.TemporaryDirectory() as folder:
+            target = pathlib.Path(folder)
+            code, text = run("sweep", path, "-o", folder)
+            expect(code == 0, f"{path.name}: ended with {code}:\n{text}")
+            whole = [line for line in (target / f"{path.stem}.csv").read_text().splitlines() if line[0] != "#"]
+            expect(len(whole) == 1 + document["sweep"]["samples"], f"{path.name}: {len(whole)} lines")
+            parts = whole[:1]
+            for part in (1, 2, 3):
+                code, text = run("sweep", path, "-o", folder, "--part", f"{part}/3", "-j", str(part))
+                expect(code == 0, f"{path.name}: part {part} ended with {code}:\n{text}")
+                rows = (target / f"{path.stem}.{part}of3.csv").read_text().splitlines()
+                parts += [line for line in rows if line[0] not in "#i"]
+            expect(parts == whole, f"{path.name}: the parts are not the whole")
+            row = dict(zip(whole[0].split(","), whole[18].split(",")))
+            settings = [word for name in document["sweep"]["vary"] for word in ("--set", f"{name}={row[name]}")]
+            code, text = run("run", path.parent / document["sweep"]["case"], "-o", folder, *settings)
+            expect(code == 0, f"{path.name}: its case ended with {code}:\n{text}")
+            lines = (target / document["sweep"]["case"].replace(".yaml", ".csv")).read_text().splitlines()
+            last = list(csv.DictReader(line for line in lines if not line.startswith("#")))[-1]
+            for name, collected in document["sweep"]["collect"].items():
+                if "last" in collected:
+                    expect(float(row[name]) == float(last[collected["last"]]), f"{path.name}: {name}: {row[name]}")
 
 
 def result(path, folder):
@@ -600,7 +636,7 @@ def suite_progress(folder):
     expect(bar.search(on_terminal({"TERM": "xterm"}, stdout=subprocess.PIPE)), "no bar while the table goes to a file")
 
 
-tests = {f.__name__: f for f in (schema, check, bad, semantic, mistakes, sensitive, calibration, increments, twins, suite, guide)}
+tests = {f.__name__: f for f in (schema, check, bad, semantic, mistakes, sensitive, calibration, sweeps, increments, twins, suite, guide)}
 parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 parser.add_argument("test", choices=tests)
 parser.add_argument("--slipbench", required=True, help="the program")

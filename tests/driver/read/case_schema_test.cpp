@@ -9,6 +9,7 @@
 #include "driver/calibrate/fit_reference.hpp"
 #include "driver/read/keys/case_reference.hpp"
 #include "driver/read/keys/key_index.hpp"
+#include "driver/sweep/sweep_reference.hpp"
 #include "tests/support/project_paths.hpp"
 
 namespace slipbench::driver::read {
@@ -61,7 +62,8 @@ TEST_CASE("docs/case-reference.md is what the declarations say today") {
   std::ostringstream text;
   text << file.rdbuf();
   INFO("write it anew with: slipbench schema --markdown > docs/case-reference.md");
-  CHECK(text.str() == case_reference_markdown() + calibrate::fit_reference_markdown());
+  CHECK(text.str() == case_reference_markdown() + calibrate::fit_reference_markdown() +
+                          sweep::sweep_reference_markdown());
 }
 
 TEST_CASE("Keys know where they belong") {

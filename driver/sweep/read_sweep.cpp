@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/sweep/read_sweep.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include "driver/base/text/in_quotes.hpp"
+#include "driver/base/text/suggestions.hpp"
+#include "driver/read/file_kind.hpp"
+#include "driver/read/resolve/resolve_expression.hpp"
+#include "driver/results/columns.hpp"
+#include "driver/sweep/samples.hpp"
+#include "driver/sweep/sweep_reference.hpp"
+#include "driver/sweep/sweep_text.hpp"
+#include "driver/yaml/parse.hpp"
+
+namespace slipbench::driver::sweep {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The one of several keys that is given, with its number; nothing after reporting that it is none
+/// or more than one.
+template <class T, std::size_t kCount>
+std::optional<std::size_t> only_one(yaml::Binder& binder, const yaml::Node& node,
+                                    const yaml::Path& path,
+                                    const std::array<const yaml::At<T>*, kCount>& members,
+                                    bool another, std::string_view wanted) {
+  std::optional<std::size_t> found;
+  std::size_t given = another ? 1 : 0;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    if (!members[i]->given()) continue;
+    ++given;
+    found = i;
+  }
+  if (given != 1) binder.error(node, path, "wants one of " + std::string(wanted));
+  return given == 1 ? found : std::nullopt;
+}
+
+class SweepReader {
+ public:
+  SweepReader(const yaml::Node& root, const std::string& path, const ReadSweepOptions& options,
+              ReadSweep& out)
+      : root_(root),
+        path_(path),
+        folder_(fs::path(path).parent_path()),
+        options_(options),
+        out_(out),
+        binder_(out.diagnostics, no_parameters_, {}, folder_, options.allow_outside, kSweepWords) {}
+
+  void read() {
+    SweepText text;
+    const bool bound = yaml::read_struct(binder_, root_, yaml::Path(), text);
+    const SweepKeysText& keys = text.sweep.value;
+    auto parsed = keys.case_file.sound ? parse_case(keys.case_file) : std::nullopt;
+    std::vector<VariedParameter> varied = read_varied(keys, parsed);
+    const std::size_t samples = count_samples(keys, varied);
+    if (parsed) {
+      Sweep sweep{.file = path_,
+                  .title = text.title.empty() ? fs::path(path_).stem().string() : text.title,
+                  .case_path = case_path_.string(),
+                  .parsed = std::move(*parsed),
+                  .settings = options_.overrides,
+                  .allow_outside = options_.allow_outside,
+                  .varied = std::move(varied),
+                  .sampler = keys.sampler.value,
+                  .samples = samples,
+                  .seed = static_cast<std::uint64_t>(keys.seed)};
+      if (!out_.diagnostics.has_errors() && resolve_base(sweep)) {
+        read_collected(keys, sweep);
+        if (bound && !out_.diagnostics.has_errors()) out_.value = std::move(sweep);
+      }
+    }
+    out_.environment_failure |= binder_.environment_failed();
+    const std::vector<std::string>& named = binder_.data_files();
+    out_.data_files.insert(out_.data_files.end(), named.begin(), named.end());
+  }
+
+ private:
+  std::optional<read::ParsedCase> parse_case(const yaml::At<std::string>& text) {
+    const auto file = binder_.data_file(*text.node, text.path, text.value);
+    if (!file) return std::nullopt;
+    case_path_ = file->lexically_normal();
+    const auto source = base::read_source(case_path_.string());
+    if (!source) {
+      binder_.error(*text.node, text.path, source.error().diagnostic.message);
+      out_.environment_failure |= source.error().failure == base::ReadFailure::kEnvironment;
+      return std::nullopt;
+    }
+    out_.sources.push_back(*source);
+    const std::string folder = case_path_.parent_path().string();
+    auto parsed = read::ParsedCase::parse(*source, folder.empty() ? "." : folder);
+    if (!parsed) {
+      for (const base::Diagnostic& one : parsed.error().sorted()) out_.diagnostics.add(one);
+      return std::nullopt;
+    }
+    return std::move(*parsed);
+  }
+
+  std::vector<VariedParameter> read_varied(const SweepKeysText& keys,
+                                           const std::optional<read::ParsedCase>& parsed) {
+    std::vector<std::string> known;
+    if (const auto parameters = parsed ? parsed->root().find("parameters") : std::nullopt;
+        parameters && parameters->is_map()) {
+      for (const yaml::Entry entry : parameters->entries()) known.emplace_back(entry.key.text());
+    }
+    const std::vector<std::string_view> names(known.begin(), known.end());
+    std::vector<VariedParameter> varied;
+    if (keys.vary.sound && keys.vary.value.empty()) {
+      binder_.error(*keys.vary.node, keys.vary.path, "nothing is varied",
+                    "name parameters of the case: {mu: {uniform: [0.1, 0.3]}}");
+    }
+    for (const yaml::Named<DistributionText>& one : keys.vary.value) {
+      if (parsed && std::find(known.begin(), known.end(), one.name) == known.end()) {
+        binder_.error(*one.key, one.path, "the case has no parameter " + base::in_quotes(one.name),
+                      yaml::nearest_or(one.name, names,
+                                       known.empty() ? "it has no 'parameters:'"
+                                                     : "it has " + base::few_in_words(names)));
+      }
+      for (const base::ParameterText& setting : options_.overrides) {
+        if (setting.name != one.name) continue;
+        binder_.error(*one.key, one.path, "is varied: '--set " + one.name + "' cannot set it");
+      }
+      if (auto distribution = read_distribution(one)) {
+        varied.push_back({one.name, std::move(*distribution)});
+      }
+    }
+    return varied;
+  }
+
+  std::optional<Distribution> read_distribution(const yaml::Named<DistributionText>& text) {
+    if (!text.sound) return std::nullopt;
+    const DistributionText& given = text.value;
+    const std::array<const yaml::At<std::vector<double>>*, 4> members{
+        &given.uniform, &given.loguniform, &given.normal, &given.grid};
+    const auto which = only_one(binder_, *text.node, text.path, members, false,
+                                "'uniform', 'loguniform', 'normal' and 'grid'");
+    if (!which || !members[*which]->sound) return std::nullopt;
+    const yaml::At<std::vector<double>>& numbers = *members[*which];
+    const std::vector<double>& value = numbers.value;
+    const auto say = [&](std::string message) {
+      binder_.error(*numbers.node, numbers.path, std::move(message));
+      return std::nullopt;
+    };
+    const auto kind = static_cast<Distribution::Kind>(*which);
+    if (kind == Distribution::Kind::kList) {
+      if (value.empty()) return say("needs at least one value");
+      return Distribution{kind, value};
+    }
+    if (value.size() != 2) return say("wants two numbers");
+    if (kind == Distribution::Kind::kNormal) {
+      if (!(value[1] > 0.0)) return say("the standard deviation must be greater than 0");
+      return Distribution{kind, value};
+    }
+    if (!(value[0] < value[1])) return say("the first number must be below the second");
+    if (kind == Distribution::Kind::kLogUniform && !(value[0] > 0.0)) {
+      return say("only numbers greater than 0 have a logarithm");
+    }
+    return Distribution{kind, value};
+  }
+
+  std::size_t count_samples(const SweepKeysText& keys, const std::vector<VariedParameter>& varied) {
+    const yaml::At<int>& samples = keys.samples;
+    const auto say = [&](std::string message, std::string hint = {}) {
+      const bool has = samples.given();
+      binder_.error(has ? *samples.node : root_, has ? samples.path : yaml::Path() / "sweep",
+                    std::move(message), std::move(hint));
+      return std::size_t{0};
+    };
+    if (keys.sampler.value != Sampler::kGrid) {
+      if (varied.size() > most_parameters(keys.sampler.value)) {
+        return say("this sampler has at most " +
+                       std::to_string(most_parameters(keys.sampler.value)) + " parameters",
+                   "'halton' has more, 'lhs' and 'random' any number");
+      }
+      if (!samples.given()) return say("'samples' is missing: only a grid knows how many it has");
+      return samples.sound ? static_cast<std::size_t>(samples.value) : 0;
+    }
+    constexpr std::size_t kMost = 2'000'000'000;
+    std::size_t all = 1;
+    for (const VariedParameter& one : varied) {
+      if (one.distribution.kind != Distribution::Kind::kList) {
+        return say("the sampler grid takes lists only: {" + one.name + ": {grid: [..]}}",
+                   "'sampler: sobol' draws from distributions and lists");
+      }
+      if (one.distribution.numbers.size() > kMost / all) {
+        return say("the grid has more than 2e9 combinations", "'sampler: sobol' takes a part");
+      }
+      all *= one.distribution.numbers.size();
+    }
+    if (samples.sound && static_cast<std::size_t>(samples.value) != all) {
+      return say("the grid has " + std::to_string(all) + " combinations",
+                 "leave 'samples' out: a grid is run whole");
+    }
+    return all;
+  }
+
+  /// The case in the middle of what is varied: what is wrong with it is wrong with all.
+  bool resolve_base(Sweep& sweep) {
+    std::vector<double> middle;
+    for (const VariedParameter& one : sweep.varied) middle.push_back(one.distribution.at(0.5));
+    read::ReadCase read = sweep.parsed.resolve({.overrides = overrides_of(sweep, middle),
+                                                .allow_outside = options_.allow_outside,
+                                                .curves_may_be_missing = true});
+    for (const base::Diagnostic& one : read.diagnostics.sorted()) {
+      if (one.severity == base::Severity::kError) out_.diagnostics.add(one);
+    }
+    out_.environment_failure |= read.environment_failure;
+    out_.data_files.insert(out_.data_files.end(), read.data_files.begin(), read.data_files.end());
+    if (!read.value) return false;
+    sweep.base = std::move(*read.value);
+    return true;
+  }
+
+  void read_collected(const SweepKeysText& keys, Sweep& sweep) {
+    std::vector<std::string> variables{"T", "t"};
+    for (std::string& name : results::column_names(sweep.base)) {
+      if (name != "t") variables.push_back(std::move(name));
+    }
+    if (keys.collect.sound && keys.collect.value.empty()) {
+      binder_.error(*keys.collect.node, keys.collect.path, "nothing is collected",
+                    "name numbers of a run: {peak: {max: CSF1}}");
+    }
+    for (const yaml::Named<CollectText>& one : keys.collect.value) {
+      check_name(one, sweep);
+      const CollectText& text = one.value;
+      const std::array<const yaml::At<std::string>*, 4> members{&text.max, &text.min,
+                                                                &text.magnitude, &text.last};
+      if (!one.sound) continue;
+      const auto which = only_one(binder_, *one.node, one.path, members, text.count.given(),
+                                  "'max', 'min', 'magnitude', 'last' and 'count'");
+      if (!which && text.count.sound) {
+        sweep.collected.push_back({.name = one.name, .counted = text.count.value});
+      }
+      if (!which) continue;
+      const yaml::At<std::string>& quantity = *members[*which];
+      if (auto compiled = read::compile_expression(binder_, quantity, variables)) {
+        sweep.collected.push_back({.name = one.name,
+                                   .reduction = static_cast<Reduction>(*which),
+                                   .quantity = std::move(compiled->expression),
+                                   .variables = std::move(compiled->variables)});
+      }
+    }
+  }
+
+  /// Names are those of columns: `id`, the varied parameters, what is collected.
+  void check_name(const yaml::Named<CollectText>& one, const Sweep& sweep) {
+    const bool taken = one.name == "id" ||
+                       std::any_of(sweep.varied.begin(), sweep.varied.end(),
+                                   [&](const auto& varied) { return varied.name == one.name; });
+    if (taken) {
+      binder_.error(*one.key, one.path, "another column of the result is called so as well");
+    }
+    if (one.name.empty() || one.name.find_first_of(",\"\n\r") != std::string::npos) {
+      binder_.error(*one.key, one.path, "is no name for a column of a CSV file");
+    }
+  }
+
+  yaml::Node root_;
+  std::string path_;
+  fs::path folder_;
+  fs::path case_path_;
+  const ReadSweepOptions& options_;
+  ReadSweep& out_;
+  base::NamedNumbers no_parameters_;
+  yaml::Binder binder_;
+};
+
+}  // namespace
+
+ReadSweep read_sweep(const std::string& path, const ReadSweepOptions& options) {
+  ReadSweep result;
+  const auto source = base::read_source(path);
+  if (!source) {
+    result.diagnostics.add(source.error().diagnostic);
+    result.environment_failure = source.error().failure == base::ReadFailure::kEnvironment;
+    return result;
+  }
+  result.sources.push_back(*source);
+  const auto tree = yaml::parse_yaml(*source);
+  if (!tree) {
+    result.diagnostics = tree.error();
+    return result;
+  }
+  if (const auto other = read::other_kind(tree->root(), read::FileKind::kSweep)) {
+    result.diagnostics.error(source->name(), other->key.where(), std::string(other->key.text()),
+                             other->sentence, "a sweep file has 'sweep:' and names its case");
+    return result;
+  }
+  SweepReader(tree->root(), path, options, result).read();
+  return result;
+}
+
+}  // namespace slipbench::driver::sweep

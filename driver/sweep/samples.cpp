@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/sweep/samples.hpp"
+
+#include <gsl/gsl_qrng.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+
+namespace slipbench::driver::sweep {
+namespace {
+
+/// One step of SplitMix64 (Steele, Lea and Flood 2014): mixes all bits of a number.
+std::uint64_t mixed(std::uint64_t bits) {
+  bits += 0x9e3779b97f4a7c15;
+  bits = (bits ^ (bits >> 30U)) * 0xbf58476d1ce4e5b9;
+  bits = (bits ^ (bits >> 27U)) * 0x94d049bb133111eb;
+  return bits ^ (bits >> 31U);
+}
+
+std::uint64_t hash(std::uint64_t seed, std::uint64_t sample, std::uint64_t parameter) {
+  return mixed(mixed(mixed(seed) ^ sample) ^ parameter);
+}
+
+/// A number between 0 and 1, both excluded.
+double fraction(std::uint64_t bits) { return (static_cast<double>(bits >> 11U) + 0.5) * 0x1p-53; }
+
+/// Counts as samples what is drawn once for all of them.
+constexpr std::uint64_t kForAll = std::numeric_limits<std::uint64_t>::max();
+
+/// The numbers 0 .. count-1 in random order (Fisher and Yates).
+std::vector<std::size_t> shuffled(std::size_t count, std::uint64_t seed, std::uint64_t parameter) {
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (std::size_t i = count; i > 1; --i) {
+    const double part = fraction(hash(~seed, i, parameter));
+    std::swap(order[i - 1], order[static_cast<std::size_t>(part * static_cast<double>(i))]);
+  }
+  return order;
+}
+
+}  // namespace
+
+std::size_t most_parameters(Sampler sampler) {
+  switch (sampler) {
+    case Sampler::kSobol:
+      return gsl_qrng_sobol->max_dimension;
+    case Sampler::kHalton:
+      return gsl_qrng_reversehalton->max_dimension;
+    case Sampler::kGrid:
+    case Sampler::kLatinHypercube:
+    case Sampler::kRandom:
+      break;
+  }
+  return std::numeric_limits<std::size_t>::max();
+}
+
+Samples::Samples(const Sweep& sweep) : sweep_(&sweep), point_(sweep.varied.size()) {
+  const std::size_t count = sweep.varied.size();
+  if (sweep.sampler == Sampler::kSobol || sweep.sampler == Sampler::kHalton) {
+    sequence_.reset(
+        gsl_qrng_alloc(sweep.sampler == Sampler::kSobol ? gsl_qrng_sobol : gsl_qrng_reversehalton,
+                       static_cast<unsigned>(count)),
+        [](void* sequence) { gsl_qrng_free(static_cast<gsl_qrng*>(sequence)); });
+  }
+  if (sweep.sampler == Sampler::kLatinHypercube) {
+    for (std::size_t p = 0; p < count; ++p)
+      strata_.push_back(shuffled(sweep.samples, sweep.seed, p));
+  }
+}
+
+double Samples::part(std::size_t parameter) const {
+  const double drawn = fraction(hash(sweep_->seed, next_, parameter));
+  if (sequence_) {
+    const double shifted = point_[parameter] + fraction(hash(sweep_->seed, kForAll, parameter));
+    return shifted - std::floor(shifted);
+  }
+  if (!strata_.empty()) {
+    return (static_cast<double>(strata_[parameter][next_]) + drawn) /
+           static_cast<double>(sweep_->samples);
+  }
+  return drawn;
+}
+
+void Samples::advance() {
+  if (sequence_) gsl_qrng_get(static_cast<gsl_qrng*>(sequence_.get()), point_.data());
+}
+
+void Samples::skip(std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i, ++next_) advance();
+}
+
+std::size_t Samples::take(std::span<double> values) {
+  const std::size_t width = sweep_->varied.size();
+  const std::size_t count = std::min(values.size() / width, sweep_->samples - next_);
+  // A quantile of 0 or 1 may be infinite.
+  constexpr double kLeast = 0x1p-53;
+  for (std::size_t i = 0; i < count; ++i, ++next_) {
+    advance();
+    std::size_t rest = next_;
+    for (std::size_t p = width; p-- > 0;) {
+      const Distribution& distribution = sweep_->varied[p].distribution;
+      double& value = values[i * width + p];
+      if (sweep_->sampler == Sampler::kGrid) {
+        value = distribution.numbers[rest % distribution.numbers.size()];
+        rest /= distribution.numbers.size();
+      } else {
+        value = distribution.at(std::clamp(part(p), kLeast, 1.0 - kLeast));
+      }
+    }
+  }
+  return count;
+}
+
+}  // namespace slipbench::driver::sweep

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "driver/base/units/expression.hpp"
+#include "driver/base/units/parameters.hpp"
+#include "driver/case/case.hpp"
+#include "driver/read/read_case.hpp"
+#include "driver/sweep/distribution.hpp"
+
+namespace slipbench::driver::sweep {
+
+/// A parameter of the case, with what it is drawn from.
+struct VariedParameter {
+  std::string name;
+  Distribution distribution;
+};
+
+/// Order in which the space of the parameters is filled.
+enum class Sampler : std::uint8_t { kGrid, kSobol, kHalton, kLatinHypercube, kRandom };
+
+/// Number that is left of a quantity after a run; kMagnitude is its largest magnitude.
+enum class Reduction : std::uint8_t { kMaximum, kMinimum, kMagnitude, kLast };
+
+/// Events that are counted, of all friction definitions together.
+enum class Counted : std::uint8_t { kStickToSlip, kSlipToStick, kReversal };
+
+/// One number of the result of a sample: of a quantity, or how many events there were.
+struct Collected {
+  std::string name;
+  std::optional<Counted> counted = std::nullopt;
+  Reduction reduction = Reduction::kLast;
+  std::optional<base::Expression> quantity = std::nullopt;  ///< of what is not counted
+  std::vector<std::string> variables = {};                  ///< of `quantity`, in its order
+};
+
+/// Runs of one case with other parameters.
+struct Sweep {
+  std::string file;
+  std::string title;
+  std::string case_path;
+  read::ParsedCase parsed;                         ///< of the case, resolved for each sample
+  cases::Case base = {};                           ///< in the middle of what is varied
+  std::vector<base::ParameterText> settings = {};  ///< --set
+  bool allow_outside = false;
+  std::vector<VariedParameter> varied = {};
+  Sampler sampler = Sampler::kSobol;
+  std::size_t samples = 0;  ///< of a grid: all of its points
+  std::uint64_t seed = 1;
+  std::vector<Collected> collected = {};
+};
+
+/// Returns the overrides with which the case of one sample is resolved.
+/// \param values of the varied parameters, in their order
+std::vector<base::ParameterText> overrides_of(const Sweep& sweep, std::span<const double> values);
+
+}  // namespace slipbench::driver::sweep

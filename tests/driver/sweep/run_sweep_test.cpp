@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/sweep/run_sweep.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "driver/sweep/read_sweep.hpp"
+#include "driver/sweep/sweep_summary.hpp"
+#include "tests/driver/support/temporary_folder.hpp"
+#include "tests/driver/sweep/sweep_for_test.hpp"
+
+namespace slipbench::driver::sweep {
+namespace {
+
+struct Written {
+  TemporaryFolder folder;
+  std::string file;
+
+  explicit Written(const std::string& keys) {
+    folder.write("slot.yaml", kSlot);
+    file = folder.write("s.yaml", "slipbench: 1\nsweep:\n  case: slot.yaml\n" + keys).string();
+  }
+  ReadSweep read() const { return read_sweep(file); }
+  /// The errors, one a line.
+  std::string errors() const {
+    std::string text;
+    for (const base::Diagnostic& one : read().diagnostics.sorted()) {
+      text += one.path + ": " + one.message + "\n";
+    }
+    return text;
+  }
+};
+
+struct Row {
+  std::vector<double> values, numbers;
+  std::string failure;
+  friend bool operator==(const Row& a, const Row& b) {
+    return a.values == b.values && a.numbers == b.numbers && a.failure == b.failure;
+  }
+};
+
+std::vector<Row> rows_of(const Sweep& sweep, const SweepOptions& options = {}) {
+  std::vector<Row> rows;
+  run_sweep(sweep, options, [&](const SampleOutcome& outcome) {
+    CHECK(outcome.id == options.first + rows.size());
+    rows.push_back({{outcome.values.begin(), outcome.values.end()},
+                    {outcome.numbers.begin(), outcome.numbers.end()},
+                    std::string(outcome.failure)});
+  });
+  return rows;
+}
+
+const std::string kKeys =
+    "  vary: {mu: {uniform: [0.1, 0.3]}, k: {loguniform: [100, 1000]}}\n"
+    "  samples: 3000\n"
+    "  collect: {end: {last: CSF1}, most: {max: '= 2*CSF1'}, slips: {count: stick_to_slip},\n"
+    "            back: {min: CSF1}, size: {magnitude: '= -CSF1'}}\n";
+
+TEST_CASE("What is collected is what the closed form says, for every sample") {
+  const Written written(kKeys);
+  const ReadSweep read = written.read();
+  INFO(written.errors());
+  REQUIRE(read.value.has_value());
+  const std::vector<Row> rows = rows_of(*read.value);
+  REQUIRE(rows.size() == 3000);
+  int sticking = 0;
+  for (const Row& row : rows) {
+    const double limit = 100.0 * row.values[0];
+    const double spring = 0.1 * row.values[1];
+    const double force = std::min(limit, spring);
+    REQUIRE(row.failure.empty());
+    REQUIRE(row.numbers[0] == Approx(force).epsilon(1e-12));  // rounding of ten increments
+    REQUIRE(row.numbers[1] == Approx(2.0 * force).epsilon(1e-12));
+    REQUIRE(row.numbers[2] == (spring > limit ? 1.0 : 0.0));
+    REQUIRE(row.numbers[3] == 0.0);
+    REQUIRE(row.numbers[4] == row.numbers[0]);
+    if (spring < limit) ++sticking;
+  }
+  CHECK(sticking > 300);
+  CHECK(sticking < 2700);
+}
+
+TEST_CASE("Threads and parts change nothing") {
+  const Written written(kKeys);
+  const ReadSweep read = written.read();
+  REQUIRE(read.value.has_value());
+  const std::vector<Row> whole = rows_of(*read.value);
+  const auto same = [&](const std::vector<Row>& rows) {
+    REQUIRE(rows.size() == whole.size());
+    const auto [mine, other] = std::mismatch(rows.begin(), rows.end(), whole.begin());
+    INFO("sample " << mine - rows.begin());
+    CHECK(mine == rows.end());
+    if (mine == rows.end()) return;
+    CHECK(mine->failure == other->failure);
+    CHECK(mine->values == other->values);
+    CHECK(mine->numbers == other->numbers);
+  };
+  same(rows_of(*read.value, {.threads = 3}));
+  std::vector<Row> parts = rows_of(*read.value, {.end = 1100});
+  for (const Row& row : rows_of(*read.value, {.threads = 2, .first = 1100})) parts.push_back(row);
+  same(parts);
+}
+
+TEST_CASE("A sample that fails leaves nan and its reason, and the others are run") {
+  const Written written(
+      "  sampler: grid\n  vary: {mu: {grid: [0.2, -0.1, 0.3]}}\n  collect: {end: {last: CSF1}}\n");
+  ReadSweep read = written.read();
+  // -0.1 stands in the middle of the list: the sweep is refused where all of it must be wrong.
+  CHECK_FALSE(read.value.has_value());
+  const Written other(
+      "  sampler: grid\n  vary: {mu: {grid: [-0.1, 0.2, 0.3]}}\n  collect: {end: {last: CSF1}}\n");
+  read = other.read();
+  REQUIRE(read.value.has_value());
+  const std::vector<Row> rows = rows_of(*read.value);
+  REQUIRE(rows.size() == 3);
+  CHECK(std::isnan(rows[0].numbers[0]));
+  CHECK_THAT(rows[0].failure, Catch::Matchers::Contains("must be at least 0, found -0.1"));
+  CHECK(rows[1].numbers[0] == Approx(20.0).epsilon(1e-12));
+  SweepSummary summary(*read.value);
+  run_sweep(*read.value, {}, [&](const SampleOutcome& outcome) { summary.add(outcome); });
+  CHECK(summary.failed() == 1);
+  CHECK(summary.text().find("mean 25, standard deviation 7.071, from 20 (sample 1) to 30 (sample "
+                            "2)") != std::string::npos);
+  CHECK(summary.text().find("correlation with mu 1.00") != std::string::npos);
+  CHECK(summary.text().find("1 of 3 samples failed, the first is 0") != std::string::npos);
+}
+
+TEST_CASE("What is the same in every sample has no spread and no correlation") {
+  const Written written(
+      "  vary: {mu: {uniform: [0.1, 0.3]}}\n  samples: 5\n  collect: {place: {last: CP1}}\n");
+  const ReadSweep read = written.read();
+  REQUIRE(read.value.has_value());
+  SweepSummary summary(*read.value);
+  run_sweep(*read.value, {}, [&](const SampleOutcome& outcome) { summary.add(outcome); });
+  CHECK(summary.text() == "  place: 0.1 in every sample\n");
+}
+
+TEST_CASE("Faults of a sweep file are told where they are") {
+  const auto errors = [](const std::string& keys) { return Written(keys).errors(); };
+  const std::string collect = "  samples: 10\n  collect: {end: {last: CSF1}}\n";
+  CHECK(errors("  vary: {nu: {uniform: [0, 1]}}\n" + collect) ==
+        "sweep.vary.nu: the case has no parameter 'nu'\n");
+  CHECK(errors("  vary: {mu: {uniform: [1, 0]}}\n" + collect) ==
+        "sweep.vary.mu.uniform: the first number must be below the second\n");
+  CHECK(errors("  vary: {mu: {loguniform: [0, 1]}}\n" + collect) ==
+        "sweep.vary.mu.loguniform: only numbers greater than 0 have a logarithm\n");
+  CHECK(errors("  vary: {mu: {normal: [1, 0]}}\n" + collect) ==
+        "sweep.vary.mu.normal: the standard deviation must be greater than 0\n");
+  CHECK(errors("  vary: {mu: {uniform: [0, 1], grid: [1]}}\n" + collect) ==
+        "sweep.vary.mu: wants one of 'uniform', 'loguniform', 'normal' and 'grid'\n");
+  CHECK(errors("  sampler: grid\n  vary: {mu: {uniform: [0, 1]}}\n" + collect)
+            .find("takes lists only") != std::string::npos);
+  CHECK(errors("  sampler: grid\n  vary: {mu: {grid: [0.1, 0.2]}}\n" + collect) ==
+        "sweep.samples: the grid has 2 combinations\n");
+  CHECK(errors("  vary: {mu: {uniform: [0, 1]}}\n  collect: {end: {last: CSF1}}\n")
+            .find("'samples' is missing") != std::string::npos);
+  const std::string vary = "  vary: {mu: {uniform: [0.1, 0.3]}}\n  samples: 10\n";
+  CHECK(errors(vary + "  collect: {end: {last: CSF7}}\n").find("sweep.collect.end.last: ") == 0);
+  CHECK(errors(vary + "  collect: {mu: {last: CSF1}}\n") ==
+        "sweep.collect.mu: another column of the result is called so as well\n");
+  CHECK(errors(vary + "  collect: {end: {last: CSF1, count: reversal}}\n") ==
+        "sweep.collect.end: wants one of 'max', 'min', 'magnitude', 'last' and 'count'\n");
+  CHECK(errors(vary + "  collect: {}\n") == "sweep.collect: nothing is collected\n");
+}
+
+}  // namespace
+}  // namespace slipbench::driver::sweep
