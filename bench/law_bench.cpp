@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "law/batch/pack.hpp"
 #include "law/connection/connection_type.hpp"
 #include "law/friction/law_list.hpp"
 #include "law/update/return_mapping.hpp"
@@ -28,9 +29,10 @@ struct History {
 
 double time_at(int i) { return kEndTime * i / kIncrements; }
 
-void count_increments(benchmark::State& state) {
+void count_increments(benchmark::State& state, std::size_t lanes = 1) {
+  const double increments = static_cast<double>(state.iterations()) * kIncrements;
   state.counters["increment"] =
-      benchmark::Counter(static_cast<double>(state.iterations()) * kIncrements,
+      benchmark::Counter(increments * static_cast<double>(lanes),
                          benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
@@ -47,8 +49,8 @@ TableFunction table(const std::vector<std::vector<double>>& rows,
   return {built, std::move(independents)};
 }
 
-/// SLOT under u = sin(2 pi t), k = 1e4, mu = 0.2, F_N = 50 + 10.
-void slot_constants(benchmark::State& state) {
+/// SLOT, k = 1e4, mu = 0.2, F_int = 10.
+FrictionDefinition slot_with_constants() {
   const PredefinedFriction slot = Slot{10.0, 3}.predefined().front();
   FrictionDefinition definition;
   definition.slip = slot.slip;
@@ -56,7 +58,12 @@ void slot_constants(benchmark::State& state) {
   definition.internal_contact_force = slot.internal_contact_force;
   definition.law = ConstantCoefficient{0.2};
   definition.stick = {StickStiffness::Mode::kStiffness, 1e4};
+  return definition;
+}
 
+/// A SLOT under u = sin(2 pi t) and F_N = 50 + 10.
+void slot_constants(benchmark::State& state) {
+  const FrictionDefinition definition = slot_with_constants();
   std::vector<double> motion;
   for (int i = 0; i <= kIncrements; ++i) motion.push_back(std::sin(2.0 * pi * time_at(i)));
   ConnectorIncrement increment;
@@ -113,10 +120,8 @@ FrictionDefinition two_tables(SlipRateMeasure rate, AccumulatedSlipTiming timing
   return definition;
 }
 
-/// SLIDE-PLANE on a Lissajous path with varying normal force and temperature.
-void slide_plane_tables(benchmark::State& state, SlipRateMeasure rate, AccumulatedSlipTiming timing,
-                        bool known_end) {
-  const FrictionDefinition definition = two_tables(rate, timing);
+/// A Lissajous path with varying normal force and temperature.
+History lissajous() {
   History history;
   for (int i = 0; i <= kIncrements; ++i) {
     const double t = time_at(i);
@@ -125,6 +130,14 @@ void slide_plane_tables(benchmark::State& state, SlipRateMeasure rate, Accumulat
     history.force1.push_back(500.0 + 200.0 * std::sin(2.0 * pi * 0.31 * t));
     history.temperature.push_back(60.0 + 40.0 * std::sin(2.0 * pi * 0.05 * t));
   }
+  return history;
+}
+
+/// SLIDE-PLANE with two tables on that path.
+void slide_plane_tables(benchmark::State& state, SlipRateMeasure rate, AccumulatedSlipTiming timing,
+                        bool known_end) {
+  const FrictionDefinition definition = two_tables(rate, timing);
+  const History history = lissajous();
   ConnectorIncrement increment;
   increment.duration = kEndTime / kIncrements;
   for (auto _ : state) {
@@ -162,6 +175,77 @@ BENCHMARK_CAPTURE(slide_plane_tables, known, SlipRateMeasure::kRelativeMotion,
 BENCHMARK_CAPTURE(slide_plane_tables, implicit, SlipRateMeasure::kSlip, AccumulatedSlipTiming::kEnd,
                   false)
     ->Name("SLIDE-PLANE, two tables, slip rate and slip at end, implicit")
+    ->Unit(benchmark::kMillisecond);
+
+/// A pack of definitions, the first of which ends in a known state. The column `increment` is the
+/// time of one increment of one lane.
+void pack_of(benchmark::State& state, const std::vector<FrictionDefinition>& definitions,
+             const std::vector<ConnectorIncrement>& increments, const FrictionState& end) {
+  for (auto _ : state) {
+    Pack pack(definitions);
+    pack.advance(increments);
+    const FrictionState now = pack.state(0);
+    if (!near(now.force[0], end.force[0], 1e-9) ||
+        (end.force[1] != 0.0 && !near(now.force[1], end.force[1], 1e-9)) ||
+        !near(now.accumulated_slip, end.accumulated_slip, 1e-9)) {
+      state.SkipWithError("wrong end state");
+      break;
+    }
+  }
+  count_increments(state, definitions.size());
+}
+
+/// SLOT with four numbers that differ from lane to lane.
+void slot_pack(benchmark::State& state) {
+  std::vector<FrictionDefinition> definitions(kLanes, slot_with_constants());
+  for (std::size_t lane = 1; lane < kLanes; ++lane) {
+    const double factor = 0.8 + 0.4 * static_cast<double>(lane) / kLanes;
+    definitions[lane].law = ConstantCoefficient{0.2 * factor};
+    definitions[lane].internal_contact_force = 10.0 / factor;
+    definitions[lane].stick.value *= factor * factor;
+    definitions[lane].force_limit = 14.0 / factor;
+  }
+  std::vector<ConnectorIncrement> increments(kIncrements);
+  for (int i = 1; i <= kIncrements; ++i) {
+    ConnectorIncrement& increment = increments[static_cast<std::size_t>(i) - 1];
+    increment.duration = kEndTime / kIncrements;
+    increment.force[1] = 50.0;
+    increment.begin_position[0] = std::sin(2.0 * pi * time_at(i - 1));
+    increment.end.position[0] = std::sin(2.0 * pi * time_at(i));
+  }
+  pack_of(state, definitions, increments, {.force = {12.0}, .accumulated_slip = 399.5188});
+}
+BENCHMARK(slot_pack)->Name("SLOT, constants, a pack of lanes")->Unit(benchmark::kMillisecond);
+
+/// SLIDE-PLANE with a table of F_int and a stiffness for each lane, and one of the coefficient.
+void slide_plane_pack(benchmark::State& state) {
+  std::vector<FrictionDefinition> definitions(
+      kLanes, two_tables(SlipRateMeasure::kRelativeMotion, AccumulatedSlipTiming::kStart));
+  for (std::size_t lane = 1; lane < kLanes; ++lane) {
+    const double factor = 0.8 + 0.4 * static_cast<double>(lane) / kLanes;
+    Table& wear = std::get<TableFunction>(definitions[lane].internal_contact_force).table();
+    for (std::size_t row = 0; row < wear.rows(); ++row) {
+      wear.set_ordinate(row, 0, wear.ordinate(row) * factor);
+    }
+    definitions[lane].stick.value *= factor;
+  }
+  const History history = lissajous();
+  std::vector<ConnectorIncrement> increments(kIncrements);
+  for (std::size_t i = 1; i <= kIncrements; ++i) {
+    ConnectorIncrement& increment = increments[i - 1];
+    increment.duration = kEndTime / kIncrements;
+    increment.begin_position[1] = history.motion2[i - 1];
+    increment.begin_position[2] = history.motion3[i - 1];
+    increment.end.position[1] = history.motion2[i];
+    increment.end.position[2] = history.motion3[i];
+    increment.end.temperature = history.temperature[i];
+    increment.force[0] = history.force1[i];
+  }
+  pack_of(state, definitions, increments,
+          {.force = {84.1177303524, 55.9984338346}, .accumulated_slip = 504.118416295});
+}
+BENCHMARK(slide_plane_pack)
+    ->Name("SLIDE-PLANE, two tables, a pack of lanes")
     ->Unit(benchmark::kMillisecond);
 
 /// All components swing; the end must lie within the limit, and most increments slip.

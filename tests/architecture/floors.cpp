@@ -25,6 +25,7 @@ constexpr std::array<Room, 38> kFloors{
     Room{"law/component",            "law"},               // elasticity and damping beside friction
     Room{"law/connection",           "law"},               // the connection types, a header each, and their list
     Room{"law/update",               "law"},               // the update over an increment, and its tangent
+    Room{"law/batch",                "law"},               // the update of many definitions at once
     Room{"law/exact",                "law"},               // the same, integrated within the increment
     Room{"law/sensitivity",          "law"},               // its derivatives by the numbers of a definition
 

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "law/batch/pack.hpp"
 #include "law/connection/connection_type.hpp"
 #include "law/definition/potential_terms.hpp"
 #include "law/exact/continuous_update.hpp"
@@ -132,6 +133,43 @@ TEST_CASE("no update, force or tangent allocates, whatever the definition") {
     }
   }
   CHECK(updates > 5000);
+}
+
+TEST_CASE("no pack of definitions allocates, on the common path or beside it") {
+  std::vector<FrictionDefinition> definitions;
+  for (const FrictionLaw& law : laws()) {
+    FrictionDefinition definition;
+    definition.law = law;
+    definition.internal_contact_force = 50.0;
+    definitions.push_back(definition);
+    definition.slip_rate = SlipRateMeasure::kRelativeMotion;
+    definition.accumulated_slip = AccumulatedSlipTiming::kStart;
+    definition.internal_contact_force =
+        make_function({{80, 0}, {40, 0.3}, {60, 0.8}}, {kOverAccumulatedSlip});
+    definitions.push_back(definition);
+  }
+  const std::vector<double> fields = {0.0, 0.5};
+  std::vector<ConnectorIncrement> increments(20);
+  for (std::size_t i = 0; i < increments.size(); ++i) {
+    increments[i].duration = 0.1;
+    increments[i].end.position[0] = i % 2 == 0 ? 0.1 : 0.0;
+    increments[i].begin_position[0] = i % 2 == 0 ? 0.0 : 0.1;
+    increments[i].end.fields = fields;
+  }
+  std::size_t common = 0;
+  double slip = 0.0;
+  const std::size_t count = count_allocations([&] {
+    Pack pack(definitions);
+    pack.advance(increments);
+    for (std::size_t lane = 0; lane < definitions.size(); ++lane) {
+      common += pack.is_common(lane) ? 1 : 0;
+      slip += pack.state(lane).accumulated_slip;
+    }
+  });
+  CHECK(count == 0);
+  CHECK(common > 3);
+  CHECK(common < definitions.size());
+  CHECK(slip > 1.0);
 }
 
 TEST_CASE("no belt, potential or exactly integrated increment allocates") {

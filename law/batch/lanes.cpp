@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "law/batch/lanes.hpp"
+
+#include <cmath>
+
+#include "law/definition/friction_state.hpp"
+#include "law/definition/limit_function.hpp"
+
+namespace slipbench::law {
+namespace {
+
+constexpr double kOpen = static_cast<double>(Regime::kOpen);
+constexpr double kStick = static_cast<double>(Regime::kStick);
+constexpr double kSlip = static_cast<double>(Regime::kSlip);
+
+/// Does the arithmetic of RadialReturn for a limit that does not change with the slip of the
+/// increment, operation by operation; docs/theory, section 11.11. Everything is computed for every
+/// lane, and chosen from: so the loop becomes instructions over several lanes.
+template <int D, bool kFixed, bool kWears>
+[[gnu::always_inline]] inline bool step(Lanes& l, const LaneMotion& motion) noexcept {
+  std::int64_t passed = 0;
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    // The limit.
+    double internal = l.segment_low[i];
+    if constexpr (kWears) {
+      internal +=
+          (l.accumulated_slip[i] - l.segment_begin[i]) / l.segment_width[i] * l.segment_rise[i];
+      internal = internal < 0.0 ? 0.0 : internal;
+    }
+    const double held = l.mu[i] * std::abs(l.contact[i] + internal);
+    const double limit = held >= l.force_limit[i] ? l.force_limit[i] : held;
+
+    // The predictor.
+    const double stick = l.stick[i];
+    const double ds0 = l.scale[0][i] * motion[0];
+    const double trial0 = kFixed ? l.force[0][i] + stick * ds0 : l.elastic_slip[0][i] + ds0;
+    double trial1 = 0.0;
+    if constexpr (D == 2) {
+      const double ds1 = l.scale[1][i] * motion[1];
+      trial1 = kFixed ? l.force[1][i] + stick * ds1 : l.elastic_slip[1][i] + ds1;
+    }
+    const double reach = D == 1 ? std::abs(trial0) : std::sqrt(trial0 * trial0 + trial1 * trial1);
+
+    // Admissibility and return.
+    const bool grips = limit > 0.0;
+    const bool outside = reach > (kFixed ? limit : stick) * kLimitSlack;
+    const double returned = kFixed ? (reach - limit) / stick : reach - stick;
+    const double slip = grips ? (outside ? returned : 0.0) : 0.0;
+    const double hold = kFixed ? 1.0 : limit / stick;
+    const auto finish = [&](double trial, double* force, double* elastic_slip) {
+      // In one dimension the quotient is exact, and no division is needed.
+      const double direction = D == 1 ? (trial < 0.0 ? -1.0 : 1.0) : trial / reach;
+      const double stuck = kFixed ? trial : hold * trial;
+      const double y = grips ? (outside ? limit * direction : stuck) : 0.0;
+      *force = y;
+      if constexpr (!kFixed) {
+        *elastic_slip = grips ? (outside ? stick * direction : trial) : 0.0;
+      }
+      return y;
+    };
+    const double y0 = finish(trial0, &l.force[0][i], &l.elastic_slip[0][i]);
+    double size = std::abs(y0);
+    if constexpr (D == 2) {
+      const double y1 = finish(trial1, &l.force[1][i], &l.elastic_slip[1][i]);
+      size = y0 * y0 + y1 * y1;
+    }
+    const double accumulated = l.accumulated_slip[i] + slip;
+    l.accumulated_slip[i] = accumulated;
+    l.regime[i] = grips ? (outside ? kSlip : kStick) : kOpen;
+    if constexpr (kWears) passed |= accumulated >= l.segment_end[i] ? 1 : 0;
+
+    // Summary.
+    l.limit[i] = limit;
+    l.peak[i] = size > l.peak[i] ? size : l.peak[i];
+    l.dissipation[i] += limit * slip;
+    l.slipping[i] += grips ? (outside ? 1.0 : 0.0) : 0.0;
+    l.open[i] += grips ? 0.0 : 1.0;
+  }
+  return passed != 0;
+}
+
+template <int D, bool kFixed, bool kWears>
+bool portable_step(Lanes* lanes, LaneMotion motion) noexcept {
+  return step<D, kFixed, kWears>(*lanes, motion);
+}
+#if defined(__x86_64__)
+template <int D, bool kFixed, bool kWears>
+[[gnu::target("avx2")]] bool avx2_step(Lanes* lanes, LaneMotion motion) noexcept {
+  return step<D, kFixed, kWears>(*lanes, motion);
+}
+template <int D, bool kFixed, bool kWears>
+[[gnu::target("avx512f,avx512dq,avx512vl")]] bool avx512_step(Lanes* lanes,
+                                                              LaneMotion motion) noexcept {
+  return step<D, kFixed, kWears>(*lanes, motion);
+}
+#endif
+
+template <int D, bool kFixed, bool kWears>
+LaneStep step_for(InstructionSet set) noexcept {
+#if defined(__x86_64__)
+  if (set == InstructionSet::kAvx512) return avx512_step<D, kFixed, kWears>;
+  if (set == InstructionSet::kAvx2) return avx2_step<D, kFixed, kWears>;
+#endif
+  static_cast<void>(set);
+  return portable_step<D, kFixed, kWears>;
+}
+
+template <int D, bool kFixed>
+LaneStep step_for(bool wears, InstructionSet set) noexcept {
+  return wears ? step_for<D, kFixed, true>(set) : step_for<D, kFixed, false>(set);
+}
+
+template <int D>
+LaneStep step_for(bool fixed, bool wears, InstructionSet set) noexcept {
+  return fixed ? step_for<D, true>(wears, set) : step_for<D, false>(wears, set);
+}
+
+}  // namespace
+
+bool is_available(InstructionSet set) noexcept {
+  switch (set) {
+    case InstructionSet::kPortable:
+      return true;
+#if defined(__x86_64__)
+    case InstructionSet::kAvx2:
+      return __builtin_cpu_supports("avx2") != 0;
+    case InstructionSet::kAvx512:
+      return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
+             __builtin_cpu_supports("avx512vl") != 0;
+#endif
+    default:
+      return false;
+  }
+}
+
+InstructionSet widest_instructions() noexcept {
+  static const InstructionSet widest =
+      is_available(InstructionSet::kAvx512) ? InstructionSet::kAvx512
+      : is_available(InstructionSet::kAvx2) ? InstructionSet::kAvx2
+                                            : InstructionSet::kPortable;
+  return widest;
+}
+
+LaneStep lane_step(int dimension, bool fixed, bool wears, InstructionSet set) noexcept {
+  return dimension == 1 ? step_for<1>(fixed, wears, set) : step_for<2>(fixed, wears, set);
+}
+
+}  // namespace slipbench::law

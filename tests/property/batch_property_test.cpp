@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <bit>
+#include <catch2/catch.hpp>
+#include <cstdint>
+#include <set>
+#include <span>
+#include <tuple>
+#include <vector>
+
+#include "law/batch/pack.hpp"
+#include "law/update/return_mapping.hpp"
+#include "tests/support/random_definition.hpp"
+#include "tests/support/random_history.hpp"
+
+namespace {
+
+using namespace slipbench::law;
+using namespace slipbench::test;
+
+std::vector<InstructionSet> available_instructions() {
+  std::vector<InstructionSet> all;
+  for (const InstructionSet set :
+       {InstructionSet::kPortable, InstructionSet::kAvx2, InstructionSet::kAvx512}) {
+    if (is_available(set)) all.push_back(set);
+  }
+  return all;
+}
+
+/// All numbers of a lane at its end, by their bits.
+using Bits = std::vector<std::uint64_t>;
+
+Bits bits(const FrictionState& state, const LaneSummary& summary) {
+  Bits all;
+  for (std::size_t k = 0; k < kComponents; ++k) {
+    all.push_back(std::bit_cast<std::uint64_t>(state.force[k]));
+    all.push_back(std::bit_cast<std::uint64_t>(state.elastic_slip[k]));
+  }
+  for (const double x :
+       {state.accumulated_slip, summary.peak_force, summary.dissipation, summary.limit}) {
+    all.push_back(std::bit_cast<std::uint64_t>(x));
+  }
+  all.push_back(static_cast<std::uint64_t>(state.regime));
+  for (const std::int64_t count : {summary.slipping, summary.open, summary.doubtful}) {
+    all.push_back(static_cast<std::uint64_t>(count));
+  }
+  return all;
+}
+
+/// Returns those of a definition that is updated by itself.
+Bits alone(const FrictionDefinition& definition, std::span<const ConnectorIncrement> increments,
+           FrictionState state) {
+  LaneSummary sum;
+  for (const ConnectorIncrement& increment : increments) {
+    const FrictionUpdate u = update(definition, increment, state);
+    state = u.state;
+    sum.peak_force = std::max(sum.peak_force, equivalent_force(definition, state));
+    sum.dissipation += u.dissipation;
+    sum.limit = u.limit;
+    if (state.regime == Regime::kSlip) ++sum.slipping;
+    if (state.regime == Regime::kOpen) ++sum.open;
+    if (u.multiple_roots || u.jumps > 0 || !u.converged) ++sum.doubtful;
+  }
+  return bits(state, sum);
+}
+
+/// Replaces what keeps a definition off the common path.
+DefinitionDescription with_form(Dice* dice, DefinitionDescription d) {
+  if (d.slip.dimension > 2) d.slip.dimension = 2;
+  d.potential.reset();
+  if (dice->chance(0.5)) d.slip_rate = SlipRateMeasure::kRelativeMotion;
+  if (d.slip_rate == SlipRateMeasure::kSlip ||
+      !(std::holds_alternative<ConstantCoefficient>(d.law) ||
+        std::holds_alternative<ExponentialDecay>(d.law))) {
+    d.law = ConstantCoefficient{dice->chance(0.05) ? 0.0 : dice->between(0.05, 0.9)};
+    if (d.slip_rate == SlipRateMeasure::kRelativeMotion) {
+      d.law = random_table(dice, some_of(dice, {kOverSlipRate, kOverTemperature}), 1, 0.05, 0.6);
+    }
+  }
+  d.accumulated_slip = AccumulatedSlipTiming::kStart;
+  d.internal_contact_force = dice->between(0.0, 80.0);
+  if (dice->chance(0.5)) {
+    d.internal_contact_force = random_table(dice, {kOverAccumulatedSlip}, 1, 0.0, 120.0);
+  }
+  return d;
+}
+
+/// Changes the numbers of a definition; `same_law` keeps those of the coefficient.
+DefinitionDescription varied(Dice* dice, DefinitionDescription d, bool same_law) {
+  d.stick.value *= dice->between(0.5, 2.0);
+  if (dice->chance(0.5)) d.force_limit = dice->between(1.0, 60.0);
+  if (auto* number = std::get_if<double>(&d.internal_contact_force)) {
+    *number *= dice->between(0.0, 2.0);
+  } else {
+    for (auto& row : std::get<TableRows>(d.internal_contact_force).rows) {
+      row[0] *= dice->between(0.8, 1.2);
+    }
+  }
+  if (same_law) return d;
+  for (int k = 0; k < d.slip.dimension; ++k) {
+    d.slip.scale[static_cast<std::size_t>(k)] *= dice->between(0.5, 2.0);
+  }
+  if (auto* constant = std::get_if<ConstantCoefficient>(&d.law)) {
+    constant->mu *= dice->between(0.5, 2.0);
+  } else if (auto* decay = std::get_if<ExponentialDecay>(&d.law)) {
+    decay->decay *= dice->between(0.5, 2.0);
+  } else if (auto* table = std::get_if<TableRows>(&d.law)) {
+    for (auto& row : table->rows) row[0] *= dice->between(0.8, 1.2);
+  }
+  return d;
+}
+
+struct Histories {
+  std::vector<HistoryRow> rows;  ///< owns the fields
+  std::vector<ConnectorIncrement> increments;
+};
+
+Histories histories(Dice* dice) {
+  Histories h{random_history(dice, 2 + dice->pick(60)), {}};
+  for (const HistoryRow& row : h.rows) h.increments.push_back(row.increment());
+  return h;
+}
+
+/// Compares packs over all the definitions, and over the increments in two parts, with update().
+/// \return how many lanes went the common path
+int compare(const std::vector<FrictionDefinition>& definitions, const Histories& history,
+            const std::vector<FrictionState>& begin, std::size_t part) {
+  std::vector<Bits> expected;
+  for (std::size_t lane = 0; lane < definitions.size(); ++lane) {
+    expected.push_back(alone(definitions[lane], history.increments,
+                             begin.empty() ? FrictionState{} : begin[lane]));
+  }
+  int common = 0;
+  const std::span all(definitions);
+  const std::span increments(history.increments);
+  for (const InstructionSet set : available_instructions()) {
+    INFO("instructions " << static_cast<int>(set));
+    common = 0;
+    for (std::size_t from = 0; from < all.size(); from += kLanes) {
+      const std::size_t count = std::min(kLanes, all.size() - from);
+      Pack pack(all.subspan(from, count), begin.empty() ? std::span<const FrictionState>{}
+                                                        : std::span(begin).subspan(from, count));
+      pack.advance(increments.first(part), set);
+      pack.advance(increments.subspan(part), set);
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        INFO("lane " << from + lane);
+        REQUIRE(bits(pack.state(lane), pack.summary(lane)) == expected[from + lane]);
+        common += pack.is_common(lane) ? 1 : 0;
+      }
+    }
+  }
+  return common;
+}
+
+TEST_CASE("lanes of one form go the common path and end in the bits of update()") {
+  // What was drawn: entries, constant kappa, wear, one law or several.
+  std::set<std::tuple<int, bool, bool, bool>> drawn;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    INFO("seed " << seed);
+    Dice dice(20261123 + seed);
+    const int kind = dice.pick(kDefinitionKinds);
+    const DefinitionDescription base = with_form(&dice, random_definition(&dice, kind));
+    const bool same_law = dice.chance(0.5);
+    std::vector<FrictionDefinition> definitions;
+    const int lanes = 1 + dice.pick(130);
+    for (int lane = 0; lane < lanes; ++lane) {
+      definitions.push_back(varied(&dice, base, same_law).build());
+    }
+    const Histories history = histories(&dice);
+    const auto part = static_cast<std::size_t>(dice.pick(static_cast<int>(history.rows.size())));
+    REQUIRE(compare(definitions, history, {}, part) == lanes);
+    drawn.insert({base.slip.dimension, base.stick.mode == StickStiffness::Mode::kStiffness,
+                  base.wears(), same_law});
+  }
+  CHECK(drawn.size() == 16);
+}
+
+TEST_CASE("lanes of any form end in the bits of update(), begun in any state") {
+  int common = 0;
+  int lanes = 0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    INFO("seed " << seed);
+    Dice dice(seed);
+    const int kind = dice.pick(kDefinitionKinds);
+    std::vector<FrictionDefinition> definitions;
+    const int count = 1 + dice.pick(40);
+    for (int lane = 0; lane < count; ++lane) {
+      DefinitionDescription d = random_definition(&dice, kind);
+      if (dice.chance(0.4)) d = with_form(&dice, d);
+      definitions.push_back(d.build());
+    }
+    // A state they have come to under another history.
+    const Histories before = histories(&dice);
+    std::vector<FrictionState> begin;
+    for (const FrictionDefinition& definition : definitions) {
+      begin.push_back(run_history(definition, before.rows).back().state);
+    }
+    const Histories history = histories(&dice);
+    common += compare(definitions, history, begin, 1);
+    lanes += count;
+  }
+  CHECK(common > lanes / 10);
+  CHECK(common < lanes * 9 / 10);
+}
+
+TEST_CASE("what the limit sees of the slip keeps a definition off the common path") {
+  FrictionDefinition definition;
+  definition.law = ConstantCoefficient{0.2};
+  const auto form = batch_form(definition);
+  REQUIRE(form);
+  CHECK(*form == BatchForm{.fixed = false, .dimension = 1, .component = {0, 0}});
+
+  definition.law = ExponentialDecay{0.3, 0.2, 0.05};
+  CHECK_FALSE(batch_form(definition));
+  definition.slip_rate = SlipRateMeasure::kRelativeMotion;
+  CHECK(batch_form(definition));
+
+  definition.internal_contact_force =
+      make_function({{80.0, 0.0}, {40.0, 2.0}}, {kOverAccumulatedSlip});
+  CHECK_FALSE(batch_form(definition));
+  definition.accumulated_slip = AccumulatedSlipTiming::kStart;
+  CHECK(batch_form(definition));
+
+  definition.slip = slip_space({1, 2, 3});
+  CHECK_FALSE(batch_form(definition));
+  definition.slip = slip_space({1, 2});
+  definition.formulation = Formulation{.penalty = StiffnessPenalty{1e4}};
+  CHECK_FALSE(batch_form(definition));
+}
+
+}  // namespace
