@@ -11,6 +11,7 @@
 #include "driver/base/text/in_quotes.hpp"
 #include "driver/base/text/suggestions.hpp"
 #include "driver/read/file_kind.hpp"
+#include "driver/read/keys/case_units.hpp"
 #include "driver/read/resolve/resolve_expression.hpp"
 #include "driver/results/columns.hpp"
 #include "driver/sweep/samples.hpp"
@@ -53,6 +54,7 @@ class SweepReader {
         binder_(out.diagnostics, no_parameters_, {}, folder_, options.allow_outside, kSweepWords) {}
 
   void read() {
+    binder_.set_units(units_of_case());
     SweepText text;
     const bool bound = yaml::read_struct(binder_, root_, yaml::Path(), text);
     const SweepKeysText& keys = text.sweep.value;
@@ -81,6 +83,16 @@ class SweepReader {
   }
 
  private:
+  /// The system of units that the case states, for numbers with a unit.
+  [[nodiscard]] base::UnitSystem units_of_case() const {
+    const auto keys = root_.find("sweep");
+    const auto file = keys && keys->is_map() ? keys->find("case") : std::nullopt;
+    if (!file || !file->is_scalar()) return {};
+    const auto source = base::read_source((folder_ / fs::path(file->text())).string());
+    const auto tree = source ? yaml::parse_yaml(*source) : tl::unexpected(base::Diagnostics());
+    return tree ? read::units_of(tree->root()) : base::UnitSystem{};
+  }
+
   std::optional<read::ParsedCase> parse_case(const yaml::At<std::string>& text) {
     const auto file = binder_.data_file(*text.node, text.path, text.value);
     if (!file) return std::nullopt;

@@ -138,6 +138,16 @@ TEST_CASE("What is the same in every sample has no spread and no correlation") {
   CHECK(summary.text() == "  place: 0.1 in every sample\n");
 }
 
+TEST_CASE("Numbers may carry units, which are converted to the case's") {
+  const Written written(
+      "  sampler: grid\n  vary: {k: {grid: [100 N/mm, 0.5 kN/mm]}}\n  collect: {end: {last: "
+      "CSF1}}\n");
+  const ReadSweep read = written.read();
+  INFO(written.errors());
+  REQUIRE(read.value.has_value());
+  CHECK(read.value->varied[0].distribution.numbers == std::vector<double>{100.0, 500.0});
+}
+
 TEST_CASE("Faults of a sweep file are told where they are") {
   const auto errors = [](const std::string& keys) { return Written(keys).errors(); };
   const std::string collect = "  samples: 10\n  collect: {end: {last: CSF1}}\n";
