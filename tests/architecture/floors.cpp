@@ -16,7 +16,7 @@ namespace {
 // law is one, and so are rooms of one folder but for those that know nothing of the rest; `case` is
 // no name in C++.
 // clang-format off
-constexpr std::array<Room, 38> kFloors{
+constexpr std::array kFloors{
     Room{"law/base",                 "law"},               // names, components, conventions, small numerics
     Room{"law/table",                "law"},               // tables over up to several arguments
     Room{"law/friction",             "law"},               // the friction laws, a header each, and their list

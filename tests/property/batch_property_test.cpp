@@ -163,6 +163,7 @@ TEST_CASE("lanes of one form go the common path and end in the bits of update()"
     const bool same_law = dice.chance(0.5);
     std::vector<FrictionDefinition> definitions;
     const int lanes = 1 + dice.pick(130);
+    definitions.reserve(static_cast<std::size_t>(lanes));
     for (int lane = 0; lane < lanes; ++lane) {
       definitions.push_back(varied(&dice, base, same_law).build());
     }
@@ -184,6 +185,7 @@ TEST_CASE("lanes of any form end in the bits of update(), begun in any state") {
     const int kind = dice.pick(kDefinitionKinds);
     std::vector<FrictionDefinition> definitions;
     const int count = 1 + dice.pick(40);
+    definitions.reserve(static_cast<std::size_t>(count));
     for (int lane = 0; lane < count; ++lane) {
       DefinitionDescription d = random_definition(&dice, kind);
       if (dice.chance(0.4)) d = with_form(&dice, d);
@@ -192,6 +194,7 @@ TEST_CASE("lanes of any form end in the bits of update(), begun in any state") {
     // A state they have come to under another history.
     const Histories before = histories(&dice);
     std::vector<FrictionState> begin;
+    begin.reserve(definitions.size());
     for (const FrictionDefinition& definition : definitions) {
       begin.push_back(run_history(definition, before.rows).back().state);
     }
