@@ -44,7 +44,16 @@ class LimitFunction {
         motion_rate_(definition.slip_rate == SlipRateMeasure::kRelativeMotion
                          ? motion * inverse_duration_
                          : 0.0),
-        slip_in_wear_(definition.accumulated_slip == AccumulatedSlipTiming::kEnd ? 1.0 : 0.0) {}
+        slip_in_wear_(definition.accumulated_slip == AccumulatedSlipTiming::kEnd ? 1.0 : 0.0) {
+    // Where the slip is found by a search, a coefficient that does not see it is asked for once.
+    if (slip_in_wear_ > 0.0 && depends_on_accumulated_slip(definition.internal_contact_force) &&
+        !depends_on_contact_force(definition.law)) {
+      sees_rate_ = depends_on_slip_rate(definition.law);
+      is_steady_ = !sees_rate_ || slip_in_rate_ == 0.0;
+      if (is_steady_)
+        steady_ = evaluate(definition.law, increment.end, {.slip_rate = motion_rate_});
+    }
+  }
 
   Limit operator()(double slip) const noexcept { return at(slip, rate(slip)); }
 
@@ -71,9 +80,7 @@ class LimitFunction {
     limit.normal_force = std::abs(limit.contact_force);
     limit.slip_rate = rate;
     limit.wear = internal.to_accumulated_slip;
-    const CoefficientPoint c =
-        blended(blend, evaluate(definition_.law, increment_.end,
-                                {.slip_rate = rate, .contact_force = limit.normal_force}));
+    const CoefficientPoint c = blended(blend, coefficient(rate, limit.normal_force));
     limit.mu = c.mu;
     limit.force = c.mu * limit.normal_force;
     if (limit.force >= definition_.force_limit) {
@@ -144,6 +151,13 @@ class LimitFunction {
   }
 
  private:
+  /// The coefficient of the law at a rate and F_N.
+  CoefficientPoint coefficient(double rate, double normal_force) const noexcept {
+    if (is_steady_ && (rate == motion_rate_ || !sees_rate_)) return steady_;
+    return evaluate(definition_.law, increment_.end,
+                    {.slip_rate = rate, .contact_force = normal_force});
+  }
+
   /// F_N of an increment whose slip does not change it.
   double contact_force_at_rest() const noexcept {
     return std::abs(
@@ -168,6 +182,9 @@ class LimitFunction {
   double slip_in_rate_;
   double motion_rate_;
   double slip_in_wear_;
+  bool is_steady_ = false;  ///< whether the coefficient is the same for all slips, and known
+  bool sees_rate_ = false;  ///< whether it then is of `motion_rate_` only
+  CoefficientPoint steady_;
 };
 
 }  // namespace slipbench::law

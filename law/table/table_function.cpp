@@ -26,27 +26,6 @@ void set_slope(IndependentKind kind, double slope, SlipArguments* slopes) noexce
 
 }  // namespace
 
-double argument(const Independent& independent, const Ambient& ambient,
-                const SlipArguments& slip) noexcept {
-  switch (independent.kind) {
-    case IndependentKind::kSlipRate:
-      return slip.slip_rate;
-    case IndependentKind::kContactForce:
-      return slip.contact_force;
-    case IndependentKind::kAccumulatedSlip:
-      return slip.accumulated_slip;
-    case IndependentKind::kTemperature:
-      return ambient.temperature;
-    case IndependentKind::kField:
-      return ambient.fields[static_cast<std::size_t>(independent.index)];
-    case IndependentKind::kPosition:
-      return ambient.position[independent.index];
-    case IndependentKind::kConstitutiveMotion:
-      break;
-  }
-  return ambient.motion[independent.index];
-}
-
 TableFunction::TableFunction(Table table, std::vector<Independent> independents)
     : table_(std::move(table)), independents_(std::move(independents)) {
   for (const Independent& independent : independents_) {

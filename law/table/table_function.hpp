@@ -43,8 +43,26 @@ struct SlipArguments {
 };
 
 /// Returns what an independent is at a place and a slip, in its own unit.
-double argument(const Independent& independent, const Ambient& ambient,
-                const SlipArguments& slip) noexcept;
+inline double argument(const Independent& independent, const Ambient& ambient,
+                       const SlipArguments& slip) noexcept {
+  switch (independent.kind) {
+    case IndependentKind::kSlipRate:
+      return slip.slip_rate;
+    case IndependentKind::kContactForce:
+      return slip.contact_force;
+    case IndependentKind::kAccumulatedSlip:
+      return slip.accumulated_slip;
+    case IndependentKind::kTemperature:
+      return ambient.temperature;
+    case IndependentKind::kField:
+      return ambient.fields[static_cast<std::size_t>(independent.index)];
+    case IndependentKind::kPosition:
+      return ambient.position[independent.index];
+    case IndependentKind::kConstitutiveMotion:
+      break;
+  }
+  return ambient.motion[independent.index];
+}
 
 /// A table whose independents are connector quantities.
 class TableFunction {

@@ -24,7 +24,7 @@ double split_work(double y0, double trial, double y1, double ds, double z, doubl
 }
 
 /// The return of a belt: the predictor's sign picks the side of the band.
-struct BeltReturn : RadialReturn<BeltReturn, 1, CapstanLimit, true> {
+struct BeltReturn : RadialReturn<BeltReturn, 1, CapstanLimit, Wanted::kAll> {
   using RadialReturn::RadialReturn;
 
   static CapstanLimit limit_of(const Begin& b) noexcept {

@@ -7,12 +7,12 @@
 namespace slipbench::law {
 
 /// Return to |y| <= F_lim along the trial force: what the Euclidean norm and the belt have in
-/// common. `LimitOf` is LimitFunction or CapstanLimit; `Own` adds
+/// common. `LimitOf` is LimitFunction, KnownLimit or CapstanLimit; `Own` adds
 ///   take_work(end, &result)    work, onset
-template <class Own, int D, class LimitOf, bool kWantsAll>
-struct RadialReturn : ReturnSteps<Slip<D>, LimitOf, kWantsAll> {
-  using Base = ReturnSteps<Slip<D>, LimitOf, kWantsAll>;
-  using Base::Base, Base::begin, Base::limit, Base::rest, Base::kAll;
+template <class Own, int D, class LimitOf, Wanted kWants>
+struct RadialReturn : ReturnSteps<Slip<D>, LimitOf, kWants> {
+  using Base = ReturnSteps<Slip<D>, LimitOf, kWants>;
+  using Base::Base, Base::begin, Base::limit, Base::rest, Base::kWanted;
   using typename Base::Begin, typename Base::End, typename Base::Vector;
 
   End end(FrictionUpdate* result) noexcept {
@@ -34,7 +34,7 @@ struct RadialReturn : ReturnSteps<Slip<D>, LimitOf, kWantsAll> {
         l = limit(end.slip);
       }
     }
-    if (kAll && begin.fixed) {
+    if (kWanted != Wanted::kForce && begin.fixed) {
       result->multiple_roots =
           -limit.slope(rest) > stick || (implicit && has_later_root(limit, reach, stick, end.slip));
     }

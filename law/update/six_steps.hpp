@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <type_traits>
 
 #include "law/base/slip_vector.hpp"
@@ -25,6 +26,13 @@ inline SlipVector over(const SlipVector& a, double divisor) noexcept {
 }
 inline double norm(const SlipVector& a) noexcept { return std::sqrt(dot(a, a)); }
 inline void store(const SlipVector& a, SlipVector* to) noexcept { *to = a; }
+
+/// Parts of a FrictionUpdate that are wanted; the others stay as they are.
+enum class Wanted : std::uint8_t {
+  kForce,  ///< state and tangent
+  kRow,    ///< all but tangent and direction of the motion
+  kAll
+};
 
 /// Begin of an increment in the slip space, with the predictor: all motion elastic. `Vector` is a
 /// Slip<D>, or the SlipVector of potentials. References are kept, here and below.
@@ -77,13 +85,12 @@ struct IncrementEnd {
 ///   end(&result)                   step 4: stick, or slip to the limit;
 ///   take_energies(end, &result)    of step 5: dissipation, stored energy, work, onset, phi;
 ///   tangent(end)                   step 6: dy/ds of an end that is not open.
-/// \tparam kWantsAll whether what only tells of the increment is wanted, too
-template <class VectorOf, class LimitOf, bool kWantsAll = true>
+template <class VectorOf, class LimitOf, Wanted kWants = Wanted::kAll>
 struct ReturnSteps {
   using Vector = VectorOf;
   using Begin = IncrementBegin<Vector>;
   using End = IncrementEnd<Vector>;
-  static constexpr bool kAll = kWantsAll;
+  static constexpr Wanted kWanted = kWants;
 
   ReturnSteps(const Begin& b, const LimitOf& l) noexcept : ReturnSteps(b, l, l(0.0)) {}
   ReturnSteps(const Begin& b, const LimitOf& l, const Limit& at_rest) noexcept
@@ -119,6 +126,45 @@ inline void report(const Limit& limit, FrictionUpdate* result) noexcept {
   result->wear = limit.wear;
 }
 
+/// Steps 3 to 6 of an increment that `steps` has begun.
+/// \param[in,out] result as a FrictionUpdate is by default
+template <class Steps>
+[[gnu::always_inline]] inline void take_steps(Steps& steps, FrictionUpdate* result) noexcept {
+  const auto& begin = steps.begin;
+  result->state.accumulated_slip = begin.old.accumulated_slip;
+
+  // 3. Nothing to hold on to: start again from a stress-free state (docs/theory, section 11.5).
+  if (!steps.grips()) {
+    report(steps.open_limit(), result);
+    result->state.regime = Regime::kOpen;
+    if (Steps::kWanted != Wanted::kForce && steps.is_spring()) {
+      result->work = 0.5 * dot(begin.force, begin.ds);
+    }
+    return;
+  }
+
+  // 4. Admissibility and return mapping.
+  const auto end = steps.end(result);
+
+  // 5. The new state, bookkeeping and energies (docs/theory, section 13).
+  report(end.limit, result);
+  store(end.force, &result->state.force);
+  store(end.elastic_slip, &result->state.elastic_slip);
+  store(end.direction, &result->direction);
+  result->state.regime = end.regime;
+  result->state.accumulated_slip += end.slip;
+  result->slip_increment = end.slip;
+  if constexpr (Steps::kWanted == Wanted::kAll) {
+    if (begin.motion > 0.0) store(over(begin.ds, begin.motion), &result->motion_direction);
+  }
+  if constexpr (Steps::kWanted != Wanted::kForce) steps.take_energies(end, result);
+
+  // 6. Consistent tangent (docs/theory, section 12).
+  if constexpr (Steps::kWanted != Wanted::kRow) {
+    if (end.regime != Regime::kOpen) result->tangent = steps.tangent(end);
+  }
+}
+
 /// One increment of a definition by the ReturnSteps `Steps`; flattened, so that a return in parts
 /// costs what one in a piece does.
 /// \param more for its constructor
@@ -127,41 +173,12 @@ template <class Steps, class... More>
                                              const ConnectorIncrement& increment,
                                              const FrictionState& old, More... more) noexcept {
   FrictionUpdate result;
-  result.state.accumulated_slip = old.accumulated_slip;
-
   // 1. Motion and predictor in the scaled slip space.
   const typename Steps::Begin begin(definition, increment, old);
-
   // 2. The limit, over the slip and without it.
   const auto limit = Steps::limit_of(begin);
   Steps steps(begin, limit, more...);
-
-  // 3. Nothing to hold on to: start again from a stress-free state (docs/theory, section 11.5).
-  if (!steps.grips()) {
-    report(steps.open_limit(), &result);
-    result.state.regime = Regime::kOpen;
-    if (Steps::kAll && steps.is_spring()) result.work = 0.5 * dot(begin.force, begin.ds);
-    return result;
-  }
-
-  // 4. Admissibility and return mapping.
-  const auto end = steps.end(&result);
-
-  // 5. The new state, bookkeeping and energies (docs/theory, section 13).
-  report(end.limit, &result);
-  store(end.force, &result.state.force);
-  store(end.elastic_slip, &result.state.elastic_slip);
-  store(end.direction, &result.direction);
-  result.state.regime = end.regime;
-  result.state.accumulated_slip += end.slip;
-  result.slip_increment = end.slip;
-  if constexpr (Steps::kAll) {
-    if (begin.motion > 0.0) store(over(begin.ds, begin.motion), &result.motion_direction);
-    steps.take_energies(end, &result);
-  }
-
-  // 6. Consistent tangent (docs/theory, section 12).
-  if (end.regime != Regime::kOpen) result.tangent = steps.tangent(end);
+  take_steps(steps, &result);
   return result;
 }
 

@@ -12,7 +12,8 @@ namespace slipbench::law {
 /// The fraction of an increment [1] at which a force that rises from y0 along the straight line to
 /// the predictor `trial` meets the limit |y| = `limit`; 0 where it does not get inside before.
 template <int D>
-double limit_fraction(const Slip<D>& y0, const Slip<D>& trial, double limit) {
+[[gnu::always_inline]] inline double limit_fraction(const Slip<D>& y0, const Slip<D>& trial,
+                                                    double limit) {
   const Slip<D> rise = trial - y0;
   const double a = rise.squaredNorm();
   const double b = y0.dot(rise);
