@@ -10,6 +10,11 @@
 
 namespace slipbench::driver::bench {
 
+/// Returns the field variables of a row; refers to those of `quantities`.
+inline std::span<const double> fields_of(const Quantities& quantities) {
+  return std::span(quantities).subspan(cases::kFirstField, law::kMaxFields);
+}
+
 /// Returns where the connector is at the end of a row; refers to the fields of `quantities`.
 inline law::Ambient ambient_of(const Quantities& quantities,
                                const law::RelativePosition& reference) {
@@ -18,7 +23,7 @@ inline law::Ambient ambient_of(const Quantities& quantities,
               ambient.position.values.begin());
   ambient.motion = law::constitutive_motion(ambient.position, reference);
   ambient.temperature = quantities[cases::kTemperatureQuantity];
-  ambient.fields = std::span(quantities).subspan(cases::kFirstField, law::kMaxFields);
+  ambient.fields = fields_of(quantities);
   return ambient;
 }
 

@@ -35,7 +35,24 @@ tl::expected<std::vector<Simulation>, SimulationFailure> follow_cases(
 
 tl::expected<std::vector<MotionJump>, SimulationFailure> run_case(
     const cases::Case& problem, const std::function<void(const Row&)>& take) {
-  return follow_case(problem, [&](const Simulation& simulation) { take(simulation.row()); });
+  return run_in_blocks(problem, [&](std::span<const Row> rows) {
+    for (const Row& row : rows) take(row);
+  });
+}
+
+tl::expected<std::vector<MotionJump>, SimulationFailure> run_in_blocks(
+    const cases::Case& problem, const std::function<void(std::span<const Row>)>& take) {
+  auto run = Simulation::start(problem);
+  if (!run) return tl::unexpected(std::move(run.error()));
+  take({&run->row(), 1});
+  while (true) {
+    const auto rows = run->advance_rows();
+    if (!rows) return tl::unexpected(rows.error());
+    if (rows->empty()) break;
+    take(*rows);
+  }
+  const auto jumps = run->jumps();
+  return std::vector<MotionJump>(jumps.begin(), jumps.end());
 }
 
 tl::expected<std::vector<MotionJump>, SimulationFailure> follow_case(

@@ -24,6 +24,10 @@ tl::expected<std::vector<Simulation>, SimulationFailure> follow_cases(
 tl::expected<std::vector<MotionJump>, SimulationFailure> run_case(
     const cases::Case& problem, const std::function<void(const Row&)>& take);
 
+/// The same for a `take` of some rows at once.
+tl::expected<std::vector<MotionJump>, SimulationFailure> run_in_blocks(
+    const cases::Case& problem, const std::function<void(std::span<const Row>)>& take);
+
 /// The same for a `take` that wants to see the definitions in force, too.
 tl::expected<std::vector<MotionJump>, SimulationFailure> follow_case(
     const cases::Case& problem, const std::function<void(const Simulation&)>& take);

@@ -25,16 +25,6 @@
 namespace slipbench::driver::bench {
 namespace {
 
-SimulationFailure failure(const base::HistoryError& error) {
-  using Kind = SimulationFailure::Kind;
-  std::string place = error.file;
-  if (error.line > 0) place += fmt::format(":{}", error.line);
-  if (error.line > 0 && error.column > 0) place += fmt::format(":{}", error.column);
-  if (!place.empty()) place += ": ";
-  return {error.kind == base::HistoryError::Kind::kInput ? Kind::kInput : Kind::kEnvironment,
-          place + error.message};
-}
-
 /// The positions CP1 .. CPR3.
 std::span<const double, history::kPositions> position_of(const Quantities& quantities) {
   return std::span(quantities).first<history::kPositions>();
@@ -45,13 +35,7 @@ bool is_node(int quantity) { return quantity >= cases::kFirstNode; }
 
 /// The name of the first number of an update that is not finite; null if there is none.
 const char* not_finite(const law::FrictionUpdate& update) {
-  // A force or an elastic slip that is not finite spoils work and stored energy too. Two short sums
-  // run side by side where one long one would wait for itself.
-  const double sum =
-      (update.limit + update.normal_force + update.mu + update.phi) +
-      (update.stored_energy + update.work + update.dissipation + update.state.accumulated_slip);
-  // One infinity or NaN spoils the sum: the single numbers are only looked at when it happened.
-  if (std::isfinite(sum)) return nullptr;
+  if (all_finite(update)) return nullptr;
   const std::array<std::pair<const char*, double>, 8> named{{
       {"normal force", update.normal_force},
       {"coefficient", update.mu},
@@ -110,6 +94,16 @@ std::optional<std::string> overflow(const law::FrictionDefinition& definition,
 
 }  // namespace
 
+SimulationFailure to_failure(const base::HistoryError& error) {
+  using Kind = SimulationFailure::Kind;
+  std::string place = error.file;
+  if (error.line > 0) place += fmt::format(":{}", error.line);
+  if (error.line > 0 && error.column > 0) place += fmt::format(":{}", error.column);
+  if (!place.empty()) place += ": ";
+  return {error.kind == base::HistoryError::Kind::kInput ? Kind::kInput : Kind::kEnvironment,
+          place + error.message};
+}
+
 Simulation::Simulation(const cases::Case& problem) : case_(&problem) {
   row_.definitions.resize(problem.definitions.size());
   for (const cases::CaseDefinition& definition : problem.definitions) {
@@ -142,6 +136,7 @@ Simulation::Simulation(const cases::Case& problem) : case_(&problem) {
       coordinate = std::copy(node.begin(), node.end(), coordinate);
     }
   }
+  plain_ = is_plain();
 }
 
 Simulation::Simulation(Simulation&&) noexcept = default;
@@ -215,7 +210,7 @@ tl::expected<bool, SimulationFailure> Simulation::advance() {
     if (!measured_) updated.error().step = row_.step;
     return tl::unexpected(std::move(updated.error()));
   }
-  note_thresholds();
+  note_thresholds(row_);
   return true;
 }
 
@@ -234,17 +229,17 @@ SimulationState Simulation::state() const {
 tl::expected<void, SimulationFailure> Simulation::start_history() {
   if (case_->measured) {
     auto opened = history::MeasuredHistory::open(*case_->measured);
-    if (!opened) return tl::unexpected(failure(opened.error()));
+    if (!opened) return tl::unexpected(to_failure(opened.error()));
     measured_ = std::move(*opened);
     force_driven_ = case_->force_driven;
     auto read = measured_->advance();
-    if (!read) return tl::unexpected(failure(read.error()));
-    take_measured_row();
+    if (!read) return tl::unexpected(to_failure(read.error()));
+    take_measured_row(row_, row_);
     earlier_.assign(measured_->values().begin(), measured_->values().end());
     // A measured path starts where its first row says.
     std::copy_n(row_.quantities.begin() + cases::kFirstMotion, law::kComponents,
                 row_.begin.values.begin());
-    row_.time = row_.step_time = measured_->time();
+    row_.duration = 0.0;
     return move_belt();
   }
   if (case_->steps.empty()) return move_belt();
@@ -269,12 +264,14 @@ tl::expected<void, SimulationFailure> Simulation::move_belt() {
   return {};
 }
 
-void Simulation::take_measured_row() {
+void Simulation::take_measured_row(const Row& before, Row& row) {
+  std::copy_n(before.quantities.begin() + cases::kFirstMotion, law::kComponents,
+              row.begin.values.begin());
   const auto values = measured_->values();
   const auto& columns = case_->measured->columns;
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    row_.quantities[columns[i].quantity] = values[i];
-  }
+  for (std::size_t i = 0; i < columns.size(); ++i) row.quantities[columns[i].quantity] = values[i];
+  row.duration = measured_->time() - before.time;
+  row.time = row.step_time = measured_->time();
 }
 
 tl::expected<bool, SimulationFailure> Simulation::advance_measured() {
@@ -285,28 +282,27 @@ tl::expected<bool, SimulationFailure> Simulation::advance_measured() {
       earlier_time_ = measured_->time();
     }
     auto read = measured_->advance();
-    if (!read) return tl::unexpected(failure(read.error()));
+    if (!read) return tl::unexpected(to_failure(read.error()));
     if (!*read) return false;
   }
   if (dynamics_) begin_ = row_.quantities;
   if (exact_) exact_->begin(row_.quantities, definitions_);
-  std::copy_n(row_.quantities.begin() + cases::kFirstMotion, law::kComponents,
-              row_.begin.values.begin());
-  double time = measured_->time();
   if (++piece_ == pieces) {
     piece_ = 0;
-    take_measured_row();
+    take_measured_row(row_, row_);
   } else {
+    std::copy_n(row_.quantities.begin() + cases::kFirstMotion, law::kComponents,
+                row_.begin.values.begin());
     const history::MeasuredSource& source = *case_->measured;
-    const double between = std::lerp(earlier_time_, time, static_cast<double>(piece_) / pieces);
+    const double time =
+        std::lerp(earlier_time_, measured_->time(), static_cast<double>(piece_) / pieces);
     for (std::size_t i = 0; i < source.columns.size(); ++i) {
       row_.quantities[source.columns[i].quantity] = history::between_rows(
-          earlier_time_, earlier_[i], time, measured_->values()[i], between, source.hold);
+          earlier_time_, earlier_[i], measured_->time(), measured_->values()[i], time, source.hold);
     }
-    time = between;
+    row_.duration = time - row_.time;
+    row_.time = row_.step_time = time;
   }
-  row_.duration = time - row_.time;
-  row_.time = row_.step_time = time;
   ++row_.index;
   if (auto moved = move_belt(); !moved) return tl::unexpected(moved.error());
   return true;
@@ -318,7 +314,7 @@ tl::expected<void, SimulationFailure> Simulation::begin_step() {
   cursors_.clear();
   for (const cases::Drive& drive : step.drives) {
     auto cursor = history::ProfileCursor::open(drive.profile);
-    if (!cursor) return tl::unexpected(failure(cursor.error()));
+    if (!cursor) return tl::unexpected(to_failure(cursor.error()));
     cursors_.push_back(std::move(*cursor));
   }
   row_.pass = 0;
@@ -333,7 +329,7 @@ tl::expected<void, SimulationFailure> Simulation::begin_friction_changes() {
   std::vector<double> mu;
   for (const DefinitionRow& definition : row_.definitions) mu.push_back(definition.update.mu);
   auto begun = friction_changes_.begin_step(step, row_.step == 0, row_.time, mu, definitions_);
-  if (!begun) return tl::unexpected(failure(begun.error()));
+  if (!begun) return tl::unexpected(to_failure(begun.error()));
   note_falling_definitions();
   return {};
 }
@@ -360,28 +356,28 @@ void Simulation::note_falling_definitions() {
 }
 
 /// Only for definitions whose coefficient may fall: the others' update costs nothing more.
-void Simulation::note_thresholds() {
+void Simulation::note_thresholds(Row& at) const {
   // The thresholds are those of backward Euler.
-  if (falling_.empty() || dynamics_ || exact_ || !(row_.duration > 0.0)) return;
-  const law::Ambient end = ambient_of(row_.quantities, case_->reference);
+  if (falling_.empty() || dynamics_ || exact_ || !(at.duration > 0.0)) return;
+  const law::Ambient end = ambient_of(at.quantities, case_->reference);
   for (const auto& [i, bounds] : falling_) {
-    DefinitionRow& row = row_.definitions[i];
+    DefinitionRow& row = at.definitions[i];
     const law::SlipSpace& slip = definitions_[i].slip;
     double square = 0.0;
     for (int k = 0; k < slip.dimension; ++k) {
       const auto a = static_cast<std::size_t>(k);
       const int c = slip.component[a];
       // A definition with a dead zone has one component.
-      double moved = end.position[c] - row_.begin[c] - row.travel;
+      double moved = end.position[c] - at.begin[c] - row.travel;
       if (i > 0 && case_->belt && !case_->belt->lengths.empty()) {
-        const law::SegmentBehind& before = row_.definitions[i - 1].behind;
+        const law::SegmentBehind& before = at.definitions[i - 1].behind;
         moved = before.flow - before.flow_before;
       }
       const double ds = slip.scale[a] * moved;
       square += ds * ds;
     }
     row.thresholds = law::increment_thresholds(
-        definitions_[i], bounds, end, row.update.normal_force, std::sqrt(square) / row_.duration);
+        definitions_[i], bounds, end, row.update.normal_force, std::sqrt(square) / at.duration);
   }
 }
 
@@ -399,7 +395,7 @@ tl::expected<void, SimulationFailure> Simulation::begin_pass() {
                 start.position.begin());
     auto begun = cursors_[i].begin(start);
     if (!begun) {
-      SimulationFailure fault = failure(begun.error());
+      SimulationFailure fault = to_failure(begun.error());
       fault.message = fmt::format("step '{}', {}: {}", step.name, cases::quantity_name(quantity),
                                   fault.message);
       return tl::unexpected(std::move(fault));
@@ -415,6 +411,7 @@ tl::expected<void, SimulationFailure> Simulation::begin_pass() {
   breakpoint_ =
       std::min(history::next_breakpoint(cursors_, 0.0), friction_changes_.next_breakpoint(0.0));
   in_step_ = true;
+  ++passes_;
   return {};
 }
 
@@ -446,56 +443,29 @@ tl::expected<bool, SimulationFailure> Simulation::advance_history() {
       return false;
     }
   }
-  const double from = grid_.time();
-  if (from + history::kSameTime * step->duration >= breakpoint_) {
-    breakpoint_ =
-        std::min(history::next_breakpoint(cursors_, from), friction_changes_.next_breakpoint(from));
-  }
+  pass_breakpoint();
   if (dynamics_ || exact_) {
     begin_ = row_.quantities;
     for (const std::size_t i : varying_) {
-      begin_[static_cast<std::size_t>(step->drives[i].quantity)] = cursors_[i].value_after(from);
+      begin_[static_cast<std::size_t>(step->drives[i].quantity)] =
+          cursors_[i].value_after(grid_.time());
     }
   }
   if (exact_) exact_->begin(begin_, definitions_);
-  const double to = grid_.advance(breakpoint_);
-  std::copy_n(row_.quantities.begin() + cases::kFirstMotion, law::kComponents,
-              row_.begin.values.begin());
-  double sum = 0.0;
-  for (const std::size_t i : varying_) {
-    // A step drives its motions first. Those that a load makes are not known yet.
-    if (!following_.empty()) cursors_[i].set_position(position_of(row_.quantities));
-    const double value = cursors_[i].value(to);
-    const auto quantity = static_cast<std::size_t>(step->drives[i].quantity);
-    row_.quantities[quantity] = value;
-    if (quantity < extent_.size()) extent_[quantity] = std::max(extent_[quantity], std::abs(value));
-    sum += value;
-  }
-  if (!std::isfinite(sum)) {
-    for (const std::size_t i : varying_) {
-      const int quantity = step->drives[i].quantity;
-      const auto where = fmt::format("step '{}', t = {}, {}: ", step->name, base::format_number(to),
-                                     cases::quantity_name(quantity));
-      if (const auto& error = cursors_[i].error()) {
-        SimulationFailure fault = failure(*error);
-        fault.message = where + fault.message;
-        return tl::unexpected(std::move(fault));
-      }
-      if (!std::isfinite(row_.quantities[static_cast<std::size_t>(quantity)])) {
-        return tl::unexpected(
-            SimulationFailure{SimulationFailure::Kind::kInput, where + "is not a finite number"});
-      }
-    }
-  }
-  row_.step_time = to;
-  row_.time = pass_start_ + to;
-  row_.duration = to - from;
-  ++row_.index;
+  if (walk_grid({&row_, 1}, row_) == 0) return tl::unexpected(*std::exchange(failed_, {}));
   if (friction_changes_.active()) {
-    friction_changes_.advance(to, grid_.at_end(), definitions_);
+    friction_changes_.advance(row_.step_time, grid_.at_end(), definitions_);
   }
   if (auto moved = move_belt(); !moved) return tl::unexpected(moved.error());
   return true;
+}
+
+void Simulation::pass_breakpoint() {
+  const double from = grid_.time();
+  const cases::Step& step = case_->steps[static_cast<std::size_t>(row_.step)];
+  if (from + history::kSameTime * step.duration < breakpoint_) return;
+  breakpoint_ =
+      std::min(history::next_breakpoint(cursors_, from), friction_changes_.next_breakpoint(from));
 }
 
 void Simulation::follow_positions(double step_time, Quantities& quantities) {
@@ -563,7 +533,7 @@ tl::expected<void, SimulationFailure> Simulation::solve_equilibrium() {
         fmt::format("{}: {}", place((1.0 - why.fraction) * row_.duration), why.message)});
   }
   for (std::size_t i = 0; i < row_.definitions.size(); ++i) {
-    if (auto judged = judge(i); !judged) return judged;
+    if (auto judged = judge(row_, i); !judged) return judged;
   }
   note_raw_coefficients();
   if (auto fault =
@@ -591,7 +561,7 @@ tl::expected<void, SimulationFailure> Simulation::advance_mass(bool start) {
   take_springs_and_dampers(*case_, connector_increment(*case_, row_), row_.forces,
                            dynamics_->component());
   if (start || definition < 0) return {};
-  return judge(static_cast<std::size_t>(definition));
+  return judge(row_, static_cast<std::size_t>(definition));
 }
 
 void Simulation::press() {
@@ -652,10 +622,10 @@ tl::expected<void, SimulationFailure> Simulation::update_definitions() {
       here.lost += here.update.lost;
       here.jumps += here.update.jumps;
     }
-    if (auto judged = judge(i); !judged) return judged;
+    if (auto judged = judge(row_, i); !judged) return judged;
     if (!case_->belt) continue;
     if (auto fault = move_behind(*case_, i, row_)) {
-      return tl::unexpected(numerical_failure(i, *fault));
+      return tl::unexpected(numerical_failure(row_, i, *fault));
     }
     meet_next_ring(*case_, i, row_, increment);
   }
@@ -664,8 +634,9 @@ tl::expected<void, SimulationFailure> Simulation::update_definitions() {
   return {};
 }
 
-tl::expected<void, SimulationFailure> Simulation::judge(std::size_t definition) const {
-  const DefinitionRow& row = row_.definitions[definition];
+tl::expected<void, SimulationFailure> Simulation::judge(const Row& at,
+                                                        std::size_t definition) const {
+  const DefinitionRow& row = at.definitions[definition];
   const law::FrictionDefinition& in_force = definitions_[definition];
   if (in_force.formulation && in_force.formulation->filter.kind == law::Filter::Kind::kPeriod &&
       row.penalty.alpha > 1.0) {
@@ -674,8 +645,8 @@ tl::expected<void, SimulationFailure> Simulation::judge(std::size_t definition) 
         SimulationFailure::Kind::kInput,
         fmt::format("{}: definition '{}': alpha = 2 pi dt/T = {:.6g} of its filter is above 1: dt "
                     "= {}, T = {}; take shorter increments or a longer period",
-                    place(), case_->definitions[definition].name, row.penalty.alpha,
-                    base::format_number(row_.duration), base::format_number(period))});
+                    place(at), case_->definitions[definition].name, row.penalty.alpha,
+                    base::format_number(at.duration), base::format_number(period))});
   }
   const char* what = not_finite(row.update);
   // The limit along an ellipse is finite beside one infinite coefficient.
@@ -684,31 +655,33 @@ tl::expected<void, SimulationFailure> Simulation::judge(std::size_t definition) 
   }
   if (what != nullptr) {
     if (auto exponent = overflow(in_force, row)) {
-      return tl::unexpected(numerical_failure(definition, *exponent));
+      return tl::unexpected(numerical_failure(at, definition, *exponent));
     }
-    return tl::unexpected(numerical_failure(definition, fmt::format("the {} is not finite", what)));
+    return tl::unexpected(
+        numerical_failure(at, definition, fmt::format("the {} is not finite", what)));
   }
   if (!row.update.converged) {
     return tl::unexpected(numerical_failure(
-        definition, exact_ ? "stick, slip and lift-off change too often within the increment for "
-                             "exact integration; use backward_euler"
-                           : "the return to the limit surface of its potential found no solution"));
+        at, definition,
+        exact_ ? "stick, slip and lift-off change too often within the increment for "
+                 "exact integration; use backward_euler"
+               : "the return to the limit surface of its potential found no solution"));
   }
   if (row.update.snap_back >= 1.0 && case_->integration.snap_back == cases::SnapBackAction::kStop) {
-    return tl::unexpected(snap_back_failure(definition));
+    return tl::unexpected(snap_back_failure(at, definition));
   }
   return {};
 }
 
-SimulationFailure Simulation::snap_back_failure(std::size_t definition) const {
+SimulationFailure Simulation::snap_back_failure(const Row& at, std::size_t definition) const {
   const law::FrictionDefinition& in_force = definitions_[definition];
-  const double beta = row_.definitions[definition].update.snap_back;
+  const double beta = at.definitions[definition].update.snap_back;
   const std::string unit = base::unit_text(
       law::is_rotational(in_force.slip) ? base::kMoment : base::Dimension{.force = 1, .length = -1},
       case_->units);
   const std::string enough = fmt::format("{:.6g}", beta * in_force.stick.value);
   return numerical_failure(
-      definition,
+      at, definition,
       fmt::format(
           "the force would jump at constant motion (snap-back): its wear falls faster than "
           "the stick stiffness can follow, mu |F'| / {} = {} in this increment where it must "
@@ -790,22 +763,22 @@ law::FrictionUpdate Simulation::integrate_with_options(std::size_t definition,
   return update;
 }
 
-std::string Simulation::place(double before) const {
+std::string Simulation::place(const Row& row, double before) const {
   const std::string step =
-      measured_ ? fmt::format("row {} of the measured history", row_.index + 1)
+      measured_ ? fmt::format("row {} of the measured history", row.index + 1)
                 : fmt::format("step '{}', t = {}",
                               case_->steps.empty()
                                   ? std::string()
-                                  : case_->steps[static_cast<std::size_t>(row_.step)].name,
-                              base::format_number(row_.step_time - before));
-  return fmt::format("{} (total time {})", step, base::format_number(row_.time - before));
+                                  : case_->steps[static_cast<std::size_t>(row.step)].name,
+                              base::format_number(row.step_time - before));
+  return fmt::format("{} (total time {})", step, base::format_number(row.time - before));
 }
 
-SimulationFailure Simulation::numerical_failure(std::size_t definition,
+SimulationFailure Simulation::numerical_failure(const Row& row, std::size_t definition,
                                                 const std::string& what) const {
-  return {
-      SimulationFailure::Kind::kNumerical,
-      fmt::format("{}: definition '{}': {}", place(), case_->definitions[definition].name, what)};
+  return {SimulationFailure::Kind::kNumerical,
+          fmt::format("{}: definition '{}': {}", place(row), case_->definitions[definition].name,
+                      what)};
 }
 
 }  // namespace slipbench::driver::bench

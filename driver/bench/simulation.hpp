@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -114,6 +115,18 @@ struct SimulationFailure {
   int step = -1;        ///< of the case's steps, where an increment failed
 };
 
+/// Tells whether the numbers of an update are finite.
+inline bool all_finite(const law::FrictionUpdate& update) {
+  // A force or an elastic slip that is not finite spoils work and stored energy too. Two short sums
+  // run side by side where one long one would wait for itself. One infinity or NaN spoils the sum.
+  return std::isfinite(
+      (update.limit + update.normal_force + update.mu + update.phi) +
+      (update.stored_energy + update.work + update.dissipation + update.state.accumulated_slip));
+}
+
+/// The reason why a run ended where its history could not be read.
+SimulationFailure to_failure(const base::HistoryError& error);
+
 /// A case on its way through its history, one increment after another. Increments end at the
 /// points of each step's uniform grid and at every breakpoint of its profiles, or at the rows of a
 /// measured history. An increment allocates nothing; nothing grows with the number of increments.
@@ -143,6 +156,11 @@ class Simulation {
   /// end the simulation stays where it is.
   tl::expected<bool, SimulationFailure> advance();
 
+  /// Goes on by one increment or several, as many as are quickest together; their rows hold until
+  /// the next call, and there are none at the end of the history. A failure comes behind the rows
+  /// of the increments before it. The tangents of rows that come together are not computed.
+  tl::expected<std::span<const Row>, SimulationFailure> advance_rows();
+
   /// The last increment, or the initial state.
   const Row& row() const { return row_; }
 
@@ -161,6 +179,25 @@ class Simulation {
   tl::expected<void, SimulationFailure> start_history();
   tl::expected<bool, SimulationFailure> advance_history();
   tl::expected<bool, SimulationFailure> advance_measured();
+  /// Tells whether nothing of the case needs the increments one by one.
+  bool is_plain() const;
+  /// Fills `rows_` from their first on, and returns how many; 0 at the end of the history. A
+  /// failure goes to `failed_`.
+  std::size_t advance_one_by_one();
+  std::size_t advance_together();
+  /// Fills rows of the current pass, up to its next breakpoint, or of measured data, but for the
+  /// definitions. Returns how many; the failure that ends them early goes to `failed_`.
+  /// \param before the row before them; may be the first of them
+  std::size_t walk_grid(std::span<Row> rows, const Row& before);
+  std::size_t walk_measured(std::span<Row> rows);
+  void take_measured_row(const Row& before, Row& row);
+  /// Where a value of the history is no number.
+  SimulationFailure history_failure(const Row& row) const;
+  void pass_breakpoint();
+  template <int D>
+  std::size_t update_known_rows(std::span<Row> rows, std::size_t definition);
+  std::size_t update_rows_one_by_one(std::span<Row> rows, std::size_t definition);
+  bool limit_is_constant(std::size_t definition) const;
   tl::expected<void, SimulationFailure> begin_step();
   tl::expected<void, SimulationFailure> begin_pass();
   tl::expected<void, SimulationFailure> update_definitions();
@@ -172,11 +209,10 @@ class Simulation {
                                              law::ConnectorIncrement increment,
                                              const law::FrictionState& old);
   /// Judges whether the update of a definition can be used; the error says why not.
-  tl::expected<void, SimulationFailure> judge(std::size_t definition) const;
+  tl::expected<void, SimulationFailure> judge(const Row& row, std::size_t definition) const;
   /// That the force of a definition would jump in this increment, and what helps.
-  SimulationFailure snap_back_failure(std::size_t definition) const;
+  SimulationFailure snap_back_failure(const Row& row, std::size_t definition) const;
   void note_raw_coefficients();
-  void take_measured_row();
   /// Those of the current increment; empty where no force follows a position.
   FollowPositions following();
   void follow_positions(double step_time, Quantities& quantities);
@@ -191,13 +227,15 @@ class Simulation {
   double carried_force(int component) const;
   tl::expected<void, SimulationFailure> begin_friction_changes();
   void note_falling_definitions();
-  void note_thresholds();
+  void note_thresholds(Row& row) const;
   void note_jump(int component, double from, double to);
   tl::expected<void, SimulationFailure> move_belt();
   /// "step 'cycle', t = 0.5 (total time 1.5)".
   /// \param before how long before the end of the increment [T]
-  std::string place(double before = 0.0) const;
-  SimulationFailure numerical_failure(std::size_t definition, const std::string& what) const;
+  std::string place(const Row& row, double before = 0.0) const;
+  std::string place(double before = 0.0) const { return place(row_, before); }
+  SimulationFailure numerical_failure(const Row& row, std::size_t definition,
+                                      const std::string& what) const;
 
   const cases::Case* case_;
   /// The definitions in force; a change of friction puts others in place of the case's.
@@ -232,7 +270,16 @@ class Simulation {
   std::optional<history::MeasuredHistory> measured_;
   std::vector<double> earlier_;  ///< the row before, where increments divide the rows
   double earlier_time_ = 0.0;
-  int piece_ = 0;            ///< how many of them lie behind since the row before
+  int piece_ = 0;       ///< how many of them lie behind since the row before
+  bool plain_ = false;  ///< is_plain()
+  /// So many rows together stay in the second cache.
+  static constexpr std::size_t kMostRows = 64;
+  std::array<double, kMostRows> times_{};   ///< in the step
+  std::array<double, kMostRows> values_{};  ///< of a profile at these times
+  std::vector<Row> rows_;                   ///< of increments that go together
+  std::vector<std::int64_t> rows_pass_;     ///< `passes_` when the constants of each were set
+  std::int64_t passes_ = 0;                 ///< begun so far
+  std::optional<SimulationFailure> failed_;
   double pass_start_ = 0.0;  ///< total time at which the current pass began
   double breakpoint_ = 0.0;  ///< the next one
 };

@@ -32,13 +32,16 @@ class Outlook {
   /// \param folder where the result goes
   Outlook(const cases::Case& problem, std::filesystem::path folder);
 
-  /// Cheap enough to be called for every row. Throws NoRoom if the disk has less room than the rows
-  /// need.
-  /// \param rows the file they are written to; null for none
+  /// Cheap enough to be called whenever some rows are done. Throws NoRoom if the disk has less room
+  /// than the rows need.
+  /// \param row the last of them
+  /// \param rows gives the file with all of them so far; null for none
   /// \param progress shows how far the run is
-  void look(const bench::Row& row, base::OutputFile* rows, terminal::Progress& progress) {
-    if ((row.index & (kFirst - 1)) != 0 || row.index == 0) return;
-    if (row.index == kFirst) judge(row, rows);
+  template <class Rows>
+  void look(const bench::Row& row, Rows rows, terminal::Progress& progress) {
+    if (row.index < next_) return;
+    if (next_ == kFirst) judge(row, rows());
+    next_ = row.index + kFirst;
     show(row, progress);
   }
 
@@ -48,6 +51,7 @@ class Outlook {
   void show(const bench::Row& row, terminal::Progress& progress) const;
   double seconds() const;
 
+  std::int64_t next_ = kFirst;
   const cases::Case* case_;
   bench::RunLength length_;
   std::filesystem::path folder_;

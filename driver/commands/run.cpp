@@ -187,20 +187,28 @@ int run_one(const read::ReadCase& read, const RunOptions& options,
                   prints_rows(options) ? fs::temp_directory_path() : fs::path(options.folder));
   const auto follow = [&] {
     terminal::Progress progress(results::case_stem(problem));
-    return bench::follow_case(problem, [&](const bench::Simulation& simulation) {
-      const bench::Row& row = simulation.row();
-      summary.add(row);
-      if (solver) solver->add(simulation);
-      for (check::CheckProgress& check : checks) check.add(row);
-      if (events) events->write(row);
-      if (rows) {
-        if (row.index % every == 0) {
-          rows->write(row);
-        } else {
-          last = row;
-        }
+    const auto finished_rows = [&]() -> base::OutputFile* {
+      if (rows) rows->finish();
+      return files ? &files->rows : nullptr;
+    };
+    const auto take = [&](std::span<const bench::Row> block) {
+      summary.add(block);
+      if (events) events->write(block);
+      for (check::CheckProgress& check : checks) {
+        for (const bench::Row& row : block) check.add(row);
       }
-      outlook.look(row, files ? &files->rows : nullptr, progress);
+      if (rows) {
+        for (const bench::Row& row : block) {
+          if (row.index % every == 0) rows->write(row);
+        }
+        if (block.back().index % every != 0) last = block.back();
+      }
+      outlook.look(block.back(), finished_rows, progress);
+    };
+    if (!solver) return bench::run_in_blocks(problem, take);
+    return bench::follow_case(problem, [&](const bench::Simulation& simulation) {
+      solver->add(simulation);
+      take({&simulation.row(), 1});
     });
   };
   const auto ended = [&]() -> decltype(follow()) {
@@ -221,6 +229,7 @@ int run_one(const read::ReadCase& read, const RunOptions& options,
   }
   // The end of the run is always in the result.
   if (rows && last.index == summary.increments() && last.index > 0) rows->write(last);
+  if (rows) rows->finish();
 
   std::vector<check::Verdict> verdicts;
   for (const check::CheckProgress& check : checks) verdicts.push_back(check.verdict());

@@ -130,6 +130,19 @@ double ProfileCursor::value(double t) {
   return std::visit([&](const auto& profile) { return value_of(profile, t); }, profile_);
 }
 
+void ProfileCursor::values(std::span<const double> times, std::span<double> values) {
+  const auto* wave = std::get_if<Wave>(&profile_);
+  if (wave != nullptr && wave->shape == WaveShape::kSine) {
+    for (std::size_t k = 0; k < times.size(); ++k) values[k] = sine(*wave, times[k]);
+    return;
+  }
+  std::visit(
+      [&](const auto& profile) {
+        for (std::size_t k = 0; k < times.size(); ++k) values[k] = value_of(profile, times[k]);
+      },
+      profile_);
+}
+
 double ProfileCursor::value_after(double t) {
   if (const auto* wave = std::get_if<Wave>(&profile_); wave && wave->shape != WaveShape::kSine) {
     return WavePiece::starting_at(*wave, piece_after(*wave, t, merge_)).value(*wave, t);

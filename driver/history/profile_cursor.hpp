@@ -40,6 +40,9 @@ class ProfileCursor {
 
   /// The value at `t`; where the profile jumps, its limit from the left.
   double value(double t);
+  /// The same at several times, ascending and up to the next breakpoint.
+  /// \param values as many as times
+  void values(std::span<const double> times, std::span<double> values);
 
   /// The value just after `t`: the limit from the right where the profile jumps, else `value(t)`.
   double value_after(double t);

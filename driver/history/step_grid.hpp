@@ -20,7 +20,10 @@ class StepGrid {
  public:
   /// A step from 0 to `duration` > 0 in `increments` >= 1 uniform parts.
   StepGrid(double duration, std::int64_t increments)
-      : duration_(duration), increments_(increments), merge_(kSameTime * duration) {
+      : duration_(duration),
+        increments_(increments),
+        merge_(kSameTime * duration),
+        uniform_(uniform(1)) {
     assert(duration > 0.0 && increments >= 1);
   }
 
@@ -34,9 +37,9 @@ class StepGrid {
   /// after `time()`, or infinity.
   double advance(double breakpoint) {
     assert(!at_end_);
-    double next = uniform(index_);
+    double next = uniform_;
     if (breakpoint > time_ + merge_ && breakpoint <= next + merge_) next = breakpoint;
-    while (index_ < increments_ && uniform(index_) <= next + merge_) ++index_;
+    while (index_ < increments_ && uniform_ <= next + merge_) uniform_ = uniform(++index_);
     at_end_ = next >= duration_ - merge_;
     time_ = at_end_ ? duration_ : next;
     return time_;
@@ -52,7 +55,8 @@ class StepGrid {
   std::int64_t increments_;
   double merge_;
   double time_ = 0.0;
-  std::int64_t index_ = 1;  ///< The next point of the uniform grid.
+  std::int64_t index_ = 1;  ///< The next point of the uniform grid,
+  double uniform_;          ///< and its time.
   bool at_end_ = false;
 };
 

@@ -34,6 +34,7 @@ tl::expected<void, PlotFailure> write_rows(const cases::Case& problem, const fs:
     regimes.add(simulation.row());
   });
   if (!ended) return ended;
+  writer.finish();
   if (auto closed = rows->close(); !closed) return failed(base::kExitEnvironment, closed.error());
   return {};
 }

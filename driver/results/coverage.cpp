@@ -15,14 +15,18 @@
 namespace slipbench::driver::results {
 namespace {
 
-/// Moves `axis.last` to the interval of `x`, right-hand at a grid point. Increments follow each
-/// other closely: mostly it is where it was.
+/// Moves `axis.last` to the interval of `x` within the table, right-hand at a knot.
 void locate(TableCoverage::Axis& axis, double x) {
   const std::vector<double>& knots = axis.knots;
   if (knots.size() < 3) return;
-  if (x >= knots[axis.last] && (x < knots[axis.last + 1] || axis.last + 2 == knots.size())) return;
   const auto next = std::upper_bound(knots.begin() + 1, knots.end() - 1, x);
   axis.last = static_cast<std::size_t>(next - knots.begin()) - 1;
+}
+
+/// Tells whether `x` lies in the interval of the last increment: they follow each other closely.
+bool is_where_it_was(const TableCoverage::Axis& axis, double x) {
+  const double* const begin = axis.knots.data() + axis.last;
+  return axis.knots.size() > 1 && x >= begin[0] && x < begin[1];
 }
 
 }  // namespace
@@ -126,17 +130,25 @@ void Coverage::add_table(const law::TableFunction& function, Use use, std::size_
   probes_.push_back({&function, use, first_step, end_step, sense});
 }
 
-void Coverage::count(const bench::Row& row) {
-  const law::Ambient end = bench::ambient_of(row.quantities, case_->reference);
+void Coverage::add(std::span<const bench::Row> rows) {
+  law::Ambient end;
   for (std::size_t t = 0; t < tables_.size(); ++t) {
     const Probe& probe = probes_[t];
-    if (row.step < probe.first_step || row.step >= probe.end_step) continue;
-    TableCoverage& table = tables_[t];
-    if (probe.sense != Sense::kAny &&
-        row.definitions[table.definition].backward != (probe.sense == Sense::kBackward)) {
-      continue;
+    const std::size_t definition = tables_[t].definition;
+    for (const bench::Row& row : rows) {
+      if (row.index == 0 || row.step < probe.first_step || row.step >= probe.end_step) continue;
+      const bench::DefinitionRow& here = row.definitions[definition];
+      if (probe.sense != Sense::kAny && here.backward != (probe.sense == Sense::kBackward)) {
+        continue;
+      }
+      if (probe.function->depends_on_motion()) {
+        end = bench::ambient_of(row.quantities, case_->reference);
+      } else {
+        end.temperature = row.quantities[cases::kTemperatureQuantity];
+        end.fields = bench::fields_of(row.quantities);
+      }
+      count(end, here.update, t);
     }
-    count(end, row.definitions[table.definition].update, t);
   }
 }
 
@@ -156,20 +168,23 @@ void Coverage::count(const law::Ambient& end, const law::FrictionUpdate& update,
                         law::AccumulatedSlipTiming::kEnd;
     slip.accumulated_slip = update.state.accumulated_slip - (at_end ? 0.0 : update.slip_increment);
   }
-  const auto x = probe.function->arguments(end, slip);
+  const std::span<const law::Independent> independents = probe.function->independents();
   ++table.increments;
   std::size_t cell = 0;
   bool outside = false;
   for (std::size_t k = 0; k < table.axes.size(); ++k) {
     TableCoverage::Axis& axis = table.axes[k];
-    if (x[k] < axis.knots.front()) {
+    const double x = law::argument(independents[k], end, slip);
+    if (is_where_it_was(axis, x)) {
+      cell += axis.last * axis.stride;
+    } else if (x < axis.knots.front()) {
       ++axis.below;
       outside = true;
-    } else if (x[k] > axis.knots.back()) {
+    } else if (x > axis.knots.back()) {
       ++axis.above;
       outside = true;
     } else {
-      locate(axis, x[k]);
+      locate(axis, x);
       cell += axis.last * axis.stride;
     }
   }

@@ -49,9 +49,8 @@ class Coverage {
  public:
   explicit Coverage(const cases::Case& problem);
   /// Row 0 counts nothing.
-  void add(const bench::Row& row) {
-    if (!probes_.empty() && row.index > 0) count(row);
-  }
+  void add(std::span<const bench::Row> rows);
+  void add(const bench::Row& row) { add({&row, 1}); }
 
   /// An increment of a case that keeps its friction, in both directions, known without a row.
   /// \param end of the increment
@@ -83,7 +82,6 @@ class Coverage {
   };
   void add_table(const law::TableFunction& function, Use use, std::size_t definition,
                  std::string what, int first_step, int end_step, Sense sense = Sense::kAny);
-  void count(const bench::Row& row);
   void count(const law::Ambient& end, const law::FrictionUpdate& update, std::size_t table);
 
   const cases::Case* case_;

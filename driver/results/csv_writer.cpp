@@ -3,15 +3,29 @@
 
 #include <fmt/format.h>
 
+#include <span>
+#include <string>
+#include <system_error>
 #include <utility>
 
 #include "driver/base/text/format_number.hpp"
 #include "driver/results/provenance.hpp"
 #include "driver/results/result_layout.hpp"
-#include "law/update/penalty_predictor.hpp"
 
 namespace slipbench::driver::results {
 namespace {
+
+/// So many rows become text together.
+constexpr std::size_t kTogether = 4096;
+
+void append_rows(std::span<const double> numbers, std::size_t width, base::OutputFile& file) {
+  std::string& text = file.buffer();
+  for (std::size_t i = 0; i < numbers.size(); i += width) {
+    base::append_numbers(text, numbers.subspan(i, width));
+    text.back() = '\n';
+    file.flush_if_full();
+  }
+}
 
 /// Lists the force columns of each definition: "# friction: sliding = CSFC(CSF2 CSF3),
 /// spinning = CSM1".
@@ -38,33 +52,7 @@ std::string direction_line(const ResultLayout& layout) {
   return text.empty() ? text : text + "\n";
 }
 
-double representative_force(const cases::CaseDefinition& definition,
-                            const law::FrictionState& state) {
-  const law::SlipSpace& slip = definition.law.slip;
-  if (!definition.coupled && slip.dimension == 1) return slip.scale[0] * state.force[0];
-  return law::equivalent_force(definition.law, state);
-}
-
 }  // namespace
-
-double representative_force(const cases::CaseDefinition& definition,
-                            const bench::DefinitionRow& row) {
-  return representative_force(definition, row.update.state);
-}
-
-double limited_force(const cases::CaseDefinition& definition, const bench::DefinitionRow& row) {
-  if (!definition.law.formulation) return representative_force(definition, row);
-  return representative_force(definition, limited_state(definition.law, row));
-}
-
-law::FrictionState limited_state(const law::FrictionDefinition& definition,
-                                 const bench::DefinitionRow& row) {
-  law::FrictionState state = row.update.state;
-  if (definition.formulation && law::smooths(*definition.formulation)) {
-    state.force = row.penalty.raw;
-  }
-  return state;
-}
 
 CsvWriter::CsvWriter(const cases::Case& problem, std::vector<Column> columns,
                      base::OutputFile& file)
@@ -85,13 +73,26 @@ CsvWriter::CsvWriter(const cases::Case& problem, std::vector<Column> columns,
 }
 
 void CsvWriter::write(const bench::Row& row) {
-  std::string& text = file_->buffer();
-  for (const Column& column : columns_) {
-    base::append_number(text, column_value(column, *case_, row));
-    text += ',';
+  for (const Column& column : columns_) numbers_.push_back(column_value(column, *case_, row));
+  if (numbers_.size() >= kTogether * columns_.size()) hand_over();
+}
+
+void CsvWriter::finish() {
+  if (formatting_.valid()) formatting_.get();
+  append_rows(numbers_, columns_.size(), *file_);
+  numbers_.clear();
+}
+
+void CsvWriter::hand_over() {
+  if (formatting_.valid()) formatting_.get();
+  std::swap(numbers_, on_way_);
+  numbers_.clear();
+  try {
+    formatting_ =
+        std::async(std::launch::async, [this] { append_rows(on_way_, columns_.size(), *file_); });
+  } catch (const std::system_error&) {
+    append_rows(on_way_, columns_.size(), *file_);  // the system gives no more threads
   }
-  text.back() = '\n';
-  file_->flush_if_full();
 }
 
 }  // namespace slipbench::driver::results

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <variant>
 
 #include "driver/history/step_grid.hpp"
@@ -45,26 +46,56 @@ CycleCounter::CycleCounter(const cases::Case& problem)
     steps_.push_back({cycle_length(step), has_wave(step)});
 }
 
-void CycleCounter::add(const bench::Row& row) {
-  if (row.index > 0 && !steps_.empty()) {
+void CycleCounter::add(std::span<const bench::Row> rows) {
+  const bench::Row& last = rows.back();
+  if (rows.front().index > 1 && last.step == step_ && last.pass == pass_ &&
+      rows.front().step == step_ && rows.front().pass == pass_ && !is_over(last)) {
+    step_time_ = last.step_time;
+    remember(last);
+    return;
+  }
+  for (std::size_t k = 0; !steps_.empty() && k < rows.size(); ++k) {
+    const bench::Row& row = rows[k];
+    if (row.index == 0) continue;
     if (row.step != step_ || row.pass != pass_ || row.index == 1) {
+      if (k > 0) remember(rows[k - 1]);
       step_ = row.step;
       pass_ = row.pass;
       start_ = before_;
       step_time_ = 0.0;
       ends_ = 0;
+      end_ = end_of_next();
     }
-    const double length = steps_[static_cast<std::size_t>(row.step)].length;
-    const double width = row.step_time - step_time_;
-    while (length > 0.0) {
-      const double end = static_cast<double>(ends_ + 1) * length;
-      if (row.step_time < end * (1.0 - history::kSameTime)) break;
-      end_cycle(width > 0.0 ? std::clamp((end - step_time_) / width, 0.0, 1.0) : 1.0, row);
-      ++ends_;
+    if (is_over(row)) {
+      if (k > 0) remember(rows[k - 1]);
+      end_cycles(row);
     }
     step_time_ = row.step_time;
   }
+  remember(last);
+}
+
+bool CycleCounter::is_over(const bench::Row& row) const {
+  return row.step_time >= end_ * (1.0 - history::kSameTime);
+}
+
+double CycleCounter::end_of_next() const {
+  const double length = steps_[static_cast<std::size_t>(step_)].length;
+  return length > 0.0 ? static_cast<double>(ends_ + 1) * length
+                      : std::numeric_limits<double>::infinity();
+}
+
+void CycleCounter::remember(const bench::Row& row) {
   for (std::size_t d = 0; d < before_.size(); ++d) before_[d] = row.definitions[d].dissipation;
+}
+
+void CycleCounter::end_cycles(const bench::Row& row) {
+  const double width = row.step_time - step_time_;
+  while (is_over(row)) {
+    end_cycle(width > 0.0 ? std::clamp((end_ - step_time_) / width, 0.0, 1.0) : 1.0, row);
+    ++ends_;
+    end_ = end_of_next();
+  }
 }
 
 void CycleCounter::end_cycle(double fraction, const bench::Row& row) {

@@ -32,14 +32,20 @@ double cycle_length(const cases::Step& step);
 class CycleCounter {
  public:
   explicit CycleCounter(const cases::Case& problem);
-  void add(const bench::Row& row);
+  void add(std::span<const bench::Row> rows);
+  void add(const bench::Row& row) { add({&row, 1}); }
   /// One for each definition of the case.
   std::span<const CycleEnergy> energies() const { return energies_; }
   /// Returns what made the cycles: "period of the waves", "repeated step", both, or empty.
   std::string found_by() const;
 
  private:
+  /// End of the cycle that goes on [T], after the begin of the step; infinity if none does.
+  double end_of_next() const;
+  bool is_over(const bench::Row& row) const;
+  void end_cycles(const bench::Row& row);
   void end_cycle(double fraction, const bench::Row& row);
+  void remember(const bench::Row& row);
 
   struct StepCycle {
     double length = 0.0;
@@ -48,9 +54,10 @@ class CycleCounter {
   std::vector<StepCycle> steps_;
   std::vector<CycleEnergy> energies_;
   std::vector<double> start_;   ///< dissipation where the cycle began
-  std::vector<double> before_;  ///< at the last row
+  std::vector<double> before_;  ///< at the last row, but within add()
   double step_time_ = 0.0;      ///< of the last row
   std::int64_t ends_ = 0;       ///< cycles of this pass that are over
+  double end_ = 0.0;            ///< end_of_next()
   int step_ = 0;
   int pass_ = 0;
   bool waves_ = false;

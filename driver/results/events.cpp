@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "driver/base/text/format_number.hpp"
-#include "driver/results/csv_writer.hpp"
+#include "driver/results/friction_force.hpp"
 #include "driver/results/provenance.hpp"
 
 namespace slipbench::driver::results {
@@ -30,32 +31,62 @@ EventDetector::EventDetector(const cases::Case& problem)
   events_.reserve(problem.definitions.size() * (law::RegimeChanges{}.at.size() + 2));
 }
 
-std::span<const Event> EventDetector::take(const bench::Row& row) {
+std::span<const Event> EventDetector::take(std::span<const bench::Row> rows) {
   events_.clear();
-  for (std::size_t d = 0; d < memory_.size(); ++d) {
-    const bench::DefinitionRow& here = row.definitions[d];
-    Memory& memory = memory_[d];
-    if (row.index > 0) judge(row, d);
-    if (here.update.jumps > 0) {
-      events_.push_back({0.0, here.update.jump_onset, d, law::Regime::kSlip, law::Regime::kSlip,
-                         false, limited_force(case_->definitions[d], here), here.update.limit,
-                         here.update.state.accumulated_slip, true});
-    }
-    memory.regime = here.update.state.regime;
-    memory.force = limited_force(case_->definitions[d], here);
-    memory.limit = here.update.limit;
-    if (memory.regime == law::Regime::kSlip) memory.slip_direction = here.update.direction;
-  }
+  for (std::size_t d = 0; d < memory_.size(); ++d) take(rows, d);
   for (Event& event : events_) {
-    event.time =
-        event.fraction == 1.0 ? row.time : begin_time_ + event.fraction * (row.time - begin_time_);
+    const double begin = event.row > 0 ? rows[event.row - 1].time : begin_time_;
+    const double end = rows[event.row].time;
+    event.time = event.fraction == 1.0 ? end : begin + event.fraction * (end - begin);
   }
-  begin_time_ = row.time;
+  begin_time_ = rows.back().time;
   if (events_.size() > 1) {
-    std::stable_sort(events_.begin(), events_.end(),
-                     [](const Event& a, const Event& b) { return a.fraction < b.fraction; });
+    std::stable_sort(events_.begin(), events_.end(), [](const Event& a, const Event& b) {
+      return std::tie(a.row, a.fraction) < std::tie(b.row, b.fraction);
+    });
   }
   return events_;
+}
+
+/// Most increments go on as the one before: these are left behind with few comparisons.
+void EventDetector::take(std::span<const bench::Row> rows, std::size_t definition) {
+  Memory& memory = memory_[definition];
+  const auto dimension =
+      static_cast<std::size_t>(case_->definitions[definition].law.slip.dimension);
+  const std::array<double, law::kComponents>* last_direction = &memory.slip_direction;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const bench::DefinitionRow& here = rows[k].definitions[definition];
+    const law::Regime to = here.update.state.regime;
+    const bool slips = to == law::Regime::kSlip;
+    double along = 0.0;
+    for (std::size_t i = 0; slips && i < dimension; ++i) {
+      along += (*last_direction)[i] * here.update.direction[i];
+    }
+    if (to != memory.regime || along < 0.0 || here.changes.count > 0 || here.update.jumps > 0) {
+      if (k > 0) remember_force(rows[k - 1], definition);
+      memory.slip_direction = *last_direction;
+      const std::size_t before = events_.size();
+      if (rows[k].index > 0) judge(rows[k], definition);
+      if (here.update.jumps > 0) {
+        events_.push_back({0.0, here.update.jump_onset, definition, law::Regime::kSlip,
+                           law::Regime::kSlip, false,
+                           limited_force(case_->definitions[definition], here), here.update.limit,
+                           here.update.state.accumulated_slip, true});
+      }
+      for (std::size_t e = before; e < events_.size(); ++e) events_[e].row = k;
+      last_direction = &memory.slip_direction;
+    }
+    memory.regime = to;
+    if (slips) last_direction = &here.update.direction;
+  }
+  memory.slip_direction = *last_direction;
+  remember_force(rows.back(), definition);
+}
+
+void EventDetector::remember_force(const bench::Row& row, std::size_t definition) {
+  const bench::DefinitionRow& here = row.definitions[definition];
+  memory_[definition].force = limited_force(case_->definitions[definition], here);
+  memory_[definition].limit = here.update.limit;
 }
 
 bool EventDetector::turns(std::size_t definition, const bench::DefinitionRow& here) const {
@@ -152,8 +183,9 @@ EventWriter::EventWriter(const cases::Case& problem, base::OutputFile& file)
   file.append(text + "\n");
 }
 
-void EventWriter::write(const bench::Row& row) {
-  for (const Event& event : detector_.take(row)) {
+void EventWriter::write(std::span<const bench::Row> rows) {
+  for (const Event& event : detector_.take(rows)) {
+    const bench::Row& row = rows[event.row];
     std::string& text = file_->buffer();
     base::append_number(text, event.time);
     text.append(",").append(case_->definitions[event.definition].name).append(",");

@@ -24,6 +24,7 @@ struct Event {
   double limit = 0.0;             ///< F_lim [F]
   double accumulated_slip = 0.0;  ///< [L]
   bool jump = false;              ///< the force jumps (snap-back), the regime does not change
+  std::size_t row = 0;            ///< which of the rows that were given together ends it
 };
 
 /// Returns where within its increment a position stood at the event; the motion is straight within
@@ -45,9 +46,10 @@ double position_at(const Event& event, const bench::Row& row, int component);
 class EventDetector {
  public:
   explicit EventDetector(const cases::Case& problem);
-  /// The events of the increment that a row ends, in the order of their times; valid until the
+  /// The events of the increments that rows end, in the order of their times; valid until the
   /// next call. Rows have to come one after the other, row 0 first, which has none.
-  std::span<const Event> take(const bench::Row& row);
+  std::span<const Event> take(std::span<const bench::Row> rows);
+  std::span<const Event> take(const bench::Row& row) { return take({&row, 1}); }
 
  private:
   struct Memory {
@@ -56,6 +58,8 @@ class EventDetector {
     double limit = 0.0;
     std::array<double, law::kComponents> slip_direction{};  ///< of the last slip
   };
+  void take(std::span<const bench::Row> rows, std::size_t definition);
+  void remember_force(const bench::Row& row, std::size_t definition);
   void judge(const bench::Row& row, std::size_t definition);
   void add_located(const bench::Row& row, std::size_t definition);
   bool turns(std::size_t definition, const bench::DefinitionRow& here) const;
@@ -71,7 +75,7 @@ class EventDetector {
 class EventWriter {
  public:
   EventWriter(const cases::Case& problem, base::OutputFile& file);
-  void write(const bench::Row& row);
+  void write(std::span<const bench::Row> rows);
 
  private:
   const cases::Case* case_;

@@ -76,54 +76,88 @@ Plausibility::Plausibility(const cases::Case& problem)
       definitions_(problem.definitions.size()),
       springs_(problem.definitions.size()) {}
 
-void Plausibility::add(const bench::Row& row) {
+void Plausibility::add(std::span<const bench::Row> rows) {
   for (std::size_t d = 0; d < definitions_.size(); ++d) {
-    const law::FrictionDefinition& law = case_->definitions[d].law;
-    const bench::DefinitionRow& here = row.definitions[d];
-    const law::FrictionUpdate& update = here.update;
-    DefinitionExtremes& all = definitions_[d];
-    for (std::size_t i = 0; i < static_cast<std::size_t>(law.slip.dimension); ++i) {
-      const auto component = static_cast<std::size_t>(law.slip.component[i]);
-      const double s = law.slip.scale[i] * row.quantities[cases::kFirstMotion + component];
-      all.lowest_motion[i] = row.index == 0 ? s : std::min(all.lowest_motion[i], s);
-      all.highest_motion[i] = row.index == 0 ? s : std::max(all.highest_motion[i], s);
-    }
-    all.highest_normal_force = std::max(all.highest_normal_force, update.normal_force);
-    all.highest_mu = std::max(all.highest_mu, update.mu);
-    all.slips = all.slips || update.state.regime == law::Regime::kSlip;
-    const bool open = update.state.regime == law::Regime::kOpen;
-    all.opens = all.opens || open;
-    all.open_under_force = all.open_under_force || (open && update.normal_force > 0.0);
-    all.falls = all.falls || here.thresholds.smooth > 0.0;
-    all.work = here.work;
-    all.dissipation = here.dissipation;
-    all.lost = here.lost;
-    all.stored = update.stored_energy;
-    all.largest_energy =
-        std::max({all.largest_energy, std::abs(all.work), all.dissipation, all.stored});
-    if (!law.formulation) add_spring(update, d);
+    add(rows, d);
+    if (!case_->definitions[d].law.formulation) add_springs(rows, d);
   }
 }
 
-void Plausibility::add_spring(const law::FrictionUpdate& update, std::size_t index) {
-  double force = 0.0;
-  double stretch = 0.0;
-  for (std::size_t i = 0; i < update.state.force.size(); ++i) {
-    force += update.state.force[i] * update.state.force[i];
-    stretch += update.state.elastic_slip[i] * update.state.elastic_slip[i];
-  }
-  Spring& before = springs_[index];
-  const Spring now{stretch > 0.0 ? std::sqrt(force / stretch) : 0.0, stretch};
+void Plausibility::add(std::span<const bench::Row> rows, std::size_t index) {
+  const law::SlipSpace& slip = case_->definitions[index].law.slip;
   DefinitionExtremes& all = definitions_[index];
-  if (before.stretch > 0.0 && now.stretch > 0.0) {
-    all.stiffening += 0.25 * (before.stretch + now.stretch) * (now.stiffness - before.stiffness);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(slip.dimension); ++i) {
+    const auto motion = static_cast<std::size_t>(cases::kFirstMotion + slip.component[i]);
+    const double scale = slip.scale[i];
+    const bool begins = rows.front().index == 0;
+    double lowest = begins ? scale * rows.front().quantities[motion] : all.lowest_motion[i];
+    double highest = begins ? lowest : all.highest_motion[i];
+    for (const bench::Row& row : rows) {
+      const double s = scale * row.quantities[motion];
+      lowest = std::min(lowest, s);
+      highest = std::max(highest, s);
+    }
+    all.lowest_motion[i] = lowest;
+    all.highest_motion[i] = highest;
   }
-  before = now;
-  const double equivalent = update.phi + update.limit;
-  if (update.state.regime != law::Regime::kStick || !(stretch > 0.0 && equivalent > 0.0)) return;
-  const double at_limit = std::sqrt(stretch) * update.limit / equivalent;
-  all.smallest_elastic_slip =
-      all.smallest_elastic_slip > 0.0 ? std::min(all.smallest_elastic_slip, at_limit) : at_limit;
+  double normal_force = all.highest_normal_force;
+  double mu = all.highest_mu;
+  double energy = all.largest_energy;
+  bool falls = all.falls;
+  bool slips = all.slips;
+  for (const bench::Row& row : rows) {
+    const bench::DefinitionRow& here = row.definitions[index];
+    const law::FrictionUpdate& update = here.update;
+    normal_force = std::max(normal_force, update.normal_force);
+    mu = std::max(mu, update.mu);
+    energy = std::max(std::max(energy, std::abs(here.work)),
+                      std::max(here.dissipation, update.stored_energy));
+    falls = falls || here.thresholds.smooth > 0.0;
+    slips = slips || update.state.regime == law::Regime::kSlip;
+    if (update.state.regime != law::Regime::kOpen) continue;
+    all.opens = true;
+    all.open_under_force = all.open_under_force || update.normal_force > 0.0;
+  }
+  all.falls = falls;
+  all.slips = slips;
+  all.highest_normal_force = normal_force;
+  all.highest_mu = mu;
+  all.largest_energy = energy;
+  const bench::DefinitionRow& last = rows.back().definitions[index];
+  all.work = last.work;
+  all.dissipation = last.dissipation;
+  all.lost = last.lost;
+  all.stored = last.update.stored_energy;
+}
+
+void Plausibility::add_springs(std::span<const bench::Row> rows, std::size_t index) {
+  const auto dimension = static_cast<std::size_t>(case_->definitions[index].law.slip.dimension);
+  DefinitionExtremes& all = definitions_[index];
+  Spring before = springs_[index];
+  double stiffening = all.stiffening;
+  for (const bench::Row& row : rows) {
+    const law::FrictionUpdate& update = row.definitions[index].update;
+    double force = 0.0;
+    double stretch = 0.0;
+    for (std::size_t i = 0; i < dimension; ++i) {
+      force += update.state.force[i] * update.state.force[i];
+      stretch += update.state.elastic_slip[i] * update.state.elastic_slip[i];
+    }
+    const Spring now{stretch > 0.0 ? std::sqrt(force / stretch) : 0.0, stretch};
+    if (before.stretch > 0.0 && now.stretch > 0.0) {
+      stiffening += 0.25 * (before.stretch + now.stretch) * (now.stiffness - before.stiffness);
+    }
+    before = now;
+    const double equivalent = update.phi + update.limit;
+    if (update.state.regime != law::Regime::kStick || !(stretch > 0.0 && equivalent > 0.0)) {
+      continue;
+    }
+    const double at_limit = std::sqrt(stretch) * update.limit / equivalent;
+    all.smallest_elastic_slip =
+        all.smallest_elastic_slip > 0.0 ? std::min(all.smallest_elastic_slip, at_limit) : at_limit;
+  }
+  all.stiffening = stiffening;
+  springs_[index] = before;
 }
 
 std::string Plausibility::no_pressure(std::size_t index) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,8 @@ struct DefinitionExtremes {
 class Plausibility {
  public:
   explicit Plausibility(const cases::Case& problem);
-  void add(const bench::Row& row);
+  void add(std::span<const bench::Row> rows);
+  void add(const bench::Row& row) { add({&row, 1}); }
 
   /// In the order of the case's definitions.
   const std::vector<DefinitionExtremes>& definitions() const { return definitions_; }
@@ -48,7 +50,8 @@ class Plausibility {
     double stiffness = 0.0;  ///< |y|/|s_el| [F/L]; 0 where it is not stretched
     double stretch = 0.0;    ///< |s_el|^2 [L^2]
   };
-  void add_spring(const law::FrictionUpdate& update, std::size_t index);
+  void add(std::span<const bench::Row> rows, std::size_t index);
+  void add_springs(std::span<const bench::Row> rows, std::size_t index);
   std::string no_motion() const;
   std::string no_pressure(std::size_t index) const;
   std::string mere_spring(std::size_t index) const;

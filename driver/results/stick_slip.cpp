@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "driver/results/csv_writer.hpp"
-
 namespace slipbench::driver::results {
 namespace {
 
@@ -26,8 +24,7 @@ void add_turns(double begin, double begin_velocity, double end, double end_veloc
 
 }  // namespace
 
-StickSlipCounter::StickSlipCounter(const cases::Case& problem, std::size_t definition)
-    : case_(&problem), definition_(definition) {
+StickSlipCounter::StickSlipCounter(const cases::Case& problem, std::size_t definition) {
   const law::SlipSpace& slip = problem.definitions[definition].law.slip;
   if (problem.dynamics && slip.dimension == 1 && slip.component[0] == problem.dynamics->component) {
     component_ = problem.dynamics->component;
@@ -60,9 +57,7 @@ void StickSlipCounter::add(const Event& event, const bench::Row& row) {
   if (component_ >= 0) place_.add(position_at(event, row, component_));
 }
 
-void StickSlipCounter::add(const bench::Row& row) {
-  force_.add(limited_force(case_->definitions[definition_], row.definitions[definition_]));
-  if (component_ < 0) return;
+void StickSlipCounter::add_place(const bench::Row& row) {
   const double end = row.quantities[static_cast<std::size_t>(cases::kFirstMotion + component_)];
   if (row.index > 0) {
     add_turns(row.begin[component_], velocity_, end, row.forces.velocity, row.duration, place_);

@@ -49,13 +49,17 @@ class StickSlipCounter {
   /// An event of this definition on the way to `row`.
   void add(const Event& event, const bench::Row& row);
   /// After the events on the way to it.
-  void add(const bench::Row& row);
+  /// \param force limited_force of the row [F]
+  void add(const bench::Row& row, double force) {
+    force_.add(force);
+    if (component_ >= 0) add_place(row);
+  }
 
   const StickSlip& cycles() const { return done_; }
 
  private:
-  const cases::Case* case_;
-  std::size_t definition_;
+  void add_place(const bench::Row& row);
+
   int component_ = -1;  ///< of the mass, if this definition rubs on it
   StickSlip done_;
   std::optional<double> loose_;  ///< total time at which it last broke loose

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "driver/base/units/derived_units.hpp"
-#include "driver/results/csv_writer.hpp"
+#include "driver/results/friction_force.hpp"
 #include "driver/results/regime_history.hpp"
 #include "law/update/penalty_predictor.hpp"
 #include "law/update/penalty_update.hpp"
@@ -57,7 +57,6 @@ Summary::Summary(const cases::Case& problem)
       cycles_(problem),
       coverage_(problem),
       plausibility_(problem),
-      since_(problem.definitions.size()),
       stick_start_(problem.definitions.size()) {
   for (Column& column : result_columns(problem)) {
     if (is_position(column) && column.name.starts_with("CP")) {
@@ -71,55 +70,88 @@ Summary::Summary(const cases::Case& problem)
   }
 }
 
-void Summary::add(const bench::Row& row) {
-  if (row.index == 0) {
-    start_time_ = row.time;
-    add_start(row);
+void Summary::add(std::span<const bench::Row> rows) {
+  if (rows.front().index == 0) {
+    start_time_ = rows.front().time;
+    add_start(rows.front());
   }
-  increments_ = row.index;
-  end_time_ = row.time;
-  add_events(row);
-  cycles_.add(row);
-  if (case_->belt) add_belt(row);
-  coverage_.add(row);
-  plausibility_.add(row);
-  for (std::size_t d = 0; d < definitions_.size(); ++d) {
-    const bench::DefinitionRow& here = row.definitions[d];
+  increments_ = rows.back().index;
+  end_time_ = rows.back().time;
+  const std::span<const Event> events = detector_.take(rows);
+  cycles_.add(rows);
+  if (case_->belt) {
+    for (const bench::Row& row : rows) add_belt(row);
+  }
+  coverage_.add(rows);
+  plausibility_.add(rows);
+  for (std::size_t d = 0; d < definitions_.size(); ++d) add(rows, events, d);
+}
+
+void Summary::add(std::span<const bench::Row> rows, std::span<const Event> events,
+                  std::size_t index) {
+  const cases::CaseDefinition& definition = case_->definitions[index];
+  const bool formulated = definition.law.formulation.has_value();
+  DefinitionSummary& sum = definitions_[index];
+  StickSlipCounter& stick_slip = stick_slip_[index];
+  auto event = events.begin();
+  double slip_time = sum.slip_time;
+  std::int64_t roots = sum.multiple_roots;
+  double lowest = sum.lowest_force;
+  double highest = sum.highest_force;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const bench::Row& row = rows[k];
+    const bench::DefinitionRow& here = row.definitions[index];
     const law::FrictionUpdate& update = here.update;
-    DefinitionSummary& sum = definitions_[d];
-    stick_slip_[d].add(row);
-    sum.stick_slip = stick_slip_[d].cycles();
-    add_creep(here, d);
-    if (update.state.regime == law::Regime::kSlip) {
-      sum.slip_time += (1.0 - since_[d]) * row.duration;
-    } else if (update.state.regime == law::Regime::kOpen) {
-      sum.open_time += (1.0 - since_[d]) * row.duration;
-    }
-    const double force = representative_force(case_->definitions[d], here);
-    sum.lowest_force = std::min(sum.lowest_force, force);
-    sum.highest_force = std::max(sum.highest_force, force);
-    if (update.multiple_roots) ++sum.multiple_roots;
-    add_formulation(row, d);
-    const law::IncrementThresholds& thresholds = here.thresholds;
-    sum.unique = std::max(sum.unique, thresholds.unique);
-    if (thresholds.smooth > row.duration) {
-      ++sum.short_increments;
-      // thresholds.smooth / duration is the largest so far, by more than its rounding.
-      constexpr double kMore = 1.0 + 1e-9;
-      if (sum.worst_duration == 0.0 ||
-          thresholds.smooth * sum.worst_duration > kMore * sum.worst.smooth * row.duration) {
-        sum.worst = thresholds;
-        sum.worst_time = row.time;
-        sum.worst_duration = row.duration;
+    double since = 0.0;
+    if (event != events.end() && event->row == k) {
+      sum.slip_time = slip_time;
+      for (; event != events.end() && event->row == k; ++event) {
+        if (event->definition == index) since = add_event(*event, row, since);
       }
+      slip_time = sum.slip_time;
     }
-    sum.accumulated_slip = update.state.accumulated_slip;
-    sum.dissipation = here.dissipation;
-    sum.stored_energy = update.stored_energy;
-    sum.work = here.work;
-    sum.lost = here.lost;
-    sum.jumps = here.jumps;
-    sum.largest_energy = plausibility_.definitions()[d].largest_energy;
+    if (update.state.regime == law::Regime::kSlip) {
+      slip_time += (1.0 - since) * row.duration;
+    } else if (update.state.regime == law::Regime::kOpen) {
+      sum.open_time += (1.0 - since) * row.duration;
+    }
+    const double force = representative_force(definition, here);
+    lowest = std::min(lowest, force);
+    highest = std::max(highest, force);
+    stick_slip.add(row, formulated ? limited_force(definition, here) : force);
+    roots += update.multiple_roots ? 1 : 0;
+    if (formulated || here.clamped) add_formulation(row, index);
+    if (here.thresholds.unique > 0.0 || here.thresholds.smooth > 0.0) add_thresholds(row, index);
+  }
+  sum.slip_time = slip_time;
+  sum.multiple_roots = roots;
+  sum.lowest_force = lowest;
+  sum.highest_force = highest;
+  add_creep(rows, index);
+  const bench::DefinitionRow& last = rows.back().definitions[index];
+  sum.stick_slip = stick_slip.cycles();
+  sum.accumulated_slip = last.update.state.accumulated_slip;
+  sum.dissipation = last.dissipation;
+  sum.stored_energy = last.update.stored_energy;
+  sum.work = last.work;
+  sum.lost = last.lost;
+  sum.jumps = last.jumps;
+  sum.largest_energy = plausibility_.definitions()[index].largest_energy;
+}
+
+void Summary::add_thresholds(const bench::Row& row, std::size_t index) {
+  DefinitionSummary& sum = definitions_[index];
+  const law::IncrementThresholds& thresholds = row.definitions[index].thresholds;
+  sum.unique = std::max(sum.unique, thresholds.unique);
+  if (!(thresholds.smooth > row.duration)) return;
+  ++sum.short_increments;
+  // thresholds.smooth / duration is the largest so far, by more than its rounding.
+  constexpr double kMore = 1.0 + 1e-9;
+  if (sum.worst_duration == 0.0 ||
+      thresholds.smooth * sum.worst_duration > kMore * sum.worst.smooth * row.duration) {
+    sum.worst = thresholds;
+    sum.worst_time = row.time;
+    sum.worst_duration = row.duration;
   }
 }
 
@@ -223,56 +255,67 @@ void Summary::note_first_slip(const Event& event, const bench::Row& row) {
   }
 }
 
-void Summary::add_events(const bench::Row& row) {
-  std::fill(since_.begin(), since_.end(), 0.0);
-  for (const Event& event : detector_.take(row)) {
-    DefinitionSummary& sum = definitions_[event.definition];
-    if (event.jump) {
-      if (sum.jumps == 0) sum.first_jump = event.time;
-      continue;
-    }
-    stick_slip_[event.definition].add(event, row);
-    const double before = std::exchange(since_[event.definition], event.fraction);
-    // Slip that turns to the opposite sense has stuck on the way, but where the turn was located.
-    const bool located = row.definitions[event.definition].changes.count > 0;
-    if (event.from == law::Regime::kSlip && (located || event.to != law::Regime::kSlip)) {
-      sum.slip_time += (event.fraction - before) * row.duration;
-    }
-    if (event.from == law::Regime::kOpen) {
-      sum.open_time += (event.fraction - before) * row.duration;
-    }
-    if (event.reversal) ++sum.reversals;
-    if (event.to != law::Regime::kSlip || event.from == law::Regime::kSlip) continue;
+double Summary::add_event(const Event& event, const bench::Row& row, double since) {
+  DefinitionSummary& sum = definitions_[event.definition];
+  if (event.jump) {
+    if (!sum.first_jump) sum.first_jump = event.time;
+    return since;
+  }
+  stick_slip_[event.definition].add(event, row);
+  // Slip that turns to the opposite sense has stuck on the way, but where the turn was located.
+  const bool located = row.definitions[event.definition].changes.count > 0;
+  if (event.from == law::Regime::kSlip && (located || event.to != law::Regime::kSlip)) {
+    sum.slip_time += (event.fraction - since) * row.duration;
+  }
+  if (event.from == law::Regime::kOpen) sum.open_time += (event.fraction - since) * row.duration;
+  if (event.reversal) ++sum.reversals;
+  if (event.to == law::Regime::kSlip && event.from != law::Regime::kSlip) {
     ++sum.events;
     note_first_slip(event, row);
   }
+  return event.fraction;
 }
 
-void Summary::add_creep(const bench::DefinitionRow& here, std::size_t index) {
-  const law::FrictionState& now = here.update.state;
-  law::FrictionState& start = stick_start_[index];
+void Summary::add_creep(std::span<const bench::Row> rows, std::size_t index) {
+  const cases::CaseDefinition& definition = case_->definitions[index];
+  const bool viscous = is_viscous(definition.law);
+  const auto dimension = static_cast<std::size_t>(definition.law.slip.dimension);
   DefinitionSummary& sum = definitions_[index];
-  double length = 0.0;
+  const law::FrictionState* start = &stick_start_[index];  // but for its regime
+  law::Regime before = start->regime;
+  double length = 0.0;  // squares of the largest so far
   double creep = 0.0;
-  double across = 0.0;  // negative where slip turned to the opposite sense: it stuck on the way
-  for (std::size_t k = 0; k < now.elastic_slip.size(); ++k) {
-    const double moved = now.elastic_slip[k] - start.elastic_slip[k];
-    length += now.elastic_slip[k] * now.elastic_slip[k];
-    creep += moved * moved;
-    across += now.elastic_slip[k] * start.elastic_slip[k];
+  for (const bench::Row& row : rows) {
+    const law::FrictionUpdate& update = row.definitions[index].update;
+    const law::FrictionState& now = update.state;
+    const bool sticks = now.regime == law::Regime::kStick;
+    if (sticks || (now.regime == law::Regime::kSlip && update.onset > 0.0)) {
+      double stretch = 0.0;
+      double way = 0.0;
+      double across = 0.0;  // negative where slip turned to the opposite sense: it stuck on the way
+      for (std::size_t k = 0; k < dimension; ++k) {
+        const double moved = now.elastic_slip[k] - start->elastic_slip[k];
+        stretch += now.elastic_slip[k] * now.elastic_slip[k];
+        way += moved * moved;
+        across += now.elastic_slip[k] * start->elastic_slip[k];
+      }
+      if (sticks) length = std::max(length, stretch);
+      // The stick before a slip lasts up to the limit, where the elastic slip then stays.
+      if (sticks || before == law::Regime::kStick || across < 0.0) creep = std::max(creep, way);
+    }
+    // Below its limit a viscous penalty creeps with all of the motion, and stores nothing.
+    if (viscous && sticks) {
+      sum.largest_creep =
+          std::max(sum.largest_creep, now.accumulated_slip - start->accumulated_slip);
+    }
+    if (!sticks) start = &now;
+    before = now.regime;
   }
-  const bool sticks = now.regime == law::Regime::kStick;
-  if (sticks) sum.largest_elastic_slip = std::max(sum.largest_elastic_slip, std::sqrt(length));
-  // The stick before a slip lasts up to the limit, where the elastic slip then stays.
-  const bool stuck_before = now.regime == law::Regime::kSlip && here.update.onset > 0.0 &&
-                            (start.regime == law::Regime::kStick || across < 0.0);
-  if (sticks || stuck_before) sum.largest_creep = std::max(sum.largest_creep, std::sqrt(creep));
-  // Below its limit a viscous penalty creeps with all of the motion, and stores nothing.
-  if (is_viscous(case_->definitions[index].law) && sticks) {
-    sum.largest_creep = std::max(sum.largest_creep, now.accumulated_slip - start.accumulated_slip);
-  }
-  if (!sticks) start = now;
-  start.regime = now.regime;
+  // The root of the largest square is the largest root: it is rounded monotonically.
+  sum.largest_elastic_slip = std::max(sum.largest_elastic_slip, std::sqrt(length));
+  sum.largest_creep = std::max(sum.largest_creep, std::sqrt(creep));
+  if (start != &stick_start_[index]) stick_start_[index] = *start;
+  stick_start_[index].regime = before;
 }
 
 /// Returns why there was no friction all along: only a contact force of 0 is no contact.
@@ -331,7 +374,7 @@ std::string Summary::definition_text(const DefinitionSummary& sum, std::size_t i
   if (sum.jumps > 0) {
     text += fmt::format("  {}{} were lost in {} jump{} (snap-back), the first at t = {}\n", name,
                         base::energy_text(sum.lost, units), sum.jumps, plural(sum.jumps),
-                        base::with_unit(base::rounded(sum.first_jump), units.time));
+                        base::with_unit(base::rounded(*sum.first_jump), units.time));
   }
   return text + stick_slip_text(sum, index) + why_text(sum, index);
 }

@@ -51,7 +51,7 @@ struct DefinitionSummary {
   double work = 0.0;              ///< [F L]
   double lost = 0.0;              ///< in jumps at constant motion [F L]
   std::int64_t jumps = 0;
-  double first_jump = 0.0;            ///< total time of it [T]
+  std::optional<double> first_jump;   ///< total time of it [T]
   double largest_energy = 0.0;        ///< of these three, at any time [F L]
   std::int64_t multiple_roots = 0;    ///< increments that may have more than one solution
   std::int64_t short_increments = 0;  ///< increments in which backward Euler may not settle
@@ -79,7 +79,8 @@ struct DefinitionSummary {
 class Summary {
  public:
   explicit Summary(const cases::Case& problem);
-  void add(const bench::Row& row);
+  void add(std::span<const bench::Row> rows);
+  void add(const bench::Row& row) { add({&row, 1}); }
 
   std::int64_t increments() const { return increments_; }
   double end_time() const { return end_time_; }
@@ -102,8 +103,12 @@ class Summary {
   std::string why_text(const DefinitionSummary& definition, std::size_t index) const;
   void add_start(const bench::Row& row);
   void note_first_slip(const Event& event, const bench::Row& row);
-  void add_events(const bench::Row& row);
-  void add_creep(const bench::DefinitionRow& here, std::size_t index);
+  void add(std::span<const bench::Row> rows, std::span<const Event> events, std::size_t index);
+  /// Returns the fraction of the increment that is behind an event [1].
+  /// \param since that of the event before
+  double add_event(const Event& event, const bench::Row& row, double since);
+  void add_thresholds(const bench::Row& row, std::size_t index);
+  void add_creep(std::span<const bench::Row> rows, std::size_t index);
   void add_formulation(const bench::Row& row, std::size_t index);
   /// Warns of a coefficient that falls too fast for the increments; empty if none does.
   std::string falling_warning(const DefinitionSummary& definition, std::size_t index) const;
@@ -121,7 +126,6 @@ class Summary {
   Coverage coverage_;
   Plausibility plausibility_;
   std::vector<StickSlipCounter> stick_slip_;
-  std::vector<double> since_;  ///< fraction of the increment at the last event in it
   std::vector<law::FrictionState> stick_start_;  ///< where the current stick began
   /// Shortest distance CP1 of a belt, and most negative prescribed tension, and when.
   struct Least {

@@ -1,22 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/base/text/format_number.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 
 namespace slipbench::driver::base {
+namespace {
+
+// The longest is -2.2250738585072014e-308: 24 characters.
+constexpr std::size_t kLongest = 32;
+
+/// Writes a number, and returns where it ends.
+/// \param to has room for kLongest
+char* put_number(char* to, double value) {
+  // The sign of a NaN depends on the operation that made it, and says nothing.
+  if (std::isnan(value)) return std::copy_n("nan", 3, to);
+  return std::to_chars(to, to + kLongest, value).ptr;
+}
+
+}  // namespace
 
 void append_number(std::string& text, double value) {
-  if (std::isnan(value)) {
-    // The sign of a NaN depends on the operation that made it, and says nothing.
-    text += "nan";
-    return;
+  std::array<char, kLongest> buffer{};
+  text.append(buffer.data(), put_number(buffer.data(), value));
+}
+
+void append_numbers(std::string& text, std::span<const double> values) {
+  const std::size_t size = text.size();
+  text.resize(size + (kLongest + 1) * values.size());
+  char* to = text.data() + size;
+  for (const double value : values) {
+    to = put_number(to, value);
+    *to++ = ',';
   }
-  // The longest is -2.2250738585072014e-308: 24 characters.
-  std::array<char, 32> buffer{};
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  text.append(buffer.data(), result.ptr);
+  text.resize(static_cast<std::size_t>(to - text.data()));
 }
 
 std::string format_number(double value) {

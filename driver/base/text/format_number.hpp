@@ -2,6 +2,7 @@
 // Numbers as text for files: the same double always gives the same bytes, and back.
 #pragma once
 
+#include <span>
 #include <string>
 
 namespace slipbench::driver::base {
@@ -13,5 +14,7 @@ namespace slipbench::driver::base {
 
 /// As format_number, appended to a text that grows: for writing many numbers.
 void append_number(std::string& text, double value);
+/// The same of several, each with a comma behind it.
+void append_numbers(std::string& text, std::span<const double> values);
 
 }  // namespace slipbench::driver::base

@@ -270,6 +270,7 @@ std::string written_rows(const cases::Case& problem, const fs::path& target) {
   REQUIRE(file);
   CsvWriter writer(problem, output_columns(problem), *file);
   for (const bench::Row& row : bench::rows_of(problem)) writer.write(row);
+  writer.finish();
   complete(*file);
   return file_text(target);
 }
@@ -304,7 +305,7 @@ TEST_CASE("events are the changes of regime, the first slip included") {
   auto file = base::OutputFile::create(folder.path() / "a.csv", kMark);
   REQUIRE(file);
   EventWriter writer(problem, *file);
-  for (const bench::Row& row : bench::rows_of(problem)) writer.write(row);
+  for (const bench::Row& row : bench::rows_of(problem)) writer.write({&row, 1});
   complete(*file);
   std::string text = file_text(folder.path() / "a.csv");
   text.erase(0, text.find("\nt,") + 1);
