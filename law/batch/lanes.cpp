@@ -95,6 +95,94 @@ template <int D, bool kFixed, bool kWears>
 }
 #endif
 
+/// As a scalar run does it: a value that is not beyond the one before leaves that with its bits.
+template <LaneKept kKept>
+[[gnu::always_inline]] inline void keep(const double* column, const double* scale,
+                                        double* so_far) noexcept {
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const double signed_value = scale[i] * column[i];
+    const double value = kKept == LaneKept::kMagnitude ? std::abs(signed_value) : signed_value;
+    const bool beyond = kKept == LaneKept::kMinimum ? value < so_far[i] : value > so_far[i];
+    so_far[i] = beyond ? value : so_far[i];
+  }
+}
+
+[[gnu::always_inline]] inline void count_changes(const double* regime, double from, double to,
+                                                 double* before, double* count) noexcept {
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const bool was = before[i] == from;
+    const bool is = regime[i] == to;
+    count[i] += was ? (is ? 1.0 : 0.0) : 0.0;
+    before[i] = regime[i];
+  }
+}
+
+[[gnu::always_inline]] inline void mix(const LaneCorners& corner,
+                                       const std::array<double, 3>& fraction, double* mu) noexcept {
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const double low = corner[0][i] + fraction[0] * (corner[1][i] - corner[0][i]);
+    const double high = corner[2][i] + fraction[1] * (corner[3][i] - corner[2][i]);
+    const double value = low + fraction[2] * (high - low);
+    mu[i] = value < 0.0 ? 0.0 : value;
+  }
+}
+
+void portable_mix(const LaneCorners& corner, const std::array<double, 3>& fraction,
+                  LaneColumn* mu) noexcept {
+  mix(corner, fraction, mu->data());
+}
+template <LaneKept kKept>
+void portable_keep(const LaneColumn& column, const LaneColumn& scale, LaneColumn* so_far) noexcept {
+  keep<kKept>(column.data(), scale.data(), so_far->data());
+}
+void portable_count(const LaneColumn& regime, double from, double to, LaneColumn* before,
+                    LaneColumn* count) noexcept {
+  count_changes(regime.data(), from, to, before->data(), count->data());
+}
+#if defined(__x86_64__)
+template <LaneKept kKept>
+[[gnu::target("avx2")]] void avx2_keep(const LaneColumn& column, const LaneColumn& scale,
+                                       LaneColumn* so_far) noexcept {
+  keep<kKept>(column.data(), scale.data(), so_far->data());
+}
+template <LaneKept kKept>
+[[gnu::target("avx512f,avx512dq,avx512vl")]] void avx512_keep(const LaneColumn& column,
+                                                              const LaneColumn& scale,
+                                                              LaneColumn* so_far) noexcept {
+  keep<kKept>(column.data(), scale.data(), so_far->data());
+}
+[[gnu::target("avx2")]] void avx2_mix(const LaneCorners& corner,
+                                      const std::array<double, 3>& fraction,
+                                      LaneColumn* mu) noexcept {
+  mix(corner, fraction, mu->data());
+}
+[[gnu::target("avx512f,avx512dq,avx512vl")]] void avx512_mix(const LaneCorners& corner,
+                                                             const std::array<double, 3>& fraction,
+                                                             LaneColumn* mu) noexcept {
+  mix(corner, fraction, mu->data());
+}
+[[gnu::target("avx2")]] void avx2_count(const LaneColumn& regime, double from, double to,
+                                        LaneColumn* before, LaneColumn* count) noexcept {
+  count_changes(regime.data(), from, to, before->data(), count->data());
+}
+[[gnu::target("avx512f,avx512dq,avx512vl")]] void avx512_count(const LaneColumn& regime,
+                                                               double from, double to,
+                                                               LaneColumn* before,
+                                                               LaneColumn* count) noexcept {
+  count_changes(regime.data(), from, to, before->data(), count->data());
+}
+#endif
+
+template <LaneKept kKept>
+LaneKeep keep_for(InstructionSet set) noexcept {
+#if defined(__x86_64__)
+  if (set == InstructionSet::kAvx512) return avx512_keep<kKept>;
+  if (set == InstructionSet::kAvx2) return avx2_keep<kKept>;
+#endif
+  static_cast<void>(set);
+  return portable_keep<kKept>;
+}
+
 template <int D, bool kFixed, bool kWears>
 LaneStep step_for(InstructionSet set) noexcept {
 #if defined(__x86_64__)
@@ -143,6 +231,36 @@ InstructionSet widest_instructions() noexcept {
 
 LaneStep lane_step(int dimension, bool fixed, bool wears, InstructionSet set) noexcept {
   return dimension == 1 ? step_for<1>(fixed, wears, set) : step_for<2>(fixed, wears, set);
+}
+
+LaneKeep lane_keep(LaneKept kept, InstructionSet set) noexcept {
+  switch (kept) {
+    case LaneKept::kMaximum:
+      return keep_for<LaneKept::kMaximum>(set);
+    case LaneKept::kMinimum:
+      return keep_for<LaneKept::kMinimum>(set);
+    case LaneKept::kMagnitude:
+      break;
+  }
+  return keep_for<LaneKept::kMagnitude>(set);
+}
+
+LaneMix lane_mix(InstructionSet set) noexcept {
+#if defined(__x86_64__)
+  if (set == InstructionSet::kAvx512) return avx512_mix;
+  if (set == InstructionSet::kAvx2) return avx2_mix;
+#endif
+  static_cast<void>(set);
+  return portable_mix;
+}
+
+LaneCount lane_count(InstructionSet set) noexcept {
+#if defined(__x86_64__)
+  if (set == InstructionSet::kAvx512) return avx512_count;
+  if (set == InstructionSet::kAvx2) return avx2_count;
+#endif
+  static_cast<void>(set);
+  return portable_count;
 }
 
 }  // namespace slipbench::law

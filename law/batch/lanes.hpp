@@ -76,4 +76,25 @@ using LaneStep = bool (*)(Lanes* lanes, LaneMotion motion) noexcept;
 /// \param set available
 LaneStep lane_step(int dimension, bool fixed, bool wears, InstructionSet set) noexcept;
 
+/// Values at the ends of the cell of a table, TableMix's rows.
+using LaneCorners = std::array<LaneColumn, 4>;
+
+/// Coefficients of lanes whose tables differ in the ordinates only; none below 0.
+using LaneMix = void (*)(const LaneCorners& corner, const std::array<double, 3>& fraction,
+                         LaneColumn* mu) noexcept;
+LaneMix lane_mix(InstructionSet set) noexcept;
+
+/// Number that is left of a column over the increments.
+enum class LaneKept : std::uint8_t { kMaximum, kMinimum, kMagnitude };
+
+/// Brings the values of a column, times `scale`, to what is left of it so far.
+using LaneKeep = void (*)(const LaneColumn& column, const LaneColumn& scale,
+                          LaneColumn* so_far) noexcept;
+LaneKeep lane_keep(LaneKept kept, InstructionSet set) noexcept;
+
+/// Counts the lanes that were in one regime and are in another, and takes over the regimes.
+using LaneCount = void (*)(const LaneColumn& regime, double from, double to, LaneColumn* before,
+                           LaneColumn* count) noexcept;
+LaneCount lane_count(InstructionSet set) noexcept;
+
 }  // namespace slipbench::law

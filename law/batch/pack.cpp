@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "law/base/slip_vector.hpp"
+#include "law/definition/known_limit.hpp"
 #include "law/definition/motion.hpp"
 #include "law/update/penalty_predictor.hpp"
 #include "law/update/return_mapping.hpp"
@@ -57,10 +58,37 @@ bool same(const ContactForce& a, const ContactForce& b) noexcept {
   return std::holds_alternative<NoContactForce>(a);
 }
 
+/// Tells whether a contact force depends on forces alone.
+bool is_of_forces(const ContactForce& contact) noexcept {
+  if (std::holds_alternative<UniversalJointContact>(contact)) return false;
+  const auto* terms = std::get_if<DerivedComponent>(&contact);
+  return terms == nullptr || std::ranges::none_of(*terms, [](const DerivedTerm& term) {
+           return term.weight_table.has_value();
+         });
+}
+
+constexpr LaneColumn kOnes = [] {
+  LaneColumn ones{};
+  ones.fill(1.0);
+  return ones;
+}();
+
 /// Tells whether two definitions of one form have the same coefficient under the same motion.
 bool same_coefficient(const FrictionDefinition& a, const FrictionDefinition& b) noexcept {
   return a.slip_rate == b.slip_rate && a.slip.scale == b.slip.scale &&
          a.blend.start == b.blend.start && a.blend.weight == b.blend.weight && same(a.law, b.law);
+}
+
+/// Tells whether the coefficients of two definitions of one form come from the same rows of their
+/// tables under the same motion.
+bool same_cells(const FrictionDefinition& a, const FrictionDefinition& b) noexcept {
+  const auto* one = std::get_if<TabularCoefficient>(&a.law);
+  const auto* other = std::get_if<TabularCoefficient>(&b.law);
+  return one != nullptr && other != nullptr && a.slip_rate == b.slip_rate &&
+         a.slip.scale == b.slip.scale && a.blend.weight == 1.0 && b.blend.weight == 1.0 &&
+         one->table.independents().size() <= 2 &&
+         std::ranges::equal(one->table.independents(), other->table.independents()) &&
+         one->table.table().same_grid(other->table.table());
 }
 
 /// Tells whether F_int is a number, or a table over the accumulated slip alone.
@@ -82,25 +110,27 @@ double motion_of(const FrictionDefinition& definition,
   });
 }
 
+/// Returns the slip rate that the coefficient of a definition that has a form sees.
+double slip_rate(const FrictionDefinition& definition,
+                 const ConnectorIncrement& increment) noexcept {
+  return definition.slip_rate == SlipRateMeasure::kRelativeMotion
+             ? motion_of(definition, increment) * inverse_duration(increment.duration)
+             : 0.0;
+}
+
 /// Returns the coefficient of a definition that has a form.
 double coefficient(const FrictionDefinition& definition,
                    const ConnectorIncrement& increment) noexcept {
-  const double rate = definition.slip_rate == SlipRateMeasure::kRelativeMotion
-                          ? motion_of(definition, increment) * inverse_duration(increment.duration)
-                          : 0.0;
+  const double rate = slip_rate(definition, increment);
   return blended(definition.blend, evaluate(definition.law, increment.end, {.slip_rate = rate})).mu;
 }
 
 }  // namespace
 
 std::optional<BatchForm> batch_form(const FrictionDefinition& definition) noexcept {
-  const bool sees_slip =
-      definition.slip_rate == SlipRateMeasure::kSlip && depends_on_slip_rate(definition.law);
-  const bool wears_within = definition.accumulated_slip == AccumulatedSlipTiming::kEnd &&
-                            depends_on_accumulated_slip(definition.internal_contact_force);
   const auto dimension = static_cast<std::size_t>(definition.slip.dimension);
   if (definition.formulation || !std::holds_alternative<EuclideanPotential>(definition.criterion) ||
-      dimension > kLaneEntries || sees_slip || wears_within ||
+      dimension > kLaneEntries || !has_known_limit(definition) ||
       depends_on_contact_force(definition.law) || !is_simple(definition.internal_contact_force)) {
     return std::nullopt;
   }
@@ -108,6 +138,14 @@ std::optional<BatchForm> batch_form(const FrictionDefinition& definition) noexce
                  .dimension = definition.slip.dimension};
   for (std::size_t k = 0; k < dimension; ++k) form.component[k] = definition.slip.component[k];
   return form;
+}
+
+LaneExtreme::LaneExtreme(LaneNumber of, std::size_t of_entry, LaneKept what) noexcept
+    : number(of), entry(of_entry), kept(what) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  so_far.fill(kept == LaneKept::kMagnitude ? -1.0
+              : kept == LaneKept::kMinimum ? kInfinity
+                                           : -kInfinity);
 }
 
 Pack::Pack(std::span<const FrictionDefinition> definitions,
@@ -135,7 +173,9 @@ void Pack::enter(std::size_t lane, const FrictionState& begin) noexcept {
   common_[lane] = true;
   is_constant_ = is_constant_ && std::holds_alternative<ConstantCoefficient>(definition.law);
   shares_coefficient_ = shares_coefficient_ && same_coefficient(first, definition);
+  shares_cells_ = shares_cells_ && same_cells(first, definition);
   shares_contact_ = shares_contact_ && same(first.contact_force, definition.contact_force);
+  contact_follows_ = contact_follows_ || !is_of_forces(definition.contact_force);
   for (std::size_t k = 0; k < static_cast<std::size_t>(form_->dimension); ++k) {
     lanes_.scale[k][lane] = definition.slip.scale[k];
     lanes_.force[k][lane] = begin.force[k];
@@ -182,23 +222,70 @@ void Pack::enter_segment(std::size_t lane) noexcept {
   lanes_.segment_end[lane] = holds || i + 1 < last ? knots[i + 1] : kNever;
 }
 
+void Pack::follow(std::span<LaneExtreme> extremes, std::span<LaneChanges> changes) noexcept {
+  extremes_ = extremes;
+  changes_ = changes;
+}
+
+void Pack::press(std::span<const LaneForce> forces) noexcept {
+  own_forces_ = forces;
+  pressed_.reset();
+}
+
+ConnectorForce Pack::force_of(std::size_t lane,
+                              const ConnectorIncrement& increment) const noexcept {
+  ConnectorForce force = increment.force;
+  for (const LaneForce& own : own_forces_) force[own.component] = own.of_lane[lane];
+  return force;
+}
+
+double Pack::contact_of(std::size_t lane, const ConnectorIncrement& increment) const noexcept {
+  return evaluate(definitions_[lane].contact_force, force_of(lane, increment), increment.end);
+}
+
 void Pack::take_contact(const ConnectorIncrement& increment) noexcept {
-  const auto of = [&](std::size_t lane) {
-    return evaluate(definitions_[lane].contact_force, increment.force, increment.end);
-  };
-  if (shares_contact_) {
-    lanes_.contact.fill(of(first_));
+  if (pressed_ && !contact_follows_ && pressed_->values == increment.force.values) return;
+  pressed_ = increment.force;
+  if (shares_contact_ && own_forces_.empty()) {
+    lanes_.contact.fill(contact_of(first_, increment));
     return;
   }
   for (std::size_t lane = 0; lane < definitions_.size(); ++lane) {
-    if (common_[lane]) lanes_.contact[lane] = of(lane);
+    if (common_[lane]) lanes_.contact[lane] = contact_of(lane, increment);
   }
 }
 
-void Pack::take_coefficient(const ConnectorIncrement& increment) noexcept {
+/// Interpolates in all tables at once: they differ in their ordinates only.
+void Pack::mix_coefficients(const ConnectorIncrement& increment, InstructionSet set) noexcept {
+  const FrictionDefinition& first = definitions_[first_];
+  const TableFunction& function = std::get_if<TabularCoefficient>(&first.law)->table;
+  const auto arguments =
+      function.arguments(increment.end, {.slip_rate = slip_rate(first, increment)});
+  const TableMix mix =
+      function.table().mix(std::span(arguments).first(function.independents().size()));
+  if (!has_corners_ || mix.row != rows_) {
+    rows_ = mix.row;
+    has_corners_ = true;
+    for (std::size_t lane = 0; lane < definitions_.size(); ++lane) {
+      if (!common_[lane]) continue;
+      const auto* law = std::get_if<TabularCoefficient>(&definitions_[lane].law);
+      const Table& table = law->table.table();
+      for (std::size_t i = 0; i < corners_.size(); ++i) {
+        corners_[i][lane] = table.ordinate(rows_[i]);
+      }
+    }
+  }
+  lane_mix(set)(corners_, mix.fraction, &lanes_.mu);
+}
+
+void Pack::take_coefficient(const ConnectorIncrement& increment, InstructionSet set) noexcept {
   if (is_constant_) return;
   if (shares_coefficient_) {
     lanes_.mu.fill(coefficient(definitions_[first_], increment));
+    return;
+  }
+  if (shares_cells_) {
+    mix_coefficients(increment, set);
     return;
   }
   for (std::size_t lane = 0; lane < definitions_.size(); ++lane) {
@@ -209,16 +296,27 @@ void Pack::take_coefficient(const ConnectorIncrement& increment) noexcept {
 void Pack::advance_common(std::span<const ConnectorIncrement> increments,
                           InstructionSet set) noexcept {
   const LaneStep step = lane_step(form_->dimension, form_->fixed, wears_, set);
+  const LaneCount count = lane_count(set);
   const auto dimension = static_cast<std::size_t>(form_->dimension);
   for (const ConnectorIncrement& increment : increments) {
     take_contact(increment);
-    take_coefficient(increment);
+    take_coefficient(increment, set);
     LaneMotion motion{};
     for (std::size_t k = 0; k < dimension; ++k) {
       const int c = form_->component[k];
       motion[k] = increment.end.position[c] - increment.begin_position[c];
     }
-    if (!step(&lanes_, motion)) continue;
+    const bool passed = step(&lanes_, motion);
+    for (LaneExtreme& one : extremes_) {
+      const bool scaled = one.number == LaneNumber::kForce;
+      lane_keep(one.kept, set)(column(one.number, one.entry),
+                               scaled ? lanes_.scale[one.entry] : kOnes, &one.so_far);
+    }
+    for (LaneChanges& one : changes_) {
+      count(lanes_.regime, static_cast<double>(one.from), static_cast<double>(one.to), &one.before,
+            &one.count);
+    }
+    if (!passed) continue;
     for (std::size_t lane = 0; lane < definitions_.size(); ++lane) {
       if (lanes_.accumulated_slip[lane] >= lanes_.segment_end[lane]) enter_segment(lane);
     }
@@ -236,7 +334,9 @@ void Pack::advance_alone(std::size_t lane,
                          std::span<const ConnectorIncrement> increments) noexcept {
   const FrictionDefinition& definition = definitions_[lane];
   auto& [state, summary] = alone_[lane];
-  for (const ConnectorIncrement& increment : increments) {
+  for (const ConnectorIncrement& shared : increments) {
+    ConnectorIncrement increment = shared;
+    increment.force = force_of(lane, shared);
     const FrictionUpdate next = update(definition, increment, state);
     state = next.state;
     summary.peak_force = std::max(summary.peak_force, equivalent_force(definition, state));
@@ -253,6 +353,29 @@ void Pack::advance(std::span<const ConnectorIncrement> increments, InstructionSe
   for (std::size_t lane = 0; lane < definitions_.size(); ++lane) {
     if (!common_[lane]) advance_alone(lane, increments);
   }
+}
+
+const LaneColumn& Pack::column(LaneNumber number, std::size_t entry) const noexcept {
+  switch (number) {
+    case LaneNumber::kForce:
+      return lanes_.force[entry];
+    case LaneNumber::kLimit:
+      return lanes_.limit;
+    case LaneNumber::kCoefficient:
+      return lanes_.mu;
+    case LaneNumber::kRegime:
+      return lanes_.regime;
+    case LaneNumber::kAccumulatedSlip:
+      return lanes_.accumulated_slip;
+    case LaneNumber::kDissipation:
+      break;
+  }
+  return lanes_.dissipation;
+}
+
+double Pack::last(LaneNumber number, std::size_t entry, std::size_t lane) const noexcept {
+  const double value = column(number, entry)[lane];
+  return number == LaneNumber::kForce ? lanes_.scale[entry][lane] * value : value;
 }
 
 FrictionState Pack::state(std::size_t lane) const noexcept {

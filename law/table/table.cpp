@@ -167,6 +167,18 @@ Table::Bracket Table::bracket(int level, std::uint32_t index, double v) const no
   return {first + i, first + i + 1, (v - grid[i]) / (grid[i + 1] - grid[i])};
 }
 
+TableMix Table::mix(std::span<const double> x) const noexcept {
+  TableMix result;
+  // The ends of the last independent are blocks of the first.
+  const Bracket last =
+      x.size() == 2 ? bracket(1, 0, x[1]) : Bracket{.low = 0, .high = 0, .fraction = 0.0};
+  const Bracket low = bracket(0, last.low, x[0]);
+  const Bracket high = bracket(0, last.high, x[0]);
+  result.row = {low.low, low.high, high.low, high.high};
+  result.fraction = {low.fraction, high.fraction, last.fraction};
+  return result;
+}
+
 std::vector<double> Table::point(std::size_t row) const {
   std::vector<double> x;
   std::size_t entry = row;

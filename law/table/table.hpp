@@ -57,6 +57,14 @@ struct TableCell {
   bool ragged = false;
 };
 
+/// A value of a table over at most two independents, made of four rows (of which some may be the
+/// same) by lerp(lerp(row 0, row 1, f_0), lerp(row 2, row 3, f_1), f_2), lerp(a, b, f) = a + f (b -
+/// a).
+struct TableMix {
+  std::array<std::size_t, 4> row{};
+  std::array<double, 3> fraction{};
+};
+
 /// Piecewise linear table of any number of dependents over any number of independents, with ragged
 /// blocks (docs/theory, section 9.1): the first independent varies fastest, every block of fixed
 /// later independents has its own grid of the earlier ones. Interpolation runs inside the two
@@ -95,6 +103,10 @@ class Table {
 
   /// Value of dependent `column` at `x` (as many entries as independents) without slopes.
   double value(std::span<const double> x, int column = 0) const noexcept;
+
+  /// Returns what value() is made of, in all bits, whatever the ordinates; at most two
+  /// independents.
+  TableMix mix(std::span<const double> x) const noexcept;
 
   /// As value(), and adds the slope to each independent to `slopes` (same length as `x`),
   /// each multiplied by `weight`.

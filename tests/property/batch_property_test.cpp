@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstdint>
 #include <set>
 #include <span>
@@ -47,6 +49,94 @@ Bits bits(const FrictionState& state, const LaneSummary& summary) {
   return all;
 }
 
+constexpr std::array kKept{LaneKept::kMaximum, LaneKept::kMinimum, LaneKept::kMagnitude};
+
+/// What a pack can follow of definitions with so many entries.
+struct Followed {
+  std::vector<LaneExtreme> extremes;
+  std::vector<LaneChanges> changes{{Regime::kStick, Regime::kSlip}, {Regime::kSlip, Regime::kOpen}};
+
+  explicit Followed(int dimension) {
+    for (const LaneKept kept : kKept) {
+      for (int k = 0; k < dimension; ++k) {
+        extremes.emplace_back(LaneNumber::kForce, static_cast<std::size_t>(k), kept);
+      }
+      for (const LaneNumber number :
+           {LaneNumber::kLimit, LaneNumber::kCoefficient, LaneNumber::kRegime,
+            LaneNumber::kAccumulatedSlip, LaneNumber::kDissipation}) {
+        extremes.emplace_back(number, 0, kept);
+      }
+    }
+  }
+
+  /// All of a lane, and the last values of a pack.
+  Bits bits(const Pack& pack, std::size_t lane) const {
+    Bits all;
+    for (const LaneExtreme& one : extremes) {
+      all.push_back(std::bit_cast<std::uint64_t>(one.so_far[lane]));
+      all.push_back(std::bit_cast<std::uint64_t>(pack.last(one.number, one.entry, lane)));
+    }
+    for (const LaneChanges& one : changes) {
+      all.push_back(std::bit_cast<std::uint64_t>(one.count[lane]));
+    }
+    return all;
+  }
+};
+
+/// Returns what Followed::bits does, of a definition that is updated by itself.
+Bits followed_alone(const FrictionDefinition& definition,
+                    std::span<const ConnectorIncrement> increments, FrictionState state) {
+  Followed followed(definition.slip.dimension);
+  std::vector<double> last(followed.extremes.size());
+  double dissipation = 0.0;
+  bool is_first = true;
+  for (const ConnectorIncrement& increment : increments) {
+    const Regime before = state.regime;
+    const FrictionUpdate u = update(definition, increment, state);
+    state = u.state;
+    dissipation += u.dissipation;
+    for (std::size_t i = 0; i < last.size(); ++i) {
+      LaneExtreme& one = followed.extremes[i];
+      switch (one.number) {
+        case LaneNumber::kForce:
+          last[i] = definition.slip.scale[one.entry] * state.force[one.entry];
+          break;
+        case LaneNumber::kLimit:
+          last[i] = u.limit;
+          break;
+        case LaneNumber::kCoefficient:
+          last[i] = u.mu;
+          break;
+        case LaneNumber::kRegime:
+          last[i] = static_cast<double>(state.regime);
+          break;
+        case LaneNumber::kAccumulatedSlip:
+          last[i] = state.accumulated_slip;
+          break;
+        case LaneNumber::kDissipation:
+          last[i] = dissipation;
+          break;
+      }
+      const double value = one.kept == LaneKept::kMagnitude ? std::abs(last[i]) : last[i];
+      double& so_far = one.so_far[0];
+      if (one.kept == LaneKept::kMinimum ? value < so_far : value > so_far) so_far = value;
+    }
+    for (LaneChanges& one : followed.changes) {
+      if (!is_first && before == one.from && state.regime == one.to) one.count[0] += 1.0;
+    }
+    is_first = false;
+  }
+  Bits all;
+  for (std::size_t i = 0; i < last.size(); ++i) {
+    all.push_back(std::bit_cast<std::uint64_t>(followed.extremes[i].so_far[0]));
+    all.push_back(std::bit_cast<std::uint64_t>(last[i]));
+  }
+  for (const LaneChanges& one : followed.changes) {
+    all.push_back(std::bit_cast<std::uint64_t>(one.count[0]));
+  }
+  return all;
+}
+
 /// Returns those of a definition that is updated by itself.
 Bits alone(const FrictionDefinition& definition, std::span<const ConnectorIncrement> increments,
            FrictionState state) {
@@ -85,8 +175,11 @@ DefinitionDescription with_form(Dice* dice, DefinitionDescription d) {
   return d;
 }
 
-/// Changes the numbers of a definition; `same_law` keeps those of the coefficient.
-DefinitionDescription varied(Dice* dice, DefinitionDescription d, bool same_law) {
+/// What the coefficients of lanes have in common.
+enum class Alike : std::uint8_t { kLaw, kCells, kNothing };
+
+/// Changes the numbers of a definition.
+DefinitionDescription varied(Dice* dice, DefinitionDescription d, Alike alike) {
   d.stick.value *= dice->between(0.5, 2.0);
   if (dice->chance(0.5)) d.force_limit = dice->between(1.0, 60.0);
   if (auto* number = std::get_if<double>(&d.internal_contact_force)) {
@@ -96,8 +189,8 @@ DefinitionDescription varied(Dice* dice, DefinitionDescription d, bool same_law)
       row[0] *= dice->between(0.8, 1.2);
     }
   }
-  if (same_law) return d;
-  for (int k = 0; k < d.slip.dimension; ++k) {
+  if (alike == Alike::kLaw) return d;
+  for (int k = 0; alike == Alike::kNothing && k < d.slip.dimension; ++k) {
     d.slip.scale[static_cast<std::size_t>(k)] *= dice->between(0.5, 2.0);
   }
   if (auto* constant = std::get_if<ConstantCoefficient>(&d.law)) {
@@ -121,14 +214,29 @@ Histories histories(Dice* dice) {
   return h;
 }
 
+/// A force of every lane in place of that of the history.
+struct OwnForce {
+  int component = 0;
+  std::vector<double> of_lane;
+};
+
 /// Compares packs over all the definitions, and over the increments in two parts, with update().
 /// \return how many lanes went the common path
 int compare(const std::vector<FrictionDefinition>& definitions, const Histories& history,
-            const std::vector<FrictionState>& begin, std::size_t part) {
+            const std::vector<FrictionState>& begin, std::size_t part,
+            const std::vector<OwnForce>& own = {}) {
   std::vector<Bits> expected;
+  std::vector<Bits> expected_followed;
   for (std::size_t lane = 0; lane < definitions.size(); ++lane) {
-    expected.push_back(alone(definitions[lane], history.increments,
-                             begin.empty() ? FrictionState{} : begin[lane]));
+    std::vector<ConnectorIncrement> its = history.increments;
+    for (const OwnForce& one : own) {
+      for (ConnectorIncrement& increment : its) {
+        increment.force[one.component] = one.of_lane[lane];
+      }
+    }
+    const FrictionState first = begin.empty() ? FrictionState{} : begin[lane];
+    expected.push_back(alone(definitions[lane], its, first));
+    expected_followed.push_back(followed_alone(definitions[lane], its, first));
   }
   int common = 0;
   const std::span all(definitions);
@@ -140,12 +248,24 @@ int compare(const std::vector<FrictionDefinition>& definitions, const Histories&
       const std::size_t count = std::min(kLanes, all.size() - from);
       Pack pack(all.subspan(from, count), begin.empty() ? std::span<const FrictionState>{}
                                                         : std::span(begin).subspan(from, count));
+      std::size_t first = 0;
+      while (first + 1 < count && !pack.is_common(first)) ++first;
+      Followed followed(all[from + first].slip.dimension);
+      pack.follow(followed.extremes, followed.changes);
+      std::vector<LaneForce> forces;
+      forces.reserve(own.size());
+      for (const OwnForce& one : own) {
+        forces.push_back({one.component, std::span(one.of_lane).subspan(from, count)});
+      }
+      pack.press(forces);
       pack.advance(increments.first(part), set);
       pack.advance(increments.subspan(part), set);
       for (std::size_t lane = 0; lane < count; ++lane) {
         INFO("lane " << from + lane);
         REQUIRE(bits(pack.state(lane), pack.summary(lane)) == expected[from + lane]);
-        common += pack.is_common(lane) ? 1 : 0;
+        if (!pack.is_common(lane)) continue;
+        REQUIRE(followed.bits(pack, lane) == expected_followed[from + lane]);
+        ++common;
       }
     }
   }
@@ -153,27 +273,36 @@ int compare(const std::vector<FrictionDefinition>& definitions, const Histories&
 }
 
 TEST_CASE("lanes of one form go the common path and end in the bits of update()") {
-  // What was drawn: entries, constant kappa, wear, one law or several.
-  std::set<std::tuple<int, bool, bool, bool>> drawn;
-  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+  // What was drawn: entries, constant kappa, wear, what the coefficients have in common, own
+  // forces.
+  std::set<std::tuple<int, bool, bool, Alike, bool>> drawn;
+  for (std::uint64_t seed = 0; seed < 500; ++seed) {
     INFO("seed " << seed);
     Dice dice(20261123 + seed);
     const int kind = dice.pick(kDefinitionKinds);
     const DefinitionDescription base = with_form(&dice, random_definition(&dice, kind));
-    const bool same_law = dice.chance(0.5);
+    const auto alike = static_cast<Alike>(dice.pick(3));
     std::vector<FrictionDefinition> definitions;
     const int lanes = 1 + dice.pick(130);
     definitions.reserve(static_cast<std::size_t>(lanes));
     for (int lane = 0; lane < lanes; ++lane) {
-      definitions.push_back(varied(&dice, base, same_law).build());
+      definitions.push_back(varied(&dice, base, alike).build());
     }
     const Histories history = histories(&dice);
     const auto part = static_cast<std::size_t>(dice.pick(static_cast<int>(history.rows.size())));
-    REQUIRE(compare(definitions, history, {}, part) == lanes);
+    std::vector<OwnForce> own;
+    for (int component = 0; component < kComponents; ++component) {
+      if (!dice.chance(0.2)) continue;
+      own.push_back({component, {}});
+      for (int lane = 0; lane < lanes; ++lane) {
+        own.back().of_lane.push_back(dice.between(-200, 200));
+      }
+    }
+    REQUIRE(compare(definitions, history, {}, part, own) == lanes);
     drawn.insert({base.slip.dimension, base.stick.mode == StickStiffness::Mode::kStiffness,
-                  base.wears(), same_law});
+                  base.wears(), alike, own.empty()});
   }
-  CHECK(drawn.size() == 16);
+  CHECK(drawn.size() == 48);
 }
 
 TEST_CASE("lanes of any form end in the bits of update(), begun in any state") {
