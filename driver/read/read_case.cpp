@@ -176,6 +176,7 @@ struct Reading {
         binder(out, parameters.values, parameters.unresolved, folder, options.allow_outside,
                kCaseWords) {
     binder.set_units(units);
+    binder.note_formulas(options.formulas);
     // Without parameters, every name in an expression would be unknown.
     const auto map = root.find("parameters");
     binder.excuse_unknown_names((map && !map->is_map()) ||

@@ -11,6 +11,7 @@
 #include "driver/base/text/source_text.hpp"
 #include "driver/base/units/parameters.hpp"
 #include "driver/case/case.hpp"
+#include "driver/yaml/formula.hpp"
 #include "driver/yaml/node.hpp"
 
 namespace slipbench::driver::read {
@@ -29,6 +30,8 @@ struct ReadOptions {
   std::vector<base::ParameterText> overrides = {};  ///< --set name=value
   bool allow_outside = false;          ///< data files may lie outside the case's folder
   bool curves_may_be_missing = false;  ///< reference curves are about to be made
+  /// Gets the formulas of the text, those of its parameters left out; or null.
+  std::vector<yaml::Formula>* formulas = nullptr;
 };
 
 /// The text of a case, parsed once, to be resolved again and again with other parameters.

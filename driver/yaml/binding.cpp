@@ -146,6 +146,9 @@ void Binder::expression_error(const Node& node, const Path& path,
 
 std::optional<base::Expression> Binder::expression(const Node& node, const Path& path,
                                                    const std::vector<std::string>& variables) {
+  if (formulas_) {
+    formulas_->push_back({path.text(), std::string(node.text()), variables.empty()});
+  }
   std::vector<std::string> known = variables;
   for (const std::string& name : unresolved_) {
     if (std::find(known.begin(), known.end(), name) == known.end()) known.push_back(name);
@@ -237,6 +240,7 @@ std::optional<double> Binder::number(const Node& node, const Path& path, const K
   if (is_expression(node)) {
     // Most expressions are the name of a parameter and nothing else: no need to compile that.
     if (const auto known = parameters_.find(bare(node.text())); known != parameters_.end()) {
+      if (formulas_) formulas_->push_back({path.text(), std::string(node.text()), true});
       return known->second;
     }
     const auto compiled = expression(node, path, {});

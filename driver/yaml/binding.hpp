@@ -20,6 +20,7 @@
 #include "driver/base/text/json.hpp"
 #include "driver/base/units/expression.hpp"
 #include "driver/base/units/unit_dimension.hpp"
+#include "driver/yaml/formula.hpp"
 #include "driver/yaml/node.hpp"
 #include "law/base/field.hpp"
 #include "law/base/unit_name.hpp"
@@ -108,6 +109,8 @@ class Binder {
   /// Returns how the tables of the connector's behaviour are prolonged that do not say it.
   [[nodiscard]] law::Extrapolation extrapolation() const { return extrapolation_; }
   void set_extrapolation(law::Extrapolation extrapolation) { extrapolation_ = extrapolation; }
+  /// From now on writes down every formula that is read; nothing if null.
+  void note_formulas(std::vector<Formula>* formulas) { formulas_ = formulas; }
   bool is_parameter(std::string_view name) const { return parameters_.contains(name); }
 
   /// A number in the case's system: a plain scalar, one with a unit ("12 mm"), or an expression
@@ -184,6 +187,7 @@ class Binder {
   std::optional<base::UnitSystem> units_ = base::UnitSystem{};
   law::Extrapolation extrapolation_ = law::Extrapolation::kConstant;
   std::vector<UnsettledUnit> unsettled_;
+  std::vector<Formula>* formulas_ = nullptr;
   FileWords words_;
   const base::NamedNumbers& parameters_;
   std::vector<std::string> unresolved_;
