@@ -25,13 +25,26 @@ void declare_sweep(CLI::App& app, Command& command) {
       ->add_option("--part", options->part,
                    "Only part I of N of the samples, for any engine that starts many programs")
       ->type_name("I/N");
+  declared
+      ->add_option("--emit", options->emit,
+                   "Run nothing; write <sweep>.slurm, a job array of parts of some minutes")
+      ->type_name("slurm")
+      ->check(one_of({"slurm"}));
+  declared
+      ->add_option("--rate", options->rate,
+                   "With --emit: samples a second and core; default: some are run to find it")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber);
   declared->add_flag("--no-output", options->no_output, "Write no file, only tell what was found");
   declare_force(*declared, options->force, "no result of this sweep");
   declared->footer(
       "Writes <sweep>.csv, or <sweep>.IofN.csv of a part: a row a sample, with its id, the values\n"
       "of the varied parameters, and what was collected (nan where the run failed). The same "
       "bytes\n"
-      "whatever the threads; the rows of all parts, one after the other, are those of the whole.\n"
+      "whatever the threads; the rows of all parts, one after the other, are those of the whole:\n"
+      "'slipbench merge' joins them. What was run is kept in <sweep>.journal meanwhile: "
+      "interrupted,\n"
+      "the same command goes on from there.\n"
       "Exit code 3 if a sample failed.\n"
       "Example: slipbench sweep loop_sweep.yaml -o out");
   declared->callback([options, &command] {

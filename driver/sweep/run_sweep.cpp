@@ -2,13 +2,17 @@
 #include "driver/sweep/run_sweep.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "driver/base/files/work_crew.hpp"
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/bench/run_case.hpp"
+#include "driver/bench/run_length.hpp"
 #include "driver/check/row_values.hpp"
 #include "driver/results/columns.hpp"
 #include "driver/results/events.hpp"
@@ -111,36 +115,116 @@ std::vector<base::ParameterText> overrides_of(const Sweep& sweep, std::span<cons
   return overrides;
 }
 
-void run_sweep(const Sweep& sweep, const SweepOptions& options,
-               const std::function<void(const SampleOutcome&)>& take) {
-  // So many samples are in memory at once, and wait for the slowest of them.
-  constexpr std::size_t kTogether = 1024;
+std::size_t chunk_size(const Sweep& sweep) {
+  // Enough for the lanes of a pack; of long runs so few that not much is lost with a chunk.
+  constexpr std::size_t kMost = 128;
+  constexpr double kIncrements = 0x1p18;
+  // In packs a long run takes a fraction of its time.
+  constexpr double kMoreInPacks = 64.0;
+  const double increments = bench::RunLength(sweep.base).increments();
+  const double budget = may_pack(sweep) ? kMoreInPacks * kIncrements : kIncrements;
+  const double fitting = std::floor(budget / std::max(increments, 1.0));
+  return static_cast<std::size_t>(std::clamp(fitting, 1.0, static_cast<double>(kMost)));
+}
+
+Chunk::Chunk(const Sweep& sweep, std::size_t first_sample, std::size_t samples)
+    : first(first_sample),
+      count(samples),
+      values(samples * sweep.varied.size()),
+      numbers(samples * sweep.collected.size()),
+      failures(samples) {}
+
+SampleOutcome Chunk::outcome(std::size_t sample) const {
+  const std::size_t width = values.size() / count;
+  const std::size_t depth = numbers.size() / count;
+  return {first + sample, std::span(values).subspan(sample * width, width),
+          std::span(numbers).subspan(sample * depth, depth), failures[sample]};
+}
+
+bool agrees(const Sweep& sweep, const PackedRun& packed) {
+  constexpr std::array kParts{0.02, 0.98, 0.31};
   const std::size_t width = sweep.varied.size();
   const std::size_t depth = sweep.collected.size();
-  std::vector<double> values(kTogether * width);
-  std::vector<double> numbers(kTogether * depth);
-  std::vector<std::string> failures(kTogether);
+  const std::size_t count = 2 * kParts.size();
+  std::vector<double> values;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t p = 0; p < width; ++p) {
+      // All of them at one edge, then each at another one than the one before it.
+      const std::size_t part = i < kParts.size() ? i : i + p;
+      values.push_back(sweep.varied[p].distribution.at(kParts[part % kParts.size()]));
+    }
+  }
+  std::vector<double> numbers(count * depth);
+  std::vector<char> done(count);
+  packed.run(values, numbers, done);
+  std::vector<double> own(depth);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (done[i] == 0) continue;
+    const auto row = std::span(values).subspan(i * width, width);
+    if (!run_sample(sweep, row, own).empty()) return false;
+    if (std::memcmp(own.data(), &numbers[i * depth], depth * sizeof(double)) != 0) return false;
+  }
+  return true;
+}
+
+std::unique_ptr<PackedRun> packed_run(const Sweep& sweep) {
+  auto packed = PackedRun::make(sweep);
+  if (packed && !agrees(sweep, *packed)) packed.reset();
+  return packed;
+}
+
+void run_chunk(const Sweep& sweep, Chunk& chunk, const PackedRun* packed) {
+  const std::size_t width = sweep.varied.size();
+  const std::size_t depth = sweep.collected.size();
+  std::vector<char> done(chunk.count);
+  for (std::size_t i = 0; packed != nullptr && i < chunk.count; i += PackedRun::kMost) {
+    const std::size_t count = std::min(PackedRun::kMost, chunk.count - i);
+    packed->run(std::span(chunk.values).subspan(i * width, count * width),
+                std::span(chunk.numbers).subspan(i * depth, count * depth),
+                std::span(done).subspan(i, count));
+  }
+  for (std::size_t i = 0; i < chunk.count; ++i) {
+    if (done[i] != 0) continue;
+    const std::span<double> own = std::span(chunk.numbers).subspan(i * depth, depth);
+    chunk.failures[i] = run_sample(sweep, chunk.outcome(i).values, own);
+    if (chunk.failures[i].empty()) continue;
+    std::fill(own.begin(), own.end(), std::numeric_limits<double>::quiet_NaN());
+  }
+}
+
+void run_sweep(const Sweep& sweep, const SweepOptions& options,
+               const std::function<void(const SampleOutcome&)>& take) {
+  // So many samples, or more for many threads, are in memory at once and wait for the slowest.
+  constexpr std::size_t kTogether = 1024;
+  const std::size_t size = options.chunk > 0 ? options.chunk : chunk_size(sweep);
+  const std::size_t together = std::max<std::size_t>(kTogether / size, 4 * options.threads);
   Samples samples(sweep);
   samples.skip(options.first);
   const std::size_t end = std::min(options.end, sweep.samples);
+  // Fewer samples are run before a pack is set up and compared.
+  constexpr std::size_t kWorthPacking = 64;
+  const bool packs = options.packs && end >= options.first + kWorthPacking;
+  const std::unique_ptr<PackedRun> packed = packs ? packed_run(sweep) : nullptr;
   std::size_t failed = 0;
+  std::vector<Chunk> chunks;
   for (std::size_t begin = options.first; begin < end;) {
-    const std::size_t most = std::min(kTogether, end - begin);
-    const std::size_t count = samples.take(std::span(values).first(most * width));
-    base::for_each_index(count, options.threads, [&](std::size_t i) {
-      const std::span<double> own = std::span(numbers).subspan(i * depth, depth);
-      failures[i] = run_sample(sweep, std::span(values).subspan(i * width, width), own);
-      if (!failures[i].empty()) {
-        std::fill(own.begin(), own.end(), std::numeric_limits<double>::quiet_NaN());
-      }
-    });
-    for (std::size_t i = 0; i < count; ++i) {
-      failed += failures[i].empty() ? 0 : 1;
-      const SampleOutcome outcome{begin + i, std::span(values).subspan(i * width, width),
-                                  std::span(numbers).subspan(i * depth, depth), failures[i]};
-      take(outcome);
+    chunks.clear();
+    for (; begin < end && chunks.size() < together; begin = chunks.back().end()) {
+      // Chunks begin at multiples of their size, wherever the samples that are wanted begin.
+      chunks.emplace_back(sweep, begin, std::min(end, (begin / size + 1) * size) - begin);
+      samples.take(chunks.back().values);
     }
-    begin += count;
+    base::for_each_index(chunks.size(), options.threads, [&](std::size_t i) {
+      if (options.recall && options.recall(chunks[i])) return;
+      run_chunk(sweep, chunks[i], packed.get());
+      if (options.finished) options.finished(chunks[i]);
+    });
+    for (const Chunk& chunk : chunks) {
+      for (std::size_t i = 0; i < chunk.count; ++i) {
+        failed += chunk.failures[i].empty() ? 0 : 1;
+        take(chunk.outcome(i));
+      }
+    }
     if (options.progress) options.progress(begin - options.first, failed);
   }
 }

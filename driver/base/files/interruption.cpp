@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -24,6 +25,8 @@ struct Place {
 
 constinit std::array<Place, kPlaces> places{};
 constinit std::atomic<int> child{0};
+constinit std::array<char, 2000> last_words{};
+constinit std::atomic<std::size_t> last_words_length{0};
 
 extern "C" void end_at_once(int signal_number) {
   if (const int process = child.load(); process > 0) kill(process, SIGTERM);
@@ -31,6 +34,10 @@ extern "C" void end_at_once(int signal_number) {
     if (place.taken.load()) unlink(place.path.data());
   }
   remove_empty_folders();
+  if (const std::size_t length = last_words_length.load(); length > 0) {
+    // Nobody is there who could be told that this cannot be written.
+    [[maybe_unused]] const ssize_t ignored = write(STDERR_FILENO, last_words.data(), length);
+  }
   _exit(128 + signal_number);
 }
 
@@ -58,6 +65,14 @@ void handle_interruption() {
   struct sigaction ignore {};
   ignore.sa_handler = SIG_IGN;
   sigaction(SIGPIPE, &ignore, nullptr);
+}
+
+void say_when_interrupted(std::string_view text) {
+  const InterruptionPause pause;
+  last_words_length.store(0);
+  const std::size_t length = std::min(text.size(), last_words.size());
+  std::memcpy(last_words.data(), text.data(), length);
+  last_words_length.store(length);
 }
 
 InterruptionPause::InterruptionPause() {

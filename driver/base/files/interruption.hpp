@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace slipbench::driver::base {
 
@@ -10,6 +11,10 @@ namespace slipbench::driver::base {
 /// all registered processes and end this program at once, with exit code 130, 143 or 129; a closed
 /// pipe is an error of the write instead of a signal.
 void handle_interruption();
+
+/// Sets what an interruption says on standard error before it ends the program, at most 2000 bytes;
+/// an empty text takes it back.
+void say_when_interrupted(std::string_view text);
 
 /// Holds interruption back while it exists; one that came meanwhile acts at its end.
 class InterruptionPause {

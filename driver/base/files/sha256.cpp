@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <system_error>
 
 namespace slipbench::driver::base {
@@ -15,6 +16,12 @@ tl::expected<std::string, HistoryError> sha256_of_file(const std::filesystem::pa
     return environment_error(file.string(),
                              "cannot be read: " + std::generic_category().message(errno));
   }
+  return digits.data();
+}
+
+std::string sha256_of(std::string_view text) {
+  std::array<char, SHA256_DIGEST_STRING_LENGTH> digits{};
+  SHA256Data(reinterpret_cast<const std::uint8_t*>(text.data()), text.size(), digits.data());
   return digits.data();
 }
 

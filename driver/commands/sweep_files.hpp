@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the commands that run and join sweeps share: what goes in, and the result.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+#include <utility>
+#include <vector>
+
+#include "driver/base/files/output_file.hpp"
+#include "driver/sweep/rows.hpp"
+#include "driver/sweep/run_sweep.hpp"
+#include "driver/sweep/sweep.hpp"
+#include "driver/sweep/sweep_summary.hpp"
+
+namespace slipbench::driver::commands {
+
+/// A sweep that was read, and what its journals and results are known by.
+struct OpenSweep {
+  sweep::Sweep sweep;
+  std::vector<std::string> inputs;  ///< its files, the sweep and its case among them
+  std::string identity;
+};
+
+/// Reads a sweep; where it cannot, says why and returns the exit code.
+tl::expected<OpenSweep, int> open_sweep(const std::string& file,
+                                        const std::vector<std::string>& settings,
+                                        bool allow_outside);
+
+struct SweepResultOptions {
+  std::filesystem::path folder;
+  std::optional<sweep::Part> part = std::nullopt;  ///< of the samples; nothing: all
+  bool no_output = false;                          ///< only the summary
+  bool force = false;
+};
+
+/// Result of a sweep, which takes sample by sample in the order of their ids: the file of the rows,
+/// and what is told of them.
+class SweepResult {
+ public:
+  /// Errors are sentences. `open` must outlive it.
+  static tl::expected<std::unique_ptr<SweepResult>, std::string> create(
+      const OpenSweep& open, const SweepResultOptions& options);
+
+  /// "name", or "name.2of8": what the files are called.
+  const std::string& name() const { return name_; }
+
+  void take(const sweep::SampleOutcome& outcome);
+
+  /// Completes the file and says what was found.
+  /// \param how they came, beside their number: "0.42 s"
+  /// \return the exit code
+  int finish(const std::string& how);
+
+ private:
+  SweepResult(const OpenSweep& open, std::string name) : open_(&open), name_(std::move(name)) {}
+
+  const OpenSweep* open_;
+  std::string name_;
+  std::optional<base::OutputFile> file_;
+  sweep::SweepSummary summary_{open_->sweep};
+  std::size_t samples_ = 0;
+};
+
+}  // namespace slipbench::driver::commands

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/sweep/merge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <regex>
+#include <span>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "driver/sweep/samples.hpp"
+
+namespace slipbench::driver::sweep {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kRowsAtOnce = 128;
+
+/// "samples 3 to 7", "sample 3"
+std::string range_text(const SampleRange& range) {
+  return range.end - range.first == 1 ? fmt::format("sample {}", range.first)
+                                      : fmt::format("samples {} to {}", range.first, range.end - 1);
+}
+
+std::vector<fs::path> files_in(const fs::path& folder, const Sweep& sweep,
+                               const std::string& ending) {
+  const std::string stem = result_name(sweep, std::nullopt);
+  const std::regex form(ending);
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(stem)) continue;
+    if (std::regex_match(name.substr(stem.size()), form)) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace
+
+std::string Parts::add(const fs::path& file) {
+  return file.extension() == ".journal" ? add_journal(file) : add_rows(file);
+}
+
+std::string Parts::add_journal(const fs::path& file) {
+  auto journal = Journal::open(file, *sweep_, *identity_, Journal::Use::kRead);
+  if (!journal) return journal.error();
+  for (const JournalRecord& record : (*journal)->records()) {
+    pieces_.push_back({record.first, record.count, journals_.size(), true, record});
+  }
+  journals_.push_back(std::move(*journal));
+  return {};
+}
+
+std::string Parts::add_rows(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return file.string() + ": cannot be read";
+  std::string head;
+  std::string line;
+  std::optional<Part> part;
+  constexpr std::string_view kPart = "# part: ";
+  constexpr std::size_t kMostLines = 16;
+  for (std::size_t i = 0; i < kMostLines && std::getline(in, line); ++i) {
+    head += line + "\n";
+    if (line.starts_with(kPart)) part = part_of(std::string_view(line).substr(kPart.size()));
+    if (!line.starts_with("#")) break;
+  }
+  if (!part) return file.string() + ": is no part of a sweep";
+  const std::string wanted = rows_head(*sweep_, *identity_, part);
+  if (head != wanted) {
+    const bool same_sweep = head.find("\n# sweep: " + file_name(*sweep_) + "\n") != head.npos;
+    return file.string() + (same_sweep ? ": is of another state of this sweep: an input, a setting "
+                                         "or the program has changed since"
+                                       : ": is of another sweep");
+  }
+  std::size_t id = part->first(sweep_->samples);
+  const std::size_t end = part->end(sweep_->samples);
+  auto offset = static_cast<std::uint64_t>(head.size());
+  while (std::getline(in, line)) {
+    const std::string id_text = std::to_string(id) + ",";
+    if (id == end || in.eof() || !line.starts_with(id_text)) {
+      return fmt::format("{}: is damaged: the line of sample {} is not there", file.string(), id);
+    }
+    if (pieces_.empty() || pieces_.back().of_journal || pieces_.back().source != rows_.size() ||
+        pieces_.back().count == kRowsAtOnce) {
+      pieces_.push_back({id, 0, rows_.size(), false, {.offset = offset}});
+    }
+    ++pieces_.back().count;
+    offset += line.size() + 1;
+    ++id;
+  }
+  if (id < end) return fmt::format("{}: ends before sample {}", file.string(), id);
+  parts_.push_back(*part);
+  rows_.push_back({file, std::move(in)});
+  return {};
+}
+
+std::vector<SampleRange> Parts::missing() const {
+  std::vector<SampleRange> there;
+  there.reserve(pieces_.size());
+  for (const Piece& piece : pieces_) there.push_back({piece.first, piece.first + piece.count});
+  std::sort(there.begin(), there.end(),
+            [](const SampleRange& a, const SampleRange& b) { return a.first < b.first; });
+  there.push_back({sweep_->samples, sweep_->samples});
+  std::vector<SampleRange> gaps;
+  std::size_t next = 0;
+  for (const SampleRange& range : there) {
+    if (range.first > next) gaps.push_back({next, range.first});
+    next = std::max(next, range.end);
+  }
+  return gaps;
+}
+
+std::string Parts::missing_text() const {
+  const std::vector<SampleRange> gaps = missing();
+  if (gaps.empty()) return {};
+  constexpr std::size_t kShown = 4;
+  std::string text = "missing are ";
+  for (std::size_t i = 0; i < std::min(kShown, gaps.size()); ++i) {
+    text += (i > 0 ? ", " : "") + range_text(gaps[i]);
+  }
+  if (gaps.size() > kShown) text += fmt::format(" and {} more ranges", gaps.size() - kShown);
+  const bool one_count =
+      !parts_.empty() && std::all_of(parts_.begin(), parts_.end(), [&](const Part& part) {
+        return part.count == parts_.front().count;
+      });
+  if (!one_count) return text;
+  std::string numbers;
+  std::size_t shown = 0;
+  for (Part part{1, parts_.front().count}; part.number <= part.count; ++part.number) {
+    const SampleRange own{part.first(sweep_->samples), part.end(sweep_->samples)};
+    const bool hit = std::any_of(gaps.begin(), gaps.end(), [&](const SampleRange& gap) {
+      return gap.first < own.end && own.first < gap.end;
+    });
+    if (!hit) continue;
+    if (++shown > kShown) return fmt::format("{}: parts {}, ..", text, numbers);
+    numbers += fmt::format("{}{}/{}", shown > 1 ? ", " : "", part.number, part.count);
+  }
+  return fmt::format("{}: {} {}", text, shown > 1 ? "parts" : "part", numbers);
+}
+
+std::string Parts::read(const Piece& piece, Chunk& chunk) {
+  if (piece.of_journal) {
+    const auto read = journals_[piece.source]->read(piece.record, chunk);
+    return read ? "" : read.error();
+  }
+  Rows& rows = rows_[piece.source];
+  rows.file.clear();
+  rows.file.seekg(static_cast<std::streamoff>(piece.record.offset));
+  const std::size_t depth = sweep_->collected.size();
+  std::string line;
+  for (std::size_t i = 0; i < piece.count; ++i) {
+    const std::span<double> numbers = std::span(chunk.numbers).subspan(i * depth, depth);
+    if (!std::getline(rows.file, line) ||
+        !read_row(line, piece.first + i, sweep_->varied.size(), numbers)) {
+      return fmt::format("{}: is damaged: the line of sample {} cannot be read", rows.path.string(),
+                         piece.first + i);
+    }
+  }
+  return {};
+}
+
+/// Rows do not say why a sample failed: all that was collected is nan.
+void Parts::give_reasons(Chunk& chunk, std::size_t from) {
+  for (std::size_t i = from; i < chunk.count; ++i) {
+    const SampleOutcome outcome = chunk.outcome(i);
+    const bool failed = std::all_of(outcome.numbers.begin(), outcome.numbers.end(),
+                                    [](double number) { return std::isnan(number); });
+    if (!failed) continue;
+    if (reason_given_) {
+      chunk.failures[i] = "failed";
+      continue;
+    }
+    Chunk again(*sweep_, outcome.id, 1);
+    again.values.assign(outcome.values.begin(), outcome.values.end());
+    run_chunk(*sweep_, again);
+    chunk.failures[i] = again.failures[0];
+    reason_given_ = !chunk.failures[i].empty();
+  }
+}
+
+std::string Parts::for_each(const std::function<void(const SampleOutcome&)>& take) {
+  std::stable_sort(pieces_.begin(), pieces_.end(),
+                   [](const Piece& a, const Piece& b) { return a.first < b.first; });
+  const std::size_t width = sweep_->varied.size();
+  Samples samples(*sweep_);
+  std::size_t next = 0;
+  for (const Piece& piece : pieces_) {
+    const std::size_t end = piece.first + piece.count;
+    if (end <= next) continue;
+    Chunk chunk(*sweep_, piece.first, piece.count);
+    const std::size_t known = next - std::min(next, piece.first);
+    samples.take(std::span(chunk.values).subspan(known * width));
+    if (std::string fault = read(piece, chunk); !fault.empty()) return fault;
+    if (!piece.of_journal) give_reasons(chunk, known);
+    for (std::size_t i = known; i < piece.count; ++i) take(chunk.outcome(i));
+    next = end;
+  }
+  return {};
+}
+
+std::vector<fs::path> journals_in(const fs::path& folder, const Sweep& sweep) {
+  return files_in(folder, sweep, R"((\.rank\d+|\.\d+of\d+)?\.journal)");
+}
+
+std::vector<fs::path> parts_in(const fs::path& folder, const Sweep& sweep) {
+  return files_in(folder, sweep, R"(\.\d+of\d+\.csv)");
+}
+
+}  // namespace slipbench::driver::sweep

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/sweep/rows.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <filesystem>
+#include <iterator>
+
+#include "driver/base/text/diagnostic.hpp"
+#include "driver/results/provenance.hpp"
+
+namespace slipbench::driver::sweep {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Takes a number and what follows it, a comma or nothing, from the front of a text.
+template <class Number>
+bool take_number(std::string_view& text, Number& number) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc()) return false;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  if (text.empty()) return true;
+  if (text.front() != ',') return false;
+  text.remove_prefix(1);
+  return true;
+}
+
+}  // namespace
+
+std::optional<Part> part_of(std::string_view text) {
+  Part part;
+  const char* const end = text.data() + text.size();
+  const auto number = std::from_chars(text.data(), end, part.number);
+  if (number.ec != std::errc() || number.ptr == end || *number.ptr != '/') return std::nullopt;
+  const auto count = std::from_chars(number.ptr + 1, end, part.count);
+  // Samples and parts are below 2^31: their product has room.
+  constexpr std::size_t kMost = 1'000'000'000;
+  const bool good = count.ec == std::errc() && count.ptr == end && part.number >= 1 &&
+                    part.number <= part.count && part.count <= kMost;
+  return good ? std::optional(part) : std::nullopt;
+}
+
+std::string file_name(const Sweep& sweep) {
+  return base::printable(fs::path(sweep.file).filename().string());
+}
+
+std::string result_name(const Sweep& sweep, const std::optional<Part>& part) {
+  const std::string stem = fs::path(sweep.file).stem().string();
+  return part ? fmt::format("{}.{}of{}", stem, part->number, part->count) : stem;
+}
+
+std::string rows_head(const Sweep& sweep, const std::string& identity,
+                      const std::optional<Part>& part) {
+  std::string text =
+      fmt::format("# slipbench {}\n# sweep: {}\n# title: {}\n# case: {}\n",
+                  results::program_version(), file_name(sweep), base::printable(sweep.title),
+                  base::printable(fs::path(sweep.case_path).filename().string()));
+  if (part)
+    text += fmt::format("# part: {}/{}\n# identity: {}\n", part->number, part->count, identity);
+  text += "id";
+  for (const VariedParameter& one : sweep.varied) text += "," + one.name;
+  for (const Collected& one : sweep.collected) text += "," + one.name;
+  return text + "\n";
+}
+
+void append_row(const SampleOutcome& outcome, std::string& text) {
+  fmt::format_to(std::back_inserter(text), "{}", outcome.id);
+  for (const double value : outcome.values) fmt::format_to(std::back_inserter(text), ",{}", value);
+  for (const double value : outcome.numbers) fmt::format_to(std::back_inserter(text), ",{}", value);
+  text += '\n';
+}
+
+bool read_row(std::string_view line, std::size_t id, std::size_t varied,
+              std::span<double> numbers) {
+  std::size_t own = 0;
+  if (!take_number(line, own) || own != id) return false;
+  double value = 0.0;
+  for (std::size_t p = 0; p < varied; ++p) {
+    if (!take_number(line, value)) return false;
+  }
+  for (double& number : numbers) {
+    if (!take_number(line, number)) return false;
+  }
+  return line.empty();
+}
+
+}  // namespace slipbench::driver::sweep
