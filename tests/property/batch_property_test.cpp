@@ -51,7 +51,7 @@ Bits bits(const FrictionState& state, const LaneSummary& summary) {
 
 constexpr std::array kKept{LaneKept::kMaximum, LaneKept::kMinimum, LaneKept::kMagnitude};
 
-/// What a pack can follow of definitions with so many entries.
+/// Numbers that a pack can follow of definitions with so many entries.
 struct Followed {
   std::vector<LaneExtreme> extremes;
   std::vector<LaneChanges> changes{{Regime::kStick, Regime::kSlip}, {Regime::kSlip, Regime::kOpen}};
@@ -175,7 +175,7 @@ DefinitionDescription with_form(Dice* dice, DefinitionDescription d) {
   return d;
 }
 
-/// What the coefficients of lanes have in common.
+/// Part that the coefficients of all lanes share.
 enum class Alike : std::uint8_t { kLaw, kCells, kNothing };
 
 /// Changes the numbers of a definition.
