@@ -491,8 +491,9 @@ void Simulation::choose_force_driven(const cases::Step& step) {
       return std::any_of(step.drives.begin(), step.drives.end(),
                          [&](const cases::Drive& drive) { return drive.quantity == quantity; });
     };
-    const auto load = static_cast<std::size_t>(cases::kFirstForce + c);
-    const bool loaded = drives(cases::kFirstForce + c) && case_->force_driven.contains(c);
+    const int load_of_c = cases::kFirstForce + c;
+    const auto load = static_cast<std::size_t>(load_of_c);
+    const bool loaded = drives(load_of_c) && case_->force_driven.contains(c);
     if (loaded || (force_driven_.contains(c) && !drives(cases::kFirstMotion + c))) now.insert(c);
     if (loaded && !force_driven_.contains(c)) {
       // What held the component until now is the load it starts with.
@@ -588,8 +589,9 @@ tl::expected<void, SimulationFailure> Simulation::take_forces() {
   if (!dynamics_) take_springs_and_dampers(*case_, increment, row_.forces);
   for (int c = 0; c < law::kComponents; ++c) {
     if (!force_driven_.contains(c)) continue;
+    const int load = cases::kFirstForce + c;
     row_.forces.component[static_cast<std::size_t>(c)].applied =
-        row_.quantities[static_cast<std::size_t>(cases::kFirstForce + c)];
+        row_.quantities[static_cast<std::size_t>(load)];
   }
   if (equilibrium_) begin_ = row_.quantities;
   return {};

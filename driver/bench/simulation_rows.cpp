@@ -165,8 +165,8 @@ std::size_t Simulation::update_known_rows(std::span<Row> rows, std::size_t defin
       for (int i = 0; i < D; ++i) {
         const int c = law.slip.component[static_cast<std::size_t>(i)];
         increment.begin_position[c] = row.begin[c];
-        increment.end.position[c] =
-            row.quantities[static_cast<std::size_t>(cases::kFirstMotion + c)];
+        const int motion = cases::kFirstMotion + c;
+        increment.end.position[c] = row.quantities[static_cast<std::size_t>(motion)];
       }
     } else {
       increment = connector_increment(*case_, row);

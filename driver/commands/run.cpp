@@ -232,6 +232,7 @@ int run_one(const read::ReadCase& read, const RunOptions& options,
   if (rows) rows->finish();
 
   std::vector<check::Verdict> verdicts;
+  verdicts.reserve(checks.size());
   for (const check::CheckProgress& check : checks) verdicts.push_back(check.verdict());
   const std::vector<std::string> warnings = summary.warnings(*ended);
 
