@@ -25,8 +25,12 @@ def expect(found, known, relative):
 
 
 def told(known, relative=1e-8):
-    """Returns a check of the JSON in the last line that is printed."""
-    return lambda folder, text: expect(json.loads(text.strip().splitlines()[-1]), known, relative)
+    """Returns a check of the JSON in the last line that is printed, which returns the seconds told there, if any."""
+    def check(folder, text):
+        found = json.loads(text.strip().splitlines()[-1])
+        expect(found, known, relative)
+        return found.get("seconds")
+    return check
 
 
 def last_row(path):
