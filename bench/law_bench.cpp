@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -10,6 +11,7 @@
 #include "law/batch/pack.hpp"
 #include "law/connection/connection_type.hpp"
 #include "law/friction/law_list.hpp"
+#include "law/update/known_update.hpp"
 #include "law/update/return_mapping.hpp"
 
 /// One increment of the law, timed over whole histories. Every timed run checks where it ended, so
@@ -133,6 +135,22 @@ History lissajous() {
   return history;
 }
 
+/// Takes increment i of that path.
+void take(const History& history, std::size_t i, ConnectorIncrement* increment) {
+  increment->begin_position[1] = history.motion2[i - 1];
+  increment->begin_position[2] = history.motion3[i - 1];
+  increment->end.position[1] = history.motion2[i];
+  increment->end.position[2] = history.motion3[i];
+  increment->end.temperature = history.temperature[i];
+  increment->force[0] = history.force1[i];
+}
+
+/// Tells whether the explicit integration of that path ends where it is known to end.
+bool is_known_end(const FrictionState& end) {
+  return near(end.force[0], 84.1177303524, 1e-10) && near(end.force[1], 55.9984338346, 1e-10) &&
+         near(end.accumulated_slip, 504.118416295, 1e-10);
+}
+
 /// SLIDE-PLANE with two tables on that path.
 void slide_plane_tables(benchmark::State& state, SlipRateMeasure rate, AccumulatedSlipTiming timing,
                         bool known_end) {
@@ -144,21 +162,14 @@ void slide_plane_tables(benchmark::State& state, SlipRateMeasure rate, Accumulat
     FrictionState now;
     double limit = 0.0;
     for (std::size_t i = 1; i <= kIncrements; ++i) {
-      increment.begin_position[1] = history.motion2[i - 1];
-      increment.begin_position[2] = history.motion3[i - 1];
-      increment.end.position[1] = history.motion2[i];
-      increment.end.position[2] = history.motion3[i];
-      increment.end.temperature = history.temperature[i];
-      increment.force[0] = history.force1[i];
+      take(history, i, &increment);
       const FrictionUpdate next = update(definition, increment, now);
       limit = next.limit;
       now = next.state;
     }
     benchmark::DoNotOptimize(now);
     // Implicitly this path is one of chatter, with another end: only admissibility is known.
-    const bool right = known_end ? near(now.force[0], 84.1177303524, 1e-10) &&
-                                       near(now.force[1], 55.9984338346, 1e-10) &&
-                                       near(now.accumulated_slip, 504.118416295, 1e-10)
+    const bool right = known_end ? is_known_end(now)
                                  : std::hypot(now.force[0], now.force[1]) <= limit * (1 + 1e-12) &&
                                        near(now.accumulated_slip, 504.118416295, 0.05);
     if (!right) {
@@ -175,6 +186,35 @@ BENCHMARK_CAPTURE(slide_plane_tables, known, SlipRateMeasure::kRelativeMotion,
 BENCHMARK_CAPTURE(slide_plane_tables, implicit, SlipRateMeasure::kSlip, AccumulatedSlipTiming::kEnd,
                   false)
     ->Name("SLIDE-PLANE, two tables, slip rate and slip at end, implicit")
+    ->Unit(benchmark::kMillisecond);
+
+/// The explicit one as a run takes it in blocks: without the tangent.
+void slide_plane_rows(benchmark::State& state) {
+  const FrictionDefinition definition =
+      two_tables(SlipRateMeasure::kRelativeMotion, AccumulatedSlipTiming::kStart);
+  const History history = lissajous();
+  ConnectorIncrement increment;
+  increment.duration = kEndTime / kIncrements;
+  for (auto _ : state) {
+    std::array<FrictionUpdate, 2> results;
+    for (std::size_t i = 1; i <= kIncrements; ++i) {
+      take(history, i, &increment);
+      const FrictionState& now = results[(i - 1) % 2].state;
+      const auto limit_of = [&](double motion) {
+        const Limit limit = LimitFunction(definition, increment, now, motion).of_any_slip();
+        return KnownLimit(limit, definition, increment.duration, motion);
+      };
+      update_known<2>(definition, increment, now, limit_of, &results[i % 2]);
+    }
+    if (!is_known_end(results[kIncrements % 2].state)) {
+      state.SkipWithError("wrong end state");
+      break;
+    }
+  }
+  count_increments(state);
+}
+BENCHMARK(slide_plane_rows)
+    ->Name("SLIDE-PLANE, two tables, rows of a run")
     ->Unit(benchmark::kMillisecond);
 
 /// A pack of definitions, the first of which ends in a known state. The column `increment` is the

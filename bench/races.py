@@ -236,7 +236,7 @@ class Races:
     def update(self, folder):
         known, _ = self.plane_end(100_000)
         race = Race(self.LIST["W4k"], [], note="timed within the processes, on a history in memory")
-        row = "SLIDE-PLANE, two tables, rate of motion, slip at start"
+        row = "SLIDE-PLANE, two tables, rows of a run"
 
         def rows(folder, text):
             found = json.loads(text[text.index("{"):])["benchmarks"][0]

@@ -194,6 +194,8 @@ class Simulation {
   /// Where a value of the history is no number.
   SimulationFailure history_failure(const Row& row) const;
   void pass_breakpoint();
+  template <int D, bool kConstant>
+  std::size_t update_known_rows(std::span<Row> rows, std::size_t definition);
   template <int D>
   std::size_t update_known_rows(std::span<Row> rows, std::size_t definition);
   std::size_t update_rows_one_by_one(std::span<Row> rows, std::size_t definition);

@@ -147,20 +147,20 @@ bool Simulation::limit_is_constant(std::size_t definition) const {
 }
 
 /// Updates a definition whose limits are known over some rows. Returns the first row that cannot be
-/// used, or how many there are.
-template <int D>
+/// used, or how many there are. `kConstant`: its limit is the same in all rows.
+template <int D, bool kConstant>
 std::size_t Simulation::update_known_rows(std::span<Row> rows, std::size_t definition) {
   const law::FrictionDefinition& law = definitions_[definition];
-  const bool constant = limit_is_constant(definition);
   law::ConnectorIncrement increment = connector_increment(*case_, rows[0]);
   const DefinitionRow* before = &row_.definitions[definition];
   law::Limit rest;
-  if (constant) rest = law::LimitFunction(law, increment, before->update.state, 0.0)(0.0);
+  if (kConstant) rest = law::LimitFunction(law, increment, before->update.state, 0.0).of_any_slip();
+  const law::Limit all_along = rest;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     Row& row = rows[k];
     DefinitionRow& here = row.definitions[definition];
     const law::FrictionState& old = before->update.state;
-    if (constant) {
+    if constexpr (kConstant) {
       increment.duration = row.duration;
       for (int i = 0; i < D; ++i) {
         const int c = law.slip.component[static_cast<std::size_t>(i)];
@@ -172,8 +172,9 @@ std::size_t Simulation::update_known_rows(std::span<Row> rows, std::size_t defin
       increment = connector_increment(*case_, row);
     }
     const auto limit_of = [&](double motion) {
-      if (!constant) rest = law::LimitFunction(law, increment, old, motion)(0.0);
-      return law::KnownLimit(rest, law, row.duration, motion);
+      if constexpr (kConstant) return law::KnownLimit(all_along, law, row.duration, motion);
+      const law::Limit here_only = law::LimitFunction(law, increment, old, motion).of_any_slip();
+      return law::KnownLimit(here_only, law, row.duration, motion);
     };
     law::update_known<D>(law, increment, old, limit_of, &here.update);
     add_up(*before, here);
@@ -181,6 +182,12 @@ std::size_t Simulation::update_known_rows(std::span<Row> rows, std::size_t defin
     before = &here;
   }
   return rows.size();
+}
+
+template <int D>
+std::size_t Simulation::update_known_rows(std::span<Row> rows, std::size_t definition) {
+  return limit_is_constant(definition) ? update_known_rows<D, true>(rows, definition)
+                                       : update_known_rows<D, false>(rows, definition);
 }
 
 std::size_t Simulation::update_rows_one_by_one(std::span<Row> rows, std::size_t definition) {

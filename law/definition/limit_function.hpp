@@ -80,7 +80,7 @@ class LimitFunction {
     limit.normal_force = std::abs(limit.contact_force);
     limit.slip_rate = rate;
     limit.wear = internal.to_accumulated_slip;
-    const CoefficientPoint c = blended(blend, coefficient(rate, limit.normal_force));
+    const CoefficientPoint c = blended(blend, law_at(rate, limit.normal_force));
     limit.mu = c.mu;
     limit.force = c.mu * limit.normal_force;
     if (limit.force >= definition_.force_limit) {
@@ -91,6 +91,21 @@ class LimitFunction {
     limit.to_contact = sign * (c.mu + limit.normal_force * c.to_contact_force);
     limit.to_rate = limit.normal_force * c.to_slip_rate;
     limit.to_slip = limit.to_contact * internal.to_accumulated_slip * slip_in_wear_;
+    return limit;
+  }
+
+  /// The limit of an increment whose slip does not change it, without any slopes.
+  Limit of_any_slip() const noexcept {
+    Limit limit;
+    const double internal =
+        internal_force(definition_.internal_contact_force, increment_.end, accumulated_);
+    limit.contact_force = contact_ + internal;
+    limit.normal_force = std::abs(limit.contact_force);
+    limit.slip_rate = motion_rate_;
+    const double mu = coefficient(definition_.law, increment_.end,
+                                  {.slip_rate = motion_rate_, .contact_force = limit.normal_force});
+    limit.mu = blended(definition_.blend, {mu, 0.0, 0.0}).mu;
+    limit.force = std::min(limit.mu * limit.normal_force, definition_.force_limit);
     return limit;
   }
 
@@ -152,7 +167,7 @@ class LimitFunction {
 
  private:
   /// The coefficient of the law at a rate and F_N.
-  CoefficientPoint coefficient(double rate, double normal_force) const noexcept {
+  CoefficientPoint law_at(double rate, double normal_force) const noexcept {
     if (is_steady_ && (rate == motion_rate_ || !sees_rate_)) return steady_;
     return evaluate(definition_.law, increment_.end,
                     {.slip_rate = rate, .contact_force = normal_force});

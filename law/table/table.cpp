@@ -9,17 +9,13 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-/// Index i of the segment [x_i, x_i+1] that holds v (right-hand at a knot), in 0 .. count-2.
-/// Tables of friction are short: a linear scan beats a binary search until some 32 points.
-std::uint32_t segment(const double* x, std::uint32_t count, double v) {
-  if (count > 32) {
-    const auto* end = x + count - 1;
-    return static_cast<std::uint32_t>(std::upper_bound(x + 1, end, v) - x) - 1;
+/// Tells whether all blocks of entries first[b] .. first[b + 1] - 1 of x hold the same.
+bool has_equal_blocks(std::span<const double> x, std::span<const std::uint32_t> first) {
+  const auto block = [&](std::size_t b) { return x.subspan(first[b], first[b + 1] - first[b]); };
+  for (std::size_t b = 1; b + 1 < first.size(); ++b) {
+    if (!std::ranges::equal(block(b), block(0))) return false;
   }
-  // Counted to the end: where it stops is hard to foretell.
-  std::uint32_t i = 0;
-  for (std::uint32_t k = 1; k + 1 < count; ++k) i += v >= x[k] ? 1U : 0U;
-  return i;
+  return true;
 }
 
 }  // namespace
@@ -90,6 +86,8 @@ bool Table::build(std::span<const std::vector<double>> rows, int dependents, int
       }
     }
   }
+  built.is_grid_ =
+      independents == 2 && has_equal_blocks(built.levels_[0].x, built.levels_[0].first);
   *table = std::move(built);
   return true;
 }
@@ -141,7 +139,7 @@ double Table::block(int level, std::uint32_t index, const double* x, double weig
   return low + w * (high - low);
 }
 
-double Table::value(std::span<const double> x, int column) const noexcept {
+double Table::ragged_value(std::span<const double> x, int column) const noexcept {
   return block<false>(independents() - 1, 0, x.data(), 1.0, nullptr, column);
 }
 
@@ -152,19 +150,6 @@ double Table::value_and_slopes(std::span<const double> x, std::span<double> slop
     return line<true>(0, count, x[0], weight, slopes.data(), column);
   }
   return block<true>(independents() - 1, 0, x.data(), weight, slopes.data(), column);
-}
-
-Table::Bracket Table::bracket(int level, std::uint32_t index, double v) const noexcept {
-  const Level& here = levels_[at(level)];
-  const std::uint32_t first = here.first[index];
-  const std::uint32_t count = here.first[index + 1] - first;
-  const double* grid = here.x.data() + first;
-  if (extrapolation_ == Extrapolation::kConstant || count == 1) {
-    if (count == 1 || v < grid[0]) return {first, first, 0.0};
-    if (v >= grid[count - 1]) return {first + count - 1, first + count - 1, 0.0};
-  }
-  const std::uint32_t i = segment(grid, count, v);
-  return {first + i, first + i + 1, (v - grid[i]) / (grid[i + 1] - grid[i])};
 }
 
 TableMix Table::mix(std::span<const double> x) const noexcept {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -102,7 +103,10 @@ class Table {
   bool same_grid(const Table& other) const;
 
   /// Value of dependent `column` at `x` (as many entries as independents) without slopes.
-  double value(std::span<const double> x, int column = 0) const noexcept;
+  double value(std::span<const double> x, int column = 0) const noexcept {
+    if (levels_.size() == 1) return between(0, bracket(0, 0, x[0]), column);
+    return is_grid_ ? grid_value(x[0], x[1], column) : ragged_value(x, column);
+  }
 
   /// Returns what value() is made of, in all bits, whatever the ordinates; at most two
   /// independents.
@@ -164,7 +168,47 @@ class Table {
     std::uint32_t high = 0;
     double fraction = 0.0;
   };
-  Bracket bracket(int level, std::uint32_t index, double v) const noexcept;
+  Bracket bracket(int level, std::uint32_t index, double v) const noexcept {
+    const Level& here = levels_[static_cast<std::size_t>(level)];
+    const std::uint32_t first = here.first[index];
+    const std::uint32_t count = here.first[index + 1] - first;
+    const double* grid = here.x.data() + first;
+    if (extrapolation_ == Extrapolation::kConstant || count == 1) {
+      if (count == 1 || v < grid[0]) return {first, first, 0.0};
+      if (v >= grid[count - 1]) return {first + count - 1, first + count - 1, 0.0};
+    }
+    const std::uint32_t i = segment(grid, count, v);
+    return {first + i, first + i + 1, (v - grid[i]) / (grid[i + 1] - grid[i])};
+  }
+
+  /// Index i of the segment [x_i, x_i+1] that holds v (right-hand at a knot), in 0 .. count-2.
+  /// Tables of friction are short: a linear scan beats a binary search until some 32 points.
+  static std::uint32_t segment(const double* x, std::uint32_t count, double v) noexcept {
+    if (count > 32) {
+      const double* const end = x + count - 1;
+      return static_cast<std::uint32_t>(std::upper_bound(x + 1, end, v) - x) - 1;
+    }
+    // Counted to the end: where it stops is hard to foretell.
+    std::uint32_t i = 0;
+    for (std::uint32_t k = 1; k + 1 < count; ++k) i += v >= x[k] ? 1U : 0U;
+    return i;
+  }
+
+  /// Value along a bracket of the first independent, whose rows begin `offset` further on.
+  double between(std::uint32_t offset, const Bracket& b, int column) const noexcept {
+    const double low = ordinates_[index(offset + b.low, column)];
+    if (b.low == b.high) return low;
+    return low + b.fraction * (ordinates_[index(offset + b.high, column)] - low);
+  }
+  double grid_value(double x, double y, int column) const noexcept {
+    const Bracket along = bracket(0, 0, x);
+    const Bracket across = bracket(1, 0, y);
+    const std::uint32_t rows = levels_[0].first[1];
+    const double low = between(across.low * rows, along, column);
+    if (across.low == across.high) return low;
+    return low + across.fraction * (between(across.high * rows, along, column) - low);
+  }
+  double ragged_value(std::span<const double> x, int column) const noexcept;
 
   template <class Visit>
   void weigh(int level, std::uint32_t index, const double* x, double weight, Visit& visit) const {
@@ -195,6 +239,7 @@ class Table {
 
   int dependents_ = 0;
   Extrapolation extrapolation_ = Extrapolation::kConstant;
+  bool is_grid_ = false;  ///< two independents, and all blocks of the first have the same points
   std::vector<Level> levels_;
   std::vector<double> ordinates_;  ///< row-major rows x dependents
 };

@@ -40,20 +40,6 @@ int TableFunction::column_of(IndependentKind kind) const {
   return -1;
 }
 
-std::span<const double> TableFunction::gather(const Ambient& ambient, const SlipArguments& slip,
-                                              Arguments* x) const noexcept {
-  for (std::size_t k = 0; k < independents_.size(); ++k) {
-    (*x)[k] = argument(independents_[k], ambient, slip);
-  }
-  return {x->data(), independents_.size()};
-}
-
-double TableFunction::value(const Ambient& ambient, const SlipArguments& slip,
-                            int column) const noexcept {
-  Arguments x;
-  return table_.value(gather(ambient, slip, &x), column);
-}
-
 double TableFunction::value_and_slopes(const Ambient& ambient, const SlipArguments& slip,
                                        SlipArguments* slopes, int column) const noexcept {
   *slopes = {};

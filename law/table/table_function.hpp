@@ -77,7 +77,10 @@ class TableFunction {
   int column_of(IndependentKind kind) const;
   bool depends_on_motion() const { return depends_on_motion_; }
 
-  double value(const Ambient& ambient, const SlipArguments& slip, int column = 0) const noexcept;
+  double value(const Ambient& ambient, const SlipArguments& slip, int column = 0) const noexcept {
+    Arguments x;
+    return table_.value(gather(ambient, slip, &x), column);
+  }
 
   /// Value with the slopes to slip rate, contact force and accumulated slip in `slopes`.
   double value_and_slopes(const Ambient& ambient, const SlipArguments& slip, SlipArguments* slopes,
@@ -107,7 +110,12 @@ class TableFunction {
  private:
   using Arguments = std::array<double, kMaxIndependents>;
   std::span<const double> gather(const Ambient& ambient, const SlipArguments& slip,
-                                 Arguments* x) const noexcept;
+                                 Arguments* x) const noexcept {
+    for (std::size_t k = 0; k < independents_.size(); ++k) {
+      (*x)[k] = argument(independents_[k], ambient, slip);
+    }
+    return {x->data(), independents_.size()};
+  }
 
   Table table_;
   std::vector<Independent> independents_;

@@ -12,7 +12,7 @@ namespace slipbench::law {
 /// \param old not of `result`
 /// \param limit_of gives the KnownLimit of the increment for its motion |ds| [L]
 /// \param[in,out] result of an increment of the same definition, or as it is by default; the
-/// tangent and the direction of the motion stay
+/// tangent, the direction of the motion and the slope of the wear stay
 template <int D, class LimitOf>
 [[gnu::always_inline]] inline void update_known(const FrictionDefinition& definition,
                                                 const ConnectorIncrement& increment,
