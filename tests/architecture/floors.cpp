@@ -53,10 +53,12 @@ constexpr std::array kFloors{
     Room{"driver/suite",             "driver::suite"},     // many cases, and what became of them
     Room{"driver/analysis",          "driver::analysis"},  // explanations, convergence, comparisons of integration
     Room{"driver/sweep",             "driver::sweep"},     // runs of one case with other parameters
+    Room{"driver/farm",              "driver::farm"},      // sweeps shared out to many programs
     Room{"driver/calibrate",         "driver::calibrate"}, // fits of cases to measurements
     Room{"driver/calibrate/report",  "driver::calibrate"}, // the page and the pictures of a fit
     Room{"driver/commands",          "driver::commands"},  // what each command does
     Room{"driver/cli",               "driver::cli"},       // its options, and main
+    Room{"driver/mpi",               "driver::mpi"},       // the farm of MPI ranks, a program of its own
 };
 // clang-format on
 

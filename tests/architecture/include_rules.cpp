@@ -22,7 +22,7 @@ const std::vector<Room>& rooms() {
       {std::regex("reference/.*"), std::regex("reference/.*"), "reference/"},
       {std::regex("driver/.*"),
        std::regex("(law|reference|driver|Eigen|fmt|tl|yaml-cpp|CLI|gsl|sys)/"
-                  ".*|muParser.*\\.h|udunits2\\.h|sha256\\.h"
+                  ".*|muParser.*\\.h|udunits2\\.h|sha256\\.h|mpi\\.h"
                   "|(unistd|fcntl|spawn|signal|poll|locale|malloc)\\.h"),
        "law/, reference/, driver/, its third parties and the system"},
       {std::regex("tests/law/.*"),
@@ -45,7 +45,9 @@ struct ThirdParty {
 const std::vector<ThirdParty>& third_parties() {
   static const std::vector<ThirdParty> kThirdParties{
       {std::regex("yaml-cpp/.*"), std::regex("driver/yaml/.*\\.cpp"), "driver/yaml/*.cpp"},
-      {std::regex("CLI/.*"), std::regex("driver/cli/.*\\.cpp"), "driver/cli/*.cpp"},
+      {std::regex("CLI/.*"), std::regex("driver/(cli|mpi)/.*\\.cpp"),
+       "driver/cli/*.cpp, driver/mpi/*.cpp"},
+      {std::regex("mpi\\.h"), std::regex("driver/mpi/.*"), "driver/mpi/"},
       {std::regex("muParser.*\\.h"), std::regex("driver/.*expression[^/]*\\.cpp"),
        "an expression .cpp of driver/"},
       {std::regex("udunits2\\.h"), std::regex("driver/.*units[^/]*\\.cpp"),
