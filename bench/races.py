@@ -102,13 +102,12 @@ class Races:
             "W4k": "the update alone, SLIDE-PLANE with two tables", "W5": "4096 parameter sets x 2000 increments",
             "W6": "calibration with 4 unknowns on 10^4 rows", "W6b": "calibration with 20 unknowns on 10^4 rows",
             "W7": "10^5 rows x 12 columns held against a reference",
-            "W9": "a case with 10^5 rows inline", "W10": "memory at 10^5, 10^6 and 10^7 rows"}
-    ELSEWHERE = {"W8": "the farm is timed by the scripts that docs/guide/scaling.md names"}
+            "W8": "farm of 10^4 samples, the longest 100 times the shortest", "W9": "a case with 10^5 rows inline", "W10": "memory at 10^5, 10^6 and 10^7 rows"}
 
     def race(self, key, folder):
         return {"W1": self.whole_process, "W2": self.slot, "W3": self.slot_text, "W4": self.plane,
                 "W4k": self.update, "W5": self.sweep, "W6": lambda f: self.fit(f, 4), "W6b": lambda f: self.fit(f, 20),
-                "W7": self.compare, "W9": self.inline, "W10": self.memory}[key](folder)
+                "W7": self.compare, "W8": self.farm, "W9": self.inline, "W10": self.memory}[key](folder)
 
     def python(self, script, *arguments):
         return [self.tools["python"], PEERS / script, *map(str, arguments)]
@@ -342,6 +341,38 @@ class Races:
         return self.with_peers(race, [
             ("numpy", lambda: contender("NumPy", self.python("compare.py", *files), "reference.csv", "other.csv", goal=8)),
             ("numdiff", lambda: contender("numdiff", numdiff, "reference.csv", "other.csv", goal=25))])
+
+    def farm(self, folder):
+        levels, shortest = (10, 20) if self.small else (100, 300)
+        lengths = [shortest + round(99 * shortest * k / (levels - 1)) for k in range(levels)]
+        (folder / "slot.yaml").write_text((CASES / "slot.yaml").read_text())
+        (folder / "farm.yaml").write_text((CASES / "farm.yaml").read_text().replace("LENGTHS", numbers(lengths)).replace(
+            "DURATIONS", numbers(1 + k / levels for k in range(levels))))
+        race = Race(self.LIST["W8"], [], rounds=3, note="the efficiency of two ranks is half of the ratio of one rank to them: 1.84 is "
+                    "92 %; starting mpirun and joining the journals are in it")
+        if not self.tools.get("farm"):
+            race.missing.append("farm")
+            return race
+        self.tools["run"]([self.slipbench, "sweep", "farm.yaml", "-o", "known"], folder)
+        known = (folder / "known" / "farm.csv").read_bytes()
+
+        def same_bytes(folder, text):
+            if (folder / "out" / "farm.csv").read_bytes() != known:
+                raise WrongEnd("not the bytes of slipbench sweep")
+            (folder / "out" / "farm.csv").unlink()
+
+        def ranks(count):
+            return [*self.tools["mpirun"], "-n", str(count), self.tools["farm"], "sweep", "farm.yaml", "-o", "out"]
+
+        tool = f"'{self.slipbench}'"
+        halves = " & ".join(f"{tool} sweep farm.yaml -o out -j 1 --part {i}/2" for i in (1, 2))
+        race.contenders = [
+            Contender("slipbench-mpi, 2 ranks", ranks(2), same_bytes),
+            Contender("slipbench-mpi, 1 rank", ranks(1), same_bytes, goal=1.84),
+            Contender("two halves, slipbench sweep --part", ["sh", "-c", f"{halves} & wait; {tool} merge farm.yaml -o out && "
+                                                             "rm out/*of2.csv"], same_bytes),
+            Contender("slipbench sweep -j 2", [self.slipbench, "sweep", "farm.yaml", "-o", "out", "-j", "2"], same_bytes)]
+        return race
 
     def inline(self, folder):
         steps = 1_000 if self.small else 100_000

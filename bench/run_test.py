@@ -37,7 +37,7 @@ class Tries(unittest.TestCase):
         done = race("--output", target)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         table = target.read_text()
-        for key in ("W1:", "W2:", "W3:", "W4:", "W4k:", "W5:", "W6:", "W6b:", "W7:", "W8", "W9:", "W10:"):
+        for key in ("W1:", "W2:", "W3:", "W4:", "W4k:", "W5:", "W6:", "W6b:", "W7:", "W8:", "W9:", "W10:"):
             self.assertIn(f"### {key}", table)
         self.assertIn("Not installed: NumPy (python3-numpy).", table)
         self.assertRegex(table, r"\| floor \| [0-9.e-]+ \([0-9.e-]+ \.\. [0-9.e-]+\) \|")
