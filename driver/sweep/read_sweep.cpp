@@ -8,10 +8,12 @@
 #include <string_view>
 #include <utility>
 
+#include "driver/base/csv/csv_reader.hpp"
 #include "driver/base/text/in_quotes.hpp"
 #include "driver/base/text/suggestions.hpp"
 #include "driver/read/file_kind.hpp"
 #include "driver/read/keys/case_units.hpp"
+#include "driver/read/keys/data_source_text.hpp"
 #include "driver/read/resolve/resolve_expression.hpp"
 #include "driver/results/columns.hpp"
 #include "driver/sweep/samples.hpp"
@@ -24,15 +26,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The one of several keys that is given, with its number; nothing after reporting that it is none
-/// or more than one.
+/// The one of several keys that is given, by its number; nothing if it is one of `others`, of which
+/// so many are given, or after reporting that there is none or more than one.
 template <class T, std::size_t kCount>
 std::optional<std::size_t> only_one(yaml::Binder& binder, const yaml::Node& node,
                                     const yaml::Path& path,
                                     const std::array<const yaml::At<T>*, kCount>& members,
-                                    bool another, std::string_view wanted) {
+                                    std::size_t others, std::string_view wanted) {
   std::optional<std::size_t> found;
-  std::size_t given = another ? 1 : 0;
+  std::size_t given = others;
   for (std::size_t i = 0; i < kCount; ++i) {
     if (!members[i]->given()) continue;
     ++given;
@@ -59,7 +61,8 @@ class SweepReader {
     const bool bound = yaml::read_struct(binder_, root_, yaml::Path(), text);
     const SweepKeysText& keys = text.sweep.value;
     auto parsed = keys.case_file.sound ? parse_case(keys.case_file) : std::nullopt;
-    std::vector<VariedParameter> varied = read_varied(keys, parsed);
+    std::vector<VariedParameter> varied =
+        keys.csv.given() ? read_drawn(keys, parsed) : read_varied(keys, parsed);
     const std::size_t samples = count_samples(keys, varied);
     if (parsed) {
       Sweep sweep{.file = path_,
@@ -69,7 +72,7 @@ class SweepReader {
                   .settings = options_.overrides,
                   .allow_outside = options_.allow_outside,
                   .varied = std::move(varied),
-                  .sampler = keys.sampler.value,
+                  .sampler = keys.csv.given() ? Sampler::kCsv : keys.sampler.value,
                   .samples = samples,
                   .seed = static_cast<std::uint64_t>(keys.seed)};
       if (!out_.diagnostics.has_errors() && resolve_base(sweep)) {
@@ -113,30 +116,98 @@ class SweepReader {
     return std::move(*parsed);
   }
 
-  std::vector<VariedParameter> read_varied(const SweepKeysText& keys,
-                                           const std::optional<read::ParsedCase>& parsed) {
+  static std::vector<std::string> parameters_of(const std::optional<read::ParsedCase>& parsed) {
     std::vector<std::string> known;
     if (const auto parameters = parsed ? parsed->root().find("parameters") : std::nullopt;
         parameters && parameters->is_map()) {
       for (const yaml::Entry entry : parameters->entries()) known.emplace_back(entry.key.text());
     }
+    return known;
+  }
+
+  /// Says what is wrong with varying a parameter.
+  void check_varied(const std::string& name, const std::vector<std::string>& known,
+                    const yaml::Node& node, const yaml::Path& path) {
     const std::vector<std::string_view> names(known.begin(), known.end());
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      binder_.error(node, path, "the case has no parameter " + base::in_quotes(name),
+                    yaml::nearest_or(name, names,
+                                     known.empty() ? "it has no 'parameters:'"
+                                                   : "it has " + base::few_in_words(names)));
+    }
+    for (const base::ParameterText& setting : options_.overrides) {
+      if (setting.name != name) continue;
+      binder_.error(node, path, "is varied: '--set " + name + "' cannot set it");
+    }
+  }
+
+  /// The parameters and values of a file of samples.
+  std::vector<VariedParameter> read_drawn(const SweepKeysText& keys,
+                                          const std::optional<read::ParsedCase>& parsed) {
+    const yaml::At<read::DataSourceText>& csv = keys.csv;
+    const auto say = [&](const std::string& message) {
+      binder_.error(*csv.node, csv.path, message);
+      return std::vector<VariedParameter>();
+    };
+    if (keys.vary.given()) return say("a file of samples stands in place of 'vary'; one of them");
+    if (keys.sampler.given() && keys.sampler.value != Sampler::kCsv) {
+      return say("the samples are those of the file: 'sampler' is csv, or left out");
+    }
+    const auto source = csv.sound ? read::data_source(binder_, csv) : std::nullopt;
+    if (!source) return {};
+    const auto refuse = [&](const base::HistoryError& error) {
+      binder_.history_error(*csv.node, csv.path, error);
+      return std::vector<VariedParameter>();
+    };
+    std::vector<std::string> names;
+    {
+      const auto header = base::CsvReader::open(*source, {});
+      if (!header) return refuse(header.error());
+      for (const std::string& name : header->header()) {
+        if (name != "id") names.push_back(name);
+      }
+    }
+    if (names.empty()) return say("the file has no column of a parameter");
+    if (parsed) {
+      const std::vector<std::string> known = parameters_of(parsed);
+      for (const std::string& name : names) check_varied(name, known, *csv.node, csv.path);
+    }
+    auto reader = base::CsvReader::open(*source, names);
+    if (!reader) return refuse(reader.error());
     std::vector<VariedParameter> varied;
+    varied.reserve(names.size());
+    for (std::string& name : names) {
+      varied.push_back({std::move(name), {.kind = Distribution::Kind::kList, .numbers = {}}});
+    }
+    std::vector<double> row(varied.size());
+    while (true) {
+      const auto more = reader->next(row);
+      if (!more) return refuse(more.error());
+      if (!*more) return varied;
+      for (std::size_t p = 0; p < row.size(); ++p) {
+        varied[p].distribution.numbers.push_back(row[p]);
+      }
+    }
+  }
+
+  std::vector<VariedParameter> read_varied(const SweepKeysText& keys,
+                                           const std::optional<read::ParsedCase>& parsed) {
+    const std::vector<std::string> known = parameters_of(parsed);
+    std::vector<VariedParameter> varied;
+    if (!keys.vary.given() && !keys.vary.faulty()) {
+      const auto sweep = root_.find("sweep");
+      if (sweep && sweep->is_map()) {
+        binder_.error(*sweep, yaml::Path() / "sweep",
+                      "nothing is varied: 'vary' or a file of samples, 'csv', is missing",
+                      "name parameters of the case: {mu: {uniform: [0.1, 0.3]}}");
+      }
+    }
     if (keys.vary.sound && keys.vary.value.empty()) {
       binder_.error(*keys.vary.node, keys.vary.path, "nothing is varied",
                     "name parameters of the case: {mu: {uniform: [0.1, 0.3]}}");
     }
     for (const yaml::Named<DistributionText>& one : keys.vary.value) {
-      if (parsed && std::find(known.begin(), known.end(), one.name) == known.end()) {
-        binder_.error(*one.key, one.path, "the case has no parameter " + base::in_quotes(one.name),
-                      yaml::nearest_or(one.name, names,
-                                       known.empty() ? "it has no 'parameters:'"
-                                                     : "it has " + base::few_in_words(names)));
-      }
-      for (const base::ParameterText& setting : options_.overrides) {
-        if (setting.name != one.name) continue;
-        binder_.error(*one.key, one.path, "is varied: '--set " + one.name + "' cannot set it");
-      }
+      if (parsed) check_varied(one.name, known, *one.key, one.path);
       if (auto distribution = read_distribution(one)) {
         varied.push_back({one.name, std::move(*distribution)});
       }
@@ -149,7 +220,7 @@ class SweepReader {
     const DistributionText& given = text.value;
     const std::array<const yaml::At<std::vector<double>>*, 4> members{
         &given.uniform, &given.loguniform, &given.normal, &given.grid};
-    const auto which = only_one(binder_, *text.node, text.path, members, false,
+    const auto which = only_one(binder_, *text.node, text.path, members, 0,
                                 "'uniform', 'loguniform', 'normal' and 'grid'");
     if (!which || !members[*which]->sound) return std::nullopt;
     const yaml::At<std::vector<double>>& numbers = *members[*which];
@@ -183,6 +254,18 @@ class SweepReader {
                     std::move(message), std::move(hint));
       return std::size_t{0};
     };
+    if (keys.csv.given()) {
+      const std::size_t rows = varied.empty() ? 0 : varied[0].distribution.numbers.size();
+      if (!samples.sound) return rows;
+      const auto wanted = static_cast<std::size_t>(samples.value);
+      if (rows > 0 && wanted > rows) {
+        return say("the file has " + std::to_string(rows) + " samples");
+      }
+      return wanted;
+    }
+    if (keys.sampler.value == Sampler::kCsv) {
+      return say("the sampler csv wants a file of samples: csv: drawn.csv");
+    }
     if (keys.sampler.value != Sampler::kGrid) {
       if (varied.size() > most_parameters(keys.sampler.value)) {
         return say("this sampler has at most " +
@@ -243,20 +326,45 @@ class SweepReader {
       const std::array<const yaml::At<std::string>*, 4> members{&text.max, &text.min,
                                                                 &text.magnitude, &text.last};
       if (!one.sound) continue;
-      const auto which = only_one(binder_, *one.node, one.path, members, text.count.given(),
-                                  "'max', 'min', 'magnitude', 'last' and 'count'");
-      if (!which && text.count.sound) {
-        sweep.collected.push_back({.name = one.name, .counted = text.count.value});
+      const auto others = std::array{text.count.given(), text.loop_energy.given(),
+                                     text.quantile.given(), text.first_passage.given()};
+      const auto which =
+          only_one(binder_, *one.node, one.path, members,
+                   static_cast<std::size_t>(std::count(others.begin(), others.end(), true)),
+                   "'max', 'min', 'magnitude', 'last', 'count', 'loop_energy', 'quantile' and "
+                   "'first_passage'");
+      Collected collected{.name = one.name};
+      const yaml::At<std::string>* quantity = which ? members[*which] : nullptr;
+      if (which) collected.reduction = static_cast<Reduction>(*which);
+      if (text.count.sound) collected.counted = text.count.value;
+      if (text.loop_energy.sound) collected.loop = text.loop_energy.value;
+      if (text.quantile.sound) {
+        collected.reduction = Reduction::kQuantile;
+        collected.level = text.quantile.value.part.value;
+        quantity = &text.quantile.value.of;
       }
-      if (!which) continue;
-      const yaml::At<std::string>& quantity = *members[*which];
-      if (auto compiled = read::compile_expression(binder_, quantity, variables)) {
-        sweep.collected.push_back({.name = one.name,
-                                   .reduction = static_cast<Reduction>(*which),
-                                   .quantity = std::move(compiled->expression),
-                                   .variables = std::move(compiled->variables)});
+      if (text.first_passage.sound) {
+        if (!read_passage(text.first_passage, collected)) continue;
+        quantity = &text.first_passage.value.of;
       }
+      if (quantity != nullptr) {
+        auto compiled = read::compile_expression(binder_, *quantity, variables);
+        if (!compiled) continue;
+        collected.quantity = std::move(compiled->expression);
+        collected.variables = std::move(compiled->variables);
+      }
+      sweep.collected.push_back(std::move(collected));
     }
+  }
+
+  bool read_passage(const yaml::At<PassageText>& text, Collected& collected) {
+    const PassageText& given = text.value;
+    const std::array<const yaml::At<double>*, 2> members{&given.above, &given.below};
+    const auto which = only_one(binder_, *text.node, text.path, members, 0, "'above' and 'below'");
+    if (!which) return false;
+    collected.reduction = *which == 0 ? Reduction::kFirstAbove : Reduction::kFirstBelow;
+    collected.level = members[*which]->value;
+    return true;
   }
 
   /// Names are those of columns: `id`, the varied parameters, what is collected.

@@ -13,36 +13,11 @@
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/bench/run_case.hpp"
 #include "driver/bench/run_length.hpp"
-#include "driver/check/row_values.hpp"
-#include "driver/results/columns.hpp"
-#include "driver/results/events.hpp"
+#include "driver/sweep/collected_numbers.hpp"
 #include "driver/sweep/samples.hpp"
 
 namespace slipbench::driver::sweep {
 namespace {
-
-/// Brings one more value of a quantity to what is left of it. Extremes are those of the values that
-/// are numbers; `so_far` is nan before the first.
-double reduced(Reduction reduction, double so_far, double value) {
-  if (reduction == Reduction::kMagnitude) value = std::abs(value);
-  const bool better = reduction == Reduction::kLast || std::isnan(so_far) ||
-                      (reduction == Reduction::kMinimum ? value < so_far : value > so_far);
-  return better ? value : so_far;
-}
-
-/// Tells whether an event is of the kind that is counted.
-bool is_counted(Counted counted, const results::Event& event) {
-  using law::Regime;
-  switch (counted) {
-    case Counted::kStickToSlip:
-      return event.from == Regime::kStick && event.to == Regime::kSlip;
-    case Counted::kSlipToStick:
-      return event.from == Regime::kSlip && event.to == Regime::kStick;
-    case Counted::kReversal:
-      break;
-  }
-  return event.reversal;
-}
 
 /// The first error, in one line.
 std::string first_error(const base::Diagnostics& diagnostics) {
@@ -62,46 +37,13 @@ std::string run_sample(const Sweep& sweep, std::span<const double> values,
   const read::ReadCase read = sweep.parsed.resolve(options);
   if (!read.value) return first_error(read.diagnostics);
   const cases::Case& problem = *read.value;
-  const std::vector<results::Column> columns = results::result_columns(problem);
-  // An expression serves one thread at a time: each sample has copies.
-  std::vector<base::Expression> own;
-  own.reserve(sweep.collected.size());
-  std::vector<std::optional<check::RowExpression>> quantities(sweep.collected.size());
-  std::optional<results::EventDetector> events;
-  for (std::size_t i = 0; i < quantities.size(); ++i) {
-    const Collected& one = sweep.collected[i];
-    if (one.counted) {
-      numbers[i] = 0.0;
-      if (!events) events.emplace(problem);
-      continue;
-    }
-    numbers[i] = std::numeric_limits<double>::quiet_NaN();
-    own.push_back(*one.quantity);
-    auto quantity = check::RowExpression::make(problem, columns, own.back(), one.variables);
-    if (!quantity) return one.name + ": " + quantity.error();
-    quantities[i] = std::move(*quantity);
-  }
-  std::string failure;
-  const auto ended = bench::run_case(problem, [&](const bench::Row& row) {
-    const std::span<const results::Event> now =
-        events ? events->take(row) : std::span<const results::Event>();
-    for (std::size_t i = 0; i < quantities.size() && failure.empty(); ++i) {
-      const Collected& one = sweep.collected[i];
-      if (one.counted) {
-        numbers[i] += static_cast<double>(std::count_if(
-            now.begin(), now.end(),
-            [&](const results::Event& event) { return is_counted(*one.counted, event); }));
-        continue;
-      }
-      const auto value = (*quantities[i])(row);
-      if (!value) {
-        failure = one.name + ": " + value.error().message;
-        return;
-      }
-      numbers[i] = reduced(one.reduction, numbers[i], *value);
-    }
-  });
-  return ended ? failure : ended.error().message;
+  CollectedNumbers collected(sweep, problem);
+  if (!collected.fault().empty()) return collected.fault();
+  const auto ended =
+      bench::run_in_blocks(problem, [&](std::span<const bench::Row> rows) { collected.add(rows); });
+  if (!ended) return ended.error().message;
+  collected.finish(numbers);
+  return collected.fault();
 }
 
 }  // namespace
@@ -197,7 +139,7 @@ void run_sweep(const Sweep& sweep, const SweepOptions& options,
   // So many samples, or more for many threads, are in memory at once and wait for the slowest.
   constexpr std::size_t kTogether = 1024;
   const std::size_t size = options.chunk > 0 ? options.chunk : chunk_size(sweep);
-  const std::size_t together = std::max<std::size_t>(kTogether / size, 4 * options.threads);
+  const std::size_t together = std::max(kTogether / size, std::size_t{4} * options.threads);
   Samples samples(sweep);
   samples.skip(options.first);
   const std::size_t end = std::min(options.end, sweep.samples);

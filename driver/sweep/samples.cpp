@@ -52,6 +52,7 @@ std::size_t most_parameters(Sampler sampler) {
     case Sampler::kGrid:
     case Sampler::kLatinHypercube:
     case Sampler::kRandom:
+    case Sampler::kCsv:
       break;
   }
   return std::numeric_limits<std::size_t>::max();
@@ -106,6 +107,8 @@ std::size_t Samples::take(std::span<double> values) {
       if (sweep_->sampler == Sampler::kGrid) {
         value = distribution.numbers[rest % distribution.numbers.size()];
         rest /= distribution.numbers.size();
+      } else if (sweep_->sampler == Sampler::kCsv) {
+        value = distribution.numbers[next_];
       } else {
         value = distribution.at(std::clamp(part(p), kLeast, 1.0 - kLeast));
       }

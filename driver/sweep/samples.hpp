@@ -19,6 +19,7 @@ namespace slipbench::driver::sweep {
 ///     Conover 1979).
 ///   - Random: a hash of seed, sample and parameter (SplitMix64), so that no sample depends on
 ///     those before it.
+///   - CSV: the rows of a file.
 class Samples {
  public:
   explicit Samples(const Sweep& sweep);

@@ -22,21 +22,37 @@ struct VariedParameter {
   Distribution distribution;
 };
 
-/// Order in which the space of the parameters is filled.
-enum class Sampler : std::uint8_t { kGrid, kSobol, kHalton, kLatinHypercube, kRandom };
+/// Order in which the space of the parameters is filled. kCsv takes them from a file: each
+/// parameter has the list of its column, and sample i the i-th of each.
+enum class Sampler : std::uint8_t { kGrid, kSobol, kHalton, kLatinHypercube, kRandom, kCsv };
 
-/// Number that is left of a quantity after a run; kMagnitude is its largest magnitude.
-enum class Reduction : std::uint8_t { kMaximum, kMinimum, kMagnitude, kLast };
+/// Number that is left of a quantity after a run; kMagnitude is its largest magnitude, kQuantile a
+/// value that it is at or below for a part of the time, kFirstAbove and kFirstBelow the time at
+/// which it first passes a level.
+enum class Reduction : std::uint8_t {
+  kMaximum,
+  kMinimum,
+  kMagnitude,
+  kLast,
+  kQuantile,
+  kFirstAbove,
+  kFirstBelow,
+};
 
 /// Events that are counted, of all friction definitions together.
 enum class Counted : std::uint8_t { kStickToSlip, kSlipToStick, kReversal };
 
-/// One number of the result of a sample: of a quantity, or how many events there were.
+/// Whole cycle whose dissipated energy is collected, of all friction definitions together.
+enum class Loop : std::uint8_t { kFirst, kLast };
+
+/// One number of the result of a sample: of a quantity, how many events there were, or an energy.
 struct Collected {
   std::string name;
   std::optional<Counted> counted = std::nullopt;
+  std::optional<Loop> loop = std::nullopt;
   Reduction reduction = Reduction::kLast;
-  std::optional<base::Expression> quantity = std::nullopt;  ///< of what is not counted
+  double level = 0.0;  ///< that is passed; of a quantile the part of the time
+  std::optional<base::Expression> quantity = std::nullopt;  ///< that is reduced
   std::vector<std::string> variables = {};                  ///< of `quantity`, in its order
 };
 

@@ -97,8 +97,13 @@ std::string SweepSummary::text() const {
       text += "no sample has a value\n";
       continue;
     }
+    const auto with_value = static_cast<std::size_t>(one.count);
+    const std::size_t lacking = samples_ - failed_ - with_value;
+    const std::string without = lacking == 0 ? ""
+                                             : fmt::format(" (no value in {} {})", lacking,
+                                                           lacking == 1 ? "sample" : "samples");
     if (one.least == one.most) {
-      text += fmt::format("{:.4g} in every sample\n", one.least);
+      text += fmt::format("{:.4g} in every sample{}\n", one.least, without);
       continue;
     }
     const double deviation = one.count > 1.0 ? std::sqrt(one.squares / (one.count - 1.0)) : 0.0;
@@ -115,9 +120,9 @@ std::string SweepSummary::text() const {
     for (std::size_t p = 1; p < one.parameters.size(); ++p) {
       if (std::abs(one.correlation(p)) > std::abs(one.correlation(strongest))) strongest = p;
     }
-    text +=
-        fmt::format(", correlation with {} {:.2f}\n",
-                    base::printable(sweep_->varied[strongest].name), one.correlation(strongest));
+    text += fmt::format(", correlation with {} {:.2f}{}\n",
+                        base::printable(sweep_->varied[strongest].name), one.correlation(strongest),
+                        without);
   }
   if (failed_ > 0) {
     text += fmt::format("  {} of {} samples failed, the first is {}: {}\n", failed_, samples_,

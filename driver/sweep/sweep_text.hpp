@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "driver/read/keys/data_source_text.hpp"
 #include "driver/sweep/sweep.hpp"
 #include "driver/yaml/binding.hpp"
 
@@ -15,13 +16,17 @@ namespace slipbench::driver::yaml {
 
 template <>
 struct EnumWords<sweep::Sampler> {
-  static constexpr std::array<std::string_view, 5> kWords{"grid", "sobol", "halton", "lhs",
-                                                          "random"};
+  static constexpr std::array<std::string_view, 6> kWords{"grid", "sobol",  "halton",
+                                                          "lhs",  "random", "csv"};
 };
 template <>
 struct EnumWords<sweep::Counted> {
   static constexpr std::array<std::string_view, 3> kWords{"stick_to_slip", "slip_to_stick",
                                                           "reversal"};
+};
+template <>
+struct EnumWords<sweep::Loop> {
+  static constexpr std::array<std::string_view, 2> kWords{"first", "last"};
 };
 
 }  // namespace slipbench::driver::yaml
@@ -51,9 +56,40 @@ struct DistributionText {
   }
 };
 
+struct QuantileText {
+  yaml::At<std::string> of;
+  yaml::At<double> part;
+
+  static void declare(auto& key) {
+    key("of", &QuantileText::of,
+        {.required = true, .text = "A result column, or an expression over columns."});
+    key("part", &QuantileText::part,
+        {.required = true,
+         .text = "The part of the time for which it is at or below the number: 0.95.",
+         .bounds = {.lower = 0.0, .upper = 1.0}});
+  }
+};
+
+struct PassageText {
+  yaml::At<std::string> of;
+  yaml::At<double> above, below;
+
+  static void declare(auto& key) {
+    key("of", &PassageText::of,
+        {.required = true, .text = "A result column, or an expression over columns."});
+    key("above", &PassageText::above,
+        {.text = "The level that it rises above.", .default_text = "below"});
+    key("below", &PassageText::below,
+        {.text = "The level that it falls below.", .default_text = "above"});
+  }
+};
+
 struct CollectText {
   yaml::At<std::string> max, min, magnitude, last;
   yaml::At<Counted> count;
+  yaml::At<Loop> loop_energy;
+  yaml::At<QuantileText> quantile;
+  yaml::At<PassageText> first_passage;
 
   static void declare(auto& key) {
     key("max", &CollectText::max,
@@ -66,12 +102,22 @@ struct CollectText {
         {.text = "Value at the end of the run.", .default_text = "another number"});
     key("count", &CollectText::count,
         {.text = "How many events there are.", .default_text = "another number"});
+    key("loop_energy", &CollectText::loop_energy,
+        {.text = "Energy that friction dissipates in the first or the last whole cycle.",
+         .default_text = "another number"});
+    key("quantile", &CollectText::quantile,
+        {.text = "Value that a quantity is at or below for a part of the time.",
+         .default_text = "another number"});
+    key("first_passage", &CollectText::first_passage,
+        {.text = "Total time T at which a quantity first passes a level.",
+         .default_text = "another number"});
   }
 };
 
 struct SweepKeysText {
   yaml::At<std::string> case_file;
   yaml::At<yaml::NamedMap<DistributionText>> vary;
+  yaml::At<read::DataSourceText> csv;
   yaml::At<Sampler> sampler = yaml::default_of(Sampler::kSobol);
   yaml::At<int> samples;
   int seed = 1;
@@ -81,15 +127,19 @@ struct SweepKeysText {
     key("case", &SweepKeysText::case_file,
         {.required = true, .text = "Case file that is run again and again."});
     key("vary", &SweepKeysText::vary,
-        {.required = true,
-         .text = "Parameters of the case, and what their values are drawn from."});
+        {.text = "Parameters of the case, and what their values are drawn from.",
+         .default_text = "required without csv"});
+    key("csv", &SweepKeysText::csv,
+        {.text = "File of samples: a column for each parameter that is varied, a row a sample; a "
+                 "column id is passed over.",
+         .default_text = "vary"});
     key("sampler", &SweepKeysText::sampler,
         {.text = "Order in which the space of the parameters is filled; lhs is the Latin "
-                 "hypercube.",
-         .default_text = "sobol"});
+                 "hypercube, csv the order of the file.",
+         .default_text = "csv with that key, else sobol"});
     key("samples", &SweepKeysText::samples,
         {.text = "How many samples are run.",
-         .default_text = "all combinations, of a grid; else required",
+         .default_text = "all of a grid, all rows of a file; else required",
          .bounds = {.lower = 1, .upper = 2.0e9}});
     key("seed", &SweepKeysText::seed,
         {.text = "The same seed gives the same samples.",

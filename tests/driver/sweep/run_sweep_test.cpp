@@ -171,9 +171,124 @@ TEST_CASE("Faults of a sweep file are told where they are") {
   CHECK(errors(vary + "  collect: {end: {last: CSF7}}\n").find("sweep.collect.end.last: ") == 0);
   CHECK(errors(vary + "  collect: {mu: {last: CSF1}}\n") ==
         "sweep.collect.mu: another column of the result is called so as well\n");
-  CHECK(errors(vary + "  collect: {end: {last: CSF1, count: reversal}}\n") ==
-        "sweep.collect.end: wants one of 'max', 'min', 'magnitude', 'last' and 'count'\n");
+  CHECK(
+      errors(vary + "  collect: {end: {last: CSF1, count: reversal}}\n") ==
+      "sweep.collect.end: wants one of 'max', 'min', 'magnitude', 'last', 'count', 'loop_energy', "
+      "'quantile' and 'first_passage'\n");
   CHECK(errors(vary + "  collect: {}\n") == "sweep.collect: nothing is collected\n");
+}
+
+TEST_CASE("Quantiles and first passages are those of a ramp that ends in slip") {
+  // Ten increments of 10 N each, up to 20 N.
+  const Written written(
+      "  vary: {mu: {grid: [0.2]}, k: {grid: [1000]}}\n  sampler: grid\n"
+      "  collect: {tenth: {quantile: {of: CSF1, part: 0.1}}, more: {quantile: {of: CSF1, part: "
+      "0.11}},\n"
+      "            rises: {first_passage: {of: CSF1, above: 5}},\n"
+      "            falls: {first_passage: {of: '= -CSF1', below: -12.5}},\n"
+      "            at_once: {first_passage: {of: CSF1, below: 3}},\n"
+      "            never: {first_passage: {of: CSF1, above: 20.001}}, loop: {loop_energy: "
+      "last}}\n");
+  const ReadSweep read = written.read();
+  INFO(written.errors());
+  REQUIRE(read.value.has_value());
+  const std::vector<Row> rows = rows_of(*read.value);
+  REQUIRE(rows.size() == 1);
+  const std::vector<double>& found = rows[0].numbers;
+  CHECK(found[0] == Approx(10.0).epsilon(1e-12));
+  CHECK(found[1] == Approx(20.0).epsilon(1e-12));
+  CHECK(found[2] == Approx(0.05).epsilon(1e-12));
+  CHECK(found[3] == Approx(0.125).epsilon(1e-12));
+  CHECK(found[4] == 0.0);
+  CHECK(std::isnan(found[5]));
+  CHECK(std::isnan(found[6]));
+  CHECK(rows[0].failure.empty());
+}
+
+TEST_CASE("The energy of a loop is that of a parallelogram") {
+  const Written written(
+      "  vary: {mu: {uniform: [0.1, 0.3]}}\n  samples: 20\n"
+      "  collect: {first: {loop_energy: first}, last: {loop_energy: last}}\n");
+  written.folder.write(
+      "slot.yaml",
+      "slipbench: 1\nunits: {length: mm, force: N, time: s}\nparameters: {mu: 0.2}\n"
+      "connector: {type: SLOT}\n"
+      "friction: [{predefined: {}, coefficient: = mu, stick: {stiffness: 1000}}]\n"
+      "history: [{step: go, duration: 3, increments: 300, force: {f2: 100},\n"
+      "  motion: {CP1: {triangle: {amplitude: 0.1, frequency: 1}}}}]\n");
+  const ReadSweep read = written.read();
+  INFO(written.errors());
+  REQUIRE(read.value.has_value());
+  for (const Row& row : rows_of(*read.value)) {
+    const double limit = 100.0 * row.values[0];
+    const double loop = 4.0 * limit * (0.1 - limit / 1000.0);
+    // The corners lie inside increments, which book the work by the trapezoid in stick and slip.
+    CHECK(row.numbers[1] == Approx(loop).epsilon(0.01));
+    // The first cycle begins and ends in the middle: unloaded, and loaded the other way.
+    CHECK(row.numbers[0] == Approx(loop - limit * limit / 1000.0).epsilon(0.01));
+  }
+}
+
+TEST_CASE("Samples come from the columns of a file, in its order") {
+  const Written written(
+      "  csv: {file: drawn.csv, decimal: ','}\n  samples: 2\n"
+      "  collect: {end: {last: CSF1}}\n");
+  written.folder.write("drawn.csv", "k;id;mu\n1000;7;0,2\n200;5;0,3\n100;1;0,3\n");
+  const ReadSweep read = written.read();
+  INFO(written.errors());
+  REQUIRE(read.value.has_value());
+  const std::vector<Row> rows = rows_of(*read.value);
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[0].values == std::vector<double>{1000.0, 0.2});
+  CHECK(rows[1].values == std::vector<double>{200.0, 0.3});
+  CHECK(rows[0].numbers[0] == Approx(20.0).epsilon(1e-12));
+  CHECK(rows[1].numbers[0] == Approx(20.0).epsilon(1e-12));
+  const std::vector<std::string>& files = read.data_files;
+  CHECK(std::any_of(files.begin(), files.end(),
+                    [](const std::string& file) { return file.ends_with("drawn.csv"); }));
+  SweepOptions second;
+  second.first = 1;
+  CHECK(rows_of(*read.value, second) == std::vector<Row>{rows[1]});
+}
+
+TEST_CASE("What is wrong with a file of samples is told") {
+  const std::string collect = "  collect: {end: {last: CSF1}}\n";
+  const auto errors = [&](const std::string& keys, const std::string& csv) {
+    const Written written(keys + collect);
+    written.folder.write("drawn.csv", csv);
+    return written.errors();
+  };
+  CHECK_THAT(errors("  csv: drawn.csv\n", "mu,kk\n0.2,3\n"),
+             Catch::Contains("the case has no parameter 'kk'"));
+  CHECK_THAT(errors("  csv: drawn.csv\n", "mu\n0.2\nx\n"), Catch::Contains("'x'"));
+  CHECK_THAT(errors("  csv: drawn.csv\n", "id\n1\n"), Catch::Contains("no column of a parameter"));
+  CHECK_THAT(errors("  csv: drawn.csv\n  samples: 3\n", "mu\n0.2\n0.3\n"),
+             Catch::Contains("the file has 2 samples"));
+  CHECK_THAT(errors("  csv: drawn.csv\n  vary: {mu: {grid: [1]}}\n", "mu\n0.2\n"),
+             Catch::Contains("in place of 'vary'"));
+  CHECK_THAT(errors("  csv: drawn.csv\n  sampler: sobol\n", "mu\n0.2\n"),
+             Catch::Contains("'sampler' is csv"));
+  CHECK_THAT(errors("  csv: other.csv\n", ""), Catch::Contains("cannot be opened"));
+  CHECK_THAT(errors("  sampler: csv\n  vary: {mu: {grid: [1]}}\n", ""),
+             Catch::Contains("wants a file of samples"));
+  CHECK_THAT(errors("", ""), Catch::Contains("nothing is varied"));
+}
+
+TEST_CASE("Wrong quantiles, passages and loops are refused") {
+  const auto errors = [](const std::string& one) {
+    return Written("  vary: {mu: {grid: [0.2]}}\n  sampler: grid\n  collect: {a: " + one + "}\n")
+        .errors();
+  };
+  CHECK_THAT(errors("{quantile: {of: CSF1, part: 1.5}}"), Catch::Contains("between 0 and 1"));
+  CHECK_THAT(errors("{quantile: {of: CSF1}}"), Catch::Contains("part"));
+  CHECK_THAT(errors("{quantile: {of: CSF9, part: 0.5}}"), Catch::Contains("CSF9"));
+  CHECK_THAT(errors("{first_passage: {of: CSF1}}"),
+             Catch::Contains("wants one of 'above' and 'below'"));
+  CHECK_THAT(errors("{first_passage: {of: CSF1, above: 1, below: 2}}"),
+             Catch::Contains("wants one of 'above' and 'below'"));
+  CHECK_THAT(errors("{first_passage: {of: CSF1, above: 1}, max: CSF1}"),
+             Catch::Contains("wants one of"));
+  CHECK_THAT(errors("{loop_energy: middle}"), Catch::Contains("first or last"));
 }
 
 }  // namespace
