@@ -38,10 +38,17 @@ tl::expected<std::unique_ptr<SweepResult>, std::string> SweepResult::create(
     const OpenSweep& open, const SweepResultOptions& options) {
   std::unique_ptr<SweepResult> result(
       new SweepResult(open, sweep::result_name(open.sweep, options.part)));
+  if (open.sweep.sobol_indices && !options.part) result->indices_.emplace(open.sweep);
   if (options.no_output) return result;
   const std::string file = sweep::file_name(open.sweep);
   const base::FileMark mark{"a result of " + file, "# slipbench ", "\n# sweep: " + file + "\n",
                             true};
+  if (result->indices_) {
+    auto indices = base::OutputFile::create(options.folder / (result->name_ + ".indices.csv"), mark,
+                                            {open.inputs, options.force});
+    if (!indices) return tl::unexpected(indices.error());
+    result->indices_file_.emplace(std::move(*indices));
+  }
   auto made = base::OutputFile::create(options.folder / (result->name_ + ".csv"), mark,
                                        {open.inputs, options.force});
   if (!made) return tl::unexpected(made.error());
@@ -53,6 +60,7 @@ tl::expected<std::unique_ptr<SweepResult>, std::string> SweepResult::create(
 void SweepResult::take(const sweep::SampleOutcome& outcome) {
   ++samples_;
   summary_.add(outcome);
+  if (indices_) indices_->add(outcome);
   if (!file_) return;
   sweep::append_row(outcome, file_->buffer());
   file_->flush_if_full();
@@ -62,12 +70,19 @@ int SweepResult::finish(const std::string& how) {
   std::string text = fmt::format(
       "{}: {} samples of {}, {}\n{}", base::printable(name_), samples_,
       base::printable(fs::path(open_->sweep.case_path).filename().string()), how, summary_.text());
+  if (indices_) text += indices_->text();
   if (file_) {
-    base::OutputFile* const files[] = {&*file_};
+    std::vector<base::OutputFile*> files{&*file_};
+    if (indices_file_) {
+      indices_file_->append(indices_->csv());
+      files.push_back(&*indices_file_);
+    }
     if (auto committed = base::commit(files); !committed) {
       return terminal::refuse(base::kExitEnvironment, committed.error());
     }
-    text += "  " + file_->target().lexically_normal().string() + "\n";
+    for (const base::OutputFile* one : files) {
+      text += "  " + one->target().lexically_normal().string() + "\n";
+    }
   }
   terminal::print(text);
   return summary_.failed() > 0 ? base::kExitNumerical : base::kExitOk;

@@ -14,6 +14,7 @@
 #include "driver/base/files/output_file.hpp"
 #include "driver/sweep/rows.hpp"
 #include "driver/sweep/run_sweep.hpp"
+#include "driver/sweep/sobol_indices.hpp"
 #include "driver/sweep/sweep.hpp"
 #include "driver/sweep/sweep_summary.hpp"
 
@@ -62,6 +63,8 @@ class SweepResult {
   const OpenSweep* open_;
   std::string name_;
   std::optional<base::OutputFile> file_;
+  std::optional<base::OutputFile> indices_file_;
+  std::optional<sweep::SobolEstimate> indices_;  ///< of the whole sweep, where they are wanted
   sweep::SweepSummary summary_{open_->sweep};
   std::size_t samples_ = 0;
 };

@@ -74,6 +74,7 @@ class SweepReader {
                   .varied = std::move(varied),
                   .sampler = keys.csv.given() ? Sampler::kCsv : keys.sampler.value,
                   .samples = samples,
+                  .sobol_indices = keys.sobol_indices.value,
                   .seed = static_cast<std::uint64_t>(keys.seed)};
       if (!out_.diagnostics.has_errors() && resolve_base(sweep)) {
         read_collected(keys, sweep);
@@ -246,7 +247,9 @@ class SweepReader {
     return Distribution{kind, value};
   }
 
+  /// Samples, of a file and of a grid too; with Sobol' indices all that are run.
   std::size_t count_samples(const SweepKeysText& keys, const std::vector<VariedParameter>& varied) {
+    constexpr std::size_t kMost = 2'000'000'000;
     const yaml::At<int>& samples = keys.samples;
     const auto say = [&](std::string message, std::string hint = {}) {
       const bool has = samples.given();
@@ -254,6 +257,11 @@ class SweepReader {
                     std::move(message), std::move(hint));
       return std::size_t{0};
     };
+    if (keys.sobol_indices.value && (keys.csv.given() || keys.sampler.value == Sampler::kGrid)) {
+      binder_.error(*keys.sobol_indices.node, keys.sobol_indices.path,
+                    "needs samples that are drawn: not a grid, nor a file");
+      return 0;
+    }
     if (keys.csv.given()) {
       const std::size_t rows = varied.empty() ? 0 : varied[0].distribution.numbers.size();
       if (!samples.sound) return rows;
@@ -267,15 +275,23 @@ class SweepReader {
       return say("the sampler csv wants a file of samples: csv: drawn.csv");
     }
     if (keys.sampler.value != Sampler::kGrid) {
-      if (varied.size() > most_parameters(keys.sampler.value)) {
-        return say("this sampler has at most " +
-                       std::to_string(most_parameters(keys.sampler.value)) + " parameters",
+      const std::size_t coordinates = keys.sobol_indices.value ? 2 : 1;
+      const std::size_t most = most_coordinates(keys.sampler.value) / coordinates;
+      if (varied.size() > most) {
+        return say("this sampler has at most " + std::to_string(most) + " parameters" +
+                       (coordinates > 1 ? " for Sobol' indices" : ""),
                    "'halton' has more, 'lhs' and 'random' any number");
       }
       if (!samples.given()) return say("'samples' is missing: only a grid knows how many it has");
-      return samples.sound ? static_cast<std::size_t>(samples.value) : 0;
+      if (!samples.sound) return 0;
+      const auto rows = static_cast<std::size_t>(samples.value);
+      const std::size_t length = keys.sobol_indices.value ? varied.size() + 2 : 1;
+      if (rows > kMost / length) {
+        return say("Sobol' indices take " + std::to_string(length) +
+                   " runs a sample: more than 2e9 in all");
+      }
+      return rows * length;
     }
-    constexpr std::size_t kMost = 2'000'000'000;
     std::size_t all = 1;
     for (const VariedParameter& one : varied) {
       if (one.distribution.kind != Distribution::Kind::kList) {

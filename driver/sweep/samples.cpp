@@ -43,7 +43,7 @@ std::vector<std::size_t> shuffled(std::size_t count, std::uint64_t seed, std::ui
 
 }  // namespace
 
-std::size_t most_parameters(Sampler sampler) {
+std::size_t most_coordinates(Sampler sampler) {
   switch (sampler) {
     case Sampler::kSobol:
       return gsl_qrng_sobol->max_dimension;
@@ -58,8 +58,11 @@ std::size_t most_parameters(Sampler sampler) {
   return std::numeric_limits<std::size_t>::max();
 }
 
-Samples::Samples(const Sweep& sweep) : sweep_(&sweep), point_(sweep.varied.size()) {
-  const std::size_t count = sweep.varied.size();
+Samples::Samples(const Sweep& sweep)
+    : sweep_(&sweep),
+      row_length_(row_length(sweep)),
+      point_((sweep.sobol_indices ? 2 : 1) * sweep.varied.size()) {
+  const std::size_t count = point_.size();
   if (sweep.sampler == Sampler::kSobol || sweep.sampler == Sampler::kHalton) {
     sequence_.reset(
         gsl_qrng_alloc(sweep.sampler == Sampler::kSobol ? gsl_qrng_sobol : gsl_qrng_reversehalton,
@@ -68,25 +71,27 @@ Samples::Samples(const Sweep& sweep) : sweep_(&sweep), point_(sweep.varied.size(
   }
   if (sweep.sampler == Sampler::kLatinHypercube) {
     for (std::size_t p = 0; p < count; ++p)
-      strata_.push_back(shuffled(sweep.samples, sweep.seed, p));
+      strata_.push_back(shuffled(sweep.samples / row_length_, sweep.seed, p));
   }
 }
 
-double Samples::part(std::size_t parameter) const {
-  const double drawn = fraction(hash(sweep_->seed, next_, parameter));
+double Samples::part(std::size_t coordinate) const {
+  const std::size_t row = next_ / row_length_;
+  const double drawn = fraction(hash(sweep_->seed, row, coordinate));
   if (sequence_) {
-    const double shifted = point_[parameter] + fraction(hash(sweep_->seed, kForAll, parameter));
+    const double shifted = point_[coordinate] + fraction(hash(sweep_->seed, kForAll, coordinate));
     return shifted - std::floor(shifted);
   }
   if (!strata_.empty()) {
-    return (static_cast<double>(strata_[parameter][next_]) + drawn) /
-           static_cast<double>(sweep_->samples);
+    return (static_cast<double>(strata_[coordinate][row]) + drawn) /
+           static_cast<double>(strata_[coordinate].size());
   }
   return drawn;
 }
 
 void Samples::advance() {
-  if (sequence_) gsl_qrng_get(static_cast<gsl_qrng*>(sequence_.get()), point_.data());
+  if (sequence_ && next_ % row_length_ == 0)
+    gsl_qrng_get(static_cast<gsl_qrng*>(sequence_.get()), point_.data());
 }
 
 void Samples::skip(std::size_t count) {
@@ -110,7 +115,10 @@ std::size_t Samples::take(std::span<double> values) {
       } else if (sweep_->sampler == Sampler::kCsv) {
         value = distribution.numbers[next_];
       } else {
-        value = distribution.at(std::clamp(part(p), kLeast, 1.0 - kLeast));
+        // In a row of samples the first is A, the last B, and that between has one coordinate of B.
+        const std::size_t in_row = next_ % row_length_;
+        const bool of_b = in_row > 0 && (in_row == p + 1 || in_row + 1 == row_length_);
+        value = distribution.at(std::clamp(part(of_b ? width + p : p), kLeast, 1.0 - kLeast));
       }
     }
   }

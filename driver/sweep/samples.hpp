@@ -20,6 +20,7 @@ namespace slipbench::driver::sweep {
 ///   - Random: a hash of seed, sample and parameter (SplitMix64), so that no sample depends on
 ///     those before it.
 ///   - CSV: the rows of a file.
+/// With Sobol' indices a point has twice the coordinates, and makes a row of samples.
 class Samples {
  public:
   explicit Samples(const Sweep& sweep);
@@ -33,16 +34,17 @@ class Samples {
 
  private:
   void advance();
-  double part(std::size_t parameter) const;
+  double part(std::size_t coordinate) const;
 
   const Sweep* sweep_;
+  std::size_t row_length_;
   std::size_t next_ = 0;
-  std::shared_ptr<void> sequence_;                ///< GSL's gsl_qrng
-  std::vector<double> point_;                     ///< of the sequence
+  std::shared_ptr<void> sequence_;  ///< GSL's gsl_qrng
+  std::vector<double> point_;       ///< of the sequence; with Sobol' indices A, then B
   std::vector<std::vector<std::size_t>> strata_;  ///< of the hypercube, for each parameter
 };
 
-/// Most parameters that a sampler serves.
-std::size_t most_parameters(Sampler sampler);
+/// Returns the most coordinates of a point of a sampler.
+std::size_t most_coordinates(Sampler sampler);
 
 }  // namespace slipbench::driver::sweep

@@ -67,10 +67,17 @@ struct Sweep {
   bool allow_outside = false;
   std::vector<VariedParameter> varied = {};
   Sampler sampler = Sampler::kSobol;
-  std::size_t samples = 0;  ///< of a grid: all of its points
+  std::size_t samples = 0;     ///< of a grid: all of its points
+  bool sobol_indices = false;  ///< the samples are laid out for them: sobol_indices.hpp
   std::uint64_t seed = 1;
   std::vector<Collected> collected = {};
 };
+
+/// Returns how many samples are drawn from one point of the sampler: with Sobol' indices a row of
+/// them.
+inline std::size_t row_length(const Sweep& sweep) {
+  return sweep.sobol_indices ? sweep.varied.size() + 2 : 1;
+}
 
 /// Returns the overrides with which the case of one sample is resolved.
 /// \param values of the varied parameters, in their order

@@ -116,6 +116,11 @@ std::string SweepSummary::text() const {
       at[q] = gsl_rstat_quantile_get(one.quantiles[q].get());
     }
     text += fmt::format(", 5 / 50 / 95 %: {:.4g} / {:.4g} / {:.4g}", at[0], at[1], at[2]);
+    // Rows of samples that share coordinates are no random sample; their indices tell more.
+    if (sweep_->sobol_indices) {
+      text += without + "\n";
+      continue;
+    }
     std::size_t strongest = 0;
     for (std::size_t p = 1; p < one.parameters.size(); ++p) {
       if (std::abs(one.correlation(p)) > std::abs(one.correlation(strongest))) strongest = p;

@@ -121,6 +121,7 @@ struct SweepKeysText {
   yaml::At<Sampler> sampler = yaml::default_of(Sampler::kSobol);
   yaml::At<int> samples;
   int seed = 1;
+  yaml::At<bool> sobol_indices = yaml::default_of(false);
   yaml::At<yaml::NamedMap<CollectText>> collect;
 
   static void declare(auto& key) {
@@ -145,6 +146,10 @@ struct SweepKeysText {
         {.text = "The same seed gives the same samples.",
          .default_text = "1",
          .bounds = law::kNotNegative});
+    key("sobol_indices", &SweepKeysText::sobol_indices,
+        {.text = "true: parts of the variance by parameter; each of the samples then takes as "
+                 "many runs as there are parameters, and two.",
+         .default_text = "false"});
     key("collect", &SweepKeysText::collect,
         {.required = true, .text = "Numbers of each run, by name: {peak: {max: CSF1}}."});
   }

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "driver/sweep/run_sweep.hpp"
+#include "driver/sweep/sweep.hpp"
+
+namespace slipbench::driver::sweep {
+
+/// A part of the variance of a number [1], with its 95 % interval.
+struct VariancePart {
+  double value = 0.0;
+  double low = 0.0;
+  double high = 0.0;
+};
+
+/// Sobol' indices of a number and a parameter: the part of the variance that goes if the parameter
+/// is known, and the part that stays if it alone is not.
+struct SobolIndices {
+  VariancePart first;
+  VariancePart total;
+};
+
+/// Sobol' indices of a sweep whose samples are laid out for them: a row of k + 2 samples is a point
+/// A, then A with each of its k coordinates in turn from a point B, then B. Over n rows
+///   first_i = mean(f_B (f_ABi - f_A)) / V      Saltelli et al. 2010, f less its mean
+///   total_i = mean((f_A - f_ABi)^2) / (2 V)    Jansen 1999
+/// where V is the variance of all f_A and f_B. Intervals are those of a jackknife that leaves out a
+/// sixty-fourth of the rows at a time, as if the rows were random: on the safe side for sequences
+/// that fill the space more evenly. Memory does not grow with the samples.
+class SobolEstimate {
+ public:
+  explicit SobolEstimate(const Sweep& sweep);
+
+  /// Takes the next sample, in the order of the ids.
+  void add(const SampleOutcome& outcome);
+
+  /// Tells whether a number varies, so that there are indices of it.
+  bool varies(std::size_t number) const;
+  SobolIndices indices(std::size_t number, std::size_t parameter) const;
+  /// Rows of which some sample has no such number: they are left out.
+  std::size_t dropped(std::size_t number) const { return dropped_[number]; }
+
+  /// One line a number: its parameters by total index. Warns where intervals are wider than what
+  /// they are to tell apart.
+  std::string text() const;
+  /// CSV, a row for each number and parameter.
+  std::string csv() const;
+
+ private:
+  /// Sums over rows, of differences from `shift_`.
+  struct Sums {
+    double rows = 0.0;
+    double both = 0.0;             ///< f_A + f_B
+    double squares = 0.0;          ///< f_A^2 + f_B^2
+    std::vector<double> products;  ///< f_B (f_ABi - f_A), a parameter each
+    std::vector<double> changes;   ///< f_ABi - f_A
+    std::vector<double> jumps;     ///< (f_ABi - f_A)^2
+
+    void add(const Sums& other, double sign);
+    double variance() const;
+    double first(std::size_t parameter) const;
+    double total(std::size_t parameter) const;
+  };
+
+  void end_row(std::size_t number);
+  Sums sum(std::size_t number) const;
+
+  const Sweep* sweep_;
+  std::size_t parameters_;
+  std::size_t rows_ = 0;
+  std::size_t in_row_ = 0;
+  std::vector<std::vector<double>> row_;  ///< the samples of the row so far, a number each
+  std::vector<double> shift_;             ///< the first f_A of a number, so that squares stay small
+  std::vector<std::vector<Sums>> groups_;  ///< of a number
+  std::vector<std::size_t> dropped_;
+};
+
+}  // namespace slipbench::driver::sweep
