@@ -11,8 +11,8 @@
 #include "driver/base/files/exit_code.hpp"
 #include "driver/bench/exact_integration.hpp"
 #include "driver/bench/run_case.hpp"
-#include "driver/results/csv_writer.hpp"
 #include "driver/results/provenance.hpp"
+#include "driver/results/row_writer.hpp"
 #include "driver/terminal/progress.hpp"
 
 namespace slipbench::driver::analysis {

@@ -21,14 +21,14 @@ using Command = std::function<int()>;
 /// must outlive the parsing.
 using Declare = void(CLI::App& app, Command& command);
 Declare declare_run, declare_check, declare_bless, declare_plot, declare_report, declare_calibrate,
-    declare_sweep, declare_merge, declare_import, declare_list, declare_describe, declare_new,
-    declare_schema;
+    declare_sweep, declare_merge, declare_convert, declare_import, declare_list, declare_describe,
+    declare_new, declare_schema;
 
 /// In the order of the help.
 inline constexpr std::array kCommands{
-    declare_run,       declare_check, declare_bless, declare_plot,   declare_report,
-    declare_calibrate, declare_sweep, declare_merge, declare_import, declare_list,
-    declare_describe,  declare_new,   declare_schema};
+    declare_run,       declare_check,    declare_bless, declare_plot,    declare_report,
+    declare_calibrate, declare_sweep,    declare_merge, declare_convert, declare_import,
+    declare_list,      declare_describe, declare_new,   declare_schema};
 
 /// Adds the options that every command with cases has, '--set' and '--allow-outside'.
 void declare_settings(CLI::App& command, std::vector<std::string>& settings, bool& allow_outside);
@@ -38,6 +38,9 @@ void declare_settings(CLI::App& command, std::vector<std::string>& settings, boo
 CLI::Validator whole_number(int first, int last);
 CLI::Validator any_number();
 CLI::Validator one_of(std::vector<std::string> words);
+
+/// Adds '--format', in which rows are written.
+void declare_format(CLI::App& command, std::string& format);
 
 /// Adds '--force', with which a command replaces a file that is `what`: "no result of its case".
 void declare_force(CLI::App& command, bool& force, const std::string& what);

@@ -20,6 +20,7 @@ void declare_merge(CLI::App& app, Command& command) {
       ->type_name("DIR")
       ->capture_default_str();
   declare_settings(*declared, options->settings, options->allow_outside);
+  declare_format(*declared, options->format);
   declare_force(*declared, options->force, "no result of this sweep");
   declared->footer(
       "Writes <sweep>.csv with the bytes of a sweep that was never divided, and keeps the parts.\n"

@@ -23,12 +23,7 @@ void declare_run(CLI::App& app, Command& command) {
   declared->add_option("--every", options->every, "Write every N-th row, and the last")
       ->type_name("N")
       ->check(whole_number(1, 1000000000));
-  declared
-      ->add_option_function<std::string>(
-          "--format", [](const std::string&) {}, "Format of the rows")
-      ->type_name("csv")
-      ->check(one_of({"csv"}))
-      ->default_str("csv");
+  declare_format(*declared, options->format);
   declared->add_flag("-q,--quiet", options->quiet, "Tell only warnings, failed checks and errors");
   declared->add_flag("--no-output", options->no_output, "Write no files, only tell what happened");
   declared
@@ -47,7 +42,8 @@ void declare_run(CLI::App& app, Command& command) {
                      "its run the exit code is 1");
   declare_force(*declared, options->force, "no result of its case");
   declared->footer(
-      "Writes <case>.csv (a row an increment), <case>.events.csv (every change between stick and\n"
+      "Writes <case>.csv, .npy or .h5 (a row an increment), <case>.events.csv (every change "
+      "between stick and\n"
       "slip) and <case>.json (the summary). Prints what happened and the case's own checks.\n"
       "A case from standard input is called stdin.\n"
       "Example: slipbench run shock.yaml hinge.yaml -o out --set mu=0.2 --every 10");

@@ -12,6 +12,7 @@
 #include "driver/base/text/suggestions.hpp"
 #include "driver/cli/declare.hpp"
 #include "driver/commands/arguments.hpp"
+#include "driver/table/table_head.hpp"
 
 namespace slipbench::driver::cli {
 namespace {
@@ -57,6 +58,13 @@ CLI::Validator one_of(std::vector<std::string> words) {
                                base::did_you_mean(value, names, "the help lists all"));
           },
           ""};
+}
+
+void declare_format(CLI::App& command, std::string& format) {
+  command.add_option("--format", format, "Format of the rows: csv, npy (NumPy) or h5 (HDF5)")
+      ->type_name("csv|npy|h5")
+      ->check(one_of({table::kTableFormats.begin(), table::kTableFormats.end()}))
+      ->capture_default_str();
 }
 
 void declare_force(CLI::App& command, bool& force, const std::string& what) {

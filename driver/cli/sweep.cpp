@@ -18,6 +18,7 @@ void declare_sweep(CLI::App& app, Command& command) {
       ->type_name("DIR")
       ->capture_default_str();
   declare_settings(*declared, options->settings, options->allow_outside);
+  declare_format(*declared, options->format);
   declared->add_option("-j,--jobs", options->threads, "Threads; default: one a core")
       ->type_name("N")
       ->check(whole_number(1, 1024));
@@ -38,7 +39,8 @@ void declare_sweep(CLI::App& app, Command& command) {
   declared->add_flag("--no-output", options->no_output, "Write no file, only tell what was found");
   declare_force(*declared, options->force, "no result of this sweep");
   declared->footer(
-      "Writes <sweep>.csv, or <sweep>.IofN.csv of a part: a row a sample, with its id, the values\n"
+      "Writes <sweep>.csv, .npy or .h5, or <sweep>.IofN.csv of a part: a row a sample, with its "
+      "id, the values\n"
       "of the varied parameters, and what was collected (nan where the run failed). The same "
       "bytes\n"
       "whatever the threads; the rows of all parts, one after the other, are those of the whole:\n"

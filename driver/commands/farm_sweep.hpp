@@ -13,7 +13,8 @@ struct FarmSweepOptions {
   std::string folder = ".";           ///< all ranks must see it
   std::vector<std::string> settings;  ///< --set NAME=VALUE
   bool allow_outside = false;
-  bool force = false;  ///< begin anew, and replace a file that is no result of the sweep
+  std::string format = "csv";  ///< --format of the rows
+  bool force = false;          ///< begin anew, and replace a file that is no result of the sweep
 };
 
 /// `slipbench-mpi sweep`, of every rank: runs its share of the samples into a journal of its own,

@@ -12,7 +12,8 @@ struct MergeOptions {
   std::string folder = ".";           ///< where the result goes
   std::vector<std::string> settings;  ///< --set, as they were for the parts
   bool allow_outside = false;
-  bool force = false;  ///< --force: replace a file that is no result of the sweep
+  std::string format = "csv";  ///< --format of the rows
+  bool force = false;          ///< --force: replace a file that is no result of the sweep
 };
 
 /// `slipbench merge`: joins the parts of a sweep into SWEEP.csv, as one run would have written it,

@@ -34,10 +34,10 @@
 #include "driver/commands/arguments.hpp"
 #include "driver/commands/outlook.hpp"
 #include "driver/read/read_case.hpp"
-#include "driver/results/csv_writer.hpp"
 #include "driver/results/events.hpp"
 #include "driver/results/provenance.hpp"
 #include "driver/results/reproducer.hpp"
+#include "driver/results/row_writer.hpp"
 #include "driver/results/summary.hpp"
 #include "driver/terminal/print.hpp"
 #include "driver/terminal/progress.hpp"
@@ -64,8 +64,15 @@ fs::path result_file(const cases::Case& problem, const fs::path& folder,
   return folder / (results::case_stem(problem) + extension);
 }
 
+/// The ending of the rows' file.
+std::string rows_extension(const RunOptions& options) { return "." + options.format; }
+
 base::FileMark mark_of(const cases::Case& problem, std::string_view extension) {
-  return results::result_mark(problem, extension == ".json");
+  base::FileMark mark = results::result_mark(problem, extension == ".json");
+  const auto format = table::format_of("rows" + std::string(extension));
+  if (!format || *format == table::TableFormat::kCsv) return mark;
+  return table::mark_of(*format, results::row_head(problem, results::output_columns(problem)),
+                        mark);
 }
 
 tl::expected<ResultFiles, std::string> create_files(const cases::Case& problem,
@@ -77,11 +84,11 @@ tl::expected<ResultFiles, std::string> create_files(const cases::Case& problem,
     if (!rows) return tl::unexpected(std::move(rows.error()));
     return ResultFiles{std::move(*rows), {}, {}, {}};
   }
-  const auto create = [&](const char* extension) {
+  const auto create = [&](const std::string& extension) {
     return base::OutputFile::create(result_file(problem, options.folder, extension),
                                     mark_of(problem, extension), overwriting);
   };
-  auto rows = create(".csv");
+  auto rows = create(rows_extension(options));
   if (!rows) return tl::unexpected(rows.error());
   ResultFiles files{std::move(*rows), {}, {}, {}};
   const auto add = [&](const char* extension,
@@ -164,13 +171,16 @@ int run_one(const read::ReadCase& read, const RunOptions& options,
     return terminal::refuse(base::kExitEnvironment, results::case_stem(problem) + ": " + fault);
   }
   std::optional<ResultFiles> files;
-  std::optional<results::CsvWriter> rows;
+  std::unique_ptr<results::RowWriter> rows;
   std::optional<results::EventWriter> events;
   if (!options.no_output) {
     auto created = create_files(problem, options, overwriting);
     if (!created) return terminal::refuse(base::kExitEnvironment, created.error());
     files.emplace(std::move(*created));
-    rows.emplace(problem, results::output_columns(problem), files->rows);
+    auto writer = results::RowWriter::create(problem, results::output_columns(problem),
+                                             *table::format_named(options.format), files->rows);
+    if (!writer) return terminal::refuse(base::kExitEnvironment, writer.error());
+    rows = std::move(*writer);
     if (files->events) events.emplace(problem, *files->events);
   }
 
@@ -188,7 +198,7 @@ int run_one(const read::ReadCase& read, const RunOptions& options,
   const auto follow = [&] {
     terminal::Progress progress(results::case_stem(problem));
     const auto finished_rows = [&]() -> base::OutputFile* {
-      if (rows) rows->finish();
+      if (rows) rows->bring();
       return files ? &files->rows : nullptr;
     };
     const auto take = [&](std::span<const bench::Row> block) {
@@ -229,7 +239,9 @@ int run_one(const read::ReadCase& read, const RunOptions& options,
   }
   // The end of the run is always in the result.
   if (rows && last.index == summary.increments() && last.index > 0) rows->write(last);
-  if (rows) rows->finish();
+  if (const auto finished = rows ? rows->finish() : tl::expected<void, std::string>(); !finished) {
+    return terminal::refuse(base::kExitEnvironment, finished.error());
+  }
 
   std::vector<check::Verdict> verdicts;
   verdicts.reserve(checks.size());
@@ -361,8 +373,10 @@ std::string fault_of_options(const RunOptions& options) {
 std::string fault_of_targets(const std::vector<read::ReadCase>& cases, const RunOptions& options,
                              const base::Overwriting& overwriting) {
   for (const read::ReadCase& read : cases) {
-    for (const char* extension : {".csv", ".events.csv", ".json", ".solver.csv"}) {
-      if (extension == std::string_view(".solver.csv") && !options.solver_report) continue;
+    const std::vector<std::string> extensions{rows_extension(options), ".events.csv", ".json",
+                                              ".solver.csv"};
+    for (const std::string& extension : extensions) {
+      if (extension == ".solver.csv" && !options.solver_report) continue;
       std::string fault = base::target_fault(result_file(*read.value, options.folder, extension),
                                              mark_of(*read.value, extension), overwriting);
       if (!fault.empty()) return fault;

@@ -12,6 +12,7 @@ struct RunOptions {
   std::string folder = ".";           ///< where the results go; "-": the rows to standard output
   std::vector<std::string> settings;  ///< --set, as typed
   std::optional<int> every;           ///< write every N-th row; the case's choice if absent
+  std::string format = "csv";         ///< --format of the rows: a word of table::kTableFormats
   bool no_output = false;             ///< write no files
   bool quiet = false;                 ///< tell only warnings, failed checks and errors
   bool force = false;                 ///< --force: replace files that are no results of the case

@@ -33,6 +33,7 @@ std::string typed(const SweepOptions& options) {
   if (options.allow_outside) text += " --allow-outside";
   if (options.threads > 0) text += fmt::format(" -j {}", options.threads);
   if (!options.part.empty()) text += " --part " + options.part;
+  if (options.format != "csv") text += " --format " + options.format;
   return base::printable(text);
 }
 
@@ -73,6 +74,11 @@ int sweep_command(const SweepOptions& options) {
                               "--part " + base::printable(options.part) +
                                   ": wants a part and how many there are, such as 2/8");
     }
+    if (options.format != "csv") {
+      return terminal::refuse(base::kExitBadInput,
+                              "--format " + options.format +
+                                  ": parts are csv; 'slipbench merge' writes what is wanted");
+    }
   }
   const auto open = open_sweep(options.file, options.settings, options.allow_outside);
   if (!open) return open.error();
@@ -83,8 +89,8 @@ int sweep_command(const SweepOptions& options) {
   run.first = part.value_or(sweep::Part()).first(samples);
   run.end = part.value_or(sweep::Part()).end(samples);
 
-  const auto result =
-      SweepResult::create(*open, {options.folder, part, options.no_output, options.force});
+  const auto result = SweepResult::create(
+      *open, {options.folder, part, options.format, options.no_output, options.force});
   if (!result) return terminal::refuse(base::kExitEnvironment, result.error());
   std::unique_ptr<sweep::Journal> journal;
   std::size_t recalled = 0;

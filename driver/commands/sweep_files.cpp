@@ -49,11 +49,16 @@ tl::expected<std::unique_ptr<SweepResult>, std::string> SweepResult::create(
     if (!indices) return tl::unexpected(indices.error());
     result->indices_file_.emplace(std::move(*indices));
   }
-  auto made = base::OutputFile::create(options.folder / (result->name_ + ".csv"), mark,
-                                       {open.inputs, options.force});
+  const table::TableFormat format = *table::format_named(options.format);
+  table::TableHead head = sweep::rows_head(open.sweep, open.identity, options.part);
+  auto made =
+      base::OutputFile::create(options.folder / (result->name_ + "." + options.format),
+                               table::mark_of(format, head, mark), {open.inputs, options.force});
   if (!made) return tl::unexpected(made.error());
   result->file_.emplace(std::move(*made));
-  result->file_->append(sweep::rows_head(open.sweep, open.identity, options.part));
+  auto rows = table::TableWriter::create(format, std::move(head), *result->file_);
+  if (!rows) return tl::unexpected(rows.error());
+  result->rows_.emplace(std::move(*rows));
   return result;
 }
 
@@ -61,9 +66,11 @@ void SweepResult::take(const sweep::SampleOutcome& outcome) {
   ++samples_;
   summary_.add(outcome);
   if (indices_) indices_->add(outcome);
-  if (!file_) return;
-  sweep::append_row(outcome, file_->buffer());
-  file_->flush_if_full();
+  if (!rows_) return;
+  row_.assign(1, static_cast<double>(outcome.id));
+  row_.insert(row_.end(), outcome.values.begin(), outcome.values.end());
+  row_.insert(row_.end(), outcome.numbers.begin(), outcome.numbers.end());
+  rows_->write(row_);
 }
 
 int SweepResult::finish(const std::string& how) {
@@ -76,6 +83,9 @@ int SweepResult::finish(const std::string& how) {
     if (indices_file_) {
       indices_file_->append(indices_->csv());
       files.push_back(&*indices_file_);
+    }
+    if (auto finished = rows_->finish(); !finished) {
+      return terminal::refuse(base::kExitEnvironment, finished.error());
     }
     if (auto committed = base::commit(files); !committed) {
       return terminal::refuse(base::kExitEnvironment, committed.error());

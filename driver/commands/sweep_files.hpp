@@ -17,6 +17,7 @@
 #include "driver/sweep/sobol_indices.hpp"
 #include "driver/sweep/sweep.hpp"
 #include "driver/sweep/sweep_summary.hpp"
+#include "driver/table/table_writer.hpp"
 
 namespace slipbench::driver::commands {
 
@@ -35,6 +36,7 @@ tl::expected<OpenSweep, int> open_sweep(const std::string& file,
 struct SweepResultOptions {
   std::filesystem::path folder;
   std::optional<sweep::Part> part = std::nullopt;  ///< of the samples; nothing: all
+  std::string format = "csv";                      ///< of the rows: a word of kTableFormats
   bool no_output = false;                          ///< only the summary
   bool force = false;
 };
@@ -63,6 +65,8 @@ class SweepResult {
   const OpenSweep* open_;
   std::string name_;
   std::optional<base::OutputFile> file_;
+  std::optional<table::TableWriter> rows_;  ///< to `file_`
+  std::vector<double> row_;
   std::optional<base::OutputFile> indices_file_;
   std::optional<sweep::SobolEstimate> indices_;  ///< of the whole sweep, where they are wanted
   sweep::SweepSummary summary_{open_->sweep};

@@ -37,6 +37,7 @@ void declare_sweep(CLI::App& app, commands::FarmSweepOptions& options, FarmComma
       ->type_name("DIR")
       ->capture_default_str();
   cli::declare_settings(*declared, options.settings, options.allow_outside);
+  cli::declare_format(*declared, options.format);
   cli::declare_force(*declared, options.force, "no result of this sweep");
   declared->footer(
       "Every rank takes samples until none are left and keeps them in <sweep>.rankN.journal;\n"

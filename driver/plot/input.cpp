@@ -13,8 +13,8 @@
 #include "driver/plot/loops.hpp"
 #include "driver/plot/result_regimes.hpp"
 #include "driver/read/read_case.hpp"
-#include "driver/results/csv_writer.hpp"
 #include "driver/results/provenance.hpp"
+#include "driver/results/row_writer.hpp"
 #include "driver/terminal/progress.hpp"
 
 namespace slipbench::driver::plot {
@@ -28,14 +28,17 @@ tl::expected<void, PlotFailure> write_rows(const cases::Case& problem, const fs:
   auto created = base::OutputFile::create(fs::path(picture).concat(".rows"), {}, base::kNeverNamed);
   if (!created) return failed(base::kExitEnvironment, created.error());
   rows.emplace(std::move(*created));
-  results::CsvWriter writer(problem, results::result_columns(problem), *rows);
+  auto writer = results::RowWriter::create(problem, results::result_columns(problem),
+                                           table::TableFormat::kCsv, *rows);
+  if (!writer) return failed(base::kExitEnvironment, writer.error());
   auto ended = follow_for_plot(problem, [&](const bench::Simulation& simulation) {
-    writer.write(simulation.row());
+    (*writer)->write(simulation.row());
     regimes.add(simulation.row());
   });
   if (!ended) return ended;
-  writer.finish();
-  if (auto closed = rows->close(); !closed) return failed(base::kExitEnvironment, closed.error());
+  auto closed = (*writer)->finish();
+  if (closed) closed = rows->close();
+  if (!closed) return failed(base::kExitEnvironment, closed.error());
   return {};
 }
 

@@ -71,7 +71,7 @@ std::string Parts::add_rows(const fs::path& file) {
     if (!line.starts_with("#")) break;
   }
   if (!part) return file.string() + ": is no part of a sweep";
-  const std::string wanted = rows_head(*sweep_, *identity_, part);
+  const std::string wanted = table::csv_head(rows_head(*sweep_, *identity_, part));
   if (head != wanted) {
     const bool same_sweep = head.find("\n# sweep: " + file_name(*sweep_) + "\n") != head.npos;
     return file.string() + (same_sweep ? ": is of another state of this sweep: an input, a setting "

@@ -51,25 +51,21 @@ std::string result_name(const Sweep& sweep, const std::optional<Part>& part) {
   return part ? fmt::format("{}.{}of{}", stem, part->number, part->count) : stem;
 }
 
-std::string rows_head(const Sweep& sweep, const std::string& identity,
-                      const std::optional<Part>& part) {
-  std::string text =
+table::TableHead rows_head(const Sweep& sweep, const std::string& identity,
+                           const std::optional<Part>& part) {
+  table::TableHead head;
+  head.lines =
       fmt::format("# slipbench {}\n# sweep: {}\n# title: {}\n# case: {}\n",
                   results::program_version(), file_name(sweep), base::printable(sweep.title),
                   base::printable(fs::path(sweep.case_path).filename().string()));
-  if (part)
-    text += fmt::format("# part: {}/{}\n# identity: {}\n", part->number, part->count, identity);
-  text += "id";
-  for (const VariedParameter& one : sweep.varied) text += "," + one.name;
-  for (const Collected& one : sweep.collected) text += "," + one.name;
-  return text + "\n";
-}
-
-void append_row(const SampleOutcome& outcome, std::string& text) {
-  fmt::format_to(std::back_inserter(text), "{}", outcome.id);
-  for (const double value : outcome.values) fmt::format_to(std::back_inserter(text), ",{}", value);
-  for (const double value : outcome.numbers) fmt::format_to(std::back_inserter(text), ",{}", value);
-  text += '\n';
+  if (part) {
+    head.lines +=
+        fmt::format("# part: {}/{}\n# identity: {}\n", part->number, part->count, identity);
+  }
+  head.columns.emplace_back("id");
+  for (const VariedParameter& one : sweep.varied) head.columns.push_back(one.name);
+  for (const Collected& one : sweep.collected) head.columns.push_back(one.name);
+  return head;
 }
 
 bool read_row(std::string_view line, std::size_t id, std::size_t varied,

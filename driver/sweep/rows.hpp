@@ -10,6 +10,7 @@
 
 #include "driver/sweep/run_sweep.hpp"
 #include "driver/sweep/sweep.hpp"
+#include "driver/table/table_head.hpp"
 
 namespace slipbench::driver::sweep {
 
@@ -31,12 +32,10 @@ std::string file_name(const Sweep& sweep);
 /// The name of the files of a sweep, or of a part of it, before their ending: "name.2of8".
 std::string result_name(const Sweep& sweep, const std::optional<Part>& part);
 
-/// The first lines, and the names of the columns. A part says which it is, and of what.
-std::string rows_head(const Sweep& sweep, const std::string& identity,
-                      const std::optional<Part>& part);
-
-/// Adds the line of a sample, with as many digits as bring back the same numbers.
-void append_row(const SampleOutcome& outcome, std::string& text);
+/// Returns the head of the rows: id, varied parameters, what is collected. A part says which it is,
+/// and of what.
+table::TableHead rows_head(const Sweep& sweep, const std::string& identity,
+                           const std::optional<Part>& part);
 
 /// Reads what was collected from a line; false if it is no line of sample `id`.
 bool read_row(std::string_view line, std::size_t id, std::size_t varied, std::span<double> numbers);

@@ -33,6 +33,8 @@ constexpr std::array kFloors{
     Room{"driver/base/files",        "driver::base"},      // output files, paths, threads, exit codes
     Room{"driver/base/units",        "driver::base"},      // units, expressions, parameters
     Room{"driver/base/csv",          "driver::base"},      // CSV data of any program
+    Room{"driver/table",             "driver::table"},     // tables of results in files: CSV, npy, HDF5
+    Room{"driver/hdf5",              "driver::table"},     // the plug-in for HDF5
     Room{"driver/terminal",          "driver::terminal"},  // what is printed, and progress
     Room{"driver/calibrate/fit",     "driver::fit"},       // least squares and their statistics; knows nothing of friction
     Room{"driver/calibrate/cleaning","driver::cleaning"},  // measured rows, before they are compared

@@ -22,8 +22,8 @@ const std::vector<Room>& rooms() {
       {std::regex("reference/.*"), std::regex("reference/.*"), "reference/"},
       {std::regex("driver/.*"),
        std::regex("(law|reference|driver|Eigen|fmt|tl|yaml-cpp|CLI|gsl|sys)/"
-                  ".*|muParser.*\\.h|udunits2\\.h|sha256\\.h|mpi\\.h"
-                  "|(unistd|fcntl|spawn|signal|poll|locale|malloc)\\.h"),
+                  ".*|muParser.*\\.h|udunits2\\.h|sha256\\.h|mpi\\.h|hdf5\\.h"
+                  "|(unistd|fcntl|spawn|signal|poll|locale|malloc|dlfcn)\\.h"),
        "law/, reference/, driver/, its third parties and the system"},
       {std::regex("tests/law/.*"),
        std::regex("(law|reference|Eigen|catch2|tests/law|tests/support)/.*"),
@@ -47,6 +47,7 @@ const std::vector<ThirdParty>& third_parties() {
       {std::regex("yaml-cpp/.*"), std::regex("driver/yaml/.*\\.cpp"), "driver/yaml/*.cpp"},
       {std::regex("CLI/.*"), std::regex("driver/(cli|mpi)/.*\\.cpp"),
        "driver/cli/*.cpp, driver/mpi/*.cpp"},
+      {std::regex("hdf5\\.h"), std::regex("driver/hdf5/.*"), "driver/hdf5/"},
       {std::regex("mpi\\.h"), std::regex("driver/mpi/.*"), "driver/mpi/"},
       {std::regex("muParser.*\\.h"), std::regex("driver/.*expression[^/]*\\.cpp"),
        "an expression .cpp of driver/"},

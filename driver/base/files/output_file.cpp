@@ -221,6 +221,15 @@ void OutputFile::flush() {
   buffer_.clear();
 }
 
+void OutputFile::replace_start(std::string_view text) {
+  flush();
+  if (!error_.empty()) return;
+  const ssize_t written = pwrite(descriptor_, text.data(), text.size(), 0);
+  if (written >= 0 && static_cast<std::size_t>(written) == text.size()) return;
+  error_ = fmt::format("{}: cannot be written: {}", target_.string(),
+                       written < 0 ? reason(errno) : "the disk is full");
+}
+
 tl::expected<void, std::string> OutputFile::close() {
   flush();
   if (descriptor_ >= 0 && ::close(std::exchange(descriptor_, -1)) != 0 && error_.empty()) {

@@ -82,6 +82,9 @@ class OutputFile {
     flush_if_full();
   }
 
+  /// Replaces the first bytes, which were there already, by as many.
+  void replace_start(std::string_view text);
+
   /// Writes what is left and closes, for others to read under the temporary name.
   tl::expected<void, std::string> close();
 

@@ -67,7 +67,7 @@ TEST_CASE("a missing, extra or wrong value is told with what is wanted") {
         "run: --every: wanted a whole number from 1 to 1000000000, found '2.5'"},
        {"run shock.yaml --every 2 --every 3", "run: --every is given more than once"},
        {"run shock.yaml --explain soon", "run: --explain: wanted a number, found 'soon'"},
-       {"run shock.yaml --format vtk", "run: --format: unknown word 'vtk'; known: csv"},
+       {"run shock.yaml --format vtk", "run: --format: unknown word 'vtk'; known: csv, npy and h5"},
        {"run shock.yaml --no-output=3", "run: --no-output takes no value"},
        {"run shock.yaml --set", "run: --set wants a value: --set NAME=VALUE"}},
       "See 'slipbench run --help'.\n");

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "driver/base/files/output_file.hpp"
-#include "driver/results/csv_writer.hpp"
 #include "driver/results/events.hpp"
+#include "driver/results/row_writer.hpp"
 #include "tests/driver/bench/example_cases.hpp"
 #include "tests/driver/support/files_for_test.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
@@ -154,7 +154,7 @@ TEST_CASE("two names are one file if they lead to it, be it there or not") {
   fs::create_directory(folder.path() / "d");
   fs::create_directory_symlink("d", folder.path() / "e");
   fs::create_symlink("d/new", folder.path() / "link");
-  const fs::path base = folder.path();
+  const fs::path& base = folder.path();
   CHECK(base::is_same_file(base / "a", base / "d/../a"));
   CHECK(base::is_same_file(base / "d/new", base / "e/new"));
   CHECK(base::is_same_file(base / "link", base / "e/new"));
@@ -268,9 +268,11 @@ TEST_CASE("missing folders are made, and go again with a file that did not come 
 std::string written_rows(const cases::Case& problem, const fs::path& target) {
   auto file = base::OutputFile::create(target, kMark);
   REQUIRE(file);
-  CsvWriter writer(problem, output_columns(problem), *file);
-  for (const bench::Row& row : bench::rows_of(problem)) writer.write(row);
-  writer.finish();
+  const auto writer =
+      RowWriter::create(problem, output_columns(problem), table::TableFormat::kCsv, *file);
+  REQUIRE(writer);
+  for (const bench::Row& row : bench::rows_of(problem)) (*writer)->write(row);
+  REQUIRE((*writer)->finish());
   complete(*file);
   return file_text(target);
 }

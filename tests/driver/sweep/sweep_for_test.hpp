@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "driver/base/text/format_number.hpp"
+#include "driver/sweep/run_sweep.hpp"
 #include "driver/sweep/sweep.hpp"
 
 namespace slipbench::driver::sweep {
@@ -31,6 +33,14 @@ inline Sweep sweep_of(std::vector<Distribution> distributions, std::size_t sampl
   }
   sweep.samples = samples;
   return sweep;
+}
+
+/// Adds the line of a sample as it stands in a file of rows.
+inline void append_row(const SampleOutcome& outcome, std::string& text) {
+  text += std::to_string(outcome.id) + ",";
+  base::append_numbers(text, outcome.values);
+  base::append_numbers(text, outcome.numbers);
+  text.back() = '\n';
 }
 
 }  // namespace slipbench::driver::sweep

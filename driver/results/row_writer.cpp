@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "driver/results/csv_writer.hpp"
+#include "driver/results/row_writer.hpp"
 
 #include <fmt/format.h>
 
@@ -15,17 +15,8 @@
 namespace slipbench::driver::results {
 namespace {
 
-/// So many rows become text together.
+/// So many rows are written together.
 constexpr std::size_t kTogether = 4096;
-
-void append_rows(std::span<const double> numbers, std::size_t width, base::OutputFile& file) {
-  std::string& text = file.buffer();
-  for (std::size_t i = 0; i < numbers.size(); i += width) {
-    base::append_numbers(text, numbers.subspan(i, width));
-    text.back() = '\n';
-    file.flush_if_full();
-  }
-}
 
 /// Lists the force columns of each definition: "# friction: sliding = CSFC(CSF2 CSF3),
 /// spinning = CSM1".
@@ -54,44 +45,55 @@ std::string direction_line(const ResultLayout& layout) {
 
 }  // namespace
 
-CsvWriter::CsvWriter(const cases::Case& problem, std::vector<Column> columns,
-                     base::OutputFile& file)
-    : case_(&problem), columns_(std::move(columns)), file_(&file) {
-  file.append(provenance_lines(problem));
-  const ResultLayout layout = layout_of(problem, columns_);
-  file.append(friction_line(layout));
-  file.append(direction_line(layout));
+table::TableHead row_head(const cases::Case& problem, std::span<const Column> columns) {
+  table::TableHead head;
+  head.lines = provenance_lines(problem);
+  const std::vector<Column> all(columns.begin(), columns.end());
+  const ResultLayout layout = layout_of(problem, all);
+  head.lines += friction_line(layout) + direction_line(layout);
   std::string units;
-  for (const Column& column : columns_) {
+  for (const Column& column : columns) {
     units += (units.empty() ? "# columns: " : ", ") + column.name + " [" +
              base::unit_text(column.dimension, problem.units) + "]";
+    head.columns.push_back(column.name);
   }
-  file.append(units + "\n");
-  std::string header;
-  for (const Column& column : columns_) header += (header.empty() ? "" : ",") + column.name;
-  file.append(header + "\n");
+  head.lines += units + "\n";
+  return head;
 }
 
-void CsvWriter::write(const bench::Row& row) {
+tl::expected<std::unique_ptr<RowWriter>, std::string> RowWriter::create(const cases::Case& problem,
+                                                                        std::vector<Column> columns,
+                                                                        table::TableFormat format,
+                                                                        base::OutputFile& file) {
+  auto table = table::TableWriter::create(format, row_head(problem, columns), file);
+  if (!table) return tl::unexpected(std::move(table.error()));
+  return std::unique_ptr<RowWriter>(new RowWriter(problem, std::move(columns), std::move(*table)));
+}
+
+void RowWriter::write(const bench::Row& row) {
   for (const Column& column : columns_) numbers_.push_back(column_value(column, *case_, row));
   if (numbers_.size() >= kTogether * columns_.size()) hand_over();
 }
 
-void CsvWriter::finish() {
+void RowWriter::bring() {
   if (formatting_.valid()) formatting_.get();
-  append_rows(numbers_, columns_.size(), *file_);
+  table_.write(numbers_);
   numbers_.clear();
 }
 
-void CsvWriter::hand_over() {
+tl::expected<void, std::string> RowWriter::finish() {
+  bring();
+  return table_.finish();
+}
+
+void RowWriter::hand_over() {
   if (formatting_.valid()) formatting_.get();
   std::swap(numbers_, on_way_);
   numbers_.clear();
   try {
-    formatting_ =
-        std::async(std::launch::async, [this] { append_rows(on_way_, columns_.size(), *file_); });
+    formatting_ = std::async(std::launch::async, [this] { table_.write(on_way_); });
   } catch (const std::system_error&) {
-    append_rows(on_way_, columns_.size(), *file_);  // the system gives no more threads
+    table_.write(on_way_);  // the system gives no more threads
   }
 }
 
