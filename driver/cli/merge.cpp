@@ -21,6 +21,8 @@ void declare_merge(CLI::App& app, Command& command) {
       ->capture_default_str();
   declare_settings(*declared, options->settings, options->allow_outside);
   declare_format(*declared, options->format);
+  declared->add_option("--report", options->report, "Also write a page to look at: FILE.html")
+      ->type_name("FILE");
   declare_force(*declared, options->force, "no result of this sweep");
   declared->footer(
       "Writes <sweep>.csv with the bytes of a sweep that was never divided, and keeps the parts.\n"

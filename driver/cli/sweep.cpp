@@ -19,6 +19,8 @@ void declare_sweep(CLI::App& app, Command& command) {
       ->capture_default_str();
   declare_settings(*declared, options->settings, options->allow_outside);
   declare_format(*declared, options->format);
+  declared->add_option("--report", options->report, "Also write a page to look at: FILE.html")
+      ->type_name("FILE");
   declared->add_option("-j,--jobs", options->threads, "Threads; default: one a core")
       ->type_name("N")
       ->check(whole_number(1, 1024));
@@ -36,6 +38,8 @@ void declare_sweep(CLI::App& app, Command& command) {
                    "With --emit: samples a second and core; default: some are run to find it")
       ->type_name("N")
       ->check(CLI::PositiveNumber);
+  declared->add_flag("--no-rows", options->no_rows,
+                     "Write the summaries only, however many samples; keeps nothing to go on from");
   declared->add_flag("--no-output", options->no_output, "Write no file, only tell what was found");
   declare_force(*declared, options->force, "no result of this sweep");
   declared->footer(
@@ -47,6 +51,7 @@ void declare_sweep(CLI::App& app, Command& command) {
       "'slipbench merge' joins them. What was run is kept in <sweep>.journal meanwhile: "
       "interrupted,\n"
       "the same command goes on from there.\n"
+      "<sweep>.json has spread, quantiles, histogram and correlations of each number.\n"
       "Exit code 3 if a sample failed.\n"
       "Example: slipbench sweep loop_sweep.yaml -o out");
   declared->callback([options, &command] {

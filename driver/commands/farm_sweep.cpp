@@ -115,8 +115,10 @@ int farm_sweep_command(const FarmSweepOptions& options, const farm::Farm& farm) 
   std::unique_ptr<SweepResult> result;
   std::string fault;
   if (farm.rank == 0) {
-    auto created = SweepResult::create(
-        *open, {.folder = options.folder, .format = options.format, .force = options.force});
+    auto created = SweepResult::create(*open, {.folder = options.folder,
+                                               .format = options.format,
+                                               .report = options.report,
+                                               .force = options.force});
     if (created) {
       result = std::move(*created);
       fault = find_done(*open, options, done);

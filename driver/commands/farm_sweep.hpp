@@ -13,6 +13,7 @@ struct FarmSweepOptions {
   std::string folder = ".";           ///< all ranks must see it
   std::vector<std::string> settings;  ///< --set NAME=VALUE
   bool allow_outside = false;
+  std::string report;          ///< --report: the page to write
   std::string format = "csv";  ///< --format of the rows
   bool force = false;          ///< begin anew, and replace a file that is no result of the sweep
 };

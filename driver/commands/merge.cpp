@@ -45,8 +45,10 @@ int merge_command(const MergeOptions& options) {
     return terminal::refuse(base::kExitBadInput,
                             sweep::file_name(open->sweep) + ": the parts are not all: " + missing);
   }
-  const auto result = SweepResult::create(
-      *open, {.folder = options.folder, .format = options.format, .force = options.force});
+  const auto result = SweepResult::create(*open, {.folder = options.folder,
+                                                  .format = options.format,
+                                                  .report = options.report,
+                                                  .force = options.force});
   if (!result) return terminal::refuse(base::kExitEnvironment, result.error());
   {
     terminal::Progress line("samples");

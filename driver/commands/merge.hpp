@@ -12,6 +12,7 @@ struct MergeOptions {
   std::string folder = ".";           ///< where the result goes
   std::vector<std::string> settings;  ///< --set, as they were for the parts
   bool allow_outside = false;
+  std::string report;          ///< --report: the page to write
   std::string format = "csv";  ///< --format of the rows
   bool force = false;          ///< --force: replace a file that is no result of the sweep
 };

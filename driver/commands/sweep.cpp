@@ -34,6 +34,7 @@ std::string typed(const SweepOptions& options) {
   if (options.threads > 0) text += fmt::format(" -j {}", options.threads);
   if (!options.part.empty()) text += " --part " + options.part;
   if (options.format != "csv") text += " --format " + options.format;
+  if (!options.report.empty()) text += " --report " + shell_word(options.report);
   return base::printable(text);
 }
 
@@ -79,6 +80,10 @@ int sweep_command(const SweepOptions& options) {
                               "--format " + options.format +
                                   ": parts are csv; 'slipbench merge' writes what is wanted");
     }
+    if (options.no_rows) {
+      return terminal::refuse(base::kExitBadInput,
+                              "--no-rows: a part is its rows, without which it cannot be joined");
+    }
   }
   const auto open = open_sweep(options.file, options.settings, options.allow_outside);
   if (!open) return open.error();
@@ -89,12 +94,13 @@ int sweep_command(const SweepOptions& options) {
   run.first = part.value_or(sweep::Part()).first(samples);
   run.end = part.value_or(sweep::Part()).end(samples);
 
-  const auto result = SweepResult::create(
-      *open, {options.folder, part, options.format, options.no_output, options.force});
+  const auto result =
+      SweepResult::create(*open, {options.folder, part, options.format, options.report,
+                                  options.no_rows, options.no_output, options.force});
   if (!result) return terminal::refuse(base::kExitEnvironment, result.error());
   std::unique_ptr<sweep::Journal> journal;
   std::size_t recalled = 0;
-  if (!options.no_output) {
+  if (!options.no_output && !options.no_rows) {
     auto opened = open_journal(*open, (*result)->name(), options);
     if (!opened) return terminal::refuse(base::kExitEnvironment, opened.error());
     journal = std::move(*opened);

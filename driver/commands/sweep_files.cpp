@@ -8,8 +8,11 @@
 
 #include "driver/base/files/exit_code.hpp"
 #include "driver/base/text/diagnostic.hpp"
+#include "driver/base/text/json.hpp"
+#include "driver/results/provenance.hpp"
 #include "driver/sweep/journal.hpp"
 #include "driver/sweep/read_sweep.hpp"
+#include "driver/sweep/report/sweep_page.hpp"
 #include "driver/terminal/print.hpp"
 
 namespace slipbench::driver::commands {
@@ -34,6 +37,32 @@ tl::expected<OpenSweep, int> open_sweep(const std::string& file,
   return open;
 }
 
+namespace {
+
+/// The first members of the summary, by which it is known.
+base::json::Value origin_of(const sweep::Sweep& sweep) {
+  base::json::Value document;
+  document["program"] = "slipbench";
+  document["version"] = results::program_version();
+  document["sweep"] = sweep::file_name(sweep);
+  document["title"] = sweep.title;
+  return document;
+}
+
+std::string json_text(const sweep::Sweep& sweep, const sweep::SweepSummary& summary) {
+  base::json::Value document = origin_of(sweep);
+  document["summary"] = summary.to_json();
+  return document.dump(2) + "\n";
+}
+
+base::FileMark json_mark(const sweep::Sweep& sweep) {
+  const std::string file = sweep::file_name(sweep);
+  return {"a summary of " + file, "{\n  \"program\": \"slipbench\",",
+          "\"sweep\": " + base::json::Value(file).dump() + ","};
+}
+
+}  // namespace
+
 tl::expected<std::unique_ptr<SweepResult>, std::string> SweepResult::create(
     const OpenSweep& open, const SweepResultOptions& options) {
   std::unique_ptr<SweepResult> result(
@@ -43,19 +72,33 @@ tl::expected<std::unique_ptr<SweepResult>, std::string> SweepResult::create(
   const std::string file = sweep::file_name(open.sweep);
   const base::FileMark mark{"a result of " + file, "# slipbench ", "\n# sweep: " + file + "\n",
                             true};
+  const base::Overwriting overwriting{open.inputs, options.force};
+  // Makes one file; a sentence if it cannot be made.
+  const auto make = [&](const fs::path& path, const base::FileMark& own,
+                        std::optional<base::OutputFile>& target) -> std::string {
+    auto made = base::OutputFile::create(path, own, overwriting);
+    if (!made) return made.error();
+    target.emplace(std::move(*made));
+    return {};
+  };
+  std::string fault;
   if (result->indices_) {
-    auto indices = base::OutputFile::create(options.folder / (result->name_ + ".indices.csv"), mark,
-                                            {open.inputs, options.force});
-    if (!indices) return tl::unexpected(indices.error());
-    result->indices_file_.emplace(std::move(*indices));
+    fault = make(options.folder / (result->name_ + ".indices.csv"), mark, result->indices_file_);
   }
+  if (fault.empty() && !options.part) {
+    fault = make(options.folder / (result->name_ + ".json"), json_mark(open.sweep),
+                 result->summary_file_);
+  }
+  if (fault.empty() && !options.report.empty()) {
+    fault = make(options.report, sweep::sweep_page_mark(open.sweep), result->page_file_);
+  }
+  if (!fault.empty()) return tl::unexpected(std::move(fault));
+  if (options.no_rows) return result;
   const table::TableFormat format = *table::format_named(options.format);
   table::TableHead head = sweep::rows_head(open.sweep, open.identity, options.part);
-  auto made =
-      base::OutputFile::create(options.folder / (result->name_ + "." + options.format),
-                               table::mark_of(format, head, mark), {open.inputs, options.force});
-  if (!made) return tl::unexpected(made.error());
-  result->file_.emplace(std::move(*made));
+  fault = make(options.folder / (result->name_ + "." + options.format),
+               table::mark_of(format, head, mark), result->file_);
+  if (!fault.empty()) return tl::unexpected(std::move(fault));
   auto rows = table::TableWriter::create(format, std::move(head), *result->file_);
   if (!rows) return tl::unexpected(rows.error());
   result->rows_.emplace(std::move(*rows));
@@ -66,6 +109,7 @@ void SweepResult::take(const sweep::SampleOutcome& outcome) {
   ++samples_;
   summary_.add(outcome);
   if (indices_) indices_->add(outcome);
+  if (page_file_) kept_.add(outcome);
   if (!rows_) return;
   row_.assign(1, static_cast<double>(outcome.id));
   row_.insert(row_.end(), outcome.values.begin(), outcome.values.end());
@@ -78,21 +122,21 @@ int SweepResult::finish(const std::string& how) {
       "{}: {} samples of {}, {}\n{}", base::printable(name_), samples_,
       base::printable(fs::path(open_->sweep.case_path).filename().string()), how, summary_.text());
   if (indices_) text += indices_->text();
-  if (file_) {
-    std::vector<base::OutputFile*> files{&*file_};
-    if (indices_file_) {
-      indices_file_->append(indices_->csv());
-      files.push_back(&*indices_file_);
-    }
-    if (auto finished = rows_->finish(); !finished) {
-      return terminal::refuse(base::kExitEnvironment, finished.error());
-    }
-    if (auto committed = base::commit(files); !committed) {
-      return terminal::refuse(base::kExitEnvironment, committed.error());
-    }
-    for (const base::OutputFile* one : files) {
-      text += "  " + one->target().lexically_normal().string() + "\n";
-    }
+  std::vector<base::OutputFile*> files;
+  const auto add = [&](std::optional<base::OutputFile>& file, const auto& content) {
+    if (!file) return;
+    file->append(content());
+    files.push_back(&*file);
+  };
+  if (file_) files.push_back(&*file_);
+  add(indices_file_, [&] { return indices_->csv(); });
+  add(summary_file_, [&] { return json_text(open_->sweep, summary_); });
+  add(page_file_, [&] { return sweep::sweep_page(open_->sweep, summary_, indices_, kept_); });
+  auto completed = rows_ ? rows_->finish() : tl::expected<void, std::string>();
+  if (completed) completed = base::commit(files);
+  if (!completed) return terminal::refuse(base::kExitEnvironment, completed.error());
+  for (const base::OutputFile* one : files) {
+    text += "  " + one->target().lexically_normal().string() + "\n";
   }
   terminal::print(text);
   return summary_.failed() > 0 ? base::kExitNumerical : base::kExitOk;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "driver/base/files/output_file.hpp"
+#include "driver/sweep/report/kept_samples.hpp"
 #include "driver/sweep/rows.hpp"
 #include "driver/sweep/run_sweep.hpp"
 #include "driver/sweep/sobol_indices.hpp"
@@ -37,12 +38,14 @@ struct SweepResultOptions {
   std::filesystem::path folder;
   std::optional<sweep::Part> part = std::nullopt;  ///< of the samples; nothing: all
   std::string format = "csv";                      ///< of the rows: a word of kTableFormats
+  std::filesystem::path report = {};               ///< the page; none if empty
+  bool no_rows = false;                            ///< only the summaries
   bool no_output = false;                          ///< only the summary
   bool force = false;
 };
 
 /// Result of a sweep, which takes sample by sample in the order of their ids: the file of the rows,
-/// and what is told of them.
+/// and what is told of them, as text, JSON and page.
 class SweepResult {
  public:
   /// Errors are sentences. `open` must outlive it.
@@ -67,9 +70,10 @@ class SweepResult {
   std::optional<base::OutputFile> file_;
   std::optional<table::TableWriter> rows_;  ///< to `file_`
   std::vector<double> row_;
-  std::optional<base::OutputFile> indices_file_;
+  std::optional<base::OutputFile> indices_file_, summary_file_, page_file_;
   std::optional<sweep::SobolEstimate> indices_;  ///< of the whole sweep, where they are wanted
   sweep::SweepSummary summary_{open_->sweep};
+  sweep::KeptSamples kept_{open_->sweep};
   std::size_t samples_ = 0;
 };
 

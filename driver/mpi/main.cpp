@@ -38,6 +38,8 @@ void declare_sweep(CLI::App& app, commands::FarmSweepOptions& options, FarmComma
       ->capture_default_str();
   cli::declare_settings(*declared, options.settings, options.allow_outside);
   cli::declare_format(*declared, options.format);
+  declared->add_option("--report", options.report, "Also write a page to look at: FILE.html")
+      ->type_name("FILE");
   cli::declare_force(*declared, options.force, "no result of this sweep");
   declared->footer(
       "Every rank takes samples until none are left and keeps them in <sweep>.rankN.journal;\n"

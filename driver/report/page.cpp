@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "driver/report/page_parts.hpp"
+#include "driver/report/page_text.hpp"
 
 namespace slipbench::driver::report {
-namespace {
 
 std::string escape_html(std::string_view text) {
   std::string escaped;
@@ -32,6 +32,8 @@ std::string escape_html(std::string_view text) {
   }
   return escaped;
 }
+
+namespace {
 
 /// In JSON a '<' stands in strings only. Escaped, no string can end the element it is embedded in.
 std::string escape_json(std::string_view json) {

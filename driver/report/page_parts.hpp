@@ -10,6 +10,7 @@ std::string_view page_html();         ///< the layout, with {{places}} for the o
 std::string_view fit_html();          ///< that of a fit's page
 std::string_view style_css();         ///< of both
 std::string_view fit_css();           ///< what a fit's page has besides
+std::string_view sweep_css();         ///< of the page of a sweep, which has nothing else
 std::string_view tools_js();          ///< what both programs have in common, before either
 std::string_view curves_js();         ///< of a report: its rows and how they are drawn
 std::string_view picture_tools_js();  ///< zooming and saving

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gsl/gsl_rstat.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -33,6 +34,7 @@ struct SweepSummary::Running {
   std::size_t most_id = 0;
   std::array<Quantile, 3> quantiles{quantile(0.05), quantile(0.5), quantile(0.95)};
   std::vector<Beside> parameters;
+  RunningHistogram histogram;
 
   void add(double value, const SampleOutcome& outcome) {
     if (count == 0.0 || value < least) {
@@ -55,13 +57,7 @@ struct SweepSummary::Running {
       one.products += own * (value - mean);
     }
     for (const Quantile& one : quantiles) gsl_rstat_quantile_add(value, one.get());
-  }
-
-  /// Pearson's correlation with a parameter; 0 where one of them does not vary.
-  double correlation(std::size_t parameter) const {
-    const Beside& one = parameters[parameter];
-    const double both = std::sqrt(one.squares * squares);
-    return both > 0.0 ? one.products / both : 0.0;
+    if (std::isfinite(value)) histogram.add(value);
   }
 };
 
@@ -88,17 +84,53 @@ void SweepSummary::add(const SampleOutcome& outcome) {
   }
 }
 
+SweepSummary::Spread SweepSummary::spread(std::size_t number) const {
+  const Running& one = *numbers_[number];
+  Spread spread{.count = static_cast<std::size_t>(one.count),
+                .mean = one.mean,
+                .deviation = one.count > 1.0 ? std::sqrt(one.squares / (one.count - 1.0)) : 0.0,
+                .least = one.least,
+                .most = one.most,
+                .least_id = one.least_id,
+                .most_id = one.most_id,
+                .histogram = &one.histogram};
+  for (std::size_t q = 0; q < spread.quantiles.size() && spread.count > 0; ++q) {
+    spread.quantiles[q] = gsl_rstat_quantile_get(one.quantiles[q].get());
+  }
+  return spread;
+}
+
+std::optional<SweepSummary::Correlation> SweepSummary::correlation(std::size_t number,
+                                                                   std::size_t parameter) const {
+  // Between which a standard normal variable lies in 95 of 100 cases.
+  constexpr double kNormal = 1.959964;
+  const Running& one = *numbers_[number];
+  const Running::Beside& beside = one.parameters[parameter];
+  const double both = std::sqrt(beside.squares * one.squares);
+  if (!(both > 0.0) || one.count < 4.0) return std::nullopt;
+  const double value = std::clamp(beside.products / both, -1.0, 1.0);
+  if (std::abs(value) == 1.0) return Correlation{value, value, value};
+  const double half = kNormal / std::sqrt(one.count - 3.0);
+  return Correlation{value, std::tanh(std::atanh(value) - half),
+                     std::tanh(std::atanh(value) + half)};
+}
+
+std::string SweepSummary::failure() const {
+  if (failed_ == 0) return {};
+  return fmt::format("{} of {} samples failed, the first is {}: {}", failed_, samples_,
+                     first_failed_, base::printable(failure_));
+}
+
 std::string SweepSummary::text() const {
   std::string text;
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
-    const Running& one = *numbers_[i];
+    const Spread one = spread(i);
     text += "  " + base::printable(sweep_->collected[i].name) + ": ";
-    if (one.count == 0.0) {
+    if (one.count == 0) {
       text += "no sample has a value\n";
       continue;
     }
-    const auto with_value = static_cast<std::size_t>(one.count);
-    const std::size_t lacking = samples_ - failed_ - with_value;
+    const std::size_t lacking = samples_ - failed_ - one.count;
     const std::string without = lacking == 0 ? ""
                                              : fmt::format(" (no value in {} {})", lacking,
                                                            lacking == 1 ? "sample" : "samples");
@@ -106,34 +138,81 @@ std::string SweepSummary::text() const {
       text += fmt::format("{:.4g} in every sample{}\n", one.least, without);
       continue;
     }
-    const double deviation = one.count > 1.0 ? std::sqrt(one.squares / (one.count - 1.0)) : 0.0;
     text += fmt::format(
         "mean {:.4g}, standard deviation {:.4g}, from {:.4g} (sample {}) to {:.4g} "
-        "(sample {})",
-        one.mean, deviation, one.least, one.least_id, one.most, one.most_id);
-    std::array<double, 3> at{};
-    for (std::size_t q = 0; q < at.size(); ++q) {
-      at[q] = gsl_rstat_quantile_get(one.quantiles[q].get());
-    }
-    text += fmt::format(", 5 / 50 / 95 %: {:.4g} / {:.4g} / {:.4g}", at[0], at[1], at[2]);
-    // Rows of samples that share coordinates are no random sample; their indices tell more.
-    if (sweep_->sobol_indices) {
-      text += without + "\n";
-      continue;
-    }
-    std::size_t strongest = 0;
-    for (std::size_t p = 1; p < one.parameters.size(); ++p) {
-      if (std::abs(one.correlation(p)) > std::abs(one.correlation(strongest))) strongest = p;
-    }
-    text += fmt::format(", correlation with {} {:.2f}{}\n",
-                        base::printable(sweep_->varied[strongest].name), one.correlation(strongest),
-                        without);
+        "(sample {}), 5 / 50 / 95 %: {:.4g} / {:.4g} / {:.4g}",
+        one.mean, one.deviation, one.least, one.least_id, one.most, one.most_id, one.quantiles[0],
+        one.quantiles[1], one.quantiles[2]);
+    text += strongest_text(i) + without + "\n";
   }
-  if (failed_ > 0) {
-    text += fmt::format("  {} of {} samples failed, the first is {}: {}\n", failed_, samples_,
-                        first_failed_, base::printable(failure_));
-  }
+  if (failed_ > 0) text += "  " + failure() + "\n";
   return text;
+}
+
+std::string SweepSummary::strongest_text(std::size_t number) const {
+  // Rows of samples that share coordinates are no random sample; their indices tell more.
+  if (sweep_->sobol_indices) return {};
+  std::optional<Correlation> strongest;
+  std::size_t which = 0;
+  for (std::size_t p = 0; p < sweep_->varied.size(); ++p) {
+    const auto one = correlation(number, p);
+    if (!one || (strongest && std::abs(one->value) <= std::abs(strongest->value))) continue;
+    strongest = one;
+    which = p;
+  }
+  if (!strongest) return {};
+  return fmt::format(", correlation with {} {:.2f} ({:.2f} .. {:.2f})",
+                     base::printable(sweep_->varied[which].name), strongest->value, strongest->low,
+                     strongest->high);
+}
+
+base::json::Value SweepSummary::to_json() const {
+  base::json::Value document;
+  document["samples"] = samples_;
+  document["failed"] = failed_;
+  if (failed_ > 0) document["first_failure"] = failure();
+  base::json::Value numbers = base::json::Array{};
+  for (std::size_t i = 0; i < numbers_.size(); ++i) {
+    const Spread one = spread(i);
+    base::json::Value entry;
+    entry["name"] = sweep_->collected[i].name;
+    entry["samples"] = one.count;
+    if (one.count > 0) {
+      entry["mean"] = one.mean;
+      entry["standard_deviation"] = one.deviation;
+      entry["least"] = one.least;
+      entry["least_sample"] = one.least_id;
+      entry["most"] = one.most;
+      entry["most_sample"] = one.most_id;
+      entry["quantile_05"] = one.quantiles[0];
+      entry["quantile_50"] = one.quantiles[1];
+      entry["quantile_95"] = one.quantiles[2];
+    }
+    if (one.histogram->width() > 0.0) {
+      base::json::Value histogram;
+      histogram["begin"] = one.histogram->begin();
+      histogram["width"] = one.histogram->width();
+      base::json::Value counts = base::json::Array{};
+      for (const std::uint64_t count : one.histogram->counts()) counts.push_back(count);
+      histogram["counts"] = counts;
+      entry["histogram"] = histogram;
+    }
+    base::json::Value correlations = base::json::Array{};
+    for (std::size_t p = 0; p < sweep_->varied.size() && !sweep_->sobol_indices; ++p) {
+      const auto found = correlation(i, p);
+      if (!found) continue;
+      base::json::Value with;
+      with["parameter"] = sweep_->varied[p].name;
+      with["correlation"] = found->value;
+      with["low"] = found->low;
+      with["high"] = found->high;
+      correlations.push_back(with);
+    }
+    if (!sweep_->sobol_indices) entry["correlations"] = correlations;
+    numbers.push_back(entry);
+  }
+  document["numbers"] = numbers;
+  return document;
 }
 
 }  // namespace slipbench::driver::sweep

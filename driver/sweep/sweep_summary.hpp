@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "driver/base/text/json.hpp"
 #include "driver/sweep/run_sweep.hpp"
+#include "driver/sweep/running_histogram.hpp"
 #include "driver/sweep/sweep.hpp"
 
 namespace slipbench::driver::sweep {
@@ -25,9 +30,40 @@ class SweepSummary {
   /// samples, median and the 5 % and 95 % quantiles (estimated by the P2 algorithm, Jain and
   /// Chlamtac 1985), and the parameter with the highest correlation (Pearson's). Four digits.
   std::string text() const;
+  /// The same with all digits, and the histogram and all correlations of each number.
+  base::json::Value to_json() const;
+
+  /// Pearson's correlation of a number with a parameter and its 95 % interval (Fisher 1921);
+  /// nothing where one of them does not vary.
+  struct Correlation {
+    double value = 0.0;
+    double low = 0.0;
+    double high = 0.0;
+  };
+  std::optional<Correlation> correlation(std::size_t number, std::size_t parameter) const;
+
+  /// Spread of a number that was collected.
+  struct Spread {
+    std::size_t count = 0;  ///< of samples that have it
+    double mean = 0.0;
+    double deviation = 0.0;
+    double least = 0.0;
+    double most = 0.0;
+    std::size_t least_id = 0;
+    std::size_t most_id = 0;
+    std::array<double, 3> quantiles{};  ///< 5, 50 and 95 %
+    const RunningHistogram* histogram = nullptr;
+  };
+  Spread spread(std::size_t number) const;
+
+  std::size_t samples() const { return samples_; }
+  /// Says why the first sample failed that did, and which it was; or nothing.
+  std::string failure() const;
 
  private:
   struct Running;
+  std::string strongest_text(std::size_t number) const;
+
   const Sweep* sweep_;
   std::vector<std::unique_ptr<Running>> numbers_;
   std::size_t samples_ = 0;

@@ -55,6 +55,7 @@ constexpr std::array kFloors{
     Room{"driver/suite",             "driver::suite"},     // many cases, and what became of them
     Room{"driver/analysis",          "driver::analysis"},  // explanations, convergence, comparisons of integration
     Room{"driver/sweep",             "driver::sweep"},     // runs of one case with other parameters
+    Room{"driver/sweep/report",      "driver::sweep"},     // the page of a sweep
     Room{"driver/farm",              "driver::farm"},      // sweeps shared out to many programs
     Room{"driver/calibrate",         "driver::calibrate"}, // fits of cases to measurements
     Room{"driver/calibrate/report",  "driver::calibrate"}, // the page and the pictures of a fit

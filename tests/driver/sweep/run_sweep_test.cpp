@@ -124,7 +124,8 @@ TEST_CASE("A sample that fails leaves nan and its reason, and the others are run
   CHECK(summary.failed() == 1);
   CHECK(summary.text().find("mean 25, standard deviation 7.071, from 20 (sample 1) to 30 (sample "
                             "2)") != std::string::npos);
-  CHECK(summary.text().find("correlation with mu 1.00") != std::string::npos);
+  // Of two samples a correlation says nothing.
+  CHECK(summary.text().find("correlation") == std::string::npos);
   CHECK(summary.text().find("1 of 3 samples failed, the first is 0") != std::string::npos);
 }
 
