@@ -255,7 +255,8 @@ struct Search {
 };
 
 tl::expected<Search, CalibrationFailure> search(const Fit& fit, const ModelOptions& options,
-                                                const EvaluationWatch& watch) {
+                                                const EvaluationWatch& watch,
+                                                const fit::RunItems& items) {
   auto models = build_models(fit, options);
   if (!models) return tl::unexpected(models.error());
   Search found;
@@ -265,6 +266,7 @@ tl::expected<Search, CalibrationFailure> search(const Fit& fit, const ModelOptio
     if (!fit.experiments[i].held_out) fitted.push_back(found.models[i]);
   }
   found.problem = residual_problem(fit, std::move(fitted), options, watch, found.seen);
+  found.problem.items = items;
   found.fit = fit::solve_least_squares(found.problem, fit.solver);
   return found;
 }
@@ -288,14 +290,14 @@ tl::expected<Calibration, CalibrationFailure> calibrate(const Fit& fit,
   const EvaluationWatch watch = [stage, step = progress.step](long evaluations, double cost) {
     if (step) step({*stage, evaluations, cost});
   };
-  auto found = search(fit, options, progress.step ? watch : EvaluationWatch());
+  auto found = search(fit, options, progress.step ? watch : EvaluationWatch(), settings.items);
   if (found && !found->fit.x.empty() && !still_replays(found->models, found->fit.x)) {
     options.whole_runs = true;
-    found = search(fit, options, progress.step ? watch : EvaluationWatch());
+    found = search(fit, options, progress.step ? watch : EvaluationWatch(), settings.items);
   }
   if (found && !found->fit.x.empty() && !keep_slopes(found->models, found->fit.x)) {
     options.slopes_anew = true;
-    found = search(fit, options, progress.step ? watch : EvaluationWatch());
+    found = search(fit, options, progress.step ? watch : EvaluationWatch(), settings.items);
   }
   if (!found) return tl::unexpected(found.error());
   calibration.problem = std::move(found->problem);
@@ -315,12 +317,22 @@ tl::expected<Calibration, CalibrationFailure> calibrate(const Fit& fit,
                                              fit.confidence, fit.solver.seed);
     }
     *stage = "profiles";
+    std::vector<std::size_t> profiled;
     for (std::size_t u = 0; u < fit.vary.size(); ++u) {
       const bool frozen = u < calibration.fit.frozen.size() && calibration.fit.frozen[u] != 0;
-      if (!fit.profile || frozen || !calibration.fit.converged) continue;
-      auto profile =
-          fit::profile_likelihood(calibration.problem, calibration.fit, u, fit.confidence);
-      if (std::isfinite(profile.threshold)) calibration.profiles.push_back(std::move(profile));
+      if (fit.profile && !frozen && calibration.fit.converged) profiled.push_back(u);
+    }
+    const auto profile = [&](std::size_t i) {
+      return fit::numbers_of(fit::profile_likelihood(calibration.problem, calibration.fit,
+                                                     profiled[i], fit.confidence));
+    };
+    for (const std::vector<double>& numbers : settings.items
+                                                  ? settings.items(profiled.size(), profile)
+                                                  : fit::run_here(profiled.size(), profile)) {
+      fit::LikelihoodProfile found_profile = fit::profile_of(numbers);
+      if (std::isfinite(found_profile.threshold)) {
+        calibration.profiles.push_back(std::move(found_profile));
+      }
     }
     judge_identifiability(&calibration);
   }

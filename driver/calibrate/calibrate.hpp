@@ -32,7 +32,8 @@ struct CalibrationFailure {
 struct CalibrateSettings {
   /// For runs that do not depend on one another; 0: as many as cores.
   unsigned threads = 0;
-  bool with_hashes = true;  ///< of the data files; only for what is written
+  bool with_hashes = true;   ///< of the data files; only for what is written
+  fit::RunItems items = {};  ///< starts, resamplings and profiles, which programs may share
 };
 
 /// Fits the cases to the data: the given start, the search, statistics, and the values before and

@@ -112,6 +112,7 @@ tl::expected<Written, std::string> write_results(const calibrate::Fit& fit,
   }
   written.remarks.insert(written.remarks.end(), cases.faults.begin(), cases.faults.end());
   std::vector<base::OutputFile*> together;
+  together.reserve(files.size());
   for (base::OutputFile& file : files) together.push_back(&file);
   if (auto committed = base::commit(together); !committed) return tl::unexpected(committed.error());
   if (auto size = calibrate::write_fit_report(fit, calibration, page, overwriting); !size) {
@@ -195,6 +196,11 @@ int calibrate_command(const CalibrateOptions& options) {
     if (!fault.empty()) return terminal::refuse(base::kExitEnvironment, fault);
   }
 
+  if (options.ready && !options.ready(read.data_files)) {
+    return terminal::refuse(
+        base::kExitEnvironment,
+        "the ranks do not all read the same files: they must see the same folder");
+  }
   const auto calibration = [&] {
     terminal::Progress line(stem_of(fit));
     calibrate::CalibrateProgress progress;
@@ -202,7 +208,9 @@ int calibrate_command(const CalibrateOptions& options) {
       line.say(
           fmt::format("{}, {} evaluations, cost {:.6g}", step.stage, step.evaluations, step.cost));
     };
-    return calibrate::calibrate(fit, progress, {.with_hashes = !options.no_output});
+    return calibrate::calibrate(
+        fit, progress,
+        {.threads = options.threads, .with_hashes = !options.no_output, .items = options.items});
   }();
   if (!calibration) {
     terminal::print_error(

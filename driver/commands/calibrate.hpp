@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "driver/calibrate/fit/run_items.hpp"
 
 namespace slipbench::driver::commands {
 
@@ -17,6 +20,11 @@ struct CalibrateOptions {
   std::optional<int> bootstrap;  ///< resamplings; the fit's choice if absent
   bool profile = false;          ///< profile likelihood, whatever the fit says
   std::string report;            ///< an HTML page; empty: `FIT.html` in `folder`
+  unsigned threads = 0;          ///< 0: as many as the machine has cores
+  fit::RunItems items = {};      ///< of calibrate::CalibrateSettings
+  /// Asked when all is read and nothing stands in the way, with the data files; false: nothing is
+  /// done after all.
+  std::function<bool(const std::vector<std::string>&)> ready = {};
 };
 
 /// `slipbench calibrate`: fits parameters and tables of cases to measured data, tells how well they

@@ -24,6 +24,10 @@ struct Farm {
   std::function<bool(bool)> agree;
   /// Gives all ranks the bytes of rank 0, as many as all have room for.
   std::function<void(std::span<char>)> share;
+  /// Returns the numbers of all ranks, one rank's after the other's. As `agree`.
+  std::function<std::vector<double>(std::span<const double>)> gather;
+  /// Sets the counter back to 0. As `agree`.
+  std::function<void()> restart;
 };
 
 /// Returns how many chunks a rank takes at once when `left` are left: many at first, so that the

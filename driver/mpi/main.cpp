@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command line of the farm: slipbench-mpi sweep, started by mpirun or srun on every rank.
+// The command line of the farm: slipbench-mpi, started by mpirun or srun on every rank.
 #include <fmt/format.h>
 #include <mpi.h>
 
@@ -17,6 +17,7 @@
 #include "driver/cli/declare.hpp"
 #include "driver/cli/faults.hpp"
 #include "driver/commands/arguments.hpp"
+#include "driver/commands/farm_calibrate.hpp"
 #include "driver/commands/farm_sweep.hpp"
 #include "driver/mpi/mpi_farm.hpp"
 #include "driver/results/provenance.hpp"
@@ -55,6 +56,37 @@ void declare_sweep(CLI::App& app, commands::FarmSweepOptions& options, FarmComma
   });
 }
 
+void declare_calibrate(CLI::App& app, commands::CalibrateOptions& options, FarmCommand& command) {
+  CLI::App* declared = app.add_subcommand(
+      "calibrate", "Fit parameters and tables of cases to measured data, on all ranks");
+  declared->add_option("FIT", options.file, "A fit file (YAML)")->required();
+  declared->add_option("-o,--output", options.folder, "Folder of the results")
+      ->type_name("DIR")
+      ->capture_default_str();
+  cli::declare_settings(*declared, options.settings, options.allow_outside);
+  declared
+      ->add_option("--bootstrap", options.bootstrap,
+                   "Also errors by so many resamplings of the residuals")
+      ->type_name("N")
+      ->check(cli::whole_number(1, 100000));
+  declared->add_flag("--profile", options.profile,
+                     "Also the profile likelihood of every parameter");
+  cli::declare_force(*declared, options.force, "no result of this fit");
+  declared->footer(
+      "All ranks do the same fit; starts ('multistart:'), resamplings and profiles are shared "
+      "out,\n"
+      "one at a time. Rank 0 writes what 'slipbench calibrate' would have written. A rank uses "
+      "one\n"
+      "core.\n"
+      "Example: mpirun -n 8 slipbench-mpi calibrate rig_fit.yaml -o out --bootstrap 1000");
+  declared->callback([&options, &command] {
+    options.file = commands::named_case(options.file);
+    command = [&options](const farm::Farm& farm) {
+      return commands::farm_calibrate_command(options, farm);
+    };
+  });
+}
+
 /// Reads the command line. Only rank 0 says what is wrong with it.
 /// \return the exit code where nothing is to be run
 int parse(int argc, char** argv, CLI::App& app) {
@@ -85,7 +117,7 @@ int parse(int argc, char** argv, CLI::App& app) {
 
 int run(int argc, char** argv) {
   CLI::App app(
-      "Runs sweeps of slipbench on the ranks of an MPI job, on one machine or many.\n"
+      "Runs sweeps and fits of slipbench on the ranks of an MPI job, on one machine or many.\n"
       "Start it with mpirun, or with srun --mpi=pmix.",
       "slipbench-mpi");
   app.set_version_flag("--version", "slipbench-mpi " + std::string(results::program_version()));
@@ -93,6 +125,8 @@ int run(int argc, char** argv) {
   commands::FarmSweepOptions sweep;
   FarmCommand command;
   declare_sweep(app, sweep, command);
+  commands::CalibrateOptions calibrate;
+  declare_calibrate(app, calibrate, command);
   const int code = parse(argc, argv, app);
   if (!command) return code;
   MpiFarm farm;

@@ -73,21 +73,59 @@ std::uint64_t MpiFarm::advance(std::uint64_t count) {
   return before;
 }
 
+bool MpiFarm::agree(bool own) {
+  const int mine = own ? 1 : 0;
+  int all = 0;
+  MPI_Request request = MPI_REQUEST_NULL;
+  {
+    const std::scoped_lock lock(calls_);
+    MPI_Iallreduce(&mine, &all, 1, MPI_INT, MPI_LAND, MPI_COMM_WORLD, &request);
+  }
+  wait(request);
+  return all != 0;
+}
+
+std::vector<double> MpiFarm::gather(std::span<const double> own) {
+  const auto ranks = static_cast<std::size_t>(ranks_);
+  const int count = static_cast<int>(own.size());
+  std::vector<int> counts(ranks);
+  std::vector<int> places(ranks);
+  MPI_Request request = MPI_REQUEST_NULL;
+  {
+    const std::scoped_lock lock(calls_);
+    MPI_Iallgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, MPI_COMM_WORLD, &request);
+  }
+  wait(request);
+  for (std::size_t r = 1; r < ranks; ++r) places[r] = places[r - 1] + counts[r - 1];
+  std::vector<double> all(static_cast<std::size_t>(places.back()) +
+                          static_cast<std::size_t>(counts.back()));
+  {
+    const std::scoped_lock lock(calls_);
+    MPI_Iallgatherv(own.data(), count, MPI_DOUBLE, all.data(), counts.data(), places.data(),
+                    MPI_DOUBLE, MPI_COMM_WORLD, &request);
+  }
+  wait(request);
+  return all;
+}
+
 farm::Farm MpiFarm::farm() {
   farm::Farm farm;
   farm.rank = static_cast<std::size_t>(rank_);
   farm.ranks = static_cast<std::size_t>(ranks_);
   farm.advance = [this](std::uint64_t count) { return advance(count); };
-  farm.agree = [this](bool own) {
-    const int mine = own ? 1 : 0;
-    int all = 0;
-    MPI_Request request = MPI_REQUEST_NULL;
-    {
+  farm.agree = [this](bool own) { return agree(own); };
+  farm.gather = [this](std::span<const double> own) { return gather(own); };
+  farm.restart = [this] {
+    // All have asked for the last time before, and none asks before it is done.
+    agree(true);
+    if (rank_ == 0) {
       const std::scoped_lock lock(calls_);
-      MPI_Iallreduce(&mine, &all, 1, MPI_INT, MPI_LAND, MPI_COMM_WORLD, &request);
+      const std::uint64_t none = 0;
+      std::uint64_t before = 0;
+      MPI_Fetch_and_op(&none, &before, MPI_UINT64_T, 0, 0, MPI_REPLACE, window_);
+      MPI_Win_flush(0, window_);
     }
-    wait(request);
-    return all != 0;
+    agree(true);
   };
   farm.share = [this](std::span<char> bytes) {
     // A count is an int: so many at once.

@@ -6,7 +6,9 @@
 #include <atomic>
 #include <cstdint>
 #include <mutex>
+#include <span>
 #include <thread>
+#include <vector>
 
 #include "driver/farm/run_farm.hpp"
 
@@ -26,6 +28,8 @@ class MpiFarm {
 
  private:
   std::uint64_t advance(std::uint64_t count);
+  bool agree(bool own);
+  std::vector<double> gather(std::span<const double> own);
   /// Waits until an operation is done.
   void wait(MPI_Request request);
 

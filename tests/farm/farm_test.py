@@ -2,7 +2,7 @@
 """Runs a sweep by the ranks of MPI, by a Slurm of one node, by GNU parallel and by Dask; all must leave the bytes that
 one program leaves.
 
-usage: farm_test.py BUILD_FOLDER SOURCE_FOLDER ENGINE, of mpi, slurm, parallel, dask
+usage: farm_test.py BUILD_FOLDER SOURCE_FOLDER ENGINE, of mpi, calibrate, slurm, parallel, dask
 Exit code 77 where the engine is not installed.
 """
 import os
@@ -132,6 +132,24 @@ class Mpi(Sweep):
         self.check(out)
 
 
+class Calibrate(unittest.TestCase):
+    def test_ranks_share_starts_resamplings_and_profiles_to_the_same_bytes(self):
+        with tempfile.TemporaryDirectory(prefix="farm-") as name:
+            folder = pathlib.Path(name)
+            shutil.copytree(SOURCE / "cases/calibration", folder, dirs_exist_ok=True)
+            for fit in ("slider_loop_fit", "wear_table_fit", "backlash_brake_fit"):
+                file = folder / f"{fit}.yaml"
+                file.write_text(file.read_text().replace("\ncalibrate:", "\ncalibrate:\n  multistart: 7"))
+                words = ["calibrate", file, "--bootstrap", 9, "--profile", "-o"]
+                run(SLIPBENCH, *words, folder / "one")
+                expected = (folder / f"one/{fit}.json").read_bytes()
+                for ranks in (1, 3):
+                    run(*MPIRUN, "-n", ranks, FARM, *words, folder / f"of{ranks}")
+                    self.assertEqual((folder / f"of{ranks}/{fit}.json").read_bytes(), expected)
+            said = run(*MPIRUN, "-n", 3, FARM, "calibrate", folder / "no_fit.yaml", code=4)
+            self.assertEqual(said.count("cannot be read"), 1)
+
+
 class Slurm(Sweep):
     def test_the_job_array_and_srun_leave_the_same_bytes(self):
         array, farm = self.folder / "array", self.folder / "srun"
@@ -181,6 +199,7 @@ def imports(module):
 
 # For each engine its tests, and what is missing.
 ENGINES = {"mpi": (Mpi, lambda: [word for word in ("mpirun",) if not shutil.which(word)] + ([] if FARM.exists() else [FARM.name])),
+           "calibrate": (Calibrate, lambda: [word for word in ("mpirun",) if not shutil.which(word)] + ([] if FARM.exists() else [FARM.name])),
            "slurm": (Slurm, lambda: slurm_node.missing() + ([] if FARM.exists() else [FARM.name])),
            "parallel": (Parallel, lambda: [] if shutil.which("parallel") else ["parallel"]),
            "dask": (Dask, lambda: [] if imports("distributed") else ["python3-distributed"])}

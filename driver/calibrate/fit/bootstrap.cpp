@@ -170,22 +170,33 @@ Bootstrap bootstrap(const ResidualProblem& problem, const LeastSquaresFit& fit, 
   options.polish = false;
 
   std::mt19937_64 engine(seed);
-  std::vector<std::vector<double>> values(n);
-  for (int sample = 0; sample < resamplings; ++sample) {
+  std::size_t drawn = 0;
+  const auto draw = [&] {
     for (const Response& response : responses) {
       std::size_t from = 0;
       for (std::size_t k = 0; k < response.count; ++k) {
         if (k % response.block == 0) from = engine() % response.pool_count;
-        const std::size_t drawn = response.pool + (from + k % response.block) % response.pool_count;
+        const std::size_t taken = response.pool + (from + k % response.block) % response.pool_count;
         const std::size_t row = response.first + k;
         (*shift)[row] =
-            response.inflation * (fit.residuals[drawn] - response.mean) - fit.residuals[row];
+            response.inflation * (fit.residuals[taken] - response.mean) - fit.residuals[row];
       }
     }
+    ++drawn;
+  };
+  const auto resample = [&](std::size_t sample) {
+    // Items come in their order; those that others run are drawn and left.
+    while (drawn <= sample) draw();
     const LeastSquaresFit again = solve_least_squares(resampled, options);
-    if (!is_minimum(again, effective, freedom)) continue;
+    return is_minimum(again, effective, freedom) ? again.x : std::vector<double>();
+  };
+  const auto count = static_cast<std::size_t>(resamplings);
+  std::vector<std::vector<double>> values(n);
+  for (const std::vector<double>& x :
+       problem.items ? problem.items(count, resample) : run_here(count, resample)) {
+    if (x.empty()) continue;
     ++result.done;
-    for (std::size_t j = 0; j < n; ++j) values[j].push_back(again.x[j]);
+    for (std::size_t j = 0; j < n; ++j) values[j].push_back(x[j]);
   }
   if (result.done < 2) return result;
   const double enlargement =

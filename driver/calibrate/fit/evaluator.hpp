@@ -42,6 +42,11 @@ class Evaluator {
 
   long residual_evaluations() const { return residual_evaluations_; }
   long derivative_evaluations() const { return derivative_evaluations_; }
+  /// Counts evaluations that another evaluator of the problem has made.
+  void count(long residuals, long derivatives) {
+    residual_evaluations_ += residuals;
+    derivative_evaluations_ += derivatives;
+  }
 
  private:
   bool difference(std::span<const double> x, std::span<const double> r, std::size_t unknown,

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "driver/calibrate/fit/run_items.hpp"
+
 namespace slipbench::driver::fit {
 
 /// In what an unknown is searched.
@@ -71,6 +73,8 @@ struct ResidualProblem {
   /// more than the error of `derivatives`.
   double derivative_accuracy = 1e-12;
   unsigned threads = 1;  ///< that may call `residuals` at once, where that is worth it
+  /// Starts of a search, resamplings and profiles; empty: here, one after the other.
+  RunItems items = {};
 };
 
 struct SolverOptions {

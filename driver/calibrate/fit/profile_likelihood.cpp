@@ -197,4 +197,36 @@ LikelihoodProfile profile_likelihood(const ResidualProblem& problem, const Least
   return profile;
 }
 
+std::vector<double> numbers_of(const LikelihoodProfile& profile) {
+  std::vector<double> numbers{static_cast<double>(profile.unknown),
+                              profile.threshold,
+                              profile.lower,
+                              profile.upper,
+                              profile.open_below ? 1.0 : 0.0,
+                              profile.open_above ? 1.0 : 0.0,
+                              static_cast<double>(profile.refits),
+                              static_cast<double>(profile.unconverged)};
+  numbers.insert(numbers.end(), profile.value.begin(), profile.value.end());
+  numbers.insert(numbers.end(), profile.cost.begin(), profile.cost.end());
+  return numbers;
+}
+
+LikelihoodProfile profile_of(std::span<const double> numbers) {
+  constexpr std::size_t kScalars = 8;
+  LikelihoodProfile profile;
+  profile.unknown = static_cast<std::size_t>(numbers[0]);
+  profile.threshold = numbers[1];
+  profile.lower = numbers[2];
+  profile.upper = numbers[3];
+  profile.open_below = numbers[4] != 0.0;
+  profile.open_above = numbers[5] != 0.0;
+  profile.refits = static_cast<int>(numbers[6]);
+  profile.unconverged = static_cast<int>(numbers[7]);
+  const std::span<const double> curve = numbers.subspan(kScalars);
+  const std::size_t count = curve.size() / 2;
+  profile.value.assign(curve.begin(), curve.begin() + static_cast<std::ptrdiff_t>(count));
+  profile.cost.assign(curve.begin() + static_cast<std::ptrdiff_t>(count), curve.end());
+  return profile;
+}
+
 }  // namespace slipbench::driver::fit

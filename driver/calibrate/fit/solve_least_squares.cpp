@@ -142,6 +142,8 @@ class Searches {
     SearchEnd end;
     std::vector<char> silent_at_start;
     std::vector<char> frozen;  ///< to the end
+    /// Of a trace that was followed elsewhere, which has no residuals and derivatives; else empty.
+    std::vector<char> silent_at_end = {};
   };
   const std::vector<Trace>& traces() const { return traces_; }
   Trace& best() { return traces_[best_]; }
@@ -153,6 +155,10 @@ class Searches {
 
  private:
   void follow(std::span<const double> start);
+  void follow_all(std::span<const std::vector<double>> starts);
+  std::vector<double> encoded() const;
+  Trace decoded(std::span<const double> numbers);
+  void bring_best();
   void probe(std::span<const double> base, std::span<const char> which);
   std::vector<double> probes_of(std::size_t unknown, double value) const;
 
@@ -163,6 +169,7 @@ class Searches {
   std::vector<char> in_block_;
   UnknownMap all_;
   std::vector<Trace> traces_;
+  std::vector<std::vector<double>> starts_;
   std::size_t best_ = 0;
 };
 
@@ -232,10 +239,83 @@ void Searches::follow(std::span<const double> start) {
   traces_.push_back(std::move(trace));
 }
 
+/// All that is told of the only trace, or needed to choose among traces, as numbers.
+std::vector<double> Searches::encoded() const {
+  const Trace& trace = traces_[0];
+  const SearchEnd& end = trace.end;
+  std::vector<double> numbers{static_cast<double>(evaluator_.residual_evaluations()),
+                              static_cast<double>(evaluator_.derivative_evaluations()),
+                              end.start_cost,
+                              end.point.cost,
+                              static_cast<double>(end.iterations),
+                              static_cast<double>(end.stop),
+                              end.point.jacobian.empty() ? 0.0 : 1.0};
+  const std::size_t n = acts_.size();
+  const std::vector<char> silent =
+      end.point.jacobian.empty() ? std::vector<char>(n) : silent_unknowns(end.point.jacobian, n);
+  numbers.insert(numbers.end(), silent.begin(), silent.end());
+  numbers.insert(numbers.end(), trace.from.begin(), trace.from.end());
+  // Of a search that failed there is no end.
+  numbers.insert(numbers.end(), end.point.x.begin(), end.point.x.end());
+  return numbers;
+}
+
+Searches::Trace Searches::decoded(std::span<const double> numbers) {
+  const std::size_t n = acts_.size();
+  evaluator_.count(static_cast<long>(numbers[0]), static_cast<long>(numbers[1]));
+  Trace trace;
+  trace.end.start_cost = numbers[2];
+  trace.end.point.cost = numbers[3];
+  trace.end.iterations = static_cast<int>(numbers[4]);
+  trace.end.stop = static_cast<StopReason>(numbers[5]);
+  constexpr std::size_t kFlags = 7;
+  for (const double silent : numbers.subspan(kFlags, n)) {
+    trace.silent_at_end.push_back(silent != 0.0 && numbers[6] != 0.0 ? 1 : 0);
+  }
+  const std::span<const double> places = numbers.subspan(kFlags + n);
+  trace.from.assign(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(n));
+  trace.end.point.x.assign(places.begin() + static_cast<std::ptrdiff_t>(n), places.end());
+  return trace;
+}
+
+/// Follows the given start, and the others as items if nothing of the first matters to them.
+void Searches::follow_all(std::span<const std::vector<double>> starts) {
+  follow(starts[0]);
+  const auto others = starts.subspan(1);
+  const bool all_act = std::all_of(acts_.begin(), acts_.end(), [](char acts) { return acts != 0; });
+  if (others.empty() || !problem_.items || !all_act) {
+    for (const std::vector<double>& start : others) follow(start);
+    return;
+  }
+  const auto made = problem_.items(others.size(), [&](std::size_t i) {
+    Searches own(problem_, options_);
+    own.acts_ = acts_;
+    own.follow(others[i]);
+    return own.encoded();
+  });
+  for (const std::vector<double>& numbers : made) traces_.push_back(decoded(numbers));
+}
+
+/// Follows the best trace here, if it was followed elsewhere: to the same end.
+void Searches::bring_best() {
+  if (traces_[best_].silent_at_end.empty()) return;
+  const StopReason stop = traces_[best_].end.stop;
+  Searches own(problem_, options_);
+  own.acts_ = acts_;
+  own.follow(starts_[best_]);
+  traces_[best_] = std::move(own.traces_[0]);
+  traces_[best_].end.stop = stop;
+}
+
 std::vector<char> Searches::lost_unknowns(const Trace& trace) const {
   std::vector<char> silent(acts_.size(), 0);
-  if (trace.end.point.jacobian.empty()) return silent;
-  silent = silent_unknowns(trace.end.point.jacobian, silent.size());
+  if (!trace.silent_at_end.empty()) {
+    silent = trace.silent_at_end;
+  } else if (trace.end.point.jacobian.empty()) {
+    return silent;
+  } else {
+    silent = silent_unknowns(trace.end.point.jacobian, silent.size());
+  }
   for (std::size_t j = 0; j < silent.size(); ++j) {
     silent[j] = silent[j] != 0 && acts_[j] != 0 && in_block_[j] == 0;
   }
@@ -290,12 +370,12 @@ void Searches::probe(std::span<const double> base, std::span<const char> which) 
 
 void Searches::run() {
   const std::size_t n = problem_.unknowns.size();
-  std::vector<std::vector<double>> starts(1);
-  for (const UnknownRange& range : problem_.unknowns) starts[0].push_back(range.start);
+  starts_.resize(1);
+  for (const UnknownRange& range : problem_.unknowns) starts_[0].push_back(range.start);
   for (std::vector<double>& start : starting_points(problem_, options_.starts - 1, options_.seed)) {
-    starts.push_back(std::move(start));
+    starts_.push_back(std::move(start));
   }
-  for (const std::vector<double>& start : starts) follow(start);
+  follow_all(starts_);
   const auto choose = [&] {
     for (Trace& trace : traces_) {
       if (is_convergence(trace.end.stop) && any_of(lost_unknowns(trace))) {
@@ -306,6 +386,7 @@ void Searches::run() {
     for (std::size_t i = 1; i < traces_.size(); ++i) {
       if (better(traces_[i].end, traces_[best_].end)) best_ = i;
     }
+    bring_best();
   };
   const auto parameters = [&](std::vector<char> silent) {
     for (std::size_t j = 0; j < n; ++j) silent[j] = silent[j] != 0 && in_block_[j] == 0;

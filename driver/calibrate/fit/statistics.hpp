@@ -81,4 +81,8 @@ struct LikelihoodProfile {
 LikelihoodProfile profile_likelihood(const ResidualProblem& problem, const LeastSquaresFit& fit,
                                      std::size_t unknown, double confidence);
 
+/// A profile as numbers, which programs give each other, and back.
+std::vector<double> numbers_of(const LikelihoodProfile& profile);
+LikelihoodProfile profile_of(std::span<const double> numbers);
+
 }  // namespace slipbench::driver::fit

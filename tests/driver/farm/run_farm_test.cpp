@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <atomic>
 #include <catch2/catch.hpp>
+#include <condition_variable>
 #include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "driver/farm/run_shared.hpp"
 #include "driver/sweep/read_sweep.hpp"
 #include "driver/sweep/rows.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
@@ -96,6 +98,53 @@ TEST_CASE("ranks leave out the chunks that are done, and only whole ones are") {
   for (std::size_t i = 0; i < chunks.size(); ++i) CHECK(chunks[i].first == (i + 1) * size);
   std::fill(done.begin(), done.end(), char{1});
   CHECK(run_ranks(given, done, 2).empty());
+}
+
+TEST_CASE("items are run once, and all ranks get what all made") {
+  constexpr std::size_t kRanks = 3;
+  std::atomic<std::uint64_t> counter{7};
+  std::atomic<int> runs{0};
+  std::mutex mutex;
+  std::condition_variable changed;
+  std::vector<double> gathered;
+  std::size_t gatherers = 0;
+  std::size_t starters = 0;
+  const auto wait_for = [&](std::unique_lock<std::mutex>& lock, const std::size_t& count) {
+    changed.notify_all();
+    changed.wait(lock, [&] { return count == kRanks; });
+  };
+  std::vector<std::vector<std::vector<double>>> made(kRanks);
+  std::vector<std::thread> threads;
+  for (std::size_t rank = 0; rank < kRanks; ++rank) {
+    threads.emplace_back([&, rank] {
+      Farm farm;
+      farm.advance = [&](std::uint64_t count) { return counter.fetch_add(count); };
+      farm.restart = [&] {
+        std::unique_lock lock(mutex);
+        if (++starters == kRanks) counter = 0;
+        wait_for(lock, starters);
+      };
+      farm.gather = [&](std::span<const double> own) {
+        std::unique_lock lock(mutex);
+        gathered.insert(gathered.end(), own.begin(), own.end());
+        ++gatherers;
+        wait_for(lock, gatherers);
+        return gathered;
+      };
+      made[rank] = run_shared(farm, 50, [&](std::size_t i) {
+        ++runs;
+        return std::vector<double>(i % 4, 0.5 * static_cast<double>(i));
+      });
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  CHECK(runs == 50);
+  for (const auto& all : made) {
+    REQUIRE(all.size() == 50);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      CHECK(all[i] == std::vector<double>(i % 4, 0.5 * static_cast<double>(i)));
+    }
+  }
 }
 
 TEST_CASE("batches shrink towards the end, and are never empty") {
