@@ -267,7 +267,8 @@ def sweeps():
             code, text = run("sweep", path, "-o", folder)
             expect(code == 0, f"{path.name}: ended with {code}:\n{text}")
             whole = [line for line in (target / f"{path.stem}.csv").read_text().splitlines() if line[0] != "#"]
-            expect(len(whole) == 1 + document["sweep"]["samples"], f"{path.name}: {len(whole)} lines")
+            runs = len(document["sweep"]["vary"]) + 2 if document["sweep"].get("sobol_indices") else 1
+            expect(len(whole) == 1 + runs * document["sweep"]["samples"], f"{path.name}: {len(whole)} lines")
             parts = whole[:1]
             for part in (1, 2, 3):
                 code, text = run("sweep", path, "-o", folder, "--part", f"{part}/3", "-j", str(part))
