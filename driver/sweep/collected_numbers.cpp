@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "driver/history/step_grid.hpp"
 #include "driver/results/columns.hpp"
 
 namespace slipbench::driver::sweep {
@@ -44,7 +45,8 @@ double quantile(std::vector<std::pair<double, double>>& weighted, double part) {
   double below = 0.0;
   for (const auto& [value, time] : weighted) {
     below += time;
-    if (below >= part * all) return value;
+    // Sums of the same times differ by their rounding.
+    if (below >= part * all * (1.0 - history::kSameTime)) return value;
   }
   return weighted.back().first;
 }
@@ -111,8 +113,8 @@ void CollectedNumbers::take(const Collected& collected, const bench::Row& row, d
       const double here = sign * (value - collected.level);
       if (std::isnan(running.number) && here > 0.0) {
         // Along the increment as a straight line; at once where there is none to go along.
-        const bool crossed = before <= 0.0;
-        const double part = crossed ? before / (before - here) : 1.0;
+        const bool crossed = before <= 0.0 && std::isfinite(before);
+        const double part = std::isfinite(here) ? before / (before - here) : 1.0;
         running.number = crossed ? running.time + part * (row.time - running.time) : row.time;
       }
       running.value = value;

@@ -310,13 +310,22 @@ class SweepReader {
     return all;
   }
 
-  /// The case in the middle of what is varied: what is wrong with it is wrong with all.
+  /// The case in the middle of what is varied: what is wrong with it is wrong with all. Of a file
+  /// of samples the first that is right: the others fail by themselves.
   bool resolve_base(Sweep& sweep) {
-    std::vector<double> middle;
-    for (const VariedParameter& one : sweep.varied) middle.push_back(one.distribution.at(0.5));
-    read::ReadCase read = sweep.parsed.resolve({.overrides = overrides_of(sweep, middle),
-                                                .allow_outside = options_.allow_outside,
-                                                .curves_may_be_missing = true});
+    constexpr std::size_t kTried = 100;
+    std::vector<double> values(sweep.varied.size());
+    const bool drawn = sweep.sampler == Sampler::kCsv;
+    read::ReadCase read;
+    for (std::size_t i = 0; !read.value && i < (drawn ? std::min(sweep.samples, kTried) : 1); ++i) {
+      for (std::size_t p = 0; p < values.size(); ++p) {
+        const Distribution& distribution = sweep.varied[p].distribution;
+        values[p] = drawn ? distribution.numbers[i] : distribution.at(0.5);
+      }
+      read = sweep.parsed.resolve({.overrides = overrides_of(sweep, values),
+                                   .allow_outside = options_.allow_outside,
+                                   .curves_may_be_missing = true});
+    }
     for (const base::Diagnostic& one : read.diagnostics.sorted()) {
       if (one.severity == base::Severity::kError) out_.diagnostics.add(one);
     }

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "driver/base/files/work_crew.hpp"
@@ -83,19 +84,44 @@ SampleOutcome Chunk::outcome(std::size_t sample) const {
           std::span(numbers).subspan(sample * depth, depth), failures[sample]};
 }
 
-bool agrees(const Sweep& sweep, const PackedRun& packed) {
+/// Values at the edges of what is varied, sample by sample.
+std::vector<double> edge_samples(const Sweep& sweep) {
   constexpr std::array kParts{0.02, 0.98, 0.31};
-  const std::size_t width = sweep.varied.size();
-  const std::size_t depth = sweep.collected.size();
-  const std::size_t count = 2 * kParts.size();
   std::vector<double> values;
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t p = 0; p < width; ++p) {
+  if (sweep.sampler == Sampler::kCsv) {
+    // The rows in which a parameter is lowest, or highest: others may be none that can be run.
+    constexpr std::size_t kMostRows = 16;
+    std::set<std::size_t> rows;
+    for (const VariedParameter& one : sweep.varied) {
+      const auto begin = one.distribution.numbers.begin();
+      const auto end = begin + static_cast<std::ptrdiff_t>(sweep.samples);
+      const auto [low, high] = std::minmax_element(begin, end);
+      rows.insert(static_cast<std::size_t>(low - begin));
+      rows.insert(static_cast<std::size_t>(high - begin));
+      if (rows.size() > kMostRows) break;
+    }
+    for (const std::size_t row : rows) {
+      for (const VariedParameter& one : sweep.varied) {
+        values.push_back(one.distribution.numbers[row]);
+      }
+    }
+    return values;
+  }
+  for (std::size_t i = 0; i < 2 * kParts.size(); ++i) {
+    for (std::size_t p = 0; p < sweep.varied.size(); ++p) {
       // All of them at one edge, then each at another one than the one before it.
       const std::size_t part = i < kParts.size() ? i : i + p;
       values.push_back(sweep.varied[p].distribution.at(kParts[part % kParts.size()]));
     }
   }
+  return values;
+}
+
+bool agrees(const Sweep& sweep, const PackedRun& packed) {
+  const std::size_t width = sweep.varied.size();
+  const std::size_t depth = sweep.collected.size();
+  const std::vector<double> values = edge_samples(sweep);
+  const std::size_t count = values.size() / width;
   std::vector<double> numbers(count * depth);
   std::vector<char> done(count);
   packed.run(values, numbers, done);

@@ -2,7 +2,6 @@
 #include "driver/sweep/sweep_summary.hpp"
 
 #include <fmt/format.h>
-#include <gsl/gsl_rstat.h>
 
 #include <algorithm>
 #include <array>
@@ -10,16 +9,11 @@
 #include <utility>
 
 #include "driver/base/text/diagnostic.hpp"
+#include "driver/sweep/running_quantiles.hpp"
 
 namespace slipbench::driver::sweep {
 /// Mean and sums of squares, updated value by value (Welford 1962).
 struct SweepSummary::Running {
-  struct FreeQuantile {
-    void operator()(gsl_rstat_quantile_workspace* work) const { gsl_rstat_quantile_free(work); }
-  };
-  using Quantile = std::unique_ptr<gsl_rstat_quantile_workspace, FreeQuantile>;
-  static Quantile quantile(double part) { return Quantile(gsl_rstat_quantile_alloc(part)); }
-
   struct Beside {
     double mean = 0.0;
     double squares = 0.0;   ///< of the differences from the mean
@@ -32,7 +26,7 @@ struct SweepSummary::Running {
   double most = 0.0;
   std::size_t least_id = 0;
   std::size_t most_id = 0;
-  std::array<Quantile, 3> quantiles{quantile(0.05), quantile(0.5), quantile(0.95)};
+  RunningQuantiles quantiles;
   std::vector<Beside> parameters;
   RunningHistogram histogram;
 
@@ -56,7 +50,7 @@ struct SweepSummary::Running {
       one.squares += own * (outcome.values[p] - one.mean);
       one.products += own * (value - mean);
     }
-    for (const Quantile& one : quantiles) gsl_rstat_quantile_add(value, one.get());
+    quantiles.add(value);
     if (std::isfinite(value)) histogram.add(value);
   }
 };
@@ -94,9 +88,7 @@ SweepSummary::Spread SweepSummary::spread(std::size_t number) const {
                 .least_id = one.least_id,
                 .most_id = one.most_id,
                 .histogram = &one.histogram};
-  for (std::size_t q = 0; q < spread.quantiles.size() && spread.count > 0; ++q) {
-    spread.quantiles[q] = gsl_rstat_quantile_get(one.quantiles[q].get());
-  }
+  spread.quantiles = {one.quantiles.at(0.05), one.quantiles.at(0.5), one.quantiles.at(0.95)};
   return spread;
 }
 

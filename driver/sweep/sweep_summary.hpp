@@ -27,8 +27,8 @@ class SweepSummary {
   std::size_t failed() const { return failed_; }
 
   /// One line a number that was collected: mean and standard deviation, the extremes with their
-  /// samples, median and the 5 % and 95 % quantiles (estimated by the P2 algorithm, Jain and
-  /// Chlamtac 1985), and the parameter with the highest correlation (Pearson's). Four digits.
+  /// samples, median and the 5 % and 95 % quantiles (within 1 %), and the parameter with the
+  /// highest correlation (Pearson's). Four digits.
   std::string text() const;
   /// The same with all digits, and the histogram and all correlations of each number.
   base::json::Value to_json() const;

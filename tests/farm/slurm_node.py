@@ -88,6 +88,9 @@ class SlurmNode:
         key.chmod(0o400)
         self.conf = self.folder / "slurm.conf"
         self.conf.write_text(configuration(self.folder))
+        # No control groups are used; without these lines slurmd wants them mounted all the same.
+        (self.folder / "cgroup").mkdir()
+        (self.folder / "cgroup.conf").write_text(f"CgroupPlugin=cgroup/v1\nCgroupMountpoint={self.folder}/cgroup\n")
         self.environment = {**os.environ, "SLURM_CONF": str(self.conf)}
         named = {name: f"--{name}={self.folder}/munge.{name}" for name in ("socket", "pid-file", "log-file", "seed-file")}
         self.spawn("munged", "--foreground", "--force", f"--key-file={key}", *named.values())

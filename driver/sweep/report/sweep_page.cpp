@@ -242,7 +242,7 @@ std::string number_section(const Sweep& sweep, const SweepSummary& summary,
       digits(spread.mean), digits(spread.deviation), digits(spread.quantiles[0]),
       digits(spread.quantiles[1]), digits(spread.quantiles[2]), spread.count);
   html += "<div class=\"pair\"><figure>" + histogram(spread) +
-          "<figcaption>How often; lines at 5 %, median, 95 % (estimates)</figcaption></figure>\n";
+          "<figcaption>How often; lines at 5 %, median, 95 % (within 1 %)</figcaption></figure>\n";
   const std::vector<Bar> bars = bars_of(sweep, summary, indices, number);
   if (!bars.empty()) {
     html += "<figure>" + tornado(bars, indices.has_value()) + "<figcaption>" +

@@ -252,6 +252,55 @@ TEST_CASE("Samples come from the columns of a file, in its order") {
   CHECK(rows_of(*read.value, second) == std::vector<Row>{rows[1]});
 }
 
+TEST_CASE("A wrong row of a file fails by itself, wherever it stands") {
+  for (const std::string rows : {"-0.2\n0.2\n0.3\n", "0.2\n-0.2\n0.3\n", "0.2\n0.3\n-0.2\n"}) {
+    INFO(rows);
+    const Written written("  csv: drawn.csv\n  collect: {end: {last: CSF1}}\n");
+    written.folder.write("drawn.csv", "mu\n" + rows);
+    const ReadSweep read = written.read();
+    REQUIRE(read.value.has_value());
+    int failed = 0;
+    for (const Row& row : rows_of(*read.value)) {
+      CHECK(row.failure.empty() == (row.values[0] > 0.0));
+      failed += row.failure.empty() ? 0 : 1;
+    }
+    CHECK(failed == 1);
+  }
+  const Written all_wrong("  csv: drawn.csv\n  collect: {end: {last: CSF1}}\n");
+  all_wrong.folder.write("drawn.csv", "mu\n-1\n-2\n");
+  CHECK_THAT(all_wrong.errors(), Catch::Contains("at least 0"));
+}
+
+TEST_CASE("A quantile at a tie is the lower value, whatever the rounding") {
+  for (const int count : {10, 20, 30, 70}) {
+    const Written written("  vary: {mu: {grid: [1000]}}\n  sampler: grid\n  collect: {\n" + [&] {
+      std::string all;
+      for (int k = 1; k < count; ++k) {
+        all += "    q" + std::to_string(k) +
+               ": {quantile: {of: CSF1, part: " + std::to_string(static_cast<double>(k) / count) +
+               "}},\n";
+      }
+      return all;
+    }() + "    last: {last: CSF1}}\n");
+    std::string text = kSlot;
+    text.replace(text.find("increments: 10"), 14,
+                 "duration: 0.3, increments: " + std::to_string(count));
+    written.folder.write("slot.yaml", text);
+    const ReadSweep read = written.read();
+    INFO(written.errors());
+    REQUIRE(read.value.has_value());
+    const std::vector<Row> rows = rows_of(*read.value);
+    for (int k = 1; k < count; ++k) {
+      INFO(k << " of " << count);
+      // The ramp's k-th value; parts have six digits here, so not all are ties.
+      const double part = std::stod(std::to_string(static_cast<double>(k) / count));
+      const double rank = std::ceil(part * count * (1.0 - 1e-9));
+      CHECK(rows[0].numbers[static_cast<std::size_t>(k - 1)] ==
+            Approx(100.0 * rank / count).epsilon(1e-9));
+    }
+  }
+}
+
 TEST_CASE("What is wrong with a file of samples is told") {
   const std::string collect = "  collect: {end: {last: CSF1}}\n";
   const auto errors = [&](const std::string& keys, const std::string& csv) {
