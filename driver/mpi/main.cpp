@@ -115,6 +115,12 @@ int parse(int argc, char** argv, CLI::App& app) {
   return base::kExitOk;
 }
 
+/// Says what went wrong inside and ends all ranks, which would wait for this one for ever.
+void give_up(const std::exception& error) {
+  terminal::print_error(fmt::format("slipbench-mpi: internal error: {}\n", error.what()));
+  MPI_Abort(MPI_COMM_WORLD, base::kExitInternal);
+}
+
 int run(int argc, char** argv) {
   CLI::App app(
       "Runs sweeps and fits of slipbench on the ranks of an MPI job, on one machine or many.\n"
@@ -130,7 +136,13 @@ int run(int argc, char** argv) {
   const int code = parse(argc, argv, app);
   if (!command) return code;
   MpiFarm farm;
-  return command(farm.farm());
+  try {
+    return command(farm.farm());
+  } catch (const std::exception& error) {
+    // Here, as the end of the farm waits for all ranks.
+    give_up(error);
+  }
+  return base::kExitInternal;
 }
 
 }  // namespace
@@ -145,9 +157,7 @@ int main(int argc, char** argv) {
   try {
     code = terminal::finish_output(mpi::run(argc, argv));
   } catch (const std::exception& error) {
-    // The other ranks wait for this one.
-    terminal::print_error(fmt::format("slipbench-mpi: internal error: {}\n", error.what()));
-    MPI_Abort(MPI_COMM_WORLD, base::kExitInternal);
+    mpi::give_up(error);
   }
   MPI_Finalize();
   return code;

@@ -2,8 +2,10 @@
 #include "driver/sweep/merge.hpp"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <regex>
 #include <span>
@@ -43,6 +45,15 @@ std::vector<fs::path> files_in(const fs::path& folder, const Sweep& sweep,
 
 }  // namespace
 
+Parts::Parts(const Sweep& sweep, const std::string& identity)
+    : sweep_(&sweep), identity_(&identity) {
+  // Usually 1024 files may be open, but a farm may have had more ranks.
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
+  limit.rlim_cur = limit.rlim_max;
+  setrlimit(RLIMIT_NOFILE, &limit);  // where it fails, so does the file that is one too many
+}
+
 std::string Parts::add(const fs::path& file) {
   return file.extension() == ".journal" ? add_journal(file) : add_rows(file);
 }
@@ -59,7 +70,10 @@ std::string Parts::add_journal(const fs::path& file) {
 
 std::string Parts::add_rows(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
-  if (!in) return file.string() + ": cannot be read";
+  if (!in) {
+    return fmt::format("{}: cannot be read: {}", file.string(),
+                       std::generic_category().message(errno));
+  }
   std::string head;
   std::string line;
   std::optional<Part> part;

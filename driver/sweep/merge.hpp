@@ -26,10 +26,12 @@ struct SampleRange {
 
 /// Parts of one sweep, files of rows and journals, which are read as the whole. They may overlap:
 /// the same sample has the same numbers in all of them. Memory grows with chunks, not with rows.
+/// All files stay open.
 class Parts {
  public:
-  /// The sweep and its identity must outlive it.
-  Parts(const Sweep& sweep, const std::string& identity) : sweep_(&sweep), identity_(&identity) {}
+  /// Raises the limit of open files of this program as far as it may be raised. The sweep and its
+  /// identity must outlive the parts.
+  Parts(const Sweep& sweep, const std::string& identity);
 
   /// Adds a journal or the rows of a part. Returns why it does not belong to the sweep, or is not
   /// whole: a sentence that begins with its path, or nothing.

@@ -116,6 +116,15 @@ class Mpi(Sweep):
         self.farm(1, "killed")
         self.check(out)
 
+    def test_a_rank_with_an_internal_error_ends_all(self):
+        library, out = self.folder / "no_memory.so", self.folder / "out"
+        run("c++", "-shared", "-fPIC", pathlib.Path(__file__).with_name("no_memory.cpp"), "-o", library)
+        said = run(*MPIRUN, "-x", f"LD_PRELOAD={library}", "-x", f"NO_MEMORY_AFTER={out}/fit.rank1.journal", "-n", 3, FARM,
+                   "sweep", self.sweep, "-o", out, code=70, timeout=60)
+        self.assertEqual(said.count("slipbench-mpi: internal error: std::bad_alloc"), 1, said)
+        self.farm(2, "out")
+        self.check(out)
+
     def test_a_fault_of_the_input_is_told_once_and_a_damaged_journal_is_refused(self):
         self.sweep.write_text(self.sweep.read_text().replace("sampler: sobol", "sampler: sobel"))
         said = self.farm(3, "wrong", code=2)

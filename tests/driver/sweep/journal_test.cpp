@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/sweep/journal.hpp"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <string>
@@ -230,12 +232,36 @@ TEST_CASE("Parts that do not belong together, or are not whole, are refused") {
   for (const std::size_t number : {1U, 2U, 3U, 4U}) {
     if (number != 2) write_part(given, {number, 4});
     CHECK(parts.add(given.folder.path() / result_name(given.sweep, Part{number, 4}))
-              .ends_with("cannot be read"));
+              .ends_with("cannot be read: No such file or directory"));
     CHECK(parts.add(given.folder.path() / (result_name(given.sweep, Part{number, 4}) + ".csv"))
               .empty());
   }
   CHECK_THAT(parts.for_each([](const SampleOutcome&) {}),
              Catch::Matchers::EndsWith("is damaged: the line of sample 300 cannot be read"));
+}
+
+TEST_CASE("Parts may be more than files may be open at first, and one too many is told") {
+  const Given given;
+  constexpr std::size_t kParts = 100;
+  std::vector<fs::path> paths;
+  paths.reserve(kParts);
+  for (std::size_t i = 1; i <= kParts; ++i) paths.push_back(write_part(given, {i, kParts}));
+  rlimit before{};
+  REQUIRE(getrlimit(RLIMIT_NOFILE, &before) == 0);
+  REQUIRE(before.rlim_max > 2 * kParts);
+  const rlimit few{kParts / 2, before.rlim_max};
+  REQUIRE(setrlimit(RLIMIT_NOFILE, &few) == 0);
+  std::vector<std::string> faults;
+  faults.reserve(kParts);
+  Parts parts(given.sweep, given.identity);
+  for (const fs::path& path : paths) faults.push_back(parts.add(path));
+  Parts others(given.sweep, given.identity);
+  setrlimit(RLIMIT_NOFILE, &few);
+  const std::string told = others.add(paths[0]);
+  setrlimit(RLIMIT_NOFILE, &before);
+  CHECK(std::all_of(faults.begin(), faults.end(), [](const auto& fault) { return fault.empty(); }));
+  CHECK(parts.missing().empty());
+  CHECK(told == paths[0].string() + ": cannot be read: Too many open files");
 }
 
 TEST_CASE("The files of a sweep in a folder are known by their names") {
