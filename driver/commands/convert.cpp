@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -19,7 +20,7 @@
 namespace slipbench::driver::commands {
 
 int convert_command(const ConvertOptions& options) {
-  constexpr std::size_t kTogether = 4096;
+  constexpr std::size_t kNumbersTogether = std::size_t{1} << 16U;
   const auto format = table::format_of(options.target);
   if (!format) {
     return terminal::refuse(base::kExitBadInput, base::printable(options.target) +
@@ -40,21 +41,22 @@ int convert_command(const ConvertOptions& options) {
   if (!file) return terminal::refuse(base::kExitEnvironment, file.error());
   auto writer = table::TableWriter::create(*format, head, *file);
   if (!writer) return terminal::refuse(base::kExitEnvironment, writer.error());
-  std::vector<double> block(kTogether * head.columns.size());
+  const std::size_t width = head.columns.size();
+  std::vector<double> block(std::max<std::size_t>(1, kNumbersTogether / width) * width);
   std::uint64_t rows = 0;
   while (true) {
     const auto count = (*table)->read(block);
     if (!count) return terminal::refuse(base::kExitBadInput, count.error());
     if (*count == 0) break;
     rows += *count;
-    writer->write(std::span(block).first(*count * head.columns.size()));
+    writer->write(std::span(block).first(*count * width));
   }
   auto completed = writer->finish();
   base::OutputFile* const files[] = {&*file};
   if (completed) completed = base::commit(files);
   if (!completed) return terminal::refuse(base::kExitEnvironment, completed.error());
   terminal::print(fmt::format("{}: {} rows, {} columns\n", base::printable(file->target().string()),
-                              rows, head.columns.size()));
+                              rows, width));
   if (*format == table::TableFormat::kNpy && !head.lines.empty()) {
     terminal::print("  .npy has no place for where the rows come from, nor for units\n");
   }

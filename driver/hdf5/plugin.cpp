@@ -4,6 +4,7 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "driver/table/hdf5_plugin.hpp"
@@ -52,6 +53,16 @@ std::string read_text(hid_t object, const char* name) {
   if (H5Aread(attribute.get(), type.get(), text.data()) < 0) return {};
   while (!text.empty() && text.back() == '\0') text.pop_back();
   return text;
+}
+
+/// Returns whether a dataset has whole numbers, which may be too large for a double, or nothing
+/// where a double does not hold what it has.
+std::optional<bool> is_whole(hid_t dataset) {
+  const Handle type(H5Dget_type(dataset), H5Tclose);
+  const H5T_class_t kind = H5Tget_class(type.get());
+  if (kind == H5T_INTEGER) return true;
+  if (kind == H5T_FLOAT && H5Tget_size(type.get()) <= sizeof(double)) return false;
+  return std::nullopt;
 }
 
 std::string write(const std::filesystem::path& path, const TableHead& head,
@@ -140,8 +151,14 @@ class Hdf5Table : public TableReader {
       H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, begin, nullptr, extent, nullptr);
       if (H5Dread(columns_[c].get(), H5T_NATIVE_DOUBLE, memory.get(), space.get(), H5P_DEFAULT,
                   column.data()) < 0) {
+        return tl::unexpected<std::string>("dataset '" + head_.columns[c] + "' cannot be read");
+      }
+      // Every whole number up to here is a double.
+      constexpr double kLast = 9007199254740992.0;
+      const auto beyond = [](double number) { return number >= kLast || number <= -kLast; };
+      if (whole_[c] && std::any_of(column.begin(), column.end(), beyond)) {
         return tl::unexpected<std::string>("dataset '" + head_.columns[c] +
-                                           "' cannot be read as numbers");
+                                           "' has whole numbers from 2^53 on, beyond doubles");
       }
       for (std::size_t k = 0; k < count; ++k) numbers[k * width + c] = column[k];
     }
@@ -164,7 +181,12 @@ class Hdf5Table : public TableReader {
       table.fault_ =
           fmt::format("dataset '{}' has {} rows, others have {}", name, size, table.rows_);
     }
+    const std::optional<bool> whole = is_whole(column.get());
+    if (!whole) {
+      table.fault_ = fmt::format("dataset '{}' is not of numbers that a double holds", name);
+    }
     table.rows_ = size;
+    table.whole_.push_back(whole.value_or(false));
     table.columns_.push_back(std::move(column));
     table.head_.columns.emplace_back(name);
     return 0;
@@ -172,6 +194,7 @@ class Hdf5Table : public TableReader {
 
   hid_t file_ = -1;
   std::vector<Handle> columns_;
+  std::vector<bool> whole_;  ///< of each column: its numbers are whole
   TableHead head_;
   std::string fault_;
   hsize_t rows_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The head of NumPy's .npy files (format of version 1: numpy.lib.format).
+// The head of NumPy's .npy files (format: numpy.lib.format; version 1, with names beyond ASCII 3).
 #pragma once
 
 #include <cstddef>

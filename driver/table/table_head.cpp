@@ -8,7 +8,16 @@
 namespace slipbench::driver::table {
 
 std::string csv_head(const TableHead& head) {
-  return fmt::format("{}{}\n", head.lines, fmt::join(head.columns, ","));
+  std::string text = head.lines;
+  for (const std::string& name : head.columns) {
+    // What would be taken for two names, for another one, or for a comment.
+    const bool plain = !name.empty() && name.find(',') == std::string::npos &&
+                       name.front() != '#' && name.front() != ' ' && name.back() != ' ';
+    text += plain ? name : '"' + name + '"';
+    text += ',';
+  }
+  text.back() = '\n';
+  return text;
 }
 
 std::optional<TableFormat> format_named(std::string_view word) {
@@ -24,12 +33,13 @@ std::optional<TableFormat> format_of(const std::filesystem::path& file) {
 }
 
 std::string unit_of(const TableHead& head, std::string_view column) {
-  constexpr std::string_view kUnits = "# columns: ";
-  const std::size_t line = head.lines.find(kUnits);
+  constexpr std::string_view kUnits = "\n# columns: ";
+  const std::string lines = "\n" + head.lines;
+  const std::size_t line = lines.find(kUnits);
   if (line == std::string::npos) return {};
-  const std::size_t end = head.lines.find('\n', line);
+  const std::size_t begin_units = line + kUnits.size();
   const std::string units =
-      ", " + head.lines.substr(line + kUnits.size(), end - line - kUnits.size()) + ", ";
+      ", " + lines.substr(begin_units, lines.find('\n', begin_units) - begin_units) + ", ";
   const std::string wanted = ", " + std::string(column) + " [";
   const std::size_t place = units.find(wanted);
   if (place == std::string::npos) return {};

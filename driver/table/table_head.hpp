@@ -22,7 +22,8 @@ std::string csv_head(const TableHead& head);
 
 /// Format of a file with rows of numbers.
 ///   - CSV: the lines of the head, the names, a line a row.
-///   - npy: version 1 of NumPy's format, one dimension of records with a double (f8, little endian)
+///   - npy: version 1 (with names beyond ASCII 3) of NumPy's format, one dimension of records with
+///   a double (f8, little endian)
 ///     a column; it has no place for the lines of the head.
 ///   - HDF5: a contiguous dataset of doubles a column, with its unit as an attribute; the lines of
 ///     the head are attributes of the root.

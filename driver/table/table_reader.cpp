@@ -28,7 +28,9 @@ class CsvTable : public TableReader {
     while (true) {
       if (const auto filled = lines_.fill(); !filled) return filled.error().message;
       if (lines_.begin == lines_.lines_end) return "has no header";
-      const std::string_view line = lines_.take_line();
+      const bool first = lines_.next_line == 1;
+      std::string_view line = lines_.take_line();
+      if (first && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
       if (!line.starts_with('#')) {
         head_.columns = base::header_names(line, ',');
         return {};
@@ -78,7 +80,7 @@ class NpyTable : public TableReader {
     const std::uintmax_t size = fs::file_size(file, error);
     stream_.open(file, std::ios::binary);
     if (error || !stream_) return "cannot be read";
-    constexpr std::size_t kLongestHead = 10 + 65535;
+    constexpr std::size_t kLongestHead = std::size_t{1} << 20U;
     std::string begin(std::min<std::uintmax_t>(kLongestHead, size), '\0');
     stream_.read(begin.data(), static_cast<std::streamsize>(begin.size()));
     auto head = read_npy_head(begin);

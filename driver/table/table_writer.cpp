@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <fstream>
+#include <set>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/format_number.hpp"
 #include "driver/table/hdf5_plugin.hpp"
 #include "driver/table/npy.hpp"
@@ -22,11 +25,16 @@ static_assert(std::endian::native == std::endian::little);
 
 void append_text(std::span<const double> numbers, const TableHead& head, base::OutputFile& file) {
   const std::size_t width = head.columns.size();
-  const std::size_t whole = head.columns.front() == "id" ? 1 : 0;
+  const bool counted = head.columns.front() == "id";
   std::string& text = file.buffer();
   for (std::size_t i = 0; i < numbers.size(); i += width) {
-    if (whole > 0) text += fmt::format("{:.0f},", numbers[i]);
-    base::append_numbers(text, numbers.subspan(i + whole, width - whole));
+    std::span<const double> row = numbers.subspan(i, width);
+    // The shortest text of 100000 is 1e+05. A file of others may have any number there.
+    if (counted && row.front() == std::trunc(row.front())) {
+      text += fmt::format("{:.0f},", row.front());
+      row = row.subspan(1);
+    }
+    base::append_numbers(text, row);
     text.back() = '\n';
     file.flush_if_full();
   }
@@ -41,10 +49,28 @@ void append_bytes(std::span<const double> numbers, base::OutputFile& file) {
   }
 }
 
+/// Returns why the columns cannot be told apart in a file, in a sentence, or nothing.
+std::string names_fault(const TableHead& head) {
+  std::set<std::string_view> names;
+  for (const std::string& name : head.columns) {
+    if (name.find_first_of("\"\r\n") != std::string::npos) {
+      return fmt::format("a quote or the end of a line cannot stand in the name of a column: {}",
+                         base::printable(name));
+    }
+    if (!names.insert(name).second) {
+      return fmt::format("two columns are called {}; give one another name", base::printable(name));
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 tl::expected<TableWriter, std::string> TableWriter::create(TableFormat format, TableHead head,
                                                            base::OutputFile& file) {
+  if (const std::string fault = names_fault(head); !fault.empty()) {
+    return tl::unexpected(fmt::format("{}: {}", base::printable(file.target().string()), fault));
+  }
   TableWriter writer(format, std::move(head), file);
   if (format == TableFormat::kCsv) {
     file.append(csv_head(writer.head_));

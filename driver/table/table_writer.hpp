@@ -16,11 +16,12 @@
 namespace slipbench::driver::table {
 
 /// Rows of numbers on their way to a file. Numbers read back to the same double from all formats.
-/// In a CSV file a number is the shortest text that does; a first column `id` holds whole numbers.
+/// In a CSV file a number is the shortest text that does; whole ones in a first column `id` have
+/// all their digits.
 class TableWriter {
  public:
   /// Writes what stands before the rows. \p file must outlive it. Error: there is no such format
-  /// here (the plug-in is missing), or no room for the columns; a sentence.
+  /// here (the plug-in is missing), no room for the columns, or two of one name; a sentence.
   static tl::expected<TableWriter, std::string> create(TableFormat format, TableHead head,
                                                        base::OutputFile& file);
 

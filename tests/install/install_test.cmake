@@ -51,6 +51,9 @@ expect_file(share/doc/slipbench/NOTICE)
 expect_file(share/slipbench/cases)
 expect_file(share/slipbench/plots)
 expect_file(share/slipbench/reference/curves)
+if(EXISTS ${BINARY_DIR}/slipbench-hdf5.so)
+  expect_file(lib/slipbench/slipbench-hdf5.so)
+endif()
 
 run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${work}/consumer
     -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_BUILD_TYPE=${CONFIG} -D CMAKE_CXX_COMPILER=${CXX_COMPILER}

@@ -108,6 +108,46 @@ class Formats(unittest.TestCase):
         self.run_tool("convert", "plain.npy", "-o", "plain.csv")
         self.assertEqual((self.folder / "plain.csv").read_text(), "c1,c2,c3\n0,1,2\n3,4,5\n")
 
+    def convert(self, content, name, target):
+        (self.folder / name).write_bytes(content)
+        self.run_tool("convert", name, "-o", target)
+        return self.folder / target
+
+    def test_what_others_write_is_kept(self):
+        # An id need not be a whole number, nor a name be without commas and in ASCII.
+        array = numpy.zeros(3, dtype=[("id", "<f8"), ("a, b", "<f8"), ("\u00b5", "<f8"), ("#n", "<f8")])
+        array["id"] = [0.5, 100000, float("nan")]
+        numpy.save(self.folder / "others.npy", array)
+        self.run_tool("convert", "others.npy", "-o", "others.csv")
+        self.assertEqual((self.folder / "others.csv").read_text(),
+                         'id,"a, b",\u00b5,#n\n0.5,0,0,0\n100000,0,0,0\nnan,0,0,0\n'.replace("#n", '"#n"'))
+        self.run_tool("convert", "others.csv", "-o", "back.npy")
+        back = numpy.load(self.folder / "back.npy")
+        self.assertEqual(back.dtype, array.dtype)
+        self.assertEqual(back.tobytes(), array.tobytes())
+        beyond = numpy.zeros(1, dtype=[("\u03bc", "<f8")])
+        numpy.save(self.folder / "beyond.npy", beyond)
+        self.run_tool("convert", "beyond.npy", "-o", "beyond.h5")
+        with h5py.File(self.folder / "beyond.h5") as file:
+            self.assertEqual(list(file), ["\u03bc"])
+        # A long name, and an Excel file's first bytes.
+        numpy.save(self.folder / "long.npy", numpy.zeros(1, dtype=[("n" * 60000, "<f8")]))
+        self.run_tool("convert", "long.npy", "-o", "long.csv")
+        self.assertEqual((self.folder / "long.csv").read_text(), "n" * 60000 + "\n0\n")
+        self.assertEqual(numpy.load(self.convert(b"\xef\xbb\xbfa,b\r\n1,2\r\n", "bom.csv", "bom.npy")).dtype.names, ("a", "b"))
+
+    def test_whole_numbers_of_hdf5_are_doubles_or_refused(self):
+        with h5py.File(self.folder / "whole.h5", "w") as file:
+            file["n"] = numpy.array([3, 2**53 - 1])
+        self.run_tool("convert", "whole.h5", "-o", "whole.csv")
+        self.assertEqual((self.folder / "whole.csv").read_text(), "n\n3\n9007199254740991\n")
+        with h5py.File(self.folder / "large.h5", "w") as file:
+            file["n"] = numpy.array([3, 2**53 + 1])
+        self.assertIn("'n' has whole numbers from 2^53 on", self.run_tool("convert", "large.h5", "-o", "y.csv", code=2))
+        with h5py.File(self.folder / "text.h5", "w") as file:
+            file["n"] = [b"x"]
+        self.assertIn("'n' is not of numbers", self.run_tool("convert", "text.h5", "-o", "y.csv", code=4))
+
     def test_what_is_no_table_is_refused(self):
         def refused(content, code=4, name="x.csv", target="y.npy"):
             (self.folder / name).write_bytes(content)
@@ -116,6 +156,7 @@ class Formats(unittest.TestCase):
             return said
         self.assertIn("line 3: wanted 2 numbers", refused(b"a,b\n1,2\n3,x\n", code=2))
         self.assertIn("line 2: wanted 2 numbers", refused(b"a,b\n1\n", code=2))
+        self.assertIn("two columns are called a", refused(b"a,a\n1,2\n"))
         self.assertIn("has no header", refused(b"# only\n"))
         self.assertIn("wants a name in .csv, .npy or .h5", refused(b"a\n1\n", code=2, target="y.xlsx"))
         self.assertIn("is no .npy file", refused(b"no", name="x.npy", target="y.csv"))
