@@ -31,6 +31,18 @@ void RunningQuantiles::add(double value) {
   ++count_;
 }
 
+void RunningQuantiles::add(const RunningQuantiles& other) {
+  for (const auto& [key, theirs] : other.bins_) {
+    const auto [place, is_new] = bins_.try_emplace(key, theirs);
+    if (is_new) continue;
+    Bin& bin = place->second;
+    bin.least = std::min(bin.least, theirs.least);
+    bin.most = std::max(bin.most, theirs.most);
+    bin.count += theirs.count;
+  }
+  count_ += other.count_;
+}
+
 double RunningQuantiles::at(double part) const {
   // The rank of the value, from 1 on.
   const double wanted = std::ceil(part * static_cast<double>(count_) * (1.0 - 1e-12));

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "driver/base/text/diagnostic.hpp"
@@ -30,84 +29,97 @@ std::string digits(const VariancePart& part) {
 
 }  // namespace
 
-void SobolEstimate::Sums::add(const Sums& other, double sign) {
-  rows += sign * other.rows;
-  both += sign * other.both;
-  squares += sign * other.squares;
-  for (std::size_t p = 0; p < products.size(); ++p) {
-    products[p] += sign * other.products[p];
-    changes[p] += sign * other.changes[p];
-    jumps[p] += sign * other.jumps[p];
+void SobolEstimate::Sums::add(const Sums& other, bool subtract) {
+  const auto take = [&](ExactSum& sum, const ExactSum& own) {
+    subtract ? sum.subtract(own) : sum.add(own);
+  };
+  rows = subtract ? rows - other.rows : rows + other.rows;
+  take(both, other.both);
+  take(squares, other.squares);
+  for (std::size_t p = 0; p < changes.size(); ++p) {
+    take(changes[p].sum, other.changes[p].sum);
+    take(changes[p].products, other.changes[p].products);
+    take(changes[p].squares, other.changes[p].squares);
   }
 }
 
 double SobolEstimate::Sums::variance() const {
-  const double mean = both / (2.0 * rows);
-  return squares / (2.0 * rows) - mean * mean;
+  const double count = 2.0 * static_cast<double>(rows);
+  return sum_about_means(count, both, both, squares) / count;
 }
 
 double SobolEstimate::Sums::first(std::size_t parameter) const {
-  const double mean = both / (2.0 * rows);
-  return (products[parameter] - mean * changes[parameter]) / (rows * variance());
+  const auto count = static_cast<double>(rows);
+  ExactSum products = changes[parameter].products;
+  products.add_times(changes[parameter].sum, -both.value() / (2.0 * count));
+  return products.value() / (count * variance());
 }
 
 double SobolEstimate::Sums::total(std::size_t parameter) const {
-  return jumps[parameter] / (2.0 * rows * variance());
+  return changes[parameter].squares.value() / (2.0 * static_cast<double>(rows) * variance());
 }
 
 SobolEstimate::SobolEstimate(const Sweep& sweep)
     : sweep_(&sweep),
       parameters_(sweep.varied.size()),
       row_(sweep.collected.size(), std::vector<double>(parameters_ + 2)),
-      shift_(sweep.collected.size(), std::numeric_limits<double>::quiet_NaN()),
       dropped_(sweep.collected.size()) {
   Sums none;
-  none.products.resize(parameters_);
   none.changes.resize(parameters_);
-  none.jumps.resize(parameters_);
   groups_.assign(sweep.collected.size(), std::vector<Sums>(kGroups, none));
 }
 
 void SobolEstimate::add(const SampleOutcome& outcome) {
-  for (std::size_t n = 0; n < row_.size(); ++n) row_[n][in_row_] = outcome.numbers[n];
-  if (++in_row_ < parameters_ + 2) return;
-  for (std::size_t n = 0; n < row_.size(); ++n) end_row(n);
-  in_row_ = 0;
+  const std::size_t length = parameters_ + 2;
+  const std::size_t place = outcome.id % length;
+  for (std::size_t n = 0; n < row_.size(); ++n) row_[n][place] = outcome.numbers[n];
+  if (place + 1 < length) return;
+  for (std::size_t n = 0; n < row_.size(); ++n) end_row(n, outcome.id / length);
   ++rows_;
 }
 
-void SobolEstimate::end_row(std::size_t number) {
-  std::vector<double>& f = row_[number];
+void SobolEstimate::add(const SobolEstimate& other) {
+  rows_ += other.rows_;
+  for (std::size_t n = 0; n < row_.size(); ++n) {
+    for (std::size_t g = 0; g < kGroups; ++g) groups_[n][g].add(other.groups_[n][g]);
+    dropped_[n] += other.dropped_[n];
+  }
+}
+
+void SobolEstimate::end_row(std::size_t number, std::size_t row) {
+  const std::vector<double>& f = row_[number];
   if (!std::all_of(f.begin(), f.end(), [](double one) { return std::isfinite(one); })) {
     ++dropped_[number];
     return;
   }
-  if (std::isnan(shift_[number])) shift_[number] = f[0];
-  for (double& one : f) one -= shift_[number];
   const double a = f.front();
   const double b = f.back();
-  Sums& group = groups_[number][rows_ % kGroups];
-  group.rows += 1.0;
-  group.both += a + b;
-  group.squares += a * a + b * b;
+  Sums& group = groups_[number][row % kGroups];
+  ++group.rows;
+  for (const double one : {a, b}) {
+    group.both.add(one);
+    group.squares.add_product(one, one);
+  }
   for (std::size_t p = 0; p < parameters_; ++p) {
     const double change = f[p + 1] - a;
-    group.products[p] += b * change;
-    group.changes[p] += change;
-    group.jumps[p] += change * change;
+    group.changes[p].sum.add(change);
+    group.changes[p].products.add_product(b, change);
+    group.changes[p].squares.add_product(change, change);
   }
 }
 
 SobolEstimate::Sums SobolEstimate::sum(std::size_t number) const {
   Sums all = groups_[number].front();
-  for (std::size_t g = 1; g < kGroups; ++g) all.add(groups_[number][g], 1.0);
+  for (std::size_t g = 1; g < kGroups; ++g) all.add(groups_[number][g]);
   return all;
 }
 
 bool SobolEstimate::varies(std::size_t number) const {
   const Sums all = sum(number);
   // Two rows a group at least: a jackknife needs them.
-  return all.rows >= 2.0 * kGroups && all.variance() > 1e-24 * shift_[number] * shift_[number];
+  if (all.rows < 2 * kGroups) return false;
+  const double mean = all.both.value() / (2.0 * static_cast<double>(all.rows));
+  return all.variance() > 1e-24 * mean * mean;
 }
 
 SobolIndices SobolEstimate::indices(std::size_t number, std::size_t parameter) const {
@@ -117,7 +129,7 @@ SobolIndices SobolEstimate::indices(std::size_t number, std::size_t parameter) c
     std::vector<double> estimates;
     for (const Sums& group : groups_[number]) {
       Sums others = all;
-      others.add(group, -1.0);
+      others.add(group, true);
       estimates.push_back((others.*index)(parameter));
       sum_of_estimates += estimates.back();
     }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "driver/sweep/exact_sum.hpp"
 #include "driver/sweep/run_sweep.hpp"
 #include "driver/sweep/sweep.hpp"
 
@@ -30,13 +31,16 @@ struct SobolIndices {
 ///   total_i = mean((f_A - f_ABi)^2) / (2 V)    Jansen 1999
 /// where V is the variance of all f_A and f_B. Intervals are those of a jackknife that leaves out a
 /// sixty-fourth of the rows at a time, as if the rows were random: on the safe side for sequences
-/// that fill the space more evenly. Memory does not grow with the samples.
+/// that fill the space more evenly. Indices have the same bits however the rows were divided;
+/// memory does not grow with them.
 class SobolEstimate {
  public:
   explicit SobolEstimate(const Sweep& sweep);
 
-  /// Takes the next sample, in the order of the ids.
+  /// Takes a sample: those of a row one after the other, the rows in any order.
   void add(const SampleOutcome& outcome);
+  /// Takes all rows of another estimate of the same sweep.
+  void add(const SobolEstimate& other);
 
   /// Tells whether a number varies, so that there are indices of it.
   bool varies(std::size_t number) const;
@@ -50,31 +54,38 @@ class SobolEstimate {
   /// CSV, a row for each number and parameter.
   std::string csv() const;
 
- private:
-  /// Sums over rows, of differences from `shift_`.
-  struct Sums {
-    double rows = 0.0;
-    double both = 0.0;             ///< f_A + f_B
-    double squares = 0.0;          ///< f_A^2 + f_B^2
-    std::vector<double> products;  ///< f_B (f_ABi - f_A), a parameter each
-    std::vector<double> changes;   ///< f_ABi - f_A
-    std::vector<double> jumps;     ///< (f_ABi - f_A)^2
+  void fields(auto& archive) { archive(rows_, groups_, dropped_); }
 
-    void add(const Sums& other, double sign);
+ private:
+  /// Sums over rows.
+  struct Sums {
+    /// Of a parameter.
+    struct Change {
+      ExactSum sum;       ///< f_ABi - f_A
+      ExactSum products;  ///< f_B (f_ABi - f_A)
+      ExactSum squares;   ///< (f_ABi - f_A)^2
+
+      void fields(auto& archive) { archive(sum, products, squares); }
+    };
+    std::size_t rows = 0;
+    ExactSum both;     ///< f_A + f_B
+    ExactSum squares;  ///< f_A^2 + f_B^2
+    std::vector<Change> changes;
+
+    void add(const Sums& other, bool subtract = false);
     double variance() const;
     double first(std::size_t parameter) const;
     double total(std::size_t parameter) const;
+    void fields(auto& archive) { archive(rows, both, squares, changes); }
   };
 
-  void end_row(std::size_t number);
+  void end_row(std::size_t number, std::size_t row);
   Sums sum(std::size_t number) const;
 
   const Sweep* sweep_;
   std::size_t parameters_;
   std::size_t rows_ = 0;
-  std::size_t in_row_ = 0;
-  std::vector<std::vector<double>> row_;  ///< the samples of the row so far, a number each
-  std::vector<double> shift_;             ///< the first f_A of a number, so that squares stay small
+  std::vector<std::vector<double>> row_;   ///< the samples of the row so far, a number each
   std::vector<std::vector<Sums>> groups_;  ///< of a number
   std::vector<std::size_t> dropped_;
 };

@@ -4,91 +4,105 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
 #include "driver/base/text/diagnostic.hpp"
-#include "driver/sweep/running_quantiles.hpp"
 
 namespace slipbench::driver::sweep {
-/// Mean and sums of squares, updated value by value (Welford 1962).
-struct SweepSummary::Running {
-  struct Beside {
-    double mean = 0.0;
-    double squares = 0.0;   ///< of the differences from the mean
-    double products = 0.0;  ///< of these with the number's
-  };
-  double count = 0.0;
-  double mean = 0.0;
-  double squares = 0.0;
-  double least = 0.0;
-  double most = 0.0;
-  std::size_t least_id = 0;
-  std::size_t most_id = 0;
-  RunningQuantiles quantiles;
-  std::vector<Beside> parameters;
-  RunningHistogram histogram;
 
-  void add(double value, const SampleOutcome& outcome) {
-    if (count == 0.0 || value < least) {
-      least = value;
-      least_id = outcome.id;
-    }
-    if (count == 0.0 || value > most) {
-      most = value;
-      most_id = outcome.id;
-    }
-    count += 1.0;
-    const double before = value - mean;
-    mean += before / count;
-    squares += before * (value - mean);
-    for (std::size_t p = 0; p < parameters.size(); ++p) {
-      Beside& one = parameters[p];
-      const double own = outcome.values[p] - one.mean;
-      one.mean += own / count;
-      one.squares += own * (outcome.values[p] - one.mean);
-      one.products += own * (value - mean);
-    }
-    quantiles.add(value);
-    if (std::isfinite(value)) histogram.add(value);
+void SweepSummary::Running::take_extremes(double low, std::size_t low_id, double high,
+                                          std::size_t high_id) {
+  // Of equal ones the first sample.
+  if (count == 0 || low < least || (low == least && low_id < least_id)) {
+    least = low;
+    least_id = low_id;
   }
-};
-
-SweepSummary::SweepSummary(const Sweep& sweep) : sweep_(&sweep) {
-  for (std::size_t i = 0; i < sweep.collected.size(); ++i) {
-    numbers_.push_back(std::make_unique<Running>());
-    numbers_.back()->parameters.resize(sweep.varied.size());
+  if (count == 0 || high > most || (high == most && high_id < most_id)) {
+    most = high;
+    most_id = high_id;
   }
 }
 
-SweepSummary::~SweepSummary() = default;
+void SweepSummary::Running::add(double value, const SampleOutcome& outcome) {
+  take_extremes(value, outcome.id, value, outcome.id);
+  ++count;
+  sum.add(value);
+  squares.add_product(value, value);
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
+    Beside& one = parameters[p];
+    const double own = outcome.values[p];
+    one.sum.add(own);
+    one.squares.add_product(own, own);
+    one.products.add_product(own, value);
+  }
+  quantiles.add(value);
+  if (std::isfinite(value)) histogram.add(value);
+}
+
+void SweepSummary::Running::add(const Running& other) {
+  if (other.count == 0) return;
+  take_extremes(other.least, other.least_id, other.most, other.most_id);
+  count += other.count;
+  sum.add(other.sum);
+  squares.add(other.squares);
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
+    parameters[p].sum.add(other.parameters[p].sum);
+    parameters[p].squares.add(other.parameters[p].squares);
+    parameters[p].products.add(other.parameters[p].products);
+  }
+  quantiles.add(other.quantiles);
+  histogram.add(other.histogram);
+}
+
+SweepSummary::SweepSummary(const Sweep& sweep) : sweep_(&sweep), numbers_(sweep.collected.size()) {
+  for (Running& one : numbers_) one.parameters.resize(sweep.varied.size());
+}
 
 void SweepSummary::add(const SampleOutcome& outcome) {
   ++samples_;
   if (!outcome.failure.empty()) {
-    if (failed_++ == 0) {
+    if (failed_ == 0 || outcome.id < first_failed_) {
       first_failed_ = outcome.id;
       failure_ = outcome.failure;
     }
+    ++failed_;
     return;
   }
   for (std::size_t i = 0; i < numbers_.size(); ++i) {
-    if (!std::isnan(outcome.numbers[i])) numbers_[i]->add(outcome.numbers[i], outcome);
+    if (!std::isnan(outcome.numbers[i])) numbers_[i].add(outcome.numbers[i], outcome);
   }
 }
 
+void SweepSummary::add(const SweepSummary& other) {
+  samples_ += other.samples_;
+  if (other.failed_ > 0 && (failed_ == 0 || other.first_failed_ < first_failed_)) {
+    first_failed_ = other.first_failed_;
+    failure_ = other.failure_;
+  }
+  failed_ += other.failed_;
+  for (std::size_t i = 0; i < numbers_.size(); ++i) numbers_[i].add(other.numbers_[i]);
+}
+
 SweepSummary::Spread SweepSummary::spread(std::size_t number) const {
-  const Running& one = *numbers_[number];
-  Spread spread{.count = static_cast<std::size_t>(one.count),
-                .mean = one.mean,
-                .deviation = one.count > 1.0 ? std::sqrt(one.squares / (one.count - 1.0)) : 0.0,
+  // Values that differ by less are the same, and their histogram would show rounding.
+  constexpr double kSame = 1e-12;
+  const Running& one = numbers_[number];
+  Spread spread{.count = one.count,
                 .least = one.least,
                 .most = one.most,
                 .least_id = one.least_id,
-                .most_id = one.most_id,
-                .histogram = &one.histogram};
+                .most_id = one.most_id};
+  if (one.count == 0) return spread;
+  const auto count = static_cast<double>(one.count);
+  spread.mean = one.sum.value() / count;
+  if (one.count > 1) {
+    const double squares = sum_about_means(count, one.sum, one.sum, one.squares);
+    spread.deviation = std::sqrt(squares / (count - 1.0));
+  }
   spread.quantiles = {one.quantiles.at(0.05), one.quantiles.at(0.5), one.quantiles.at(0.95)};
+  const double larger = std::max(std::abs(one.least), std::abs(one.most));
+  if (one.most - one.least > kSame * larger) spread.histogram = &one.histogram;
   return spread;
 }
 
@@ -96,13 +110,18 @@ std::optional<SweepSummary::Correlation> SweepSummary::correlation(std::size_t n
                                                                    std::size_t parameter) const {
   // Between which a standard normal variable lies in 95 of 100 cases.
   constexpr double kNormal = 1.959964;
-  const Running& one = *numbers_[number];
+  constexpr std::size_t kFewest = 4;
+  const Running& one = numbers_[number];
+  if (one.count < kFewest) return std::nullopt;
   const Running::Beside& beside = one.parameters[parameter];
-  const double both = std::sqrt(beside.squares * one.squares);
-  if (!(both > 0.0) || one.count < 4.0) return std::nullopt;
-  const double value = std::clamp(beside.products / both, -1.0, 1.0);
+  const auto count = static_cast<double>(one.count);
+  const double both = std::sqrt(sum_about_means(count, beside.sum, beside.sum, beside.squares) *
+                                sum_about_means(count, one.sum, one.sum, one.squares));
+  if (!(both > 0.0)) return std::nullopt;
+  const double value =
+      std::clamp(sum_about_means(count, beside.sum, one.sum, beside.products) / both, -1.0, 1.0);
   if (std::abs(value) == 1.0) return Correlation{value, value, value};
-  const double half = kNormal / std::sqrt(one.count - 3.0);
+  const double half = kNormal / std::sqrt(count - 3.0);
   return Correlation{value, std::tanh(std::atanh(value) - half),
                      std::tanh(std::atanh(value) + half)};
 }
@@ -180,7 +199,7 @@ base::json::Value SweepSummary::to_json() const {
       entry["quantile_50"] = one.quantiles[1];
       entry["quantile_95"] = one.quantiles[2];
     }
-    if (one.histogram->width() > 0.0) {
+    if (one.histogram != nullptr) {
       base::json::Value histogram;
       histogram["begin"] = one.histogram->begin();
       histogram["width"] = one.histogram->width();

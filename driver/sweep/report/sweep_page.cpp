@@ -44,8 +44,8 @@ std::string histogram(const SweepSummary::Spread& spread) {
   constexpr double kWidth = 420.0;
   constexpr double kHeight = 120.0;
   constexpr std::size_t kBars = 42;
+  if (spread.histogram == nullptr) return {};
   const RunningHistogram& bins = *spread.histogram;
-  if (bins.width() == 0.0) return {};
   const std::size_t together = (bins.counts().size() + kBars - 1) / kBars;
   std::vector<std::uint64_t> bars((bins.counts().size() + together - 1) / together);
   for (std::size_t i = 0; i < bins.counts().size(); ++i) bars[i / together] += bins.counts()[i];

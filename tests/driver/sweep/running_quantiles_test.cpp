@@ -38,6 +38,11 @@ TEST_CASE("Quantiles are within 1 % of the sorted ones, in any order") {
       for (const double part : {0.0, 0.01, 0.05, 0.3, 0.5, 0.95, 0.999, 1.0}) {
         INFO("order " << order << ", part " << part);
         CHECK(found.at(part) == Approx(sorted_at(values, part)).epsilon(0.01));
+        std::vector<RunningQuantiles> parts(3);
+        for (std::size_t i = 0; i < values.size(); ++i) parts[i * i % 3].add(values[i]);
+        parts[1].add(parts[0]);
+        parts[1].add(parts[2]);
+        CHECK(parts[1].at(part) == found.at(part));
       }
     }
   }
