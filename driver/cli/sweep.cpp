@@ -38,8 +38,9 @@ void declare_sweep(CLI::App& app, Command& command) {
                    "With --emit: samples a second and core; default: some are run to find it")
       ->type_name("N")
       ->check(CLI::PositiveNumber);
-  declared->add_flag("--no-rows", options->no_rows,
-                     "Write the summaries only, however many samples; keeps nothing to go on from");
+  declared->add_flag(
+      "--no-rows", options->no_rows,
+      "Write the summaries only, however many samples; of a part <sweep>.IofN.tally");
   declared->add_flag("--no-output", options->no_output, "Write no file, only tell what was found");
   declare_force(*declared, options->force, "no result of this sweep");
   declared->footer(

@@ -123,9 +123,10 @@ int emit_slurm(const OpenSweep& open, const SweepOptions& options) {
                   "#SBATCH --cpus-per-task=1\n"
                   "#SBATCH --requeue\n"
                   "#SBATCH --open-mode=append\n"
-                  "exec {} sweep {} -j 1 --part \"$SLURM_ARRAY_TASK_ID/{}\"\n",
+                  "exec {} sweep {}{} -j 1 --part \"$SLURM_ARRAY_TASK_ID/{}\"\n",
                   file_name, samples, rate, tasks == 1 ? "1 task" : fmt::format("{} tasks", tasks),
-                  seconds, shell_word(name), tasks, shell_word(program()), words, tasks));
+                  seconds, shell_word(name), tasks, shell_word(program()), words,
+                  options.no_rows ? " --no-rows" : "", tasks));
   base::OutputFile* const files[] = {&*file};
   if (auto committed = base::commit(files); !committed) {
     return terminal::refuse(base::kExitEnvironment, committed.error());

@@ -18,12 +18,16 @@
 #include "driver/commands/emit_slurm.hpp"
 #include "driver/commands/sweep_files.hpp"
 #include "driver/sweep/journal.hpp"
+#include "driver/sweep/part.hpp"
 #include "driver/sweep/run_sweep.hpp"
+#include "driver/sweep/tally.hpp"
 #include "driver/terminal/print.hpp"
 #include "driver/terminal/progress.hpp"
 
 namespace slipbench::driver::commands {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// The command line by which an interrupted sweep is gone on with.
 std::string typed(const SweepOptions& options) {
@@ -33,32 +37,52 @@ std::string typed(const SweepOptions& options) {
   if (options.allow_outside) text += " --allow-outside";
   if (options.threads > 0) text += fmt::format(" -j {}", options.threads);
   if (!options.part.empty()) text += " --part " + options.part;
+  if (options.no_rows) text += " --no-rows";
   if (options.format != "csv") text += " --format " + options.format;
   if (!options.report.empty()) text += " --report " + shell_word(options.report);
   return base::printable(text);
 }
 
-/// Opens the journal of a sweep that writes a result, and says what is there to go on from.
-tl::expected<std::unique_ptr<sweep::Journal>, std::string> open_journal(
-    const OpenSweep& open, const std::string& name, const SweepOptions& options) {
-  using Use = sweep::Journal::Use;
-  const std::filesystem::path path = std::filesystem::path(options.folder) / (name + ".journal");
-  auto journal = sweep::Journal::open(path, open.sweep, open.identity,
-                                      options.force ? Use::kAnew : Use::kGoOn);
-  if (!journal) return tl::unexpected(journal.error() + "; --force begins anew");
-  if ((*journal)->dropped() > 0) {
-    terminal::print_error(
-        fmt::format("slipbench: warning: {}: the last record is not whole and is run again\n",
-                    base::printable(path.string())));
-  }
-  return journal;
-}
+/// State of a run, to go on from: its rows in a journal, or without rows a tally.
+struct Kept {
+  std::unique_ptr<sweep::Journal> journal = nullptr;
+  std::unique_ptr<sweep::RunningTally> tally = nullptr;
+  std::size_t recalled = 0;  ///< samples that need not be run
+};
 
-/// Samples of the journal that need not be run.
-std::size_t recalled_samples(const sweep::Journal& journal) {
-  std::size_t samples = 0;
-  for (const sweep::JournalRecord& record : journal.records()) samples += record.count;
-  return samples;
+/// Opens what is kept of a run, and says what is there to go on from. Returns a sentence if it
+/// cannot.
+std::string keep(const OpenSweep& open, const std::string& name,
+                 const std::optional<sweep::Part>& part, const SweepOptions& options, Kept& kept) {
+  const auto path = [&](const char* ending) { return fs::path(options.folder) / (name + ending); };
+  std::string what = "what was run";
+  if (options.no_rows) {
+    auto tally =
+        sweep::RunningTally::open(path(".tally"), open.sweep, open.identity, part, options.force);
+    if (!tally) return tally.error() + "; --force begins anew";
+    kept.tally = std::move(*tally);
+    kept.recalled = kept.tally->recalled();
+    what += ", but for the last seconds,";
+  } else {
+    using Use = sweep::Journal::Use;
+    auto journal = sweep::Journal::open(path(".journal"), open.sweep, open.identity,
+                                        options.force ? Use::kAnew : Use::kGoOn);
+    if (!journal) return journal.error() + "; --force begins anew";
+    kept.journal = std::move(*journal);
+    for (const sweep::JournalRecord& record : kept.journal->records()) {
+      kept.recalled += record.count;
+    }
+    if (kept.journal->dropped() > 0) {
+      terminal::print_error(
+          fmt::format("slipbench: warning: {}: the last record is not whole and is run again\n",
+                      base::printable(kept.journal->path().string())));
+    }
+  }
+  base::say_when_interrupted(fmt::format(
+      "slipbench: interrupted; {} is kept in {}, and this goes on:\n  {}\n", what,
+      base::printable((kept.tally ? kept.tally->path() : kept.journal->path()).string()),
+      typed(options)));
+  return {};
 }
 
 }  // namespace
@@ -80,54 +104,65 @@ int sweep_command(const SweepOptions& options) {
                               "--format " + options.format +
                                   ": parts are csv; 'slipbench merge' writes what is wanted");
     }
-    if (options.no_rows) {
-      return terminal::refuse(base::kExitBadInput,
-                              "--no-rows: a part is its rows, without which it cannot be joined");
-    }
   }
   const auto open = open_sweep(options.file, options.settings, options.allow_outside);
   if (!open) return open.error();
   if (options.emit == "slurm") return emit_slurm(*open, options);
-  const std::size_t samples = open->sweep.samples;
   sweep::SweepOptions run;
   run.threads = options.threads > 0 ? static_cast<unsigned>(options.threads) : base::core_count();
-  run.first = part.value_or(sweep::Part()).first(samples);
-  run.end = part.value_or(sweep::Part()).end(samples);
+  const sweep::SampleRange range = part.value_or(sweep::Part()).range(open->sweep);
+  run.first = range.first;
+  run.end = range.end;
 
   const auto result =
       SweepResult::create(*open, {options.folder, part, options.format, options.report,
                                   options.no_rows, options.no_output, options.force});
   if (!result) return terminal::refuse(base::kExitEnvironment, result.error());
-  std::unique_ptr<sweep::Journal> journal;
-  std::size_t recalled = 0;
-  if (!options.no_output && !options.no_rows) {
-    auto opened = open_journal(*open, (*result)->name(), options);
-    if (!opened) return terminal::refuse(base::kExitEnvironment, opened.error());
-    journal = std::move(*opened);
-    recalled = recalled_samples(*journal);
-    run.recall = [&](sweep::Chunk& chunk) { return journal->recall(chunk); };
-    run.finished = [&](const sweep::Chunk& chunk) { journal->append(chunk); };
-    base::say_when_interrupted(
-        fmt::format("slipbench: interrupted; what was run is kept in {}, and this goes on:\n  {}\n",
-                    base::printable(journal->path().string()), typed(options)));
+  Kept kept;
+  if (!options.no_output) {
+    if (std::string fault = keep(*open, (*result)->name(), part, options, kept); !fault.empty()) {
+      return terminal::refuse(base::kExitEnvironment, fault);
+    }
+  }
+  if (kept.journal) {
+    run.recall = [&](sweep::Chunk& chunk) { return kept.journal->recall(chunk); };
+    run.finished = [&](const sweep::Chunk& chunk) { kept.journal->append(chunk); };
+  }
+  if (kept.tally) {
+    run.recall = [&](sweep::Chunk& chunk) { return kept.tally->has(chunk); };
+    run.finished = [&](const sweep::Chunk& chunk) { kept.tally->add(chunk); };
   }
 
   const auto start = std::chrono::steady_clock::now();
   {
     terminal::Progress line("samples");
     run.progress = [&](std::size_t done, std::size_t failed) {
-      line.step(terminal::WorkDone{done, run.end - run.first, failed});
+      line.step(terminal::WorkDone{done, range.end - range.first, failed});
     };
-    sweep::run_sweep(open->sweep, run,
-                     [&](const sweep::SampleOutcome& outcome) { (*result)->take(outcome); });
+    sweep::run_sweep(open->sweep, run, [&](const sweep::SampleOutcome& outcome) {
+      if (!kept.tally) (*result)->take(outcome);
+    });
   }
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::string how = fmt::format("{:.2g} s", seconds);
-  if (recalled > 0) how += fmt::format(", {} of the samples from the run before", recalled);
-  const int code = (*result)->finish(how);
+  if (kept.recalled > 0) {
+    how += fmt::format(", {} of the samples from the run before", kept.recalled);
+  }
+  fs::path also;
+  if (kept.tally) {
+    if (const std::string fault = kept.tally->finish(); !fault.empty()) {
+      return terminal::refuse(base::kExitEnvironment, fault);
+    }
+    // Of a part the tally is the result.
+    if (part) also = kept.tally->path();
+    (*result)->take(kept.tally->total().tally);
+  }
+  const int code = (*result)->finish(how, also);
   base::say_when_interrupted({});
-  if (journal && code != base::kExitEnvironment) journal->remove();
+  if (code == base::kExitEnvironment) return code;
+  if (kept.journal) kept.journal->remove();
+  if (kept.tally && !part) kept.tally->remove();
   return code;
 }
 

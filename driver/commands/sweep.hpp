@@ -13,7 +13,7 @@ struct SweepOptions {
   bool allow_outside = false;
   std::string report;          ///< --report: the page to write
   std::string format = "csv";  ///< --format of the rows
-  bool no_rows = false;        ///< --no-rows: write only summaries, keep no journal
+  bool no_rows = false;        ///< --no-rows: write only summaries, of a part its tally
   bool no_output = false;      ///< write no file, only tell what was found
   bool force = false;          ///< --force: replace a file that is no result of the sweep
   int threads = 0;             ///< 0: as many as the machine has cores

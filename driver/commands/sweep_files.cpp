@@ -13,6 +13,7 @@
 #include "driver/sweep/journal.hpp"
 #include "driver/sweep/read_sweep.hpp"
 #include "driver/sweep/report/sweep_page.hpp"
+#include "driver/sweep/rows.hpp"
 #include "driver/terminal/print.hpp"
 
 namespace slipbench::driver::commands {
@@ -67,7 +68,7 @@ tl::expected<std::unique_ptr<SweepResult>, std::string> SweepResult::create(
     const OpenSweep& open, const SweepResultOptions& options) {
   std::unique_ptr<SweepResult> result(
       new SweepResult(open, sweep::result_name(open.sweep, options.part)));
-  if (open.sweep.sobol_indices && !options.part) result->indices_.emplace(open.sweep);
+  if (options.part) result->tally_.indices.reset();
   if (options.no_output) return result;
   const std::string file = sweep::file_name(open.sweep);
   const base::FileMark mark{"a result of " + file, "# slipbench ", "\n# sweep: " + file + "\n",
@@ -82,7 +83,7 @@ tl::expected<std::unique_ptr<SweepResult>, std::string> SweepResult::create(
     return {};
   };
   std::string fault;
-  if (result->indices_) {
+  if (result->tally_.indices) {
     fault = make(options.folder / (result->name_ + ".indices.csv"), mark, result->indices_file_);
   }
   if (fault.empty() && !options.part) {
@@ -106,10 +107,7 @@ tl::expected<std::unique_ptr<SweepResult>, std::string> SweepResult::create(
 }
 
 void SweepResult::take(const sweep::SampleOutcome& outcome) {
-  ++samples_;
-  summary_.add(outcome);
-  if (indices_) indices_->add(outcome);
-  if (page_file_) kept_.add(outcome);
+  tally_.add(outcome);
   if (!rows_) return;
   row_.assign(1, static_cast<double>(outcome.id));
   row_.insert(row_.end(), outcome.values.begin(), outcome.values.end());
@@ -117,11 +115,12 @@ void SweepResult::take(const sweep::SampleOutcome& outcome) {
   rows_->write(row_);
 }
 
-int SweepResult::finish(const std::string& how) {
+int SweepResult::finish(const std::string& how, const fs::path& also) {
+  const sweep::SweepSummary& summary = tally_.summary;
   std::string text = fmt::format(
-      "{}: {} samples of {}, {}\n{}", base::printable(name_), samples_,
-      base::printable(fs::path(open_->sweep.case_path).filename().string()), how, summary_.text());
-  if (indices_) text += indices_->text();
+      "{}: {} samples of {}, {}\n{}", base::printable(name_), summary.samples(),
+      base::printable(fs::path(open_->sweep.case_path).filename().string()), how, summary.text());
+  if (tally_.indices) text += tally_.indices->text();
   std::vector<base::OutputFile*> files;
   const auto add = [&](std::optional<base::OutputFile>& file, const auto& content) {
     if (!file) return;
@@ -129,17 +128,19 @@ int SweepResult::finish(const std::string& how) {
     files.push_back(&*file);
   };
   if (file_) files.push_back(&*file_);
-  add(indices_file_, [&] { return indices_->csv(); });
-  add(summary_file_, [&] { return json_text(open_->sweep, summary_); });
-  add(page_file_, [&] { return sweep::sweep_page(open_->sweep, summary_, indices_, kept_); });
+  add(indices_file_, [&] { return tally_.indices->csv(); });
+  add(summary_file_, [&] { return json_text(open_->sweep, summary); });
+  add(page_file_,
+      [&] { return sweep::sweep_page(open_->sweep, summary, tally_.indices, tally_.kept); });
   auto completed = rows_ ? rows_->finish() : tl::expected<void, std::string>();
   if (completed) completed = base::commit(files);
   if (!completed) return terminal::refuse(base::kExitEnvironment, completed.error());
   for (const base::OutputFile* one : files) {
     text += "  " + one->target().lexically_normal().string() + "\n";
   }
+  if (!also.empty()) text += "  " + also.lexically_normal().string() + "\n";
   terminal::print(text);
-  return summary_.failed() > 0 ? base::kExitNumerical : base::kExitOk;
+  return summary.failed() > 0 ? base::kExitNumerical : base::kExitOk;
 }
 
 }  // namespace slipbench::driver::commands

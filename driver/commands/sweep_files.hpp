@@ -2,7 +2,6 @@
 // What the commands that run and join sweeps share: what goes in, and the result.
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -12,12 +11,10 @@
 #include <vector>
 
 #include "driver/base/files/output_file.hpp"
-#include "driver/sweep/report/kept_samples.hpp"
-#include "driver/sweep/rows.hpp"
+#include "driver/sweep/part.hpp"
 #include "driver/sweep/run_sweep.hpp"
-#include "driver/sweep/sobol_indices.hpp"
 #include "driver/sweep/sweep.hpp"
-#include "driver/sweep/sweep_summary.hpp"
+#include "driver/sweep/tally.hpp"
 #include "driver/table/table_writer.hpp"
 
 namespace slipbench::driver::commands {
@@ -45,7 +42,7 @@ struct SweepResultOptions {
 };
 
 /// Result of a sweep, which takes sample by sample in the order of their ids: the file of the rows,
-/// and what is told of them, as text, JSON and page.
+/// and what is told of them, as text, JSON and page. A part has no Sobol' indices.
 class SweepResult {
  public:
   /// Errors are sentences. `open` must outlive it.
@@ -56,11 +53,14 @@ class SweepResult {
   const std::string& name() const { return name_; }
 
   void take(const sweep::SampleOutcome& outcome);
+  /// Takes all samples at once, where no rows are written.
+  void take(sweep::Tally tally) { tally_ = std::move(tally); }
 
-  /// Completes the file and says what was found.
+  /// Completes the files and says what was found.
   /// \param how they came, beside their number: "0.42 s"
+  /// \param also another file that was written, to be named; or nothing
   /// \return the exit code
-  int finish(const std::string& how);
+  int finish(const std::string& how, const std::filesystem::path& also = {});
 
  private:
   SweepResult(const OpenSweep& open, std::string name) : open_(&open), name_(std::move(name)) {}
@@ -71,10 +71,7 @@ class SweepResult {
   std::optional<table::TableWriter> rows_;  ///< to `file_`
   std::vector<double> row_;
   std::optional<base::OutputFile> indices_file_, summary_file_, page_file_;
-  std::optional<sweep::SobolEstimate> indices_;  ///< of the whole sweep, where they are wanted
-  sweep::SweepSummary summary_{open_->sweep};
-  sweep::KeptSamples kept_{open_->sweep};
-  std::size_t samples_ = 0;
+  sweep::Tally tally_{open_->sweep};
 };
 
 }  // namespace slipbench::driver::commands

@@ -30,6 +30,14 @@ void mark_done(const sweep::Sweep& sweep, std::span<const sweep::JournalRecord> 
   }
 }
 
+void mark_done(const sweep::Sweep& sweep, const sweep::PartialTally& tally, std::span<char> done) {
+  const std::size_t size = sweep::chunk_size(sweep);
+  for (std::size_t i = 0; i < done.size(); ++i) {
+    const std::size_t first = i * size;
+    if (tally.has({first, std::min(first + size, sweep.samples)})) done[i] = 1;
+  }
+}
+
 void run_farm(const sweep::Sweep& sweep, std::span<const char> done, const Farm& farm,
               const std::function<void(const sweep::Chunk&)>& finished) {
   const std::size_t size = sweep::chunk_size(sweep);

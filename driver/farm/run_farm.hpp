@@ -10,6 +10,7 @@
 #include "driver/sweep/journal.hpp"
 #include "driver/sweep/run_sweep.hpp"
 #include "driver/sweep/sweep.hpp"
+#include "driver/sweep/tally.hpp"
 
 namespace slipbench::driver::farm {
 
@@ -34,10 +35,12 @@ struct Farm {
 /// counter is asked seldom, and one at the end, so that all ranks come to it together.
 std::uint64_t batch_size(std::uint64_t left, std::size_t ranks);
 
-/// The chunks of a sweep, in the order of the samples: 1 of those that a record has, else 0.
+/// The chunks of a sweep, in the order of the samples: 1 of those that a record or a tally has,
+/// else 0.
 std::vector<char> done_chunks(const sweep::Sweep& sweep);
 void mark_done(const sweep::Sweep& sweep, std::span<const sweep::JournalRecord> records,
                std::span<char> done);
+void mark_done(const sweep::Sweep& sweep, const sweep::PartialTally& tally, std::span<char> done);
 
 /// Runs chunks until no rank has one left to take.
 /// \param done of all chunks; the same for every rank

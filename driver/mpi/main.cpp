@@ -41,11 +41,14 @@ void declare_sweep(CLI::App& app, commands::FarmSweepOptions& options, FarmComma
   cli::declare_format(*declared, options.format);
   declared->add_option("--report", options.report, "Also write a page to look at: FILE.html")
       ->type_name("FILE");
+  declared->add_flag("--no-rows", options.no_rows,
+                     "Write the summaries only, however many samples");
   cli::declare_force(*declared, options.force, "no result of this sweep");
   declared->footer(
-      "Every rank takes samples until none are left and keeps them in <sweep>.rankN.journal;\n"
+      "Every rank takes samples until none are left and keeps them in <sweep>.rankN.journal\n"
+      "(without rows <sweep>.rankN.tally);\n"
       "rank 0 writes what 'slipbench sweep' would have written, byte by byte. Interrupted, or\n"
-      "after a rank was lost, the same command goes on from the journals, with however many\n"
+      "after a rank was lost, the same command goes on from these, with however many\n"
       "ranks. A rank uses one core.\n"
       "Example: mpirun -n 8 slipbench-mpi sweep loop_sweep.yaml -o out");
   declared->callback([&options, &command] {

@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <regex>
 #include <span>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
+#include "driver/sweep/rows.hpp"
 #include "driver/sweep/samples.hpp"
 
 namespace slipbench::driver::sweep {
@@ -21,27 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kRowsAtOnce = 128;
-
-/// "samples 3 to 7", "sample 3"
-std::string range_text(const SampleRange& range) {
-  return range.end - range.first == 1 ? fmt::format("sample {}", range.first)
-                                      : fmt::format("samples {} to {}", range.first, range.end - 1);
-}
-
-std::vector<fs::path> files_in(const fs::path& folder, const Sweep& sweep,
-                               const std::string& ending) {
-  const std::string stem = result_name(sweep, std::nullopt);
-  const std::regex form(ending);
-  std::vector<fs::path> files;
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
-    if (!name.starts_with(stem)) continue;
-    if (std::regex_match(name.substr(stem.size()), form)) files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
 
 }  // namespace
 
@@ -92,8 +71,7 @@ std::string Parts::add_rows(const fs::path& file) {
                                          "or the program has changed since"
                                        : ": is of another sweep");
   }
-  std::size_t id = part->first(sweep_->samples);
-  const std::size_t end = part->end(sweep_->samples);
+  auto [id, end] = part->range(*sweep_);
   auto offset = static_cast<std::uint64_t>(head.size());
   while (std::getline(in, line)) {
     const std::string id_text = std::to_string(id) + ",";
@@ -128,34 +106,6 @@ std::vector<SampleRange> Parts::missing() const {
     next = std::max(next, range.end);
   }
   return gaps;
-}
-
-std::string Parts::missing_text() const {
-  const std::vector<SampleRange> gaps = missing();
-  if (gaps.empty()) return {};
-  constexpr std::size_t kShown = 4;
-  std::string text = "missing are ";
-  for (std::size_t i = 0; i < std::min(kShown, gaps.size()); ++i) {
-    text += (i > 0 ? ", " : "") + range_text(gaps[i]);
-  }
-  if (gaps.size() > kShown) text += fmt::format(" and {} more ranges", gaps.size() - kShown);
-  const bool one_count =
-      !parts_.empty() && std::all_of(parts_.begin(), parts_.end(), [&](const Part& part) {
-        return part.count == parts_.front().count;
-      });
-  if (!one_count) return text;
-  std::string numbers;
-  std::size_t shown = 0;
-  for (Part part{1, parts_.front().count}; part.number <= part.count; ++part.number) {
-    const SampleRange own{part.first(sweep_->samples), part.end(sweep_->samples)};
-    const bool hit = std::any_of(gaps.begin(), gaps.end(), [&](const SampleRange& gap) {
-      return gap.first < own.end && own.first < gap.end;
-    });
-    if (!hit) continue;
-    if (++shown > kShown) return fmt::format("{}: parts {}, ..", text, numbers);
-    numbers += fmt::format("{}{}/{}", shown > 1 ? ", " : "", part.number, part.count);
-  }
-  return fmt::format("{}: {} {}", text, shown > 1 ? "parts" : "part", numbers);
 }
 
 std::string Parts::read(const Piece& piece, Chunk& chunk) {

@@ -12,17 +12,10 @@
 #include <vector>
 
 #include "driver/sweep/journal.hpp"
-#include "driver/sweep/rows.hpp"
+#include "driver/sweep/part.hpp"
 #include "driver/sweep/run_sweep.hpp"
 
 namespace slipbench::driver::sweep {
-
-/// Samples from `first` on, before `end`.
-struct SampleRange {
-  std::size_t first = 0;
-  std::size_t end = 0;
-  friend bool operator==(const SampleRange&, const SampleRange&) = default;
-};
 
 /// Parts of one sweep, files of rows and journals, which are read as the whole. They may overlap:
 /// the same sample has the same numbers in all of them. Memory grows with chunks, not with rows.
@@ -40,7 +33,7 @@ class Parts {
   /// Finds the samples that no part has.
   std::vector<SampleRange> missing() const;
   /// Tells in a sentence which are missing, and in which parts they would be; or nothing.
-  std::string missing_text() const;
+  std::string missing_text() const { return sweep::missing_text(*sweep_, missing(), parts_); }
 
   /// Hands out all samples, of which none may be missing, in the order of their ids. Of failed
   /// samples that come from files of rows, the first is run again for its reason. Returns a

@@ -29,28 +29,6 @@ bool take_number(std::string_view& text, Number& number) {
 
 }  // namespace
 
-std::optional<Part> part_of(std::string_view text) {
-  Part part;
-  const char* const end = text.data() + text.size();
-  const auto number = std::from_chars(text.data(), end, part.number);
-  if (number.ec != std::errc() || number.ptr == end || *number.ptr != '/') return std::nullopt;
-  const auto count = std::from_chars(number.ptr + 1, end, part.count);
-  // Samples and parts are below 2^31: their product has room.
-  constexpr std::size_t kMost = 1'000'000'000;
-  const bool good = count.ec == std::errc() && count.ptr == end && part.number >= 1 &&
-                    part.number <= part.count && part.count <= kMost;
-  return good ? std::optional(part) : std::nullopt;
-}
-
-std::string file_name(const Sweep& sweep) {
-  return base::printable(fs::path(sweep.file).filename().string());
-}
-
-std::string result_name(const Sweep& sweep, const std::optional<Part>& part) {
-  const std::string stem = fs::path(sweep.file).stem().string();
-  return part ? fmt::format("{}.{}of{}", stem, part->number, part->count) : stem;
-}
-
 table::TableHead rows_head(const Sweep& sweep, const std::string& identity,
                            const std::optional<Part>& part) {
   table::TableHead head;

@@ -67,7 +67,10 @@ std::size_t chunk_size(const Sweep& sweep) {
   const double increments = bench::RunLength(sweep.base).increments();
   const double budget = may_pack(sweep) ? kMoreInPacks * kIncrements : kIncrements;
   const double fitting = std::floor(budget / std::max(increments, 1.0));
-  return static_cast<std::size_t>(std::clamp(fitting, 1.0, static_cast<double>(kMost)));
+  const auto size = static_cast<std::size_t>(std::clamp(fitting, 1.0, static_cast<double>(kMost)));
+  // Whole rows, which are taken together where they are reduced.
+  const std::size_t length = row_length(sweep);
+  return std::max(size / length, std::size_t{1}) * length;
 }
 
 Chunk::Chunk(const Sweep& sweep, std::size_t first_sample, std::size_t samples)

@@ -10,7 +10,7 @@
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/format_number.hpp"
 #include "driver/results/provenance.hpp"
-#include "driver/sweep/rows.hpp"
+#include "driver/sweep/part.hpp"
 
 namespace slipbench::driver::sweep {
 namespace {

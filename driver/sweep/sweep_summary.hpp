@@ -64,7 +64,7 @@ class SweepSummary {
   void fields(auto& archive) { archive(numbers_, samples_, failed_, first_failed_, failure_); }
 
  private:
-  /// What is kept of a number.
+  /// State of a number.
   struct Running {
     /// Sums over those samples that have the number.
     struct Beside {

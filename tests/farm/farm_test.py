@@ -70,14 +70,14 @@ class Mpi(Sweep):
             self.assertIn(f"fit: {self.SAMPLES} samples of press_fit.yaml, by {ranks} rank", said)
             self.check(self.folder / f"of{ranks}")
 
-    def kill_a_rank(self, out):
-        """Starts three ranks, and kills one when all have something in their journals."""
-        begun = subprocess.Popen([*MPIRUN, "-n", "3", FARM, "sweep", self.sweep, "-o", out], env=ENVIRONMENT,
+    def kill_a_rank(self, out, *words, kept="journal", enough=30000):
+        """Starts three ranks, and kills one when each has kept something."""
+        begun = subprocess.Popen([*MPIRUN, "-n", "3", FARM, "sweep", self.sweep, "-o", out, *words], env=ENVIRONMENT,
                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         end = time.monotonic() + 60
         while time.monotonic() < end:
-            journals = list(out.glob("fit.rank*.journal")) if out.exists() else []
-            if len(journals) == 3 and all(path.stat().st_size > 30000 for path in journals):
+            files = list(out.glob(f"fit.rank*.{kept}")) if out.exists() else []
+            if len(files) == 3 and all(path.stat().st_size > enough for path in files):
                 break
             time.sleep(0.002)
         victims = [process for process in pathlib.Path("/proc").glob("[0-9]*") if self.is_rank(process, out)]
@@ -115,6 +115,23 @@ class Mpi(Sweep):
         self.assertEqual(len(list(out.glob("fit.rank*.journal"))), 3)
         self.farm(1, "killed")
         self.check(out)
+
+    def test_tallies_of_a_killed_farm_and_of_parts_leave_the_same_bytes(self):
+        out = self.folder / "tallied"
+        self.kill_a_rank(out, "--no-rows", kept="tally", enough=4000)
+        said = run(SLIPBENCH, "merge", self.sweep, "-o", out, code=2)
+        self.assertIn("missing are samples ", said)
+        said = run(*MPIRUN, "-n", 2, FARM, "sweep", self.sweep, "-o", out, "--no-rows")
+        self.assertRegex(said, r"by 2 ranks, \d+ of the chunks from a run before")
+        self.assertEqual([path.name for path in out.iterdir()], ["fit.json"])
+        parts = self.folder / "parts"
+        for part in ("3/3", "1/3"):
+            run(SLIPBENCH, "sweep", self.sweep, "-o", parts, "--no-rows", "--part", part)
+        self.assertIn(": part 2/3", run(SLIPBENCH, "merge", self.sweep, "-o", parts, code=2))
+        run(SLIPBENCH, "sweep", self.sweep, "-o", parts, "--no-rows", "--part", "2/3")
+        run(SLIPBENCH, "merge", self.sweep, "-o", parts)
+        for folder in (out, parts):
+            self.assertEqual((folder / "fit.json").read_bytes(), (self.folder / "one/fit.json").read_bytes())
 
     def test_a_rank_with_an_internal_error_ends_all(self):
         library, out = self.folder / "no_memory.so", self.folder / "out"

@@ -17,7 +17,7 @@
 #include "driver/report/page_parts.hpp"
 #include "driver/report/page_text.hpp"
 #include "driver/results/provenance.hpp"
-#include "driver/sweep/rows.hpp"
+#include "driver/sweep/part.hpp"
 #include "driver/sweep/samples.hpp"
 
 namespace slipbench::driver::sweep {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "driver/base/files/file_mark.hpp"
-#include "driver/sweep/report/kept_samples.hpp"
+#include "driver/sweep/kept_samples.hpp"
 #include "driver/sweep/sobol_indices.hpp"
 #include "driver/sweep/sweep.hpp"
 #include "driver/sweep/sweep_summary.hpp"

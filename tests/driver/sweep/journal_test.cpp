@@ -157,7 +157,8 @@ TEST_CASE("The identity of a sweep changes with its files and settings, not with
 /// Writes the rows of a part, as `sweep --part` does.
 fs::path write_part(const Given& given, const Part& part) {
   std::string text = table::csv_head(rows_head(given.sweep, given.identity, part));
-  run_sweep(given.sweep, {.first = part.first(1000), .end = part.end(1000)},
+  run_sweep(given.sweep,
+            {.first = part.range(given.sweep).first, .end = part.range(given.sweep).end},
             [&](const SampleOutcome& one) { append_row(one, text); });
   return given.folder.write(result_name(given.sweep, part) + ".csv", text);
 }

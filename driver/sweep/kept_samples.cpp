@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "driver/sweep/report/kept_samples.hpp"
+#include "driver/sweep/kept_samples.hpp"
 
 #include <algorithm>
 #include <utility>
