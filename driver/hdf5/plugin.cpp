@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "driver/table/hdf5_plugin.hpp"
@@ -28,6 +29,8 @@ class Handle {
   hid_t id_;
   herr_t (*close_)(hid_t);
 };
+
+constexpr std::string_view kUnits = "# columns: ";
 
 /// So many rows are in memory at once.
 constexpr std::size_t kTogether = 16384;
@@ -121,10 +124,15 @@ class Hdf5Table : public TableReader {
         H5Literate(file_, H5_INDEX_CRT_ORDER, H5_ITER_INC, nullptr, add, this) >= 0;
     if (!ordered) {
       head_.columns.clear();
+      units_.clear();
       if (H5Literate(file_, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, this) < 0)
         fault_ = "cannot be read";
     }
     if (!fault_.empty()) return fault_;
+    // Another program's file: the units are told as a result tells them.
+    if (head_.lines.find(kUnits) == std::string::npos && !units_.empty()) {
+      head_.lines += fmt::format("{}{}\n", kUnits, fmt::join(units_, ", "));
+    }
     return columns_.empty() ? "has no datasets of one dimension at its root" : "";
   }
   Hdf5Table() = default;
@@ -185,6 +193,10 @@ class Hdf5Table : public TableReader {
     if (!whole) {
       table.fault_ = fmt::format("dataset '{}' is not of numbers that a double holds", name);
     }
+    const std::string unit = read_text(column.get(), "unit");
+    if (!unit.empty() && unit.find_first_of("\n],") == std::string::npos) {
+      table.units_.push_back(fmt::format("{} [{}]", name, unit));
+    }
     table.rows_ = size;
     table.whole_.push_back(whole.value_or(false));
     table.columns_.push_back(std::move(column));
@@ -196,6 +208,7 @@ class Hdf5Table : public TableReader {
   std::vector<Handle> columns_;
   std::vector<bool> whole_;  ///< of each column: its numbers are whole
   TableHead head_;
+  std::vector<std::string> units_;  ///< "CP1 [mm]", of columns that have one
   std::string fault_;
   hsize_t rows_ = 0;
   hsize_t done_ = 0;

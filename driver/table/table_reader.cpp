@@ -49,8 +49,7 @@ class CsvTable : public TableReader {
       if (lines_.begin == lines_.lines_end) break;
       const long number = lines_.next_line;
       if (!read_line(lines_.take_line(), numbers.subspan(rows * width, width))) {
-        return tl::unexpected(
-            fmt::format("line {}: wanted {} numbers between commas", number, width));
+        return tl::unexpected(fmt::format("{}: wanted {} numbers between commas", number, width));
       }
     }
     return rows;
@@ -116,14 +115,18 @@ class NpyTable : public TableReader {
   std::uint64_t left_ = 0;
 };
 
-/// Errors of another reader, with the name of the file.
+/// Errors of another reader, with the name of the file before them: "a.csv:3: .." where a line has
+/// one.
 class NamedTable : public TableReader {
  public:
   NamedTable(std::unique_ptr<TableReader> table, std::string name)
       : table_(std::move(table)), name_(std::move(name)) {}
   const TableHead& head() const override { return table_->head(); }
   tl::expected<std::size_t, std::string> read(std::span<double> numbers) override {
-    return table_->read(numbers).map_error([&](const std::string& fault) { return name_ + fault; });
+    return table_->read(numbers).map_error([&](const std::string& fault) {
+      const bool has_line = fault.front() >= '0' && fault.front() <= '9';
+      return name_ + (has_line ? ":" : ": ") + fault;
+    });
   }
 
  private:
@@ -156,7 +159,7 @@ Opened open_table(const fs::path& file) {
                                                 : open_hdf5(file);
   if (!table) return tl::unexpected(name + table.error());
   if ((*table)->head().columns.empty()) return tl::unexpected(name + "has no columns");
-  return std::make_unique<NamedTable>(std::move(*table), name);
+  return std::make_unique<NamedTable>(std::move(*table), base::printable(file.string()));
 }
 
 }  // namespace slipbench::driver::table
