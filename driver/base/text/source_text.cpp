@@ -112,10 +112,10 @@ tl::expected<SourceText, ReadError> read_all(int file, const std::string& path, 
   };
   if (size > size_limit) return too_large();
 
-  std::string bytes(size, '\0');
+  // One byte more than expected shows a file that grows while it is read.
+  std::string bytes(size + 1, '\0');
   std::size_t filled = 0;
   for (;;) {
-    // One byte more than expected shows a file that grows while it is read.
     if (filled == bytes.size()) bytes.resize(filled + 1 + filled / 2);
     const ssize_t got = ::read(file, bytes.data() + filled, bytes.size() - filled);
     if (got < 0 && errno == EINTR) continue;
