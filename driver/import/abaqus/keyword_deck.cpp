@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/import/abaqus/keyword_deck.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <filesystem>
+#include <utility>
+
+#include "driver/import/abaqus/keyword_list.hpp"
+
+namespace slipbench::driver::abaqus {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Decks carry the whole mesh.
+constexpr std::size_t kDeckSizeLimit = std::size_t{1} << 32U;
+constexpr int kDeepestInclude = 20;
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r\f\v";
+  const std::size_t begin = text.find_first_not_of(kBlanks);
+  if (begin == text.npos) return text.substr(text.size());
+  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+}
+
+/// The first character that is no blank, or 0.
+char first_mark(std::string_view line) {
+  for (const char c : line) {
+    if (c != ' ' && c != '\t') return c;
+  }
+  return 0;
+}
+
+bool is_comment(std::string_view line) { return trimmed(line).starts_with("**"); }
+
+std::string small(std::string_view text) {
+  std::string out(text);
+  std::transform(out.begin(), out.end(), out.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return out;
+}
+
+}  // namespace
+
+const Parameter* Block::find(std::string_view name) const {
+  for (const Parameter& one : parameters) {
+    if (folded(one.name) == folded(name)) return &one;
+  }
+  return nullptr;
+}
+
+Items split_items(std::string_view line) {
+  Items items;
+  bool quoted = false;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '"') quoted = !quoted;
+    if (line[i] != ',' || quoted) continue;
+    items.push_back(trimmed(line.substr(begin, i - begin)));
+    begin = i + 1;
+  }
+  const std::string_view last = trimmed(line.substr(begin));
+  if (!last.empty()) items.push_back(last);
+  return items;
+}
+
+std::string label_of(std::string_view item) {
+  if (item.find('"') == item.npos) return folded(item);
+  return shown(item);
+}
+
+std::string shown(std::string_view item) {
+  std::string out;
+  for (const char c : item) {
+    if (c != '"') out += c;
+  }
+  return out;
+}
+
+std::optional<KeywordDeck> KeywordDeck::read(const std::string& path, base::Diagnostics& out,
+                                             bool& environment_failure) {
+  auto source = base::read_source(path, kDeckSizeLimit);
+  if (!source) {
+    out.add(source.error().diagnostic);
+    environment_failure = source.error().failure == base::ReadFailure::kEnvironment;
+    return std::nullopt;
+  }
+  KeywordDeck deck(out);
+  deck.folder_ = fs::path(path).parent_path().string();
+  deck.files_.push_back(std::move(*source));
+  deck.scan(0, 0);
+  return deck;
+}
+
+/// Goes through the lines of a file. Those before its first keyword belong to the block that was
+/// open where it was included.
+void KeywordDeck::scan(std::size_t file, int depth) {
+  const base::SourceText source = files_[file];
+  int data = 1;
+  const auto end_data = [&](int line) {
+    if (!blocks_.empty() && line > data) blocks_.back().data.push_back({file, data, line});
+  };
+  for (int line = 1; line <= source.line_count(); ++line) {
+    const std::string_view text = source.line(line);
+    if (first_mark(text) != '*' || is_comment(text)) continue;
+    end_data(line);
+    begin_block(file, line);
+    data = line + 1;
+    if (blocks_.back().keyword != "INCLUDE") continue;
+    const Block block = blocks_.back();
+    blocks_.pop_back();
+    include(block, depth);
+  }
+  end_data(source.line_count() + 1);
+  if (depth == 0) {
+    for (const Block& block : blocks_) {
+      if (block.keyword == "PARAMETER") read_parameters(block);
+    }
+  }
+}
+
+/// Reads a keyword line and those it goes on in; `line` becomes the last of them.
+void KeywordDeck::begin_block(std::size_t file, int& line) {
+  const base::SourceText& source = files_[file];
+  std::string_view text = trimmed(source.line(line));
+  Items items = split_items(text);
+  Block block{.keyword = trimmed(items.front().substr(1)), .where = items.front()};
+  const FoundName keyword = find_keyword(block.keyword);
+  if (!keyword.name.empty()) block.keyword = keyword.name;
+  const auto rules = read_keywords();
+  const auto rule = std::find_if(rules.begin(), rules.end(),
+                                 [&](const KeywordRule& one) { return one.name == keyword.name; });
+  const bool is_read = rule != rules.end();
+  // A shortened name that might be one of those that are read must be known.
+  if (keyword.name.empty() && !keyword.candidates.empty()) {
+    const bool matters = std::any_of(
+        keyword.candidates.begin(), keyword.candidates.end(), [&](std::string_view candidate) {
+          return std::any_of(rules.begin(), rules.end(),
+                             [&](const KeywordRule& one) { return one.name == candidate; });
+        });
+    if (matters) {
+      error(block.where, block, "may mean " + base::in_words(keyword.candidates));
+    }
+  }
+  bool first = true;
+  while (true) {
+    for (std::size_t i = first ? 1 : 0; i < items.size() && is_read; ++i) {
+      const std::string_view item = items[i];
+      if (item.empty()) continue;
+      const std::size_t equals = item.find('=');
+      Parameter one{.name = trimmed(item.substr(0, equals)), .where = item};
+      if (equals != item.npos) one.value = trimmed(item.substr(equals + 1));
+      if (!rule->parameters.empty()) {
+        const FoundName name = find_name(one.name, rule->parameters);
+        if (name.name.empty()) {
+          error(item, block,
+                name.candidates.empty() ? fmt::format("*{} has no parameter '{}'", rule->name,
+                                                      base::printable(one.name))
+                                        : fmt::format("'{}' may mean {}", base::printable(one.name),
+                                                      base::in_words(name.candidates)));
+          continue;
+        }
+        one.name = name.name;
+      }
+      block.parameters.push_back(one);
+    }
+    if (!text.ends_with(',') || line >= source.line_count()) break;
+    const std::string_view next = source.line(line + 1);
+    if (first_mark(next) == '*') break;
+    text = trimmed(next);
+    items = split_items(text);
+    first = false;
+    ++line;
+  }
+  blocks_.push_back(std::move(block));
+}
+
+void KeywordDeck::include(const Block& block, int depth) {
+  const Parameter* const input = block.find("INPUT");
+  if (input == nullptr || !input->value) {
+    error(block.where, block, "names no file: INPUT= is missing");
+    return;
+  }
+  if (depth >= kDeepestInclude) {
+    error(input->where, block, "files include each other without end");
+    return;
+  }
+  const fs::path path = fs::path(folder_) / shown(*input->value);
+  auto source = base::read_source(path.string(), kDeckSizeLimit);
+  if (!source) {
+    error(input->where, block, source.error().diagnostic.message,
+          "files that a deck includes are looked for in its folder");
+    return;
+  }
+  files_.push_back(std::move(*source));
+  scan(files_.size() - 1, depth + 1);
+}
+
+void KeywordDeck::read_parameters(const Block& block) {
+  for_each_line(block, [&](std::string_view line) {
+    const std::string_view text = trimmed(line.substr(0, line.find('#')));
+    if (text.empty()) return;
+    const std::size_t equals = text.find('=');
+    if (equals == text.npos) {
+      error(text, block, "wanted name = value");
+      return;
+    }
+    const std::string name = small(trimmed(text.substr(0, equals)));
+    std::string formula(text.substr(equals + 1));
+    for (std::size_t at = formula.find("**"); at != formula.npos; at = formula.find("**", at)) {
+      formula.replace(at, 2, "^");
+    }
+    const auto compiled = base::Expression::compile(small(formula), {}, numbers_);
+    const auto value = compiled ? (*compiled)({}) : tl::unexpected(compiled.error());
+    if (!value) {
+      error(text, block, value.error().message,
+            "*PARAMETER is read as arithmetic of numbers and earlier names");
+      return;
+    }
+    numbers_[name] = *value;
+  });
+}
+
+void KeywordDeck::for_each_line(const Block& block,
+                                const std::function<void(std::string_view)>& take) const {
+  for (const LineRange& range : block.data) {
+    for (int line = range.first; line < range.end; ++line) {
+      const std::string_view text = trimmed(files_[range.file].line(line));
+      if (!text.empty() && !text.starts_with("**")) take(text);
+    }
+  }
+}
+
+std::vector<Items> KeywordDeck::lines(const Block& block) const {
+  std::vector<Items> all;
+  for_each_line(block, [&](std::string_view line) { all.push_back(split_items(line)); });
+  return all;
+}
+
+tl::expected<double, std::string> KeywordDeck::number(std::string_view item) const {
+  if (item.size() > 2 && item.front() == '<' && item.back() == '>') {
+    const auto found = numbers_.find(small(trimmed(item.substr(1, item.size() - 2))));
+    if (found != numbers_.end()) return found->second;
+    return tl::unexpected(fmt::format("{} is no name of *PARAMETER", base::printable(item)));
+  }
+  std::string text(item);
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == 'D' || c == 'd'; }, 'E');
+  const char* const begin = text.data() + (text.starts_with('+') ? 1 : 0);
+  const char* const end = text.data() + text.size();
+  double value = 0.0;
+  // Neither a second sign nor the words that from_chars knows.
+  const bool plain = begin != end && (std::isdigit(static_cast<unsigned char>(*begin)) != 0 ||
+                                      *begin == '.' || (*begin == '-' && begin == text.data()));
+  const bool words = text.find_first_of("nNiI") != text.npos;
+  const auto [stop, fault] = std::from_chars(begin, end, value);
+  if (!plain || words || fault != std::errc() || stop != end) {
+    return tl::unexpected(fmt::format("'{}' is no number", base::printable(item)));
+  }
+  return value;
+}
+
+std::optional<std::size_t> KeywordDeck::file_of(std::string_view piece) const {
+  for (std::size_t i = 0; i < files_.size(); ++i) {
+    const std::string_view text = files_[i].text();
+    if (piece.data() >= text.data() && piece.data() <= text.data() + text.size()) return i;
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+base::SourcePosition position_in(const base::SourceText& source, std::string_view piece) {
+  return source.position(static_cast<std::size_t>(piece.data() - source.text().data()),
+                         std::max<std::size_t>(1, piece.size()));
+}
+
+}  // namespace
+
+void KeywordDeck::error(std::string_view piece, const Block& block, std::string message,
+                        std::string hint) const {
+  const base::SourceText& source = files_[file_of(piece).value_or(0)];
+  out_->error(source.name(), position_in(source, piece), "*" + std::string(block.keyword),
+              std::move(message), std::move(hint));
+}
+
+void KeywordDeck::warning(std::string_view piece, const Block& block, std::string message,
+                          std::string hint) const {
+  const base::SourceText& source = files_[file_of(piece).value_or(0)];
+  out_->warning(source.name(), position_in(source, piece), "*" + std::string(block.keyword),
+                std::move(message), std::move(hint));
+}
+
+std::string KeywordDeck::place(std::string_view piece) const {
+  const base::SourceText& source = files_[file_of(piece).value_or(0)];
+  return fmt::format("{}:{}", fs::path(source.name()).filename().string(),
+                     position_in(source, piece).line);
+}
+
+}  // namespace slipbench::driver::abaqus
