@@ -1,0 +1,606 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/import/abaqus/model.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "driver/import/abaqus/keyword_list.hpp"
+#include "driver/import/abaqus/rows.hpp"
+
+namespace slipbench::driver::abaqus {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// Place of an instance: a point of its part goes to `turn` * point + `shift`.
+struct Instance {
+  std::string name;  ///< as people know it
+  std::string label;
+  std::string part;
+  Matrix3d turn = Matrix3d::Identity();
+  Vector3d shift = Vector3d::Zero();
+};
+
+/// Node by the part that it belongs to (empty: the assembly) and its number.
+struct NodeName {
+  std::string part;
+  long number = 0;
+  auto operator<=>(const NodeName&) const = default;
+};
+
+struct Element {
+  std::string part;
+  long number = 0;
+  std::string_view where;
+  bool plane = false;
+  std::array<std::string_view, 2> nodes = {};
+  std::set<std::string> sets = {};
+};
+
+struct Section {
+  const Block* block = nullptr;
+  std::string part;
+  std::string set;
+  std::string behavior = {};
+  std::vector<std::string> types = {};
+  std::string_view types_where = {};
+  std::array<std::string, 2> orientations = {};
+  std::optional<double> number = std::nullopt;
+};
+
+long whole(const KeywordDeck& deck, std::string_view item, long otherwise) {
+  const auto number = deck.number(item);
+  if (!number || *number != std::floor(*number) || std::abs(*number) > 1e15) return otherwise;
+  return static_cast<long>(*number);
+}
+
+std::string value_of(const Block& block, std::string_view name) {
+  const Parameter* const one = block.find(name);
+  return one == nullptr ? "" : std::string(one->value.value_or(""));
+}
+
+/// Goes through a deck once, and makes the model of what it found.
+class Reader {
+ public:
+  explicit Reader(const KeywordDeck& deck) : deck_(deck) {}
+
+  Model read() {
+    find_wanted_sets();
+    const std::vector<Block>& blocks = deck_.blocks();
+    for (std::size_t at = 0; at < blocks.size();) {
+      if (blocks[at].keyword == "CONNECTOR BEHAVIOR") {
+        model_.behaviors.push_back(read_behavior(deck_, at));
+      } else {
+        read_block(blocks[at]);
+        ++at;
+      }
+    }
+    make_connectors();
+    find_positions();
+    return std::move(model_);
+  }
+
+ private:
+  /// Sets are read only where a connector's section or a step names them.
+  void find_wanted_sets() {
+    for (const Block& block : deck_.blocks()) {
+      if (block.keyword == "CONNECTOR SECTION" || block.keyword == "CHANGE FRICTION") {
+        wanted_.insert(label_of(value_of(block, "ELSET")));
+      } else if (block.keyword == "CONNECTOR MOTION" || block.keyword == "CONNECTOR LOAD") {
+        deck_.for_each_line(block, [&](std::string_view line) {
+          const Items items = split_items(line);
+          wanted_.insert(label_of(items.front()));
+        });
+      }
+    }
+  }
+
+  void read_block(const Block& block) {
+    const std::string_view keyword = block.keyword;
+    if (keyword == "PART") {
+      part_ = label_of(value_of(block, "NAME"));
+    } else if (keyword == "END PART") {
+      part_.clear();
+    } else if (keyword == "INSTANCE") {
+      read_instance(block);
+    } else if (keyword == "NODE") {
+      node_blocks_.emplace_back(part_, &block);
+    } else if (keyword == "ELEMENT") {
+      read_elements(block);
+    } else if (keyword == "ELSET") {
+      read_set(block);
+    } else if (keyword == "ORIENTATION") {
+      read_orientation(block);
+    } else if (keyword == "CONNECTOR SECTION") {
+      read_section(block);
+    } else if (keyword == "AMPLITUDE") {
+      read_amplitude(block);
+    } else if (keyword == "STEP") {
+      const std::string name = shown(value_of(block, "NAME"));
+      step_ = Step{.name = name.empty() ? fmt::format("step {}", ++steps_) : name,
+                   .where = block.where};
+      has_time_ = false;
+      change_open_ = false;
+    } else if (keyword == "END STEP") {
+      end_step();
+    } else if (step_) {
+      read_in_step(block);
+    } else if (keyword == "FRICTION" || keyword == "SURFACE INTERACTION" || keyword == "GAP" ||
+               keyword == "HEADING" || keyword == "ASSEMBLY" || keyword == "END ASSEMBLY" ||
+               keyword == "END INSTANCE" || keyword == "PARAMETER") {
+      return;
+    } else if (keyword.starts_with("CONNECTOR")) {
+      deck_.error(block.where, block, "stands outside of a *CONNECTOR BEHAVIOR");
+    } else {
+      ++model_.passed_over;
+    }
+  }
+
+  void read_instance(const Block& block) {
+    Instance one{.name = shown(value_of(block, "NAME")),
+                 .label = label_of(value_of(block, "NAME")),
+                 .part = label_of(value_of(block, "PART"))};
+    const std::vector<Row> rows = read_rows(deck_, block, deck_.lines(block), 7, "its place");
+    const auto at = [&](std::size_t row, std::size_t i) {
+      return rows[row].size() > i ? rows[row][i].value_or(0.0) : 0.0;
+    };
+    if (!rows.empty()) one.shift = Vector3d(at(0, 0), at(0, 1), at(0, 2));
+    if (rows.size() > 1) {
+      const Vector3d a(at(1, 0), at(1, 1), at(1, 2));
+      const Vector3d b(at(1, 3), at(1, 4), at(1, 5));
+      const double angle = at(1, 6) * std::numbers::pi / 180.0;
+      if ((b - a).norm() > 0.0) {
+        one.turn = Eigen::AngleAxisd(angle, (b - a).normalized()).toRotationMatrix();
+        one.shift = a + one.turn * (one.shift - a);
+      }
+    }
+    instances_.push_back(one);
+  }
+
+  void read_elements(const Block& block) {
+    const std::string type = folded(value_of(block, "TYPE"));
+    if (type != "CONN3D2" && type != "CONN2D2") return;
+    const std::string set = label_of(value_of(block, "ELSET"));
+    for (const Items& items : deck_.lines(block)) {
+      Element one{.part = part_,
+                  .number = whole(deck_, items.front(), -1),
+                  .where = items.front(),
+                  .plane = type == "CONN2D2"};
+      if (one.number < 1) {
+        deck_.error(items.front(), block, "wanted the number of an element, and its two nodes");
+        continue;
+      }
+      for (std::size_t i = 0; i < 2 && i + 1 < items.size(); ++i) one.nodes[i] = items[i + 1];
+      if (!set.empty()) one.sets.insert(set);
+      elements_.push_back(one);
+    }
+  }
+
+  void read_set(const Block& block) {
+    std::string name = value_of(block, "ELSET");
+    const std::string label = label_of(name);
+    if (wanted_.count(label) == 0) return;
+    auto& members = sets_[{part_, label}];
+    const bool generate = block.has("GENERATE");
+    for (const Items& items : deck_.lines(block)) {
+      if (generate) {
+        const long first = whole(deck_, items.front(), 0);
+        const long last = items.size() > 1 ? whole(deck_, items[1], first) : first;
+        const long step = items.size() > 2 ? whole(deck_, items[2], 1) : 1;
+        ranges_[{part_, label}].push_back({first, last, std::max(1L, step)});
+        continue;
+      }
+      for (const std::string_view item : items) {
+        if (!item.empty()) members.push_back(label_of(item));
+      }
+    }
+    // A set of sets: those are wanted, too, wherever they stand.
+    for (const std::string& member : members) {
+      if (wanted_.insert(member).second && !starts_with_digit(member)) read_earlier_set(member);
+    }
+  }
+
+  static bool starts_with_digit(const std::string& text) {
+    return !text.empty() && text.front() >= '0' && text.front() <= '9';
+  }
+
+  void read_earlier_set(const std::string& label) {
+    for (const Block& block : deck_.blocks()) {
+      if (block.keyword == "ELSET" && label_of(value_of(block, "ELSET")) == label) {
+        read_set(block);
+      }
+    }
+  }
+
+  void read_orientation(const Block& block) {
+    const std::string label = label_of(value_of(block, "NAME"));
+    const std::string system = folded(value_of(block, "SYSTEM"));
+    const std::string definition = folded(value_of(block, "DEFINITION"));
+    constexpr std::size_t kMost = 9;
+    std::vector<Row> rows;
+    for (const Items& items : deck_.lines(block)) {
+      const std::vector<Row> row = read_rows(deck_, block, {items}, kMost, "its points");
+      rows.insert(rows.end(), row.begin(), row.end());
+    }
+    if ((!system.empty() && !std::string("RECTANGULAR").starts_with(system)) ||
+        (!definition.empty() && !std::string("COORDINATES").starts_with(definition)) ||
+        rows.empty() || rows[0].size() < 6) {
+      return;
+    }
+    const auto point = [&](std::size_t i) {
+      Vector3d v = Vector3d::Zero();
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (rows[0].size() > 3 * i + k) {
+          v[static_cast<Eigen::Index>(k)] = rows[0][3 * i + k].value_or(0.0);
+        }
+      }
+      return v;
+    };
+    const Vector3d x = point(0) - point(2);
+    const Vector3d z = x.cross(point(1) - point(2));
+    if (x.norm() == 0.0 || z.norm() == 0.0) return;
+    Matrix3d axes;
+    axes.col(0) = x.normalized();
+    axes.col(2) = z.normalized();
+    axes.col(1) = axes.col(2).cross(axes.col(0));
+    if (rows.size() > 1 && rows[1].size() > 1 && rows[1][0] && rows[1][1]) {
+      const auto axis = static_cast<int>(*rows[1][0]) - 1;
+      const double angle = *rows[1][1] * std::numbers::pi / 180.0;
+      if (axis >= 0 && axis < 3) {
+        const Vector3d about = axes.col(axis);
+        axes = Eigen::AngleAxisd(angle, about).toRotationMatrix() * axes;
+      }
+    }
+    axes_[{part_, label}] = axes;
+  }
+
+  void read_section(const Block& block) {
+    Section section{.block = &block, .part = part_, .set = label_of(value_of(block, "ELSET"))};
+    section.behavior = label_of(value_of(block, "BEHAVIOR"));
+    // A blank line of orientations keeps its place: only commas stand in it, or nothing.
+    std::vector<Items> lines;
+    deck_.for_each_line(block, [&](std::string_view line) {
+      lines.push_back(line == "," ? Items() : split_items(line));
+    });
+    if (section.set.empty()) deck_.error(block.where, block, "ELSET is missing");
+    if (lines.empty() || lines.front().empty()) {
+      deck_.error(block.where, block, "wanted a line with the connection type");
+      return;
+    }
+    section.types_where = lines.front().front();
+    for (const std::string_view item : lines.front()) {
+      if (!item.empty()) section.types.push_back(folded(item));
+    }
+    for (std::size_t i = 0; lines.size() > 1 && i < std::min<std::size_t>(2, lines[1].size());
+         ++i) {
+      section.orientations[i] = label_of(lines[1][i]);
+    }
+    if (lines.size() > 2 && !lines[2].empty() && !lines[2].front().empty()) {
+      const auto number = deck_.number(lines[2].front());
+      if (!number) {
+        deck_.error(lines[2].front(), block, number.error());
+      } else {
+        section.number = *number;
+      }
+    }
+    sections_.push_back(section);
+  }
+
+  void read_amplitude(const Block& block) {
+    Amplitude one{.label = label_of(value_of(block, "NAME")), .where = block.where};
+    constexpr std::array<std::string_view, 6> kKinds{"TABULAR",        "SMOOTH STEP", "PERIODIC",
+                                                     "EQUALLY SPACED", "DECAY",       "MODULATED"};
+    const std::string definition = value_of(block, "DEFINITION");
+    if (!definition.empty()) {
+      const FoundName found = find_name(definition, kKinds);
+      const auto* const place = std::find(kKinds.begin(), kKinds.end(), found.name);
+      one.kind = static_cast<Amplitude::Kind>(std::min<std::ptrdiff_t>(place - kKinds.begin(), 5));
+    }
+    one.total_time = folded(value_of(block, "TIME")).starts_with("T");
+    one.absolute = folded(value_of(block, "VALUE")).starts_with("A");
+    one.interval = deck_.number(value_of(block, "FIXED INTERVAL")).value_or(0.0);
+    one.begin = deck_.number(value_of(block, "BEGIN")).value_or(0.0);
+    for (const Items& items : deck_.lines(block)) {
+      for (const std::string_view item : items) {
+        const auto number =
+            item.empty() ? tl::expected<double, std::string>(0.0) : deck_.number(item);
+        if (!number) {
+          // Other kinds have words of their own in their data.
+          if (one.kind != Amplitude::Kind::kOther) deck_.error(item, block, number.error());
+          break;
+        }
+        one.numbers.push_back(*number);
+      }
+    }
+    model_.amplitudes.push_back(one);
+  }
+
+  void read_in_step(const Block& block) {
+    const std::string_view keyword = block.keyword;
+    if (keyword != "FRICTION") change_open_ = false;
+    if (keyword == "STATIC" || keyword == "DYNAMIC" || keyword == "VISCO") {
+      has_time_ = true;
+      step_->is_static = keyword != "DYNAMIC";
+      const std::vector<Row> rows = read_rows(deck_, block, deck_.lines(block), 8, "times");
+      const auto at = [&](std::size_t i) {
+        return !rows.empty() && rows[0].size() > i ? rows[0][i].value_or(0.0) : 0.0;
+      };
+      step_->increment = std::max(0.0, at(0));
+      if (at(1) > 0.0) step_->period = at(1);
+    } else if (keyword == "CONNECTOR MOTION" || keyword == "CONNECTOR LOAD") {
+      read_drives(block, keyword == "CONNECTOR LOAD");
+    } else if (keyword == "CHANGE FRICTION") {
+      step_->changes.push_back({.where = block.where,
+                                .target = label_of(value_of(block, "ELSET")),
+                                .amplitude = label_of(value_of(block, "AMPLITUDE")),
+                                .reset = block.has("RESET")});
+      change_open_ = true;
+    } else if (keyword == "FRICTION" && change_open_) {
+      if (step_->changes.back().reset) {
+        deck_.error(block.where, block, "goes with no *CHANGE FRICTION, RESET");
+      }
+      step_->changes.back().coefficient = read_coefficient(deck_, block);
+    } else {
+      ++model_.passed_over;
+    }
+  }
+
+  void read_drives(const Block& block, bool is_load) {
+    const bool is_new = folded(value_of(block, "OP")) == "NEW";
+    (is_load ? step_->new_loads : step_->new_motions) |= is_new;
+    constexpr std::array<std::string_view, 3> kTypes{"DISPLACEMENT", "VELOCITY", "ACCELERATION"};
+    std::string type = "DISPLACEMENT";
+    if (const Parameter* const one = block.find("TYPE"); one != nullptr && !is_load) {
+      const FoundName found = find_name(one->value.value_or(""), kTypes);
+      if (found.name.empty())
+        deck_.error(one->where, block, "TYPE is displacement, velocity or acceleration");
+      type = found.name;
+    }
+    for (const Items& items : deck_.lines(block)) {
+      Drive drive{.where = items.front(),
+                  .target = label_of(items.front()),
+                  .amplitude = label_of(value_of(block, "AMPLITUDE")),
+                  .type = type,
+                  .is_load = is_load,
+                  .fixed = block.has("FIXED")};
+      const auto component =
+          items.size() > 1 ? component_in(deck_, items[1]) : std::optional<int>();
+      if (!component) {
+        deck_.error(items.front(), block,
+                    "wanted a set or an element, a component and a magnitude");
+        continue;
+      }
+      drive.component = *component;
+      if (items.size() > 2 && !items[2].empty()) {
+        const auto magnitude = deck_.number(items[2]);
+        if (!magnitude) {
+          deck_.error(items[2], block, magnitude.error());
+          continue;
+        }
+        drive.magnitude = *magnitude;
+      }
+      step_->drives.push_back(drive);
+    }
+  }
+
+  void end_step() {
+    if (!step_) return;
+    if (has_time_) {
+      model_.steps.push_back(std::move(*step_));
+    } else {
+      model_.notes.push_back(fmt::format("{} ({}) has no *STATIC or *DYNAMIC", step_->name,
+                                         deck_.place(step_->where)));
+    }
+    step_.reset();
+  }
+
+  const Behavior* find_behavior(const std::string& label) const {
+    for (const Behavior& one : model_.behaviors) {
+      if (label_of(one.name) == label) return &one;
+    }
+    return nullptr;
+  }
+
+  /// Puts the number of an element and those sets together by which it may be named.
+  void find_sets(Element& element) const {
+    const std::string number = std::to_string(element.number);
+    for (bool found = true; found;) {
+      found = false;
+      for (const auto& [key, members] : sets_) {
+        if (element.sets.count(key.second) > 0) continue;
+        const bool in = std::any_of(members.begin(), members.end(), [&](const std::string& member) {
+          if (key.first == element.part && member == number) return true;
+          for (const Instance& instance : instances_) {
+            if (instance.part == element.part && member == instance.label + "." + number)
+              return true;
+          }
+          return element.sets.count(member) > 0;
+        });
+        if (in) found = element.sets.insert(key.second).second;
+      }
+      for (const auto& [key, ranges] : ranges_) {
+        if (key.first != element.part) continue;
+        for (const auto& [first, last, step] : ranges) {
+          const long way = element.number - first;
+          if (way >= 0 && element.number <= last && way % step == 0) {
+            found = element.sets.insert(key.second).second || found;
+          }
+        }
+      }
+    }
+  }
+
+  void make_connectors() {
+    for (Element& element : elements_) {
+      find_sets(element);
+      const auto section =
+          std::find_if(sections_.begin(), sections_.end(), [&](const Section& one) {
+            return one.part == element.part && element.sets.count(one.set) > 0;
+          });
+      if (section == sections_.end()) {
+        model_.notes.push_back(fmt::format("element {} ({}) has no *CONNECTOR SECTION",
+                                           element.number, deck_.place(element.where)));
+        continue;
+      }
+      Connector one{.name = std::to_string(element.number),
+                    .set = shown(value_of(*section->block, "ELSET")),
+                    .where = element.where,
+                    .types = section->types,
+                    .types_where = section->types_where,
+                    .number_of_type = section->number};
+      one.labels = element.sets;
+      one.plane = element.plane;
+      if (!section->behavior.empty()) {
+        one.behavior = find_behavior(section->behavior);
+        if (one.behavior == nullptr) {
+          const Parameter* const where = section->block->find("BEHAVIOR");
+          deck_.error(where->where, *section->block,
+                      "there is no *CONNECTOR BEHAVIOR of that name");
+        }
+      }
+      bool placed = false;
+      for (const Instance& instance : instances_) {
+        if (element.part.empty() || instance.part != element.part) continue;
+        Connector own = one;
+        own.name = instance.name + "." + one.name;
+        for (const std::string& set : element.sets) own.labels.insert(instance.label + "." + set);
+        own.labels.insert(instance.label + "." + one.name);
+        add(std::move(own), element, *section, &instance);
+        placed = true;
+      }
+      if (placed || !element.part.empty()) continue;
+      one.labels.insert(one.name);
+      add(std::move(one), element, *section, nullptr);
+    }
+  }
+
+  void add(Connector connector, const Element& element, const Section& section,
+           const Instance* instance) {
+    std::array<Ends, 2> ends;
+    for (std::size_t i = 0; i < 2; ++i) {
+      ends[i] = {node_of(element, element.nodes[i]), instance};
+      if (const std::size_t dot = element.nodes[i].rfind('.'); dot != std::string_view::npos) {
+        for (const Instance& other : instances_) {
+          if (other.label == label_of(element.nodes[i].substr(0, dot))) ends[i].instance = &other;
+        }
+      }
+      if (ends[i].node) nodes_.try_emplace(*ends[i].node);
+    }
+    const auto axes = axes_.find({section.part, section.orientations[0]});
+    std::optional<Matrix3d> own;
+    if (section.orientations[0].empty()) {
+      own = Matrix3d::Identity();
+    } else if (axes != axes_.end()) {
+      own = axes->second;
+    }
+    if (own && instance != nullptr) own = instance->turn * *own;
+    connector.turned =
+        !section.orientations[1].empty() && section.orientations[1] != section.orientations[0];
+    model_.connectors.push_back(std::move(connector));
+    places_.push_back({ends, own});
+  }
+
+  /// The node of an element's end; nothing for the ground.
+  std::optional<NodeName> node_of(const Element& element, std::string_view item) const {
+    const std::size_t dot = item.rfind('.');
+    if (dot == item.npos) {
+      const long number = whole(deck_, item, -1);
+      if (item.empty() || number < 1) return std::nullopt;
+      return NodeName{element.part, number};
+    }
+    const std::string label = label_of(item.substr(0, dot));
+    for (const Instance& instance : instances_) {
+      if (instance.label == label)
+        return NodeName{instance.part, whole(deck_, item.substr(dot + 1), -1)};
+    }
+    return std::nullopt;
+  }
+
+  /// Reads the coordinates of the connectors' nodes, and no others: decks have millions.
+  void find_positions() {
+    for (const auto& [part, block] : node_blocks_) {
+      if (!value_of(*block, "SYSTEM").empty() || block->has("INPUT")) continue;
+      deck_.for_each_line(*block, [&, &part = part](std::string_view line) {
+        long number = 0;
+        const auto [end, fault] = std::from_chars(line.data(), line.data() + line.size(), number);
+        if (fault != std::errc()) return;
+        const auto node = nodes_.find({part, number});
+        if (node == nodes_.end()) return;
+        const Items items = split_items(line);
+        Vector3d place = Vector3d::Zero();
+        for (std::size_t i = 1; i < std::min<std::size_t>(4, items.size()); ++i) {
+          place[static_cast<Eigen::Index>(i) - 1] = deck_.number(items[i]).value_or(0.0);
+        }
+        node->second = place;
+      });
+    }
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const auto& [ends, axes] = places_[i];
+      std::array<Vector3d, 2> points;
+      bool known = axes.has_value();
+      for (std::size_t k = 0; k < 2; ++k) {
+        const auto node = ends[k].node ? nodes_.find(*ends[k].node) : nodes_.end();
+        if (node == nodes_.end() || !node->second) {
+          known = false;
+          continue;
+        }
+        points[k] = *node->second;
+        if (ends[k].instance != nullptr) {
+          points[k] = ends[k].instance->turn * points[k] + ends[k].instance->shift;
+        }
+      }
+      if (!known) continue;
+      const Vector3d seen = axes->transpose() * (points[1] - points[0]);
+      model_.connectors[i].position = Point{seen[0], seen[1], seen[2]};
+    }
+  }
+
+  struct Ends {
+    std::optional<NodeName> node;
+    const Instance* instance = nullptr;
+  };
+  struct Place {
+    std::array<Ends, 2> ends;
+    std::optional<Matrix3d> axes;  ///< of node a
+  };
+  using Scoped = std::pair<std::string, std::string>;  ///< part, label
+
+  const KeywordDeck& deck_;
+  Model model_;
+  std::string part_;
+  std::set<std::string> wanted_;
+  std::vector<Instance> instances_;
+  std::vector<Element> elements_;
+  std::vector<Section> sections_;
+  std::map<Scoped, std::vector<std::string>> sets_;
+  std::map<Scoped, std::vector<std::array<long, 3>>> ranges_;
+  std::map<Scoped, Matrix3d> axes_;
+  std::vector<std::pair<std::string, const Block*>> node_blocks_;
+  std::map<NodeName, std::optional<Vector3d>> nodes_;
+  std::vector<Place> places_;
+  std::optional<Step> step_;
+  bool has_time_ = false;
+  bool change_open_ = false;
+  int steps_ = 0;
+};
+
+}  // namespace
+
+Model read_model(const KeywordDeck& deck) { return Reader(deck).read(); }
+
+const Amplitude* find_amplitude(const Model& model, const std::string& label) {
+  for (const Amplitude& one : model.amplitudes) {
+    if (one.label == label) return &one;
+  }
+  return nullptr;
+}
+
+}  // namespace slipbench::driver::abaqus
