@@ -11,25 +11,42 @@ namespace slipbench::driver::cli {
 void declare_import(CLI::App& app, Command& command) {
   const auto options = std::make_shared<commands::ImportOptions>();
   CLI::App* declared =
-      app.add_subcommand("import", "Write a case with the friction of a Radioss starter deck");
-  declared->add_option("DECK", options->deck, "A starter deck with a /FRICTION")->required();
-  declared->add_option("-o,--output", options->output, "The case file; default: the terminal")
-      ->type_name("FILE");
-  declared->add_option("--id", options->id, "The /FRICTION to take, if there are several")
+      app.add_subcommand("import", "Make cases of the joints of an Abaqus or Radioss deck");
+  declared->add_option("DECK", options->deck, "An Abaqus input deck, or a Radioss starter deck")
+      ->required();
+  declared
+      ->add_option("-o,--output", options->output,
+                   "The case file; default: the terminal. With --all a folder")
+      ->type_name("FILE|DIR");
+  declared->add_option("--id", options->id, "Radioss: the /FRICTION to take, if there are several")
       ->type_name("ID")
       ->check(whole_number(1, 2147483647));
   declared
+      ->add_option("--connector", options->connector,
+                   "Abaqus: the connector to take, if there are several: its element or set")
+      ->type_name("NAME");
+  declared->add_flag("--all", options->all,
+                     "Abaqus: a case each of all connectors with friction, into DIR of -o");
+  declared
       ->add_option("--units", options->units,
-                   "Length, force and time the deck is in; default: those of /BEGIN")
+                   "Length, force and time the deck is in; default: those of /BEGIN (an Abaqus "
+                   "deck has none)")
       ->type_name("\"mm N s\"");
   declared
-      ->add_option("--normal", options->normal,
-                   "Normal of the contact, to judge the directions of orthotropic friction by")
+      ->add_option(
+          "--normal", options->normal,
+          "Radioss: normal of the contact, to judge the directions of orthotropic friction by")
       ->type_name("\"X Y Z\"");
   declare_force(*declared, options->force, "there already");
   declared->footer(
-      "What a deck has no number for (stiffness, mass, area, load) is a parameter without a value\n"
-      "in the case: give it there or with --set. Example:\n"
+      "Tells on standard error what the deck has, and what is passed over and why. What a deck "
+      "has\n"
+      "no number for (of Abaqus the constraint forces, which are results of the model; of Radioss\n"
+      "stiffness, mass, area, load) is a parameter without a value in the case: give it there or\n"
+      "with --set. A deck with a fault is refused with its line, and nothing is written. "
+      "Examples:\n"
+      "  slipbench import model.inp --all -o cases\n"
+      "  slipbench run cases/model_7.yaml --set f2=300 --set f3=400 ...\n"
       "  slipbench import model_0000.rad --units \"mm N s\" -o pad.yaml\n"
       "  slipbench run pad.yaml --set K=5000 --set m=1e-6 --set normal_force=100 ...");
   declared->callback(

@@ -13,6 +13,8 @@ struct ImportOptions {
   std::string normal;     ///< "0 0 1"; empty: not known
   bool force = false;     ///< --force: replace a file that is there
   std::optional<int> id;  ///< of the /FRICTION; else there must be only one
+  std::string connector;  ///< number or set of the connector element; else there must be only one
+  bool all = false;       ///< --all: a file each, into the folder `output`
 };
 
 /// `slipbench import`: a case from the friction of a Radioss starter deck. Messages go to standard

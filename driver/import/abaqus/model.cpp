@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <tuple>
 
 #include "driver/import/abaqus/keyword_list.hpp"
 #include "driver/import/abaqus/rows.hpp"
@@ -33,7 +34,9 @@ struct Instance {
 struct NodeName {
   std::string part;
   long number = 0;
-  auto operator<=>(const NodeName&) const = default;
+  friend bool operator<(const NodeName& a, const NodeName& b) {
+    return std::tie(a.part, a.number) < std::tie(b.part, b.number);
+  }
 };
 
 struct Element {
@@ -414,7 +417,9 @@ class Reader {
     const std::string number = std::to_string(element.number);
     for (bool found = true; found;) {
       found = false;
-      for (const auto& [key, members] : sets_) {
+      for (const auto& one : sets_) {
+        const auto& key = one.first;
+        const auto& members = one.second;
         if (element.sets.count(key.second) > 0) continue;
         const bool in = std::any_of(members.begin(), members.end(), [&](const std::string& member) {
           if (key.first == element.part && member == number) return true;

@@ -13,8 +13,8 @@
 
 #include "driver/base/files/exit_code.hpp"
 #include "driver/read/read_case.hpp"
-#include "tests/driver/import/radioss/checks_for_test.hpp"
 #include "tests/driver/import/radioss/deck_for_test.hpp"
+#include "tests/driver/support/checks_for_test.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver::commands {
@@ -201,7 +201,7 @@ TEST_CASE("A case that was imported runs once its parameters have values") {
         INFO(start + records + base::render(read.diagnostics, read.sources));
         REQUIRE(read.value);
         CHECK(read.value->checks.size() >= (own_checks && law < 3 ? 2 : 1));
-        CHECK(radioss::failed_checks(*read.value).empty());
+        CHECK(failed_checks(*read.value).empty());
       }
     }
   }

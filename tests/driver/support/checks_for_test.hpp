@@ -11,7 +11,7 @@
 #include "driver/case/case.hpp"
 #include "driver/check/check.hpp"
 
-namespace slipbench::driver::radioss {
+namespace slipbench::driver {
 
 /// Runs a case to its end. \return the names of the checks that fail
 inline std::vector<std::string> failed_checks(const cases::Case& problem) {
@@ -28,4 +28,4 @@ inline std::vector<std::string> failed_checks(const cases::Case& problem) {
   return failed;
 }
 
-}  // namespace slipbench::driver::radioss
+}  // namespace slipbench::driver

@@ -7,9 +7,9 @@
 
 #include "driver/import/radioss/case_writer.hpp"
 #include "law/friction/law_list.hpp"
-#include "tests/driver/import/radioss/checks_for_test.hpp"
 #include "tests/driver/import/radioss/deck_for_test.hpp"
 #include "tests/driver/read/read_for_test.hpp"
+#include "tests/driver/support/checks_for_test.hpp"
 
 namespace slipbench::driver::radioss {
 namespace {
@@ -103,7 +103,7 @@ TEST_CASE("A group without its parts is refused until they are filled in") {
 
 TEST_CASE("Every Ifric becomes the law of that number") {
   const std::string viscous_set = set({"-2e-4", "-1e-4", "1e-6", "4e-7", "5e-8", "0", ".12", ""});
-  const auto law = [](int number, const std::string& coefficients, read::ReadOptions given) {
+  const auto law = [](int number, const std::string& coefficients, const read::ReadOptions& given) {
     cases::Case problem =
         read::sound(case_of(kHead + options(number, 0, "", 1) + coefficients), given);
     run(problem);

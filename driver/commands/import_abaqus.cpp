@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/commands/import_abaqus.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "driver/base/files/exit_code.hpp"
+#include "driver/base/files/output_file.hpp"
+#include "driver/base/text/diagnostic.hpp"
+#include "driver/commands/import_units.hpp"
+#include "driver/import/abaqus/case_writer.hpp"
+#include "driver/import/abaqus/model.hpp"
+#include "driver/terminal/print.hpp"
+
+namespace slipbench::driver::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Connector with friction, and the case that it makes or why it makes none.
+struct Candidate {
+  const abaqus::Connector* connector = nullptr;
+  tl::expected<abaqus::WrittenCase, std::string> written;
+};
+
+/// "arm-1.7" as a part of a file's name.
+std::string file_name(const std::string& deck, const abaqus::Connector& connector) {
+  std::string name = fs::path(deck).stem().string() + "_" + connector.name;
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == '/' || c == ' '; }, '_');
+  return name + ".yaml";
+}
+
+std::string plural(std::size_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+/// Tells what a deck has.
+std::string inventory(const abaqus::Model& model, const std::vector<Candidate>& candidates) {
+  std::string text = plural(candidates.size(), "connector") + " with friction";
+  text += candidates.empty() ? "\n" : ":\n";
+  for (const Candidate& one : candidates) {
+    text += "  " + abaqus::described(*one.connector) + "\n";
+    if (!one.written) text += "    passed over: " + base::printable(one.written.error()) + "\n";
+  }
+  for (const abaqus::Connector& one : model.connectors) {
+    const bool listed = std::any_of(candidates.begin(), candidates.end(),
+                                    [&](const Candidate& c) { return c.connector == &one; });
+    if (!listed) text += "  " + abaqus::described(one) + ": no friction, passed over\n";
+  }
+  for (const std::string& note : model.notes) text += "  " + base::printable(note) + "\n";
+  return text + "  " + plural(model.passed_over, "keyword") + " passed over\n";
+}
+
+int write_file(const fs::path& path, const std::string& text, const ImportOptions& options) {
+  const std::string inputs[] = {options.deck};
+  auto file = base::OutputFile::create(path, {}, {inputs, options.force});
+  if (!file) return terminal::refuse(base::kExitEnvironment, file.error());
+  file->append(text);
+  base::OutputFile* const alone[] = {&*file};
+  if (const auto committed = base::commit(alone); !committed) {
+    return terminal::refuse(base::kExitEnvironment, committed.error());
+  }
+  return base::kExitOk;
+}
+
+}  // namespace
+
+int import_abaqus(const ImportOptions& options) {
+  base::Diagnostics diagnostics;
+  bool environment_failure = false;
+  const auto deck = abaqus::KeywordDeck::read(options.deck, diagnostics, environment_failure);
+  abaqus::Model model;
+  if (deck) model = abaqus::read_model(*deck);
+  terminal::print_error(
+      base::render(diagnostics, deck ? deck->sources() : std::vector<base::SourceText>()));
+  if (diagnostics.has_errors()) {
+    terminal::print_error(base::summary(diagnostics) + ", nothing was written\n");
+    return environment_failure ? base::kExitEnvironment : base::kExitBadInput;
+  }
+  abaqus::CaseOptions case_options{.deck = fs::path(options.deck).filename().string(), .units = {}};
+  if (!options.units.empty()) {
+    const auto units = parse_units(options.units);
+    if (!units) return terminal::refuse(base::kExitBadInput, units.error());
+    case_options.units =
+        fmt::format("length: {}, force: {}, time: {}", units->length, units->force, units->time);
+  }
+  std::vector<Candidate> candidates;
+  for (const abaqus::Connector& one : model.connectors) {
+    if (one.behavior == nullptr || one.behavior->frictions.empty()) continue;
+    candidates.push_back({&one, abaqus::write_case(*deck, model, one, case_options)});
+  }
+  terminal::print_error(inventory(model, candidates));
+  std::vector<const Candidate*> chosen;
+  for (const Candidate& one : candidates) {
+    const bool meant = options.connector.empty() || options.connector == one.connector->name ||
+                       one.connector->labels.count(abaqus::label_of(options.connector)) > 0;
+    if (meant && one.written) chosen.push_back(&one);
+  }
+  if (chosen.empty()) {
+    return terminal::refuse(
+        base::kExitBadInput,
+        base::printable(options.deck) +
+            (options.connector.empty()
+                 ? ": has no connector that can be taken over"
+                 : ": has no such connector to take over: " + base::printable(options.connector)));
+  }
+  if (chosen.size() > 1 && !options.all) {
+    return terminal::refuse(
+        base::kExitBadInput,
+        base::printable(options.deck) +
+            ": choose one with --connector NUMBER, or all of them with --all -o DIR");
+  }
+  if (!options.all && (options.output.empty() || options.output == "-")) {
+    terminal::print(chosen.front()->written->text);
+    return base::kExitOk;
+  }
+  for (const Candidate* one : chosen) {
+    const fs::path path = options.all ? fs::path(options.output.empty() ? "." : options.output) /
+                                            file_name(options.deck, *one->connector)
+                                      : fs::path(options.output);
+    if (const int code = write_file(path, one->written->text, options); code != base::kExitOk) {
+      return code;
+    }
+    std::string asked;
+    for (const std::string& name : one->written->asked) {
+      asked += (asked.empty() ? ": give " : ", ") + name;
+    }
+    terminal::print(base::printable(path.string() + asked) + "\n");
+  }
+  return base::kExitOk;
+}
+
+}  // namespace slipbench::driver::commands

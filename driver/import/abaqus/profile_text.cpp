@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/import/abaqus/profile_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "driver/base/text/format_number.hpp"
+
+namespace slipbench::driver::abaqus {
+namespace {
+
+using Points = std::vector<std::pair<double, double>>;  ///< time, value
+
+/// The value of a polyline, constant outside of it.
+double value_at(const Points& points, double time) {
+  if (time <= points.front().first) return points.front().second;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const auto& [t1, v1] = points[i];
+    if (time > t1) continue;
+    const auto& [t0, v0] = points[i - 1];
+    return t1 == t0 ? v1 : v0 + (v1 - v0) * ((time - t0) / (t1 - t0));
+  }
+  return points.back().second;
+}
+
+/// Cuts a polyline to 0 .. period, whose ends it gets.
+Points covering(const Points& points, double period) {
+  Points cut{{0.0, value_at(points, 0.0)}};
+  for (const auto& point : points) {
+    if (point.first > 0.0 && point.first < period) cut.push_back(point);
+  }
+  cut.emplace_back(period, value_at(points, period));
+  return cut;
+}
+
+std::string table_text(const std::string& name, const Points& points) {
+  std::string rows;
+  for (const auto& [time, value] : points) {
+    rows +=
+        fmt::format("{}[{}, {}]", rows.empty() ? "" : ", ", number_text(value), number_text(time));
+  }
+  return fmt::format("{{columns: [{}, t], rows: [{}]}}", name, rows);
+}
+
+/// The points of an amplitude that is a polyline.
+Points points_of(const Amplitude& amplitude, double begin) {
+  Points points;
+  const std::vector<double>& numbers = amplitude.numbers;
+  if (amplitude.kind == Amplitude::Kind::kEquallySpaced) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      points.emplace_back(amplitude.begin + static_cast<double>(i) * amplitude.interval,
+                          numbers[i]);
+    }
+  } else {
+    for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) {
+      points.emplace_back(numbers[i], numbers[i + 1]);
+    }
+  }
+  if (amplitude.total_time) {
+    for (auto& point : points) point.first -= begin;
+  }
+  return points;
+}
+
+/// A formula of an amplitude over the time of the step: "(t - 0.5)" is its time.
+std::string formula_of(const Amplitude& amplitude) {
+  const std::string time = amplitude.total_time ? "T" : "t";
+  const auto at = [&](std::size_t i) {
+    return i < amplitude.numbers.size() ? amplitude.numbers[i] : 0.0;
+  };
+  const auto since = [&](double t0) {
+    return t0 == 0.0 ? time : fmt::format("({} - ({}))", time, number_text(t0));
+  };
+  const auto after = [&](double t0, const std::string& before, const std::string& formula) {
+    if (t0 <= 0.0) return formula;
+    return fmt::format("({} < {} ? {} : {})", time, number_text(t0), before, formula);
+  };
+  switch (amplitude.kind) {
+    case Amplitude::Kind::kPeriodic: {
+      // N, omega, t0, A0; then A, B of each harmonic.
+      const auto count = static_cast<std::size_t>(std::clamp(at(0), 0.0, 1000.0));
+      std::string sum = number_text(at(3));
+      // The first line is filled up to four numbers, whatever is left out.
+      for (std::size_t n = 1; n <= count; ++n) {
+        const std::string angle = fmt::format("{}*{}*{}", n, number_text(at(1)), since(at(2)));
+        const double a = at(4 + 2 * (n - 1));
+        const double b = at(5 + 2 * (n - 1));
+        if (a != 0.0) sum += fmt::format(" + {}*cos({})", number_text(a), angle);
+        if (b != 0.0) sum += fmt::format(" + {}*sin({})", number_text(b), angle);
+      }
+      return after(at(2), number_text(at(3)), "(" + sum + ")");
+    }
+    case Amplitude::Kind::kDecay: {
+      // A0, A, t0, t_d.
+      if (at(3) <= 0.0) return {};
+      return after(at(2), number_text(at(0)),
+                   fmt::format("({} + {}*exp(-{}/{}))", number_text(at(0)), number_text(at(1)),
+                               since(at(2)), number_text(at(3))));
+    }
+    case Amplitude::Kind::kSmoothStep: {
+      std::string text = number_text(at(amplitude.numbers.size() - 1));
+      for (std::size_t i = amplitude.numbers.size() / 2; i-- > 1;) {
+        const double t0 = at(2 * i - 2);
+        const double width = at(2 * i) - t0;
+        if (!(width > 0.0)) return {};
+        const std::string x = fmt::format("({}/{})", since(t0), number_text(width));
+        const std::string piece =
+            fmt::format("{} + {}*{}^3*(10 - 15*{} + 6*{}^2)", number_text(at(2 * i - 1)),
+                        number_text(at(2 * i + 1) - at(2 * i - 1)), x, x, x);
+        text = fmt::format("({} < {} ? {} : {})", time, number_text(at(2 * i)), piece, text);
+      }
+      return after(at(0), number_text(at(1)), text);
+    }
+    default:
+      return {};
+  }
+}
+
+/// Integral of a polyline of velocities, at enough points that its arcs are straight.
+Points integrated(const Points& velocities, double start) {
+  constexpr int kPieces = 20;
+  Points points{{velocities.front().first, start}};
+  for (std::size_t i = 1; i < velocities.size(); ++i) {
+    const auto& [t0, v0] = velocities[i - 1];
+    const auto& [t1, v1] = velocities[i];
+    const double position = points.back().second;
+    const int pieces = v0 == v1 ? 1 : kPieces;
+    for (int k = 1; k <= pieces; ++k) {
+      const double way = (t1 - t0) * k / pieces;
+      const double slope = t1 > t0 ? (v1 - v0) / (t1 - t0) : 0.0;
+      points.emplace_back(k == pieces ? t1 : t0 + way,
+                          position + v0 * way + 0.5 * slope * way * way);
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+std::string number_text(double number) { return base::format_number(number); }
+
+DriveProfile profile_of(const KeywordDeck& deck, const Model& model, const Step& step,
+                        const Drive& drive, const std::string& name, double initial, double current,
+                        double begin) {
+  const std::string place = deck.place(drive.where);
+  if (drive.fixed) return {fmt::format("{{to: {}}}", number_text(current)), current};
+  if (drive.type == "ACCELERATION" && !drive.is_load) {
+    return {{}, current, fmt::format("{} ({}): an acceleration is not taken over", name, place)};
+  }
+  const bool velocity = !drive.is_load && drive.type == "VELOCITY";
+  if (drive.amplitude.empty()) {
+    if (velocity) {
+      const double end = current + drive.magnitude * step.period;
+      return {fmt::format("{{to: {}}}", number_text(end)), end};
+    }
+    const double end = initial + drive.magnitude;
+    if (drive.is_load && !step.is_static) return {number_text(end), end};
+    return {fmt::format("{{to: {}}}", number_text(end)), end};
+  }
+  const Amplitude* const amplitude = find_amplitude(model, drive.amplitude);
+  if (amplitude == nullptr) {
+    return {{}, current, fmt::format("{} ({}): there is no *AMPLITUDE of that name", name, place)};
+  }
+  const double factor = amplitude->absolute ? 1.0 : drive.magnitude;
+  const bool polyline = amplitude->kind == Amplitude::Kind::kTabular ||
+                        amplitude->kind == Amplitude::Kind::kEquallySpaced;
+  if (polyline) {
+    Points points = points_of(*amplitude, begin);
+    if (points.empty()) {
+      return {{}, current, fmt::format("{} ({}): its amplitude is empty", name, place)};
+    }
+    points = covering(points, step.period);
+    for (auto& point : points) point.second *= factor;
+    std::string note;
+    if (velocity) {
+      points = integrated(points, current);
+      note = fmt::format("{} ({}): the integral of its velocity is drawn with straight pieces",
+                         name, place);
+    } else {
+      for (auto& point : points) point.second += initial;
+    }
+    return {table_text(name, points), points.back().second, note};
+  }
+  const std::string formula = velocity ? std::string() : formula_of(*amplitude);
+  if (formula.empty()) {
+    return {{},
+            current,
+            fmt::format("{} ({}): its amplitude ({}) is not taken over", name, place,
+                        deck.place(amplitude->where))};
+  }
+  std::string text = fmt::format("{}*{}", number_text(factor), formula);
+  if (initial != 0.0) text = fmt::format("{} + {}", number_text(initial), text);
+  // The value at the end matters to steps that ramp from it.
+  return {fmt::format("\"= {}\"", text), std::nan("")};
+}
+
+}  // namespace slipbench::driver::abaqus
