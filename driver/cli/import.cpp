@@ -22,11 +22,16 @@ void declare_import(CLI::App& app, Command& command) {
       ->type_name("ID")
       ->check(whole_number(1, 2147483647));
   declared
+      ->add_option("--interface", options->interface,
+                   "Radioss: the contact interface to take, if several have friction")
+      ->type_name("ID")
+      ->check(whole_number(1, 2147483647));
+  declared
       ->add_option("--connector", options->connector,
                    "Abaqus: the connector to take, if there are several: its element or set")
       ->type_name("NAME");
   declared->add_flag("--all", options->all,
-                     "Abaqus: a case each of all connectors with friction, into DIR of -o");
+                     "A case each of all joints with friction, into DIR of -o");
   declared
       ->add_option("--units", options->units,
                    "Length, force and time the deck is in; default: those of /BEGIN (an Abaqus "

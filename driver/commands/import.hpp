@@ -8,11 +8,12 @@ namespace slipbench::driver::commands {
 
 struct ImportOptions {
   std::string deck;
-  std::string output;     ///< empty: standard output
-  std::string units;      ///< "mm N s"; empty: those of the deck
-  std::string normal;     ///< "0 0 1"; empty: not known
-  bool force = false;     ///< --force: replace a file that is there
-  std::optional<int> id;  ///< of the /FRICTION; else there must be only one
+  std::string output;            ///< empty: standard output
+  std::string units;             ///< "mm N s"; empty: those of the deck
+  std::string normal;            ///< "0 0 1"; empty: not known
+  bool force = false;            ///< --force: replace a file that is there
+  std::optional<int> id;         ///< of the /FRICTION; else there must be only one
+  std::optional<int> interface;  ///< id of the /INTER; else there must be only one with friction
   std::string connector;  ///< number or set of the connector element; else there must be only one
   bool all = false;       ///< --all: a file each, into the folder `output`
 };

@@ -19,6 +19,7 @@
 #include "driver/commands/import_units.hpp"
 #include "driver/import/radioss/case_writer.hpp"
 #include "driver/import/radioss/deck_friction.hpp"
+#include "driver/import/radioss/deck_interface.hpp"
 #include "driver/import/radioss/deck_line.hpp"
 #include "driver/import/radioss/starter_deck.hpp"
 #include "driver/terminal/print.hpp"
@@ -79,46 +80,192 @@ const radioss::DeckFriction* choose(const radioss::DeckContents& contents,
 /// The units the friction's numbers are in, as far as they are known.
 std::optional<base::UnitSystem> units_of(const radioss::DeckContents& contents,
                                          const radioss::DeckFriction& friction,
-                                         const base::SourceText& source, base::Diagnostics& out) {
+                                         const import::DeckTexts& texts, base::Diagnostics& out) {
   if (friction.unit_id == 0) {
     for (const radioss::DeckFault& fault : contents.unit_faults) {
-      out.warning(source.name(), radioss::position_of(source, fault.text), "/BEGIN", fault.message,
+      out.warning(texts.name(fault.text), texts.position(fault.text), "/BEGIN", fault.message,
                   "state the units with --units");
     }
     return contents.units;
   }
-  out.warning(source.name(), radioss::position_of(source, friction.where),
+  const auto local = contents.local_units.find(friction.unit_id);
+  if (local != contents.local_units.end()) return local->second;
+  out.warning(texts.name(friction.where), texts.position(friction.where),
               radioss::shortened(friction.where, 40),
-              fmt::format("is in the local system of units {}", friction.unit_id),
+              fmt::format("is in the local system of units {}, which the deck does not state",
+                          friction.unit_id),
               "state it with --units");
   return std::nullopt;
 }
 
 void judge_directions(const radioss::DeckContents& contents, const radioss::DeckFriction& friction,
                       const std::optional<std::array<double, 3>>& normal,
-                      const base::SourceText& source, base::Diagnostics& out) {
+                      const import::DeckTexts& texts, base::Diagnostics& out) {
   if (!normal || !radioss::is_orthotropic(friction)) return;
   for (const radioss::DeckOrientation& entry : radioss::used_orientations(contents, friction)) {
     if (entry.skew > 0 || radioss::direction_in_plane(entry, *normal)) continue;
-    out.error(source.name(), radioss::position_of(source, source.line(entry.line)), "/FRIC_ORIENT",
+    out.error(texts.name(entry.where), texts.position(entry.where), "/FRIC_ORIENT",
               "FRIC009: the direction is normal to the contact plane: it has no projection on it");
   }
+}
+
+/// Friction that becomes a case.
+struct Meant {
+  radioss::DeckFriction friction;
+  radioss::SkeletonOptions options;
+};
+
+/// The friction of an interface: its own, or the /FRICTION that it names. Reports one that is not
+/// there.
+std::optional<Meant> meant_by(const radioss::DeckInterface& interface,
+                              const radioss::DeckContents& contents, const import::DeckTexts& texts,
+                              const radioss::SkeletonOptions& common, base::Diagnostics& out) {
+  Meant meant{interface.own, common};
+  const std::string name = fmt::format("/INTER/TYPE{}/{}", interface.type, interface.id);
+  std::vector<std::string>& notes = meant.options.notes;
+  if (interface.friction_id > 0) {
+    const auto found = std::find_if(
+        contents.frictions.begin(), contents.frictions.end(),
+        [&](const radioss::DeckFriction& one) { return one.id == interface.friction_id; });
+    if (found == contents.frictions.end()) {
+      out.error(
+          texts.name(interface.where), texts.position(interface.where), name,
+          fmt::format("names /FRICTION/{}, which the deck does not have", interface.friction_id));
+      return std::nullopt;
+    }
+    meant.friction = *found;
+    notes.push_back("as " + name + " names it; the interface's own Fric is not used");
+    if (interface.type == 21 || interface.type == 24 || interface.type == 25) {
+      meant.friction.formulation = 2;
+      notes.push_back(
+          fmt::format("TYPE{} always uses the stiffness penalty (Iform 2)", interface.type));
+    }
+  } else {
+    meant.options.shear_limit = interface.shear_limit;
+    if (meant.friction.formulation == 1 && meant.friction.otherwise.visf != 0.0) {
+      notes.emplace_back(
+          "the program squares VISF of an interface: with convention: as_coded write its square");
+    }
+  }
+  if (interface.temperature_function > 0) {
+    notes.push_back(fmt::format(
+        "its friction is scaled by function {} of the temperature (fct_IDF): not taken over",
+        interface.temperature_function));
+    out.warning(texts.name(interface.where), texts.position(interface.where), name, notes.back());
+  }
+  return meant;
+}
+
+/// Tells what a deck has.
+std::string inventory(const radioss::DeckContents& contents,
+                      const std::vector<radioss::DeckInterface>& interfaces) {
+  const auto with = std::count_if(interfaces.begin(), interfaces.end(), radioss::has_friction);
+  std::string text = fmt::format("{} interface{} with friction, {} /FRICTION\n", with,
+                                 with == 1 ? "" : "s", contents.frictions.size());
+  constexpr std::size_t kMostNamed = 20;
+  for (std::size_t i = 0; i < std::min(kMostNamed, interfaces.size()); ++i) {
+    const radioss::DeckInterface& one = interfaces[i];
+    text += fmt::format("  TYPE{} {}", one.type, one.id);
+    if (!one.own.title.empty()) text += " \"" + one.own.title + "\"";
+    if (one.friction_id > 0) {
+      text += fmt::format(": /FRICTION/{}\n", one.friction_id);
+    } else if (one.unread) {
+      text += ": passed over: " + *one.unread + "\n";
+    } else if (!radioss::has_friction(one)) {
+      text += ": no friction, passed over\n";
+    } else {
+      constexpr std::array kLaws{"Coulomb", "generalised viscous", "modified Darmstad", "Renard",
+                                 "exponential decay"};
+      text +=
+          fmt::format(": {}, Fric {:g}, Iform {}\n", kLaws[static_cast<std::size_t>(one.own.law)],
+                      one.own.otherwise.fric, one.own.formulation);
+    }
+  }
+  if (interfaces.size() > kMostNamed) {
+    text += fmt::format("  and {} more\n", interfaces.size() - kMostNamed);
+  }
+  return text;
+}
+
+/// Judges a friction and finds its units; what is wrong is reported.
+void judge(Meant& meant, const radioss::DeckContents& contents, const import::DeckTexts& texts,
+           base::Diagnostics& out) {
+  const radioss::DeckFriction& friction = meant.friction;
+  radioss::judge(contents, friction, texts, out);
+  judge_directions(contents, friction, meant.options.normal, texts, out);
+  if (!meant.options.units) meant.options.units = units_of(contents, friction, texts, out);
+  if (meant.options.units || friction.law != 3) return;
+  out.warning(texts.name(friction.where), texts.position(friction.where),
+              radioss::shortened(friction.where, 40),
+              "Ifric 3 hides a unit of speed: the case does not run before it states its units",
+              "state them with --units, or in the case");
+}
+
+int write_file(const std::filesystem::path& path, const Meant& meant,
+               const radioss::DeckContents& contents, const ImportOptions& options) {
+  const std::string inputs[] = {options.deck};
+  auto file = base::OutputFile::create(path, {}, {inputs, options.force});
+  if (!file) return terminal::refuse(base::kExitEnvironment, file.error());
+  file->append(radioss::skeleton(contents, meant.friction, meant.options));
+  base::OutputFile* const alone[] = {&*file};
+  if (const auto committed = base::commit(alone); !committed) {
+    return terminal::refuse(base::kExitEnvironment, committed.error());
+  }
+  const std::size_t records = meant.friction.pairs.size();
+  terminal::print(fmt::format("{}: {}, {} record{} and the default\n", path.string(),
+                              radioss::name_of(meant.friction), records, records == 1 ? "" : "s"));
+  return base::kExitOk;
+}
+
+/// Finds what is to become cases: by --id a /FRICTION, else the interfaces with friction, else the
+/// only /FRICTION. What is open, or wrong, is reported.
+std::vector<Meant> find_meant(const radioss::DeckContents& contents,
+                              const std::vector<radioss::DeckInterface>& interfaces,
+                              const import::DeckTexts& texts, const ImportOptions& options,
+                              const radioss::SkeletonOptions& common, base::Diagnostics& out) {
+  std::vector<Meant> all;
+  std::string ids;
+  for (const radioss::DeckInterface& one : interfaces) {
+    if (options.id || !radioss::has_friction(one)) continue;
+    if (options.interface && one.id != *options.interface) continue;
+    ids += (ids.empty() ? "" : ", ") + std::to_string(one.id);
+    if (auto meant = meant_by(one, contents, texts, common, out)) all.push_back(std::move(*meant));
+  }
+  if (options.interface && ids.empty()) {
+    out.error(options.deck, {}, {},
+              fmt::format("has no interface {} with friction", *options.interface));
+  }
+  if (!ids.empty() || options.interface) {
+    if (all.size() > 1 && !options.all) {
+      out.error(options.deck, {}, {}, "has several interfaces with friction: " + ids,
+                "choose one with --interface, or all of them with --all -o DIR");
+    }
+    return all;
+  }
+  if (options.all && !options.id) {
+    for (const radioss::DeckFriction& one : contents.frictions) all.push_back({one, common});
+    if (!all.empty()) return all;
+  }
+  if (const radioss::DeckFriction* const friction = choose(contents, options, out)) {
+    all.push_back({*friction, common});
+  }
+  return all;
 }
 
 }  // namespace
 
 int import_radioss(const ImportOptions& options) {
-  radioss::SkeletonOptions skeleton_options;
-  skeleton_options.deck = std::filesystem::path(options.deck).filename().string();
+  radioss::SkeletonOptions common;
+  common.deck = std::filesystem::path(options.deck).filename().string();
   if (!options.normal.empty()) {
     const auto normal = parse_normal(options.normal);
     if (!normal) return refuse(normal.error());
-    skeleton_options.normal = *normal;
+    common.normal = *normal;
   }
   if (!options.units.empty()) {
     auto units = parse_units(options.units);
     if (!units) return refuse(units.error());
-    skeleton_options.units = std::move(*units);
+    common.units = std::move(*units);
   }
   const auto source = base::read_source(options.deck, kDeckSizeLimit);
   if (!source) {
@@ -127,49 +274,39 @@ int import_radioss(const ImportOptions& options) {
                                                                      : base::kExitBadInput;
   }
   base::Diagnostics diagnostics;
-  const radioss::StarterDeck deck = radioss::split_deck(*source, diagnostics);
-  const radioss::DeckContents contents = radioss::read_contents(deck, options.id, diagnostics);
-  const radioss::DeckFriction* friction = choose(contents, options, diagnostics);
-  if (friction != nullptr) {
-    radioss::judge(contents, *friction, *source, diagnostics);
-    judge_directions(contents, *friction, skeleton_options.normal, *source, diagnostics);
-    if (!skeleton_options.units) {
-      skeleton_options.units = units_of(contents, *friction, *source, diagnostics);
-    }
-    if (!skeleton_options.units && friction->law == 3) {
-      diagnostics.warning(
-          source->name(), radioss::position_of(*source, friction->where),
-          radioss::shortened(friction->where, 40),
-          "Ifric 3 hides a unit of speed: the case does not run before it states its units",
-          "state them with --units, or in the case");
-    }
+  const radioss::StarterDeck deck = radioss::split_deck(
+      *source, std::filesystem::path(options.deck).parent_path().string(), diagnostics);
+  const std::vector<radioss::DeckInterface> interfaces =
+      radioss::read_interfaces(deck, diagnostics);
+  std::optional<int> chosen = options.id;
+  for (const radioss::DeckInterface& one : interfaces) {
+    if (options.interface == one.id && one.friction_id > 0) chosen = one.friction_id;
   }
-  const base::SourceText sources[] = {*source};
-  terminal::print_error(base::render(diagnostics, sources));
-  if (diagnostics.has_errors() || friction == nullptr) {
+  const radioss::DeckContents contents = radioss::read_contents(deck, chosen, diagnostics);
+  std::vector<Meant> all =
+      find_meant(contents, interfaces, deck.texts, options, common, diagnostics);
+  for (Meant& meant : all) judge(meant, contents, deck.texts, diagnostics);
+  if (!interfaces.empty()) terminal::print_error(inventory(contents, interfaces));
+  terminal::print_error(base::render(diagnostics, deck.texts.all()));
+  if (diagnostics.has_errors() || all.empty()) {
     terminal::print_error(base::summary(diagnostics) + ", nothing was written\n");
     return base::kExitBadInput;
   }
-  const std::string text = radioss::skeleton(contents, *friction, skeleton_options);
-  if (options.output.empty() || options.output == "-") {
-    terminal::print(text);
+  if (!options.all && (options.output.empty() || options.output == "-")) {
+    terminal::print(radioss::skeleton(contents, all.front().friction, all.front().options));
     return base::kExitOk;
   }
-  const std::string inputs[] = {options.deck};
-  auto file = base::OutputFile::create(options.output, {}, {inputs, options.force});
-  if (!file) {
-    terminal::print_error("slipbench: error: " + file.error() + "\n");
-    return base::kExitEnvironment;
+  for (const Meant& meant : all) {
+    std::filesystem::path path = options.output;
+    if (options.all) {
+      std::string name = radioss::name_of(meant.friction).substr(1);
+      std::replace(name.begin(), name.end(), '/', '_');
+      path /= std::filesystem::path(options.deck).stem().string() + "_" + name + ".yaml";
+    }
+    if (const int code = write_file(path, meant, contents, options); code != base::kExitOk) {
+      return code;
+    }
   }
-  file->append(text);
-  base::OutputFile* const alone[] = {&*file};
-  if (const auto committed = base::commit(alone); !committed) {
-    terminal::print_error("slipbench: error: " + committed.error() + "\n");
-    return base::kExitEnvironment;
-  }
-  const std::size_t records = friction->pairs.size();
-  terminal::print(fmt::format("{}: /FRICTION/{}, {} record{} and the default\n", options.output,
-                              friction->id, records, records == 1 ? "" : "s"));
   return base::kExitOk;
 }
 

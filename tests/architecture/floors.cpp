@@ -38,6 +38,7 @@ constexpr std::array kFloors{
     Room{"driver/terminal",          "driver::terminal"},  // what is printed, and progress
     Room{"driver/calibrate/fit",     "driver::fit"},       // least squares and their statistics; knows nothing of friction
     Room{"driver/calibrate/cleaning","driver::cleaning"},  // measured rows, before they are compared
+    Room{"driver/import",            "driver::import"},    // whose deck a file is, and its texts
     Room{"driver/import/radioss",    "driver::radioss"},   // /FRICTION blocks of a deck, as the text of a case
     Room{"driver/yaml",              "driver::yaml"},      // nodes, and binding of declared keys; knows no key itself
     Room{"driver/history",           "driver::history"},   // profiles, measured histories, the grid of a step
@@ -50,7 +51,6 @@ constexpr std::array kFloors{
     Room{"driver/read/keys",         "driver::read"},      // the declared keys, and what is said of them
     Room{"driver/read/resolve",      "driver::read"},      // from keys to a case, a part of it each
     Room{"driver/read",              "driver::read"},      // from a text to a case
-    Room{"driver/import",            "driver::import"},    // whose deck a file is
     Room{"driver/import/abaqus",     "driver::abaqus"},    // connectors of an Abaqus deck, as the text of a case
     Room{"driver/report",            "driver::report"},    // the page of a run
     Room{"driver/plot",              "driver::plot"},      // pictures

@@ -91,7 +91,7 @@ std::optional<KeywordDeck> KeywordDeck::read(const std::string& path, base::Diag
   }
   KeywordDeck deck(out);
   deck.folder_ = fs::path(path).parent_path().string();
-  deck.files_.push_back(std::move(*source));
+  deck.files_.add(std::move(*source));
   deck.scan(0, 0);
   return deck;
 }
@@ -196,8 +196,7 @@ void KeywordDeck::include(const Block& block, int depth) {
           "files that a deck includes are looked for in its folder");
     return;
   }
-  files_.push_back(std::move(*source));
-  scan(files_.size() - 1, depth + 1);
+  scan(files_.add(std::move(*source)), depth + 1);
 }
 
 void KeywordDeck::read_parameters(const Block& block) {
@@ -264,41 +263,16 @@ tl::expected<double, std::string> KeywordDeck::number(std::string_view item) con
   return value;
 }
 
-std::optional<std::size_t> KeywordDeck::file_of(std::string_view piece) const {
-  for (std::size_t i = 0; i < files_.size(); ++i) {
-    const std::string_view text = files_[i].text();
-    if (piece.data() >= text.data() && piece.data() <= text.data() + text.size()) return i;
-  }
-  return std::nullopt;
-}
-
-namespace {
-
-base::SourcePosition position_in(const base::SourceText& source, std::string_view piece) {
-  return source.position(static_cast<std::size_t>(piece.data() - source.text().data()),
-                         std::max<std::size_t>(1, piece.size()));
-}
-
-}  // namespace
-
 void KeywordDeck::error(std::string_view piece, const Block& block, std::string message,
                         std::string hint) const {
-  const base::SourceText& source = files_[file_of(piece).value_or(0)];
-  out_->error(source.name(), position_in(source, piece), "*" + std::string(block.keyword),
+  out_->error(files_.name(piece), files_.position(piece), "*" + std::string(block.keyword),
               std::move(message), std::move(hint));
 }
 
 void KeywordDeck::warning(std::string_view piece, const Block& block, std::string message,
                           std::string hint) const {
-  const base::SourceText& source = files_[file_of(piece).value_or(0)];
-  out_->warning(source.name(), position_in(source, piece), "*" + std::string(block.keyword),
+  out_->warning(files_.name(piece), files_.position(piece), "*" + std::string(block.keyword),
                 std::move(message), std::move(hint));
-}
-
-std::string KeywordDeck::place(std::string_view piece) const {
-  const base::SourceText& source = files_[file_of(piece).value_or(0)];
-  return fmt::format("{}:{}", fs::path(source.name()).filename().string(),
-                     position_in(source, piece).line);
 }
 
 }  // namespace slipbench::driver::abaqus

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
 #include <functional>
 #include <optional>
 #include <string>
@@ -14,6 +13,7 @@
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/source_text.hpp"
 #include "driver/base/units/expression.hpp"
+#include "driver/import/deck_texts.hpp"
 
 namespace slipbench::driver::abaqus {
 
@@ -58,7 +58,7 @@ class KeywordDeck {
 
   const std::vector<Block>& blocks() const { return blocks_; }
   /// The texts of all files, the deck's first.
-  std::vector<base::SourceText> sources() const { return {files_.begin(), files_.end()}; }
+  std::vector<base::SourceText> sources() const { return files_.all(); }
 
   /// Calls with each data line of a block that is neither blank nor a comment.
   void for_each_line(const Block& block, const std::function<void(std::string_view)>& take) const;
@@ -74,7 +74,7 @@ class KeywordDeck {
   void warning(std::string_view piece, const Block& block, std::string message,
                std::string hint = {}) const;
   /// "file:12", where a piece stands.
-  std::string place(std::string_view piece) const;
+  std::string place(std::string_view piece) const { return files_.place(piece); }
 
  private:
   explicit KeywordDeck(base::Diagnostics& out) : out_(&out) {}
@@ -82,9 +82,8 @@ class KeywordDeck {
   void begin_block(std::size_t file, int& line);
   void include(const Block& block, int depth);
   void read_parameters(const Block& block);
-  std::optional<std::size_t> file_of(std::string_view piece) const;
 
-  std::deque<base::SourceText> files_;
+  import::DeckTexts files_;
   std::vector<Block> blocks_;
   base::NamedNumbers numbers_;  ///< of *PARAMETER, by their names in small letters
   std::string folder_;

@@ -108,7 +108,7 @@ class Skeleton {
     table_ = !friction.pairs.empty();
     viscous_ = friction.formulation == 1;
     orthotropic_ = is_orthotropic(friction);
-    pressure_ = sees_pressure(friction, friction.otherwise);
+    pressure_ = sees_pressure(friction, friction.otherwise) || options.shear_limit > 0.0;
     for (const DeckPair& pair : friction.pairs) {
       pressure_ = pressure_ || sees_pressure(friction, pair.first) ||
                   (pair.second && sees_pressure(friction, *pair.second));
@@ -132,13 +132,13 @@ class Skeleton {
   }
 
   void heading() {
-    line("# /FRICTION/{} of {}, written by slipbench import{}", friction_.id,
+    line("# {} of {}, written by slipbench import{}", name_of(friction_),
          base::printable(options_.deck), comment(friction_.title));
+    for (const std::string& note : options_.notes) line("# {}", base::printable(note));
     line("# The deck has no values for the parameters below: give each one here, or with --set.");
     line("slipbench: 1");
-    const std::string title = friction_.title.empty()
-                                  ? "Radioss friction " + std::to_string(friction_.id)
-                                  : friction_.title;
+    const std::string title =
+        friction_.title.empty() ? "Radioss " + name_of(friction_).substr(1) : friction_.title;
     line("title: {}", base::json::Value(title).dump());
     if (options_.units) {
       line("units: {{length: {}, force: {}, time: {}}}", options_.units->length,
@@ -226,6 +226,9 @@ class Skeleton {
       DeckCoefficients alone = friction_.otherwise;
       alone.visf = 0.0;  // stands in the formulation
       out_ += friction_lines(friction_, alone, std::nullopt, 4);
+    }
+    if (options_.shear_limit > 0.0) {
+      line("    force_limit: = {}*area   # Ptlim", base::format_number(options_.shear_limit));
     }
     line(
         "    # convention: as_coded in the formulation computes as OpenRadioss (2026) does where "

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "driver/base/units/units.hpp"
 #include "driver/import/radioss/deck_friction.hpp"
@@ -15,6 +16,8 @@ struct SkeletonOptions {
   std::string deck;                             ///< name of its file, for the heading
   std::optional<base::UnitSystem> units;        ///< that its numbers are in
   std::optional<std::array<double, 3>> normal;  ///< of the contact plane, in the deck's frame
+  std::vector<std::string> notes = {};          ///< sentences for the heading
+  double shear_limit = 0.0;  ///< stress that the friction does not exceed; 0: none
 };
 
 /// Returns what a side is called in the case: the id of its part, or its group.

@@ -58,8 +58,8 @@ std::string title_of(const DeckBlock& block) {
 /// Walks through the lines of a block; the first fault ends it.
 class BlockReader {
  public:
-  BlockReader(const DeckBlock& block, const base::SourceText& source, base::Diagnostics& out)
-      : block_(block), source_(source), out_(out), path_(shortened(block.keyword, 40)) {
+  BlockReader(const DeckBlock& block, const StarterDeck& deck, base::Diagnostics& out)
+      : block_(block), deck_(deck), out_(out), path_(shortened(block.keyword, 40)) {
     if (block.gap) {
       warning(*block.gap, "a blank line is passed over: a line without values is written as zeros");
     }
@@ -88,7 +88,7 @@ class BlockReader {
       return zeros;
     }
     const std::string_view line = block_.lines[next_++];
-    auto read = read_numbers(line, fields, least_free);
+    auto read = read_numbers(line, fields, least_free, deck_.parameters);
     if (!read) {
       error(read.error().text.empty() ? line : read.error().text,
             std::string(what) + ": " + read.error().message);
@@ -109,20 +109,20 @@ class BlockReader {
 
   void error(std::string_view piece, std::string message, std::string hint = {}) {
     sound_ = false;
-    out_.error(source_.name(), position_of(source_, piece), path_, std::move(message),
+    out_.error(deck_.texts.name(piece), deck_.texts.position(piece), path_, std::move(message),
                std::move(hint));
   }
   void warning(std::string_view piece, std::string message, std::string hint = {}) {
-    out_.warning(source_.name(), position_of(source_, piece), path_, std::move(message),
+    out_.warning(deck_.texts.name(piece), deck_.texts.position(piece), path_, std::move(message),
                  std::move(hint));
   }
   [[nodiscard]] int line_of(std::string_view piece) const {
-    return position_of(source_, piece).line;
+    return deck_.texts.position(piece).line;
   }
 
  private:
   const DeckBlock& block_;
-  const base::SourceText& source_;
+  const StarterDeck& deck_;
   base::Diagnostics& out_;
   std::string path_;
   std::size_t next_ = 0;
@@ -150,6 +150,7 @@ DeckCoefficients read_set(BlockReader& reader, std::string_view which) {
 DeckPair read_pair(BlockReader& reader) {
   DeckPair pair;
   const std::string_view line = reader.upcoming();
+  pair.where = line;
   pair.line = reader.line_of(line);
   const auto ids = reader.numbers(kSides, "grpart_ID1, grpart_ID2, part_ID1, part_ID2, Idir", 4);
   for (std::size_t side = 0; side < 2; ++side) {
@@ -211,9 +212,9 @@ void check_filter(BlockReader& reader, const DeckFriction& friction) {
   }
 }
 
-std::optional<DeckFriction> read_friction(const DeckBlock& block, const base::SourceText& source,
+std::optional<DeckFriction> read_friction(const DeckBlock& block, const StarterDeck& deck,
                                           base::Diagnostics& out) {
-  BlockReader reader(block, source, out);
+  BlockReader reader(block, deck, out);
   DeckFriction friction;
   friction.where = block.keyword;
   friction.id = id_of(block, 1);
@@ -236,15 +237,15 @@ std::optional<DeckFriction> read_friction(const DeckBlock& block, const base::So
   return friction;
 }
 
-std::vector<DeckOrientation> read_orientation(const DeckBlock& block,
-                                              const base::SourceText& source,
+std::vector<DeckOrientation> read_orientation(const DeckBlock& block, const StarterDeck& deck,
                                               base::Diagnostics& out) {
-  BlockReader reader(block, source, out);
+  BlockReader reader(block, deck, out);
   std::vector<DeckOrientation> entries;
   reader.skip_title();
   while (reader.sound() && !reader.at_end()) {
     DeckOrientation entry;
-    entry.line = reader.line_of(reader.upcoming());
+    entry.where = reader.upcoming();
+    entry.line = reader.line_of(entry.where);
     const auto of = reader.numbers(kOriented, "grpart_ID, part_ID");
     const auto direction = reader.numbers(kDirection, "Vx, Vy, Vz, skew_ID, phi, Iorth");
     entry.of = {static_cast<int>(of[0]), static_cast<int>(of[1])};
@@ -261,16 +262,17 @@ std::vector<DeckOrientation> read_orientation(const DeckBlock& block,
 }
 
 /// The parts of /GRPART/PART, ten a line; other kinds of group say them in other ways.
-std::optional<DeckGroup> read_group(const DeckBlock& block, const base::SourceText& source,
+std::optional<DeckGroup> read_group(const DeckBlock& block, const StarterDeck& deck,
                                     base::Diagnostics& out) {
   DeckGroup group{id_of(block, 2), title_of(block), {}, {}};
   if (group.id == 0) return std::nullopt;
   if (block.words[1] != "PART") return group;
   std::set<int> parts;
   for (std::size_t i = 1; i < block.lines.size(); ++i) {
-    auto read = read_numbers(block.lines[i], kTenParts, 0);
+    auto read = read_numbers(block.lines[i], kTenParts, 0, deck.parameters);
     if (!read) {
-      out.warning(source.name(), position_of(source, block.lines[i]), shortened(block.keyword, 40),
+      out.warning(deck.texts.name(block.lines[i]), deck.texts.position(block.lines[i]),
+                  shortened(block.keyword, 40),
                   "its parts cannot be read: " + read.error().message);
       return group;
     }
@@ -307,14 +309,9 @@ struct UnitSlot {
 constexpr std::array kUnitSlots{UnitSlot{"mass", kMasses}, UnitSlot{"length", kLengths},
                                 UnitSlot{"time", kTimes}};
 
-/// Takes the system of units from /BEGIN: run name, version, units of the input (mass, length,
-/// time), units of the work. The force is the one consistent with them. What is no unit of its
-/// dimension is a fault; a block that ends before it states none.
-void take_units(const DeckBlock& block, DeckContents& contents) {
-  contents.units.reset();
-  contents.unit_faults.clear();
-  if (block.lines.size() < 3) return;
-  const std::string_view line = block.lines[2];
+/// Reads a line of units: of mass, length and time. The force is the one consistent with them. What
+/// is no unit of its dimension is a fault.
+std::optional<base::UnitSystem> units_in(std::string_view line, std::vector<DeckFault>& faults) {
   std::string_view rest = line;
   std::array<const DeckUnit*, 3> units{};
   for (std::size_t i = 0; i < units.size(); ++i) {
@@ -327,28 +324,45 @@ void take_units(const DeckBlock& block, DeckContents& contents) {
     if (found != slot.known.end()) {
       units[i] = &*found;
     } else if (word.empty()) {
-      contents.unit_faults.push_back({fmt::format("the unit of {} is missing", slot.name), line});
+      faults.push_back({fmt::format("the unit of {} is missing", slot.name), line});
     } else {
-      contents.unit_faults.push_back(
+      faults.push_back(
           {fmt::format("wanted a unit of {}, found '{}'", slot.name, shortened(word, 40)), word});
     }
   }
-  if (!contents.unit_faults.empty()) return;
+  if (!faults.empty()) return std::nullopt;
   const auto [mass, length, time] = units;
   const double newtons = mass->in_si * length->in_si / (time->in_si * time->in_si);
   constexpr std::array<std::pair<std::string_view, double>, 6> kForces{
       {{"N", 1.0}, {"kN", 1e3}, {"MN", 1e6}, {"GN", 1e9}, {"mN", 1e-3}, {"uN", 1e-6}}};
   for (const auto& [name, factor] : kForces) {
     if (std::abs(newtons / factor - 1.0) < 1e-9) {
-      contents.units = base::UnitSystem{
+      return base::UnitSystem{
           std::string(length->common), std::string(name), std::string(time->common), {}};
-      return;
     }
   }
-  contents.unit_faults.push_back(
+  faults.push_back(
       {fmt::format("no unit of force has a name that goes with {}, {} and {}: it is {:g} N",
                    mass->common, length->common, time->common, newtons),
        line});
+  return std::nullopt;
+}
+
+/// Takes the system of units from /BEGIN: run name, version, units of the input, units of the work.
+/// A block that ends before it states none.
+void take_units(const DeckBlock& block, DeckContents& contents) {
+  contents.units.reset();
+  contents.unit_faults.clear();
+  if (block.lines.size() > 2) contents.units = units_in(block.lines[2], contents.unit_faults);
+}
+
+/// Takes a local system from /UNIT/id: a title, then the units.
+void take_local_units(const DeckBlock& block, DeckContents& contents) {
+  std::vector<DeckFault> faults;
+  if (block.lines.size() < 2) return;
+  if (auto units = units_in(block.lines[1], faults)) {
+    contents.local_units[id_of(block, 1)] = std::move(*units);
+  }
 }
 
 void sort_unique(std::vector<int>& list) {
@@ -368,15 +382,16 @@ void warn(const base::Diagnostics& messages, base::Diagnostics& out) {
 }
 
 /// Reads a /FRICTION block into the contents.
-void add_friction(const DeckBlock& block, const base::SourceText& source, DeckContents& contents,
+void add_friction(const DeckBlock& block, const StarterDeck& deck, DeckContents& contents,
                   base::Diagnostics& out) {
-  auto friction = read_friction(block, source, out);
+  auto friction = read_friction(block, deck, out);
   if (!friction) return;
   const auto same = std::find_if(contents.frictions.begin(), contents.frictions.end(),
                                  [&](const DeckFriction& f) { return f.id == friction->id; });
   if (same != contents.frictions.end()) {
-    out.error(source.name(), position_of(source, block.keyword), shortened(block.keyword, 40),
-              fmt::format("stands twice, first in line {}", position_of(source, same->where).line));
+    out.error(deck.texts.name(block.keyword), deck.texts.position(block.keyword),
+              shortened(block.keyword, 40),
+              fmt::format("stands twice, first in line {}", deck.texts.position(same->where).line));
     return;
   }
   contents.frictions.push_back(std::move(*friction));
@@ -401,6 +416,12 @@ void complete(DeckContents& contents) {
 
 }  // namespace
 
+std::string name_of(const DeckFriction& friction) {
+  return friction.interface_type == 0
+             ? fmt::format("/FRICTION/{}", friction.id)
+             : fmt::format("/INTER/TYPE{}/{}", friction.interface_type, friction.id);
+}
+
 bool has_all_parts(const DeckContents& deck) {
   return !deck.parts.empty() && !deck.has_includes && !deck.has_submodels;
 }
@@ -415,18 +436,18 @@ DeckContents read_contents(const StarterDeck& deck, std::optional<int> chosen,
     const std::string& word = block.words.front();
     if (word == "FRICTION") {
       base::Diagnostics messages;
-      add_friction(block, deck.source, contents, messages);
+      add_friction(block, deck, contents, messages);
       if (chosen && id_of(block, 1) != *chosen) {
         warn(messages, out);
       } else {
         out.append(messages);
       }
     } else if (word == "FRIC_ORIENT") {
-      for (DeckOrientation& entry : read_orientation(block, deck.source, of_directions)) {
+      for (DeckOrientation& entry : read_orientation(block, deck, of_directions)) {
         contents.orientations.push_back(entry);
       }
     } else if (word == "GRPART" && block.words.size() > 2) {
-      if (auto group = read_group(block, deck.source, out)) {
+      if (auto group = read_group(block, deck, out)) {
         contents.groups.push_back(std::move(*group));
       }
     } else if (word == "PART") {
@@ -438,6 +459,8 @@ DeckContents read_contents(const StarterDeck& deck, std::optional<int> chosen,
       }
     } else if (word == "BEGIN") {
       take_units(block, contents);
+    } else if (word == "UNIT") {
+      take_local_units(block, contents);
     }
   }
   const bool directions_count = std::any_of(
@@ -564,9 +587,9 @@ namespace {
 /// The rules of one friction; messages name the line they are about.
 class Judge {
  public:
-  Judge(const DeckContents& deck, const DeckFriction& friction, const base::SourceText& source,
+  Judge(const DeckContents& deck, const DeckFriction& friction, const import::DeckTexts& texts,
         base::Diagnostics& out)
-      : deck_(deck), friction_(friction), source_(source), out_(out) {}
+      : deck_(deck), friction_(friction), texts_(texts), out_(out) {}
 
   void all() {
     set(friction_.otherwise);
@@ -582,7 +605,7 @@ class Judge {
  private:
   void tell(base::Severity severity, std::string_view piece, std::string message,
             std::string hint = {}) {
-    out_.add({severity, source_.name(), position_of(source_, piece), shortened(friction_.where, 40),
+    out_.add({severity, texts_.name(piece), texts_.position(piece), shortened(friction_.where, 40),
               std::move(message), std::move(hint)});
   }
 
@@ -651,7 +674,7 @@ class Judge {
   }
 
   void known(const DeckSide& side, const DeckPair& pair) {
-    const std::string_view line = source_.line(pair.line);
+    const std::string_view line = pair.where;
     if (side.group > 0) {
       if (!told_groups_.insert(side.group).second) return;
       const DeckGroup* group = find_group(deck_, side.group);
@@ -687,12 +710,12 @@ class Judge {
 
   void mixed(const DeckPair& pair) {
     if ((pair.sides[0].group > 0) != (pair.sides[1].group > 0)) {
-      tell(base::Severity::kWarning, source_.line(pair.line),
+      tell(base::Severity::kWarning, pair.where,
            "the record joins a part and a group: OpenRadioss may use other coefficients");
     }
     if (pair.second && friction_.law > 0) {
       tell(
-          base::Severity::kWarning, source_.line(pair.line),
+          base::Severity::kWarning, pair.where,
           fmt::format("an orthotropic record with Ifric {}: OpenRadioss may use other coefficients",
                       friction_.law));
     }
@@ -724,7 +747,7 @@ class Judge {
 
   const DeckContents& deck_;
   const DeckFriction& friction_;
-  const base::SourceText& source_;
+  const import::DeckTexts& texts_;
   base::Diagnostics& out_;
   std::set<int> told_groups_;
   bool area_told_ = false;
@@ -732,9 +755,9 @@ class Judge {
 
 }  // namespace
 
-void judge(const DeckContents& deck, const DeckFriction& friction, const base::SourceText& source,
+void judge(const DeckContents& deck, const DeckFriction& friction, const import::DeckTexts& texts,
            base::Diagnostics& out) {
-  Judge(deck, friction, source, out).all();
+  Judge(deck, friction, texts, out).all();
 }
 
 }  // namespace slipbench::driver::radioss

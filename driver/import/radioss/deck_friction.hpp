@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -35,13 +36,15 @@ struct DeckPair {
   std::array<DeckSide, 2> sides;
   DeckCoefficients first;
   std::optional<DeckCoefficients> second;  ///< along direction 2, of an orthotropic record
-  int line = 0;                            ///< in the deck
+  std::string_view where = {};             ///< its line in the deck
+  int line = 0;                            ///< its number
 };
 
 /// A /FRICTION block. Ifric, Ifiltr, Xfreq and Iform hold for all its records.
 struct DeckFriction {
   int id = 0;
-  int unit_id = 0;  ///< of a local system of units, 0: the deck's
+  int unit_id = 0;         ///< of a local system of units, 0: the deck's
+  int interface_type = 0;  ///< of the interface whose own friction it is; 0: a /FRICTION
   std::string title;
   int law = 0;                 ///< Ifric, 0 .. 4
   int filter = 0;              ///< Ifiltr, 0 .. 3
@@ -64,9 +67,10 @@ struct DeckGroup {
 struct DeckOrientation {
   DeckSide of;
   std::array<double, 3> vector{1.0, 0.0, 0.0};
-  int skew = 0;      ///< id of the frame the vector is given in, 0: global
-  double phi = 0.0;  ///< turn about the contact's normal
-  int line = 0;
+  int skew = 0;                 ///< id of the frame the vector is given in, 0: global
+  double phi = 0.0;             ///< turn about the contact's normal
+  std::string_view where = {};  ///< its first line in the deck
+  int line = 0;                 ///< the number of it
 };
 
 /// Tells whether a set gives no friction at any speed and pressure, because the constants that its
@@ -90,8 +94,12 @@ struct DeckContents {
   bool has_submodels = false;
   std::optional<base::UnitSystem>
       units;  ///< of /BEGIN, if they make a system of force, length and time
-  std::vector<DeckFault> unit_faults;  ///< why they make none
+  std::vector<DeckFault> unit_faults;           ///< why they make none
+  std::map<int, base::UnitSystem> local_units;  ///< of /UNIT, by id, where they make a system
 };
+
+/// Returns what a friction is called: "/FRICTION/7", "/INTER/TYPE25/3".
+std::string name_of(const DeckFriction& friction);
 
 /// Reads the blocks of a deck. Faults of their lines are reported with their place; a block that
 /// has some is left out. They are errors where they concern the friction `chosen` (all of them, if
@@ -113,7 +121,7 @@ std::vector<DeckOrientation> used_orientations(const DeckContents& deck,
 
 /// Judges one friction of a deck by the rules of its law, filter and parts: errors FRIC001 to
 /// FRIC008, warnings, and remarks on what the interfaces of the deck do with it.
-void judge(const DeckContents& deck, const DeckFriction& friction, const base::SourceText& source,
+void judge(const DeckContents& deck, const DeckFriction& friction, const import::DeckTexts& texts,
            base::Diagnostics& out);
 
 /// Direction 1 of an entry before its turn by phi: the unit vector along the projection of its

@@ -62,10 +62,25 @@ tl::unexpected<DeckFault> fault(std::string message, std::string_view text) {
   return tl::make_unexpected(DeckFault{std::move(message), text});
 }
 
+/// Tells whether a text stands for a number of /PARAMETER: "&mu", "-&mu".
+bool is_parameter(std::string_view text) { return text.starts_with('&') || text.starts_with("-&"); }
+
+tl::expected<double, std::string> number_of(std::string_view text,
+                                            const base::NamedNumbers& parameters) {
+  if (!is_parameter(text)) return parse_fortran_number(text);
+  const bool negative = text.front() == '-';
+  const auto found = parameters.find(text.substr(negative ? 2 : 1));
+  if (found == parameters.end()) {
+    return tl::make_unexpected(in_quotes(text) + " is no number of a /PARAMETER of the deck");
+  }
+  return negative ? -found->second : found->second;
+}
+
 /// The number of one field.
-tl::expected<double, DeckFault> value_of(const DeckField& field, std::string_view text) {
+tl::expected<double, DeckFault> value_of(const DeckField& field, std::string_view text,
+                                         const base::NamedNumbers& parameters) {
   if (text.empty()) return 0.0;
-  const auto number = parse_fortran_number(text);
+  const auto number = number_of(text, parameters);
   if (!number) return fault(std::string(field.name) + ": " + number.error(), text);
   constexpr double kLargest = std::numeric_limits<int>::max();
   if (field.integer && (*number != std::trunc(*number) || std::abs(*number) > kLargest)) {
@@ -89,7 +104,7 @@ std::optional<std::vector<std::string_view>> fixed_texts(std::string_view line,
       if (!text.empty()) return std::nullopt;
       continue;
     }
-    if (!text.empty() && !normalised(text)) return std::nullopt;
+    if (!text.empty() && !is_parameter(text) && !normalised(text)) return std::nullopt;
     texts.push_back(text);
   }
   if (!trimmed(line.substr(std::min(end, line.size()))).empty()) return std::nullopt;
@@ -134,7 +149,8 @@ tl::expected<double, std::string> parse_fortran_number(std::string_view text) {
 
 tl::expected<DeckNumbers, DeckFault> read_numbers(std::string_view line,
                                                   std::span<const DeckField> fields,
-                                                  std::size_t least_free) {
+                                                  std::size_t least_free,
+                                                  const base::NamedNumbers& parameters) {
   std::vector<DeckField> named;
   std::copy_if(fields.begin(), fields.end(), std::back_inserter(named),
                [](const DeckField& field) { return !field.name.empty(); });
@@ -146,7 +162,8 @@ tl::expected<DeckNumbers, DeckFault> read_numbers(std::string_view line,
     numbers.free_format = true;
     const std::size_t count = numbers.texts.size();
     for (const std::string_view word : numbers.texts) {
-      if (!normalised(word)) return fault("wanted a number, found " + in_quotes(word), word);
+      if (!is_parameter(word) && !normalised(word))
+        return fault("wanted a number, found " + in_quotes(word), word);
     }
     if (count != named.size() && count != least_free) {
       std::string names;
@@ -159,11 +176,17 @@ tl::expected<DeckNumbers, DeckFault> read_numbers(std::string_view line,
     numbers.texts.resize(named.size(), line.substr(line.size()));
   }
   for (std::size_t i = 0; i < named.size(); ++i) {
-    const auto value = value_of(named[i], numbers.texts[i]);
+    const auto value = value_of(named[i], numbers.texts[i], parameters);
     if (!value) return tl::make_unexpected(value.error());
     numbers.values.push_back(*value);
   }
   return numbers;
+}
+
+tl::expected<double, DeckFault> read_field(std::string_view line, const DeckField& field,
+                                           const base::NamedNumbers& parameters) {
+  return value_of(field, trimmed(line.substr(std::min(field.begin, line.size()), field.width)),
+                  parameters);
 }
 
 }  // namespace slipbench::driver::radioss

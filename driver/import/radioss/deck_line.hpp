@@ -9,6 +9,8 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "driver/base/units/expression.hpp"
+
 namespace slipbench::driver::radioss {
 
 /// A field of a line: `width` columns from column `begin` (from 0). Reals have 20 columns, integers
@@ -44,9 +46,15 @@ tl::expected<double, std::string> parse_fortran_number(std::string_view text);
 /// Reads a line by its columns: blanks around a number do not matter, an empty field is 0, and so
 /// are all that a short line lacks. A line that cannot be read so, but splits at blanks into as
 /// many numbers as there are named fields (or `least_free`, if the last may be missing), counts as
-/// free format. Errors: a text that is no number; a fraction where an integer is wanted.
+/// free format. `&name` is a number of `parameters`. Errors: a text that is no number; a name that
+/// is no parameter; a fraction where an integer is wanted.
 tl::expected<DeckNumbers, DeckFault> read_numbers(std::string_view line,
                                                   std::span<const DeckField> fields,
-                                                  std::size_t least_free);
+                                                  std::size_t least_free,
+                                                  const base::NamedNumbers& parameters = {});
+
+/// Reads one field of a line by its columns, whatever stands in the others.
+tl::expected<double, DeckFault> read_field(std::string_view line, const DeckField& field,
+                                           const base::NamedNumbers& parameters);
 
 }  // namespace slipbench::driver::radioss

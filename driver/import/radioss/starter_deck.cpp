@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <filesystem>
+#include <utility>
+
+#include "driver/import/radioss/deck_line.hpp"
 
 namespace slipbench::driver::radioss {
 namespace {
@@ -36,8 +40,9 @@ std::vector<std::string> words_of(std::string_view keyword) {
 enum class Use { kNone, kKeyword, kLines };
 
 Use use_of(std::string_view word) {
-  constexpr std::array<std::string_view, 4> kWhole{"BEGIN", "FRICTION", "FRIC_ORIENT", "GRPART"};
-  constexpr std::array<std::string_view, 2> kKeywords{"INTER", "PART"};
+  constexpr std::array<std::string_view, 7> kWhole{"BEGIN", "FRICTION",  "FRIC_ORIENT", "GRPART",
+                                                   "INTER", "PARAMETER", "UNIT"};
+  constexpr std::array<std::string_view, 1> kKeywords{"PART"};
   if (std::find(kWhole.begin(), kWhole.end(), word) != kWhole.end()) return Use::kLines;
   const bool keyword = std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end();
   return keyword ? Use::kKeyword : Use::kNone;
@@ -55,11 +60,6 @@ std::size_t first_control(std::string_view text) {
 
 }  // namespace
 
-base::SourcePosition position_of(const base::SourceText& source, std::string_view piece) {
-  const auto offset = static_cast<std::size_t>(piece.data() - source.text().data());
-  return source.position(offset, std::max<std::size_t>(1, piece.size()));
-}
-
 int id_of(const DeckBlock& block, std::size_t index) {
   if (index >= block.words.size()) return 0;
   const std::string& word = block.words[index];
@@ -68,43 +68,107 @@ int id_of(const DeckBlock& block, std::size_t index) {
   return read.ec == std::errc{} && read.ptr == word.data() + word.size() && id >= 1 ? id : 0;
 }
 
-StarterDeck split_deck(const base::SourceText& source, base::Diagnostics& out) {
-  StarterDeck deck{source, {}, false, false};
-  const std::string_view text = source.text();
-  if (const std::size_t at = first_control(text); at != std::string_view::npos) {
-    out.error(source.name(), source.position(at), {},
-              "is no text: a starter deck has no control characters",
-              text[at] == '\r' ? "a carriage return stands without a line feed" : "");
-    return deck;
+namespace {
+
+constexpr std::size_t kDeckSizeLimit = std::size_t{1} << 30U;
+constexpr int kDeepestInclude = 15;
+
+/// Goes through the texts of a deck, in the order in which they include each other.
+class Splitter {
+ public:
+  Splitter(StarterDeck& deck, const std::string& folder, base::Diagnostics& out)
+      : deck_(deck), folder_(folder), out_(out) {}
+
+  void split(std::size_t file, int depth) {
+    const base::SourceText source = deck_.texts[file];
+    const std::string_view text = source.text();
+    if (const std::size_t at = first_control(text); at != std::string_view::npos) {
+      out_.error(source.name(), source.position(at), {},
+                 "is no text: a starter deck has no control characters",
+                 text[at] == '\r' ? "a carriage return stands without a line feed" : "");
+      return;
+    }
+    for (std::size_t begin = 0; begin < text.size();) {
+      const std::size_t end = std::min(text.find('\n', begin), text.size());
+      const std::string_view line = without_end_blanks(text.substr(begin, end - begin));
+      begin = end + 1;
+      if (line.empty()) {
+        blank_ = line;
+      } else if (line.front() == '/') {
+        if (!begin_block(line)) return;
+      } else if (line.front() == '#' || line.front() == '$') {
+        if (in_capitals(line.substr(0, 8)) == "#INCLUDE") include(line, depth);
+      } else if (open_) {
+        DeckBlock& block = deck_.blocks.back();
+        block.lines.push_back(line);
+        if (!block.gap) block.gap = blank_;
+      }
+    }
   }
-  DeckBlock* open = nullptr;
-  std::optional<std::string_view> blank;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string_view line = without_end_blanks(text.substr(begin, end - begin));
-    begin = end + 1;
-    if (line.empty()) {
-      blank = line;
-      continue;
+
+ private:
+  /// Returns false at the end of the deck.
+  bool begin_block(std::string_view line) {
+    open_ = false;
+    blank_.reset();
+    std::vector<std::string> words = words_of(line);
+    if (words.front() == "END") return false;
+    // A keyword with two slashes has an empty first word.
+    const bool submodel = words.size() > 1 && words[0].empty() && words[1] == "SUBMODEL";
+    deck_.has_submodels = deck_.has_submodels || submodel;
+    const Use use = use_of(words.front());
+    if (use == Use::kNone) return true;
+    deck_.blocks.push_back({std::move(words), line, {}, {}});
+    open_ = use == Use::kLines;
+    return true;
+  }
+
+  void include(std::string_view line, int depth) {
+    std::string_view name = line.substr(8);
+    name.remove_prefix(std::min(name.find_first_not_of(" \t"), name.size()));
+    const std::string path = (std::filesystem::path(folder_) / name).string();
+    if (depth < kDeepestInclude) {
+      if (auto source = base::read_source(path, kDeckSizeLimit)) {
+        split(deck_.texts.add(std::move(*source)), depth + 1);
+        return;
+      }
     }
-    if (line.front() == '/') {
-      open = nullptr;
-      blank.reset();
-      std::vector<std::string> words = words_of(line);
-      if (words.front() == "END") break;
-      // A keyword with two slashes has an empty first word.
-      const bool submodel = words.size() > 1 && words[0].empty() && words[1] == "SUBMODEL";
-      deck.has_submodels = deck.has_submodels || submodel;
-      const Use use = use_of(words.front());
-      if (use == Use::kNone) continue;
-      deck.blocks.push_back({std::move(words), line, {}, {}});
-      if (use == Use::kLines) open = &deck.blocks.back();
-    } else if (line.front() == '#' || line.front() == '$') {
-      deck.has_includes = deck.has_includes || in_capitals(line.substr(0, 8)) == "#INCLUDE";
-    } else if (open != nullptr) {
-      open->lines.push_back(line);
-      if (!open->gap) open->gap = blank;
+    deck_.has_includes = true;
+    out_.warning(deck_.texts.name(line), deck_.texts.position(line), "#include",
+                 depth < kDeepestInclude ? "the file cannot be read: what it has is missing here"
+                                         : "files include each other without end",
+                 "files that a deck includes are looked for in its folder");
+  }
+
+  StarterDeck& deck_;
+  const std::string& folder_;
+  base::Diagnostics& out_;
+  bool open_ = false;
+  std::optional<std::string_view> blank_;
+};
+
+/// Takes the numbers of a /PARAMETER block: below the title a name and a number a line.
+void take_parameters(const DeckBlock& block, base::NamedNumbers& parameters) {
+  for (std::size_t i = 1; i < block.lines.size(); ++i) {
+    const std::string_view line = block.lines[i];
+    const std::size_t begin = std::min(line.find_first_not_of(" \t"), line.size());
+    const std::size_t end = std::min(line.find_first_of(" \t", begin), line.size());
+    const std::size_t number = std::min(line.find_first_not_of(" \t", end), line.size());
+    // Texts and formulas are parameters, too, and nobody asks for them as numbers.
+    if (const auto value = parse_fortran_number(line.substr(number))) {
+      parameters[std::string(line.substr(begin, end - begin))] = *value;
     }
+  }
+}
+
+}  // namespace
+
+StarterDeck split_deck(const base::SourceText& source, const std::string& folder,
+                       base::Diagnostics& out) {
+  StarterDeck deck{.texts = import::DeckTexts(source), .blocks = {}};
+  Splitter(deck, folder, out).split(0, 0);
+  for (const DeckBlock& block : deck.blocks) {
+    if (block.words.front() == "PARAMETER") take_parameters(block, deck.parameters);
   }
   return deck;
 }

@@ -9,6 +9,8 @@
 
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/source_text.hpp"
+#include "driver/base/units/expression.hpp"
+#include "driver/import/deck_texts.hpp"
 
 namespace slipbench::driver::radioss {
 
@@ -21,21 +23,21 @@ struct DeckBlock {
 };
 
 /// The blocks of a deck that matter for friction: /BEGIN, /FRICTION, /FRIC_ORIENT, /GRPART, /INTER,
-/// /PART. Of the last two only the keywords are kept.
+/// /PARAMETER, /UNIT, and /PART, of which only the keyword is kept.
 struct StarterDeck {
-  base::SourceText source;
+  import::DeckTexts texts;
   std::vector<DeckBlock> blocks;
-  bool has_includes = false;   ///< other files belong to it, which are not read
-  bool has_submodels = false;  ///< some ids count from an offset, which is not added
+  base::NamedNumbers parameters = {};  ///< of /PARAMETER, which fields name as &name
+  bool has_includes = false;           ///< other files belong to it, which cannot be read
+  bool has_submodels = false;          ///< some ids count from an offset, which is not added
 };
 
 /// Splits a deck into blocks; a block ends at the next line that begins with '/', the deck at /END
 /// or at its end. Lines that begin with '#' or '$' are comments. Bytes that are no text (NUL and
-/// other control characters) are an error; titles may be in any encoding.
-StarterDeck split_deck(const base::SourceText& source, base::Diagnostics& out);
-
-/// The place of a piece of the deck's text; an empty one is the place before which it stands.
-base::SourcePosition position_of(const base::SourceText& source, std::string_view piece);
+/// other control characters) are an error; titles may be in any encoding. Files it includes are
+/// looked for in `folder`; one that cannot be read is a warning.
+StarterDeck split_deck(const base::SourceText& source, const std::string& folder,
+                       base::Diagnostics& out);
 
 /// The id behind a keyword, /GRPART/PART/id or /FRICTION/id: word `index` as an integer of at least
 /// 1; 0 if there is none.

@@ -15,7 +15,9 @@
 #include "driver/read/read_case.hpp"
 #include "tests/driver/import/radioss/deck_for_test.hpp"
 #include "tests/driver/support/checks_for_test.hpp"
+#include "tests/driver/support/files_for_test.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
+#include "tests/support/project_paths.hpp"
 
 namespace slipbench::driver::commands {
 namespace {
@@ -147,7 +149,9 @@ read::ReadOptions values_for(const fs::path& path) {
                                                                     {"K_t", 1e4},
                                                                     {"normal_force", 100.0},
                                                                     {"speed", 30.0},
-                                                                    {"time_step", 1e-5}}) {
+                                                                    {"time_step", 1e-5},
+                                                                    {"wrap_angle", 1.0},
+                                                                    {"CP2", 0.5}}) {
     if (text.find("\n  " + name + ":") != std::string::npos)
       options.overrides.push_back({name, value});
   }
@@ -205,6 +209,60 @@ TEST_CASE("A case that was imported runs once its parameters have values") {
       }
     }
   }
+}
+
+/// The deck of a file of the tests, and where its cases go.
+struct ImportOfFile {
+  explicit ImportOfFile(const std::string& file) {
+    options.deck = test::source_dir() + "/tests/decks/" + file;
+    options.output = (folder.path() / "c.yaml").string();
+  }
+  TemporaryFolder folder;
+  ImportOptions options;
+
+  cases::Case only() {
+    REQUIRE(import_command(options) == base::kExitOk);
+    const read::ReadCase read = read::read_case(options.output, values_for(options.output));
+    INFO(base::render(read.diagnostics, read.sources));
+    REQUIRE(read.value);
+    CHECK(failed_checks(*read.value).empty());
+    return *read.value;
+  }
+};
+
+TEST_CASE("Friction of a deck is found in its interfaces, its includes and its own units") {
+  const cases::Case local = ImportOfFile("radioss/local_units_0000.rad").only();
+  CHECK(local.units.force == "N");
+  CHECK(local.units.time == "s");
+  const auto mu = [](const cases::Case& problem) {
+    return std::get<law::ConstantCoefficient>(problem.definitions[0].law.law).mu;
+  };
+  CHECK(mu(ImportOfFile("radioss/include_0000.rad").only()) == 0.25);
+  const cases::Case box = ImportOfFile("radioss/type25_own_coulomb_0000.rad").only();
+  CHECK(mu(box) == 0.18);
+  CHECK(std::holds_alternative<law::StiffnessPenalty>(box.definitions[0].law.formulation->penalty));
+  // The interface names one of two /FRICTION, in place of its own Fric.
+  const cases::Case drum = ImportOfFile("radioss/type7_points_at_friction_0000.rad").only();
+  CHECK(std::get<law::ExponentialDecay>(drum.definitions[0].law.law).mu_static == 0.32);
+}
+
+TEST_CASE("All joints of a deck become cases in a folder, or none if the deck has a fault") {
+  ImportOfFile belt("abaqus/belt.inp");
+  CHECK(import_command(belt.options) == base::kExitBadInput);
+  CHECK_FALSE(fs::exists(belt.options.output));
+  belt.options.output = (belt.folder.path() / "cases").string();
+  belt.options.all = true;
+  CHECK(import_command(belt.options) == base::kExitOk);
+  CHECK(fs::exists(fs::path(belt.options.output) / "belt_1.yaml"));
+  CHECK(fs::exists(fs::path(belt.options.output) / "belt_2.yaml"));
+  CHECK(file_count(belt.options.output) == 2);
+  ImportOfFile second("abaqus/belt.inp");
+  second.options.connector = "belt_b";
+  CHECK(second.only().belt->has_length);
+
+  Import wrong("*NODE\n1, 0.\n*CONNECTOR BEHAVIOR, NAME=B\n*CONNECTOR FRICTION, FORCE=1\n");
+  CHECK(import_command(wrong.options) == base::kExitBadInput);
+  CHECK_FALSE(fs::exists(wrong.options.output));
 }
 
 }  // namespace

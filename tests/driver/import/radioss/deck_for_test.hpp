@@ -63,13 +63,13 @@ struct ReadDeck {
 inline ReadDeck read_deck(const std::string& text, std::optional<int> chosen = {}) {
   const base::SourceText source("d.rad", text);
   base::Diagnostics diagnostics;
-  const StarterDeck deck = split_deck(source, diagnostics);
+  const StarterDeck deck = split_deck(source, ".", diagnostics);
   ReadDeck read{read_contents(deck, chosen, diagnostics), {}, {}};
   const auto friction =
       std::find_if(read.contents.frictions.begin(), read.contents.frictions.end(),
                    [&](const DeckFriction& one) { return !chosen || one.id == *chosen; });
   if (friction != read.contents.frictions.end() && !diagnostics.has_errors()) {
-    judge(read.contents, *friction, source, diagnostics);
+    judge(read.contents, *friction, deck.texts, diagnostics);
   }
   const base::SourceText sources[] = {source};
   read.said = base::render(diagnostics, sources);

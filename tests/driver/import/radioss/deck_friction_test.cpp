@@ -156,13 +156,17 @@ TEST_CASE("A record names something on both sides") {
   CHECK(both.contents.frictions[0].pairs[0].sides[0].part == 0);
 }
 
+const Messages kMissingFile{
+    "1:1: warning: #include: the file cannot be read: what it has is missing here; files that a "
+    "deck includes are looked for in its folder"};
+
 TEST_CASE("Parts are looked up where the deck has all of them") {
   const std::string friction =
       kHead + options(0, 0, "", 1) + coulomb(".1") + sides(0, 0, 1, 9) + coulomb(".2");
   const std::string parts = "/PART/1\none\n1 1\n/PART/2\ntwo\n1 1\n";
   CHECK(read_deck(friction).messages.empty());
   CHECK(says(read_deck(parts + friction), "FRIC003: the deck has no part 9"));
-  CHECK(read_deck("#include more.rad\n" + parts + friction).messages.empty());
+  CHECK(read_deck("#include more.rad\n" + parts + friction).messages == kMissingFile);
   // Behind //SUBMODEL ids count from an offset.
   CHECK(read_deck("//SUBMODEL/1\nleft\n" + parts + "//ENDSUB\n" + friction).messages ==
         Messages{"10:1: note: /FRICTION/7: the deck has a //SUBMODEL: ids are taken as they are "
@@ -186,7 +190,7 @@ TEST_CASE("Parts that a group lists and the deck does not have are left out of i
                  "them under 'G200' of the case"});
   CHECK(find_group(read.contents, 100)->parts == std::vector<int>{1, 2});
   const ReadDeck more = read_deck("#include more.rad\n" + groups + parts + friction);
-  CHECK(more.messages.empty());
+  CHECK(more.messages == kMissingFile);
   CHECK(find_group(more.contents, 100)->parts == std::vector<int>{1, 2, 9});
 }
 
@@ -266,7 +270,7 @@ TEST_CASE("Directions count for the orthotropic records that join their part") {
   REQUIRE(read.contents.frictions.size() == 1);
   const auto used = [&](int group, int part) {
     DeckContents contents = read.contents;
-    contents.orientations = {{{group, part}, {}, 0, 0.0, 0}};
+    contents.orientations = {DeckOrientation{.of = {group, part}}};
     return !used_orientations(contents, contents.frictions[0]).empty();
   };
   for (const int part : {1, 2, 3, 4}) CHECK(used(0, part));
