@@ -42,6 +42,8 @@ struct CaseDefinition {
   std::optional<law::FrictionLaw> backward = {};
   std::optional<DeadZone> dead_zone = {};  ///< in series with the friction of one component
   std::size_t entry = 0;                   ///< of `friction:`, that it comes from
+  /// Geometry of predefined friction, that the law was expanded from; null of any other.
+  std::shared_ptr<const law::ConnectionType> predefined = {};
 };
 
 /// The record of a table of part pairs whose friction is in force.

@@ -279,6 +279,7 @@ ReadCase ParsedCase::resolve(const ReadOptions& options) const {
   result.data_files = binder.data_files();
   problem.data_files = binder.data_files();
   if (bound && !out.has_errors()) explain_table_arguments(binder, text, problem);
+  if (options.text != nullptr) *options.text = text;
   if (bound && !out.has_errors()) result.value = std::move(problem);
   return result;
 }

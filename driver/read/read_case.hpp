@@ -16,6 +16,8 @@
 
 namespace slipbench::driver::read {
 
+struct CaseText;
+
 /// Result of reading a case: the case, unless there were errors, and all messages.
 struct ReadCase {
   std::optional<cases::Case> value;
@@ -32,6 +34,9 @@ struct ReadOptions {
   bool curves_may_be_missing = false;  ///< reference curves are about to be made
   /// Gets the formulas of the text, those of its parameters left out; or null.
   std::vector<yaml::Formula>* formulas = nullptr;
+  /// Gets what is written under the keys, expressions evaluated; or null. Its nodes are of the parsed
+  /// case.
+  CaseText* text = nullptr;
 };
 
 /// The text of a case, parsed once, to be resolved again and again with other parameters.

@@ -165,7 +165,7 @@ Potential read_potential(const KeywordDeck& deck, const Block& block) {
 }
 
 Friction read_friction(const KeywordDeck& deck, const Block& block) {
-  Friction friction{.where = block.where};
+  Friction friction{.where = block.where, .name = block.name};
   friction.fields = count_of(deck, block, "DEPENDENCIES");
   friction.stick_stiffness = number_of(deck, block, "STICK STIFFNESS", 0.0);
   std::vector<Items> lines = deck.lines(block);

@@ -59,6 +59,7 @@ struct Coefficient {
 /// *CONNECTOR FRICTION with what belongs to it.
 struct Friction {
   std::string_view where;
+  std::string_view name = {};                    ///< of a comment before it, or empty
   std::optional<Row> predefined = std::nullopt;  ///< its line; empty where there is none
   std::optional<int> component = std::nullopt;
   std::optional<std::variant<int, std::string>> contact_force = std::nullopt;

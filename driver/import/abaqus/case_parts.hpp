@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -48,8 +49,6 @@ class CaseParts {
   static law::ComponentSet used_forces(const cases::Case& problem);
   std::string text();
   std::string connector_text();
-  /// Rounds off what axes of rounded directions leave.
-  static double rounded(double value, double scale);
   double distance() const;
   double position(int component) const;
 
@@ -73,6 +72,7 @@ class CaseParts {
   std::string predefined_text(const Row& row);
   std::string potential_text(const Potential& potential);
   std::string friction_text();
+  std::string friction_name(std::size_t index) const;
 
   // spring_text.cpp
   /// Springs or dampers.
@@ -85,6 +85,8 @@ class CaseParts {
   bool is_mine(const std::string& target) const;
   std::string history_text();
   std::string step_text(const Step& step, bool first, bool last, double begin);
+  void take_nodes(const Step& step, double begin, std::vector<std::string>& force,
+                  std::vector<std::string>& ambient, std::vector<std::string>& fields);
   std::string changes_text(const Step& step);
   std::string blend_text(const Step& step, const FrictionChange& change);
 
@@ -99,6 +101,7 @@ class CaseParts {
   std::set<std::string> ambient_;  ///< temperature and fields that tables see
   std::array<double, law::kComponents> initial_{}, values_{}, loads_{};
   law::ComponentSet driven_;
+  std::map<std::string, double> ambient_values_;  ///< at the start of a step
 };
 
 }  // namespace slipbench::driver::abaqus

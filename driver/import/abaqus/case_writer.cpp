@@ -70,18 +70,7 @@ cases::Case CaseParts::resolved(const std::string& text) const {
 law::ComponentSet CaseParts::used_forces(const cases::Case& problem) {
   law::ComponentSet used;
   for (const cases::CaseDefinition& definition : problem.definitions) {
-    const law::ContactForce& contact = definition.law.contact_force;
-    if (const auto* one = std::get_if<law::ComponentContactForce>(&contact)) {
-      used.insert(one->component);
-    } else if (const auto* derived = std::get_if<law::DerivedComponent>(&contact)) {
-      for (const law::DerivedTerm& term : *derived) {
-        for (int i = 0; i < term.count; ++i) {
-          used.insert(term.component[static_cast<std::size_t>(i)]);
-        }
-      }
-    } else if (std::holds_alternative<law::UniversalJointContact>(contact)) {
-      used = used | law::ComponentSet::of(1, 2, 3, 5);
-    }
+    used = used | law::components_of(definition.law.contact_force);
   }
   return used & problem.connection.info.held;
 }
@@ -159,21 +148,15 @@ std::string CaseParts::connector_text() {
   return text;
 }
 
-double CaseParts::rounded(double value, double scale) {
-  if (std::abs(value) <= 1e-12 * scale) return 0.0;
-  const std::string text = fmt::format("{:.12g}", value);
-  return std::stod(text);
-}
-
 double CaseParts::distance() const {
   if (!connector_.position) return 0.0;
   const Point& p = *connector_.position;
-  return rounded(std::hypot(p[0], p[1], p[2]), 0.0);
+  return std::hypot(p[0], p[1], p[2]);
 }
 
 double CaseParts::position(int component) const {
   if (!connector_.position || law::is_rotation(component)) return 0.0;
-  return rounded((*connector_.position)[static_cast<std::size_t>(component)], distance());
+  return (*connector_.position)[static_cast<std::size_t>(component)];
 }
 
 std::string described(const Connector& connector) {

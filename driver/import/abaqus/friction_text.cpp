@@ -133,6 +133,12 @@ std::string CaseParts::potential_text(const Potential& potential) {
   return text + "terms: [" + join(terms) + "]}";
 }
 
+/// The name of a definition in the case: its own, or friction1, ..
+std::string CaseParts::friction_name(std::size_t index) const {
+  const std::string_view name = connector_.behavior->frictions[index].name;
+  return name.empty() ? fmt::format("friction{}", index + 1) : quoted(std::string(name));
+}
+
 std::string CaseParts::friction_text() {
   std::string text = "friction:\n";
   for (const Friction& friction : connector_.behavior->frictions) {
@@ -147,6 +153,7 @@ std::string CaseParts::friction_text() {
       pass("its friction (" + deck_.place(friction.where) +
            ") is neither PREDEFINED nor has it a component or a potential");
     }
+    if (!friction.name.empty()) text += "    name: " + quoted(std::string(friction.name)) + "\n";
     if (friction.contact_force) {
       const int* const component = std::get_if<int>(&*friction.contact_force);
       text += "    contact_force: " +

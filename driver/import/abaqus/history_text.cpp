@@ -75,9 +75,12 @@ std::string CaseParts::step_text(const Step& step, bool first, bool last, double
         quoted(ask(name, fmt::format("position at the end of {}: no step drives it", step.name))) +
         "}");
   }
+  std::vector<std::string> ambient;
+  std::vector<std::string> fields;
+  take_nodes(step, begin, force, ambient, fields);
   if (first) {
     for (int c = 0; c < law::kComponents; ++c) {
-      if (!forces_.contains(c)) continue;
+      if (!forces_.contains(c) || connector_.alone) continue;
       const std::string name = cases::force_name(c);
       force.push_back(name + ": " +
                       quoted(ask(name, fmt::format("constraint {} along {}, {} of the element",
@@ -87,23 +90,44 @@ std::string CaseParts::step_text(const Step& step, bool first, bool last, double
     const bool has_spring =
         std::any_of(connector_.behavior->elasticity.begin(), connector_.behavior->elasticity.end(),
                     [](const Spring& one) { return one.component == 1; });
-    if (belt_ && !has_spring) {
+    if (belt_ && !has_spring && !driven_.contains(0)) {
       force.push_back("f1: " + quoted(ask("f1", "tension of the belt between a and b, CTF1")));
     }
   }
   if (!motion.empty()) text += "    motion: {" + join(motion) + "}\n";
   if (!force.empty()) text += "    force: {" + join(force) + "}\n";
-  if (first && ambient_.count("temperature") > 0) {
-    text += "    temperature: " + quoted(ask("temperature", "of the connector")) + "\n";
-  }
-  std::vector<std::string> fields;
-  for (const std::string& field : ambient_) {
-    if (first && field != "temperature") {
-      fields.push_back(field + ": " + quoted(ask(field, "field variable of the connector")));
+  for (const std::string& one : ambient_) {
+    if (!first || connector_.alone) break;
+    if (one == "temperature") {
+      ambient.push_back("temperature: " + quoted(ask(one, "of the connector")));
+    } else {
+      fields.push_back(one + ": " + quoted(ask(one, "field variable of the connector")));
     }
   }
+  for (const std::string& one : ambient) text += "    " + one + "\n";
   if (!fields.empty()) text += "    fields: {" + join(fields) + "}\n";
   return text + changes_text(step);
+}
+
+/// Constraint forces, temperature and fields from those of the nodes, of a connector that is alone.
+void CaseParts::take_nodes(const Step& step, double begin, std::vector<std::string>& force,
+                           std::vector<std::string>& ambient, std::vector<std::string>& fields) {
+  if (!connector_.alone) return;
+  for (const Drive& drive : step.of_nodes) {
+    if (drive.target != (*connector_.alone)[1]) continue;
+    const int c = drive.component - 1;
+    const auto i = static_cast<std::size_t>(c);
+    const bool is_force = drive.quantity.empty();
+    if (is_force && !connection_.info.held.contains(c)) continue;
+    const std::string name = is_force ? cases::force_name(c) : drive.quantity;
+    double& value = is_force ? loads_[i] : ambient_values_[name];
+    const DriveProfile profile = profile_of(deck_, model_, step, drive, name, 0.0, value, begin);
+    if (!profile.note.empty()) notes_.push_back(profile.note);
+    if (profile.text.empty()) continue;
+    value = profile.end;
+    const std::string entry = name + ": " + profile.text;
+    (is_force ? force : name == "temperature" ? ambient : fields).push_back(entry);
+  }
 }
 
 std::string CaseParts::changes_text(const Step& step) {
@@ -115,8 +139,10 @@ std::string CaseParts::changes_text(const Step& step) {
       entries.emplace_back("reset: true");
     } else {
       entries.push_back("coefficient: " + coefficient_text(change.coefficient));
-      if (change.coefficient && change.coefficient->force_limit) {
-        entries.push_back("force_limit: " + number_text(*change.coefficient->force_limit));
+      // The new friction stands alone: without TAUMAX there is no limit any more.
+      if (change.coefficient) {
+        entries.push_back("force_limit: " +
+                          number_text(change.coefficient->force_limit.value_or(0.0)));
       }
       const std::string stick = stick_text(std::nullopt, change.coefficient);
       if (!stick.empty()) entries.push_back("stick: {" + stick + "}");
@@ -124,7 +150,7 @@ std::string CaseParts::changes_text(const Step& step) {
     if (!change.amplitude.empty()) entries.push_back("amplitude: " + blend_text(step, change));
     text += text.empty() ? "    change_friction:\n" : "";
     for (std::size_t i = 0; i < connector_.behavior->frictions.size(); ++i) {
-      text += fmt::format("      friction{}: {{{}}}\n", i + 1, join(entries));
+      text += fmt::format("      {}: {{{}}}\n", friction_name(i), join(entries));
     }
   }
   return text;
@@ -134,6 +160,7 @@ std::string CaseParts::blend_text(const Step& step, const FrictionChange& change
   Drive drive{
       .where = change.where, .magnitude = 1.0, .amplitude = change.amplitude, .is_load = true};
   const DriveProfile profile = profile_of(deck_, model_, step, drive, "weight", 0.0, 0.0, 0.0);
+  if (profile.text == "{smooth_to: 1}") return "smooth";
   if (profile.text.empty() || profile.text.front() != '{') {
     pass(fmt::format("the amplitude of *CHANGE FRICTION ({}) is no table",
                      deck_.place(change.where)));

@@ -46,9 +46,9 @@ std::string small(std::string_view text) {
 
 }  // namespace
 
-const Parameter* Block::find(std::string_view name) const {
+const Parameter* Block::find(std::string_view wanted) const {
   for (const Parameter& one : parameters) {
-    if (folded(one.name) == folded(name)) return &one;
+    if (folded(one.name) == folded(wanted)) return &one;
   }
   return nullptr;
 }
@@ -129,6 +129,9 @@ void KeywordDeck::begin_block(std::size_t file, int& line) {
   std::string_view text = trimmed(source.line(line));
   Items items = split_items(text);
   Block block{.keyword = trimmed(items.front().substr(1)), .where = items.front()};
+  const std::string_view comment = trimmed(source.line(line - 1));
+  constexpr std::string_view kName = "** Name: ";
+  if (comment.starts_with(kName)) block.name = trimmed(comment.substr(kName.size()));
   const FoundName keyword = find_keyword(block.keyword);
   if (!keyword.name.empty()) block.keyword = keyword.name;
   const auto rules = read_keywords();

@@ -38,9 +38,10 @@ struct Block {
   std::string_view where;    ///< in the deck
   std::vector<Parameter> parameters = {};
   std::vector<LineRange> data = {};  ///< with comments and blank lines; several across files
+  std::string_view name = {};  ///< of a comment "** Name: .." before it, as Abaqus/CAE writes it
 
-  const Parameter* find(std::string_view name) const;
-  bool has(std::string_view name) const { return find(name) != nullptr; }
+  const Parameter* find(std::string_view wanted) const;
+  bool has(std::string_view wanted) const { return find(wanted) != nullptr; }
 };
 
 /// Item of a data line or a value of a parameter: a number or a label.

@@ -9,7 +9,7 @@ namespace slipbench::driver::abaqus {
 namespace {
 
 /// Others, which a shortened name might be meant for.
-constexpr std::array<std::string_view, 87> kOthers{
+constexpr std::array<std::string_view, 86> kOthers{
     "ANISOTROPIC HYPERELASTIC",
     "ANNEAL",
     "AQUA",
@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 87> kOthers{
     "CECHANGE",
     "CENTROID",
     "CFLUX",
-    "CLOAD",
+
     "COHESIVE BEHAVIOR",
     "COHESIVE SECTION",
     "COMPLEX FREQUENCY",
@@ -115,7 +115,9 @@ std::span<const KeywordRule> read_keywords() {
       {"AMPLITUDE",
        {"NAME", "DEFINITION", "TIME", "VALUE", "FIXED INTERVAL", "BEGIN", "SMOOTH", "INPUT"}},
       {"ASSEMBLY", {"NAME"}},
+      {"BOUNDARY", {}},
       {"CHANGE FRICTION", {"ELSET", "INTERACTION", "AMPLITUDE", "RESET"}},
+      {"CLOAD", {"AMPLITUDE", "OP", "FOLLOWER", "LOAD CASE", "REAL", "IMAGINARY", "REGION TYPE"}},
       {"CONNECTOR BEHAVIOR",
        {"NAME", "EXTRAPOLATION", "INTEGRATION", "REGULARIZE", "RATE INTERPOLATION", "RTOL",
         "RATE FACTOR", "OPTIMIZE"}},
@@ -146,6 +148,7 @@ std::span<const KeywordRule> read_keywords() {
       {"END INSTANCE"},
       {"END PART"},
       {"END STEP"},
+      {"FIELD", {"VARIABLE", "AMPLITUDE", "OP", "USER", "FILE", "BSTEP", "ESTEP", "BINC", "EINC"}},
       {"FRICTION",
        {"EXPONENTIAL DECAY", "TEST DATA", "TAUMAX", "SLIP TOLERANCE", "ELASTIC SLIP",
         "DEPENDENCIES", "ROUGH", "LAGRANGE", "USER", "ANISOTROPIC", "PROPERTIES", "DEPVAR",
@@ -161,6 +164,7 @@ std::span<const KeywordRule> read_keywords() {
       {"STATIC", {}},
       {"STEP", {}},
       {"SURFACE INTERACTION", {}},
+      {"TEMPERATURE", {}},
       {"VISCO", {}},
   };
   return kRules;

@@ -65,6 +65,12 @@ long whole(const KeywordDeck& deck, std::string_view item, long otherwise) {
   return static_cast<long>(*number);
 }
 
+/// Takes off what turned axes leave of rounding, in numbers that people wrote with a few digits.
+double rounded(double value, double scale) {
+  constexpr double kNothing = 1e-12;
+  return std::abs(value) <= kNothing * scale ? 0.0 : std::stod(fmt::format("{:.12g}", value));
+}
+
 std::string value_of(const Block& block, std::string_view name) {
   const Parameter* const one = block.find(name);
   return one == nullptr ? "" : std::string(one->value.value_or(""));
@@ -88,6 +94,10 @@ class Reader {
     }
     make_connectors();
     find_positions();
+    if (!others_ && elements_.size() == 1 && model_.connectors.size() == 1) {
+      const std::array nodes{label_of(elements_[0].nodes[0]), label_of(elements_[0].nodes[1])};
+      if (nodes[0].empty() || held_.count(nodes[0]) > 0) model_.connectors[0].alone = nodes;
+    }
     return std::move(model_);
   }
 
@@ -136,6 +146,8 @@ class Reader {
       end_step();
     } else if (step_) {
       read_in_step(block);
+    } else if (keyword == "BOUNDARY") {
+      read_boundary(block);
     } else if (keyword == "FRICTION" || keyword == "SURFACE INTERACTION" || keyword == "GAP" ||
                keyword == "HEADING" || keyword == "ASSEMBLY" || keyword == "END ASSEMBLY" ||
                keyword == "END INSTANCE" || keyword == "PARAMETER") {
@@ -170,7 +182,10 @@ class Reader {
 
   void read_elements(const Block& block) {
     const std::string type = folded(value_of(block, "TYPE"));
-    if (type != "CONN3D2" && type != "CONN2D2") return;
+    if (type != "CONN3D2" && type != "CONN2D2") {
+      others_ = true;
+      return;
+    }
     const std::string set = label_of(value_of(block, "ELSET"));
     for (const Items& items : deck_.lines(block)) {
       Element one{.part = part_,
@@ -340,6 +355,10 @@ class Reader {
       if (at(1) > 0.0) step_->period = at(1);
     } else if (keyword == "CONNECTOR MOTION" || keyword == "CONNECTOR LOAD") {
       read_drives(block, keyword == "CONNECTOR LOAD");
+    } else if (keyword == "CLOAD" || keyword == "TEMPERATURE" || keyword == "FIELD") {
+      read_of_nodes(block);
+    } else if (keyword == "BOUNDARY") {
+      read_boundary(block);
     } else if (keyword == "CHANGE FRICTION") {
       step_->changes.push_back({.where = block.where,
                                 .target = label_of(value_of(block, "ELSET")),
@@ -391,6 +410,39 @@ class Reader {
         drive.magnitude = *magnitude;
       }
       step_->drives.push_back(drive);
+    }
+  }
+
+  /// Loads, temperatures and fields of nodes; which of them are a connector's is found later.
+  void read_of_nodes(const Block& block) {
+    const bool is_load = block.keyword == "CLOAD";
+    const std::string variable = value_of(block, "VARIABLE");
+    for (const Items& items : deck_.lines(block)) {
+      Drive drive{.where = items.front(),
+                  .target = label_of(items.front()),
+                  .amplitude = label_of(value_of(block, "AMPLITUDE")),
+                  .is_load = true};
+      if (!is_load) {
+        drive.quantity = block.keyword == "TEMPERATURE"
+                             ? "temperature"
+                             : "field" + (variable.empty() ? std::string("1") : variable);
+      }
+      const std::size_t number = is_load ? 2 : 1;
+      const auto component =
+          is_load && items.size() > 1 ? component_in(deck_, items[1]) : std::optional<int>(1);
+      if (!component || items.size() <= number) continue;
+      drive.component = *component;
+      drive.magnitude = deck_.number(items[number]).value_or(0.0);
+      step_->of_nodes.push_back(drive);
+    }
+  }
+
+  void read_boundary(const Block& block) {
+    for (const Items& items : deck_.lines(block)) {
+      const bool all =
+          items.size() > 2 && whole(deck_, items[1], 0) == 1 && whole(deck_, items[2], 0) == 6;
+      const bool encastre = items.size() > 1 && folded(items[1]) == "ENCASTRE";
+      if (all || encastre) held_.insert(label_of(items.front()));
     }
   }
 
@@ -563,8 +615,14 @@ class Reader {
         }
       }
       if (!known) continue;
-      const Vector3d seen = axes->transpose() * (points[1] - points[0]);
-      model_.connectors[i].position = Point{seen[0], seen[1], seen[2]};
+      const Vector3d way = points[1] - points[0];
+      const bool plain = *axes == Matrix3d::Identity();
+      const Vector3d seen = plain ? way : Vector3d(axes->transpose() * way);
+      Point& position = model_.connectors[i].position.emplace();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double own = seen[static_cast<Eigen::Index>(k)];
+        position[k] = plain ? own : rounded(own, way.norm());
+      }
     }
   }
 
@@ -592,6 +650,8 @@ class Reader {
   std::map<NodeName, std::optional<Vector3d>> nodes_;
   std::vector<Place> places_;
   std::optional<Step> step_;
+  std::set<std::string> held_;  ///< nodes whose motion is held in all six components
+  bool others_ = false;         ///< elements that are no connectors
   bool has_time_ = false;
   bool change_open_ = false;
   int steps_ = 0;

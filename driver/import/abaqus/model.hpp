@@ -38,7 +38,8 @@ struct Drive {
   std::string amplitude;  ///< label, or empty
   std::string type = {};  ///< DISPLACEMENT, VELOCITY or ACCELERATION of a motion
   bool is_load = false;
-  bool fixed = false;  ///< held where it is
+  std::string quantity = {};  ///< "temperature", "field1" of a node's, or empty
+  bool fixed = false;         ///< held where it is
 };
 
 /// *CHANGE FRICTION.
@@ -61,6 +62,7 @@ struct Step {
   bool new_loads = false;
   std::vector<Drive> drives = {};
   std::vector<FrictionChange> changes = {};
+  std::vector<Drive> of_nodes = {};  ///< forces, temperatures and fields of nodes
 };
 
 using Point = std::array<double, 3>;
@@ -79,6 +81,9 @@ struct Connector {
   std::optional<Point> position = std::nullopt;
   bool turned = false;  ///< the axes of b are not those of a
   bool plane = false;   ///< CONN2D2
+  /// Numbers of its nodes, where it is the only element of the deck and node a is held: loads of
+  /// node b are its constraint forces then.
+  std::optional<std::array<std::string, 2>> alone = std::nullopt;
 };
 
 /// Connectors, steps and amplitudes of a deck.

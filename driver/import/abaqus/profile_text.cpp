@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "driver/base/text/format_number.hpp"
@@ -138,6 +141,39 @@ Points integrated(const Points& velocities, double start) {
   return points;
 }
 
+/// The number of fewest digits whose frequency is the given one.
+double period_of(double frequency) {
+  const double period = 2.0 * std::numbers::pi / frequency;
+  constexpr int kAllDigits = 17;
+  for (int digits = 1; digits <= kAllDigits; ++digits) {
+    const double shorter = std::stod(fmt::format("{:.{}g}", period, digits));
+    if (2.0 * std::numbers::pi / shorter == frequency) return shorter;
+  }
+  return period;
+}
+
+/// A smooth step over the whole step, or a single sine, which cases have words for.
+std::optional<DriveProfile> plain_profile(const Amplitude& amplitude, const Step& step,
+                                          double factor, double initial, double current) {
+  const std::vector<double>& n = amplitude.numbers;
+  if (amplitude.total_time) return std::nullopt;
+  if (amplitude.kind == Amplitude::Kind::kSmoothStep && n.size() == 4 && n[0] == 0.0 &&
+      n[2] == step.period && factor * n[1] + initial == current) {
+    const double end = factor * n[3] + initial;
+    return DriveProfile{fmt::format("{{smooth_to: {}}}", number_text(end)), end};
+  }
+  const bool sine = amplitude.kind == Amplitude::Kind::kPeriodic && n.size() == 6 && n[0] == 1.0 &&
+                    n[1] > 0.0 && n[2] == 0.0 && n[4] == 0.0;
+  if (!sine) return std::nullopt;
+  const double mean = factor * n[3] + initial;
+  const double height = factor * n[5];
+  const double end = mean + height * std::sin(n[1] * step.period);
+  return DriveProfile{fmt::format("{{sine: {{amplitude: {}, period: {}{}}}}}", number_text(height),
+                                  number_text(period_of(n[1])),
+                                  mean == 0.0 ? std::string() : ", mean: " + number_text(mean)),
+                      end};
+}
+
 }  // namespace
 
 std::string number_text(double number) { return base::format_number(number); }
@@ -183,6 +219,9 @@ DriveProfile profile_of(const KeywordDeck& deck, const Model& model, const Step&
       for (auto& point : points) point.second += initial;
     }
     return {table_text(name, points), points.back().second, note};
+  }
+  if (auto plain = plain_profile(*amplitude, step, factor, initial, current); plain && !velocity) {
+    return *plain;
   }
   const std::string formula = velocity ? std::string() : formula_of(*amplitude);
   if (formula.empty()) {

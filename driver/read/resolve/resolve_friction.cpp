@@ -493,6 +493,7 @@ class Resolver {
               note_dropped_terms(map, text.predefined.path, geometry);
               warn_mixed_units(friction, geometry);
               const bool one_a_ring = has_friction_for_each_ring(text_, out_);
+              const auto written = std::make_shared<const law::ConnectionType>(geometry);
               for (law::PredefinedFriction& check : geometry.predefined()) {
                 if (one_a_ring && check.number != static_cast<int>(index) + 1) continue;
                 law::FrictionDefinition d = shared;
@@ -510,6 +511,7 @@ class Resolver {
                          (check.number > 0 ? std::to_string(check.number) : std::string());
                 }
                 out_.definitions.push_back({std::move(name), d.slip.dimension > 1, std::move(d)});
+                out_.definitions.back().predefined = written;
               }
             }
           },
