@@ -34,8 +34,8 @@ struct ReadOptions {
   bool curves_may_be_missing = false;  ///< reference curves are about to be made
   /// Gets the formulas of the text, those of its parameters left out; or null.
   std::vector<yaml::Formula>* formulas = nullptr;
-  /// Gets what is written under the keys, expressions evaluated; or null. Its nodes are of the parsed
-  /// case.
+  /// Gets what is written under the keys, expressions evaluated; or null. Its nodes are of the
+  /// parsed case.
   CaseText* text = nullptr;
 };
 

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include "driver/base/text/diagnostic.hpp"
+#include "driver/bench/run_case.hpp"
+#include "driver/case/quantity.hpp"
+#include "driver/export/abaqus/deck_parts.hpp"
+
+namespace slipbench::driver::exports {
+namespace {
+
+/// Profiles of more rows than this are no history of a deck.
+constexpr std::size_t kMostSamples = 200'000;
+
+bool is_motion(int quantity) { return quantity < cases::kFirstForce; }
+bool is_force(int quantity) {
+  return quantity >= cases::kFirstForce && quantity < cases::kTemperatureQuantity;
+}
+
+}  // namespace
+
+std::string DeckParts::amplitude(const std::string& data, const std::string& parameters) {
+  std::string name = fmt::format("A{}", ++amplitude_count_);
+  amplitudes_ += "*AMPLITUDE, NAME=" + name + parameters + "\n" + data;
+  return name;
+}
+
+/// An amplitude of the values that a quantity has in a pass of a step.
+std::string DeckParts::sampled(int quantity, std::size_t step_index, int pass) {
+  const auto q = static_cast<std::size_t>(quantity);
+  const double initial = is_motion(quantity) ? problem_.initial[quantity] : 0.0;
+  std::vector<std::string> items{"0.", numbers_(values_[q] - initial)};
+  for (const Sample& one : samples_) {
+    if (one.step != static_cast<int>(step_index) || one.pass != pass) continue;
+    items.push_back(numbers_(one.time));
+    items.push_back(numbers_(one.quantities[q] - initial));
+  }
+  return amplitude(data_lines(items), ", VALUE=ABSOLUTE");
+}
+
+/// A triangle as its corners, and its ends.
+std::string DeckParts::triangle(const history::Wave& wave, double duration, double initial) {
+  const auto value = [&](double time) {
+    const double way = time / wave.period - std::floor(time / wave.period);
+    const double part = way < 0.25 ? 4.0 * way : way < 0.75 ? 2.0 - 4.0 * way : 4.0 * way - 4.0;
+    return wave.mean + wave.amplitude * part - initial;
+  };
+  std::vector<std::string> items{"0.", numbers_(value(0.0))};
+  for (int corner = 0;; ++corner) {
+    const double time = wave.period * (0.25 + 0.5 * corner);
+    if (time >= duration) break;
+    items.push_back(numbers_(time));
+    items.push_back(
+        numbers_(wave.mean + (corner % 2 == 0 ? 1.0 : -1.0) * wave.amplitude - initial));
+  }
+  items.push_back(numbers_(duration));
+  items.push_back(numbers_(value(duration)));
+  return amplitude(data_lines(items), ", VALUE=ABSOLUTE");
+}
+
+std::string DeckParts::history() {
+  // What is sampled comes from a run: its rows have all that drives the case.
+  const auto ended = bench::run_case(problem_, [&](const bench::Row& row) {
+    if (row.index == 0) values_.assign(row.quantities.begin(), row.quantities.end());
+    if (samples_.size() > kMostSamples) return;
+    if (row.index > 0 || row.duration > 0.0) {
+      samples_.push_back(
+          {row.step, row.pass, row.step_time, {row.quantities.begin(), row.quantities.end()}});
+    }
+  });
+  if (!ended) refuse("the case does not run to its end: " + ended.error().message);
+  if (samples_.size() > kMostSamples) refuse("its history has too many increments for a deck");
+  std::string steps;
+  if (problem_.measured) {
+    refuse("a measured history is not written yet");
+  }
+  for (std::size_t i = 0; i < problem_.steps.size(); ++i) {
+    for (int pass = 0; pass < problem_.steps[i].repeat; ++pass) steps += step(i, pass);
+  }
+  return amplitudes_ + steps;
+}
+
+std::string DeckParts::step(std::size_t index, int pass) {
+  const cases::Step& step = problem_.steps[index];
+  const law::ComponentSet& connection = problem_.connection.info.available;
+  std::string text =
+      fmt::format("*STEP, NAME=\"{}{}\", NLGEOM=NO\n*STATIC, DIRECT\n", base::printable(step.name),
+                  pass > 0 ? fmt::format(" {}", pass + 1) : std::string());
+  text += data_lines({numbers_(step.duration / step.increments), numbers_(step.duration)});
+  if (index == 0 && pass == 0) {
+    text += "*BOUNDARY\n1, 1, 6\n";
+    for (int c = 0; c < law::kComponents; ++c) {
+      // A free component that nothing drives would move as it likes; a belt's flow at a is a
+      // result.
+      const bool free = connection.contains(c) && !(problem_.belt && c != 1);
+      if (!free || cases::is_driven(problem_, c) ||
+          cases::is_driven(problem_, cases::kFirstForce + c)) {
+        continue;
+      }
+      text += fmt::format("*CONNECTOR MOTION, FIXED\nJOINT, {}\n", c + 1);
+    }
+  }
+  std::string drives;
+  for (const cases::Drive& one : step.drives) drives += drive(one, index, pass);
+  text += drives;
+  if (pass == 0) text += changes(step);
+  text += "*OUTPUT, HISTORY\n*ELEMENT OUTPUT, ELSET=JOINT\nCTF, CSF, CNF, CASU, CIVC\n*END STEP\n";
+  for (const Sample& one : samples_) {
+    if (one.step == static_cast<int>(index) && one.pass == pass) values_ = one.quantities;
+  }
+  return text;
+}
+
+std::string DeckParts::drive(const cases::Drive& drive, std::size_t step_index, int pass) {
+  const int quantity = drive.quantity;
+  const cases::Step& step = problem_.steps[step_index];
+  const auto q = static_cast<std::size_t>(quantity);
+  const int component = is_motion(quantity) ? quantity : quantity - cases::kFirstForce;
+  const double initial = is_motion(quantity) ? problem_.initial[component] : 0.0;
+  std::string name;
+  double magnitude = 1.0;
+  if (const auto* to = std::get_if<history::LinearTo>(&drive.profile);
+      to != nullptr && (is_motion(quantity) || is_force(quantity))) {
+    magnitude = to->value - initial;
+  } else if (const auto* constant = std::get_if<history::Constant>(&drive.profile)) {
+    magnitude = constant->value - initial;
+    name = amplitude(data_lines({"0.", "1.", numbers_(step.duration), "1."}), "");
+  } else if (const auto* smooth = std::get_if<history::SmoothTo>(&drive.profile)) {
+    name = amplitude(data_lines({"0.", numbers_(values_[q] - initial), numbers_(step.duration),
+                                 numbers_(smooth->value - initial)}),
+                     ", DEFINITION=SMOOTH STEP, VALUE=ABSOLUTE");
+  } else if (const auto* wave = std::get_if<history::Wave>(&drive.profile);
+             wave != nullptr && wave->shape == history::WaveShape::kSine &&
+             (wave->phase == 0.0 || wave->phase == std::numbers::pi / 2.0)) {
+    const std::string height = numbers_(wave->amplitude);
+    name = amplitude(
+        data_lines({"1", numbers_(2.0 * std::numbers::pi / wave->period), "0.",
+                    numbers_(wave->mean - initial)}) +
+            (wave->phase == 0.0 ? data_lines({"0.", height}) : data_lines({height, "0."})),
+        ", DEFINITION=PERIODIC, VALUE=ABSOLUTE");
+  } else if (const auto* table = std::get_if<history::Tabular>(&drive.profile)) {
+    std::vector<std::string> items;
+    for (std::size_t i = 0; i < table->times.size(); ++i) {
+      items.push_back(numbers_(table->times[i]));
+      items.push_back(numbers_(table->values[i] - initial));
+    }
+    name = amplitude(data_lines(items), ", VALUE=ABSOLUTE");
+  } else if (wave != nullptr && wave->shape == history::WaveShape::kTriangle &&
+             wave->phase == 0.0) {
+    name = triangle(*wave, step.duration, initial);
+  } else {
+    if (std::holds_alternative<history::PositionFormula>(drive.profile) && pass == 0) {
+      note(Loss::Kind::kApproximated,
+           cases::quantity_name(quantity) +
+               " follows the position; the deck has its values of a run");
+    }
+    name = sampled(quantity, step_index, pass);
+  }
+  const std::string parameter = name.empty() ? std::string() : ", AMPLITUDE=" + name;
+  const std::string value = numbers_(magnitude);
+  if (is_motion(quantity)) {
+    return fmt::format("*CONNECTOR MOTION{}\nJOINT, {}, {}\n", parameter, component + 1, value);
+  }
+  if (is_force(quantity)) {
+    const bool free = problem_.connection.info.available.contains(component);
+    return free ? fmt::format("*CONNECTOR LOAD{}\nJOINT, {}, {}\n", parameter, component + 1, value)
+                : fmt::format("*CLOAD{}\n2, {}, {}\n", parameter, component + 1, value);
+  }
+  if (quantity == cases::kTemperatureQuantity) {
+    return fmt::format("*TEMPERATURE{}\n1, {}\n2, {}\n", parameter, value, value);
+  }
+  const int field = quantity - cases::kFirstField;
+  if (field < 0 || field >= law::kMaxFields) {
+    refuse("its history drives " + cases::quantity_name(quantity) + ", which a deck cannot");
+  }
+  return fmt::format("*FIELD, VARIABLE={}{}\n1, {}\n2, {}\n", field + 1, parameter, value, value);
+}
+
+std::string DeckParts::changes(const cases::Step& step) {
+  if (step.friction_changes.empty()) return {};
+  if (problem_.definitions.size() != 1 || step.friction_changes.size() != 1) {
+    refuse("*CHANGE FRICTION changes all friction of a connector, not one definition of several");
+  }
+  const cases::FrictionChange& change = step.friction_changes.front();
+  std::string parameter;
+  if (const auto* table = std::get_if<history::Tabular>(&change.amplitude)) {
+    std::vector<std::string> items;
+    for (std::size_t i = 0; i < table->times.size(); ++i) {
+      items.push_back(numbers_(table->times[i]));
+      items.push_back(numbers_(table->values[i]));
+    }
+    parameter = ", AMPLITUDE=" + amplitude(data_lines(items), "");
+  } else if (std::holds_alternative<history::SmoothTo>(change.amplitude)) {
+    parameter = ", AMPLITUDE=" + amplitude(data_lines({"0.", "0.", numbers_(step.duration), "1."}),
+                                           ", DEFINITION=SMOOTH STEP");
+  }
+  return "*CHANGE FRICTION, ELSET=JOINT" + parameter + "\n" +
+         coefficient(change.law, change.force_limit, change.stick);
+}
+
+}  // namespace slipbench::driver::exports

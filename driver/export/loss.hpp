@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// Losses of a case in a program's deck.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace slipbench::driver::exports {
+
+/// Part of a case and its fate in a deck.
+struct Loss {
+  enum class Kind : std::uint8_t { kKept, kApproximated, kDropped };
+  Kind kind = Kind::kKept;
+  std::string text;  ///< a phrase: "checks: a deck has none"
+};
+
+/// Case that a program's deck cannot hold; thrown by its writer.
+struct NotExported {
+  std::string reason;  ///< a sentence
+};
+
+/// Deck, and how much of the case it holds.
+struct ExportedDeck {
+  std::string text;
+  std::vector<Loss> losses = {};
+};
+
+struct ExportOptions {
+  bool behavior_only = false;  ///< the block to paste, in place of a deck that runs
+  int digits = 0;              ///< that numbers are rounded to; 0: all
+};
+
+}  // namespace slipbench::driver::exports

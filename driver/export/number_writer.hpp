@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace slipbench::driver::exports {
+
+/// Numbers as text of a limited width, and the memory of what was rounded off for it.
+class NumberWriter {
+ public:
+  /// \param width in characters, at least 12
+  /// \param digits to which people want numbers rounded; 0: as many as they have
+  NumberWriter(std::size_t width, int digits) : width_(width), digits_(digits) {}
+
+  /// Returns the shortest text that reads back to the number, or where that is wider, one with as
+  /// many digits as there is room for.
+  std::string operator()(double number);
+
+  std::size_t rounded() const { return rounded_; }
+  /// The largest relative change of a number.
+  double worst() const { return worst_; }
+
+ private:
+  std::size_t width_;
+  int digits_;
+  std::size_t rounded_ = 0;
+  double worst_ = 0.0;
+};
+
+}  // namespace slipbench::driver::exports
