@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include "driver/analysis/response.hpp"
 #include "driver/base/files/exit_code.hpp"
 #include "driver/base/files/output_file.hpp"
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/units/parameters.hpp"
 #include "driver/export/abaqus/deck_writer.hpp"
+#include "driver/import/abaqus/case_writer.hpp"
 #include "driver/read/keys/case_text.hpp"
 #include "driver/read/read_case.hpp"
 #include "driver/terminal/print.hpp"
@@ -26,6 +28,23 @@ std::string report(const std::vector<exports::Loss>& losses) {
     }
   }
   return text;
+}
+
+/// Reads a deck back and runs both; says how far they are apart.
+std::string measured(const cases::Case& problem, const std::string& deck_text) {
+  base::Diagnostics diagnostics;
+  const auto deck =
+      abaqus::KeywordDeck::read_text(base::SourceText("deck", deck_text), ".", diagnostics);
+  const abaqus::Model model = abaqus::read_model(deck);
+  if (diagnostics.has_errors() || model.connectors.size() != 1) return "the deck is not read back";
+  const auto written =
+      abaqus::write_case(deck, model, model.connectors[0], {.deck = "deck", .units = {}});
+  if (!written) return "the deck is not read back: " + written.error();
+  const read::ReadCase back =
+      read::read_case_text(base::SourceText("case", written->text), ".", {});
+  if (!back.value) return "the deck asks for more than the case has";
+  const auto difference = analysis::compare_responses(problem, *back.value);
+  return difference ? analysis::difference_text(*difference) : difference.error();
 }
 
 }  // namespace
@@ -48,7 +67,13 @@ int export_command(const ExportCommandOptions& options) {
     return terminal::refuse(base::kExitBadInput,
                             base::printable(options.file) + ": is not exported: " + deck.error());
   }
+  const auto whole = options.part.empty()
+                         ? deck
+                         : exports::to_abaqus(*read.value, written, {false, options.digits});
   terminal::print_error(report(deck->losses));
+  if (whole) {
+    terminal::print_error("  on the case's history: " + measured(*read.value, whole->text) + "\n");
+  }
   if (options.output.empty() || options.output == "-") {
     terminal::print(deck->text);
     return base::kExitOk;

@@ -13,8 +13,9 @@ namespace slipbench::driver::exports {
 
 std::string NumberWriter::operator()(double number) {
   constexpr int kAllDigits = 17;
-  std::string text =
-      digits_ > 0 ? fmt::format("{:.{}g}", number, digits_) : base::format_number(number);
+  double wanted = number;
+  if (digits_ > 0) wanted = std::strtod(fmt::format("{:.{}g}", number, digits_).c_str(), nullptr);
+  std::string text = base::format_number(wanted);
   for (int digits = kAllDigits; text.size() > width_ && digits > 1; --digits) {
     text = fmt::format("{:.{}g}", number, digits);
   }

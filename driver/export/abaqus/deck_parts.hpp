@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,7 +20,7 @@ std::string data_lines(const std::vector<std::string>& items);
 class DeckParts {
  public:
   DeckParts(const cases::Case& problem, const read::CaseText& written, const ExportOptions& options)
-      : problem_(problem), written_(written), numbers_(20, options.digits) {}
+      : problem_(problem), written_(written), numbers_(20, options.digits), whole_(20, 0) {}
 
   /// Refuses what no deck can hold, and notes what is approximated or dropped.
   void judge();
@@ -31,7 +32,9 @@ class DeckParts {
   std::string history();
 
   std::vector<Loss>& losses() { return losses_; }
-  const NumberWriter& numbers() const { return numbers_; }
+  /// Numbers that are not what they were, and the largest relative change of one.
+  std::size_t rounded() const { return numbers_.rounded() + whole_.rounded(); }
+  double worst() const { return std::max(numbers_.worst(), whole_.worst()); }
 
  private:
   [[noreturn]] static void refuse(const std::string& reason) { throw NotExported{reason}; }
@@ -61,7 +64,8 @@ class DeckParts {
 
   const cases::Case& problem_;
   const read::CaseText& written_;
-  NumberWriter numbers_;
+  NumberWriter numbers_;  ///< of the behaviour
+  NumberWriter whole_;    ///< of the history, which is never rounded for people
   std::vector<Loss> losses_;
   std::optional<law::Extrapolation> extrapolation_;
   std::string amplitudes_;

@@ -93,7 +93,7 @@ std::string DeckParts::model() {
   text += fmt::format("\n** written by slipbench {}\n*NODE\n1, 0., 0., 0.\n2",
                       results::program_version());
   for (int c = 0; c < 3; ++c) {
-    text += ", " + numbers_(problem_.belt && c > 0 ? 0.0 : problem_.initial[c]);
+    text += ", " + whole_(problem_.belt && c > 0 ? 0.0 : problem_.initial[c]);
   }
   const bool plane = written_.connector.value.dimension.value == 2;
   text += fmt::format("\n*ELEMENT, TYPE={}, ELSET=JOINT\n1, 1, 2\n", plane ? "CONN2D2" : "CONN3D2");
@@ -118,10 +118,10 @@ tl::expected<ExportedDeck, std::string> to_abaqus(const cases::Case& problem,
       deck.text = parts.model() + behavior + parts.history();
     }
     deck.losses = std::move(parts.losses());
-    if (parts.numbers().rounded() > 0) {
+    if (parts.rounded() > 0) {
       deck.losses.push_back({Loss::Kind::kApproximated,
                              fmt::format("{} numbers are rounded, by at most {:.1e} of themselves",
-                                         parts.numbers().rounded(), parts.numbers().worst())});
+                                         parts.rounded(), parts.worst())});
     }
     return deck;
   } catch (const NotExported& refused) {

@@ -34,11 +34,11 @@ std::string DeckParts::amplitude(const std::string& data, const std::string& par
 std::string DeckParts::sampled(int quantity, std::size_t step_index, int pass) {
   const auto q = static_cast<std::size_t>(quantity);
   const double initial = is_motion(quantity) ? problem_.initial[quantity] : 0.0;
-  std::vector<std::string> items{"0.", numbers_(values_[q] - initial)};
+  std::vector<std::string> items{"0.", whole_(values_[q] - initial)};
   for (const Sample& one : samples_) {
     if (one.step != static_cast<int>(step_index) || one.pass != pass) continue;
-    items.push_back(numbers_(one.time));
-    items.push_back(numbers_(one.quantities[q] - initial));
+    items.push_back(whole_(one.time));
+    items.push_back(whole_(one.quantities[q] - initial));
   }
   return amplitude(data_lines(items), ", VALUE=ABSOLUTE");
 }
@@ -50,16 +50,15 @@ std::string DeckParts::triangle(const history::Wave& wave, double duration, doub
     const double part = way < 0.25 ? 4.0 * way : way < 0.75 ? 2.0 - 4.0 * way : 4.0 * way - 4.0;
     return wave.mean + wave.amplitude * part - initial;
   };
-  std::vector<std::string> items{"0.", numbers_(value(0.0))};
+  std::vector<std::string> items{"0.", whole_(value(0.0))};
   for (int corner = 0;; ++corner) {
     const double time = wave.period * (0.25 + 0.5 * corner);
     if (time >= duration) break;
-    items.push_back(numbers_(time));
-    items.push_back(
-        numbers_(wave.mean + (corner % 2 == 0 ? 1.0 : -1.0) * wave.amplitude - initial));
+    items.push_back(whole_(time));
+    items.push_back(whole_(wave.mean + (corner % 2 == 0 ? 1.0 : -1.0) * wave.amplitude - initial));
   }
-  items.push_back(numbers_(duration));
-  items.push_back(numbers_(value(duration)));
+  items.push_back(whole_(duration));
+  items.push_back(whole_(value(duration)));
   return amplitude(data_lines(items), ", VALUE=ABSOLUTE");
 }
 
@@ -91,7 +90,7 @@ std::string DeckParts::step(std::size_t index, int pass) {
   std::string text =
       fmt::format("*STEP, NAME=\"{}{}\", NLGEOM=NO\n*STATIC, DIRECT\n", base::printable(step.name),
                   pass > 0 ? fmt::format(" {}", pass + 1) : std::string());
-  text += data_lines({numbers_(step.duration / step.increments), numbers_(step.duration)});
+  text += data_lines({whole_(step.duration / step.increments), whole_(step.duration)});
   if (index == 0 && pass == 0) {
     text += "*BOUNDARY\n1, 1, 6\n";
     for (int c = 0; c < law::kComponents; ++c) {
@@ -129,25 +128,25 @@ std::string DeckParts::drive(const cases::Drive& drive, std::size_t step_index, 
     magnitude = to->value - initial;
   } else if (const auto* constant = std::get_if<history::Constant>(&drive.profile)) {
     magnitude = constant->value - initial;
-    name = amplitude(data_lines({"0.", "1.", numbers_(step.duration), "1."}), "");
+    name = amplitude(data_lines({"0.", "1.", whole_(step.duration), "1."}), "");
   } else if (const auto* smooth = std::get_if<history::SmoothTo>(&drive.profile)) {
-    name = amplitude(data_lines({"0.", numbers_(values_[q] - initial), numbers_(step.duration),
-                                 numbers_(smooth->value - initial)}),
+    name = amplitude(data_lines({"0.", whole_(values_[q] - initial), whole_(step.duration),
+                                 whole_(smooth->value - initial)}),
                      ", DEFINITION=SMOOTH STEP, VALUE=ABSOLUTE");
   } else if (const auto* wave = std::get_if<history::Wave>(&drive.profile);
              wave != nullptr && wave->shape == history::WaveShape::kSine &&
              (wave->phase == 0.0 || wave->phase == std::numbers::pi / 2.0)) {
-    const std::string height = numbers_(wave->amplitude);
+    const std::string height = whole_(wave->amplitude);
     name = amplitude(
-        data_lines({"1", numbers_(2.0 * std::numbers::pi / wave->period), "0.",
-                    numbers_(wave->mean - initial)}) +
+        data_lines({"1", whole_(2.0 * std::numbers::pi / wave->period), "0.",
+                    whole_(wave->mean - initial)}) +
             (wave->phase == 0.0 ? data_lines({"0.", height}) : data_lines({height, "0."})),
         ", DEFINITION=PERIODIC, VALUE=ABSOLUTE");
   } else if (const auto* table = std::get_if<history::Tabular>(&drive.profile)) {
     std::vector<std::string> items;
     for (std::size_t i = 0; i < table->times.size(); ++i) {
-      items.push_back(numbers_(table->times[i]));
-      items.push_back(numbers_(table->values[i] - initial));
+      items.push_back(whole_(table->times[i]));
+      items.push_back(whole_(table->values[i] - initial));
     }
     name = amplitude(data_lines(items), ", VALUE=ABSOLUTE");
   } else if (wave != nullptr && wave->shape == history::WaveShape::kTriangle &&
@@ -162,7 +161,7 @@ std::string DeckParts::drive(const cases::Drive& drive, std::size_t step_index, 
     name = sampled(quantity, step_index, pass);
   }
   const std::string parameter = name.empty() ? std::string() : ", AMPLITUDE=" + name;
-  const std::string value = numbers_(magnitude);
+  const std::string value = whole_(magnitude);
   if (is_motion(quantity)) {
     return fmt::format("*CONNECTOR MOTION{}\nJOINT, {}, {}\n", parameter, component + 1, value);
   }
@@ -191,12 +190,12 @@ std::string DeckParts::changes(const cases::Step& step) {
   if (const auto* table = std::get_if<history::Tabular>(&change.amplitude)) {
     std::vector<std::string> items;
     for (std::size_t i = 0; i < table->times.size(); ++i) {
-      items.push_back(numbers_(table->times[i]));
-      items.push_back(numbers_(table->values[i]));
+      items.push_back(whole_(table->times[i]));
+      items.push_back(whole_(table->values[i]));
     }
     parameter = ", AMPLITUDE=" + amplitude(data_lines(items), "");
   } else if (std::holds_alternative<history::SmoothTo>(change.amplitude)) {
-    parameter = ", AMPLITUDE=" + amplitude(data_lines({"0.", "0.", numbers_(step.duration), "1."}),
+    parameter = ", AMPLITUDE=" + amplitude(data_lines({"0.", "0.", whole_(step.duration), "1."}),
                                            ", DEFINITION=SMOOTH STEP");
   }
   return "*CHANGE FRICTION, ELSET=JOINT" + parameter + "\n" +

@@ -89,9 +89,14 @@ std::optional<KeywordDeck> KeywordDeck::read(const std::string& path, base::Diag
     environment_failure = source.error().failure == base::ReadFailure::kEnvironment;
     return std::nullopt;
   }
+  return read_text(std::move(*source), fs::path(path).parent_path().string(), out);
+}
+
+KeywordDeck KeywordDeck::read_text(base::SourceText text, const std::string& folder,
+                                   base::Diagnostics& out) {
   KeywordDeck deck(out);
-  deck.folder_ = fs::path(path).parent_path().string();
-  deck.files_.add(std::move(*source));
+  deck.folder_ = folder;
+  deck.files_.add(std::move(text));
   deck.scan(0, 0);
   return deck;
 }

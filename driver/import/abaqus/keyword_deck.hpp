@@ -57,6 +57,10 @@ class KeywordDeck {
   static std::optional<KeywordDeck> read(const std::string& path, base::Diagnostics& out,
                                          bool& environment_failure);
 
+  /// The same from a text in memory.
+  static KeywordDeck read_text(base::SourceText text, const std::string& folder,
+                               base::Diagnostics& out);
+
   const std::vector<Block>& blocks() const { return blocks_; }
   /// The texts of all files, the deck's first.
   std::vector<base::SourceText> sources() const { return files_.all(); }

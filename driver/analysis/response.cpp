@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/analysis/response.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "driver/base/units/readable.hpp"
+#include "driver/bench/run_case.hpp"
+
+namespace slipbench::driver::analysis {
+namespace {
+
+/// State of all definitions at a time.
+struct Moment {
+  double time = 0.0;
+  std::vector<law::FrictionState> states;
+};
+
+double dissipation_of(const bench::Row& row) {
+  double sum = 0.0;
+  for (const bench::DefinitionRow& one : row.definitions) sum += one.dissipation;
+  return sum;
+}
+
+std::string percent(double part) { return base::rounded(100.0 * part, 2) + " %"; }
+
+}  // namespace
+
+tl::expected<ResponseDifference, std::string> compare_responses(const cases::Case& one,
+                                                                const cases::Case& other) {
+  if (one.definitions.size() != other.definitions.size()) {
+    return tl::unexpected<std::string>("they have not as many friction definitions");
+  }
+  ResponseDifference difference;
+  std::vector<Moment> moments;
+  const auto first = bench::run_case(other, [&](const bench::Row& row) {
+    Moment& here = moments.emplace_back(Moment{row.time, {}});
+    for (const bench::DefinitionRow& definition : row.definitions) {
+      here.states.push_back(definition.update.state);
+    }
+    difference.other_dissipation = dissipation_of(row);
+  });
+  if (!first) return tl::unexpected(first.error().message);
+  std::size_t at = 0;
+  const auto second = bench::run_case(one, [&](const bench::Row& row) {
+    difference.dissipation = dissipation_of(row);
+    constexpr double kSameTime = 1e-9;
+    const double slack = kSameTime * std::abs(row.time);
+    while (at < moments.size() && moments[at].time < row.time - slack) ++at;
+    if (at == moments.size() || moments[at].time > row.time + slack) {
+      ++difference.unmatched;
+      return;
+    }
+    for (std::size_t d = 0; d < row.definitions.size(); ++d) {
+      difference.force.add(row, d, moments[at].states[d]);
+    }
+    ++at;
+  });
+  if (!second) return tl::unexpected(second.error().message);
+  return difference;
+}
+
+std::string difference_text(const ResponseDifference& difference) {
+  if (difference.is_none()) return "the same friction force and energy, in all digits";
+  const ForceDistance& force = difference.force;
+  std::string text = fmt::format("friction force off by at most {} of {} ({}) at T = {}",
+                                 base::rounded(force.most, 3), base::rounded(force.largest, 3),
+                                 percent(force.relative(force.most)), base::rounded(force.time));
+  const double lost = difference.dissipation;
+  const double change = difference.other_dissipation - lost;
+  if (lost > 0.0) {
+    text += fmt::format(", dissipated energy {} {}", percent(std::abs(change) / lost),
+                        change < 0.0 ? "less" : "more");
+  }
+  if (difference.unmatched > 0) {
+    text += fmt::format("; {} rows have no counterpart", difference.unmatched);
+  }
+  return text;
+}
+
+}  // namespace slipbench::driver::analysis
