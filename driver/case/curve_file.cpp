@@ -39,76 +39,94 @@ void CurveFile::want(std::span<const std::string> names) {
   }
 }
 
-void CurveFile::read() const {
-  golden_ = is_golden_curve(source_.file);
+CurveFile::Contents CurveFile::read() const {
+  Contents found;
+  found.golden = is_golden_curve(source_.file);
   auto probe = base::CsvReader::open(source_, {});
   if (!probe) {
-    fault_ = told(probe.error());
-    return;
+    found.fault = told(probe.error());
+    return found;
   }
-  header_.assign(probe->header().begin(), probe->header().end());
+  found.header.assign(probe->header().begin(), probe->header().end());
   for (const std::string& name : wanted_) {
     if (probe->find(name)) {
-      names_.push_back(name);
-    } else if (remedy_.empty()) {
-      remedy_ = probe->remedy(std::span(&name, 1));
+      found.names.push_back(name);
+    } else if (found.remedy.empty()) {
+      found.remedy = probe->remedy(std::span(&name, 1));
     }
   }
-  if (names_.empty()) return;
-  auto reader = base::CsvReader::open(source_, names_);
+  const std::size_t count = found.names.size();
+  if (count == 0) return found;
+  auto reader = base::CsvReader::open(source_, found.names);
   if (!reader) {
-    fault_ = told(reader.error());
-    return;
+    found.fault = told(reader.error());
+    return found;
   }
-  columns_.resize(names_.size());
-  std::vector<base::PrintedDigits> digits(names_.size());
-  std::vector<double> row(names_.size());
-  std::vector<std::string_view> texts(names_.size());
+  // The rows there may be, by the first of them.
+  constexpr std::size_t kSample = 64;
+  std::error_code unknown;
+  std::uintmax_t size = std::filesystem::file_size(source_.file, unknown);
+  if (unknown) size = 0;
+  std::vector<std::vector<double>> columns(count);
+  std::vector<base::PrintedDigits> digits(count);
+  std::vector<double> row(count);
+  std::vector<std::string_view> texts(count);
+  std::size_t bytes = 0;
   while (true) {
     const auto more = reader->next(row, texts);
     if (!more) {
-      fault_ = told(more.error());
-      return;
+      found.fault = told(more.error());
+      return found;
     }
     if (!*more) break;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      columns_[i].values.push_back(row[i]);
+    for (std::size_t i = 0; i < count; ++i) {
+      columns[i].push_back(row[i] + 0.0);
       if (!digits[i].exact() && !texts[i].empty()) digits[i].add(texts[i]);
+      bytes += texts[i].size() + 1;
+    }
+    if (columns.front().size() == kSample) {
+      for (auto& column : columns) column.reserve(kSample * size / bytes);
     }
   }
-  // A golden curve has every digit of its doubles, however few some of them need.
-  for (std::size_t i = 0; i < columns_.size() && !golden_; ++i) {
-    columns_[i].resolution = digits[i].resolution();
+  for (std::size_t i = 0; i < count; ++i) {
+    Column& column = found.columns.emplace_back();
+    column.values = std::move(columns[i]);
+    // A golden curve has every digit of its doubles, however few some of them need.
+    if (!found.golden) column.resolution = digits[i].resolution();
   }
+  return found;
+}
+
+const CurveFile::Contents& CurveFile::contents() const {
+  std::call_once(once_, [this] { contents_ = read(); });
+  return contents_;
 }
 
 tl::expected<const CurveFile::Column*, std::string> CurveFile::column(
     std::span<const std::string> names) const {
-  std::call_once(once_, [this] { read(); });
-  if (!fault_.empty()) return tl::unexpected(fault_);
+  const Contents& file = contents();
+  if (!file.fault.empty()) return tl::unexpected(file.fault);
   for (const std::string& name : names) {
-    const auto found = std::find(names_.begin(), names_.end(), name);
-    if (found != names_.end()) return &columns_[static_cast<std::size_t>(found - names_.begin())];
+    const auto found = std::find(file.names.begin(), file.names.end(), name);
+    if (found != file.names.end()) {
+      return &file.columns[static_cast<std::size_t>(found - file.names.begin())];
+    }
   }
   const std::vector<std::string_view> wanted(names.begin(), names.end());
-  const std::vector<std::string_view> there(header_.begin(), header_.end());
+  const std::vector<std::string_view> there(file.header.begin(), file.header.end());
   std::string quoted;
   for (const std::string_view name : wanted) {
     quoted += fmt::format("{}'{}'", quoted.empty() ? "" : " or ", base::printable(name));
   }
-  std::string message = fmt::format("{}: no column {}; the columns are {}{}", source_.shown_name,
-                                    quoted, base::printable(base::in_words(there, "and")), remedy_);
-  if (wanted.size() == 1 && remedy_.empty()) {
+  std::string message =
+      fmt::format("{}: no column {}; the columns are {}{}", source_.shown_name, quoted,
+                  base::printable(base::in_words(there, "and")), file.remedy);
+  if (wanted.size() == 1 && file.remedy.empty()) {
     if (const auto nearest = base::nearest_name(wanted.front(), there)) {
       message += fmt::format("; did you mean '{}'?", base::printable(*nearest));
     }
   }
   return tl::unexpected(std::move(message));
-}
-
-bool CurveFile::golden() const {
-  std::call_once(once_, [this] { read(); });
-  return golden_;
 }
 
 tl::expected<void, base::HistoryError> openable_curve(const std::filesystem::path& file,

@@ -12,6 +12,7 @@
 
 #include "driver/base/csv/data_source.hpp"
 #include "driver/base/text/history_error.hpp"
+#include "driver/case/shared_numbers.hpp"
 
 namespace slipbench::driver::cases {
 
@@ -26,7 +27,7 @@ std::span<const std::string> golden_time_names();
 class CurveFile {
  public:
   struct Column {
-    std::vector<double> values;  ///< as they stand in the file
+    SharedNumbers values;  ///< as they stand in the file, but 0 for -0
     std::optional<double>
         resolution;  ///< half a unit of the last printed digit, see base::PrintedDigits
   };
@@ -42,22 +43,29 @@ class CurveFile {
   tl::expected<const Column*, std::string> column(std::span<const std::string> names) const;
 
   /// Tells whether `slipbench bless` made it.
-  bool golden() const;
+  bool golden() const { return contents().golden; }
+
+  /// Reads the file now, so that whoever asks first need not wait for it.
+  void read_ahead() const { contents(); }
 
   const std::filesystem::path& path() const { return source_.file; }
 
  private:
-  void read() const;
+  struct Contents {
+    bool golden = false;
+    std::string fault;
+    std::vector<std::string> header;
+    std::string remedy;  ///< if nothing of what is wanted was found
+    std::vector<std::string> names;
+    std::vector<Column> columns;  ///< in the order of `names`
+  };
+  const Contents& contents() const;
+  Contents read() const;
 
   base::DataSource source_;
   std::vector<std::string> wanted_;
   mutable std::once_flag once_;
-  mutable bool golden_ = false;
-  mutable std::string fault_;
-  mutable std::vector<std::string> header_;
-  mutable std::string remedy_;  ///< if nothing of what is wanted was found
-  mutable std::vector<std::string> names_;
-  mutable std::vector<Column> columns_;  ///< in the order of `names_`
+  mutable Contents contents_;
 };
 
 /// Opens the file and reads of it, to tell whether it can be; what stands in it is not judged.

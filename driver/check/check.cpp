@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <variant>
 
+#include "driver/bench/run_length.hpp"
 #include "driver/check/curves/curve_series.hpp"
 #include "driver/check/kept_rows.hpp"
 #include "driver/results/columns.hpp"
@@ -33,6 +36,7 @@ CheckProgress::CheckProgress(const cases::Case& problem, const cases::Check& che
   };
   make(check.quantity, check.variables, quantity_);
   if (check.abscissa) make(check.abscissa->expression, check.abscissa->variables, abscissa_);
+  if (kept_) reserve_rows();
   if (against_curve) return;
   auto reference = RowReference::make(problem, columns, check);
   if (reference) {
@@ -42,7 +46,20 @@ CheckProgress::CheckProgress(const cases::Case& problem, const cases::Check& che
   }
 }
 
+/// Memory that is not touched costs nothing; a column that grows is copied again and again.
+void CheckProgress::reserve_rows() {
+  constexpr double kMost = 1 << 20;
+  constexpr double kEver = std::numeric_limits<double>::infinity();
+  const auto rows = static_cast<std::size_t>(std::min(
+      kMost, 1.0 + bench::RunLength(*case_).increments_between(
+                       check_->step, check_->from.value_or(-kEver), check_->to.value_or(kEver))));
+  rows_.value.value.change().reserve(rows);
+  rows_.value.time.change().reserve(rows);
+  rows_.status.reserve(rows);
+}
+
 bool CheckProgress::selected(const bench::Row& row) const {
+  if (!check_->step && !check_->from && !check_->to) return true;
   if (check_->step) {
     const auto step = static_cast<std::size_t>(row.step);
     if (step >= case_->steps.size() || case_->steps[step].name != *check_->step) return false;
@@ -76,7 +93,11 @@ std::optional<double> CheckProgress::reference(const bench::Row& row, bool compa
   return std::nullopt;
 }
 
-void CheckProgress::add(const bench::Row& row) {
+void CheckProgress::add(std::span<const bench::Row> rows) {
+  for (const bench::Row& row : rows) add_row(row);
+}
+
+void CheckProgress::add_row(const bench::Row& row) {
   if (!fault_.empty() && faults_ == 0) return;
   const bool compared = selected(row);
   std::optional<double> wanted;
@@ -104,11 +125,17 @@ void CheckProgress::compare(const bench::Row& row, double abscissa, double value
       definition_ ? static_cast<int>(row.definitions[*definition_].update.state.regime) : -1;
   if (streamed_) judge_.add({abscissa, value, reference, row.time}, status);
   if (!kept_) return;
-  rows_.value.abscissa.push_back(abscissa);
+  if (check_->abscissa) rows_.value.abscissa.push_back(abscissa);
   rows_.value.value.push_back(value);
   rows_.value.time.push_back(row.time);
   rows_.status.push_back(static_cast<std::int8_t>(status));
   if (reference_) rows_.reference.push_back(reference);
+}
+
+ComparedRows CheckProgress::kept_rows() const {
+  ComparedRows rows = rows_;
+  if (!check_->abscissa) rows.value.abscissa = rows.value.time;
+  return rows;
 }
 
 Verdict CheckProgress::verdict() const {
@@ -134,7 +161,7 @@ Verdict CheckProgress::verdict() const {
   } else if (compared_ == 0) {
     result.message = "no row was compared";
   } else if (!streamed_) {
-    judge_rows(*check_, labels, rows_, result);
+    judge_rows(*check_, labels, kept_rows(), result);
   }
   result.passed = result.message.empty();
   return result;
@@ -146,13 +173,14 @@ CheckTrace CheckProgress::trace() const {
   const CheckLabels labels = labels_of(*case_, *check_);
   trace.abscissa_label = labels.abscissa;
   trace.abscissa_unit = labels.abscissa_unit;
-  trace.value = rows_.value;
+  const ComparedRows rows = kept_rows();
+  trace.value = rows.value;
   if (std::holds_alternative<cases::CurveReference>(check_->against)) {
-    if (auto curve = reference_curve(*check_, rows_.value)) {
+    if (auto curve = reference_curve(*check_, rows.value)) {
       trace.reference = std::move(curve->series);
     }
   } else {
-    trace.reference = reference_of(rows_);
+    trace.reference = reference_of(rows);
   }
   if (check_->criterion == cases::Criterion::kPointwise) trace.tube = verdict().tolerance;
   return trace;

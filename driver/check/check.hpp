@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "driver/bench/simulation.hpp"
@@ -43,17 +44,21 @@ class CheckProgress {
   /// `problem` and `check` must outlive it.
   CheckProgress(const cases::Case& problem, const cases::Check& check, Trace trace = Trace::kNone);
 
-  void add(const bench::Row& row);
+  void add(std::span<const bench::Row> rows);
+  void add(const bench::Row& row) { add({&row, 1}); }
   Verdict verdict() const;
   /// Returns what was compared so far; empty unless the check was told to keep it.
   CheckTrace trace() const;
 
  private:
+  void add_row(const bench::Row& row);
+  void reserve_rows();
   bool selected(const bench::Row& row) const;
   std::optional<double> reference(const bench::Row& row, bool compared);
   void stop(std::string message);
   void fault(const bench::Row& row, std::string message);
   void compare(const bench::Row& row, double abscissa, double value, double reference);
+  ComparedRows kept_rows() const;
 
   const cases::Case* case_;
   const cases::Check* check_;
@@ -68,7 +73,7 @@ class CheckProgress {
   std::int64_t faults_ = 0;  ///< rows without a number
   std::int64_t compared_ = 0;
   PointJudge judge_;
-  ComparedRows rows_;
+  ComparedRows rows_;  ///< over time without abscissas: they are the times
 };
 
 }  // namespace slipbench::driver::check

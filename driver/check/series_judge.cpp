@@ -54,14 +54,16 @@ int status_at(const ComparedRows& rows, double time) {
 
 void judge_points(const cases::Check& check, const CheckLabels& labels, const ComparedRows& rows,
                   const ReferenceCurve& reference, Verdict& verdict) {
-  const PointwiseComparison comparison = compare_points(rows.value, reference.series);
-  verdict.message = comparison.fault;
-  if (!verdict.message.empty()) return;
-  PointJudge judge(check.tolerance);
-  for (const CurvePoint& point : comparison.points) judge.add(point, status_at(rows, point.time));
   std::optional<double> resolution = reference.resolution;
-  if (resolution && has_all_digits(comparison.points, *resolution)) resolution.reset();
-  conclude(check, labels, judge, {resolution, reference.golden}, verdict);
+  PointJudge judge(check.tolerance);
+  std::vector<CurvePoint> points;
+  verdict.message = each_point(rows.value, reference.series, [&](const CurvePoint& point) {
+    judge.add(point, -1);
+    if (resolution) points.push_back(point);
+  });
+  if (!verdict.message.empty()) return;
+  if (resolution && has_all_digits(points, *resolution)) resolution.reset();
+  conclude(check, labels, judge, {resolution, reference.golden}, verdict, &rows);
   doubt_coverage(check, rows, reference.series, judge.count(), verdict);
 }
 
@@ -160,7 +162,7 @@ Series reference_of(const ComparedRows& rows) {
 }
 
 void conclude(const cases::Check& check, const CheckLabels& labels, const PointJudge& judge,
-              const ReferenceDigits& digits, Verdict& verdict) {
+              const ReferenceDigits& digits, Verdict& verdict, const ComparedRows* rows) {
   const PointJudge::Result result = judge.result();
   verdict.compared = judge.count();
   verdict.scale = result.scale;
@@ -178,12 +180,16 @@ void conclude(const cases::Check& check, const CheckLabels& labels, const PointJ
   }
   if (result.failing > 0) {
     verdict.message = points_message(check, result, verdict.compared, labels);
+    std::vector<CausePoint> sample = judge.sample();
+    if (rows != nullptr) {
+      for (CausePoint& one : sample) one.status = status_at(*rows, one.point.time);
+    }
     verdict.likely_cause =
-        likely_cause(judge.sample(), {.tolerance = result.tolerance,
-                                      .unit = labels.unit,
-                                      .over_time = !check.abscissa,
-                                      .time_unit = labels.time_unit,
-                                      .stiffness_follows_limit = labels.stiffness_follows_limit});
+        likely_cause(sample, {.tolerance = result.tolerance,
+                              .unit = labels.unit,
+                              .over_time = !check.abscissa,
+                              .time_unit = labels.time_unit,
+                              .stiffness_follows_limit = labels.stiffness_follows_limit});
     if (!verdict.likely_cause.empty()) verdict.message += "; " + verdict.likely_cause;
   }
   doubt(check.tolerance,

@@ -15,8 +15,8 @@ namespace slipbench::driver::check {
 
 /// The rows of a run that a check compares.
 struct ComparedRows {
-  Series value;                   ///< with times
-  std::vector<double> reference;  ///< at the same rows; empty against a curve
+  Series value;                    ///< with times
+  cases::SharedNumbers reference;  ///< at the same rows; empty against a curve
   /// Of the quantity's definition at each row, see CausePoint.
   std::vector<std::int8_t> status;
 };
@@ -32,8 +32,9 @@ struct ReferenceDigits {
 };
 
 /// The verdict of a judge that has seen all points: message, likely cause and warnings.
+/// \param rows where the status of the points is to be found, unless the judge was told
 void conclude(const cases::Check& check, const CheckLabels& labels, const PointJudge& judge,
-              const ReferenceDigits& digits, Verdict& verdict);
+              const ReferenceDigits& digits, Verdict& verdict, const ComparedRows* rows = nullptr);
 
 /// Judges a check whose rows were kept, by any criterion. Against a curve, its file is read here; a
 /// fault of it is the check's failure.

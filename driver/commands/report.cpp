@@ -94,7 +94,7 @@ std::string first_of(std::span<const std::string> faults) {
 std::string title_of(std::span<const std::string> inputs) {
   if (inputs.size() == 1) {
     const fs::path path = fs::path(inputs.front()).lexically_normal();
-    const std::string last =
+    std::string last =
         path.has_filename() ? path.filename().string() : path.parent_path().filename().string();
     if (!last.empty() && last != "." && last != "..") return last;
   }
@@ -163,8 +163,8 @@ int report_command(const ReportOptions& options) {
       if (!ahead) read(place);
       const suite::Reading reading = std::exchange(readings[place], suite::Reading{});
       suite::CheckCaseOptions check_options;
-      check_options.stopped = [&] {
-        progress.tick();
+      check_options.stopped = [&](std::size_t rows) {
+        progress.tick(rows);
         return false;
       };
       check_options.report_rows = report::most_rows(sources.size());

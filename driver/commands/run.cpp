@@ -204,9 +204,7 @@ int run_one(const read::ReadCase& read, const RunOptions& options,
     const auto take = [&](std::span<const bench::Row> block) {
       summary.add(block);
       if (events) events->write(block);
-      for (check::CheckProgress& check : checks) {
-        for (const bench::Row& row : block) check.add(row);
-      }
+      for (check::CheckProgress& check : checks) check.add(block);
       if (rows) {
         for (const bench::Row& row : block) {
           if (row.index % every == 0) rows->write(row);

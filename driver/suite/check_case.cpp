@@ -7,6 +7,7 @@
 #include <chrono>
 #include <exception>
 #include <new>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "driver/case/case.hpp"
 #include "driver/case/input_files.hpp"
 #include "driver/check/check.hpp"
+#include "driver/check/curves/read_ahead.hpp"
 #include "driver/check/kept_rows.hpp"
 #include "driver/check/verdict_text.hpp"
 #include "driver/report/collect.hpp"
@@ -122,11 +124,14 @@ CaseOutcome run_and_judge(const read::ReadCase& read, const std::string& label,
   std::optional<report::CaseCollector> collector;
   if (options.report) collector.emplace(problem, options.report_rows);
   results::Plausibility plausibility(problem);
-  const auto ended = bench::run_case(problem, [&](const bench::Row& row) {
-    if (options.stopped && options.stopped()) throw GivenUp{};
-    for (check::CheckProgress& check : checks) check.add(row);
-    plausibility.add(row);
-    if (collector) collector->add(row);
+  std::optional<check::ReadAhead> ahead;
+  if (options.threads > 1) ahead.emplace(problem);
+  const auto ended = bench::run_in_blocks(problem, [&](std::span<const bench::Row> rows) {
+    if (options.stopped && options.stopped(rows.size())) throw GivenUp{};
+    for (check::CheckProgress& check : checks) check.add(rows);
+    plausibility.add(rows);
+    if (!collector) return;
+    for (const bench::Row& row : rows) collector->add(row);
   });
   if (!ended) {
     outcome.code = bench::exit_code(ended.error());

@@ -28,12 +28,14 @@ struct Reading {
 
 struct CheckCaseOptions {
   bool keep_passing = false;  ///< the verdicts of checks that passed, too
-  /// Asked at every row, if there is one; the case is given up when it says so.
-  std::function<bool()> stopped = {};
+  /// Told how many rows have come since it was asked last, if there is one; the case is given up
+  /// when it says so.
+  std::function<bool(std::size_t rows)> stopped = {};
   /// Takes what a page of the case needs, if there is one.
   std::function<void(report::CaseReport&&)> report = {};
   std::size_t report_rows = report::kMostRows;  ///< of a run that is not thinned
   bool strict = false;                          ///< a warning fails the case
+  unsigned threads = 1;  ///< a second one reads the curves that the case is compared with
 };
 
 /// Reads a case. Nothing is thrown: a case that needs more memory than there is, or that trips

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/suite/run_suite.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <map>
@@ -97,10 +98,13 @@ void run_suite(std::span<const Candidate> cases, std::vector<Reading> readings,
   InOrder order(cases, options, listener);
   base::for_each_index(cases.size(), options.threads, [&](std::size_t i) {
     if (order.is_past_end(i)) return;
-    constexpr unsigned kRowsPerTick = 1U << 14U;
-    unsigned rows = 0;
-    const auto stopped = [&] {
-      if (++rows % kRowsPerTick == 0) order.tick();
+    constexpr std::size_t kRowsPerTick = 1U << 14U;
+    std::size_t rows = 0;
+    const auto stopped = [&](std::size_t more) {
+      if ((rows += more) >= kRowsPerTick) {
+        order.tick();
+        rows = 0;
+      }
       return order.is_past_end(i);
     };
     // A reading is dropped as soon as its case is done.
@@ -108,6 +112,8 @@ void run_suite(std::span<const Candidate> cases, std::vector<Reading> readings,
                                              : std::exchange(readings[i], Reading{});
     CheckCaseOptions one{options.keep_passing, stopped, {}};
     one.strict = options.strict;
+    one.threads = options.threads /
+                  static_cast<unsigned>(std::min<std::size_t>(cases.size(), options.threads));
     if (options.report) {
       one.report_rows = report::most_rows(cases.size());
       one.report = [&, i](report::CaseReport&& report) { options.report(i, std::move(report)); };

@@ -122,10 +122,11 @@ void SharedProgress::done(bool well) {
   progress_.step(work_);
 }
 
-void SharedProgress::tick() {
-  constexpr unsigned kRowsPerTick = 1U << 14U;
-  thread_local unsigned rows = 0;
-  if (++rows % kRowsPerTick != 0) return;
+void SharedProgress::tick(std::size_t rows) {
+  constexpr std::size_t kRowsPerTick = 1U << 14U;
+  thread_local std::size_t since = 0;
+  if ((since += rows) < kRowsPerTick) return;
+  since = 0;
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (lock) progress_.step(work_);
 }

@@ -68,8 +68,8 @@ class SharedProgress {
 
   /// One part is done.
   void done(bool well = true);
-  /// A sign of life in the middle of a part; cheap enough for every row.
-  void tick();
+  /// A sign of life in the middle of a part, after some rows; cheap enough for every one.
+  void tick(std::size_t rows);
 
  private:
   std::mutex mutex_;

@@ -7,11 +7,6 @@
 #include "driver/check/criteria/bounds.hpp"
 
 namespace slipbench::driver::check {
-namespace {
-
-double deviation_of(const CurvePoint& point) { return std::abs(point.value - point.reference); }
-
-}  // namespace
 
 void PointSample::keep(const Point& point) {
   if (points_.size() == kMost) {
@@ -24,32 +19,27 @@ void PointSample::keep(const Point& point) {
   until_next_ = stride_;
 }
 
-void PointJudge::add(const CurvePoint& point, int status) {
+void PointJudge::consider(const CurvePoint& point, int status) {
   const double reference = point.reference;
   references_.from = count_ == 0 ? reference : std::min(references_.from, reference);
   references_.to = count_ == 0 ? reference : std::max(references_.to, reference);
+  certain_ = certain_tolerance();
   const double deviation = deviation_of(point);
   const bool is_worst = count_ == 0 || deviation > worst_deviation_;
-  const bool is_suspect = deviation > certain_tolerance();
-  all_.offer(count_, point, status);
-  // Most points are neither, nor is the one before them.
-  if (is_worst || is_suspect || worst_is_last_ || suspect_is_last_) {
-    const Spacing before = count_ == 0 ? Spacing{} : spacing(last_, point);
-    if (worst_is_last_) worst_spacing_ = narrower(worst_spacing_, before);
-    if (suspect_is_last_) {
-      suspects_.back().time_step = std::min(suspects_.back().time_step, before.time);
-    }
-    if (is_worst) {
-      worst_ = point;
-      worst_deviation_ = deviation;
-      worst_spacing_ = before;
-    }
-    worst_is_last_ = is_worst;
-    suspect_is_last_ = is_suspect;
-    if (is_suspect) suspect(point, deviation, before.time, status);
+  const bool is_suspect = deviation > certain_;
+  const Spacing before = count_ == 0 ? Spacing{} : spacing(last_, point);
+  if (worst_is_last_) worst_spacing_ = narrower(worst_spacing_, before);
+  if (suspect_is_last_) {
+    suspects_.back().time_step = std::min(suspects_.back().time_step, before.time);
   }
-  last_ = point;
-  ++count_;
+  if (is_worst) {
+    worst_ = point;
+    worst_deviation_ = deviation;
+    worst_spacing_ = before;
+  }
+  worst_is_last_ = is_worst;
+  suspect_is_last_ = is_suspect;
+  if (is_suspect) suspect(point, deviation, before.time, status);
 }
 
 /// Only points that may yet fail are kept, so a check that passes needs next to no memory.
@@ -57,9 +47,8 @@ void PointJudge::suspect(const CurvePoint& point, double deviation, double time_
   suspicious_.offer(count_, point, status);
   suspects_.push_back({point.time, time_step, deviation});
   if (suspects_.size() < prune_at_) return;
-  const double certain = certain_tolerance();
-  std::erase_if(suspects_, [&](const Suspect& s) { return s.deviation <= certain; });
-  suspect_is_last_ = deviation > certain;
+  std::erase_if(suspects_, [&](const Suspect& s) { return s.deviation <= certain_; });
+  suspect_is_last_ = deviation > certain_;
   prune_at_ = std::max(prune_at_, 2 * suspects_.size());
 }
 
@@ -67,7 +56,6 @@ double PointJudge::tolerance() const {
   return std::max(absolute_, relative_ * scale_of(references_));
 }
 
-/// The tolerance cannot turn out smaller than this.
 double PointJudge::certain_tolerance() const {
   return std::max(absolute_, relative_ * least_scale(references_));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -49,7 +50,18 @@ class PointJudge {
       : absolute_(tolerance.absolute.value_or(0.0)), relative_(tolerance.relative.value_or(0.0)) {}
 
   /// \param status of the quantity's definition: see CausePoint
-  void add(const CurvePoint& point, int status);
+  void add(const CurvePoint& point, int status) {
+    all_.offer(count_, point, status);
+    const double deviation = deviation_of(point);
+    const bool says_something = !(point.reference >= references_.from) ||
+                                !(point.reference <= references_.to) ||
+                                deviation > worst_deviation_ || deviation > certain_;
+    // Most points say nothing new, nor does the one before them.
+    if (says_something || worst_is_last_ || suspect_is_last_ || count_ == 0)
+      consider(point, status);
+    last_ = point;
+    ++count_;
+  }
 
   /// The total time of a failing point, and how far that is from the nearest of its neighbours.
   struct FailingTime {
@@ -79,14 +91,19 @@ class PointJudge {
     double deviation;
   };
 
+  static double deviation_of(const CurvePoint& point) {
+    return std::abs(point.value - point.reference);
+  }
   double certain_tolerance() const;
   double tolerance() const;
+  void consider(const CurvePoint& point, int status);
   void suspect(const CurvePoint& point, double deviation, double time_step, int status);
 
   double absolute_;
   double relative_;
   std::int64_t count_ = 0;
-  Interval references_;  ///< from the smallest to the largest
+  Interval references_;   ///< from the smallest to the largest
+  double certain_ = 0.0;  ///< the tolerance cannot turn out smaller than this
   CurvePoint last_;
   CurvePoint worst_;
   double worst_deviation_ = 0.0;

@@ -30,20 +30,23 @@ double time_at(const Series& curve, std::size_t row) {
 /// The time of the result, or failing that of the reference.
 double known_time(double ours, double theirs) { return std::isnan(ours) ? theirs : ours; }
 
-std::vector<CurvePoint> row_by_row(const Series& result, const Series& reference) {
-  std::vector<CurvePoint> points;
-  points.reserve(reference.size());
-  for (std::size_t i = 0; i < reference.size(); ++i) {
-    points.push_back({reference.abscissa[i], result.value[i], reference.value[i],
-                      known_time(time_at(result, i), time_at(reference, i))});
+using TakePoint = std::function<void(const CurvePoint&)>;
+
+void row_by_row(const Series& result, const Series& reference, const TakePoint& take) {
+  const std::vector<double>& abscissa = reference.abscissa;
+  const std::vector<double>& ours = result.value;
+  const std::vector<double>& theirs = reference.value;
+  const std::vector<double>& times = result.time.empty() ? reference.time : result.time;
+  for (std::size_t i = 0; i < abscissa.size(); ++i) {
+    take({abscissa[i], ours[i], theirs[i], times.empty() ? kUnknown : times[i]});
   }
-  return points;
 }
 
 /// Tells whether no two rows of a curve, one after the other, are in one place.
 bool always_moves(const Series& curve, double slack) {
-  for (std::size_t i = 1; i < curve.size(); ++i) {
-    if (std::abs(curve.abscissa[i] - curve.abscissa[i - 1]) <= slack) return false;
+  const std::vector<double>& x = curve.abscissa;
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    if (std::abs(x[i] - x[i - 1]) <= slack) return false;
   }
   return true;
 }
@@ -76,7 +79,7 @@ class Reach {
     if (end_ <= branch_.last) reach_ = std::max(reach_, distance(end_, end_ - 1));
   }
 
-  const std::vector<double>* x_;
+  const cases::SharedNumbers* x_;
   Branch branch_;
   double slack_;
   std::size_t end_;
@@ -97,39 +100,37 @@ std::string uncovered(const MatchedBranches& matched, std::size_t b) {
 }
 
 /// Returns why too few rows of a reference were met; empty if there are enough.
-std::string too_few(const std::vector<CurvePoint>& points, const Series& result,
-                    const Series& reference, const Interval& common) {
+std::string too_few(std::size_t points, double first, const Series& result, const Series& reference,
+                    const Interval& common) {
   const std::string range =
       fmt::format("the common range, {:.9g} to {:.9g}", common.from, common.to);
-  if (points.empty()) return "no row of the reference lies in " + range;
-  if (points.size() > 1 || reference.size() < 2 || result.size() < 2) return {};
+  if (points == 0) return "no row of the reference lies in " + range;
+  if (points > 1 || reference.size() < 2 || result.size() < 2) return {};
   return fmt::format("only 1 of the reference's {} rows, at {:.9g}, lies in {}", reference.size(),
-                     points.front().abscissa, range);
+                     first, range);
 }
 
 }  // namespace
 
-PointwiseComparison compare_points(const Series& result, const Series& reference) {
-  PointwiseComparison comparison;
+std::string each_point(const Series& result, const Series& reference, const TakePoint& take) {
   const CommonRange common = common_range(result, reference);
-  comparison.fault = common.fault;
-  if (!comparison.fault.empty()) return comparison;
+  if (!common.fault.empty()) return common.fault;
   if (are_same_rows(result, reference) ||
       (result.abscissa == reference.abscissa && always_moves(result, common.slack))) {
-    comparison.points = row_by_row(result, reference);
-    return comparison;
+    row_by_row(result, reference, take);
+    return {};
   }
   const MatchedBranches matched = match_branches(result, reference);
-  comparison.fault = matched.fault;
-  if (!comparison.fault.empty()) return comparison;
+  if (!matched.fault.empty()) return matched.fault;
   const std::size_t count = matched.reference_branches.size();
-  comparison.points.reserve(matched.reference.size());
+  std::size_t points = 0;
+  double first = 0.0;
   for (std::size_t b = 0; b < count; ++b) {
     BranchInterpolation ours(matched.result, matched.result_branches[b], common.slack);
     const Branch& theirs = matched.reference_branches[b];
     ours.match_rests(matched.reference, theirs);
     Reach reach(matched.reference, theirs, common.slack);
-    const std::size_t before = comparison.points.size();
+    const std::size_t before = points;
     const bool skips_first = b > 0 || matched.first_is_interpolated;
     const bool skips_last = b + 1 == count && matched.last_is_interpolated;
     const std::size_t end = theirs.last + (skips_last ? 0 : 1);
@@ -138,24 +139,28 @@ PointwiseComparison compare_points(const Series& result, const Series& reference
       const double wanted = matched.reference.value[i];
       const auto found = ours.at(x, wanted, ours.has_rests() ? reach.of(i) : 0.0);
       if (!found) continue;
-      comparison.points.push_back(
-          {x, found->value, wanted, known_time(found->time, time_at(matched.reference, i))});
+      if (points++ == 0) first = x;
+      take({x, found->value, wanted, known_time(found->time, time_at(matched.reference, i))});
     }
-    if (comparison.points.size() == before && count > 1) {
-      comparison.fault = uncovered(matched, b);
-      return comparison;
-    }
+    if (points == before && count > 1) return uncovered(matched, b);
   }
-  comparison.fault = too_few(comparison.points, result, reference, common.interval);
+  return too_few(points, first, result, reference, common.interval);
+}
+
+PointwiseComparison compare_points(const Series& result, const Series& reference) {
+  PointwiseComparison comparison;
+  comparison.points.reserve(reference.size());
+  comparison.fault = each_point(
+      result, reference, [&](const CurvePoint& point) { comparison.points.push_back(point); });
   return comparison;
 }
 
 CurveComparison compare_pointwise(const Series& result, const Series& reference,
                                   const cases::Tolerance& tolerance) {
-  const PointwiseComparison comparison = compare_points(result, reference);
-  if (!comparison.fault.empty()) return incomparable(comparison.fault);
   PointJudge judge(tolerance);
-  for (const CurvePoint& point : comparison.points) judge.add(point, -1);
+  const std::string fault =
+      each_point(result, reference, [&](const CurvePoint& point) { judge.add(point, -1); });
+  if (!fault.empty()) return incomparable(fault);
   const PointJudge::Result found = judge.result();
   const CurvePoint& worst = found.worst.point;
   Measure measure =
@@ -163,7 +168,7 @@ CurveComparison compare_pointwise(const Series& result, const Series& reference,
   measure.scale = found.scale;
   measure.tolerance = found.tolerance;
   measure.where = worst;
-  return compared(comparison.points.size(), {std::move(measure)});
+  return compared(static_cast<std::size_t>(judge.count()), {std::move(measure)});
 }
 
 }  // namespace slipbench::driver::check

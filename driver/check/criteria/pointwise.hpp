@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -9,14 +10,11 @@
 
 namespace slipbench::driver::check {
 
-/// Result and reference, point by point.
-struct PointwiseComparison {
-  std::string fault;               ///< why the two cannot be compared; empty if they can
-  std::vector<CurvePoint> points;  ///< in the order of the reference; not empty without a fault
-};
-
-/// The result at each row of the reference that lies in the common range, interpolated linearly
-/// within the branch of the same number (docs/theory, section 16). An abscissa that only
+/// Gives `take` the points of a result and its reference, in the order of the reference, and
+/// returns why the two cannot be compared: empty if they can, and then there is a point at least.
+///
+/// A point is the result at each row of the reference that lies in the common range, interpolated
+/// linearly within the branch of the same number (docs/theory, section 16). An abscissa that only
 /// increases, such as time, is one branch.
 ///
 /// Where the result has several rows at the reference's abscissa (equal but for rounding,
@@ -32,6 +30,14 @@ struct PointwiseComparison {
 /// A row at a reversal is compared once. Faults: unusable curves or nothing in common, less than
 /// two rows of a reference that has more, different numbers of branches, branches in opposite
 /// directions. A result of a single row is compared all the same.
+std::string each_point(const Series& result, const Series& reference,
+                       const std::function<void(const CurvePoint&)>& take);
+
+/// All of these points.
+struct PointwiseComparison {
+  std::string fault;
+  std::vector<CurvePoint> points;
+};
 PointwiseComparison compare_points(const Series& result, const Series& reference);
 
 /// One measure, the point of the largest deviation as PointJudge finds it; `compared` is the number

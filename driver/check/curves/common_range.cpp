@@ -19,6 +19,19 @@ std::string not_finite(std::string_view name, std::string_view what, std::size_t
   return fmt::format("{} of the {} is not a finite number in row {}", what, name, row + 1);
 }
 
+/// Numbers are taken so many at a time: the compiler must not reorder a single chain of them.
+constexpr std::size_t kLanes = 8;
+
+bool all_finite(std::span<const double> numbers) {
+  std::array<double, kLanes> zeros{};
+  std::size_t i = 0;
+  for (; i + kLanes <= numbers.size(); i += kLanes) {
+    for (std::size_t k = 0; k < kLanes; ++k) zeros[k] += 0.0 * numbers[i + k];
+  }
+  for (; i < numbers.size(); ++i) zeros[0] += 0.0 * numbers[i];
+  return std::none_of(zeros.begin(), zeros.end(), [](double zero) { return std::isnan(zero); });
+}
+
 /// Returns why nothing can be compared with a curve; empty if something can.
 std::string unusable(const Series& curve, std::string_view name) {
   const std::size_t rows = curve.value.size();
@@ -26,6 +39,7 @@ std::string unusable(const Series& curve, std::string_view name) {
     return fmt::format("the {} has {} values, but {} abscissas", name, rows, curve.abscissa.size());
   }
   if (rows == 0) return fmt::format("the {} has no rows", name);
+  if (all_finite(curve.abscissa) && all_finite(curve.value)) return {};
   for (std::size_t i = 0; i < rows; ++i) {
     if (!std::isfinite(curve.abscissa[i])) return not_finite(name, "the abscissa", i);
     if (!std::isfinite(curve.value[i])) return not_finite(name, "the value", i);
@@ -41,8 +55,28 @@ std::string in_words(const Interval& range, std::string_view name) {
 }  // namespace
 
 Interval extent(std::span<const double> numbers) {
-  const auto [lowest, highest] = std::minmax_element(numbers.begin(), numbers.end());
-  return {*lowest, *highest};
+  std::array<double, kLanes> low{};
+  std::array<double, kLanes> high{};
+  low.fill(numbers.front());
+  high.fill(numbers.front());
+  std::size_t i = 0;
+  for (; i + kLanes <= numbers.size(); i += kLanes) {
+    for (std::size_t k = 0; k < kLanes; ++k) {
+      const double x = numbers[i + k];
+      low[k] = x < low[k] ? x : low[k];
+      high[k] = x > high[k] ? x : high[k];
+    }
+  }
+  for (; i < numbers.size(); ++i) {
+    low[0] = std::min(low[0], numbers[i]);
+    high[0] = std::max(high[0], numbers[i]);
+  }
+  Interval found{*std::min_element(low.begin(), low.end()),
+                 *std::max_element(high.begin(), high.end())};
+  // Of 0 and -0, which are the same number, the lowest is the first and the highest the last.
+  if (found.from == 0.0) found.from = *std::find(numbers.begin(), numbers.end(), 0.0);
+  if (found.to == 0.0) found.to = *std::find(numbers.rbegin(), numbers.rend(), 0.0);
+  return found;
 }
 
 bool are_same_rows(const Series& result, const Series& reference) {

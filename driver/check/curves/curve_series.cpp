@@ -26,20 +26,22 @@ bool within(double time, double from, double to) {
 }
 
 /// Keeps the rows whose entry in `times` lies in [from, to].
-void keep_between(Series& series, std::span<const double> times, const Interval& span) {
+void keep_between(Series& series, const cases::SharedNumbers& times, const Interval& span) {
+  std::vector<double>& abscissa = series.abscissa.change();
+  std::vector<double>& value = series.value.change();
   std::size_t kept = 0;
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (!within(times[i], span.from, span.to)) continue;
-    series.abscissa[kept] = series.abscissa[i];
-    series.value[kept++] = series.value[i];
+    abscissa[kept] = abscissa[i];
+    value[kept++] = value[i];
   }
-  series.abscissa.resize(kept);
-  series.value.resize(kept);
+  abscissa.resize(kept);
+  value.resize(kept);
 }
 
 /// The part of a curve whose time lies in `span`, its ends interpolated.
-void cut_between(Series& series, std::span<const double> times, const Interval& span) {
-  Series by_time{{times.begin(), times.end()}, std::move(series.value), std::move(series.abscissa)};
+void cut_between(Series& series, const cases::SharedNumbers& times, const Interval& span) {
+  Series by_time{times, std::move(series.value), std::move(series.abscissa)};
   const Interval all = times.empty() ? Interval{} : extent(times);
   const double slack = history::kSameTime * std::max(std::abs(all.from), std::abs(all.to));
   by_time = cut(by_time, span, slack);
@@ -48,7 +50,7 @@ void cut_between(Series& series, std::span<const double> times, const Interval& 
 }
 
 /// Either of them, as the criterion needs it.
-void select(Series& series, std::span<const double> times, const Interval& span,
+void select(Series& series, const cases::SharedNumbers& times, const Interval& span,
             cases::Criterion criterion) {
   if (criterion == cases::Criterion::kPointwise) {
     keep_between(series, times, span);
@@ -91,16 +93,19 @@ tl::expected<ReferenceCurve, std::string> reference_curve(const cases::Check& ch
   curve.golden = file->golden();
   Series& series = curve.series;
   bool finite = true;
-  const auto convert = [&](const std::vector<double>& from, const base::UnitConversion& conversion,
-                           std::vector<double>& to) {
+  const auto converted = [&](const cases::SharedNumbers& from,
+                             const base::UnitConversion& conversion) {
+    if (conversion == base::UnitConversion{}) return from;
+    std::vector<double> to;
     to.reserve(from.size());
     for (const double number : from) {
       to.push_back(conversion(number));
       finite = finite && std::isfinite(to.back());
     }
+    return cases::SharedNumbers(std::move(to));
   };
-  convert((*abscissa)->values, reference.abscissa.conversion, series.abscissa);
-  convert((*value)->values, reference.column.conversion, series.value);
+  series.abscissa = converted((*abscissa)->values, reference.abscissa.conversion);
+  series.value = converted((*value)->values, reference.column.conversion);
   if (!finite) {
     return tl::unexpected(fmt::format(
         "{}: a number exceeds the range of a double in the case's unit", reference.shown_name));
@@ -117,7 +122,7 @@ tl::expected<ReferenceCurve, std::string> reference_curve(const cases::Check& ch
   const std::size_t rows = series.size();
   const double infinity = std::numeric_limits<double>::infinity();
   if (!check.abscissa && (check.from || check.to)) {
-    const std::vector<double> times = series.abscissa;
+    const cases::SharedNumbers times = series.abscissa;
     select(series, times, {check.from.value_or(-infinity), check.to.value_or(infinity)},
            check.criterion);
   }

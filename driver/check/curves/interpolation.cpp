@@ -10,7 +10,7 @@
 namespace slipbench::driver::check {
 
 void append_between(Series& to, const Series& curve, std::size_t i, double fraction) {
-  const auto append = [&](std::vector<double>& column, const std::vector<double>& from) {
+  const auto append = [&](cases::SharedNumbers& column, const cases::SharedNumbers& from) {
     // Row i itself may be the last.
     column.push_back(fraction == 0.0 ? from[i] : from[i] + fraction * (from[i + 1] - from[i]));
   };

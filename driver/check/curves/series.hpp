@@ -7,14 +7,16 @@
 #include <string>
 #include <vector>
 
+#include "driver/case/shared_numbers.hpp"
+
 namespace slipbench::driver::check {
 
 /// A quantity over an abscissa, in the order of its history: the abscissa may go back and forth.
 struct Series {
-  std::vector<double> abscissa;
-  std::vector<double> value;  ///< as many
-  std::vector<double> time;   ///< total time; empty where only the abscissa is known
-  double noise = 0.0;         ///< turns of the abscissa by no more may be those of its printing
+  cases::SharedNumbers abscissa;
+  cases::SharedNumbers value;  ///< as many
+  cases::SharedNumbers time;   ///< total time; empty where only the abscissa is known
+  double noise = 0.0;          ///< turns of the abscissa by no more may be those of its printing
 
   std::size_t size() const { return value.size(); }
 };

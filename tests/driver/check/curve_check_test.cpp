@@ -107,6 +107,36 @@ TEST_CASE("a failure over time is told in times, with what it looks like") {
   CHECK(verdict.scale == Approx(44.0));
 }
 
+TEST_CASE("a curve may have fewer rows than the run, more, or others") {
+  const TemporaryFolder folder;
+  const auto judged = [&](const std::vector<double>& times, double factor = 1.0) {
+    return verdict_of(
+        loop(), curve_check(folder.write("a.csv", exact_curve(times, factor)), {1e-9, {}, ""}));
+  };
+  std::vector<double> rows;
+  for (int i = 0; i <= 30; ++i) rows.push_back(i <= 10 ? 0.1 * i : 1.0 + 0.1 * (i - 10));
+  CHECK(judged(rows).passed);
+  CHECK(judged(rows).compared == 31);
+  CHECK(judged(rows).warnings.empty());
+  // The last row is not wrong, the run does not reach it.
+  std::vector<double> more = rows;
+  more.push_back(3.1);
+  CHECK(judged(more).passed);
+  CHECK(judged(more).compared == 31);
+  CHECK(judged({rows.begin(), rows.end() - 1}).passed);
+  CHECK(judged({rows.begin(), rows.end() - 1}).compared == 30);
+  // A row that is missing, and one between two rows of the run.
+  std::vector<double> others = rows;
+  others.erase(others.begin() + 7);
+  others[20] += 0.05;
+  CHECK(judged(others).passed);
+  CHECK(judged(others).compared == 30);
+  const Verdict wrong = judged(rows, 1.5);
+  CHECK(wrong.failing == judged(more, 1.5).failing);
+  CHECK(wrong.message == judged(rows, 1.5).message);
+  CHECK(wrong.first_failing.value() == Approx(0.1));
+}
+
 TEST_CASE("a loop over a position is compared branch by branch") {
   const TemporaryFolder folder;
   const auto file = folder.write("a.csv", exact_curve(kTimes));

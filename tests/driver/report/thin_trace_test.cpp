@@ -24,7 +24,7 @@ check::CheckTrace nearly_right() {
     trace.reference.value.push_back(std::sin(t));
   }
   trace.value = trace.reference;
-  trace.value.value[kWorst] += 0.001;
+  trace.value.value.change()[kWorst] += 0.001;
   return trace;
 }
 

@@ -112,6 +112,37 @@ TEST_CASE("a failed case knows where its check and its error stand") {
   CHECK(outcomes[1].code == base::kExitBadInput);
 }
 
+TEST_CASE("a curve is read beside the run, or after it: what is wrong in it is told alike") {
+  Suite suite;
+  std::string rows = "time,FLIM\n";
+  for (int i = 0; i <= 1000; ++i) rows += std::to_string(i) + "e-3,20\n";
+  suite.folder.write("good.csv", rows);
+  suite.folder.write("bad.csv", rows + "1.001,twenty\n");
+  suite.folder.write("other.csv", rows.substr(0, rows.size() - 3) + "21\n");
+  for (const std::string file : {"good", "bad", "other", "missing"}) {
+    std::string text = slider(1000);
+    const std::string expression = "{expression: = 20}";
+    text.replace(text.find(expression), expression.size(), "{curve: " + file + ".csv}");
+    suite.add(file, text);
+  }
+  const auto texts = [&](const Candidate& candidate, unsigned threads) {
+    std::string told;
+    SuiteListener listener;
+    listener.tell = [&](const Candidate&, CaseOutcome&& outcome) {
+      told = outcome.messages;
+      for (const CheckOutcome& check : outcome.verdicts) told += check.text;
+    };
+    run_suite({&candidate, 1}, {}, {.threads = threads, .keep_passing = true}, listener);
+    return told;
+  };
+  for (const Candidate& candidate : suite.cases) {
+    CHECK(texts(candidate, 1) == texts(candidate, 2));
+  }
+  CHECK_THAT(texts(suite.cases[1], 2),
+             Catch::Contains("bad.csv:1003:7: column 'FLIM' holds 'twenty'"));
+  CHECK_THAT(texts(suite.cases[2], 2), Catch::Contains("off by 1 N (limit 1e-09) at t = 1"));
+}
+
 TEST_CASE("what a listener throws ends the suite and arrives") {
   Suite suite;
   for (int i = 0; i < 20; ++i) suite.add("case" + std::to_string(i), slider(10));

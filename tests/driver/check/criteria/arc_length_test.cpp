@@ -88,8 +88,8 @@ TEST_CASE("an ellipse that is longer along one axis is farthest at its ends") {
 
 TEST_CASE("a loop that is displaced is at the distance of its displacement") {
   Series moved = ellipse(0.3, 40.0, 720, 0.7);
-  for (double& x : moved.abscissa) x += 0.06;  // a tenth of the box
-  for (double& y : moved.value) y -= 4.0;      // a twentieth
+  for (double& x : moved.abscissa.change()) x += 0.06;  // a tenth of the box
+  for (double& y : moved.value.change()) y -= 4.0;      // a twentieth
   CHECK(distance(moved, ellipse(0.3, 40.0, 720)).largest ==
         Approx(std::hypot(0.1, 0.05)).epsilon(1e-3));
 }
@@ -148,8 +148,8 @@ TEST_CASE("rows that are close or far apart do not move a loop") {
   }
   // Rows that rest in a place are no length.
   Series resting = coarse;
-  resting.abscissa.insert(resting.abscissa.begin() + 2, 5, coarse.abscissa[2]);
-  resting.value.insert(resting.value.begin() + 2, 5, coarse.value[2]);
+  resting.abscissa.change().insert(resting.abscissa.change().begin() + 2, 5, coarse.abscissa[2]);
+  resting.value.change().insert(resting.value.change().begin() + 2, 5, coarse.value[2]);
   CHECK(distance(resting, coarse).largest < 1e-12);
 }
 
@@ -159,23 +159,23 @@ TEST_CASE("the distance of curves does not depend on the units") {
   CHECK(plain > 0.05);
   Series f_scaled = f, r_scaled = r;
   for (Series* curve : {&f_scaled, &r_scaled}) {
-    for (double& x : curve->abscissa) x *= 1e3;
-    for (double& y : curve->value) y *= -1e-6;
+    for (double& x : curve->abscissa.change()) x *= 1e3;
+    for (double& y : curve->value.change()) y *= -1e-6;
   }
   CHECK(distance(f_scaled, r_scaled).largest == Approx(plain).epsilon(1e-9));
 }
 
 TEST_CASE("curves are closed if both ends meet within two percent of the box") {
   Series gap = ellipse(0.3, 40.0, 1000);
-  gap.abscissa.resize(996);  // 5 of 1000 rows: 1.6 % of the box
-  gap.value.resize(996);
-  gap.time.clear();
+  gap.abscissa.change().resize(996);  // 5 of 1000 rows: 1.6 % of the box
+  gap.value.change().resize(996);
+  gap.time.change().clear();
   const Series whole = ellipse(0.3, 40.0, 1000);
   CHECK(distance(gap, whole).closed);
   // The missing piece is straight.
   CHECK(distance(gap, whole).largest < 1e-3);
-  gap.abscissa.resize(990);
-  gap.value.resize(990);
+  gap.abscissa.change().resize(990);
+  gap.value.change().resize(990);
   CHECK_FALSE(distance(gap, whole).closed);
 }
 
@@ -200,14 +200,14 @@ TEST_CASE("no distance without a reference that moves, or numbers") {
   CHECK(fault(loop, Series{}) != "");
   CHECK(fault(Series{}, loop) != "");
   Series broken = loop;
-  broken.value[7] = std::numeric_limits<double>::quiet_NaN();
+  broken.value.change()[7] = std::numeric_limits<double>::quiet_NaN();
   CHECK(fault(broken, loop) != "");
   CHECK(fault(loop, broken) != "");
-  broken.value[7] = 1e200;
+  broken.value.change()[7] = 1e200;
   CHECK_THAT(fault(broken, loop), Catch::Contains("too far"));
   CHECK(fault(Series{{2.0, 2.0}, {100.0, 100.0}, {}}, loop) != "");
   Series elsewhere = loop;
-  for (double& x : elsewhere.abscissa) x += 5.0;
+  for (double& x : elsewhere.abscissa.change()) x += 5.0;
   CHECK(fault(elsewhere, loop) != "");
 }
 

@@ -42,6 +42,7 @@ Series stairs(const std::vector<double>& samples) {
 
 std::vector<double> samples(const Function& f) {
   std::vector<double> out;
+  out.reserve(kParts);
   for (int i = 0; i < kParts; ++i) out.push_back(f((i + 0.5) / kParts));
   return out;
 }
@@ -49,6 +50,7 @@ std::vector<double> samples(const Function& f) {
 /// Four periods of +-1, jumps between the samples.
 std::vector<double> square_wave() {
   std::vector<double> out;
+  out.reserve(kParts);
   for (int i = 0; i < kParts; ++i) out.push_back(i / 125 % 2 == 0 ? 1.0 : -1.0);
   return out;
 }
@@ -202,8 +204,8 @@ TEST_CASE("the rating does not depend on the units") {
   CHECK(plain.r < 0.97);
   Series f = sampled(other, 500), r = sampled(wave, 500);
   for (Series* curve : {&f, &r}) {
-    for (double& x : curve->abscissa) x *= 1e-6;
-    for (double& y : curve->value) y *= 1e3;
+    for (double& x : curve->abscissa.change()) x *= 1e-6;
+    for (double& y : curve->value.change()) y *= 1e3;
   }
   const Rating scaled = rating(f, r);
   CHECK(scaled.r == Approx(plain.r).epsilon(1e-10));
@@ -218,8 +220,8 @@ TEST_CASE("mirrored curves and an abscissa that decreases are rated alike") {
   CHECK(mirrored.r == Approx(plain.r).epsilon(1e-12));
   Series f = sampled(other, 500), r = sampled(wave, 500);
   for (Series* curve : {&f, &r}) {
-    std::reverse(curve->abscissa.begin(), curve->abscissa.end());
-    std::reverse(curve->value.begin(), curve->value.end());
+    std::reverse(curve->abscissa.change().begin(), curve->abscissa.change().end());
+    std::reverse(curve->value.change().begin(), curve->value.change().end());
   }
   CHECK(rating(f, r).r == Approx(plain.r).epsilon(1e-12));
 }
@@ -364,11 +366,11 @@ TEST_CASE("no rating without a reference that moves, a range or numbers") {
   CHECK(fault(curve, Series{}) != "");
   CHECK(fault(Series{}, curve) != "");
   Series broken = curve;
-  broken.value[7] = std::numeric_limits<double>::quiet_NaN();
+  broken.value.change()[7] = std::numeric_limits<double>::quiet_NaN();
   CHECK(fault(broken, curve) != "");
   CHECK(fault(curve, broken) != "");
   Series elsewhere = curve;
-  for (double& x : elsewhere.abscissa) x += 1.0;
+  for (double& x : elsewhere.abscissa.change()) x += 1.0;
   CHECK(fault(curve, elsewhere) != "");
   const Series loop{{0.0, 1.0, 0.0}, {0.0, 1.0, 2.0}, {}};
   CHECK_THAT(fault(loop, curve), Catch::Contains("goes back and forth"));

@@ -69,7 +69,7 @@ TEST_CASE("the branch matters: a loop and its mirror image are far apart") {
   const std::vector<double> turns{0, 0.1, -0.1, 0.1};
   const Series result = slider(zigzag(turns, 50));
   Series reference = slider(zigzag(turns, 40));
-  for (std::size_t i = 41; i < 80; ++i) reference.value[i] = 20.0;
+  for (std::size_t i = 41; i < 80; ++i) reference.value.change()[i] = 20.0;
   CHECK(largest(compare_points(result, reference)) == Approx(40.0));
 }
 
@@ -148,11 +148,11 @@ TEST_CASE("where the abscissa rests depends on the increments, and fails nothing
   CHECK(largest(compare_points(reversal(0.3, true), reversal(0.0, false))) > 20.0);
   // What the result never had is not met.
   Series higher = reversal(1e-3, false);
-  higher.value[3] = 23.0;
+  higher.value.change()[3] = 23.0;
   CHECK(largest(compare_points(reversal(0.0, true), higher)) == 3.0);
   // A row that neither rests nor is next to the rest is compared where it is.
   Series wrong = reversal(0.0, false);
-  wrong.value[1] = 3.0;
+  wrong.value.change()[1] = 3.0;
   CHECK(largest(compare_points(reversal(1e-3, true), wrong)) == 17.0);
 }
 

@@ -58,8 +58,8 @@ inline Series slider(const std::vector<double>& positions, double start = 0.0) {
 
 /// In other units, or mirrored.
 inline Series scaled(Series curve, double abscissa, double value) {
-  for (double& x : curve.abscissa) x *= abscissa;
-  for (double& q : curve.value) q *= value;
+  for (double& x : curve.abscissa.change()) x *= abscissa;
+  for (double& q : curve.value.change()) q *= value;
   return curve;
 }
 

@@ -110,8 +110,8 @@ TEST_CASE("only the common range counts, and units do not") {
 
   Series f = sampled(wave, 0.0, 1.0, 100), r = sampled(other, 0.0, 1.0, 100);
   for (Series* curve : {&f, &r}) {
-    for (double& x : curve->abscissa) x *= 1e3;
-    for (double& y : curve->value) y *= 1e-6;
+    for (double& x : curve->abscissa.change()) x *= 1e3;
+    for (double& y : curve->value.change()) y *= 1e-6;
   }
   const Errors scaled = errors(f, r);
   CHECK(scaled.magnitude == Approx(plain.magnitude).epsilon(1e-12));
@@ -160,7 +160,7 @@ TEST_CASE("no errors of magnitude and phase without a reference, a range or numb
   CHECK(fault(ramp, sampled([](double t) { return t; }, 2.0, 3.0, 10)) != "");
   CHECK(fault(ramp, sampled([](double t) { return t; }, 1.0, 3.0, 10)) != "");
   Series broken = ramp;
-  broken.value[3] = std::numeric_limits<double>::quiet_NaN();
+  broken.value.change()[3] = std::numeric_limits<double>::quiet_NaN();
   CHECK(fault(broken, ramp) != "");
   CHECK(fault(ramp, broken) != "");
   const Series loop{{0.0, 1.0, 0.0}, {0.0, 1.0, 2.0}, {}};

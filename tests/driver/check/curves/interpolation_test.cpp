@@ -62,7 +62,7 @@ TEST_CASE("a dwell in which time passes goes through the values in between") {
   CHECK(read.at(1.0, 21.0)->value == 20.0);
   CHECK(read.at(1.0, -1.0)->value == 0.0);
   Series unknown = dwell;
-  unknown.time.clear();
+  unknown.time.change().clear();
   BranchInterpolation rows_only(unknown, {0, 4, 1}, 1e-12);
   CHECK(rows_only.at(1.0, 7.5)->value == 5.0);
 }
