@@ -30,6 +30,11 @@ void declare_import(CLI::App& app, Command& command) {
       ->add_option("--connector", options->connector,
                    "Abaqus: the connector to take, if there are several: its element or set")
       ->type_name("NAME");
+  declared
+      ->add_option("--history", options->history,
+                   "Abaqus: CSV with results of the model over time (CRF2, CTM3, CP1): in place of "
+                   "the parameters")
+      ->type_name("FILE.csv");
   declared->add_flag("--all", options->all,
                      "A case each of all joints with friction, into DIR of -o");
   declared

@@ -15,6 +15,7 @@ struct ImportOptions {
   std::optional<int> id;         ///< of the /FRICTION; else there must be only one
   std::optional<int> interface;  ///< id of the /INTER; else there must be only one with friction
   std::string connector;  ///< number or set of the connector element; else there must be only one
+  std::string history;    ///< --history: CSV with results of the model, CRF2, CTM3, CP1
   bool all = false;       ///< --all: a file each, into the folder `output`
 };
 

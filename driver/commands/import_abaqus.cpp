@@ -8,13 +8,18 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
+#include "driver/base/csv/csv_fields.hpp"
+#include "driver/base/csv/line_reader.hpp"
 #include "driver/base/files/exit_code.hpp"
 #include "driver/base/files/output_file.hpp"
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/commands/import_units.hpp"
 #include "driver/import/abaqus/case_writer.hpp"
+#include "driver/import/abaqus/keyword_list.hpp"
 #include "driver/import/abaqus/model.hpp"
 #include "driver/terminal/print.hpp"
 
@@ -70,6 +75,38 @@ int write_file(const fs::path& path, const std::string& text, const ImportOption
   return base::kExitOk;
 }
 
+/// Finds the columns of a history file. Error: a sentence.
+tl::expected<abaqus::RecordedHistory, std::string> recorded_history(const ImportOptions& options,
+                                                                    const fs::path& folder) {
+  base::LineReader lines;
+  const std::string name = base::printable(options.history);
+  if (const auto opened = lines.open(options.history); !opened) {
+    return tl::unexpected(name + ": " + opened.error().message);
+  }
+  std::string_view header = "#";
+  while (header.starts_with('#') || header.empty()) {
+    const auto filled = lines.fill();
+    if (!filled) return tl::unexpected(name + ": " + filled.error().message);
+    if (lines.begin == lines.lines_end) return tl::unexpected(name + ": has no header");
+    header = lines.take_line();
+  }
+  const char separator = header.find(';') != header.npos    ? ';'
+                         : header.find('\t') != header.npos ? '\t'
+                                                            : ',';
+  abaqus::RecordedHistory history{
+      .file = fs::proximate(options.history, folder).string(), .time = {}, .columns = {}};
+  history.columns = base::header_names(header, separator);
+  const auto time =
+      std::find_if(history.columns.begin(), history.columns.end(), [](const std::string& column) {
+        return abaqus::folded(column) == "TIME" || abaqus::folded(column) == "T";
+      });
+  if (time == history.columns.end()) {
+    return tl::unexpected(name + ": has no column called time, or t");
+  }
+  history.time = *time;
+  return history;
+}
+
 }  // namespace
 
 int import_abaqus(const ImportOptions& options) {
@@ -84,12 +121,27 @@ int import_abaqus(const ImportOptions& options) {
     terminal::print_error(base::summary(diagnostics) + ", nothing was written\n");
     return environment_failure ? base::kExitEnvironment : base::kExitBadInput;
   }
-  abaqus::CaseOptions case_options{.deck = fs::path(options.deck).filename().string(), .units = {}};
+  abaqus::CaseOptions case_options{
+      .deck = fs::path(options.deck).filename().string(), .units = {}, .history = {}};
   if (!options.units.empty()) {
     const auto units = parse_units(options.units);
     if (!units) return terminal::refuse(base::kExitBadInput, units.error());
     case_options.units =
         fmt::format("length: {}, force: {}, time: {}", units->length, units->force, units->time);
+  }
+  if (!options.history.empty()) {
+    const bool to_terminal = options.output.empty() || options.output == "-";
+    const fs::path folder = options.all   ? fs::path(options.output)
+                            : to_terminal ? fs::path()
+                                          : fs::path(options.output).parent_path();
+    case_options.folder = folder.empty() ? "." : folder.string();
+    if (model.steps.size() > 1) {
+      return terminal::refuse(base::kExitBadInput,
+                              "--history: the deck has several steps, and a history one time");
+    }
+    auto history = recorded_history(options, case_options.folder);
+    if (!history) return terminal::refuse(base::kExitEnvironment, history.error());
+    case_options.history = std::move(*history);
   }
   std::vector<Candidate> candidates;
   for (const abaqus::Connector& one : model.connectors) {

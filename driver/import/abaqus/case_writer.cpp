@@ -57,8 +57,10 @@ void CaseParts::find_connection() {
 
 cases::Case CaseParts::resolved(const std::string& text) const {
   read::ReadOptions options;
+  options.allow_outside = true;
   for (const std::string& name : asked_) options.overrides.push_back({name, 1.0});
-  const read::ReadCase read = read::read_case_text(base::SourceText("case", text), ".", options);
+  const read::ReadCase read =
+      read::read_case_text(base::SourceText("case", text), options_.folder, options);
   if (read.value) return *read.value;
   for (const base::Diagnostic& one : read.diagnostics.sorted()) {
     if (one.severity != base::Severity::kError) continue;

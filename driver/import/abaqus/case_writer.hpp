@@ -17,9 +17,18 @@ struct WrittenCase {
   std::vector<std::string> notes = {};  ///< sentences on what was approximated, or is not known
 };
 
+/// History file with results of the model, whose columns drive the case in place of parameters.
+struct RecordedHistory {
+  std::string file;                       ///< as the case names it; empty: none
+  std::string time;                       ///< its time column
+  std::vector<std::string> columns = {};  ///< as it has them: CRF2, CTM3, CP1
+};
+
 struct CaseOptions {
   std::string deck;   ///< name of its file, for the heading
   std::string units;  ///< "length: mm, force: N, time: s", or empty: a deck does not say
+  RecordedHistory history = {};
+  std::string folder = ".";  ///< of the case, where its files are looked for
 };
 
 /// Writes the case of a connector. What a deck has no numbers for is a parameter without a value:

@@ -6,6 +6,7 @@
 
 #include "driver/case/quantity.hpp"
 #include "driver/import/abaqus/case_parts.hpp"
+#include "driver/import/abaqus/keyword_list.hpp"
 #include "driver/import/abaqus/profile_text.hpp"
 
 namespace slipbench::driver::abaqus {
@@ -70,6 +71,10 @@ std::string CaseParts::step_text(const Step& step, bool first, bool last, double
     if (belt_ && c != 1) continue;
     // A free component that nothing drives, springs hold where they are.
     const std::string name = cases::motion_name(c);
+    if (const auto profile = recorded({name})) {
+      motion.push_back(name + ": " + *profile);
+      continue;
+    }
     motion.push_back(
         name + ": {to: " +
         quoted(ask(name, fmt::format("position at the end of {}: no step drives it", step.name))) +
@@ -82,6 +87,11 @@ std::string CaseParts::step_text(const Step& step, bool first, bool last, double
     for (int c = 0; c < law::kComponents; ++c) {
       if (!forces_.contains(c) || connector_.alone) continue;
       const std::string name = cases::force_name(c);
+      if (const auto profile =
+              recorded({cases::force_column("CRF", c), cases::force_column("CTF", c)})) {
+        force.push_back(name + ": " + *profile);
+        continue;
+      }
       force.push_back(name + ": " +
                       quoted(ask(name, fmt::format("constraint {} along {}, {} of the element",
                                                    law::is_rotation(c) ? "moment" : "force", c + 1,
@@ -91,7 +101,10 @@ std::string CaseParts::step_text(const Step& step, bool first, bool last, double
         std::any_of(connector_.behavior->elasticity.begin(), connector_.behavior->elasticity.end(),
                     [](const Spring& one) { return one.component == 1; });
     if (belt_ && !has_spring && !driven_.contains(0)) {
-      force.push_back("f1: " + quoted(ask("f1", "tension of the belt between a and b, CTF1")));
+      const auto tension = recorded({"CTF1"});
+      force.push_back(
+          "f1: " +
+          (tension ? *tension : quoted(ask("f1", "tension of the belt between a and b, CTF1"))));
     }
   }
   if (!motion.empty()) text += "    motion: {" + join(motion) + "}\n";
@@ -107,6 +120,18 @@ std::string CaseParts::step_text(const Step& step, bool first, bool last, double
   for (const std::string& one : ambient) text += "    " + one + "\n";
   if (!fields.empty()) text += "    fields: {" + join(fields) + "}\n";
   return text + changes_text(step);
+}
+
+std::optional<std::string> CaseParts::recorded(const std::vector<std::string>& names) const {
+  const RecordedHistory& history = options_.history;
+  for (const std::string& name : names) {
+    for (const std::string& column : history.columns) {
+      if (folded(column) != name) continue;
+      return fmt::format("{{csv: {}, time: {}, value: {}}}", quoted(history.file),
+                         quoted(history.time), quoted(column));
+    }
+  }
+  return std::nullopt;
 }
 
 /// Constraint forces, temperature and fields from those of the nodes, of a connector that is alone.

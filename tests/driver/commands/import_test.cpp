@@ -265,5 +265,24 @@ TEST_CASE("All joints of a deck become cases in a folder, or none if the deck ha
   CHECK_FALSE(fs::exists(wrong.options.output));
 }
 
+TEST_CASE("A history of the model takes the place of constraint forces that a deck has not") {
+  ImportOfFile hinge("abaqus/cae_hinge.inp");
+  hinge.options.history =
+      hinge.folder
+          .write("ctf.csv",
+                 "# of last "
+                 "night\nTime,CRF1,crf2,CTF3,CRM2,CRM3\n0,0,0,0,0,0\n2,200,300,400,3000,4000\n")
+          .string();
+  const cases::Case problem = hinge.only();
+  CHECK(problem.parameters.empty());
+  double limit = 0.0;
+  REQUIRE(bench::run_case(problem,
+                          [&](const bench::Row& row) { limit = row.definitions[0].update.limit; }));
+  CHECK(limit == Approx(954.0));
+  hinge.options.force = true;
+  hinge.options.history = hinge.folder.write("no.csv", "CRF1,CRF2\n0,0\n").string();
+  CHECK(import_command(hinge.options) == base::kExitEnvironment);
+}
+
 }  // namespace
 }  // namespace slipbench::driver::commands
