@@ -35,8 +35,8 @@ double value_of(const DerivedTerm& term, const ConnectorForce& force,
 
 }  // namespace
 
-double evaluate(const DerivedComponent& component, const ConnectorForce& force,
-                const Ambient& ambient) noexcept {
+double evaluate_terms(const DerivedComponent& component, const ConnectorForce& force,
+                      const Ambient& ambient) noexcept {
   double total = 0.0;
   for (const DerivedTerm& term : component) total += value_of(term, force, ambient);
   return total;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -29,9 +30,23 @@ struct DerivedTerm {
 /// g(f), the contact force of a friction definition: terms of one name are added.
 using DerivedComponent = std::vector<DerivedTerm>;
 
+/// Adds up the terms of g(f).
+double evaluate_terms(const DerivedComponent& component, const ConnectorForce& force,
+                      const Ambient& ambient) noexcept;
+
 /// Value g(f) [F] or [F L].
-double evaluate(const DerivedComponent& component, const ConnectorForce& force,
-                const Ambient& ambient) noexcept;
+inline double evaluate(const DerivedComponent& component, const ConnectorForce& force,
+                       const Ambient& ambient) noexcept {
+  if (component.size() == 1) {
+    const DerivedTerm& term = component.front();
+    if (term.count == 1 && term.combine == TermOperator::kNorm && !term.weight_table) {
+      // A number is the root of its square, unless that leaves the range of normal numbers.
+      const double x = term.weight[0] * force[term.component[0]];
+      if (std::isnormal(x * x)) return term.sign * std::abs(x);
+    }
+  }
+  return evaluate_terms(component, force, ambient);
+}
 
 /// Adds dg/df to `to_force` and dg/d(position) (through the weights) to `to_position`. At a corner
 /// (a norm of zero, a Macauley argument of zero) the one-sided slope taken is 0.

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "law/contact/derived_component.hpp"
 
+#include <bit>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "tests/support/finite_difference.hpp"
@@ -34,6 +36,24 @@ TEST_CASE("NORM is the root of the weighted squares, with one entry the absolute
   CHECK(evaluate({term(TermOperator::kNorm, -1.0, {1, 2}, {1.0, 1.0})}, kForce, {}) == -5.0);
   CHECK(evaluate({term(TermOperator::kNorm, 1.0, {1, 2}, {2.0, 0.5})}, kForce, {}) ==
         Approx(std::sqrt(36.0 + 4.0)).epsilon(1e-15));
+}
+
+TEST_CASE("the NORM of one entry has the bits of the root of its square, in all magnitudes") {
+  for (const double size :
+       {0.0, 1e-320, 1e-170, 1.1e-154, 1e-3, 0.1, 1.0 / 3.0, 7.7, 1e17, 1e154, 1e200}) {
+    for (double x : {size, -size}) {
+      for (int i = 0; i < 100; ++i, x *= 1.0 + 0.013 * i) {
+        const ConnectorForce force{{0.0, x}};
+        for (const double sign : {1.0, -1.0}) {
+          // An entry of weight 0 adds nothing, but makes it a sum.
+          const double root =
+              evaluate({term(TermOperator::kNorm, sign, {2, 3}, {0.9, 0.0})}, force, {});
+          const double alone = evaluate({term(TermOperator::kNorm, sign, {2}, {0.9})}, force, {});
+          REQUIRE(std::bit_cast<std::uint64_t>(alone) == std::bit_cast<std::uint64_t>(root));
+        }
+      }
+    }
+  }
 }
 
 TEST_CASE("SUM keeps signs and MACAULEY SUM takes positive shares only") {
