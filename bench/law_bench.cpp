@@ -196,14 +196,12 @@ void slide_plane_rows(benchmark::State& state) {
   ConnectorIncrement increment;
   increment.duration = kEndTime / kIncrements;
   for (auto _ : state) {
+    KnownLimits limits(definition);
     std::array<FrictionUpdate, 2> results;
     for (std::size_t i = 1; i <= kIncrements; ++i) {
       take(history, i, &increment);
       const FrictionState& now = results[(i - 1) % 2].state;
-      const auto limit_of = [&](double motion) {
-        const Limit limit = LimitFunction(definition, increment, now, motion).of_any_slip();
-        return KnownLimit(limit, definition, increment.duration, motion);
-      };
+      const auto limit_of = [&](double motion) { return limits(increment, now, motion); };
       update_known<2>(definition, increment, now, limit_of, &results[i % 2]);
     }
     if (!is_known_end(results[kIncrements % 2].state)) {

@@ -153,8 +153,9 @@ std::size_t Simulation::update_known_rows(std::span<Row> rows, std::size_t defin
   const law::FrictionDefinition& law = definitions_[definition];
   law::ConnectorIncrement increment = connector_increment(*case_, rows[0]);
   const DefinitionRow* before = &row_.definitions[definition];
+  law::KnownLimits limits(law);
   law::Limit rest;
-  if (kConstant) rest = law::LimitFunction(law, increment, before->update.state, 0.0).of_any_slip();
+  if (kConstant) rest = limits(increment, before->update.state, 0.0)(0.0);
   const law::Limit all_along = rest;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     Row& row = rows[k];
@@ -173,8 +174,7 @@ std::size_t Simulation::update_known_rows(std::span<Row> rows, std::size_t defin
     }
     const auto limit_of = [&](double motion) {
       if constexpr (kConstant) return law::KnownLimit(all_along, law, row.duration, motion);
-      const law::Limit here_only = law::LimitFunction(law, increment, old, motion).of_any_slip();
-      return law::KnownLimit(here_only, law, row.duration, motion);
+      return limits(increment, old, motion);
     };
     law::update_known<D>(law, increment, old, limit_of, &here.update);
     add_up(*before, here);

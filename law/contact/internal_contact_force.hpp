@@ -29,15 +29,6 @@ inline InternalContactForcePoint evaluate(const InternalContactForce& internal,
   return {value, slopes.accumulated_slip};
 }
 
-/// The value of evaluate() without its slope, in the same bits.
-inline double internal_force(const InternalContactForce& internal, const Ambient& ambient,
-                             double accumulated_slip) noexcept {
-  if (const double* number = std::get_if<double>(&internal)) return *number;
-  const double value =
-      std::get_if<TableFunction>(&internal)->value(ambient, {.accumulated_slip = accumulated_slip});
-  return value < 0.0 ? 0.0 : value;
-}
-
 inline bool depends_on_accumulated_slip(const InternalContactForce& internal) {
   const auto* function = std::get_if<TableFunction>(&internal);
   return function != nullptr && function->column_of(IndependentKind::kAccumulatedSlip) >= 0;

@@ -2,9 +2,15 @@
 // Limits that are known before the slip of their increment is.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
 #include "law/definition/friction_definition.hpp"
+#include "law/definition/friction_state.hpp"
 #include "law/definition/increment.hpp"
 #include "law/definition/limit_function.hpp"
+#include "law/table/table_cursor.hpp"
 
 namespace slipbench::law {
 
@@ -47,8 +53,48 @@ class KnownLimit {
   Limit at(double slip, double) const noexcept { return (*this)(slip); }
 
  private:
+  friend class KnownLimits;
   Limit rest_;
   double slip_in_rate_;  ///< [1/T]
+};
+
+/// The known limits of a history, one increment after another, in the bits of a LimitFunction. It
+/// must not outlive its definition, which must stay as it is.
+class KnownLimits {
+ public:
+  explicit KnownLimits(const FrictionDefinition& definition) noexcept : definition_(definition) {
+    if (const auto* law = std::get_if<TabularCoefficient>(&definition.law)) mu_.emplace(law->table);
+    if (const auto* table = std::get_if<TableFunction>(&definition.internal_contact_force)) {
+      internal_.emplace(*table);
+    }
+  }
+
+  /// \param motion |ds| of the increment [L]
+  [[gnu::always_inline]] KnownLimit operator()(const ConnectorIncrement& increment,
+                                               const FrictionState& old, double motion) noexcept {
+    KnownLimit limit({}, definition_, increment.duration, motion);
+    Limit& rest = limit.rest_;
+    rest.contact_force =
+        evaluate(definition_.contact_force, increment.force, increment.end) +
+        (internal_ ? not_negative(internal_->value(increment.end,
+                                                   {.accumulated_slip = old.accumulated_slip}))
+                   : *std::get_if<double>(&definition_.internal_contact_force));
+    rest.normal_force = std::abs(rest.contact_force);
+    const SlipArguments slip{.slip_rate = rest.slip_rate, .contact_force = rest.normal_force};
+    const double mu = mu_ ? not_negative(mu_->value(increment.end, slip))
+                          : evaluate(definition_.law, increment.end, slip).mu;
+    rest.mu = blended(definition_.blend, {mu, 0.0, 0.0}).mu;
+    rest.force = std::min(rest.mu * rest.normal_force, definition_.force_limit);
+    return limit;
+  }
+
+ private:
+  /// Returns the value, or 0 where linear extrapolation has left the physical range.
+  static double not_negative(double value) noexcept { return value < 0.0 ? 0.0 : value; }
+
+  const FrictionDefinition& definition_;
+  std::optional<TableCursor> mu_;
+  std::optional<TableCursor> internal_;
 };
 
 /// The searches of first_root.hpp, which have nothing to search here.

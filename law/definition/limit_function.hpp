@@ -94,21 +94,6 @@ class LimitFunction {
     return limit;
   }
 
-  /// The limit of an increment whose slip does not change it, without any slopes.
-  Limit of_any_slip() const noexcept {
-    Limit limit;
-    const double internal =
-        internal_force(definition_.internal_contact_force, increment_.end, accumulated_);
-    limit.contact_force = contact_ + internal;
-    limit.normal_force = std::abs(limit.contact_force);
-    limit.slip_rate = motion_rate_;
-    const double mu = coefficient(definition_.law, increment_.end,
-                                  {.slip_rate = motion_rate_, .contact_force = limit.normal_force});
-    limit.mu = blended(definition_.blend, {mu, 0.0, 0.0}).mu;
-    limit.force = std::min(limit.mu * limit.normal_force, definition_.force_limit);
-    return limit;
-  }
-
   /// dF_lim/d(dL), rate and wear together.
   double slope(const Limit& limit) const { return limit.to_rate * slip_in_rate_ + limit.to_slip; }
   /// d(rate)/d|ds|.

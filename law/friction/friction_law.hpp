@@ -39,15 +39,6 @@ inline CoefficientPoint evaluate(const FrictionLaw& law, const Ambient& ambient,
   return evaluate_boxed(*std::get_if<BoxedLaw>(&law), ambient, slip);
 }
 
-/// The coefficient [1] of evaluate() without its slopes, in the same bits.
-inline double coefficient(const FrictionLaw& law, const Ambient& ambient,
-                          const SlipArguments& slip) noexcept {
-  if (const auto* table = std::get_if<TabularCoefficient>(&law)) {
-    return table->coefficient(ambient, slip);
-  }
-  return evaluate(law, ambient, slip).mu;
-}
-
 bool any_depends_on_slip_rate(const FrictionLaw& law);
 inline bool depends_on_slip_rate(const FrictionLaw& law) {
   return !std::holds_alternative<ConstantCoefficient>(law) && any_depends_on_slip_rate(law);

@@ -52,11 +52,6 @@ struct TabularCoefficient {
     if (mu < 0.0) return {0.0, 0.0, 0.0};
     return {mu, slopes.slip_rate, slopes.contact_force};
   }
-  /// The coefficient of evaluate() without its slopes.
-  double coefficient(const Ambient& ambient, const SlipArguments& slip) const noexcept {
-    const double mu = table.value(ambient, slip);
-    return mu < 0.0 ? 0.0 : mu;
-  }
   bool depends_on_slip_rate() const { return table.column_of(IndependentKind::kSlipRate) >= 0; }
   bool depends_on_contact_force() const {
     return table.column_of(IndependentKind::kContactForce) >= 0;

@@ -86,6 +86,8 @@ class Table {
   int dependents() const { return dependents_; }
   int independents() const { return static_cast<int>(levels_.size()); }
   Extrapolation extrapolation() const { return extrapolation_; }
+  /// Tells whether it has two independents, and all blocks of the first the same points.
+  bool is_grid() const { return is_grid_; }
 
   /// Returns how many rows it was built from; rows are numbered from 0 in the order given.
   std::size_t rows() const {
@@ -239,7 +241,7 @@ class Table {
 
   int dependents_ = 0;
   Extrapolation extrapolation_ = Extrapolation::kConstant;
-  bool is_grid_ = false;  ///< two independents, and all blocks of the first have the same points
+  bool is_grid_ = false;
   std::vector<Level> levels_;
   std::vector<double> ordinates_;  ///< row-major rows x dependents
 };

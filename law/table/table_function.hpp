@@ -42,9 +42,19 @@ struct SlipArguments {
   double accumulated_slip = 0.0;  ///< [L]
 };
 
+/// Returns what a motion or a field is at a place, in its own unit.
+inline double place_argument(const Independent& independent, const Ambient& ambient) noexcept {
+  if (independent.kind == IndependentKind::kField) {
+    return ambient.fields[static_cast<std::size_t>(independent.index)];
+  }
+  return independent.kind == IndependentKind::kPosition ? ambient.position[independent.index]
+                                                        : ambient.motion[independent.index];
+}
+
 /// Returns what an independent is at a place and a slip, in its own unit.
 inline double argument(const Independent& independent, const Ambient& ambient,
                        const SlipArguments& slip) noexcept {
+  // Few cases are compared; more would be a jump by way of a table.
   switch (independent.kind) {
     case IndependentKind::kSlipRate:
       return slip.slip_rate;
@@ -54,14 +64,9 @@ inline double argument(const Independent& independent, const Ambient& ambient,
       return slip.accumulated_slip;
     case IndependentKind::kTemperature:
       return ambient.temperature;
-    case IndependentKind::kField:
-      return ambient.fields[static_cast<std::size_t>(independent.index)];
-    case IndependentKind::kPosition:
-      return ambient.position[independent.index];
-    case IndependentKind::kConstitutiveMotion:
-      break;
+    default:
+      return place_argument(independent, ambient);
   }
-  return ambient.motion[independent.index];
 }
 
 /// A table whose independents are connector quantities.

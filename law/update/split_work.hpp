@@ -35,8 +35,9 @@ template <int D>
 /// Work [F L] over ds of a force that goes from y0 straight towards `trial` for the fraction
 /// `onset` of the increment, and then to y1.
 template <int D>
-double work_split_at(double onset, const Slip<D>& y0, const Slip<D>& trial, const Slip<D>& y1,
-                     const Slip<D>& ds) {
+[[gnu::always_inline]] inline double work_split_at(double onset, const Slip<D>& y0,
+                                                   const Slip<D>& trial, const Slip<D>& y1,
+                                                   const Slip<D>& ds) {
   const Slip<D> split = y0 + onset * (trial - y0);
   return 0.5 * (onset * (y0 + split).dot(ds) + (1.0 - onset) * (split + y1).dot(ds));
 }
@@ -46,8 +47,9 @@ double work_split_at(double onset, const Slip<D>& y0, const Slip<D>& trial, cons
 /// is exact for an elastic-plastic path in one dimension (docs/theory, section 13).
 /// \param[out] onset the fraction of the increment before the split
 template <int D>
-double split_work(const Slip<D>& y0, const Slip<D>& trial, const Slip<D>& y1, const Slip<D>& ds,
-                  double limit, double* onset) {
+[[gnu::always_inline]] inline double split_work(const Slip<D>& y0, const Slip<D>& trial,
+                                                const Slip<D>& y1, const Slip<D>& ds, double limit,
+                                                double* onset) {
   *onset = limit_fraction<D>(y0, trial, limit);
   return work_split_at<D>(*onset, y0, trial, y1, ds);
 }

@@ -40,16 +40,14 @@ template <int D>
 void compare(const FrictionDefinition& definition, const std::vector<HistoryRow>& rows,
              std::set<std::pair<int, Regime>>* drawn) {
   FrictionState old;
+  KnownLimits limits(definition);
   std::array<FrictionUpdate, 2> in_turns;  // the old state must not be that of the result
   for (std::size_t k = 0; k < rows.size(); ++k) {
     INFO("increment " << k);
     const ConnectorIncrement increment = rows[k].increment();
     const FrictionUpdate expected = update(definition, increment, old);
     FrictionUpdate& found = in_turns[k % 2];
-    const auto limit_of = [&](double motion) {
-      return KnownLimit(LimitFunction(definition, increment, old, motion).of_any_slip(), definition,
-                        increment.duration, motion);
-    };
+    const auto limit_of = [&](double motion) { return limits(increment, old, motion); };
     update_known<D>(definition, increment, old, limit_of, &found);
     REQUIRE(bits(found) == bits(expected));
     old = found.state;
