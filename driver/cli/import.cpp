@@ -11,19 +11,24 @@ namespace slipbench::driver::cli {
 void declare_import(CLI::App& app, Command& command) {
   const auto options = std::make_shared<commands::ImportOptions>();
   CLI::App* declared =
-      app.add_subcommand("import", "Make cases of the joints of an Abaqus or Radioss deck");
-  declared->add_option("DECK", options->deck, "An Abaqus input deck, or a Radioss starter deck")
+      app.add_subcommand("import", "Make cases of the joints and contacts of a solver's deck");
+  declared
+      ->add_option("DECK", options->deck,
+                   "An Abaqus input deck, a Radioss starter deck, an LS-DYNA keyword deck, or an "
+                   "OpenSees script")
       ->required();
   declared
       ->add_option("-o,--output", options->output,
                    "The case file; default: the terminal. With --all a folder")
       ->type_name("FILE|DIR");
-  declared->add_option("--id", options->id, "Radioss: the /FRICTION to take, if there are several")
+  declared
+      ->add_option("--id", options->id,
+                   "The /FRICTION, *DEFINE_FRICTION or frictionModel to take, if there are several")
       ->type_name("ID")
       ->check(whole_number(1, 2147483647));
   declared
       ->add_option("--interface", options->interface,
-                   "Radioss: the contact interface to take, if several have friction")
+                   "Radioss, LS-DYNA: the contact to take, if several have friction")
       ->type_name("ID")
       ->check(whole_number(1, 2147483647));
   declared
@@ -47,6 +52,8 @@ void declare_import(CLI::App& app, Command& command) {
           "--normal", options->normal,
           "Radioss: normal of the contact, to judge the directions of orthotropic friction by")
       ->type_name("\"X Y Z\"");
+  declared->add_flag("--json", options->json,
+                     "Print what is asked for, kept, approximated and dropped as JSON");
   declare_force(*declared, options->force, "there already");
   declared->footer(
       "Tells on standard error what the deck has, and what is passed over and why. What a deck "

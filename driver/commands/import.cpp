@@ -1,16 +1,75 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/commands/import.hpp"
 
-#include "driver/commands/import_abaqus.hpp"
-#include "driver/commands/import_radioss.hpp"
-#include "driver/import/deck_kind.hpp"
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "driver/base/files/exit_code.hpp"
+#include "driver/base/files/output_file.hpp"
+#include "driver/base/text/diagnostic.hpp"
+#include "driver/base/text/json.hpp"
+#include "driver/commands/loss_report.hpp"
+#include "driver/terminal/print.hpp"
 
 namespace slipbench::driver::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Returns "model_7.yaml: HINGE "Pin": give f2, f3", what is printed of a case.
+std::string written_text(const fs::path& path, const ImportedCase& one) {
+  std::string text = path.string() + ": " + one.summary;
+  for (const std::string& name : one.written.asked) {
+    text += (&name == one.written.asked.data() ? ": give " : ", ") + name;
+  }
+  return base::printable(text) + "\n";
+}
+
+}  // namespace
 
 int import_command(const ImportOptions& options) {
-  // Of a file that cannot be read, or is no deck, either reader tells what is wrong.
-  return import::kind_of_deck(options.deck) == import::DeckKind::kAbaqus ? import_abaqus(options)
-                                                                         : import_radioss(options);
+  const bool to_terminal = !options.all && (options.output.empty() || options.output == "-");
+  if (options.json && to_terminal) {
+    return terminal::refuse(base::kExitBadInput,
+                            "--json takes the terminal: say where the case goes with -o");
+  }
+  const ImportedDeck deck = read_deck(options);
+  terminal::print_error(deck.messages);
+  if (deck.code != base::kExitOk) return deck.code;
+  if (to_terminal) {
+    terminal::print_error(loss_report(deck.cases.front().written.losses));
+    terminal::print(deck.cases.front().written.text);
+    return base::kExitOk;
+  }
+  base::json::Value document = base::json::Array{};
+  for (const ImportedCase& one : deck.cases) {
+    const fs::path path =
+        options.all ? fs::path(options.output.empty() ? "." : options.output) / (one.stem + ".yaml")
+                    : fs::path(options.output);
+    const std::string inputs[] = {options.deck};
+    auto file = base::OutputFile::create(path, {}, {inputs, options.force});
+    if (!file) return terminal::refuse(base::kExitEnvironment, file.error());
+    file->append(one.written.text);
+    base::OutputFile* const alone[] = {&*file};
+    if (const auto committed = base::commit(alone); !committed) {
+      return terminal::refuse(base::kExitEnvironment, committed.error());
+    }
+    if (options.json) {
+      base::json::Value entry;
+      entry["case"] = path.string();
+      entry["of"] = one.summary;
+      entry["asked"] = base::json::Array{};
+      for (const std::string& name : one.written.asked) entry["asked"].push_back(name);
+      entry["losses"] = loss_json(one.written.losses);
+      document.push_back(std::move(entry));
+    } else {
+      terminal::print(written_text(path, one));
+      terminal::print_error(loss_report(one.written.losses));
+    }
+  }
+  if (options.json) terminal::print(document.dump(2) + "\n");
+  return base::kExitOk;
 }
 
 }  // namespace slipbench::driver::commands

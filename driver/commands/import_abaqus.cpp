@@ -15,13 +15,11 @@
 #include "driver/base/csv/csv_fields.hpp"
 #include "driver/base/csv/line_reader.hpp"
 #include "driver/base/files/exit_code.hpp"
-#include "driver/base/files/output_file.hpp"
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/commands/import_units.hpp"
 #include "driver/import/abaqus/case_writer.hpp"
 #include "driver/import/abaqus/keyword_list.hpp"
 #include "driver/import/abaqus/model.hpp"
-#include "driver/terminal/print.hpp"
 
 namespace slipbench::driver::commands {
 namespace {
@@ -31,15 +29,15 @@ namespace fs = std::filesystem;
 /// Connector with friction, and the case that it makes or why it makes none.
 struct Candidate {
   const abaqus::Connector* connector = nullptr;
-  tl::expected<abaqus::WrittenCase, std::string> written;
+  tl::expected<import::WrittenCase, std::string> written;
 };
 
 /// "arm-1.7" as a part of a file's name.
-std::string file_name(const std::string& deck, const abaqus::Connector& connector) {
+std::string file_stem(const std::string& deck, const abaqus::Connector& connector) {
   std::string name = fs::path(deck).stem().string() + "_" + connector.name;
   std::replace_if(
       name.begin(), name.end(), [](char c) { return c == '/' || c == ' '; }, '_');
-  return name + ".yaml";
+  return name;
 }
 
 std::string plural(std::size_t count, const char* what) {
@@ -61,18 +59,6 @@ std::string inventory(const abaqus::Model& model, const std::vector<Candidate>& 
   }
   for (const std::string& note : model.notes) text += "  " + base::printable(note) + "\n";
   return text + "  " + plural(model.passed_over, "keyword") + " passed over\n";
-}
-
-int write_file(const fs::path& path, const std::string& text, const ImportOptions& options) {
-  const std::string inputs[] = {options.deck};
-  auto file = base::OutputFile::create(path, {}, {inputs, options.force});
-  if (!file) return terminal::refuse(base::kExitEnvironment, file.error());
-  file->append(text);
-  base::OutputFile* const alone[] = {&*file};
-  if (const auto committed = base::commit(alone); !committed) {
-    return terminal::refuse(base::kExitEnvironment, committed.error());
-  }
-  return base::kExitOk;
 }
 
 /// Finds the columns of a history file. Error: a sentence.
@@ -109,23 +95,27 @@ tl::expected<abaqus::RecordedHistory, std::string> recorded_history(const Import
 
 }  // namespace
 
-int import_abaqus(const ImportOptions& options) {
+ImportedDeck import_abaqus(const ImportOptions& options) {
+  ImportedDeck imported;
   base::Diagnostics diagnostics;
   bool environment_failure = false;
-  const auto deck = abaqus::KeywordDeck::read(options.deck, diagnostics, environment_failure);
+  const auto deck = options.text
+                        ? abaqus::KeywordDeck::read_text(*options.text, ".", diagnostics)
+                        : abaqus::KeywordDeck::read(options.deck, diagnostics, environment_failure);
   abaqus::Model model;
   if (deck) model = abaqus::read_model(*deck);
-  terminal::print_error(
-      base::render(diagnostics, deck ? deck->sources() : std::vector<base::SourceText>()));
+  imported.messages =
+      base::render(diagnostics, deck ? deck->sources() : std::vector<base::SourceText>());
   if (diagnostics.has_errors()) {
-    terminal::print_error(base::summary(diagnostics) + ", nothing was written\n");
-    return environment_failure ? base::kExitEnvironment : base::kExitBadInput;
+    imported.messages += base::summary(diagnostics) + ", nothing was written\n";
+    imported.code = environment_failure ? base::kExitEnvironment : base::kExitBadInput;
+    return imported;
   }
   abaqus::CaseOptions case_options{
       .deck = fs::path(options.deck).filename().string(), .units = {}, .history = {}};
   if (!options.units.empty()) {
     const auto units = parse_units(options.units);
-    if (!units) return terminal::refuse(base::kExitBadInput, units.error());
+    if (!units) return refused(std::move(imported), units.error());
     case_options.units =
         fmt::format("length: {}, force: {}, time: {}", units->length, units->force, units->time);
   }
@@ -136,11 +126,11 @@ int import_abaqus(const ImportOptions& options) {
                                           : fs::path(options.output).parent_path();
     case_options.folder = folder.empty() ? "." : folder.string();
     if (model.steps.size() > 1) {
-      return terminal::refuse(base::kExitBadInput,
-                              "--history: the deck has several steps, and a history one time");
+      return refused(std::move(imported),
+                     "--history: the deck has several steps, and a history one time");
     }
     auto history = recorded_history(options, case_options.folder);
-    if (!history) return terminal::refuse(base::kExitEnvironment, history.error());
+    if (!history) return refused(std::move(imported), history.error(), base::kExitEnvironment);
     case_options.history = std::move(*history);
   }
   std::vector<Candidate> candidates;
@@ -148,45 +138,26 @@ int import_abaqus(const ImportOptions& options) {
     if (one.behavior == nullptr || one.behavior->frictions.empty()) continue;
     candidates.push_back({&one, abaqus::write_case(*deck, model, one, case_options)});
   }
-  terminal::print_error(inventory(model, candidates));
-  std::vector<const Candidate*> chosen;
-  for (const Candidate& one : candidates) {
+  imported.messages += inventory(model, candidates);
+  for (Candidate& one : candidates) {
     const bool meant = options.connector.empty() || options.connector == one.connector->name ||
                        one.connector->labels.count(abaqus::label_of(options.connector)) > 0;
-    if (meant && one.written) chosen.push_back(&one);
+    if (!meant || !one.written) continue;
+    imported.cases.push_back({file_stem(options.deck, *one.connector),
+                              abaqus::described(*one.connector), std::move(*one.written)});
   }
-  if (chosen.empty()) {
-    return terminal::refuse(
-        base::kExitBadInput,
-        base::printable(options.deck) +
-            (options.connector.empty()
-                 ? ": has no connector that can be taken over"
-                 : ": has no such connector to take over: " + base::printable(options.connector)));
+  const std::string name = base::printable(options.deck);
+  if (imported.cases.empty()) {
+    return refused(std::move(imported),
+                   name + (options.connector.empty() ? ": has no connector that can be taken over"
+                                                     : ": has no such connector to take over: " +
+                                                           base::printable(options.connector)));
   }
-  if (chosen.size() > 1 && !options.all) {
-    return terminal::refuse(
-        base::kExitBadInput,
-        base::printable(options.deck) +
-            ": choose one with --connector NUMBER, or all of them with --all -o DIR");
+  if (imported.cases.size() > 1 && !options.all) {
+    return refused(std::move(imported),
+                   name + ": choose one with --connector NUMBER, or all of them with --all -o DIR");
   }
-  if (!options.all && (options.output.empty() || options.output == "-")) {
-    terminal::print(chosen.front()->written->text);
-    return base::kExitOk;
-  }
-  for (const Candidate* one : chosen) {
-    const fs::path path = options.all ? fs::path(options.output.empty() ? "." : options.output) /
-                                            file_name(options.deck, *one->connector)
-                                      : fs::path(options.output);
-    if (const int code = write_file(path, one->written->text, options); code != base::kExitOk) {
-      return code;
-    }
-    std::string asked;
-    for (const std::string& name : one->written->asked) {
-      asked += (asked.empty() ? ": give " : ", ") + name;
-    }
-    terminal::print(base::printable(path.string() + asked) + "\n");
-  }
-  return base::kExitOk;
+  return imported;
 }
 
 }  // namespace slipbench::driver::commands

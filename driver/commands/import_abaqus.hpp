@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "driver/commands/import.hpp"
+#include "driver/commands/imported_deck.hpp"
 
 namespace slipbench::driver::commands {
 
-/// Lists the connectors of an Abaqus input deck and makes cases of those with friction that are
-/// meant. Returns the exit code.
-int import_abaqus(const ImportOptions& options);
+/// Reads an Abaqus input deck: a case of each of its connectors with friction, or of those chosen.
+ImportedDeck import_abaqus(const ImportOptions& options);
 
 }  // namespace slipbench::driver::commands

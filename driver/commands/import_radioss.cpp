@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "driver/base/files/exit_code.hpp"
-#include "driver/base/files/output_file.hpp"
 #include "driver/base/text/number.hpp"
 #include "driver/base/text/source_text.hpp"
 #include "driver/base/units/units.hpp"
@@ -22,18 +21,9 @@
 #include "driver/import/radioss/deck_interface.hpp"
 #include "driver/import/radioss/deck_line.hpp"
 #include "driver/import/radioss/starter_deck.hpp"
-#include "driver/terminal/print.hpp"
 
 namespace slipbench::driver::commands {
 namespace {
-
-// Decks carry the whole mesh.
-constexpr std::size_t kDeckSizeLimit = std::size_t{1} << 30U;
-
-int refuse(const std::string& message) {
-  terminal::print_error("slipbench: error: " + message + "\n");
-  return base::kExitBadInput;
-}
 
 tl::expected<std::array<double, 3>, std::string> parse_normal(const std::string& text) {
   const std::vector<std::string> words = words_of(text);
@@ -148,10 +138,11 @@ std::optional<Meant> meant_by(const radioss::DeckInterface& interface,
     }
   }
   if (interface.temperature_function > 0) {
-    notes.push_back(fmt::format(
+    const std::string message = fmt::format(
         "its friction is scaled by function {} of the temperature (fct_IDF): not taken over",
-        interface.temperature_function));
-    out.warning(texts.name(interface.where), texts.position(interface.where), name, notes.back());
+        interface.temperature_function);
+    meant.options.losses.push_back({import::Loss::Kind::kDropped, message});
+    out.warning(texts.name(interface.where), texts.position(interface.where), name, message);
   }
   return meant;
 }
@@ -201,22 +192,6 @@ void judge(Meant& meant, const radioss::DeckContents& contents, const import::De
               "state them with --units, or in the case");
 }
 
-int write_file(const std::filesystem::path& path, const Meant& meant,
-               const radioss::DeckContents& contents, const ImportOptions& options) {
-  const std::string inputs[] = {options.deck};
-  auto file = base::OutputFile::create(path, {}, {inputs, options.force});
-  if (!file) return terminal::refuse(base::kExitEnvironment, file.error());
-  file->append(radioss::skeleton(contents, meant.friction, meant.options));
-  base::OutputFile* const alone[] = {&*file};
-  if (const auto committed = base::commit(alone); !committed) {
-    return terminal::refuse(base::kExitEnvironment, committed.error());
-  }
-  const std::size_t records = meant.friction.pairs.size();
-  terminal::print(fmt::format("{}: {}, {} record{} and the default\n", path.string(),
-                              radioss::name_of(meant.friction), records, records == 1 ? "" : "s"));
-  return base::kExitOk;
-}
-
 /// Finds what is to become cases: by --id a /FRICTION, else the interfaces with friction, else the
 /// only /FRICTION. What is open, or wrong, is reported.
 std::vector<Meant> find_meant(const radioss::DeckContents& contents,
@@ -254,25 +229,22 @@ std::vector<Meant> find_meant(const radioss::DeckContents& contents,
 
 }  // namespace
 
-int import_radioss(const ImportOptions& options) {
+ImportedDeck import_radioss(const ImportOptions& options) {
+  ImportedDeck imported;
   radioss::SkeletonOptions common;
   common.deck = std::filesystem::path(options.deck).filename().string();
   if (!options.normal.empty()) {
     const auto normal = parse_normal(options.normal);
-    if (!normal) return refuse(normal.error());
+    if (!normal) return refused(std::move(imported), normal.error());
     common.normal = *normal;
   }
   if (!options.units.empty()) {
     auto units = parse_units(options.units);
-    if (!units) return refuse(units.error());
+    if (!units) return refused(std::move(imported), units.error());
     common.units = std::move(*units);
   }
-  const auto source = base::read_source(options.deck, kDeckSizeLimit);
-  if (!source) {
-    terminal::print_error(base::render(source.error().diagnostic));
-    return source.error().failure == base::ReadFailure::kEnvironment ? base::kExitEnvironment
-                                                                     : base::kExitBadInput;
-  }
+  const auto source = source_of(options, imported);
+  if (!source) return imported;
   base::Diagnostics diagnostics;
   const radioss::StarterDeck deck = radioss::split_deck(
       *source, std::filesystem::path(options.deck).parent_path().string(), diagnostics);
@@ -286,28 +258,24 @@ int import_radioss(const ImportOptions& options) {
   std::vector<Meant> all =
       find_meant(contents, interfaces, deck.texts, options, common, diagnostics);
   for (Meant& meant : all) judge(meant, contents, deck.texts, diagnostics);
-  if (!interfaces.empty()) terminal::print_error(inventory(contents, interfaces));
-  terminal::print_error(base::render(diagnostics, deck.texts.all()));
+  if (!interfaces.empty()) imported.messages = inventory(contents, interfaces);
+  imported.messages += base::render(diagnostics, deck.texts.all());
   if (diagnostics.has_errors() || all.empty()) {
-    terminal::print_error(base::summary(diagnostics) + ", nothing was written\n");
-    return base::kExitBadInput;
-  }
-  if (!options.all && (options.output.empty() || options.output == "-")) {
-    terminal::print(radioss::skeleton(contents, all.front().friction, all.front().options));
-    return base::kExitOk;
+    imported.messages += base::summary(diagnostics) + ", nothing was written\n";
+    imported.code = base::kExitBadInput;
+    return imported;
   }
   for (const Meant& meant : all) {
-    std::filesystem::path path = options.output;
-    if (options.all) {
-      std::string name = radioss::name_of(meant.friction).substr(1);
-      std::replace(name.begin(), name.end(), '/', '_');
-      path /= std::filesystem::path(options.deck).stem().string() + "_" + name + ".yaml";
-    }
-    if (const int code = write_file(path, meant, contents, options); code != base::kExitOk) {
-      return code;
-    }
+    std::string name = radioss::name_of(meant.friction);
+    const std::size_t records = meant.friction.pairs.size();
+    std::string summary =
+        fmt::format("{}, {} record{} and the default", name, records, records == 1 ? "" : "s");
+    std::replace(name.begin(), name.end(), '/', '_');
+    imported.cases.push_back(
+        {std::filesystem::path(options.deck).stem().string() + name, std::move(summary),
+         import::contact_case(radioss::contact_friction(contents, meant.friction, meant.options))});
   }
-  return base::kExitOk;
+  return imported;
 }
 
 }  // namespace slipbench::driver::commands

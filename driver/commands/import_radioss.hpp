@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "driver/commands/import.hpp"
+#include "driver/commands/imported_deck.hpp"
 
 namespace slipbench::driver::commands {
 
-/// Makes a case of the friction of a Radioss starter deck. Returns the exit code.
-int import_radioss(const ImportOptions& options);
+/// Reads a Radioss starter deck: a case of its interface with friction or its only /FRICTION, or of
+/// those chosen.
+ImportedDeck import_radioss(const ImportOptions& options);
 
 }  // namespace slipbench::driver::commands

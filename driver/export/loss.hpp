@@ -2,18 +2,14 @@
 // Losses of a case in a program's deck.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "driver/import/loss.hpp"
+
 namespace slipbench::driver::exports {
 
-/// Part of a case and its fate in a deck.
-struct Loss {
-  enum class Kind : std::uint8_t { kKept, kApproximated, kDropped };
-  Kind kind = Kind::kKept;
-  std::string text;  ///< a phrase: "checks: a deck has none"
-};
+using import::Loss;
 
 /// Case that a program's deck cannot hold; thrown by its writer.
 struct NotExported {

@@ -32,15 +32,17 @@ DeckKind kind_of_line(const std::string& line) {
       (text.size() > 1 && text.front() == '/' && std::isupper(text[1]) != 0)) {
     return DeckKind::kRadioss;
   }
-  if (word == "*KEYWORD" || word.starts_with("*DEFINE_") || word.starts_with("*CONTROL_") ||
-      word.starts_with("*CONTACT_")) {
+  // Words of LS-DYNA are joined by '_', those of Abaqus by blanks.
+  if (word.starts_with("*KEYWORD") || word.starts_with("*DEFINE_") ||
+      word.starts_with("*CONTROL_") || word.starts_with("*CONTACT_")) {
     return DeckKind::kLsDyna;
   }
   if (word.size() > 1 && word.front() == '*' &&
       std::isalpha(static_cast<unsigned char>(word[1])) != 0) {
     return DeckKind::kAbaqus;
   }
-  if (word == "FRICTIONMODEL" || word == "WIPE" || word == "MODEL" || word.starts_with("OPS.")) {
+  if (word == "FRICTIONMODEL" || word == "WIPE" || word == "MODEL" || word == "IMPORT" ||
+      word == "FROM" || word.find("OPS.") == 0 || line.find("frictionModel") != line.npos) {
     return DeckKind::kOpenSees;
   }
   return DeckKind::kUnknown;
@@ -48,18 +50,22 @@ DeckKind kind_of_line(const std::string& line) {
 
 }  // namespace
 
-DeckKind kind_of_deck(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string head(kHead, '\0');
-  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
-  if (head.starts_with("\xef\xbb\xbf")) head.erase(0, 3);
-  std::istringstream lines(head);
+DeckKind kind_of_text(std::string_view text) {
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  std::istringstream lines{std::string(text.substr(0, kHead))};
   for (std::string line; std::getline(lines, line);) {
     const DeckKind kind = kind_of_line(line);
     if (kind != DeckKind::kUnknown) return kind;
   }
   return DeckKind::kUnknown;
+}
+
+DeckKind kind_of_deck(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string head(kHead, '\0');
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
+  return kind_of_text(head);
 }
 
 }  // namespace slipbench::driver::import

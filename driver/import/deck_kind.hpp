@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string_view>
 
 namespace slipbench::driver::import {
 
@@ -11,5 +12,8 @@ enum class DeckKind : std::uint8_t { kUnknown, kAbaqus, kRadioss, kLsDyna, kOpen
 
 /// Returns whose deck a file is, by its first lines; kUnknown also where it cannot be read.
 DeckKind kind_of_deck(const std::filesystem::path& file);
+
+/// The same of the text of a deck.
+DeckKind kind_of_text(std::string_view text);
 
 }  // namespace slipbench::driver::import

@@ -39,7 +39,10 @@ constexpr std::array kFloors{
     Room{"driver/calibrate/fit",     "driver::fit"},       // least squares and their statistics; knows nothing of friction
     Room{"driver/calibrate/cleaning","driver::cleaning"},  // measured rows, before they are compared
     Room{"driver/import",            "driver::import"},    // whose deck a file is, and its texts
-    Room{"driver/import/radioss",    "driver::radioss"},   // /FRICTION blocks of a deck, as the text of a case
+    Room{"driver/import/contact",    "driver::import"},    // the text of a case of a contact, whatever program its friction is of
+    Room{"driver/import/radioss",    "driver::radioss"},   // friction of a Radioss deck
+    Room{"driver/import/lsdyna",     "driver::lsdyna"},    // friction of an LS-DYNA deck
+    Room{"driver/import/opensees",   "driver::opensees"},  // friction models of an OpenSees script
     Room{"driver/yaml",              "driver::yaml"},      // nodes, and binding of declared keys; knows no key itself
     Room{"driver/history",           "driver::history"},   // profiles, measured histories, the grid of a step
     Room{"driver/case",              "driver::cases"},     // what a case is, without its text

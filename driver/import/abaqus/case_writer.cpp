@@ -30,8 +30,23 @@ WrittenCase CaseParts::write() {
   const std::string draft = text();
   const cases::Case problem = resolved(draft);
   forces_ = used_forces(problem);
-  WrittenCase written{text(), asked_, notes_};
-  resolved(written.text);
+  WrittenCase written{text(), asked_, {}};
+  const cases::Case made = resolved(written.text);
+  const auto kept = [&](std::size_t count, const char* what) {
+    if (count == 0) return;
+    written.losses.push_back(
+        {import::Loss::Kind::kKept, fmt::format("{} {}{}", count, what, count == 1 ? "" : "s")});
+  };
+  kept(behavior.frictions.size(), "friction definition");
+  std::size_t beside = 0;
+  for (int c = 0; c < law::kComponents; ++c) {
+    beside += cases::acts_beside_friction(made, c) ? 1U : 0U;
+  }
+  kept(beside, "component with springs, dampers or stops");
+  kept(model_.steps.size(), "step");
+  for (std::string& note : notes_) {
+    written.losses.push_back({import::Loss::Kind::kApproximated, std::move(note)});
+  }
   return written;
 }
 

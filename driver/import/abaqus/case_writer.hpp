@@ -7,15 +7,11 @@
 
 #include "driver/import/abaqus/keyword_deck.hpp"
 #include "driver/import/abaqus/model.hpp"
+#include "driver/import/loss.hpp"
 
 namespace slipbench::driver::abaqus {
 
-/// Case made of a connector.
-struct WrittenCase {
-  std::string text;                     ///< YAML
-  std::vector<std::string> asked = {};  ///< parameters without a value
-  std::vector<std::string> notes = {};  ///< sentences on what was approximated, or is not known
-};
+using import::WrittenCase;
 
 /// History file with results of the model, whose columns drive the case in place of parameters.
 struct RecordedHistory {

@@ -7,15 +7,11 @@
 #include <string_view>
 #include <vector>
 
-#include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/format_number.hpp"
-#include "driver/base/text/json.hpp"
 #include "driver/import/radioss/check_writer.hpp"
 
 namespace slipbench::driver::radioss {
 namespace {
-
-constexpr std::size_t kWidth = 96;
 
 /// "key: number" for the numbers that are not 0.
 std::string entry(std::string_view key, double value) {
@@ -25,25 +21,6 @@ std::string entry(std::string_view key, double value) {
 std::string flow_map(std::string_view name, std::string entries) {
   if (entries.starts_with(", ")) entries.erase(0, 2);
   return fmt::format("{{{}: {{{}}}}}", name, entries);
-}
-
-/// A list that breaks into lines behind `indent` blanks.
-std::string list_text(const std::vector<int>& numbers, std::size_t indent) {
-  std::string text = "[";
-  std::size_t column = indent;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const std::string one = std::to_string(numbers[i]) + (i + 1 < numbers.size() ? "," : "");
-    if (column + one.size() > kWidth) {
-      text += "\n" + std::string(indent, ' ');
-      column = indent;
-    } else if (i > 0) {
-      text += " ";
-      ++column;
-    }
-    text += one;
-    column += one.size();
-  }
-  return text + "]";
 }
 
 /// The coefficient of a parameter set, as one value in YAML.
@@ -81,247 +58,112 @@ std::string coefficient(const DeckFriction& friction, const DeckCoefficients& se
   }
 }
 
-/// "coefficient: .." and "VISF: .." of a record, each line behind `indent` blanks.
-std::string friction_lines(const DeckFriction& friction, const DeckCoefficients& first,
-                           const std::optional<DeckCoefficients>& second, std::size_t indent) {
-  const std::string blanks(indent, ' ');
-  std::string text = blanks + "coefficient:";
-  if (second) {
-    text += fmt::format("\n{0}  orthotropic:\n{0}    direction1: {1}\n{0}    direction2: {2}\n",
-                        blanks, coefficient(friction, first), coefficient(friction, *second));
-  } else {
-    text += " " + coefficient(friction, first) + "\n";
-  }
-  if (friction.formulation == 1 && first.visf != 0.0) {
-    text += blanks + "VISF: " + base::format_number(first.visf) + "\n";
-  }
-  return text;
+/// Friction of a record. VISF matters to a viscous penalty only.
+import::ContactRecord record(const DeckFriction& friction, const DeckCoefficients& first){
+    return {.coefficient = coefficient(friction, first),
+            .visf = friction.formulation == 1 ? first.visf : 0.0};
+}  // namespace
+
+std::string filter(const DeckFriction& friction) {
+  if (friction.xfreq == 0.0) return {};
+  const std::string x = base::format_number(friction.xfreq);
+  if (friction.filter == 1) return fmt::format("{{simple: {}}}", x);
+  if (friction.filter == 2) return fmt::format("{{Xfreq: {}, xfreq_convention: steps}}", x);
+  if (friction.filter == 3) return fmt::format("{{frequency: {}}}", x);
+  return {};
 }
 
-/// Text that a person wrote, in a comment.
-std::string comment(const std::string& text) { return text.empty() ? "" : ": " + text; }
-
-class Skeleton {
- public:
-  Skeleton(const DeckContents& deck, const DeckFriction& friction, const SkeletonOptions& options)
-      : deck_(deck), friction_(friction), options_(options) {
-    table_ = !friction.pairs.empty();
-    viscous_ = friction.formulation == 1;
-    orthotropic_ = is_orthotropic(friction);
-    pressure_ = sees_pressure(friction, friction.otherwise) || options.shear_limit > 0.0;
-    for (const DeckPair& pair : friction.pairs) {
-      pressure_ = pressure_ || sees_pressure(friction, pair.first) ||
-                  (pair.second && sees_pressure(friction, *pair.second));
+std::vector<import::ContactGroup> groups_of(const DeckContents& deck,
+                                            const DeckFriction& friction) {
+  std::vector<import::ContactGroup> groups;
+  std::set<int> met;
+  for (const DeckPair& pair : friction.pairs) {
+    for (const DeckSide& side : pair.sides) {
+      if (side.group == 0 || !met.insert(side.group).second) continue;
+      const DeckGroup* const group = find_group(deck, side.group);
+      groups.push_back({.name = side_text(side),
+                        .title = group == nullptr ? "" : group->title,
+                        .parts = group == nullptr ? std::vector<int>() : group->parts});
     }
   }
+  return groups;
+}
 
-  std::string text() {
-    heading();
-    parameters();
-    connector();
-    if (table_) table();
-    definition();
-    history();
-    return std::move(out_);
+/// Sentences on direction 1 of orthotropic records.
+std::vector<std::string> orientation(const DeckContents& deck, const DeckFriction& friction,
+                                     const SkeletonOptions& options) {
+  std::vector<std::string> lines;
+  const std::vector<DeckOrientation> used = used_orientations(deck, friction);
+  if (used.empty()) {
+    lines.emplace_back("In the deck it is the global x axis, projected on the contact plane.");
   }
-
- private:
-  template <class... Argument>
-  void line(fmt::format_string<Argument...> text, Argument&&... arguments) {
-    out_ += fmt::format(text, std::forward<Argument>(arguments)...) + "\n";
-  }
-
-  void heading() {
-    line("# {} of {}, written by slipbench import{}", name_of(friction_),
-         base::printable(options_.deck), comment(friction_.title));
-    for (const std::string& note : options_.notes) line("# {}", base::printable(note));
-    line("# The deck has no values for the parameters below: give each one here, or with --set.");
-    line("slipbench: 1");
-    const std::string title =
-        friction_.title.empty() ? "Radioss " + name_of(friction_).substr(1) : friction_.title;
-    line("title: {}", base::json::Value(title).dump());
-    if (options_.units) {
-      line("units: {{length: {}, force: {}, time: {}}}", options_.units->length,
-           options_.units->force, options_.units->time);
-    } else {
-      line("# State the units the deck is in{}:",
-           friction_.law == 3 ? "; the Renard law does not run without" : "");
-      line("# units: {{length: mm, force: N, time: s}}");
-    }
-    line("");
-  }
-
-  void parameter(std::string_view name, std::string_view text) {
-    line("  {:<16}# {}", std::string(name) + ":", text);
-  }
-
-  void parameters() {
-    line("parameters:");
-    if (table_) {
-      parameter("part1", "id of the part on one side of the contact");
-      parameter("part2", "id of the part on the other side");
-    }
-    if (pressure_) {
-      parameter("area", "of the contact; the solver divides the force by that of one segment");
-    }
-    if (viscous_) {
-      parameter("K", "stiffness of the normal penalty, as the solver's listing gives it");
-      parameter("m", "mass of the secondary node");
-    } else {
-      parameter("K_t", "tangential stiffness of the contact");
-    }
-    parameter("normal_force", "what presses the contact");
-    parameter("speed", "at which it slides");
-    parameter("time_step", "of the solver's run");
-    line("");
-  }
-
-  void connector() {
-    line("connector:");
-    line("  type: CONTACT");
-    if (pressure_) line("  area: = area");
-    if (table_) line("  parts: [= part1, = part2]");
-    line("");
-  }
-
-  void table() {
-    line("friction_pairs:");
-    // Without all of the deck's parts a list would refuse good ids.
-    if (has_all_parts(deck_)) {
-      line("  parts: {}", list_text(deck_.parts, 10));
-    }
-    std::vector<int> groups;
-    std::set<int> met;
-    for (const DeckPair& pair : friction_.pairs) {
-      for (const DeckSide& side : pair.sides) {
-        if (side.group > 0 && met.insert(side.group).second) groups.push_back(side.group);
-      }
-    }
-    if (!groups.empty()) line("  groups:");
-    for (const int id : groups) {
-      const DeckGroup* group = find_group(deck_, id);
-      if (group != nullptr && !group->title.empty()) line("    # {}", group->title);
-      const std::string name = "G" + std::to_string(id);
-      if (group == nullptr || group->parts.empty()) {
-        line("    {}: []    # the deck does not list its parts: fill in their ids", name);
-      } else {
-        line("    {}: {}", name, list_text(group->parts, 7 + name.size()));
-      }
-    }
-    line("  default:");
-    out_ += friction_lines(friction_, friction_.otherwise, std::nullopt, 4);
-    line("  pairs:    # the last record that joins both parts holds");
-    for (const DeckPair& pair : friction_.pairs) {
-      line("    - parts: [{}, {}]    # line {} of the deck", side_text(pair.sides[0]),
-           side_text(pair.sides[1]), pair.line);
-      out_ += friction_lines(friction_, pair.first, pair.second, 6);
-    }
-    line("");
-  }
-
-  void definition() {
-    line("friction:");
-    line("  - predefined: {{}}");
-    if (!table_) {
-      DeckCoefficients alone = friction_.otherwise;
-      alone.visf = 0.0;  // stands in the formulation
-      out_ += friction_lines(friction_, alone, std::nullopt, 4);
-    }
-    if (options_.shear_limit > 0.0) {
-      line("    force_limit: = {}*area   # Ptlim", base::format_number(options_.shear_limit));
-    }
-    line(
-        "    # convention: as_coded in the formulation computes as OpenRadioss (2026) does where "
-        "that differs");
-    if (viscous_) {
-      const double visf = table_ ? 0.0 : friction_.otherwise.visf;
-      line("    formulation: {{penalty: viscous{}, K: = K, m: = m}}", entry("VISF", visf));
-      line(
-          "    # interfaces of TYPE21, 24 and 25 take {{penalty: stiffness, K_t: ..}} all the "
-          "same");
-    } else {
-      line("    formulation: {{penalty: stiffness, K_t: = K_t}}");
-    }
-    filter();
-    if (orthotropic_) orientation();
-    line("");
-  }
-
-  void filter() {
-    if (friction_.filter == 0) return;
-    if (friction_.xfreq == 0.0) {
-      line("    # the deck's Ifiltr {} has Xfreq 0: no filter", friction_.filter);
-      return;
-    }
-    const std::string x = base::format_number(friction_.xfreq);
-    if (friction_.filter == 1) line("    filter: {{simple: {}}}", x);
-    if (friction_.filter == 2) line("    filter: {{Xfreq: {}, xfreq_convention: steps}}", x);
-    if (friction_.filter == 3) line("    filter: {{frequency: {}}}", x);
-  }
-
-  void orientation() {
-    line("    # Direction 1 of the orthotropic records is component 2 of this contact (CP2, f2).");
-    const std::vector<DeckOrientation> used = used_orientations(deck_, friction_);
-    if (used.empty()) {
-      line("    # In the deck it is the global x axis, projected on the contact plane.");
-    }
-    for (const DeckOrientation& entry : used) {
-      const auto& v = entry.vector;
-      line("    # In the deck{}: ({}, {}, {}){}, projected on the contact plane{} (line {})",
-           entry.of.group > 0  ? fmt::format(", group {}", entry.of.group)
-           : entry.of.part > 0 ? fmt::format(", part {}", entry.of.part)
-                               : "",
-           base::format_number(v[0]), base::format_number(v[1]), base::format_number(v[2]),
-           entry.skew > 0 ? fmt::format(" in skew {}", entry.skew) : "",
-           entry.phi != 0.0
-               ? fmt::format(" and turned by {} about its normal", base::format_number(entry.phi))
-               : "",
-           entry.line);
-      if (!options_.normal || entry.skew > 0) continue;
-      if (const auto d = direction_in_plane(entry, *options_.normal)) {
-        line("    #   before the turn: ({}, {}, {})", base::format_number((*d)[0]),
-             base::format_number((*d)[1]), base::format_number((*d)[2]));
-      }
+  for (const DeckOrientation& entry : used) {
+    const auto& v = entry.vector;
+    lines.push_back(fmt::format(
+        "In the deck{}: ({}, {}, {}){}, projected on the contact plane{} (line {})",
+        entry.of.group > 0  ? fmt::format(", group {}", entry.of.group)
+        : entry.of.part > 0 ? fmt::format(", part {}", entry.of.part)
+                            : "",
+        base::format_number(v[0]), base::format_number(v[1]), base::format_number(v[2]),
+        entry.skew > 0 ? fmt::format(" in skew {}", entry.skew) : "",
+        entry.phi != 0.0
+            ? fmt::format(" and turned by {} about its normal", base::format_number(entry.phi))
+            : "",
+        entry.line));
+    if (!options.normal || entry.skew > 0) continue;
+    if (const auto d = direction_in_plane(entry, *options.normal)) {
+      lines.push_back(fmt::format("  before the turn: ({}, {}, {})", base::format_number((*d)[0]),
+                                  base::format_number((*d)[1]), base::format_number((*d)[2])));
     }
   }
+  return lines;
+}
 
-  void history() {
-    line("history:");
-    line("  - step: slide");
-    line("    duration: = 1000*time_step");
-    line("    increments: 1000");
-    line("    force: {{f1: = normal_force}}");
-    if (orthotropic_) {
-      line("    # at 45 degrees to both directions");
-      line(
-          "    motion: {{CP2: {{to: = 1000*time_step*speed/sqrt(2)}}, CP3: {{to: = "
-          "1000*time_step*speed/sqrt(2)}}}}");
-    } else {
-      line("    motion: {{CP2: {{to: = 1000*time_step*speed}}}}");
-    }
-    line("");
-    out_ += checks_text(friction_);
-  }
-
-  const DeckContents& deck_;
-  const DeckFriction& friction_;
-  const SkeletonOptions& options_;
-  bool table_ = false;
-  bool viscous_ = false;
-  bool orthotropic_ = false;
-  bool pressure_ = false;
-  std::string out_;
-};
-
-}  // namespace
+}  // namespace slipbench::driver::radioss
 
 std::string side_text(const DeckSide& side) {
   return (side.group > 0 ? "G" : "") + std::to_string(side.group > 0 ? side.group : side.part);
 }
 
-std::string skeleton(const DeckContents& deck, const DeckFriction& friction,
-                     const SkeletonOptions& options) {
-  return Skeleton(deck, friction, options).text();
+import::ContactFriction contact_friction(const DeckContents& deck, const DeckFriction& friction,
+                                         const SkeletonOptions& options){
+    import::ContactFriction contact{.name = name_of(friction),
+                                    .title = friction.title,
+                                    .deck = options.deck,
+                                    .notes = options.notes,
+                                    .losses = options.losses,
+                                    .units = options.units,
+                                    .needs_units = friction.law == 3,
+                                    .groups = groups_of(deck, friction),
+                                    .otherwise = record(friction, friction.otherwise),
+                                    .viscous = friction.formulation == 1,
+                                    .filter = filter(friction),
+                                    .checks = checks_text(friction)};
+contact.otherwise.shear_limit = options.shear_limit;
+contact.sees_pressure = sees_pressure(friction, friction.otherwise) || options.shear_limit > 0.0;
+// Without all of the deck's parts a list would refuse good ids.
+if (has_all_parts(deck)) contact.parts = deck.parts;
+for (const DeckPair& pair : friction.pairs) {
+  import::ContactRecord& one = contact.pairs.emplace_back(record(friction, pair.first));
+  one.sides = {side_text(pair.sides[0]), side_text(pair.sides[1])};
+  one.remark = fmt::format("line {} of the deck", pair.line);
+  if (pair.second) one.second = coefficient(friction, *pair.second);
+  contact.sees_pressure = contact.sees_pressure || sees_pressure(friction, pair.first) ||
+                          (pair.second && sees_pressure(friction, *pair.second));
+}
+contact.remarks.emplace_back(
+    "convention: as_coded in the formulation computes as OpenRadioss (2026) does where that "
+    "differs");
+if (contact.viscous) {
+  contact.remarks.emplace_back(
+      "interfaces of TYPE21, 24 and 25 take {penalty: stiffness, K_t: ..} all the same");
+}
+if (friction.filter != 0 && friction.xfreq == 0.0) {
+  contact.remarks.push_back(
+      fmt::format("the deck's Ifiltr {} has Xfreq 0: no filter", friction.filter));
+}
+if (is_orthotropic(friction)) contact.orientation = orientation(deck, friction, options);
+return contact;
 }
 
 }  // namespace slipbench::driver::radioss

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "driver/base/units/units.hpp"
+#include "driver/import/contact/contact_case.hpp"
 #include "driver/import/radioss/deck_friction.hpp"
 
 namespace slipbench::driver::radioss {
@@ -17,18 +18,17 @@ struct SkeletonOptions {
   std::optional<base::UnitSystem> units;        ///< that its numbers are in
   std::optional<std::array<double, 3>> normal;  ///< of the contact plane, in the deck's frame
   std::vector<std::string> notes = {};          ///< sentences for the heading
+  std::vector<import::Loss> losses = {};        ///< what the deck has beyond its friction
   double shear_limit = 0.0;  ///< stress that the friction does not exceed; 0: none
 };
 
 /// Returns what a side is called in the case: the id of its part, or its group.
 std::string side_text(const DeckSide& side);
 
-/// A case in YAML with the friction of a deck: a contact point that is pressed and slid. What a
-/// deck has no numbers for (stiffness and mass of the contact, area, load, speed, time step, which
-/// parts meet) are parameters without a value, so that a run before they are given is refused.
-/// Coefficients become laws by Ifric, records a table of part pairs, Ifiltr and Xfreq a filter and
-/// Iform a formulation. The friction must be one that `judge` finds no error in.
-std::string skeleton(const DeckContents& deck, const DeckFriction& friction,
-                     const SkeletonOptions& options);
+/// Returns the friction of a deck in the words of a case: coefficients become laws by Ifric,
+/// records a table of part pairs, Ifiltr and Xfreq a filter and Iform a formulation. The friction
+/// must be one that `judge` finds no error in.
+import::ContactFriction contact_friction(const DeckContents& deck, const DeckFriction& friction,
+                                         const SkeletonOptions& options);
 
 }  // namespace slipbench::driver::radioss

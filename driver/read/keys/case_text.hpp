@@ -507,7 +507,7 @@ struct PartOrGroup {
 /// Friction of a record of a table of part pairs.
 struct PairDefaultText {
   yaml::At<CoefficientText> coefficient;
-  yaml::At<double> visf;
+  yaml::At<double> visf, force_limit;
 
   static void declare(auto& key) { declare_friction<PairDefaultText>(key); }
 
@@ -523,6 +523,13 @@ struct PairDefaultText {
                  "1.",
          .default_text = "that of the formulation",
          .bounds = law::kNotNegative});
+    key("force_limit", &Text::force_limit,
+        {.text = "Cap f_t^max of the limiting friction force, in place of the definition's; 0 "
+                 "means none.",
+         .default_text = "that of the definition",
+         .dimension = base::kForce,
+         .bounds = law::kNotNegative,
+         .unit = yaml::UnitUse::kSlip});
   }
 };
 
@@ -530,7 +537,7 @@ struct PairDefaultText {
 struct PartPairText {
   yaml::At<std::vector<yaml::At<PartOrGroup>>> parts;
   yaml::At<CoefficientText> coefficient;
-  yaml::At<double> visf;
+  yaml::At<double> visf, force_limit;
 
   static void declare(auto& key) {
     key("parts", &PartPairText::parts,

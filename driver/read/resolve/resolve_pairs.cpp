@@ -211,9 +211,11 @@ std::optional<std::array<int, 2>> parts_of(yaml::Binder& binder,
 }
 
 /// Gives a definition the friction of the record.
-void take(yaml::Binder& binder, FrictionText& friction,
-          const yaml::At<CoefficientText>& coefficient, const yaml::At<double>& visf) {
-  friction.coefficient = coefficient;
+template <class Record>
+void take(yaml::Binder& binder, FrictionText& friction, const Record& record) {
+  friction.coefficient = record.coefficient;
+  if (record.force_limit.given()) friction.force_limit = record.force_limit;
+  const yaml::At<double>& visf = record.visf;
   if (!visf.sound) return;
   FormulationText& form = friction.formulation.value;
   const bool viscous = friction.formulation.given() && form.penalty.sound &&
@@ -265,7 +267,7 @@ CaseText with_friction_of_parts(yaml::Binder& binder, CaseText text, bool table_
 
   // What is not picked is judged here, what is picked where it is used.
   const yaml::At<CoefficientText>* coefficient = nullptr;
-  const yaml::At<double>* visf = nullptr;
+  std::variant<const PairDefaultText*, const PartPairText*> record;
   std::optional<std::size_t> picked;
   if (sound && meeting) {
     const PairDefaultText& otherwise = pairs.value.otherwise.value;
@@ -274,10 +276,10 @@ CaseText with_friction_of_parts(yaml::Binder& binder, CaseText text, bool table_
     if (picked) {
       const PartPairText& pair = pairs.value.pairs.value[*picked].value;
       coefficient = &pair.coefficient;
-      visf = &pair.visf;
+      record = &pair;
     } else if (pairs.value.otherwise.given()) {
       coefficient = &otherwise.coefficient;
-      visf = &otherwise.visf;
+      record = &otherwise;
     } else {
       binder.error(*parts.node, parts.path,
                    "no record of friction_pairs joins the parts " + std::to_string(a) + " and " +
@@ -311,7 +313,7 @@ CaseText with_friction_of_parts(yaml::Binder& binder, CaseText text, bool table_
           *friction.value.coefficient.node, friction.value.coefficient.path,
           "the coefficient comes from 'friction_pairs:', a definition has none of its own");
     } else if (coefficient != nullptr) {
-      take(binder, friction.value, *coefficient, *visf);
+      std::visit([&](const auto* one) { take(binder, friction.value, *one); }, record);
     } else {
       await(friction.value, pairs);
     }

@@ -21,7 +21,9 @@ std::string case_of(const std::string& deck, std::optional<base::UnitSystem> uni
   const ReadDeck read = read_deck(deck);
   INFO(read.said);
   REQUIRE(read.contents.frictions.size() == 1);
-  return skeleton(read.contents, read.contents.frictions[0], {"d.rad", std::move(units), {}});
+  return import::contact_case(contact_friction(read.contents, read.contents.frictions[0],
+                                               {"d.rad", std::move(units), {}}))
+      .text;
 }
 
 const read::ReadOptions kViscous{

@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/import/lsdyna/deck_friction.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <map>
+#include <set>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "driver/base/text/format_number.hpp"
+#include "driver/import/radioss/deck_line.hpp"
+
+namespace slipbench::driver::lsdyna {
+namespace {
+
+using Kind = import::Loss::Kind;
+
+/// FS, FD, DC and VC of a card.
+struct Coefficients {
+  double fs = 0.0;  ///< static [1]
+  double fd = 0.0;  ///< dynamic [1]
+  double dc = 0.0;  ///< decay [T/L]
+  double vc = 0.0;  ///< largest shear stress [F/L^2]; 0: none
+};
+
+/// Points of a *DEFINE_CURVE: relative velocity [L/T] and coefficient [1].
+using Curve = std::vector<std::pair<double, double>>;
+
+/// Pressures of a *DEFINE_TABLE [F/L^2], each with its curve.
+struct Table {
+  std::vector<std::pair<double, int>> values;  ///< the id of the curve, 0: of those that follow
+  std::size_t block = 0;
+};
+
+Coefficients read_coefficients(CardReader& cards, std::size_t card, std::size_t first) {
+  return {cards.number(card, first, "FS"), cards.number(card, first + 1, "FD"),
+          cards.number(card, first + 2, "DC"), cards.number(card, first + 3, "VC")};
+}
+
+std::string number(double value) { return base::format_number(value); }
+
+/// The coefficient in YAML. One that rises with the velocity, or is limited, which an exponential
+/// decay cannot be, is the same curve as the part of a modified Darmstad law without pressure.
+std::string coefficient(const Coefficients& set, double factor, bool limited) {
+  const double fs = factor * set.fs;
+  const double fd = factor * set.fd;
+  if (set.dc == 0.0 || fs == fd) return number(fs);
+  if (fs > fd && !limited) {
+    return fmt::format("{{exponential_decay: {{static: {}, kinetic: {}, decay: {}}}}}", number(fs),
+                       number(fd), number(set.dc));
+  }
+  return fmt::format("{{modified_darmstad: {{Fric: {}, C5: {}, C6: {}}}}}", number(fd),
+                     number(fs - fd), number(-set.dc));
+}
+
+/// \param limited some record of the same table is, and all have one law
+import::ContactRecord record(const Coefficients& set, bool limited, double factor = 1.0,
+                             double limit_factor = 1.0){
+    return {.coefficient = coefficient(set, factor, limited), .shear_limit = limit_factor * set.vc};
+}  // namespace
+
+bool is_option(std::string_view keyword, std::string_view option) {
+  return keyword.find(std::string("_") + std::string(option)) != keyword.npos;
+}
+
+/// Reads all that a friction may be made of.
+class FrictionReader {
+ public:
+  FrictionReader(const KeywordDeck& deck, base::Diagnostics& out) : deck_(deck), out_(out) {}
+
+  std::vector<Found> read() {
+    for (const Block& block : deck_.blocks) {
+      if (block.keyword.starts_with("SET_PART")) read_group(block);
+    }
+    for (std::size_t i = 0; i < deck_.blocks.size(); ++i) {
+      const std::string& keyword = deck_.blocks[i].keyword;
+      if (keyword.starts_with("DEFINE_CURVE")) read_curve(i);
+      if (keyword.starts_with("DEFINE_TABLE")) read_table(i);
+      if (keyword == "DEFINE_FRICTION" || keyword == "DEFINE_FRICTION_TITLE") read_definition(i);
+    }
+    for (const Block& block : deck_.blocks) {
+      if (block.keyword.starts_with("CONTACT_")) read_contact(block);
+    }
+    for (auto& [id, definition] : definitions_) {
+      if (named_.count(id) == 0) found_.push_back({id, true, std::move(definition)});
+    }
+    return std::move(found_);
+  }
+
+ private:
+  void read_group(const Block& block) {
+    CardReader cards(deck_, block, out_);
+    const std::size_t first = is_option(block.keyword, "TITLE") ? 1 : 0;
+    import::ContactGroup group;
+    const int id = cards.id(first, 0, "SID");
+    group.name = fmt::format("S{}", id);
+    if (first == 1) group.title = radioss::shortened(cards.text(0, 0, 80), 80);
+    const bool listed = !is_option(block.keyword, "ADD") && !is_option(block.keyword, "GENERATE") &&
+                        !is_option(block.keyword, "COLUMN") && !is_option(block.keyword, "TREE");
+    for (std::size_t card = first + 1; listed && card < cards.count(); ++card) {
+      for (std::size_t field = 0; field < 8; ++field) {
+        const int part = cards.id(card, field, "PID");
+        if (part > 0) group.parts.push_back(part);
+      }
+    }
+    std::sort(group.parts.begin(), group.parts.end());
+    groups_[id] = std::move(group);
+  }
+
+  void read_curve(std::size_t index) {
+    const Block& block = deck_.blocks[index];
+    CardReader cards(deck_, block, out_);
+    const std::size_t first = is_option(block.keyword, "TITLE") ? 1 : 0;
+    const int id = cards.id(first, 0, "LCID");
+    const auto scale = [&](std::size_t field, std::string_view name) {
+      const double value = cards.number(first, field, name);
+      return value == 0.0 ? 1.0 : value;
+    };
+    const double sfa = scale(2, "SFA");
+    const double sfo = scale(3, "SFO");
+    const double offa = cards.number(first, 4, "OFFA");
+    const double offo = cards.number(first, 5, "OFFO");
+    Curve curve;
+    for (std::size_t card = first + 1; card < cards.count(); ++card) {
+      if (cards.text(card, 0, 20).empty()) continue;
+      curve.emplace_back(sfa * (cards.number(card, 0, "A", 20) + offa),
+                         sfo * (cards.number(card, 1, "O", 20) + offo));
+    }
+    curves_[id] = curve;
+    curve_of_block_[index] = std::move(curve);
+  }
+
+  void read_table(std::size_t index) {
+    const Block& block = deck_.blocks[index];
+    CardReader cards(deck_, block, out_);
+    const std::size_t first = is_option(block.keyword, "TITLE") ? 1 : 0;
+    const int id = cards.id(first, 0, "TBID");
+    const bool names_curves = is_option(block.keyword, "TABLE_2D");
+    Table table;
+    table.block = index;
+    for (std::size_t card = first + 1; card < cards.count(); ++card) {
+      table.values.emplace_back(cards.number(card, 0, "VALUE", 20),
+                                names_curves ? cards.id(card, 1, "LCID", 20) : 0);
+    }
+    tables_[id] = std::move(table);
+  }
+
+  void read_definition(std::size_t index) {
+    const Block& block = deck_.blocks[index];
+    CardReader cards(deck_, block, out_);
+    const std::size_t first = is_option(block.keyword, "TITLE") ? 1 : 0;
+    const int id = cards.id(first, 0, "FID");
+    import::ContactFriction friction{.name = fmt::format("*DEFINE_FRICTION {}", id)};
+    if (first == 1) friction.title = radioss::shortened(cards.text(0, 0, 80), 80);
+    const Coefficients all = read_coefficients(cards, first, 1);
+    bool limited = all.vc > 0.0;
+    for (std::size_t card = first + 1; card < cards.count(); ++card) {
+      limited = limited || cards.number(card, 5, "VC") > 0.0;
+    }
+    friction.sees_pressure = limited;
+    friction.otherwise = record(all, limited);
+    std::set<int> met;
+    for (std::size_t card = first + 1; card < cards.count(); ++card) {
+      if (cards.text(card, 0).empty()) continue;
+      const Coefficients set = read_coefficients(cards, card, 2);
+      import::ContactRecord& pair = friction.pairs.emplace_back(record(set, limited));
+      for (std::size_t side = 0; side < 2; ++side) {
+        const int number = cards.id(card, side, "PID");
+        std::string type(cards.text(card, 6 + side));
+        const bool is_set = type == "PSET" || type == "pset";
+        pair.sides[side] = (is_set ? "S" : "") + std::to_string(number);
+        if (is_set && met.insert(number).second) {
+          const auto group = groups_.find(number);
+          friction.groups.push_back(group != groups_.end()
+                                        ? group->second
+                                        : import::ContactGroup{pair.sides[side], {}, {}});
+        }
+      }
+      const std::string_view line = block.cards[card];
+      pair.remark = fmt::format("line {} of the deck", deck_.texts.position(line).line);
+    }
+    if (!cards.sound()) return;
+    tell_traps(all, friction);
+    if (!friction.pairs.empty()) {
+      friction.losses.push_back(
+          {Kind::kApproximated,
+           "of records that join the same two parts the last one holds here; *DEFINE_FRICTION "
+           "does not say which one does"});
+    }
+    definitions_[id] = std::move(friction);
+  }
+
+  void read_contact(const Block& block) {
+    constexpr std::array<std::string_view, 9> kOther{
+        "CONTACT_1D",       "CONTACT_2D",     "CONTACT_INTERIOR",
+        "CONTACT_ENTITY",   "CONTACT_GEBOD",  "CONTACT_COUPLING",
+        "CONTACT_ADD_WEAR", "CONTACT_AUTO_M", "CONTACT_EXCLUDE"};
+    if (std::any_of(kOther.begin(), kOther.end(),
+                    [&](std::string_view one) { return block.keyword.starts_with(one); }) ||
+        is_option(block.keyword, "FORCE_TRANSDUCER")) {
+      return;
+    }
+    CardReader cards(deck_, block, out_);
+    std::size_t first = 0;
+    Found found;
+    // Where a contact has no id, the program counts.
+    do {
+      found.id = ++count_;
+    } while (ids_.count(found.id) > 0);
+    found.friction.name = "*" + block.keyword;
+    if (block.keyword.ends_with("_ID") || is_option(block.keyword, "ID_") ||
+        is_option(block.keyword, "TITLE")) {
+      found.id = cards.id(0, 0, "CID");
+      const std::string_view card = cards.count() > 0 ? block.cards[0] : std::string_view();
+      found.friction.title =
+          radioss::shortened(card.substr(std::min<std::size_t>(10, card.size())), 70);
+      const std::size_t begin = found.friction.title.find_first_not_of(' ');
+      found.friction.title.erase(0, std::min(begin, found.friction.title.size()));
+      first = 1;
+    }
+    ids_.insert(found.id);
+    found.friction.name += fmt::format(" {}", found.id);
+    if (is_option(block.keyword, "MPP")) {
+      ++first;
+      // Its second card is there if it begins with '&'.
+      if (cards.text(first, 0).starts_with('&')) ++first;
+    }
+    if (is_option(block.keyword, "TIED") || is_option(block.keyword, "SPOTWELD")) {
+      found.passed_over = "is tied: no friction";
+      found_.push_back(std::move(found));
+      return;
+    }
+    const Coefficients set = read_coefficients(cards, first + 1, 0);
+    const auto factor = [&](std::size_t field, std::string_view name) {
+      const double value = cards.number(first + 2, field, name);
+      return value == 0.0 ? 1.0 : value;
+    };
+    const double fsf = factor(6, "FSF");
+    const double vsf = factor(7, "VSF");
+    if (!cards.sound()) return;
+    take(set, fsf, vsf, found);
+    found_.push_back(std::move(found));
+  }
+
+  /// Gives a contact its friction, by what FS says.
+  void take(const Coefficients& set, double fsf, double vsf, Found& found) {
+    import::ContactFriction& friction = found.friction;
+    if (set.fs == -1.0) {
+      found.passed_over =
+          "FS -1 takes the coefficients of its parts (*PART_CONTACT), which are joined by a rule "
+          "of the program: write those of each pair into *DEFINE_FRICTION";
+      return;
+    }
+    if (set.fs == -2.0) {
+      take_definition(set, fsf, vsf, found);
+      return;
+    }
+    if (set.fs == 2.0) {
+      take_table(set, fsf, found);
+      return;
+    }
+    if (set.fs < 0.0) {
+      found.passed_over = fmt::format("FS {} has no meaning known here", number(set.fs));
+      return;
+    }
+    if (set.fs == 0.0 && set.fd == 0.0) {
+      found.passed_over = "no friction";
+      return;
+    }
+    friction.otherwise = record(set, set.vc > 0.0, fsf, vsf);
+    friction.sees_pressure = set.vc > 0.0;
+    tell_traps(set, friction);
+    tell_factors(fsf, vsf, friction);
+  }
+
+  void take_definition(const Coefficients& set, double fsf, double vsf, Found& found) {
+    const int wanted = static_cast<int>(set.fd);
+    const auto definition =
+        wanted == 0 && definitions_.size() == 1 ? definitions_.begin() : definitions_.find(wanted);
+    if (definition == definitions_.end()) {
+      found.passed_over = wanted == 0 ? fmt::format(
+                                            "FS -2 names no *DEFINE_FRICTION, and there "
+                                            "are {}",
+                                            definitions_.size())
+                                      : fmt::format("*DEFINE_FRICTION {} is not there", wanted);
+      return;
+    }
+    if (fsf != 1.0 || vsf != 1.0) {
+      found.passed_over = "its FSF or VSF scales a table of part pairs: write the products there";
+      return;
+    }
+    named_.insert(definition->first);
+    std::string name = found.friction.name;
+    std::string title = std::move(found.friction.title);
+    found.friction = definition->second;
+    found.friction.notes.push_back(fmt::format("{} names it by FS -2", name));
+    if (!title.empty()) found.friction.title = std::move(title);
+  }
+
+  void take_table(const Coefficients& set, double fsf, Found& found) {
+    const int id = static_cast<int>(set.fd);
+    const auto table = tables_.find(id);
+    if (table == tables_.end() || table->second.values.empty()) {
+      found.passed_over = fmt::format("FS 2 names *DEFINE_TABLE {}, which is not there", id);
+      return;
+    }
+    std::string rows;
+    auto next = curve_of_block_.upper_bound(table->second.block);
+    for (const auto& [pressure, curve_id] : table->second.values) {
+      const Curve* curve = nullptr;
+      if (curve_id != 0) {
+        const auto named = curves_.find(curve_id);
+        if (named != curves_.end()) curve = &named->second;
+      } else if (next != curve_of_block_.end()) {
+        curve = &next->second;
+        ++next;
+      }
+      if (curve == nullptr || curve->empty()) {
+        found.passed_over = fmt::format("a curve of *DEFINE_TABLE {} is not there", id);
+        return;
+      }
+      for (const auto& [velocity, mu] : *curve) {
+        rows += fmt::format("{}[{}, {}, = {}*area]", rows.empty() ? "" : ",\n        ",
+                            number(fsf * mu), number(velocity), number(pressure));
+      }
+    }
+    found.friction.otherwise.coefficient =
+        "\n      columns: [mu, slip_rate, contact_force]\n      rows: [" + rows + "]";
+    found.friction.sees_pressure = true;
+    if (set.vc > 0.0) found.friction.otherwise.shear_limit = set.vc;
+    found.friction.losses.push_back(
+        {Kind::kApproximated, fmt::format("*DEFINE_TABLE {} is over the pressure of a segment, the "
+                                          "case's table over force/area; outside of it both keep "
+                                          "its end values",
+                                          id)});
+    tell_factors(fsf, 1.0, found.friction);
+  }
+
+  static void tell_factors(double fsf, double vsf, import::ContactFriction& friction) {
+    if (fsf != 1.0) friction.notes.push_back(fmt::format("FSF {} is in the numbers", number(fsf)));
+    if (vsf != 1.0) friction.notes.push_back(fmt::format("VSF {} is in the limit", number(vsf)));
+  }
+
+  static void tell_traps(const Coefficients& set, import::ContactFriction& friction) {
+    if (set.dc > 0.0 && set.fd == 0.0 && set.fs > 0.0) {
+      friction.notes.emplace_back(
+          "FD is 0 with a decay: the friction vanishes at high velocity, as it does in the "
+          "program");
+    }
+    if (set.dc == 0.0 && set.fd != set.fs) {
+      friction.notes.emplace_back("without DC the coefficient is FS at every velocity; FD is idle");
+    }
+    if (friction.sees_pressure) {
+      friction.losses.push_back(
+          {Kind::kApproximated,
+           "VC limits the force to VC times the area of a segment; the case has one area"});
+    }
+  }
+
+  const KeywordDeck& deck_;
+  base::Diagnostics& out_;
+  std::map<int, import::ContactGroup> groups_;
+  std::map<int, Curve> curves_;
+  std::map<std::size_t, Curve> curve_of_block_;
+  std::map<int, Table> tables_;
+  std::map<int, import::ContactFriction> definitions_;
+  std::set<int> named_, ids_;
+  std::vector<Found> found_;
+  int count_ = 0;
+};
+
+}  // namespace slipbench::driver::lsdyna
+
+std::vector<Found> read_frictions(const KeywordDeck& deck, base::Diagnostics& out) {
+  return FrictionReader(deck, out).read();
+}
+
+}  // namespace slipbench::driver::lsdyna
