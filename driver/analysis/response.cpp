@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -25,6 +26,19 @@ double dissipation_of(const bench::Row& row) {
   return sum;
 }
 
+/// Slip that takes up energy although the force is below its limit, as a viscous penalty has it.
+double creep_of(const bench::Row& row) {
+  constexpr double kBelow = 1.0 - 1e-9;
+  double sum = 0.0;
+  for (const bench::DefinitionRow& one : row.definitions) {
+    double force = 0.0;
+    for (const double part : one.update.state.force) force += part * part;
+    force = std::sqrt(force);
+    if (force > 0.0 && force < kBelow * one.update.limit) sum += one.update.dissipation / force;
+  }
+  return sum;
+}
+
 std::string percent(double part) { return base::rounded(100.0 * part, 2) + " %"; }
 
 }  // namespace
@@ -42,11 +56,13 @@ tl::expected<ResponseDifference, std::string> compare_responses(const cases::Cas
       here.states.push_back(definition.update.state);
     }
     difference.other_dissipation = dissipation_of(row);
+    difference.other_creep += creep_of(row);
   });
   if (!first) return tl::unexpected(first.error().message);
   std::size_t at = 0;
   const auto second = bench::run_case(one, [&](const bench::Row& row) {
     difference.dissipation = dissipation_of(row);
+    difference.creep += creep_of(row);
     constexpr double kSameTime = 1e-9;
     const double slack = kSameTime * std::abs(row.time);
     while (at < moments.size() && moments[at].time < row.time - slack) ++at;
@@ -74,6 +90,13 @@ std::string difference_text(const ResponseDifference& difference) {
   if (lost > 0.0) {
     text += fmt::format(", dissipated energy {} {}", percent(std::abs(change) / lost),
                         change < 0.0 ? "less" : "more");
+  }
+  // Of an increment in which slip ends, rounding is left.
+  const double least = 1e-6 * std::max(difference.creep, difference.other_creep);
+  if (std::abs(difference.creep - difference.other_creep) > least) {
+    text +=
+        fmt::format(", creep while sticking {} in place of {}",
+                    base::rounded(difference.other_creep, 3), base::rounded(difference.creep, 3));
   }
   if (difference.unmatched > 0) {
     text += fmt::format("; {} rows have no counterpart", difference.unmatched);

@@ -16,6 +16,8 @@ struct ResponseDifference {
   ForceDistance force;       ///< of all definitions together [F], [F L]
   double dissipation = 0.0;  ///< of the first case at its end [F L]
   double other_dissipation = 0.0;
+  double creep = 0.0;  ///< dissipated slip below the limit, of all definitions [L]
+  double other_creep = 0.0;
   std::size_t unmatched = 0;  ///< rows of the first case at whose time the other has none
 
   bool is_none() const {
@@ -28,7 +30,7 @@ tl::expected<ResponseDifference, std::string> compare_responses(const cases::Cas
                                                                 const cases::Case& other);
 
 /// Tells a difference in a sentence: "friction force off by at most 0.3 of 812 (0.04 %) at T = 1.2,
-/// dissipated energy 0.1 % more".
+/// dissipated energy 0.1 % more, creep of 2e-3 while sticking in place of none".
 std::string difference_text(const ResponseDifference& difference);
 
 }  // namespace slipbench::driver::analysis

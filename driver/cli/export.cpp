@@ -6,6 +6,7 @@
 
 #include "driver/cli/declare.hpp"
 #include "driver/commands/arguments.hpp"
+#include "driver/commands/exported_case.hpp"
 
 namespace slipbench::driver::cli {
 
@@ -14,14 +15,14 @@ void declare_export(CLI::App& app, Command& command) {
   CLI::App* declared = app.add_subcommand("export", "Write a case as the deck of a solver");
   declared->add_option("CASE", options->file, "A case file (YAML)")->required();
   declared->add_option("--to", options->to, "The program whose deck it is")
-      ->type_name("abaqus")
-      ->check(one_of({"abaqus"}))
+      ->type_name("abaqus|radioss|lsdyna|opensees|table")
+      ->check(one_of({commands::kExportTargets.begin(), commands::kExportTargets.end()}))
       ->required();
   declared->add_option("-o,--output", options->output, "The deck; default: the terminal")
       ->type_name("FILE");
   declared
       ->add_option("--part", options->part,
-                   "Only *CONNECTOR BEHAVIOR, to be pasted into a model that is there")
+                   "Only the block to be pasted into a model that is there")
       ->type_name("behaviour")
       ->check(one_of({"behaviour"}));
   declared
@@ -30,13 +31,20 @@ void declare_export(CLI::App& app, Command& command) {
       ->type_name("N")
       ->check(whole_number(2, 17));
   declare_settings(*declared, options->settings, options->allow_outside);
+  declared->add_flag("--json", options->json,
+                     "Print what is kept, approximated and dropped as JSON");
   declare_force(*declared, options->force, "there already");
   declared->footer(
-      "The deck has two nodes and the connector, and its history as motions, loads and "
-      "amplitudes:\n"
-      "it runs as it stands. Tells on standard error what is approximated and what is dropped. A\n"
-      "case that Abaqus has no joint for is refused with the reason.\n"
-      "Example: slipbench export press_fit.yaml --to abaqus -o press_fit.inp");
+      "An Abaqus deck has two nodes and the connector, and its history as motions, loads and\n"
+      "amplitudes: it runs as it stands. Radioss, LS-DYNA and OpenSees get the friction of a "
+      "contact,\n"
+      "to be put into a model; table is the coefficient over slip rate and contact force as CSV. "
+      "Tells\n"
+      "on standard error what is kept, approximated and dropped, and what that changes on the "
+      "case's\n"
+      "history. What a program has no word for is refused with the reason. Examples:\n"
+      "  slipbench export press_fit.yaml --to abaqus -o press_fit.inp\n"
+      "  slipbench export press_fit.yaml --to lsdyna --part behaviour --digits 4");
   declared->callback([options, &command] {
     options->file = commands::named_case(options->file);
     command = [options] { return commands::export_command(*options); };

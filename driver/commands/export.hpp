@@ -15,6 +15,7 @@ struct ExportCommandOptions {
   bool allow_outside = false;
   int digits = 0;  ///< --digits: to which numbers are rounded; 0: all
   bool force = false;
+  bool json = false;  ///< --json: what is kept, approximated and dropped, for machines
 };
 
 /// `slipbench export`: writes a case as a deck, and tells on standard error what is kept,

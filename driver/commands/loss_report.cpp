@@ -41,4 +41,24 @@ base::json::Value loss_json(const std::vector<import::Loss>& losses) {
   return value;
 }
 
+std::string difference_line(const MeasuredDifference& difference) {
+  return "  on the case's history: " +
+         (difference ? analysis::difference_text(*difference) : difference.error()) + "\n";
+}
+
+base::json::Value difference_json(const MeasuredDifference& difference) {
+  base::json::Value value;
+  value["text"] = difference ? analysis::difference_text(*difference) : difference.error();
+  if (!difference) return value;
+  value["force_most"] = difference->force.most;
+  value["force_largest"] = difference->force.largest;
+  value["time"] = difference->force.time;
+  value["dissipation"] = difference->dissipation;
+  value["other_dissipation"] = difference->other_dissipation;
+  value["creep"] = difference->creep;
+  value["other_creep"] = difference->other_creep;
+  value["rows_without_counterpart"] = difference->unmatched;
+  return value;
+}
+
 }  // namespace slipbench::driver::commands

@@ -57,6 +57,7 @@ constexpr std::array kFloors{
     Room{"driver/import/abaqus",     "driver::abaqus"},    // connectors of an Abaqus deck, as the text of a case
     Room{"driver/export",            "driver::exports"},   // what a deck cannot hold, and its numbers
     Room{"driver/export/abaqus",     "driver::exports"},   // a case as an Abaqus deck
+    Room{"driver/export/contact",    "driver::exports"},   // its friction as programs state that of a contact
     Room{"driver/report",            "driver::report"},    // the page of a run
     Room{"driver/plot",              "driver::plot"},      // pictures
     Room{"driver/suite",             "driver::suite"},     // many cases, and what became of them

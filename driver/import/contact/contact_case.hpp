@@ -29,7 +29,7 @@ struct ContactGroup {
   std::vector<int> parts;  ///< empty: the deck does not list them
 };
 
-/// What a deck says of the friction of a contact.
+/// Friction of a contact as a deck states it.
 struct ContactFriction {
   std::string name;                            ///< "/FRICTION/7"
   std::string title = {};                      ///< as a person wrote it

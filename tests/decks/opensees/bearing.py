@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 import openseespy.opensees as ops
 
 mu_slow = 0.03
