@@ -12,6 +12,11 @@ class App;
 class Validator;
 }  // namespace CLI
 
+namespace slipbench::driver::commands {
+struct DeckOutputOptions;
+struct ImportOptions;
+}  // namespace slipbench::driver::commands
+
 namespace slipbench::driver::cli {
 
 /// The command that was typed, with its options: runs it and returns the exit code.
@@ -21,14 +26,15 @@ using Command = std::function<int()>;
 /// must outlive the parsing.
 using Declare = void(CLI::App& app, Command& command);
 Declare declare_run, declare_check, declare_bless, declare_plot, declare_report, declare_calibrate,
-    declare_sweep, declare_merge, declare_convert, declare_import, declare_export, declare_list,
-    declare_describe, declare_new, declare_schema;
+    declare_sweep, declare_merge, declare_convert, declare_import, declare_export,
+    declare_translate, declare_list, declare_describe, declare_new, declare_schema;
 
 /// In the order of the help.
 inline constexpr std::array kCommands{
-    declare_run,       declare_check, declare_bless,    declare_plot,    declare_report,
-    declare_calibrate, declare_sweep, declare_merge,    declare_convert, declare_import,
-    declare_export,    declare_list,  declare_describe, declare_new,     declare_schema};
+    declare_run,     declare_check,     declare_bless,  declare_plot,
+    declare_report,  declare_calibrate, declare_sweep,  declare_merge,
+    declare_convert, declare_import,    declare_export, declare_translate,
+    declare_list,    declare_describe,  declare_new,    declare_schema};
 
 /// Adds the options that every command with cases has, '--set' and '--allow-outside'.
 void declare_settings(CLI::App& command, std::vector<std::string>& settings, bool& allow_outside);
@@ -44,6 +50,12 @@ void declare_format(CLI::App& command, std::string& format);
 
 /// Adds '--force', with which a command replaces a file that is `what`: "no result of its case".
 void declare_force(CLI::App& command, bool& force, const std::string& what);
+
+/// Adds the deck that is read, which joint or contact of it, and its units.
+void declare_deck_source(CLI::App& command, commands::ImportOptions& options);
+
+/// Adds the program whose deck is written, its form, and where it goes.
+void declare_deck_target(CLI::App& command, commands::DeckOutputOptions& options);
 
 /// Completes names of cases that were given without their ending.
 void name_cases(std::vector<std::string>& paths);

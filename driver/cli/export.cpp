@@ -6,7 +6,6 @@
 
 #include "driver/cli/declare.hpp"
 #include "driver/commands/arguments.hpp"
-#include "driver/commands/exported_case.hpp"
 
 namespace slipbench::driver::cli {
 
@@ -14,26 +13,8 @@ void declare_export(CLI::App& app, Command& command) {
   const auto options = std::make_shared<commands::ExportCommandOptions>();
   CLI::App* declared = app.add_subcommand("export", "Write a case as the deck of a solver");
   declared->add_option("CASE", options->file, "A case file (YAML)")->required();
-  declared->add_option("--to", options->to, "The program whose deck it is")
-      ->type_name("abaqus|radioss|lsdyna|opensees|table")
-      ->check(one_of({commands::kExportTargets.begin(), commands::kExportTargets.end()}))
-      ->required();
-  declared->add_option("-o,--output", options->output, "The deck; default: the terminal")
-      ->type_name("FILE");
-  declared
-      ->add_option("--part", options->part,
-                   "Only the block to be pasted into a model that is there")
-      ->type_name("behaviour")
-      ->check(one_of({"behaviour"}));
-  declared
-      ->add_option("--digits", options->digits,
-                   "Round numbers to so many digits, and say what was rounded")
-      ->type_name("N")
-      ->check(whole_number(2, 17));
+  declare_deck_target(*declared, options->deck);
   declare_settings(*declared, options->settings, options->allow_outside);
-  declared->add_flag("--json", options->json,
-                     "Print what is kept, approximated and dropped as JSON");
-  declare_force(*declared, options->force, "there already");
   declared->footer(
       "An Abaqus deck has two nodes and the connector, and its history as motions, loads and\n"
       "amplitudes: it runs as it stands. Radioss, LS-DYNA and OpenSees get the friction of a "

@@ -12,29 +12,11 @@ void declare_import(CLI::App& app, Command& command) {
   const auto options = std::make_shared<commands::ImportOptions>();
   CLI::App* declared =
       app.add_subcommand("import", "Make cases of the joints and contacts of a solver's deck");
-  declared
-      ->add_option("DECK", options->deck,
-                   "An Abaqus input deck, a Radioss starter deck, an LS-DYNA keyword deck, or an "
-                   "OpenSees script")
-      ->required();
+  declare_deck_source(*declared, *options);
   declared
       ->add_option("-o,--output", options->output,
                    "The case file; default: the terminal. With --all a folder")
       ->type_name("FILE|DIR");
-  declared
-      ->add_option("--id", options->id,
-                   "The /FRICTION, *DEFINE_FRICTION or frictionModel to take, if there are several")
-      ->type_name("ID")
-      ->check(whole_number(1, 2147483647));
-  declared
-      ->add_option("--interface", options->interface,
-                   "Radioss, LS-DYNA: the contact to take, if several have friction")
-      ->type_name("ID")
-      ->check(whole_number(1, 2147483647));
-  declared
-      ->add_option("--connector", options->connector,
-                   "Abaqus: the connector to take, if there are several: its element or set")
-      ->type_name("NAME");
   declared
       ->add_option("--history", options->history,
                    "Abaqus: CSV with results of the model over time (CRF2, CTM3, CP1): in place of "
@@ -42,16 +24,6 @@ void declare_import(CLI::App& app, Command& command) {
       ->type_name("FILE.csv");
   declared->add_flag("--all", options->all,
                      "A case each of all joints with friction, into DIR of -o");
-  declared
-      ->add_option("--units", options->units,
-                   "Length, force and time the deck is in; default: those of /BEGIN (an Abaqus "
-                   "deck has none)")
-      ->type_name("\"mm N s\"");
-  declared
-      ->add_option(
-          "--normal", options->normal,
-          "Radioss: normal of the contact, to judge the directions of orthotropic friction by")
-      ->type_name("\"X Y Z\"");
   declared->add_flag("--json", options->json,
                      "Print what is asked for, kept, approximated and dropped as JSON");
   declare_force(*declared, options->force, "there already");

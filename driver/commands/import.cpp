@@ -48,12 +48,9 @@ int import_command(const ImportOptions& options) {
         options.all ? fs::path(options.output.empty() ? "." : options.output) / (one.stem + ".yaml")
                     : fs::path(options.output);
     const std::string inputs[] = {options.deck};
-    auto file = base::OutputFile::create(path, {}, {inputs, options.force});
-    if (!file) return terminal::refuse(base::kExitEnvironment, file.error());
-    file->append(one.written.text);
-    base::OutputFile* const alone[] = {&*file};
-    if (const auto committed = base::commit(alone); !committed) {
-      return terminal::refuse(base::kExitEnvironment, committed.error());
+    if (const auto saved = base::save_text(path, one.written.text, {inputs, options.force});
+        !saved) {
+      return terminal::refuse(base::kExitEnvironment, saved.error());
     }
     if (options.json) {
       base::json::Value entry;

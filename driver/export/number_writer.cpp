@@ -27,4 +27,11 @@ std::string NumberWriter::operator()(double number) {
   return text;
 }
 
+void tell_rounding(std::size_t rounded, double worst, std::vector<Loss>& losses) {
+  if (rounded == 0) return;
+  losses.push_back(
+      {Loss::Kind::kApproximated,
+       fmt::format("numbers: {} rounded, by at most {:.1e} of themselves", rounded, worst)});
+}
+
 }  // namespace slipbench::driver::exports

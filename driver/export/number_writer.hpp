@@ -3,6 +3,9 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
+
+#include "driver/export/loss.hpp"
 
 namespace slipbench::driver::exports {
 
@@ -27,5 +30,8 @@ class NumberWriter {
   std::size_t rounded_ = 0;
   double worst_ = 0.0;
 };
+
+/// Notes how many numbers were rounded, and by how much; nothing if none was.
+void tell_rounding(std::size_t rounded, double worst, std::vector<Loss>& losses);
 
 }  // namespace slipbench::driver::exports

@@ -64,7 +64,7 @@ def main():
                 continue
             imported = run("import", deck, "-o", back)
             first, second = run("run", case, "-o", own / "a", "-q"), run("run", back, "-o", own / "b", "-q")
-            losses = [line for line in exported.stderr.splitlines() if "approximated:" in line and "numbers are rounded" not in line]
+            losses = [line for line in exported.stderr.splitlines() if "approximated:" in line and "approximated: numbers:" not in line]
             if losses:
                 approximated.append(case.stem)
                 continue

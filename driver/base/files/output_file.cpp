@@ -267,4 +267,13 @@ tl::expected<void, std::string> commit(std::span<OutputFile* const> files,
   return {};
 }
 
+tl::expected<void, std::string> save_text(const fs::path& target, std::string_view text,
+                                          const Overwriting& overwriting) {
+  auto file = OutputFile::create(target, {}, overwriting);
+  if (!file) return tl::unexpected(std::move(file.error()));
+  file->append(text);
+  OutputFile* const alone[] = {&*file};
+  return commit(alone);
+}
+
 }  // namespace slipbench::driver::base

@@ -126,4 +126,8 @@ tl::expected<void, std::string> commit(std::span<OutputFile* const> files);
 tl::expected<void, std::string> commit(std::span<OutputFile* const> files,
                                        const FolderLocks& locks);
 
+/// Writes a text as a file of no mark.
+tl::expected<void, std::string> save_text(const std::filesystem::path& target,
+                                          std::string_view text, const Overwriting& overwriting);
+
 }  // namespace slipbench::driver::base

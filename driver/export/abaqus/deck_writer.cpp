@@ -118,11 +118,7 @@ tl::expected<ExportedDeck, std::string> to_abaqus(const cases::Case& problem,
       deck.text = parts.model() + behavior + parts.history();
     }
     deck.losses = std::move(parts.losses());
-    if (parts.rounded() > 0) {
-      deck.losses.push_back({Loss::Kind::kApproximated,
-                             fmt::format("{} numbers are rounded, by at most {:.1e} of themselves",
-                                         parts.rounded(), parts.worst())});
-    }
+    tell_rounding(parts.rounded(), parts.worst(), deck.losses);
     return deck;
   } catch (const NotExported& refused) {
     return tl::unexpected(refused.reason);

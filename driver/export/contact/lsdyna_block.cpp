@@ -42,6 +42,8 @@ class LsDynaText {
     }
     if (!behavior_only_) text_ += "*END\n";
     tell();
+    tell_rounding(number_.rounded() + point_.rounded(), std::max(number_.worst(), point_.worst()),
+                  losses_);
     return std::move(text_);
   }
 
@@ -189,17 +191,11 @@ class LsDynaText {
 std::string to_lsdyna(const FrictionStatement& statement, const ExportOptions& options,
                       ExportedDeck& deck) {
   LsDynaText narrow(statement, options, 10);
-  std::string text = narrow.write();
-  std::vector<Loss>* losses = &narrow.losses();
   LsDynaText wide(statement, options, 20);
-  if (options.digits == 0 && narrow.is_short_of_room()) {
-    text = wide.write();
-    losses = &wide.losses();
-  } else if (narrow.is_short_of_room()) {
-    narrow.losses().push_back(
-        {Loss::Kind::kApproximated, fmt::format("numbers: {} digits", options.digits)});
-  }
-  for (Loss& one : *losses) deck.losses.push_back(std::move(one));
+  std::string text = narrow.write();
+  const bool long_format = options.digits == 0 && narrow.is_short_of_room();
+  if (long_format) text = wide.write();
+  for (Loss& one : (long_format ? wide : narrow).losses()) deck.losses.push_back(std::move(one));
   return text;
 }
 

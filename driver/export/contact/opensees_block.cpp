@@ -101,11 +101,7 @@ std::string to_opensees(const FrictionStatement& statement, const ExportOptions&
   note(Loss::Kind::kApproximated,
        "OpenSees takes the velocity of the nodes: in a static analysis the coefficient is that at "
        "rest");
-  if (number.rounded() > 0) {
-    note(Loss::Kind::kApproximated,
-         fmt::format("{} numbers are rounded, by at most {:.1e} of themselves", number.rounded(),
-                     number.worst()));
-  }
+  tell_rounding(number.rounded(), number.worst(), deck.losses);
   return text;
 }
 

@@ -85,11 +85,7 @@ class RadiossText {
     for (const StatedGroup& group : statement_.groups) parts(text, group);
     if (!options_.behavior_only) line(text, "/END");
     tell();
-    if (number_.rounded() > 0) {
-      note(Loss::Kind::kApproximated,
-           fmt::format("{} numbers are rounded, by at most {:.1e} of themselves", number_.rounded(),
-                       number_.worst()));
-    }
+    tell_rounding(number_.rounded(), number_.worst(), deck_.losses);
     return text;
   }
 

@@ -37,6 +37,7 @@ std::string to_table(const FrictionStatement& statement, const ExportOptions& op
        fmt::format("coefficient: {} points over slip rate and contact force, off by at most {:.1e} "
                    "between them, constant outside",
                    grid.rates.size() * grid.forces.size(), grid.error));
+  tell_rounding(number.rounded(), number.worst(), deck.losses);
   if (limited) note(Loss::Kind::kDropped, "force_limit: a table has none");
   note(Loss::Kind::kDropped, "stick stiffness");
   return text;

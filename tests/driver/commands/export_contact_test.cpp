@@ -169,7 +169,7 @@ TEST_CASE("Numbers that need more than a field's columns are not cut without a w
   CHECK(exact.has("_ID +\n"));
   const Exported rounded = take("lsdyna", contact(kDecay), 4);
   CHECK(rounded.has("    0.3123    0.1235    0.0213"));
-  CHECK(rounded.tells(exports::Loss::Kind::kApproximated, "4 digits"));
+  CHECK(rounded.tells(exports::Loss::Kind::kApproximated, "numbers: 2 rounded"));
   CHECK(rounded.difference.force.most > 0.0);
   CHECK(rounded.difference.force.most < 1e-3 * rounded.difference.force.largest);
 }

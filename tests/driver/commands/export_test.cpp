@@ -46,10 +46,10 @@ struct Export {
 
   explicit Export(const std::string& text = kSleeve) {
     options.file = folder.write("c.yaml", text).string();
-    options.to = "abaqus";
-    options.output = (folder.path() / "c.inp").string();
+    options.deck.to = "abaqus";
+    options.deck.output = (folder.path() / "c.inp").string();
   }
-  std::string deck() const { return file_text(options.output); }
+  std::string deck() const { return file_text(options.deck.output); }
   cases::Case read(const std::string& file) const {
     read::ReadCase read = read::read_case(file);
     INFO(base::render(read.diagnostics, read.sources));
@@ -59,7 +59,7 @@ struct Export {
   /// The case that is made of the deck.
   cases::Case back() const {
     ImportOptions import;
-    import.deck = options.output;
+    import.deck = options.deck.output;
     import.output = (folder.path() / "back.yaml").string();
     import.force = true;
     REQUIRE(import_command(import) == base::kExitOk);
@@ -82,7 +82,7 @@ TEST_CASE("A case comes back from its deck with its response") {
 
 TEST_CASE("Digits of the behaviour are rounded for people, and the history keeps its own") {
   Export one;
-  one.options.digits = 2;
+  one.options.deck.digits = 2;
   REQUIRE(export_command(one.options) == base::kExitOk);
   CHECK_THAT(one.deck(), Catch::Contains("\n93, 2\n"));
   const auto difference = analysis::compare_responses(one.read(one.options.file), one.back());
@@ -96,7 +96,7 @@ TEST_CASE("Digits of the behaviour are rounded for people, and the history keeps
 
 TEST_CASE("A part of a deck is the behaviour alone") {
   Export one;
-  one.options.part = "behaviour";
+  one.options.deck.part = "behaviour";
   REQUIRE(export_command(one.options) == base::kExitOk);
   CHECK(one.deck().starts_with("*CONNECTOR BEHAVIOR, NAME=JOINT\n"));
   CHECK(one.deck().find("*STEP") == std::string::npos);
@@ -109,7 +109,7 @@ TEST_CASE("A case that Abaqus has no word for leaves no deck") {
                "stribeck_rate: 5}}\n");
   Export one(text);
   CHECK(export_command(one.options) == base::kExitBadInput);
-  CHECK_FALSE(fs::exists(one.options.output));
+  CHECK_FALSE(fs::exists(one.options.deck.output));
   Export there;
   there.folder.write("c.inp", "somebody's deck\n");
   CHECK(export_command(there.options) == base::kExitEnvironment);

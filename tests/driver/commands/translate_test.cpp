@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/commands/translate.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/driver/commands/program_for_test.hpp"
+
+namespace slipbench::driver::commands {
+namespace {
+
+const std::string kDecks = test::source_dir() + "/tests/decks/";
+
+/// The only joint of a deck, in the words of a program, with 100 for all that it asks.
+DeckOutput take(const std::string& text, const std::string& program) {
+  ImportOptions options;
+  options.deck = "deck";
+  options.text = base::SourceText("deck", text);
+  options.all = true;
+  const ImportedDeck deck = read_deck(options);
+  INFO(deck.messages);
+  REQUIRE(deck.cases.size() == 1);
+  std::vector<base::ParameterText> values;
+  for (const std::string& name : deck.cases[0].written.asked) {
+    values.push_back({name, name == "part1" ? 7.0 : name == "part2" ? 9.0 : 100.0});
+  }
+  DeckOutputOptions form;
+  form.to = program;
+  auto made = translated(deck.cases[0].written, values, form);
+  INFO(deck.cases[0].written.text << "\n" << (made ? made->deck.text : made.error()));
+  REQUIRE(made);
+  INFO((made->difference ? "" : made->difference.error()));
+  REQUIRE(made->difference);
+  return std::move(*made);
+}
+
+std::string slot(const std::string& friction) {
+  return "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n*ELEMENT, TYPE=CONN3D2, ELSET=PIN\n1, 1, 2\n"
+         "*CONNECTOR SECTION, ELSET=PIN, BEHAVIOR=B\nSLOT\n*CONNECTOR BEHAVIOR, NAME=B\n"
+         "*CONNECTOR FRICTION, PREDEFINED\n10.\n" +
+         friction + "*STEP\n*STATIC\n0.01, 1.\n*CONNECTOR MOTION\nPIN, 1, 20.\n*END STEP\n";
+}
+
+TEST_CASE("A constant and a decay of Abaqus keep all digits in programs of contacts") {
+  for (const std::string friction :
+       {"*FRICTION\n0.17,\n", "*FRICTION, EXPONENTIAL DECAY\n0.3, 0.1, 0.07\n"}) {
+    for (const std::string program : {"radioss", "lsdyna", "opensees"}) {
+      const DeckOutput made = take(slot(friction), program);
+      INFO(made.deck.text << analysis::difference_text(*made.difference));
+      CHECK(made.difference->is_none());
+      CHECK(made.difference->dissipation > 0.0);
+    }
+  }
+}
+
+TEST_CASE("Records of part pairs of Radioss keep all digits in LS-DYNA") {
+  const DeckOutput made = take(
+      "#RADIOSS STARTER\n/BEGIN\npads\n      2022         0\n"
+      "                  Mg                  mm                   s\n"
+      "                  Mg                  mm                   s\n"
+      "/FRICTION/1\npairs\n#    Ifric   Ifiltr               Xfreq     Iform\n"
+      "         4         0                   0         2\n"
+      "               0.123                0.02                   0                   0"
+      "                   0\n                   0                 0.2                   0\n"
+      "         0         0         7         9                    0\n"
+      "               0.234                0.01                   0                   0"
+      "                   0\n                   0               0.456                   0\n/END\n",
+      "lsdyna");
+  INFO(made.deck.text << analysis::difference_text(*made.difference));
+  CHECK(made.difference->is_none());
+  CHECK(made.difference->dissipation > 0.0);
+  CHECK(made.deck.text.find("*DEFINE_FRICTION") != std::string::npos);
+}
+
+TEST_CASE("What the deck has no number for is asked for only if the other deck depends on it") {
+  TemporaryFolder folder;
+  const std::string line = kProgram + " translate " + kDecks + "lsdyna/brake.k --interface 6 --to ";
+  const Ended asks = shell(folder, line + "table -o a.csv");
+  CHECK(asks.code == base::kExitBadInput);
+  CHECK(
+      asks.output.find("the deck for table depends on area, normal_force: give them with --set") !=
+      std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "a.csv"));
+  const Ended done = shell(folder, line + "table -o a.csv --set area=4 --set normal_force=40");
+  INFO(done.output);
+  CHECK(done.code == base::kExitOk);
+  CHECK(done.output.find("not measured: give K_t, speed, time_step with --set") !=
+        std::string::npos);
+  const Ended unknown = shell(folder, line + "table --set mu=0.3");
+  CHECK(unknown.code == base::kExitBadInput);
+  CHECK(unknown.output.find("--set mu: nothing of this name is asked for") != std::string::npos);
+}
+
+TEST_CASE("All contacts of a deck are translated, and those that cannot be are told") {
+  TemporaryFolder folder;
+  const Ended done = shell(folder, kProgram + " translate " + kDecks +
+                                       "lsdyna/brake.k --all --to radioss -o out --json");
+  CHECK(done.code == base::kExitBadInput);
+  CHECK(done.output.find("6: is not translated: Radioss has no coefficient table") !=
+        std::string::npos);
+  CHECK(std::filesystem::exists(folder.path() / "out/brake_CONTACT_3_0000.rad"));
+  CHECK(std::filesystem::exists(folder.path() / "out/brake_CONTACT_4_0000.rad"));
+  CHECK(done.output.find("\"deck\": \"out/brake_CONTACT_4_0000.rad\"") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace slipbench::driver::commands
