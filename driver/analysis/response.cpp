@@ -39,7 +39,11 @@ double creep_of(const bench::Row& row) {
   return sum;
 }
 
-std::string percent(double part) { return base::rounded(100.0 * part, 2) + " %"; }
+std::string percent(double part) {
+  constexpr double kWhole = 1.0;  // from here on digits behind the point say nothing
+  if (part < kWhole) return base::rounded(100.0 * part, 2) + " %";
+  return fmt::format("{:.0f} %", 100.0 * part);
+}
 
 }  // namespace
 

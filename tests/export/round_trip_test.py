@@ -14,7 +14,7 @@ SLIPBENCH, CASES = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 ROUNDING = 1e-7
 # Cases of which fewer come back with the same bytes than today are a loss.
 SAME_AT_LEAST = 120
-REFUSED_AT_MOST = 75
+REFUSED_AT_MOST = 40
 
 
 def run(*words):

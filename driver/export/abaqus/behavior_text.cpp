@@ -14,6 +14,7 @@
 
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/export/abaqus/deck_parts.hpp"
+#include "driver/export/coefficient_grid.hpp"
 #include "law/friction/law_list.hpp"
 
 namespace slipbench::driver::exports {
@@ -62,6 +63,14 @@ std::pair<std::string, std::string> independent_components(
 /// A comment in the manner of Abaqus/CAE, as a deck has no name for a friction.
 std::string name_comment(const std::string& name) {
   return name.empty() ? std::string() : "** Name: " + base::printable(name) + "\n";
+}
+
+/// The stick stiffness; K_t of a stiffness penalty is one.
+law::StickStiffness stick_of(const law::FrictionDefinition& definition) {
+  if (!definition.formulation) return definition.stick;
+  const auto* const spring = std::get_if<law::StiffnessPenalty>(&definition.formulation->penalty);
+  if (spring == nullptr) return definition.stick;
+  return {law::StickStiffness::Mode::kStiffness, spring->stiffness};
 }
 
 std::string text_of(const std::vector<std::vector<std::string>>& rows) {
@@ -252,6 +261,29 @@ std::string DeckParts::derived(const std::string& name, const law::DerivedCompon
   return text;
 }
 
+law::DerivedComponent DeckParts::stated_component(const std::string& name) const {
+  law::DerivedComponent component;
+  for (const auto& named : written_.derived_components.value) {
+    if (named.name != name) continue;
+    for (const auto& at : named.value) {
+      const read::DerivedTermText& text = at.value;
+      const auto* const weights = std::get_if<std::vector<double>>(&text.weights.value);
+      if (text.weights.given() && weights == nullptr) {
+        refuse("weights of a table in a potential are not in Abaqus");
+      }
+      law::DerivedTerm& term = component.emplace_back();
+      term.combine = text.combine.value;
+      term.sign = text.sign.value;
+      for (const yaml::At<int>& one : text.components.value) {
+        const auto k = static_cast<std::size_t>(term.count++);
+        term.component[k] = one.value - 1;
+        term.weight[k] = weights == nullptr || weights->empty() ? 1.0 : (*weights)[k];
+      }
+    }
+  }
+  return component;
+}
+
 std::string DeckParts::friction(std::size_t entry) {
   std::vector<const cases::CaseDefinition*> own;
   for (const cases::CaseDefinition& one : problem_.definitions) {
@@ -263,16 +295,17 @@ std::string DeckParts::friction(std::size_t entry) {
   if (text.empty()) {
     for (const cases::CaseDefinition* const one : own) {
       text += user_defined(*one);
-      text += coefficient(one->law.law, one->law.force_limit, one->law.stick);
+      text += coefficient(one->law.law, one->law.force_limit, stick_of(one->law));
     }
     return text;
   }
-  return text + coefficient(first.law.law, first.law.force_limit, first.law.stick);
+  return text + coefficient(first.law.law, first.law.force_limit, stick_of(first.law));
 }
 
 /// *CONNECTOR FRICTION, PREDEFINED; nothing where the geometry is more than that has, and
 /// user-defined friction stands in for it.
 std::string DeckParts::predefined(const cases::CaseDefinition& definition) {
+  if (is_contact()) return {};
   std::vector<std::string> items;
   bool plain = true;
   bool has_twin = true;
@@ -315,8 +348,9 @@ std::string DeckParts::predefined(const cases::CaseDefinition& definition) {
   }
   std::string text = name_comment(written_.friction.value[definition.entry].value.name.value) +
                      "*CONNECTOR FRICTION, PREDEFINED";
-  if (definition.law.stick.mode == law::StickStiffness::Mode::kStiffness) {
-    text += ", STICK STIFFNESS=" + numbers_(definition.law.stick.value);
+  const law::StickStiffness stick = stick_of(definition.law);
+  if (stick.mode == law::StickStiffness::Mode::kStiffness) {
+    text += ", STICK STIFFNESS=" + numbers_(stick.value);
   }
   text += "\n";
   const bool empty =
@@ -344,8 +378,9 @@ std::string DeckParts::user_defined(const cases::CaseDefinition& definition) {
   } else if (std::holds_alternative<law::UniversalJointContact>(law.contact_force)) {
     refuse("the contact force of a UJOINT is predefined only");
   }
-  if (law.stick.mode == law::StickStiffness::Mode::kStiffness) {
-    line += ", STICK STIFFNESS=" + numbers_(law.stick.value);
+  const law::StickStiffness stick = stick_of(law);
+  if (stick.mode == law::StickStiffness::Mode::kStiffness) {
+    line += ", STICK STIFFNESS=" + numbers_(stick.value);
   }
   if (const double* const number = std::get_if<double>(&law.internal_contact_force)) {
     text += line + "\n" + (*number == 0.0 && pressed ? std::string() : numbers_(*number) + "\n");
@@ -376,19 +411,40 @@ std::string DeckParts::potential(const cases::CaseDefinition& definition) {
   const read::FrictionText& written = written_.friction.value[definition.entry].value;
   if (!written.potential.given()) refuse("its criterion of slip is not in Abaqus");
   const read::PotentialText& potential = written.potential.value;
+  std::string before;
   std::string text = "*CONNECTOR POTENTIAL";
   if (potential.combine == law::PotentialOperator::kMax) text += ", OPERATOR=MAX";
   if (potential.exponent.value != 2.0) text += ", EXPONENT=" + numbers_(potential.exponent.value);
   text += "\n";
   for (const auto& at : potential.terms.value) {
     const read::PotentialTermText& term = at.value;
-    if (term.derived.given()) refuse("a potential of derived components is not written yet");
+    std::string of = std::to_string(term.component.value);
+    if (term.derived.given()) {
+      of = fmt::format("PART{}_{}", definition.entry + 1, &at - potential.terms.value.data() + 1);
+      before += derived(of, stated_component(term.derived.value));
+    }
     constexpr std::array kUses{"", "MACAULEY", "NONE"};
-    text += data_lines({std::to_string(term.component.value), numbers_(term.scale.value),
+    text += data_lines({of, numbers_(term.scale.value),
                         term.exponent.given() ? numbers_(term.exponent.value) : std::string(),
                         kUses[static_cast<std::size_t>(term.of.value)],
                         term.shift.value == 0.0 ? std::string() : numbers_(term.shift.value),
                         term.sign.value < 0 ? std::string("NEGATIVE") : std::string()});
+  }
+  return before + text;
+}
+
+std::string DeckParts::tabulated(const law::FrictionLaw& law) {
+  const CoefficientGrid grid = tabulate(law, run_range(problem_));
+  note(Loss::Kind::kApproximated,
+       fmt::format("coefficient {}: {} points over slip rate and contact force, off by at most "
+                   "{:.1e} between them, constant outside",
+                   law::name_of(law), grid.rates.size() * grid.forces.size(), grid.error));
+  std::string text;
+  for (std::size_t j = 0; j < grid.forces.size(); ++j) {
+    for (std::size_t i = 0; i < grid.rates.size(); ++i) {
+      text += data_lines({numbers_(grid.mu[j][i]), numbers_(grid.rates[i]),
+                          grid.forces.size() > 1 ? numbers_(grid.forces[j]) : std::string()});
+    }
   }
   return text;
 }
@@ -418,7 +474,7 @@ std::string DeckParts::coefficient(const law::FrictionLaw& law, double force_lim
                                                     {IndependentKind::kContactForce, 0}},
                                                    fields)));
   } else {
-    refuse(fmt::format("Abaqus has no coefficient {}", law::name_of(law)));
+    data = tabulated(law);
   }
   if (force_limit < law::kNoForceLimit) parameters += ", TAUMAX=" + numbers_(force_limit);
   if (stick.mode == law::StickStiffness::Mode::kElasticSlip) {

@@ -37,6 +37,10 @@ class DeckParts {
   double worst() const { return std::max(numbers_.worst(), whole_.worst()); }
 
  private:
+  bool is_contact() const { return problem_.connection.info.name == "CONTACT"; }
+  void judge_contact();
+  /// Points in place of a law that Abaqus has not.
+  std::string tabulated(const law::FrictionLaw& law);
   [[noreturn]] static void refuse(const std::string& reason) { throw NotExported{reason}; }
   void note(Loss::Kind kind, std::string text) { losses_.push_back({kind, std::move(text)}); }
   /// Rows of a table in the order of a deck's columns; empty items for those it does not see.
@@ -50,11 +54,16 @@ class DeckParts {
   std::string predefined(const cases::CaseDefinition& definition);
   std::string user_defined(const cases::CaseDefinition& definition);
   std::string derived(const std::string& name, const law::DerivedComponent& terms);
+  /// A derived component as the case states it.
+  law::DerivedComponent stated_component(const std::string& name) const;
   std::string potential(const cases::CaseDefinition& definition);
   std::string coefficient(const law::FrictionLaw& law, double force_limit,
                           const law::StickStiffness& stick);
   std::string springs();
 
+  std::string supports() const;
+  /// The step of a measured history.
+  std::string measured();
   std::string step(std::size_t index, int pass);
   std::string drive(const cases::Drive& drive, std::size_t step_index, int pass);
   std::string changes(const cases::Step& step);
@@ -79,6 +88,7 @@ class DeckParts {
   };
   std::vector<Sample> samples_;
   std::vector<double> values_;  ///< of the quantities, at the start of a step
+  double start_ = 0.0;          ///< of the history
 };
 
 }  // namespace slipbench::driver::exports

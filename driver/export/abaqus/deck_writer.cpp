@@ -29,8 +29,6 @@ std::string data_lines(const std::vector<std::string>& items) {
 }
 
 void DeckParts::judge() {
-  const law::Connection& connection = problem_.connection;
-  if (connection.info.name == "CONTACT") refuse("Abaqus has no connector that is a contact");
   if (problem_.dynamics) refuse("a mass of the bench is no part of a connector");
   if (problem_.belt) {
     if (problem_.belt->nodes || problem_.belt->both_tensions || !problem_.belt->lengths.empty()) {
@@ -43,7 +41,9 @@ void DeckParts::judge() {
   for (const cases::CaseDefinition& one : problem_.definitions) {
     if (one.backward) refuse("a coefficient for each direction is not in Abaqus");
     if (one.dead_zone) refuse("backlash in series with friction is not in Abaqus");
-    if (one.law.formulation) refuse("the penalty of a Radioss contact is not in Abaqus");
+    if (one.law.formulation && one.law.formulation->orthotropy) {
+      refuse("two coefficients for two directions are not in Abaqus");
+    }
   }
   for (int c = 3; c < law::kComponents; ++c) {
     if (problem_.initial[c] != 0.0) {
@@ -74,14 +74,42 @@ void DeckParts::judge() {
       break;
     }
   }
+  judge_contact();
   if (!problem_.checks.empty()) note(Kind::kDropped, "checks: a deck has none");
   if (!problem_.units.length.empty()) note(Kind::kDropped, "units: they stand in the heading only");
+}
+
+void DeckParts::judge_contact() {
+  using Kind = Loss::Kind;
+  if (is_contact()) {
+    note(Kind::kKept, "CONTACT, as SLIDE-PLANE with friction of what presses alone");
+  }
+  if (written_.friction_pairs.given()) {
+    note(Kind::kDropped, "records of part pairs, but that of the two parts of the case");
+  }
+  bool viscous = false;
+  bool spring = false;
+  bool filtered = false;
+  bool as_coded = false;
+  for (const cases::CaseDefinition& one : problem_.definitions) {
+    if (!one.law.formulation) continue;
+    const law::Formulation& formulation = *one.law.formulation;
+    const bool own = std::holds_alternative<law::ViscousPenalty>(formulation.penalty);
+    viscous = viscous || own;
+    spring = spring || !own;
+    filtered = filtered || formulation.filter.kind != law::Filter::Kind::kNone;
+    as_coded = as_coded || formulation.convention == law::Convention::kAsCoded;
+  }
+  if (spring) note(Kind::kKept, "K_t, as stick stiffness");
+  if (viscous) note(Kind::kDropped, "viscous penalty: Abaqus sticks");
+  if (filtered) note(Kind::kDropped, "filter: Abaqus has none");
+  if (as_coded) note(Kind::kDropped, "convention: as_coded; what OpenRadioss makes of its page");
 }
 
 std::string DeckParts::model() {
   const auto type_of = [&]() -> std::string {
     const auto& names = written_.connector.value.type.value.names;
-    std::string text(names[0].value);
+    std::string text(is_contact() ? "SLIDE-PLANE" : names[0].value);
     if (names.size() > 1) text += ", " + std::string(names[1].value);
     return text;
   };
@@ -95,7 +123,8 @@ std::string DeckParts::model() {
   for (int c = 0; c < 3; ++c) {
     text += ", " + whole_(problem_.belt && c > 0 ? 0.0 : problem_.initial[c]);
   }
-  const bool plane = written_.connector.value.dimension.value == 2;
+  // SLIDE-PLANE is one of space; the second tangent is held.
+  const bool plane = written_.connector.value.dimension.value == 2 && !is_contact();
   text += fmt::format("\n*ELEMENT, TYPE={}, ELSET=JOINT\n1, 1, 2\n", plane ? "CONN2D2" : "CONN3D2");
   text += "*CONNECTOR SECTION, ELSET=JOINT, BEHAVIOR=JOINT\n" + type_of() + "\n";
   if (problem_.belt) {

@@ -17,6 +17,9 @@ namespace {
 /// Profiles of more rows than this are no history of a deck.
 constexpr std::size_t kMostSamples = 200'000;
 
+constexpr const char* kStepEnd =
+    "*OUTPUT, HISTORY\n*ELEMENT OUTPUT, ELSET=JOINT\nCTF, CSF, CNF, CASU, CIVC\n*END STEP\n";
+
 bool is_motion(int quantity) { return quantity < cases::kFirstForce; }
 bool is_force(int quantity) {
   return quantity >= cases::kFirstForce && quantity < cases::kTemperatureQuantity;
@@ -37,7 +40,7 @@ std::string DeckParts::sampled(int quantity, std::size_t step_index, int pass) {
   std::vector<std::string> items{"0.", whole_(values_[q] - initial)};
   for (const Sample& one : samples_) {
     if (one.step != static_cast<int>(step_index) || one.pass != pass) continue;
-    items.push_back(whole_(one.time));
+    items.push_back(whole_(one.time - start_));
     items.push_back(whole_(one.quantities[q] - initial));
   }
   return amplitude(data_lines(items), ", VALUE=ABSOLUTE");
@@ -65,7 +68,10 @@ std::string DeckParts::triangle(const history::Wave& wave, double duration, doub
 std::string DeckParts::history() {
   // What is sampled comes from a run: its rows have all that drives the case.
   const auto ended = bench::run_case(problem_, [&](const bench::Row& row) {
-    if (row.index == 0) values_.assign(row.quantities.begin(), row.quantities.end());
+    if (row.index == 0) {
+      values_.assign(row.quantities.begin(), row.quantities.end());
+      start_ = row.step_time;
+    }
     if (samples_.size() > kMostSamples) return;
     if (row.index > 0 || row.duration > 0.0) {
       samples_.push_back(
@@ -76,7 +82,8 @@ std::string DeckParts::history() {
   if (samples_.size() > kMostSamples) refuse("its history has too many increments for a deck");
   std::string steps;
   if (problem_.measured) {
-    refuse("a measured history is not written yet");
+    steps = measured();
+    return amplitudes_ + steps;
   }
   for (std::size_t i = 0; i < problem_.steps.size(); ++i) {
     for (int pass = 0; pass < problem_.steps[i].repeat; ++pass) steps += step(i, pass);
@@ -84,31 +91,67 @@ std::string DeckParts::history() {
   return amplitudes_ + steps;
 }
 
+/// Holds node a, and the components of which the case says nothing.
+std::string DeckParts::supports() const {
+  const law::ComponentSet& free = problem_.connection.info.available;
+  std::string text = "*BOUNDARY\n1, 1, 6\n";
+  const auto hold = [&](int c) {
+    text += fmt::format("*CONNECTOR MOTION, FIXED\nJOINT, {}\n", c + 1);
+  };
+  for (int c = 0; c < law::kComponents; ++c) {
+    // A free component that nothing drives would move as it likes; a belt's flow at a is a result.
+    if (!free.contains(c) || (problem_.belt && c != 1)) continue;
+    if (cases::is_driven(problem_, c) || cases::is_driven(problem_, cases::kFirstForce + c)) {
+      continue;
+    }
+    hold(c);
+  }
+  constexpr int kSecondTangent = 2;
+  if (is_contact() && written_.connector.value.dimension.value == 2) hold(kSecondTangent);
+  return text;
+}
+
+std::string DeckParts::measured() {
+  std::vector<double> ends;
+  for (const Sample& one : samples_) ends.push_back(one.time - start_);
+  const double duration = ends.back();
+  const double increment = duration / static_cast<double>(ends.size());
+  double off = 0.0;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    off = std::max(off, std::abs(ends[i] - static_cast<double>(i + 1) * increment));
+  }
+  constexpr double kEqual = 1e-9;  // of a step's length: times are read from digits
+  if (off > kEqual * duration) {
+    note(Loss::Kind::kApproximated,
+         "increments: of equal length, in place of one from row to row of the measured history");
+  }
+  std::string text = "*STEP, NAME=\"measured\", NLGEOM=NO\n*STATIC, DIRECT\n" +
+                     data_lines({whole_(increment), whole_(duration)}) + supports();
+  for (const history::MeasuredColumn& one : problem_.measured->columns) {
+    history::Tabular profile;
+    profile.times.push_back(0.0);
+    profile.values.push_back(values_[one.quantity]);
+    for (const Sample& sample : samples_) {
+      profile.times.push_back(sample.time - start_);
+      profile.values.push_back(sample.quantities[one.quantity]);
+    }
+    text += drive({static_cast<int>(one.quantity), std::move(profile)}, 0, 0);
+  }
+  return text + kStepEnd;
+}
+
 std::string DeckParts::step(std::size_t index, int pass) {
   const cases::Step& step = problem_.steps[index];
-  const law::ComponentSet& connection = problem_.connection.info.available;
   std::string text =
       fmt::format("*STEP, NAME=\"{}{}\", NLGEOM=NO\n*STATIC, DIRECT\n", base::printable(step.name),
                   pass > 0 ? fmt::format(" {}", pass + 1) : std::string());
   text += data_lines({whole_(step.duration / step.increments), whole_(step.duration)});
-  if (index == 0 && pass == 0) {
-    text += "*BOUNDARY\n1, 1, 6\n";
-    for (int c = 0; c < law::kComponents; ++c) {
-      // A free component that nothing drives would move as it likes; a belt's flow at a is a
-      // result.
-      const bool free = connection.contains(c) && !(problem_.belt && c != 1);
-      if (!free || cases::is_driven(problem_, c) ||
-          cases::is_driven(problem_, cases::kFirstForce + c)) {
-        continue;
-      }
-      text += fmt::format("*CONNECTOR MOTION, FIXED\nJOINT, {}\n", c + 1);
-    }
-  }
+  if (index == 0 && pass == 0) text += supports();
   std::string drives;
   for (const cases::Drive& one : step.drives) drives += drive(one, index, pass);
   text += drives;
   if (pass == 0) text += changes(step);
-  text += "*OUTPUT, HISTORY\n*ELEMENT OUTPUT, ELSET=JOINT\nCTF, CSF, CNF, CASU, CIVC\n*END STEP\n";
+  text += kStepEnd;
   for (const Sample& one : samples_) {
     if (one.step == static_cast<int>(index) && one.pass == pass) values_ = one.quantities;
   }
@@ -117,7 +160,8 @@ std::string DeckParts::step(std::size_t index, int pass) {
 
 std::string DeckParts::drive(const cases::Drive& drive, std::size_t step_index, int pass) {
   const int quantity = drive.quantity;
-  const cases::Step& step = problem_.steps[step_index];
+  // A measured history has tables alone, which know their own length.
+  const double duration = problem_.measured ? 0.0 : problem_.steps[step_index].duration;
   const auto q = static_cast<std::size_t>(quantity);
   const int component = is_motion(quantity) ? quantity : quantity - cases::kFirstForce;
   const double initial = is_motion(quantity) ? problem_.initial[component] : 0.0;
@@ -128,9 +172,9 @@ std::string DeckParts::drive(const cases::Drive& drive, std::size_t step_index, 
     magnitude = to->value - initial;
   } else if (const auto* constant = std::get_if<history::Constant>(&drive.profile)) {
     magnitude = constant->value - initial;
-    name = amplitude(data_lines({"0.", "1.", whole_(step.duration), "1."}), "");
+    name = amplitude(data_lines({"0.", "1.", whole_(duration), "1."}), "");
   } else if (const auto* smooth = std::get_if<history::SmoothTo>(&drive.profile)) {
-    name = amplitude(data_lines({"0.", whole_(values_[q] - initial), whole_(step.duration),
+    name = amplitude(data_lines({"0.", whole_(values_[q] - initial), whole_(duration),
                                  whole_(smooth->value - initial)}),
                      ", DEFINITION=SMOOTH STEP, VALUE=ABSOLUTE");
   } else if (const auto* wave = std::get_if<history::Wave>(&drive.profile);
@@ -151,7 +195,7 @@ std::string DeckParts::drive(const cases::Drive& drive, std::size_t step_index, 
     name = amplitude(data_lines(items), ", VALUE=ABSOLUTE");
   } else if (wave != nullptr && wave->shape == history::WaveShape::kTriangle &&
              wave->phase == 0.0) {
-    name = triangle(*wave, step.duration, initial);
+    name = triangle(*wave, duration, initial);
   } else {
     if (std::holds_alternative<history::PositionFormula>(drive.profile) && pass == 0) {
       note(Loss::Kind::kApproximated,

@@ -18,14 +18,14 @@ void drop_ambient(const FrictionStatement& statement, std::vector<Loss>& losses)
     if (one.kind == law::IndependentKind::kTemperature) {
       losses.push_back(
           {Loss::Kind::kDropped, "the coefficient's dependence on the temperature: taken at " +
-                                     base::format_number(statement.temperature) +
+                                     base::format_number(statement.run.temperature) +
                                      ", where the history begins"});
     }
     if (one.kind == law::IndependentKind::kField) {
       const auto index = static_cast<std::size_t>(one.index);
       losses.push_back({Loss::Kind::kDropped, "the coefficient's dependence on field " +
                                                   std::to_string(index + 1) + ": taken at " +
-                                                  base::format_number(statement.fields[index]) +
+                                                  base::format_number(statement.run.fields[index]) +
                                                   ", where the history begins"});
     }
   }

@@ -10,7 +10,6 @@
 
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/format_number.hpp"
-#include "driver/bench/run_case.hpp"
 #include "law/friction/law_list.hpp"
 
 namespace slipbench::driver::exports {
@@ -67,29 +66,6 @@ void take_pairs(const read::FrictionPairsText& table, FrictionStatement& stateme
     statement.pairs.push_back(
         {{pair.value.parts.value[0].value, pair.value.parts.value[1].value}, stated(pair.value)});
   }
-}
-
-/// Runs the case for the rates and forces it meets.
-void take_run(const cases::Case& problem, FrictionStatement& statement) {
-  bool first = true;
-  const auto ended = bench::run_case(problem, [&](const bench::Row& row) {
-    if (first) {
-      statement.temperature = row.quantities[cases::kTemperatureQuantity];
-      const auto* const fields = row.quantities.begin() + cases::kFirstField;
-      statement.fields.assign(fields, fields + law::kMaxFields);
-    }
-    if (statement.duration == 0.0) statement.duration = row.duration;
-    for (const bench::DefinitionRow& one : row.definitions) {
-      const double force = one.update.normal_force;
-      statement.slip_rate =
-          std::max({statement.slip_rate, one.update.slip_rate, one.penalty.speed});
-      statement.contact_force = std::max(statement.contact_force, force);
-      statement.least_contact_force =
-          first ? force : std::min(statement.least_contact_force, force);
-      first = false;
-    }
-  });
-  if (!ended) throw NotExported{"the case does not run to its end: " + ended.error().message};
 }
 
 bool has_geometry(const cases::CaseDefinition& definition) {
@@ -163,7 +139,7 @@ FrictionStatement stated_friction(const cases::Case& problem, const read::CaseTe
   }
   if (!problem.checks.empty()) note(Kind::kDropped, "checks: a deck has none");
   note(Kind::kDropped, "history: the model has its own");
-  take_run(problem, statement);
+  statement.run = run_range(problem);
   return statement;
 }
 

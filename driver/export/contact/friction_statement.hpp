@@ -9,6 +9,7 @@
 
 #include "driver/case/case.hpp"
 #include "driver/export/loss.hpp"
+#include "driver/export/run_range.hpp"
 #include "driver/read/keys/case_text.hpp"
 
 namespace slipbench::driver::exports {
@@ -43,14 +44,7 @@ struct FrictionStatement {
   std::vector<StatedGroup> groups = {};
   std::optional<law::Formulation> formulation = {};
   law::StickStiffness stick = {};
-  // What the case's own run meets.
-  double slip_rate = 0.0;                                 ///< the largest [L/T]
-  double contact_force = 0.0, least_contact_force = 0.0;  ///< F_N [F]
-  double duration = 0.0;                                  ///< of its first increment [T]
-  double temperature = 0.0;                               ///< at its start
-  std::vector<double> fields = {};                        ///< at its start
-
-  law::Ambient ambient() const { return {{}, {}, temperature, fields}; }
+  RunRange run = {};  ///< of the case's own run
 
   /// The number of a side's group, or of its part.
   int id_of(const read::PartOrGroup& side) const;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "driver/base/text/diagnostic.hpp"
-#include "driver/export/contact/coefficient_grid.hpp"
+#include "driver/export/coefficient_grid.hpp"
 #include "driver/export/contact/contact_block.hpp"
 #include "driver/export/number_writer.hpp"
 
@@ -126,7 +126,7 @@ class LsDynaText {
   }
 
   void table() {
-    const CoefficientGrid grid = tabulate(statement_.otherwise.law, statement_);
+    const CoefficientGrid grid = tabulate(statement_.otherwise.law, statement_.run);
     const double area = statement_.area > 0.0 ? statement_.area : 1.0;
     std::vector<double> pressures;
     for (const double force : grid.forces) pressures.push_back(force / area);

@@ -5,7 +5,7 @@
 
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/format_number.hpp"
-#include "driver/export/contact/coefficient_grid.hpp"
+#include "driver/export/coefficient_grid.hpp"
 #include "driver/export/contact/contact_block.hpp"
 #include "driver/export/number_writer.hpp"
 
@@ -20,9 +20,9 @@ double stick_stiffness(const FrictionStatement& statement) {
   }
   if (statement.stick.mode == law::StickStiffness::Mode::kStiffness) return statement.stick.value;
   law::SlipArguments slip;
-  slip.contact_force = statement.contact_force;
-  const double limit = law::evaluate(statement.otherwise.law, statement.ambient(), slip).mu *
-                       statement.contact_force;
+  slip.contact_force = statement.run.contact_force;
+  const double limit = law::evaluate(statement.otherwise.law, statement.run.ambient(), slip).mu *
+                       statement.run.contact_force;
   return limit > 0.0 ? limit / statement.stick.value : 1.0;
 }
 
@@ -57,7 +57,7 @@ std::string to_opensees(const FrictionStatement& statement, const ExportOptions&
     note(Loss::Kind::kKept, "coefficient");
   } else {
     const law::FrictionLaw& law = statement.otherwise.law;
-    const CoefficientGrid grid = tabulate(law, statement);
+    const CoefficientGrid grid = tabulate(law, statement.run);
     if (grid.forces.size() > 1) {
       throw NotExported{
           "its coefficient depends on the contact force in a way that no model of OpenSees has"};

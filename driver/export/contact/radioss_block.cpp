@@ -141,11 +141,11 @@ class RadiossText {
       case law::Filter::Kind::kSimple:
         return {1, filter.value};
       case law::Filter::Kind::kPeriod:
-        if (statement_.duration == 0.0) return {0, 0.0};
+        if (statement_.run.duration == 0.0) return {0, 0.0};
         note(Loss::Kind::kApproximated,
              fmt::format("filter: Xfreq counts increments, of {} as the first one of the case",
-                         base::format_number(statement_.duration)));
-        return {2, filter.value / statement_.duration};
+                         base::format_number(statement_.run.duration)));
+        return {2, filter.value / statement_.run.duration};
       case law::Filter::Kind::kFrequency:
         return {3, filter.value};
       default:

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "driver/export/contact/coefficient_grid.hpp"
+#include "driver/export/coefficient_grid.hpp"
 #include "driver/export/contact/contact_block.hpp"
 #include "driver/export/number_writer.hpp"
 #include "law/friction/law_list.hpp"
@@ -20,7 +20,7 @@ std::string to_table(const FrictionStatement& statement, const ExportOptions& op
         "a table has one coefficient: its friction has pairs of parts, or directions"};
   }
   NumberWriter number(25, options.digits);
-  const CoefficientGrid grid = tabulate(statement.otherwise.law, statement);
+  const CoefficientGrid grid = tabulate(statement.otherwise.law, statement.run);
   const bool limited = statement.otherwise.force_limit < law::kNoForceLimit;
   const bool over_force = grid.forces.size() > 1;
   std::string text = over_force ? "mu,slip_rate,contact_force\n" : "mu,slip_rate\n";

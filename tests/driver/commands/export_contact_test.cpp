@@ -144,6 +144,37 @@ TEST_CASE("What a program has no word for is dropped, and its size is measured")
   CHECK(creeps.difference.other_creep == 0.0);
 }
 
+TEST_CASE("A contact is a SLIDE-PLANE with user-defined friction in Abaqus, and lifts off there") {
+  const std::string lifts =
+      "slipbench: 1\ntitle: pad\nconnector: {type: CONTACT}\nfriction:\n"
+      "  - {predefined: {}, coefficient: 0.3, formulation: {penalty: stiffness, K_t: 1000}}\n"
+      "integration: {slip_rate: slip}\nhistory:\n"
+      "  - {step: rub, increments: 40, motion: {CP2: {to: 3}, CP3: {to: 1}}, force: {f1: {sine: "
+      "{amplitude: 20, period: 1}}}}\n";
+  const Exported found = take("abaqus", lifts);
+  INFO(found.deck.text << analysis::difference_text(found.difference));
+  CHECK(found.difference.is_none());
+  CHECK(found.difference.dissipation > 0.0);
+  CHECK(found.has("SLIDE-PLANE"));
+  CHECK(found.has("OPERATOR=MACAULEY SUM"));
+  CHECK(found.has("STICK STIFFNESS=1000"));
+}
+
+TEST_CASE("Laws that Abaqus has not become points, and the rest says what they cost") {
+  for (const std::string law :
+       {"{renard: {C1: 0.1, C2: 0.15, C3: 0.3, C4: 0.05, C5: 40, C6: 120}}",
+        "{stribeck: {static: 0.3, kinetic: 0.1, stribeck_rate: 10, viscous: 1e-4}}"}) {
+    const std::string slot =
+        "slipbench: 1\ntitle: t\nunits: {length: mm, force: N, time: s}\n"
+        "connector: {type: SLOT}\nfriction:\n  - {predefined: {}, coefficient: " +
+        law + "}\nhistory: [{step: a, increments: 50, motion: {CP1: {to: 30}}, force: {f2: 10}}]\n";
+    const Exported found = take("abaqus", slot);
+    INFO(found.deck.text << analysis::difference_text(found.difference));
+    CHECK(found.tells(exports::Loss::Kind::kApproximated, "points over slip rate"));
+    CHECK(found.difference.force.most <= 5e-4 * found.difference.force.largest);
+  }
+}
+
 TEST_CASE("Records of part pairs go to Radioss and LS-DYNA, and back") {
   const std::string text =
       "slipbench: 1\ntitle: t\nconnector: {type: CONTACT, area: 4, parts: [7, 9]}\nfriction: "

@@ -104,9 +104,7 @@ TEST_CASE("A part of a deck is the behaviour alone") {
 
 TEST_CASE("A case that Abaqus has no word for leaves no deck") {
   std::string text = kSleeve;
-  text.replace(text.find("predefined"), text.find("    force_limit") - text.find("predefined"),
-               "predefined: {R: 0.24}\n    coefficient: {stribeck: {static: 0.3, kinetic: 0.2, "
-               "stribeck_rate: 5}}\n");
+  text += "dead_zone: [{component: 1, width: 0.1}]\n";
   Export one(text);
   CHECK(export_command(one.options) == base::kExitBadInput);
   CHECK_FALSE(fs::exists(one.options.deck.output));

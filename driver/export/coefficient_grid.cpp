@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "driver/export/contact/coefficient_grid.hpp"
+#include "driver/export/coefficient_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -61,8 +61,8 @@ std::vector<double> knots_of(const law::FrictionLaw& law, law::IndependentKind k
 
 }  // namespace
 
-CoefficientGrid tabulate(const law::FrictionLaw& law, const FrictionStatement& statement) {
-  const law::Ambient ambient = statement.ambient();
+CoefficientGrid tabulate(const law::FrictionLaw& law, const RunRange& run) {
+  const law::Ambient ambient = run.ambient();
   const auto mu = [&](double rate, double force) {
     law::SlipArguments slip;
     slip.slip_rate = rate;
@@ -75,17 +75,17 @@ CoefficientGrid tabulate(const law::FrictionLaw& law, const FrictionStatement& s
   if (law::depends_on_slip_rate(law)) {
     const std::vector<double> knots = knots_of(law, law::IndependentKind::kSlipRate);
     rates.insert(rates.end(), knots.begin(), knots.end());
-    rates.push_back(std::max(range.slip_rate, statement.slip_rate));
+    rates.push_back(std::max(range.slip_rate, run.slip_rate));
     for (const law::Landmark& one : range.landmarks) {
       if (!one.name.empty()) rates.push_back(one.slip_rate);
     }
   }
   std::vector<double> forces = knots_of(law, law::IndependentKind::kContactForce);
   if (law::depends_on_contact_force(law)) {
-    forces.push_back(statement.least_contact_force);
-    forces.push_back(statement.contact_force);
+    forces.push_back(run.least_contact_force);
+    forces.push_back(run.contact_force);
   } else {
-    forces = {statement.contact_force};
+    forces = {run.contact_force};
   }
   double largest = 0.0;
   for (const double rate : rates) {

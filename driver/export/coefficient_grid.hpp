@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "driver/export/contact/friction_statement.hpp"
+#include "driver/export/run_range.hpp"
 
 namespace slipbench::driver::exports {
 
@@ -16,10 +16,10 @@ struct CoefficientGrid {
   double error = 0.0;  ///< largest difference from the law [1], between the points, in its range
 };
 
-/// Samples a law at the temperature and fields of a statement, over the range in which the law has
-/// its shape and the run of the case goes. Points are added until straight lines between them are
-/// off by no more than 1e-4 of the largest coefficient, as far as 200 points a side go. Knots of a
+/// Samples a law at the temperature and fields of the start of a run, over the range in which the
+/// law has its shape and the run goes. Points are added until straight lines between them are off
+/// by no more than 1e-4 of the largest coefficient, as far as 200 points a side go. Knots of a
 /// table are among the points.
-CoefficientGrid tabulate(const law::FrictionLaw& law, const FrictionStatement& statement);
+CoefficientGrid tabulate(const law::FrictionLaw& law, const RunRange& run);
 
 }  // namespace slipbench::driver::exports
