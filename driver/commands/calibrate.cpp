@@ -2,6 +2,8 @@
 #include "driver/commands/calibrate.hpp"
 
 #include <fmt/format.h>
+
+#include "driver/commands/emit_slurm.hpp"
 #if defined(__GLIBC__)
 #include <malloc.h>
 #endif
@@ -155,6 +157,17 @@ std::string fault_of_targets(const calibrate::Fit& fit, const CalibrateOptions& 
   return probe ? "" : probe.error();
 }
 
+/// Offers the values found as a block for the model they came from.
+std::string way_home(const std::vector<fs::path>& files) {
+  constexpr std::string_view kEnding = ".calibrated.yaml";
+  for (const fs::path& file : files) {
+    if (!file.string().ends_with(kEnding)) continue;
+    return "  into your model: slipbench export " + shell_word(shown(file)) +
+           " --to abaqus --part behaviour\n";
+  }
+  return {};
+}
+
 }  // namespace
 
 int calibrate_command(const CalibrateOptions& options) {
@@ -228,6 +241,7 @@ int calibrate_command(const CalibrateOptions& options) {
     for (const std::string& remark : written->remarks) text += "  note: " + remark + "\n";
     for (const fs::path& file : written->files) text += "  " + shown(file);
     text += "\n";
+    if (calibration->fit.converged) text += way_home(written->files);
   }
   terminal::print(text);
   return code;
