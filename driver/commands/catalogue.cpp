@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 #include "driver/base/files/exit_code.hpp"
 #include "driver/base/text/suggestions.hpp"
@@ -205,8 +206,10 @@ bool describe_connection(std::string_view name) {
 
 /// Describes a connection type that is known by name and cannot be run; false for other names.
 bool describe_known_type(std::string_view name) {
-  if (name != "RETRACTOR" && name != "FLOW-CONVERTER") return false;
-  tell("{} (connection type, known by name)\n  {}\n", name, read::later_key(name)->why);
+  // Types alone are written in capitals.
+  const auto known = read::later_key(name);
+  if (!known || std::islower(static_cast<unsigned char>(name[0])) != 0) return false;
+  tell("{} (connection type, known by name)\n  {}\n", name, known->why);
   return true;
 }
 

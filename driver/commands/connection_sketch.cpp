@@ -12,7 +12,7 @@ struct Sketch {
   std::string_view lines;
 };
 
-constexpr std::array<Sketch, 16> kSketches{{
+constexpr std::array<Sketch, 25> kSketches{{
     {"SLOT", R"(
              | f2, f3
              v
@@ -57,9 +57,25 @@ constexpr std::array<Sketch, 16> kSketches{{
  a
  o=b       b sits on a: f1, f2, f3 are held, nothing is free
 )"},
+    {"LINK", R"(
+ a o-----------o b   a pinned rod: f1 along it is held, nothing is free
+)"},
+    {"AXIAL", R"(
+ a o---->-<----o b   the distance of the nodes is free (CP1); the line turns with them
+)"},
+    {"RADIAL-THRUST", R"(
+ 3 ^     b
+   |<-1->o           b moves freely: CP1 is its distance from axis 3 of a, CP3 along it
+ a +
+)"},
     {"CARTESIAN", R"(
  2 ^  o b
    |.'         b moves freely along the axes 1, 2, 3 of a (CP1, CP2, CP3)
+ a +-----> 1
+)"},
+    {"PROJECTION CARTESIAN", R"(
+ 2 ^  o b
+   |.'         as CARTESIAN, along axes that turn with both nodes, midway (CP1, CP2, CP3)
  a +-----> 1
 )"},
     {"ALIGN", R"(
@@ -76,11 +92,29 @@ constexpr std::array<Sketch, 16> kSketches{{
         |
         3b
 )"},
+    {"CONSTANT VELOCITY", R"(
+      .-> 3b
+ 3a --o              two shafts that meet at an angle turn as one: m2, the torque, is held
+)"},
     {"CARDAN", R"(
  1 -> 2' -> 3''    b turns freely: angles about 1, the turned 2, the turned 3 (CPR1, CPR2, CPR3)
 )"},
+    {"EULER", R"(
+ 3 -> 1' -> 3''    b turns freely: angles about 3, the turned 1, the turned 3 (CPR1, CPR2, CPR3)
+)"},
     {"ROTATION", R"(
  a ~~> b           b turns freely: CPR1, CPR2, CPR3 are the parts of one rotation vector
+)"},
+    {"FLEXION-TORSION", R"(
+      .-> 3b         two shafts: CPR1 the angle between them, CPR2 how far they twist,
+ 3a --o              CPR3 the direction of the bend
+)"},
+    {"PROJECTION FLEXION-TORSION", R"(
+      .-> 3b         two shafts: CPR1 and CPR2 the angle between them in two planes,
+ 3a --o              CPR3 how far they twist
+)"},
+    {"BUSHING", R"(
+ a (((o))) b         a rubber bush: nothing is held, CP1 to CP3 and CPR1 to CPR3 are free
 )"},
     {"SLIPRING", R"(
         __b__       ring at b, wrap angle alpha

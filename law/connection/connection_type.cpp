@@ -48,9 +48,19 @@ std::optional<Connection> assemble(const Connection& first, const Connection& se
   for (const Connection* part : {&first, &second}) {
     if (has_predefined_friction(*part)) whole.type = part->type;
   }
-  // An assembled type is recognised by what it holds and frees.
+  // Two pairs may hold and free the same and measure it otherwise: BUSHING is no CARTESIAN +
+  // CARDAN.
+  const auto is_made_of = [](std::string_view assembly, const Connection& one,
+                             const Connection& other) {
+    const std::string_view left = one.info.name;
+    const std::string_view right = other.info.name;
+    return assembly.size() == left.size() + 3 + right.size() && assembly.starts_with(left) &&
+           assembly.ends_with(right);
+  };
   for_each_connection_type([&]<class Type>(std::type_identity<Type>) {
-    if (Type::kInfo.held == whole.info.held && Type::kInfo.available == whole.info.available) {
+    constexpr std::string_view kMadeOf = Type::kInfo.assembly;
+    if (whole.info.name.empty() &&
+        (is_made_of(kMadeOf, first, second) || is_made_of(kMadeOf, second, first))) {
       whole = Connection{Type::kInfo, Type{}};
     }
   });

@@ -6,16 +6,12 @@
 #include <string_view>
 #include <variant>
 
-#include "law/connection/align.hpp"
-#include "law/connection/cardan.hpp"
-#include "law/connection/cartesian.hpp"
+#include "law/connection/building_blocks.hpp"
 #include "law/connection/contact.hpp"
 #include "law/connection/cylindrical.hpp"
 #include "law/connection/hinge.hpp"
-#include "law/connection/join.hpp"
 #include "law/connection/planar.hpp"
 #include "law/connection/revolute.hpp"
-#include "law/connection/rotation.hpp"
 #include "law/connection/slide_plane.hpp"
 #include "law/connection/slipring.hpp"
 #include "law/connection/slot.hpp"
@@ -27,8 +23,10 @@ namespace slipbench::law {
 
 /// The single list of connection types. A new type is one header and one entry here.
 using ConnectionType =
-    std::variant<Slot, SlidePlane, Cylindrical, Translator, Hinge, Planar, UJoint, Join, Cartesian,
-                 Align, Revolute, Universal, Cardan, Rotation, SlipRing, Contact>;
+    std::variant<Slot, SlidePlane, Cylindrical, Translator, Hinge, Planar, UJoint, Join, Link,
+                 Axial, RadialThrust, Cartesian, ProjectionCartesian, Align, Revolute, Universal,
+                 ConstantVelocity, Cardan, Euler, Rotation, FlexionTorsion,
+                 ProjectionFlexionTorsion, Bushing, SlipRing, Contact>;
 
 /// Types with predefined friction declare their parameters in fields() and expand themselves.
 template <class Type>

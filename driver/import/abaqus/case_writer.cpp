@@ -14,6 +14,7 @@
 #include "driver/case/quantity.hpp"
 #include "driver/import/abaqus/case_parts.hpp"
 #include "driver/import/abaqus/profile_text.hpp"
+#include "driver/read/keys/key_index.hpp"
 #include "driver/read/read_case.hpp"
 
 namespace slipbench::driver::abaqus {
@@ -55,6 +56,7 @@ void CaseParts::find_connection() {
   const int dimension = connector_.plane ? 2 : 3;
   const auto named = [&](const std::string& type) {
     const auto found = law::find_connection(type, dimension);
+    if (const auto why = read::later_key(type); !found && why) pass(std::string(why->why));
     if (!found)
       pass(fmt::format("the bench has no connection type {}{}", type,
                        connector_.plane ? " in the plane" : ""));

@@ -116,7 +116,17 @@ std::optional<yaml::LaterKey> later_key(std::string_view key) {
       "Psi_b, under the moment m3; nothing is free, so there is no friction and nothing to test "
       "here; "
       "the belt itself is a SLIPRING, whose flow CP3 or CP2 takes what the spool gives";
+  static constexpr std::string_view kNothingFree =
+      "this type (JOIN + ALIGN) has no free component, so there is no friction; where something "
+      "slips in truth, take the type that leaves it free: SLOT, HINGE, CYLINDRICAL, BUSHING ..";
   static constexpr std::array kLater{
+      yaml::LaterKey{"WELD", kNothingFree},
+      yaml::LaterKey{"BEAM", kNothingFree},
+      yaml::LaterKey{
+          "CVJOINT",
+          "a CVJOINT (JOIN + CONSTANT VELOCITY) has no free component, so there is no "
+          "friction; for friction in its bend take JOIN + FLEXION-TORSION, whose torsion "
+          "CPR2 is then held at 0 by 'motion:'"},
       yaml::LaterKey{"adaptive", "adaptive increments are not in this version; give their number",
                      "increments"},
       yaml::LaterKey{"calibrate", "belongs to a fit file: slipbench calibrate FIT.yaml"},

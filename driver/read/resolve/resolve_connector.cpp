@@ -68,6 +68,19 @@ void read_positions(yaml::Binder& binder, const yaml::NamedMap<double>& text,
   }
 }
 
+/// "SLOT, SLIDE-PLANE, ..", the basic types of one kind of motion.
+std::string basic_types(bool rotations) {
+  std::string text;
+  law::for_each_connection_type([&]<class Type>(std::type_identity<Type>) {
+    const law::ConnectionInfo& info = Type::kInfo;
+    const law::ComponentSet all = info.held | info.available;
+    const bool turns = all.contains(3) || all.contains(4);
+    if (info.assembly != "basic" || turns != rotations) return;
+    text += (text.empty() ? "" : ", ") + std::string(info.name);
+  });
+  return text;
+}
+
 std::optional<law::Connection> connection_of(yaml::Binder& binder, const ConnectorText& connector) {
   const std::vector<yaml::At<std::string>>& names = connector.type.value.names;
   if (!connector.type.sound || names.empty()) return std::nullopt;
@@ -88,8 +101,7 @@ std::optional<law::Connection> connection_of(yaml::Binder& binder, const Connect
                  names[0].value + " and " + names[1].value +
                      " do not make a pair: it takes one basic type for translations and one for "
                      "rotations",
-                 "translations: SLOT, SLIDE-PLANE, JOIN, CARTESIAN; rotations: REVOLUTE, ALIGN, "
-                 "UNIVERSAL, CARDAN, ROTATION");
+                 "translations: " + basic_types(false) + "; rotations: " + basic_types(true));
   }
   return whole;
 }
@@ -100,7 +112,8 @@ std::string component_words(int component) { return "component " + std::to_strin
 
 std::string connector_words(const law::Connection& connection) {
   if (connection.info.name.empty()) return "this connector";
-  const bool vowel = connection.info.name == "ALIGN";
+  // A U of these names is spoken as in "union".
+  const bool vowel = std::string_view("AEIO").find(connection.info.name[0]) != std::string::npos;
   return (vowel ? "an " : "a ") + std::string(connection.info.name) + " connector";
 }
 std::string nearest_component(std::string_view name, law::ComponentSet set,

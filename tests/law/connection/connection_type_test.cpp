@@ -34,6 +34,15 @@ const std::vector<Row> kTypes = {
     {"CARDAN", ComponentSet(), ComponentSet::of(4, 5, 6), false},
     {"ROTATION", ComponentSet(), ComponentSet::of(4, 5, 6), false},
     {"CARTESIAN", ComponentSet(), ComponentSet::of(1, 2, 3), false},
+    {"LINK", ComponentSet::of(1), ComponentSet(), false},
+    {"AXIAL", ComponentSet(), ComponentSet::of(1), false},
+    {"RADIAL-THRUST", ComponentSet(), ComponentSet::of(1, 3), false},
+    {"PROJECTION CARTESIAN", ComponentSet(), ComponentSet::of(1, 2, 3), false},
+    {"CONSTANT VELOCITY", ComponentSet::of(5), ComponentSet(), false},
+    {"EULER", ComponentSet(), ComponentSet::of(4, 5, 6), false},
+    {"FLEXION-TORSION", ComponentSet(), ComponentSet::of(4, 5, 6), false},
+    {"PROJECTION FLEXION-TORSION", ComponentSet(), ComponentSet::of(4, 5, 6), false},
+    {"BUSHING", ComponentSet(), ComponentSet::of(1, 2, 3, 4, 5, 6), false},
     {"TRANSLATOR", ComponentSet::of(2, 3, 4, 5, 6), ComponentSet::of(1), true},
     {"CYLINDRICAL", ComponentSet::of(2, 3, 5, 6), ComponentSet::of(1, 4), true},
     {"HINGE", ComponentSet::of(1, 2, 3, 5, 6), ComponentSet::of(4), true},
@@ -134,12 +143,22 @@ TEST_CASE("CONTACT presses on one side only") {
   CHECK(limit(Contact{}, ConnectorForce{}, 0.5) == 0.0);
 }
 
+TEST_CASE(
+    "a pair that measures its motions otherwise is not the assembled type of the same components") {
+  const auto pair = assemble(*find_connection("CARTESIAN"), *find_connection("CARDAN"));
+  REQUIRE(pair);
+  CHECK(pair->info.name.empty());
+  CHECK(pair->info.available == find_connection("BUSHING")->info.available);
+}
+
 TEST_CASE("two basic types make the assembled type, in either order") {
-  const std::vector<std::array<std::string_view, 3>> pairs = {{"SLOT", "ALIGN", "TRANSLATOR"},
-                                                              {"SLOT", "REVOLUTE", "CYLINDRICAL"},
-                                                              {"JOIN", "REVOLUTE", "HINGE"},
-                                                              {"SLIDE-PLANE", "REVOLUTE", "PLANAR"},
-                                                              {"JOIN", "UNIVERSAL", "UJOINT"}};
+  const std::vector<std::array<std::string_view, 3>> pairs = {
+      {"SLOT", "ALIGN", "TRANSLATOR"},
+      {"SLOT", "REVOLUTE", "CYLINDRICAL"},
+      {"JOIN", "REVOLUTE", "HINGE"},
+      {"SLIDE-PLANE", "REVOLUTE", "PLANAR"},
+      {"JOIN", "UNIVERSAL", "UJOINT"},
+      {"PROJECTION CARTESIAN", "PROJECTION FLEXION-TORSION", "BUSHING"}};
   for (const auto& [a, b, whole] : pairs) {
     for (const auto& [first, second] : {std::pair{a, b}, std::pair{b, a}}) {
       const auto made = assemble(*find_connection(first), *find_connection(second));
