@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "driver/base/files/exit_code.hpp"
 #include "driver/base/files/output_file.hpp"
@@ -42,30 +44,37 @@ int import_command(const ImportOptions& options) {
     terminal::print(deck.cases.front().written.text);
     return base::kExitOk;
   }
+  const std::string inputs[] = {options.deck};
+  std::vector<base::OutputFile> files;
+  std::string output;
+  std::string losses;
   base::json::Value document = base::json::Array{};
   for (const ImportedCase& one : deck.cases) {
     const fs::path path =
         options.all ? fs::path(options.output.empty() ? "." : options.output) / (one.stem + ".yaml")
                     : fs::path(options.output);
-    const std::string inputs[] = {options.deck};
-    if (const auto saved = base::save_text(path, one.written.text, {inputs, options.force});
-        !saved) {
-      return terminal::refuse(base::kExitEnvironment, saved.error());
-    }
-    if (options.json) {
-      base::json::Value entry;
-      entry["case"] = path.string();
-      entry["of"] = one.summary;
-      entry["asked"] = base::json::Array{};
-      for (const std::string& name : one.written.asked) entry["asked"].push_back(name);
-      entry["losses"] = loss_json(one.written.losses);
-      document.push_back(std::move(entry));
-    } else {
-      terminal::print(written_text(path, one));
-      terminal::print_error(loss_report(one.written.losses));
-    }
+    auto file = base::OutputFile::create(path, {}, {inputs, options.force});
+    if (!file) return terminal::refuse(base::kExitEnvironment, file.error());
+    file->append(one.written.text);
+    files.push_back(std::move(*file));
+    output += written_text(path, one);
+    losses += loss_report(one.written.losses);
+    base::json::Value entry;
+    entry["case"] = path.string();
+    entry["of"] = one.summary;
+    entry["asked"] = base::json::Array{};
+    for (const std::string& name : one.written.asked) entry["asked"].push_back(name);
+    entry["losses"] = loss_json(one.written.losses);
+    document.push_back(std::move(entry));
   }
-  if (options.json) terminal::print(document.dump(2) + "\n");
+  std::vector<base::OutputFile*> together;
+  together.reserve(files.size());
+  for (base::OutputFile& file : files) together.push_back(&file);
+  if (const auto committed = base::commit(together); !committed) {
+    return terminal::refuse(base::kExitEnvironment, committed.error());
+  }
+  terminal::print(options.json ? document.dump(2) + "\n" : output);
+  if (!options.json) terminal::print_error(losses);
   return base::kExitOk;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace slipbench::driver::base {
@@ -49,6 +50,28 @@ struct CodePoint {
     ++count;
   }
   return count;
+}
+
+/// Makes a text of bytes: those that are no UTF-8 are taken as Latin-1, and control characters but
+/// tabs and line feeds become blanks.
+[[nodiscard]] inline std::string as_text(std::string_view bytes) {
+  std::string text;
+  text.reserve(bytes.size());
+  while (!bytes.empty()) {
+    const CodePoint one = decode_utf8(bytes);
+    const bool control = (one.value < 0x20 && one.value != '\n' && one.value != '\t') ||
+                         (one.value >= 0x7F && one.value < 0xA0);
+    if (control) {
+      text += ' ';
+    } else if (one.valid) {
+      text += bytes.substr(0, one.length);
+    } else {
+      text += static_cast<char>(0xC0U | (one.value >> 6U));
+      text += static_cast<char>(0x80U | (one.value & 0x3FU));
+    }
+    bytes.remove_prefix(one.length);
+  }
+  return text;
 }
 
 }  // namespace slipbench::driver::base

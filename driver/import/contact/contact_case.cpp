@@ -62,7 +62,9 @@ class ContactText {
     const std::string& coefficient = friction_.otherwise.coefficient;
     const bool is_table = coefficient.find("columns:") != coefficient.npos;
     kept(friction_.name + ": coefficient " + (is_table ? "as a table" : coefficient));
-    if (table_) kept(fmt::format("{} records of part pairs", friction_.pairs.size()));
+    if (table_)
+      kept(fmt::format("{} record{} of part pairs", friction_.pairs.size(),
+                       friction_.pairs.size() == 1 ? "" : "s"));
     if (!friction_.filter.empty()) kept("filter " + friction_.filter);
     for (const std::string& note : friction_.notes) kept(note);
     out_.losses.push_back({Loss::Kind::kDropped, "mesh and all that is no friction of a contact"});
@@ -152,7 +154,7 @@ class ContactText {
     for (const ContactGroup& group : friction_.groups) {
       if (!group.title.empty()) line("    # {}", group.title);
       if (group.parts.empty()) {
-        line("    {}: []    # the deck does not list its parts: fill in their ids", group.name);
+        line("    {}: []    # {}", group.name, kPartsToFillIn);
       } else {
         line("    {}: {}", group.name, list_text(group.parts, 7 + group.name.size()));
       }

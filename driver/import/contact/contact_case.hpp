@@ -5,12 +5,17 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "driver/base/units/units.hpp"
 #include "driver/import/loss.hpp"
 
 namespace slipbench::driver::import {
+
+/// Comment in a case whose deck names a group and has it in another file.
+inline constexpr std::string_view kPartsToFillIn =
+    "the deck does not list its parts: fill in their ids";
 
 /// Friction between two sides, or of all parts that no other record joins.
 struct ContactRecord {
