@@ -13,35 +13,58 @@
 namespace slipbench::driver::radioss {
 namespace {
 
-/// Differences between the interfaces, in the columns of a card of 100.
+/// Cards of an interface up to that of the boundary conditions (IBC), from a version of the input
+/// on. The card before it has Fric, the one behind it the law.
 struct Layout {
   int type = 0;
-  std::size_t boundary_card = 0;  ///< number of the card of IBC where nothing marks it; 0: unknown
-  bool has_laws = true;           ///< Ifric and what follows it
-  bool has_viscous = true;        ///< Iform and VISF; else the penalty is a stiffness
-  bool has_limit = false;         ///< Ptlim
+  int since = 0;
+  std::size_t boundary_card = 0;  ///< number of the card of IBC
+  bool has_curvature = false;     ///< a card of two nodes more where Icurv is 1 or 2
 };
 
 constexpr std::array kLayouts{
-    Layout{.type = 3, .boundary_card = 3, .has_laws = false, .has_limit = true},
-    Layout{.type = 5, .boundary_card = 3, .has_limit = true},
-    Layout{.type = 7, .boundary_card = 5},
-    Layout{.type = 11, .has_laws = false},
-    Layout{.type = 19, .boundary_card = 5},
-    Layout{.type = 20},
-    Layout{.type = 21, .has_viscous = false},
-    Layout{.type = 24, .has_viscous = false},
-    Layout{.type = 25, .boundary_card = 6, .has_viscous = false},
+    Layout{3, 41, 3},   Layout{5, 41, 3},   Layout{7, 41, 3},        Layout{7, 51, 5, true},
+    Layout{11, 41, 3},  Layout{11, 110, 4}, Layout{19, 90, 5, true}, Layout{20, 100, 6},
+    Layout{21, 100, 5}, Layout{24, 120, 5}, Layout{25, 2018, 5},
 };
+
+/// What a type has of friction, and since which version.
+struct Friction {
+  int type = 0;
+  int laws = 0;            ///< Ifric and what follows it; kNever: Coulomb's alone
+  int function = 0;        ///< fct_IDF
+  int pointer = 0;         ///< fric_ID
+  bool is_viscous = true;  ///< Iform and VISF; else the penalty is a stiffness
+};
+
+constexpr int kNever = 1 << 30;
+constexpr std::array kFrictions{
+    Friction{3, kNever, kNever, kNever},
+    Friction{5, 44, kNever, kNever},
+    Friction{7, 44, 140, 2018},
+    Friction{11, kNever, kNever, 2018},
+    Friction{19, 90, kNever, 2018},
+    Friction{20, 100, kNever, kNever},
+    Friction{21, 100, 140, 2025, false},
+    Friction{24, 120, kNever, 2018, false},
+    Friction{25, 2018, kNever, 2018, false},
+};
+
+/// The layout of a type in a version; of one older than the type its first.
+const Layout* layout_of(int type, int version) {
+  const Layout* found = nullptr;
+  for (const Layout& one : kLayouts) {
+    if (one.type == type && (found == nullptr || one.since <= version)) found = &one;
+  }
+  return found;
+}
 
 /// Cards of an interface; decks from before version 51 have columns of 8 in place of 10.
 class Cards {
  public:
-  Cards(const StarterDeck& deck, const DeckBlock& block, int version, base::Diagnostics& out)
-      : deck_(deck), block_(block), out_(out), old_(version < 51) {
-    // The title is a line of its own, in old decks the end of the keyword's.
-    first_ = old_ ? 0 : 1;
-  }
+  Cards(const StarterDeck& deck, const DeckBlock& block, int version, bool titled,
+        base::Diagnostics& out)
+      : deck_(deck), block_(block), out_(out), old_(version < 51), first_(titled ? 1 : 0) {}
 
   std::size_t count() const { return block_.lines.size() - std::min(first_, block_.lines.size()); }
   bool sound() const { return sound_; }
@@ -65,16 +88,26 @@ class Cards {
     return 0.0;
   }
 
-  /// The card of the boundary conditions, which has three digits 0 or 1 in columns 8 to 10 (6 to 8)
-  /// and nothing before them; 0 if there is none.
-  std::size_t boundary_card() const {
-    for (std::size_t i = 2; i <= count(); ++i) {
-      const std::string_view line = card(i).substr(0, scaled(10));
-      if (line.size() != scaled(10) || line.find_first_not_of(' ') != scaled(7)) continue;
-      const std::string_view digits = line.substr(scaled(7));
-      if (digits.find_first_not_of("01") == std::string_view::npos && digits.size() == 3) return i;
+  /// Tells whether a card can be that of the boundary conditions: its first field has three digits
+  /// 0 or 1 at its end, or fewer, and nothing before them.
+  bool is_boundary(std::size_t number) const {
+    if (number < 2 || number > count()) return false;
+    const std::string_view field = card(number).substr(0, scaled(10));
+    const std::size_t first = field.find_first_not_of(' ');
+    if (first == std::string_view::npos) return true;
+    return first >= scaled(7) && field.find_first_not_of("01 ", first) == std::string_view::npos;
+  }
+
+  /// The only card that has all three digits of IBC, as of an interface with cards too few or too
+  /// many; 0 if there is none, or are several.
+  std::size_t marked_boundary() const {
+    std::size_t found = 0;
+    for (std::size_t number = 2; number <= count(); ++number) {
+      if (!is_boundary(number) || card(number).find_first_not_of(' ') != scaled(7)) continue;
+      if (found != 0) return 0;
+      found = number;
     }
-    return 0;
+    return found;
   }
 
  private:
@@ -87,9 +120,9 @@ class Cards {
   const StarterDeck& deck_;
   const DeckBlock& block_;
   base::Diagnostics& out_;
-  bool old_ = false;
+  bool old_;
   bool sound_ = true;
-  std::size_t first_ = 1;
+  std::size_t first_;
 };
 
 /// The version of the deck, the first number below the name of the run in /BEGIN; decks without it
@@ -104,60 +137,100 @@ int version_of(const StarterDeck& deck) {
   return kLatest;
 }
 
-DeckInterface read_interface(const StarterDeck& deck, const DeckBlock& block, const Layout& layout,
-                             int version, base::Diagnostics& out, bool& sound) {
-  DeckInterface one{.id = id_of(block, 2), .type = layout.type, .where = block.keyword, .own = {}};
+/// Puts what the deck says of a law into its friction, behind the card of IBC.
+void read_law(Cards& cards, std::size_t laws, const Friction& friction, int version,
+              DeckInterface& one) {
+  DeckFriction& own = one.own;
+  const bool shell_edges = one.type == 11;
+  if (version >= friction.pointer) {
+    one.friction_id = static_cast<int>(cards.number(laws, 90, 10, "fric_ID", true));
+  }
+  if (one.type == 3 && version >= 2018) {
+    one.shear_limit = cards.number(laws, 60, 20, "Ptlim", false);
+  }
+  if (shell_edges && version >= 120) {
+    own.formulation = static_cast<int>(cards.number(laws - 3, 80, 10, "Iform", true));
+  }
+  std::size_t constants = laws + 1;
+  // Versions 42 and 43 of TYPE5 have Ifric on the first card and C1 .. C5 where later Ifric stands.
+  if (one.type == 5 && version >= 42 && version < 44) {
+    own.law = static_cast<int>(cards.number(1, 40, 10, "Ifric", true));
+    constants = laws;
+  } else if (version < friction.laws || laws > cards.count()) {
+    return;
+  } else {
+    own.law = static_cast<int>(cards.number(laws, 0, 10, "Ifric", true));
+    own.filter = static_cast<int>(cards.number(laws, 10, 10, "Ifiltr", true));
+    own.xfreq = cards.number(laws, 20, 20, "Xfreq", false);
+    if (friction.is_viscous && one.type != 5) {
+      own.formulation = static_cast<int>(cards.number(laws, 40, 10, "Iform", true));
+    }
+    if (one.type == 5 && version >= 2018) {
+      one.shear_limit = cards.number(laws, 60, 20, "Ptlim", false);
+    }
+    if (version >= friction.function) {
+      one.temperature_function = static_cast<int>(cards.number(laws, 60, 10, "fct_IDF", true));
+    }
+  }
+  DeckCoefficients& set = own.otherwise;
+  if (own.law > 0) {
+    set.where = cards.card(constants);
+    for (std::size_t i = 0; i < 5; ++i) {
+      set.c[i] = cards.number(constants, 20 * i, 20, "C" + std::to_string(i + 1), false);
+    }
+  }
+  if (own.law > 1) set.c[5] = cards.number(constants + 1, 0, 20, "C6", false);
+}
+
+/// The title of "/INTER/TYPE7/2/lid on drum".
+std::string title_behind(std::string_view keyword) {
+  for (int slash = 0; slash < 4; ++slash) {
+    const std::size_t at = keyword.find('/');
+    if (at == std::string_view::npos) return {};
+    keyword.remove_prefix(at + 1);
+  }
+  return shortened(keyword, 100);
+}
+
+DeckInterface read_interface(const StarterDeck& deck, const DeckBlock& block,
+                             const Friction& friction, int version, base::Diagnostics& out,
+                             bool& sound) {
+  const int type = friction.type;
+  // The title is a line of its own, in old decks of some types the end of the keyword's.
+  const bool titled = version >= 51 || type == 3 || type == 5;
+  DeckInterface one{.id = id_of(block, 2), .type = type, .where = block.keyword, .own = {}};
   DeckFriction& own = one.own;
   own.id = one.id;
-  own.unit_id = id_of(block, 3);
+  if (titled) own.unit_id = id_of(block, 3);
   own.where = block.keyword;
-  own.interface_type = layout.type;
-  own.formulation = layout.has_viscous ? 1 : 2;
-  if (!block.lines.empty() && version >= 51) own.title = shortened(block.lines.front(), 100);
+  own.interface_type = type;
+  own.formulation = friction.is_viscous ? 1 : 2;
+  if (!titled) own.title = title_behind(block.keyword);
+  if (titled && !block.lines.empty()) own.title = shortened(block.lines.front(), 100);
   own.title.erase(0, std::min(own.title.find_first_not_of(' '), own.title.size()));
-  Cards cards(deck, block, version, out);
-  std::size_t boundary = cards.boundary_card();
-  if (boundary == 0) boundary = layout.boundary_card;
-  if (boundary == 0 || boundary > cards.count()) {
-    one.unread = cards.count() == 0 ? "it has no cards"
-                                    : "none of its cards has the digits of IBC, by which the "
-                                      "friction is found: write 000 in columns 8 to 10";
+  Cards cards(deck, block, version, titled, out);
+  const Layout& layout = *layout_of(type, version);
+  std::size_t boundary = layout.boundary_card;
+  if (layout.has_curvature) {
+    const double curvature = cards.number(1, 80, 10, "Icurv", true);
+    if (curvature == 1.0 || curvature == 2.0) ++boundary;
+  }
+  if (!cards.is_boundary(boundary)) boundary = cards.marked_boundary();
+  if (boundary == 0) {
+    one.unread = fmt::format(
+        "card {} of a TYPE{} of version {} has the digits of IBC, and friction beside it; here it "
+        "has not, and no other card alone has 000 in columns 8 to 10",
+        layout.boundary_card, type, version);
     return one;
   }
   DeckCoefficients& set = own.otherwise;
   set.where = cards.card(boundary - 1);
   set.rest = set.where;
   set.fric = cards.number(boundary - 1, 20, 20, "Fric", false);
-  const bool takes_viscous = layout.has_viscous && layout.type != 3 && layout.type != 5;
-  if (takes_viscous) set.visf = cards.number(boundary, 60, 20, "VISF", false);
-  const std::size_t laws = boundary + 1;
-  if (layout.type == 11) {
-    own.formulation = static_cast<int>(cards.number(boundary - 2, 80, 10, "Iform", true));
-    one.friction_id = static_cast<int>(cards.number(laws, 90, 10, "fric_ID", true));
+  if (friction.is_viscous && type != 3 && type != 5) {
+    set.visf = cards.number(boundary, 60, 20, "VISF", false);
   }
-  if (layout.has_limit) one.shear_limit = cards.number(boundary, 80, 20, "Ptlim", false);
-  if (layout.has_laws && laws <= cards.count()) {
-    own.law = static_cast<int>(cards.number(laws, 0, 10, "Ifric", true));
-    own.filter = static_cast<int>(cards.number(laws, 10, 10, "Ifiltr", true));
-    own.xfreq = cards.number(laws, 20, 20, "Xfreq", false);
-    if (takes_viscous) {
-      own.formulation = static_cast<int>(cards.number(laws, 40, 10, "Iform", true));
-    }
-    const bool has_function = version >= 140 && (layout.type == 7 || layout.type == 19);
-    if (has_function) {
-      one.temperature_function = static_cast<int>(cards.number(laws, 60, 10, "fct_IDF", true));
-    }
-    if (version >= 2018 && layout.type != 5 && layout.type != 20) {
-      one.friction_id = static_cast<int>(cards.number(laws, 90, 10, "fric_ID", true));
-    }
-    if (own.law > 0) {
-      set.where = cards.card(laws + 1);
-      for (std::size_t i = 0; i < 5; ++i) {
-        set.c[i] = cards.number(laws + 1, 20 * i, 20, "C" + std::to_string(i + 1), false);
-      }
-    }
-    if (own.law > 1) set.c[5] = cards.number(laws + 2, 0, 20, "C6", false);
-  }
+  read_law(cards, boundary + 1, friction, version, one);
   own.formulation = std::max(1, own.formulation);
   const auto refuse = [&](const std::string& message) {
     sound = false;
@@ -182,12 +255,12 @@ std::vector<DeckInterface> read_interfaces(const StarterDeck& deck, base::Diagno
     if (block.words.front() != "INTER" || block.words.size() < 3) continue;
     const DeckBlock type{
         {block.words[1].substr(std::min<std::size_t>(4, block.words[1].size()))}, {}, {}, {}};
-    const auto* const layout =
-        std::find_if(kLayouts.begin(), kLayouts.end(),
-                     [&](const Layout& one) { return one.type == id_of(type, 0); });
-    if (layout == kLayouts.end() || !block.words[1].starts_with("TYPE")) continue;
+    const auto* const friction =
+        std::find_if(kFrictions.begin(), kFrictions.end(),
+                     [&](const Friction& each) { return each.type == id_of(type, 0); });
+    if (friction == kFrictions.end() || !block.words[1].starts_with("TYPE")) continue;
     bool sound = true;
-    DeckInterface one = read_interface(deck, block, *layout, version, out, sound);
+    DeckInterface one = read_interface(deck, block, *friction, version, out, sound);
     if (sound) interfaces.push_back(std::move(one));
   }
   return interfaces;

@@ -26,10 +26,11 @@ struct DeckInterface {
 };
 
 /// Reads the interfaces of types that have friction: 3, 5, 7, 11, 19, 20, 21, 24 and 25, in the
-/// layouts from version 44 on. Their cards differ, but everywhere the card before that of the
-/// boundary conditions (IBC) has Fric, that card VISF, and the next one Ifric, Ifiltr, Xfreq, Iform
-/// and fric_ID, before C1 .. C6. Where no card has the marks of IBC, its place is that of the type.
-/// Faults are reported; an interface that has some is left out.
+/// layouts of versions from 41 on. The number of their first cards follows from type, version and
+/// Icurv; behind them stand, everywhere alike, the card with Fric, that of the boundary conditions
+/// (IBC) with VISF, and the one with Ifric, Ifiltr, Xfreq, Iform and fric_ID, before C1 .. C6. An
+/// interface whose card of IBC is not in its place is told as unread. Faults are reported; an
+/// interface that has some is left out. Source: OpenRadioss's reader configuration, 41 to 2026.
 std::vector<DeckInterface> read_interfaces(const StarterDeck& deck, base::Diagnostics& out);
 
 /// Returns whether an interface has friction: its own, or that of a /FRICTION.

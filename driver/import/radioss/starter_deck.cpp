@@ -94,6 +94,10 @@ class Splitter {
       begin = end + 1;
       if (line.empty()) {
         blank_ = line;
+        // A card of an interface may have no numbers, and counts.
+        if (open_ && deck_.blocks.back().words.front() == "INTER") {
+          deck_.blocks.back().lines.push_back(line);
+        }
       } else if (line.front() == '/') {
         if (!begin_block(line)) return;
       } else if (line.front() == '#' || line.front() == '$') {

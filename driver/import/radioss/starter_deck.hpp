@@ -18,7 +18,7 @@ namespace slipbench::driver::radioss {
 struct DeckBlock {
   std::vector<std::string> words;            ///< of "/FRICTION/7/2": FRICTION, 7, 2, in capitals
   std::string_view keyword;                  ///< the line as it is, without blanks at its end
-  std::vector<std::string_view> lines;       ///< below it, without comments and blank lines
+  std::vector<std::string_view> lines;       ///< below it, without comments; blank ones of /INTER
   std::optional<std::string_view> gap = {};  ///< a blank line between them
 };
 
