@@ -137,7 +137,7 @@ def main():
                 tried += 1
                 which = dice.randrange(len(seeds))
                 deck = folder / ("deck" + seeds[which].suffix)
-                deck.write_text("\n".join(damaged(texts[which], donor, dice)), encoding="latin-1")
+                deck.write_text("\n".join(damaged(texts[which], donor, dice)), encoding="latin-1", errors="replace")
                 fault = reader.fault(deck)
                 if fault is None:
                     continue

@@ -212,13 +212,19 @@ void check_filter(BlockReader& reader, const DeckFriction& friction) {
   }
 }
 
+/// Counts a side as the whole deck does.
+void shift(DeckSide& side, const Submodel& submodel) {
+  side.group = with_offset(side.group, submodel.offset);
+  side.part = with_offset(side.part, submodel.part_offset);
+}
+
 std::optional<DeckFriction> read_friction(const DeckBlock& block, const StarterDeck& deck,
                                           base::Diagnostics& out) {
   BlockReader reader(block, deck, out);
   DeckFriction friction;
   friction.where = block.keyword;
-  friction.id = id_of(block, 1);
-  friction.unit_id = id_of(block, 2);
+  friction.id = with_offset(id_of(block, 1), block.submodel.offset);
+  friction.unit_id = id_of(block, 2) > 0 ? id_of(block, 2) : block.submodel.unit_id;
   if (friction.id == 0) reader.error(block.keyword, "wanted /FRICTION/id with an id of at least 1");
   friction.title = title_of(block);
   reader.skip_title();
@@ -234,6 +240,9 @@ std::optional<DeckFriction> read_friction(const DeckBlock& block, const StarterD
   friction.otherwise = read_set(reader, " of the default");
   while (reader.sound() && !reader.at_end()) friction.pairs.push_back(read_pair(reader));
   if (!reader.sound()) return std::nullopt;
+  for (DeckPair& pair : friction.pairs) {
+    for (DeckSide& side : pair.sides) shift(side, block.submodel);
+  }
   return friction;
 }
 
@@ -249,6 +258,7 @@ std::vector<DeckOrientation> read_orientation(const DeckBlock& block, const Star
     const auto of = reader.numbers(kOriented, "grpart_ID, part_ID");
     const auto direction = reader.numbers(kDirection, "Vx, Vy, Vz, skew_ID, phi, Iorth");
     entry.of = {static_cast<int>(of[0]), static_cast<int>(of[1])};
+    shift(entry.of, block.submodel);
     // The program takes the global x axis for a vector that was left empty.
     if (direction[0] != 0.0 || direction[1] != 0.0 || direction[2] != 0.0) {
       entry.vector = {direction[0], direction[1], direction[2]};
@@ -264,7 +274,7 @@ std::vector<DeckOrientation> read_orientation(const DeckBlock& block, const Star
 /// The parts of /GRPART/PART, ten a line; other kinds of group say them in other ways.
 std::optional<DeckGroup> read_group(const DeckBlock& block, const StarterDeck& deck,
                                     base::Diagnostics& out) {
-  DeckGroup group{id_of(block, 2), title_of(block), {}, {}};
+  DeckGroup group{with_offset(id_of(block, 2), block.submodel.offset), title_of(block), {}, {}};
   if (group.id == 0) return std::nullopt;
   if (block.words[1] != "PART") return group;
   std::set<int> parts;
@@ -277,7 +287,9 @@ std::optional<DeckGroup> read_group(const DeckBlock& block, const StarterDeck& d
       return group;
     }
     for (const double part : read->values) {
-      const int id = static_cast<int>(part);
+      const int sign = part < 0.0 ? -1 : 1;
+      const int id =
+          sign * with_offset(static_cast<int>(std::abs(part)), block.submodel.part_offset);
       // A negative id takes a part out of a set that other lines have put in.
       if (id < 0) parts.erase(-id);
       if (id > 0) parts.insert(id);
@@ -351,6 +363,12 @@ std::optional<base::UnitSystem> units_in(std::string_view line, std::vector<Deck
 /// Takes the system of units from /BEGIN: run name, version, units of the input, units of the work.
 /// A block that ends before it states none.
 void take_units(const DeckBlock& block, DeckContents& contents) {
+  if (block.submodel.unit_id < 0) {
+    std::vector<DeckFault> faults;
+    auto units = block.lines.size() > 2 ? units_in(block.lines[2], faults) : std::nullopt;
+    if (units) contents.local_units[block.submodel.unit_id] = std::move(*units);
+    return;
+  }
   contents.units.reset();
   contents.unit_faults.clear();
   if (block.lines.size() > 2) contents.units = units_in(block.lines[2], contents.unit_faults);
@@ -422,22 +440,19 @@ std::string name_of(const DeckFriction& friction) {
              : fmt::format("/INTER/TYPE{}/{}", friction.interface_type, friction.id);
 }
 
-bool has_all_parts(const DeckContents& deck) {
-  return !deck.parts.empty() && !deck.has_includes && !deck.has_submodels;
-}
+bool has_all_parts(const DeckContents& deck) { return !deck.parts.empty() && !deck.has_includes; }
 
 DeckContents read_contents(const StarterDeck& deck, std::optional<int> chosen,
                            base::Diagnostics& out) {
   DeckContents contents;
   contents.has_includes = deck.has_includes;
-  contents.has_submodels = deck.has_submodels;
   base::Diagnostics of_directions;
   for (const DeckBlock& block : deck.blocks) {
     const std::string& word = block.words.front();
     if (word == "FRICTION") {
       base::Diagnostics messages;
       add_friction(block, deck, contents, messages);
-      if (chosen && id_of(block, 1) != *chosen) {
+      if (chosen && with_offset(id_of(block, 1), block.submodel.offset) != *chosen) {
         warn(messages, out);
       } else {
         out.append(messages);
@@ -451,9 +466,11 @@ DeckContents read_contents(const StarterDeck& deck, std::optional<int> chosen,
         contents.groups.push_back(std::move(*group));
       }
     } else if (word == "PART") {
-      if (const int id = id_of(block, 1); id > 0) contents.parts.push_back(id);
+      if (const int id = id_of(block, 1); id > 0) {
+        contents.parts.push_back(with_offset(id, block.submodel.part_offset));
+      }
     } else if (word == "INTER" && block.words.size() > 1 && block.words[1].starts_with("TYPE")) {
-      const DeckBlock type{{block.words[1].substr(4)}, {}, {}, {}};
+      const DeckBlock type{{block.words[1].substr(4)}, {}, {}, {}, {}};
       if (const int number = id_of(type, 0); number > 0) {
         contents.interface_types.push_back(number);
       }
@@ -723,10 +740,6 @@ class Judge {
 
   /// Adds remarks on what interfaces make of a friction that they refer to.
   void remarks() {
-    if (deck_.has_submodels) {
-      tell(base::Severity::kNote, friction_.where,
-           "the deck has a //SUBMODEL: ids are taken as they are written, without its offsets");
-    }
     const bool orthotropic = is_orthotropic(friction_);
     for (const int type : deck_.interface_types) {
       const bool incremental = type == 21 || type == 24 || type == 25;

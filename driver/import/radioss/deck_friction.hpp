@@ -91,7 +91,6 @@ struct DeckContents {
   std::vector<int> parts;            ///< ids of /PART, ascending
   std::vector<int> interface_types;  ///< of /INTER/TYPE.., ascending
   bool has_includes = false;
-  bool has_submodels = false;
   std::optional<base::UnitSystem>
       units;  ///< of /BEGIN, if they make a system of force, length and time
   std::vector<DeckFault> unit_faults;           ///< why they make none

@@ -28,7 +28,7 @@ constexpr std::array kLayouts{
     Layout{21, 100, 5}, Layout{24, 120, 5}, Layout{25, 2018, 5},
 };
 
-/// What a type has of friction, and since which version.
+/// Friction cards of a type, and since which version.
 struct Friction {
   int type = 0;
   int laws = 0;            ///< Ifric and what follows it; kNever: Coulomb's alone
@@ -125,16 +125,19 @@ class Cards {
   std::size_t first_;
 };
 
-/// The version of the deck, the first number below the name of the run in /BEGIN; decks without it
-/// are of the latest.
-int version_of(const StarterDeck& deck) {
+/// The version of a block's cards, the first number below the name of the run in /BEGIN: in the one
+/// of its submodel, or that of its keyword, else the deck's. Decks without it are of the latest.
+int version_of(const StarterDeck& deck, const Submodel& submodel) {
   constexpr int kLatest = 2026;
   for (const DeckBlock& block : deck.blocks) {
     if (block.words.front() != "BEGIN" || block.lines.size() < 2) continue;
+    const bool own = submodel.unit_id < 0 && block.submodel.unit_id == submodel.unit_id;
+    if (!own && (block.submodel.unit_id < 0 || submodel.unit_id < 0)) continue;
+    if (!own && submodel.version > 0) break;
     const auto version = read_field(block.lines[1], {0, 10, "version", true}, {});
     if (version && *version > 0.0) return static_cast<int>(*version);
   }
-  return kLatest;
+  return submodel.version > 0 ? submodel.version : kLatest;
 }
 
 /// Puts what the deck says of a law into its friction, behind the card of IBC.
@@ -198,10 +201,14 @@ DeckInterface read_interface(const StarterDeck& deck, const DeckBlock& block,
   const int type = friction.type;
   // The title is a line of its own, in old decks of some types the end of the keyword's.
   const bool titled = version >= 51 || type == 3 || type == 5;
-  DeckInterface one{.id = id_of(block, 2), .type = type, .where = block.keyword, .own = {}};
+  DeckInterface one{.id = with_offset(id_of(block, 2), block.submodel.offset),
+                    .type = type,
+                    .where = block.keyword,
+                    .own = {}};
   DeckFriction& own = one.own;
   own.id = one.id;
-  if (titled) own.unit_id = id_of(block, 3);
+  own.unit_id = titled ? id_of(block, 3) : 0;
+  if (own.unit_id == 0) own.unit_id = block.submodel.unit_id;
   own.where = block.keyword;
   own.interface_type = type;
   own.formulation = friction.is_viscous ? 1 : 2;
@@ -231,6 +238,7 @@ DeckInterface read_interface(const StarterDeck& deck, const DeckBlock& block,
     set.visf = cards.number(boundary, 60, 20, "VISF", false);
   }
   read_law(cards, boundary + 1, friction, version, one);
+  one.friction_id = with_offset(one.friction_id, block.submodel.offset);
   own.formulation = std::max(1, own.formulation);
   const auto refuse = [&](const std::string& message) {
     sound = false;
@@ -249,17 +257,17 @@ DeckInterface read_interface(const StarterDeck& deck, const DeckBlock& block,
 }  // namespace
 
 std::vector<DeckInterface> read_interfaces(const StarterDeck& deck, base::Diagnostics& out) {
-  const int version = version_of(deck);
   std::vector<DeckInterface> interfaces;
   for (const DeckBlock& block : deck.blocks) {
     if (block.words.front() != "INTER" || block.words.size() < 3) continue;
     const DeckBlock type{
-        {block.words[1].substr(std::min<std::size_t>(4, block.words[1].size()))}, {}, {}, {}};
+        {block.words[1].substr(std::min<std::size_t>(4, block.words[1].size()))}, {}, {}, {}, {}};
     const auto* const friction =
         std::find_if(kFrictions.begin(), kFrictions.end(),
                      [&](const Friction& each) { return each.type == id_of(type, 0); });
     if (friction == kFrictions.end() || !block.words[1].starts_with("TYPE")) continue;
     bool sound = true;
+    const int version = version_of(deck, block.submodel);
     DeckInterface one = read_interface(deck, block, *friction, version, out, sound);
     if (sound) interfaces.push_back(std::move(one));
   }

@@ -60,13 +60,17 @@ std::size_t first_control(std::string_view text) {
 
 }  // namespace
 
-int id_of(const DeckBlock& block, std::size_t index) {
-  if (index >= block.words.size()) return 0;
-  const std::string& word = block.words[index];
+int integer_in(std::string_view word) {
   int id = 0;
   const auto read = std::from_chars(word.data(), word.data() + word.size(), id);
   return read.ec == std::errc{} && read.ptr == word.data() + word.size() && id >= 1 ? id : 0;
 }
+
+int id_of(const DeckBlock& block, std::size_t index) {
+  return index >= block.words.size() ? 0 : integer_in(block.words[index]);
+}
+
+int with_offset(int id, int offset) { return id > 0 ? id + offset : id; }
 
 namespace {
 
@@ -92,7 +96,10 @@ class Splitter {
       const std::size_t end = std::min(text.find('\n', begin), text.size());
       const std::string_view line = without_end_blanks(text.substr(begin, end - begin));
       begin = end + 1;
-      if (line.empty()) {
+      const bool comment = !line.empty() && (line.front() == '#' || line.front() == '$');
+      if (header_lines_ > 0 && !comment && (line.empty() || line.front() != '/')) {
+        if (--header_lines_ == 0) take_offsets(line);
+      } else if (line.empty()) {
         blank_ = line;
         // A card of an interface may have no numbers, and counts.
         if (open_ && deck_.blocks.back().words.front() == "INTER") {
@@ -100,7 +107,7 @@ class Splitter {
         }
       } else if (line.front() == '/') {
         if (!begin_block(line)) return;
-      } else if (line.front() == '#' || line.front() == '$') {
+      } else if (comment) {
         if (in_capitals(line.substr(0, 8)) == "#INCLUDE") include(line, depth);
       } else if (open_) {
         DeckBlock& block = deck_.blocks.back();
@@ -114,17 +121,45 @@ class Splitter {
   /// Returns false at the end of the deck.
   bool begin_block(std::string_view line) {
     open_ = false;
+    header_lines_ = 0;
     blank_.reset();
     std::vector<std::string> words = words_of(line);
     if (words.front() == "END") return false;
     // A keyword with two slashes has an empty first word.
-    const bool submodel = words.size() > 1 && words[0].empty() && words[1] == "SUBMODEL";
-    deck_.has_submodels = deck_.has_submodels || submodel;
+    if (words.size() > 1 && words[0].empty()) {
+      if (words[1] == "SUBMODEL") begin_submodel(words);
+      if (words[1] == "ENDSUB") {
+        submodel_ = {};
+        in_submodel_ = false;
+      }
+      return true;
+    }
     const Use use = use_of(words.front());
     if (use == Use::kNone) return true;
-    deck_.blocks.push_back({std::move(words), line, {}, {}});
+    if (in_submodel_ && words.front() == "BEGIN") submodel_.unit_id = -submodels_;
+    deck_.blocks.push_back({std::move(words), line, {}, {}, submodel_});
     open_ = use == Use::kLines;
     return true;
+  }
+
+  /// Of //SUBMODEL/id/unit_ID/V2017 a title and the offsets follow.
+  void begin_submodel(const std::vector<std::string>& words) {
+    ++submodels_;
+    in_submodel_ = true;
+    submodel_ = {};
+    if (words.size() > 3) submodel_.unit_id = integer_in(words[3]);
+    if (words.size() > 4 && !words[4].empty()) submodel_.version = integer_in(words[4].substr(1));
+    header_lines_ = 2;
+  }
+
+  void take_offsets(std::string_view line) {
+    const auto field = [&](std::size_t column, const char* name) {
+      const auto value = read_field(line, {column * 10, 10, name, true}, {});
+      return value ? static_cast<int>(*value) : 0;
+    };
+    submodel_.offset = field(0, "off_def");
+    submodel_.part_offset = field(3, "off_part");
+    if (submodel_.part_offset == 0) submodel_.part_offset = submodel_.offset;
   }
 
   void include(std::string_view line, int depth) {
@@ -148,6 +183,10 @@ class Splitter {
   const std::string& folder_;
   base::Diagnostics& out_;
   bool open_ = false;
+  bool in_submodel_ = false;
+  Submodel submodel_;
+  int submodels_ = 0;
+  int header_lines_ = 0;  ///< of a //SUBMODEL, that are to come
   std::optional<std::string_view> blank_;
 };
 

@@ -14,12 +14,21 @@
 
 namespace slipbench::driver::radioss {
 
+/// Submodel whose numbers count from offsets of their own: //SUBMODEL .. //ENDSUB.
+struct Submodel {
+  int offset = 0;       ///< off_def: of groups, interfaces, /FRICTION
+  int part_offset = 0;  ///< off_part, off_def if that is 0
+  int unit_id = 0;      ///< its system of units; negative: that of its own /BEGIN, 0: the deck's
+  int version = 0;      ///< of its cards; 0: the deck's
+};
+
 /// A keyword with the lines up to the next one. Texts are views into the deck's source.
 struct DeckBlock {
   std::vector<std::string> words;            ///< of "/FRICTION/7/2": FRICTION, 7, 2, in capitals
   std::string_view keyword;                  ///< the line as it is, without blanks at its end
   std::vector<std::string_view> lines;       ///< below it, without comments; blank ones of /INTER
   std::optional<std::string_view> gap = {};  ///< a blank line between them
+  Submodel submodel = {};                    ///< that it is in
 };
 
 /// The blocks of a deck that matter for friction: /BEGIN, /FRICTION, /FRIC_ORIENT, /GRPART, /INTER,
@@ -29,7 +38,6 @@ struct StarterDeck {
   std::vector<DeckBlock> blocks;
   base::NamedNumbers parameters = {};  ///< of /PARAMETER, which fields name as &name
   bool has_includes = false;           ///< other files belong to it, which cannot be read
-  bool has_submodels = false;          ///< some ids count from an offset, which is not added
 };
 
 /// Splits a deck into blocks; a block ends at the next line that begins with '/', the deck at /END
@@ -42,5 +50,11 @@ StarterDeck split_deck(const base::SourceText& source, const std::string& folder
 /// The id behind a keyword, /GRPART/PART/id or /FRICTION/id: word `index` as an integer of at least
 /// 1; 0 if there is none.
 int id_of(const DeckBlock& block, std::size_t index);
+
+/// A word as an integer of at least 1; else 0.
+int integer_in(std::string_view word);
+
+/// An id as the whole deck counts it; none stays none.
+int with_offset(int id, int offset);
 
 }  // namespace slipbench::driver::radioss

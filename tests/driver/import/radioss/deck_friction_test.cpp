@@ -167,10 +167,13 @@ TEST_CASE("Parts are looked up where the deck has all of them") {
   CHECK(read_deck(friction).messages.empty());
   CHECK(says(read_deck(parts + friction), "FRIC003: the deck has no part 9"));
   CHECK(read_deck("#include more.rad\n" + parts + friction).messages == kMissingFile);
-  // Behind //SUBMODEL ids count from an offset.
-  CHECK(read_deck("//SUBMODEL/1\nleft\n" + parts + "//ENDSUB\n" + friction).messages ==
-        Messages{"10:1: note: /FRICTION/7: the deck has a //SUBMODEL: ids are taken as they are "
-                 "written, without its offsets"});
+  // Behind //SUBMODEL ids count from an offset, if there is one.
+  const std::string none = "//SUBMODEL/1\nleft\n" + parts + "//ENDSUB\n" + friction;
+  CHECK(read_deck(none).messages ==
+        Messages{"15:1: error: /FRICTION/7: FRIC003: the deck has no part 9"});
+  const std::string shifted =
+      "//SUBMODEL/1\nleft\n" + integers({8}) + parts + "//ENDSUB\n/PART/1\none\n" + friction;
+  CHECK(read_deck(shifted).messages.empty());
 }
 
 TEST_CASE("Parts that a group lists and the deck does not have are left out of it") {

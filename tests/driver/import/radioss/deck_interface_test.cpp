@@ -36,10 +36,10 @@ std::string begin(int version) {
 
 /// A card of numbers at columns of 10 (from 0), two columns wide where the text is a real's.
 std::string card(std::initializer_list<std::pair<int, std::string>> fields) {
-  constexpr std::size_t column = 10;
-  std::string line(10 * column, ' ');
+  constexpr std::size_t kColumn = 10;
+  std::string line(10 * kColumn, ' ');
   for (const auto& [at, text] : fields) {
-    line.replace(static_cast<std::size_t>(at) * column, text.size(), text);
+    line.replace(static_cast<std::size_t>(at) * kColumn, text.size(), text);
   }
   return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
 }
@@ -100,6 +100,52 @@ TEST_CASE("Cards that are too few or too many are found by the marks of IBC, or 
 TEST_CASE("A blank line of an interface is a card") {
   const std::string text = begin(2026) + "/INTER/TYPE7/6\nt\n" + kIds + "\n\n";
   CHECK(only(text + card({{2, "0.4"}}) + "\n").own.otherwise.fric == 0.4);
+}
+
+TEST_CASE("Numbers of a submodel count from its offsets, in its units and by its version") {
+  const std::string cards = kIds + kIds + kIds + card({{2, "0.4"}}) + kIbc;
+  const std::string submodel =
+      "//SUBMODEL/3/0/V120\npump\n# off_def\n     10000         0         0      5000\n";
+  const std::string friction = card({{0, "0"}, {9, "21"}});
+  const std::string text = begin(2026) + submodel + "/INTER/TYPE7/6\nt\n" + cards + friction +
+                           "//ENDSUB\n/INTER/TYPE7/7\nt\n" + cards + friction;
+  const Read found = read(text);
+  CHECK(found.messages.empty());
+  REQUIRE(found.interfaces.size() == 2);
+  CHECK(found.interfaces[0].id == 10006);
+  CHECK(found.interfaces[0].friction_id == 0);  // version 120 has none
+  CHECK(found.interfaces[1].id == 7);
+  CHECK(found.interfaces[1].friction_id == 21);
+  const std::string own =
+      "/BEGIN\npump\n      2018         0\n                   g                  mm"
+      "                  ms\n";
+  const Read second = read(begin(2026) + submodel + own + "/INTER/TYPE7/6\nt\n" + cards + friction);
+  REQUIRE(second.interfaces.size() == 1);
+  CHECK(second.interfaces[0].friction_id == 10021);
+  CHECK(second.interfaces[0].own.unit_id == -1);
+}
+
+TEST_CASE("Records and groups of a submodel name parts by its offset") {
+  const std::string text = begin(2026) +
+                           "//SUBMODEL/3\npump\n     10000         0         0      "
+                           "5000\n/PART/7\np\n/GRPART/PART/2\ng\n"
+                           "         7         8\n/FRICTION/1\nf\n         0\n" +
+                           card({{0, "0"}}) + card({{2, "0.1"}}) + card({{0, "2"}, {3, "9"}}) +
+                           card({{0, "0"}}) + card({{2, "0.2"}}) + "//ENDSUB\n/PART/7\np\n";
+  const base::SourceText source("d.rad", text);
+  base::Diagnostics diagnostics;
+  const StarterDeck deck = split_deck(source, ".", diagnostics);
+  const DeckContents contents = read_contents(deck, std::nullopt, diagnostics);
+  REQUIRE(contents.frictions.size() == 1);
+  CHECK(contents.frictions[0].id == 10001);
+  REQUIRE(contents.frictions[0].pairs.size() == 1);
+  CHECK(contents.frictions[0].pairs[0].sides[0].group == 10002);
+  CHECK(contents.frictions[0].pairs[0].sides[1].part == 5009);
+  CHECK(contents.parts == std::vector<int>{7, 5007});
+  REQUIRE(contents.groups.size() == 1);
+  CHECK(contents.groups[0].id == 10002);
+  CHECK(contents.groups[0].parts == std::vector<int>{5007});
+  CHECK(contents.groups[0].not_there == std::vector<int>{5008});
 }
 
 }  // namespace

@@ -253,7 +253,8 @@ DeckInterface read_one(const std::string& text) {
   return std::move(found.front());
 }
 
-/// What must be read of a layout; constants of a law as far as its layout has them.
+/// Reads a layout and holds it against the values; constants of a law as far as its layout has
+/// them.
 void check(const Layout& layout, int version, const Values& values) {
   const std::string text = deck(layout, version, values);
   INFO(text);
