@@ -51,7 +51,8 @@ ImportedDeck choose_contacts(const ImportOptions& options, std::vector<ContactCh
     one.friction.units = units;
     const std::size_t records = one.friction.pairs.size();
     std::string summary = one.friction.name;
-    if (records > 0) summary += fmt::format(", {} records and the default", records);
+    if (records > 0)
+      summary += fmt::format(", {} record{} and the default", records, records == 1 ? "" : "s");
     imported.cases.push_back({deck.stem().string() + "_" + one.stem, std::move(summary),
                               import::contact_case(one.friction)});
   }

@@ -268,8 +268,10 @@ ImportedDeck import_radioss(const ImportOptions& options) {
   for (const Meant& meant : all) {
     std::string name = radioss::name_of(meant.friction);
     const std::size_t records = meant.friction.pairs.size();
-    std::string summary =
-        fmt::format("{}, {} record{} and the default", name, records, records == 1 ? "" : "s");
+    std::string summary = name;
+    if (records > 0) {
+      summary += fmt::format(", {} record{} and the default", records, records == 1 ? "" : "s");
+    }
     std::replace(name.begin(), name.end(), '/', '_');
     imported.cases.push_back(
         {std::filesystem::path(options.deck).stem().string() + name, std::move(summary),

@@ -68,7 +68,6 @@ class RadiossText {
   std::string write() {
     find_law();
     std::string text;
-    line(text, "#RADIOSS STARTER");
     if (!options_.behavior_only) begin(text);
     const base::UnitSystem& units = statement_.units;
     if (!units.length.empty()) {
@@ -115,6 +114,7 @@ class RadiossText {
   }
 
   void begin(std::string& text) {
+    line(text, "#RADIOSS STARTER");
     line(text, "/BEGIN");
     line(text, "slipbench");
     line(text, fmt::format("{:>10}{:>10}", 2022, 0));
