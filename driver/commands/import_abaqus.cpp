@@ -125,10 +125,6 @@ ImportedDeck import_abaqus(const ImportOptions& options) {
                             : to_terminal ? fs::path()
                                           : fs::path(options.output).parent_path();
     case_options.folder = folder.empty() ? "." : folder.string();
-    if (model.steps.size() > 1) {
-      return refused(std::move(imported),
-                     "--history: the deck has several steps, and a history one time");
-    }
     auto history = recorded_history(options, case_options.folder);
     if (!history) return refused(std::move(imported), history.error(), base::kExitEnvironment);
     case_options.history = std::move(*history);

@@ -88,7 +88,7 @@ class CaseParts {
   void take_nodes(const Step& step, double begin, std::vector<std::string>& force,
                   std::vector<std::string>& ambient, std::vector<std::string>& fields);
   /// The profile of a column of the recorded history, of the first name that it has; or nothing.
-  std::optional<std::string> recorded(const std::vector<std::string>& names) const;
+  std::optional<std::string> recorded(const std::vector<std::string>& names, double begin) const;
   std::string changes_text(const Step& step);
   std::string blend_text(const Step& step, const FrictionChange& change);
 

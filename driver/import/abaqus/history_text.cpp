@@ -67,14 +67,15 @@ std::string CaseParts::step_text(const Step& step, bool first, bool last, double
   }
   for (int c = 0; c < law::kComponents; ++c) {
     // A belt's flow at a is a result.
-    if (!last || driven_.contains(c) || !connection_.info.available.contains(c)) continue;
+    if (driven_.contains(c) || !connection_.info.available.contains(c)) continue;
     if (belt_ && c != 1) continue;
-    // A free component that nothing drives, springs hold where they are.
     const std::string name = cases::motion_name(c);
-    if (const auto profile = recorded({name})) {
+    if (const auto profile = recorded({name}, begin)) {
       motion.push_back(name + ": " + *profile);
       continue;
     }
+    // A free component that nothing drives, springs hold where they are.
+    if (!last) continue;
     motion.push_back(
         name + ": {to: " +
         quoted(ask(name, fmt::format("position at the end of {}: no step drives it", step.name))) +
@@ -83,28 +84,27 @@ std::string CaseParts::step_text(const Step& step, bool first, bool last, double
   std::vector<std::string> ambient;
   std::vector<std::string> fields;
   take_nodes(step, begin, force, ambient, fields);
-  if (first) {
-    for (int c = 0; c < law::kComponents; ++c) {
-      if (!forces_.contains(c) || connector_.alone) continue;
-      const std::string name = cases::force_name(c);
-      if (const auto profile =
-              recorded({cases::force_column("CRF", c), cases::force_column("CTF", c)})) {
-        force.push_back(name + ": " + *profile);
-        continue;
-      }
+  for (int c = 0; c < law::kComponents; ++c) {
+    if (!forces_.contains(c) || connector_.alone) continue;
+    const std::string name = cases::force_name(c);
+    if (const auto profile =
+            recorded({cases::force_column("CRF", c), cases::force_column("CTF", c)}, begin)) {
+      force.push_back(name + ": " + *profile);
+    } else if (first) {
       force.push_back(name + ": " +
                       quoted(ask(name, fmt::format("constraint {} along {}, {} of the element",
                                                    law::is_rotation(c) ? "moment" : "force", c + 1,
                                                    cases::force_column("CRF", c)))));
     }
-    const bool has_spring =
-        std::any_of(connector_.behavior->elasticity.begin(), connector_.behavior->elasticity.end(),
-                    [](const Spring& one) { return one.component == 1; });
-    if (belt_ && !has_spring && !driven_.contains(0)) {
-      const auto tension = recorded({"CTF1"});
-      force.push_back(
-          "f1: " +
-          (tension ? *tension : quoted(ask("f1", "tension of the belt between a and b, CTF1"))));
+  }
+  const bool has_spring =
+      std::any_of(connector_.behavior->elasticity.begin(), connector_.behavior->elasticity.end(),
+                  [](const Spring& one) { return one.component == 1; });
+  if (belt_ && !has_spring && !driven_.contains(0)) {
+    if (const auto tension = recorded({"CTF1"}, begin)) {
+      force.push_back("f1: " + *tension);
+    } else if (first) {
+      force.push_back("f1: " + quoted(ask("f1", "tension of the belt between a and b, CTF1")));
     }
   }
   if (!motion.empty()) text += "    motion: {" + join(motion) + "}\n";
@@ -122,13 +122,15 @@ std::string CaseParts::step_text(const Step& step, bool first, bool last, double
   return text + changes_text(step);
 }
 
-std::optional<std::string> CaseParts::recorded(const std::vector<std::string>& names) const {
+std::optional<std::string> CaseParts::recorded(const std::vector<std::string>& names,
+                                               double begin) const {
   const RecordedHistory& history = options_.history;
   for (const std::string& name : names) {
     for (const std::string& column : history.columns) {
       if (folded(column) != name) continue;
-      return fmt::format("{{csv: {}, time: {}, value: {}}}", quoted(history.file),
-                         quoted(history.time), quoted(column));
+      return fmt::format("{{csv: {}, time: {}, value: {}{}}}", quoted(history.file),
+                         quoted(history.time), quoted(column),
+                         begin > 0.0 ? ", begins: " + number_text(begin) : std::string());
     }
   }
   return std::nullopt;

@@ -462,6 +462,7 @@ struct WaveText {
 struct CsvProfileText {
   At<DataSourceText> csv;
   At<std::string> time, value, unit, time_unit;
+  At<double> begins = yaml::default_of(0.0);
   static void declare(auto& key) {
     key("csv", &CsvProfileText::csv, {.required = true, .text = "CSV file in the case's folder."});
     key("time", &CsvProfileText::time, {.required = true, .text = "Name of the time column."});
@@ -470,6 +471,10 @@ struct CsvProfileText {
         {.text = "Unit of the value column.", .default_text = "the case's"});
     key("time_unit", &CsvProfileText::time_unit,
         {.text = "Unit of the time column.", .default_text = "the case's"});
+    key("begins", &CsvProfileText::begins,
+        {.text = "Time in the file at which the step begins, in the unit of the case.",
+         .default_text = "0",
+         .dimension = base::kTime});
   }
 };
 
@@ -628,6 +633,7 @@ bool Codec<ProfileText>::read(Binder& binder, const Node& node, const Path& path
     out.csv = std::move(csv.csv);
     out.unit = std::move(csv.unit);
     out.time_unit = std::move(csv.time_unit);
+    out.begins = csv.begins.value;
     return true;
   }
   if (node.size() > 0) {

@@ -608,6 +608,7 @@ struct ProfileText {
   history::Profile profile;
   yaml::At<DataSourceText> csv;           ///< of a CsvColumn
   yaml::At<std::string> unit, time_unit;  ///< of a CsvColumn
+  double begins = 0.0;                    ///< time in its file [T]
 };
 
 /// Motion of the nodes of a belt in a step.

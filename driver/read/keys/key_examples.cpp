@@ -87,6 +87,7 @@ constexpr std::array kExamples{
     Example{"temperature.value", "oil"},
     Example{"temperature.unit", "degF"},
     Example{"time_unit", "ms"},
+    Example{"begins", "2"},
     Example{"change_friction", "{sliding: {coefficient: 0.3}}"},
     Example{"NAME.amplitude", "smooth"},
     Example{"history.columns", "{CP1: stroke}"},

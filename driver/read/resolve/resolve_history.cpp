@@ -94,9 +94,7 @@ std::optional<int> quantity_of(yaml::Binder& binder, const cases::Case& problem,
   if (const auto c = cases::component_of_force(name); c && (motion || force)) {
     if (!force) {
       binder.error(key, path, "'" + name + "' is a force: it goes under 'force:'");
-    } else if (info.held.contains(*c)) {
-      return cases::kFirstForce + *c;
-    } else if (info.available.contains(*c)) {
+    } else if (info.held.contains(*c) || info.available.contains(*c)) {
       return cases::kFirstForce + *c;
     } else {
       binder.error(key, path,
@@ -195,6 +193,7 @@ std::optional<history::Profile> finish(yaml::Binder& binder, const cases::Case& 
     if (!value || !time) return std::nullopt;
     csv->value_conversion = value->conversion;
     csv->time_conversion = time->conversion;
+    csv->time_conversion.offset -= text.begins;
     note_missing(binder, csv->data, names, at, text.csv.path);
   }
   if (const auto* formula = std::get_if<history::PositionFormula>(&profile)) {

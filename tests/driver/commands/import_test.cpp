@@ -284,5 +284,25 @@ TEST_CASE("A history of the model takes the place of constraint forces that a de
   CHECK(import_command(hinge.options) == base::kExitEnvironment);
 }
 
+TEST_CASE("A history of the model goes through the steps of a deck in total time") {
+  ImportOfFile hinge("abaqus/cae_hinge.inp");
+  std::string deck = file_text(hinge.options.deck);
+  deck += "\n*STEP\n*STATIC\n0.1, 3.\n*END STEP\n";
+  hinge.options.deck = hinge.folder.write("two.inp", deck).string();
+  hinge.options.history =
+      hinge.folder.write("ctf.csv", "t,CRF1,CRF2,CRF3,CRM2,CRM3\n0,0,10,0,0,0\n5,0,60,0,0,0\n")
+          .string();
+  const cases::Case problem = hinge.only();
+  REQUIRE(problem.steps.size() == 2);
+  double worst = 0.0;
+  double last = 0.0;
+  REQUIRE(bench::run_case(problem, [&](const bench::Row& row) {
+    last = row.quantities[cases::kFirstForce + 1];
+    worst = std::max(worst, std::abs(last - (10.0 + 10.0 * row.time)));
+  }));
+  CHECK(worst < 1e-9);
+  CHECK(last == Approx(60.0));
+}
+
 }  // namespace
 }  // namespace slipbench::driver::commands
