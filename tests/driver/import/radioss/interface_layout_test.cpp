@@ -316,8 +316,8 @@ TEST_CASE("Friction of an interface is read in every layout that its type has ha
 TEST_CASE("An interface whose cards are not those of its version is told as unread") {
   const Values values = {{"FRIC", "0.23"}, {"IBC", "000"}};
   std::string text = "#RADIOSS STARTER\n/BEGIN\nrun\n      2026         0\n/INTER/TYPE7/6\nt\n";
-  for (const std::string& card : {"         1         2", "                 1.5", "       777"}) {
-    text += card + "\n";
+  for (const char* const card : {"         1         2", "                 1.5", "       777"}) {
+    text += std::string(card) + "\n";
   }
   const DeckInterface one = read_one(text);
   REQUIRE(one.unread);
