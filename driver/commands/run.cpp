@@ -30,6 +30,7 @@
 #include "driver/case/input_files.hpp"
 #include "driver/check/check.hpp"
 #include "driver/check/kept_rows.hpp"
+#include "driver/check/run_document.hpp"
 #include "driver/check/verdict_text.hpp"
 #include "driver/commands/arguments.hpp"
 #include "driver/commands/outlook.hpp"
@@ -252,18 +253,8 @@ int run_one(const read::ReadCase& read, const RunOptions& options,
       return terminal::refuse(base::kExitEnvironment, printed.error());
     }
   } else if (files) {
-    base::json::Value document;
-    document["provenance"] = results::provenance(problem);
-    document["summary"] = summary.to_json();
-    base::json::Value warning_list = base::json::Array{};
-    for (std::string& warning : base::lines_of(read.diagnostics, base::Severity::kWarning)) {
-      warning_list.push_back(std::move(warning));
-    }
-    for (const std::string& warning : warnings) warning_list.push_back(warning);
-    document["warnings"] = warning_list;
-    base::json::Value check_list = base::json::Array{};
-    for (const check::Verdict& verdict : verdicts) check_list.push_back(check::to_json(verdict));
-    document["checks"] = check_list;
+    const base::json::Value document =
+        check::run_document(problem, summary, read.diagnostics, warnings, verdicts);
     files->summary->append(document.dump(2) + "\n");
     std::vector<base::OutputFile*> together = {&files->rows, &*files->events, &*files->summary};
     if (files->solver) together.push_back(&*files->solver);
