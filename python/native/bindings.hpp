@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parts of the module slipbench._native.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <span>
+#include <string>
+
+#include "driver/base/text/diagnostic.hpp"
+#include "driver/base/text/json.hpp"
+#include "driver/base/text/source_text.hpp"
+
+namespace slipbench::python {
+
+namespace py = pybind11;
+
+void bind_case(py::module_& module);
+void bind_law(py::module_& module);
+
+/// Raises slipbench.CaseError with the messages of a text.
+[[noreturn]] void raise_case_error(const driver::base::Diagnostics& diagnostics,
+                                   std::span<const driver::base::SourceText> sources);
+/// Raises an exception of the module slipbench._errors: RunError, ..
+[[noreturn]] void raise_error(const char* type, const std::string& message);
+/// Issues a Python warning slipbench.SlipbenchWarning for each warning among messages.
+void warn_all(const driver::base::Diagnostics& diagnostics,
+              std::span<const driver::base::SourceText> sources);
+
+}  // namespace slipbench::python

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+// Cases and their runs: numbers stay where the run has put them, and NumPy looks at them.
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "driver/analysis/recorded_run.hpp"
+#include "driver/base/text/json.hpp"
+#include "driver/base/units/units.hpp"
+#include "driver/bench/run_case.hpp"
+#include "driver/read/read_case.hpp"
+#include "driver/results/result_layout.hpp"
+#include "python/native/bindings.hpp"
+
+namespace slipbench::python {
+namespace {
+
+namespace base = driver::base;
+
+/// Result of a run. The case that it is of lives as long.
+struct Run {
+  std::shared_ptr<const driver::cases::Case> problem;
+  driver::analysis::RecordedRun record;
+};
+
+/// Text of a case with values for its parameters; resolved when it is asked for.
+class Case {
+ public:
+  Case(base::SourceText source, std::string folder, bool allow_outside)
+      : source_(std::move(source)), folder_(std::move(folder)), allow_outside_(allow_outside) {
+    resolve();
+  }
+
+  const driver::cases::Case& problem() {
+    if (!problem_) resolve();
+    return *problem_;
+  }
+
+  void set(const std::string& name, std::variant<double, std::string> value) {
+    std::vector<base::ParameterText> before = overrides_;
+    std::erase_if(overrides_, [&](const auto& one) { return one.name == name; });
+    overrides_.push_back({name, std::move(value)});
+    problem_.reset();
+    try {
+      resolve();
+    } catch (...) {
+      overrides_ = std::move(before);
+      throw;
+    }
+  }
+
+  std::shared_ptr<Run> run(int every, bool with_checks) {
+    problem();
+    auto run = std::make_shared<Run>();
+    run->problem = problem_;
+    const driver::analysis::RecordOptions options{
+        .every = every, .with_checks = with_checks, .go_on = [] {
+          const py::gil_scoped_acquire locked;
+          return PyErr_CheckSignals() == 0;
+        }};
+    auto record = [&] {
+      const py::gil_scoped_release released;
+      return driver::analysis::record_run(*run->problem, diagnostics_, options);
+    }();
+    if (PyErr_Occurred() != nullptr) throw py::error_already_set();
+    if (!record) {
+      raise_error("RunError", driver::bench::failure_text(*run->problem, record.error()));
+    }
+    run->record = std::move(*record);
+    return run;
+  }
+
+  const base::SourceText& source() const { return source_; }
+  const std::string& folder() const { return folder_; }
+  bool allow_outside() const { return allow_outside_; }
+
+ private:
+  void resolve() {
+    driver::read::ReadCase read = driver::read::read_case_text(
+        source_, folder_, {.overrides = overrides_, .allow_outside = allow_outside_});
+    if (!read.value) raise_case_error(read.diagnostics, read.sources);
+    warn_all(read.diagnostics, read.sources);
+    problem_ = std::make_shared<const driver::cases::Case>(std::move(*read.value));
+    diagnostics_ = std::move(read.diagnostics);
+  }
+
+  base::SourceText source_;
+  std::string folder_;
+  bool allow_outside_;
+  std::vector<base::ParameterText> overrides_;
+  std::shared_ptr<const driver::cases::Case> problem_;
+  base::Diagnostics diagnostics_;
+};
+
+/// A column as an array that keeps its run alive.
+py::array column_of(const py::object& self, const std::string& name) {
+  const Run& run = self.cast<const Run&>();
+  const auto& record = run.record;
+  for (std::size_t c = 0; c < record.columns.size(); ++c) {
+    if (record.columns[c].name != name) continue;
+    py::array_t<double> view({static_cast<py::ssize_t>(record.rows)},
+                             {static_cast<py::ssize_t>(sizeof(double))},
+                             record.numbers.data() + c * record.rows, self);
+    view.attr("flags").attr("writeable") = false;
+    return view;
+  }
+  throw py::key_error(name);
+}
+
+std::string unit_of(const Run& run, const driver::results::Column& column) {
+  return base::unit_text(column.dimension, run.problem->units);
+}
+
+py::list events_of(const Run& run) {
+  py::list events;
+  for (const auto& [event, positions] : run.record.events) {
+    py::dict one;
+    one["time"] = event.time;
+    one["definition"] = run.problem->definitions[event.definition].name;
+    one["origin"] = driver::results::regime_name(event.from);
+    one["goal"] = driver::results::goal_name(event);
+    one["force"] = event.force;
+    one["limit"] = event.limit;
+    one["accumulated_slip"] = event.accumulated_slip;
+    py::dict places;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      places[py::str(run.record.positions[i])] = positions[i];
+    }
+    one["positions"] = places;
+    events.append(one);
+  }
+  return events;
+}
+
+base::SourceText source_of(const std::string& path) {
+  auto source = base::read_source(path);
+  if (source) return std::move(*source);
+  base::Diagnostics diagnostics;
+  diagnostics.add(source.error().diagnostic);
+  raise_case_error(diagnostics, {});
+}
+
+std::string parent_of(const std::string& path) {
+  const std::size_t slash = path.find_last_of('/');
+  return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
+}
+
+}  // namespace
+
+void bind_case(py::module_& module) {
+  py::class_<Run, std::shared_ptr<Run>>(module, "Run")
+      .def("column",
+           [](const py::object& self, const std::string& name) { return column_of(self, name); })
+      .def_property_readonly("columns",
+                             [](const Run& run) {
+                               std::vector<std::string> names;
+                               for (const auto& one : run.record.columns) names.push_back(one.name);
+                               return names;
+                             })
+      .def_property_readonly("units",
+                             [](const Run& run) {
+                               py::dict units;
+                               for (const auto& one : run.record.columns) {
+                                 units[py::str(one.name)] = unit_of(run, one);
+                               }
+                               return units;
+                             })
+      .def_property_readonly("texts",
+                             [](const Run& run) {
+                               py::dict texts;
+                               for (const auto& one : run.record.columns) {
+                                 texts[py::str(one.name)] = one.text;
+                               }
+                               return texts;
+                             })
+      .def_property_readonly(
+          "friction",
+          [](const Run& run) {
+            py::list all;
+            for (const auto& one : driver::results::friction_columns(*run.problem)) {
+              all.append(py::make_tuple(one.name, one.coupled, one.forces));
+            }
+            return all;
+          })
+      .def_property_readonly("rows", [](const Run& run) { return run.record.rows; })
+      .def_property_readonly("title", [](const Run& run) { return run.problem->title; })
+      .def_property_readonly("events", events_of)
+      .def_property_readonly("warnings", [](const Run& run) { return run.record.warnings; })
+      .def_property_readonly("document", [](const Run& run) { return run.record.document.dump(); });
+  py::class_<Case>(module, "Case")
+      .def(py::init([](const std::string& path, bool allow_outside) {
+             return std::make_unique<Case>(source_of(path), parent_of(path), allow_outside);
+           }),
+           py::arg("path"), py::arg("allow_outside"))
+      .def_static(
+          "of_text",
+          [](const std::string& text, const std::string& name, const std::string& folder,
+             bool allow_outside) {
+            return std::make_unique<Case>(base::SourceText(name, text), folder, allow_outside);
+          },
+          py::arg("text"), py::arg("name"), py::arg("folder"), py::arg("allow_outside"))
+      .def("copy", [](const Case& one) { return std::make_unique<Case>(one); })
+      .def("set", &Case::set, py::arg("name"), py::arg("value"))
+      .def("run", &Case::run, py::arg("every"), py::arg("checks"))
+      .def_property_readonly("parameters",
+                             [](Case& one) {
+                               py::dict values;
+                               for (const auto& [name, value] : one.problem().parameters) {
+                                 values[py::str(name)] = value;
+                               }
+                               return values;
+                             })
+      .def_property_readonly("title", [](Case& one) { return one.problem().title; })
+      .def_property_readonly("text",
+                             [](const Case& one) { return std::string(one.source().text()); })
+      .def_property_readonly("name", [](const Case& one) { return one.source().name(); })
+      .def_property_readonly("definitions", [](Case& one) {
+        std::vector<std::string> names;
+        for (const auto& each : one.problem().definitions) names.push_back(each.name);
+        return names;
+      });
+}
+
+}  // namespace slipbench::python

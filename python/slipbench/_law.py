@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Friction definitions, updated increment by increment."""
+from typing import List, Mapping, Union
+
+from . import _native
+from ._case import _text_of
+
+#: Values of `regime` of an update, and of the column STATUS.
+OPEN, STICK, SLIP = 0, 1, 2
+
+
+class Law:
+    """The friction of a connector without a history: an explicit state in, a new one out.
+
+        law = slipbench.Law({"connector": {"type": "SLOT"}, "friction": [{"predefined": {}, "coefficient": 0.2}]})
+        state = law.initial_state()
+        step = law.update(state, motion=[0.1, 0, 0, 0, 0, 0], forces=[0, 100, 0, 0, 0, 0])
+        step.force, step.limit, step.state
+
+    The keys are those of a case: `connector`, `friction`, and what these need (`parameters`, `units`, `derived_components`).
+    Raises CaseError.
+    """
+
+    def __init__(self, definition: Union[str, Mapping]):
+        if isinstance(definition, str):
+            text = definition
+        else:
+            keys = dict(definition)
+            keys.setdefault("slipbench", 1)
+            keys.setdefault("title", "a law")
+            keys.setdefault("history", [{"step": "none", "increments": 1}])
+            text = _text_of(keys)
+        self._native = _native.Law(text)
+
+    def update(self, state, motion, forces=None, begin=None, duration=None, temperature=None, fields=None, tangent=False):
+        """One increment, or one of each row.
+
+        state: as `initial_state` and `Update.state` have it; motion: 6 differences of positions over the increment [L, rad]; forces: 6
+        constraint forces and moments at its end [F, F L], 0 by default; begin: 6 positions at its begin, 0; duration [T], 1; temperature
+        and fields at its end. Arrays have a row for each increment, or hold for all. Positions count from the reference.
+
+        Returns an Update: state, force (of the connector's 6 components), limit, normal_force, mu, slip_increment, slip_rate, dissipation,
+        stored_energy, work and regime, with a column for each definition where there are several; with tangent=True also
+        tangent = d force/d motion and force_tangent = d force/d forces, 6 by 6. Other threads go on meanwhile.
+        """
+        return self._native.update(state, motion, forces, begin, duration, temperature, fields, tangent)
+
+    @property
+    def names(self) -> List[str]:
+        """The names of its definitions."""
+        return self._native.names
+
+    @property
+    def state_size(self) -> int:
+        """How many numbers a state has: for each definition 6 of elastic slip [L], 6 of force [F], the accumulated slip [L], the regime."""
+        return self._native.state_size
+
+    def initial_state(self, count: int = 0):
+        """A state without force and slip; with a count, a row for each of so many points."""
+        import numpy
+
+        state = numpy.zeros((count, self.state_size) if count else self.state_size)
+        each = self.state_size // len(self.names)
+        state[..., each - 1 :: each] = STICK
+        return state

@@ -1,0 +1,266 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The Python module: cases and their runs, held against the program's own results.
+
+usage: case_test.py SLIPBENCH CASES_FOLDER [unittest words]   (PYTHONPATH has the module)
+"""
+import gc
+import math
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+import warnings
+
+import numpy
+
+import slipbench
+
+SLIPBENCH, CASES = pathlib.Path(sys.argv.pop(1)), pathlib.Path(sys.argv.pop(1))
+SLOT = {
+    "slipbench": 1,
+    "title": "slot",
+    "units": {"length": "mm", "force": "N", "time": "s"},
+    "parameters": {"mu": 0.2},
+    "connector": {"type": "SLOT"},
+    "friction": [{"predefined": {}, "coefficient": "= mu", "stick": {"stiffness": 1000}}],
+    "history": [{"step": "a", "increments": 100, "motion": {"CP1": {"sine": {"amplitude": 3, "period": 0.5}}}, "force": {"f2": 100}}],
+    "checks": [{"name": "limit", "quantity": "FLIM", "against": {"expression": "= 100*mu"}, "tolerance": {"relative": 1e-12, "why": "rounding"}}],
+}
+
+
+def slot(**changes):
+    return slipbench.load({**SLOT, **changes})
+
+
+class Runs(unittest.TestCase):
+    def test_every_case_gives_the_numbers_of_the_program_bit_for_bit(self):
+        compared = 0
+        with tempfile.TemporaryDirectory() as name:
+            for path in sorted(CASES.glob("*/*.yaml")):
+                text = path.read_text()
+                if path.parent.name == "bad" or "\ncalibrate:" in text or "\nsweep:" in text:
+                    continue
+                done = subprocess.run([SLIPBENCH, "run", path, "-o", name, "-q", "--force"], capture_output=True, text=True)
+                with warnings.catch_warnings():
+                    warnings.simplefilter("ignore")
+                    case = slipbench.load(path)
+                if done.returncode not in (0, 1):
+                    self.assertRaises(slipbench.RunError, case.run)
+                    continue
+                every = 1
+                for line in text.splitlines():
+                    if line.strip().startswith("every:"):
+                        every = int(line.split(":")[1].split("#")[0])
+                run = case.run(every=every)
+                lines = [line for line in (pathlib.Path(name) / f"{path.stem}.csv").read_text().splitlines() if not line.startswith("#")]
+                header = lines[0].split(",")
+                self.assertEqual(list(run), header, path)
+                wanted = numpy.array([[float(text) for text in line.split(",")] for line in lines[1:]])
+                found = numpy.column_stack([run[column] for column in header])
+                self.assertEqual(wanted.shape, found.shape, path)
+                self.assertTrue(numpy.array_equal(wanted, found, equal_nan=True), path)
+                self.assertEqual(run.passed, done.returncode == 0, path)
+                compared += 1
+        self.assertGreater(compared, 240)
+
+    def test_a_column_keeps_its_run_alive_and_is_not_written_to(self):
+        column = slot().run()["CSF1"]
+        copy = column.copy()
+        gc.collect()
+        numpy.testing.assert_array_equal(column, copy)
+        self.assertFalse(column.flags.owndata)
+        with self.assertRaises(ValueError):
+            column[0] = 1.0
+
+    def test_units_events_summary_and_checks_are_those_of_the_run(self):
+        run = slot().run()
+        self.assertEqual(run.units["CSF1"], "N")
+        self.assertEqual([event.goal for event in run.events[:3]], ["slip", "stick", "slip"])
+        self.assertAlmostEqual(run.events[0].limit, 20.0)
+        self.assertIn("CP1", run.events[0].positions)
+        self.assertTrue(run.passed)
+        self.assertEqual(run.checks[0].name, "limit")
+        self.assertEqual(len(run["t"]), 101)
+        self.assertEqual(run.summary["increments"], 100)
+
+    def test_an_unknown_column_is_answered_by_the_nearest(self):
+        with self.assertRaisesRegex(KeyError, "did you mean CSF1"):
+            slot().run()["CSF11"]
+
+    def test_every_keeps_the_last_row(self):
+        run = slot().run(every=30)
+        self.assertEqual(list(run["t"]), [0.0, 0.3, 0.6, 0.9, 1.0])
+        with self.assertRaisesRegex(ValueError, "at least 1"):
+            slot().run(every=0)
+
+
+class Parameters(unittest.TestCase):
+    def test_a_value_is_read_at_once_and_a_faulty_one_changes_nothing(self):
+        case = slot()
+        case.parameters["mu"] = 0.3
+        self.assertEqual(case.run()["FLIM"][-1], 30.0)
+        case.parameters["mu"] = "= 0.1 + 0.05"
+        self.assertAlmostEqual(case.parameters["mu"], 0.15)
+        with self.assertRaisesRegex(slipbench.CaseError, "nu"):
+            case.parameters["nu"] = 1.0
+        with self.assertRaises(slipbench.CaseError):
+            case.parameters["mu"] = -1.0
+        self.assertAlmostEqual(case.parameters["mu"], 0.15)
+        self.assertAlmostEqual(case.run()["FLIM"][-1], 15.0)
+
+    def test_copies_have_values_of_their_own(self):
+        case = slot()
+        other = case.with_parameters(mu=0.5)
+        self.assertEqual(case.parameters["mu"], 0.2)
+        self.assertEqual(other.parameters["mu"], 0.5)
+
+
+class Faults(unittest.TestCase):
+    def test_an_error_has_its_place_and_what_to_do(self):
+        with self.assertRaises(slipbench.CaseError) as caught:
+            slipbench.load("slipbench: 1\ntitle: x\nconector: {type: SLOT}\n")
+        error = caught.exception
+        self.assertEqual(error.file, "<text>")
+        self.assertIn("conector", str(error))
+        spelled = [one for one in error.messages if one.path == "conector"]
+        self.assertEqual((spelled[0].line, spelled[0].column), (3, 1))
+        self.assertIn("connector", spelled[0].hint)
+
+    def test_a_missing_file_is_told(self):
+        with self.assertRaisesRegex(slipbench.CaseError, "nowhere.yaml"):
+            slipbench.load("nowhere.yaml")
+
+    def test_warnings_are_warnings(self):
+        path = CASES / "verification" / "friction_radius.yaml"
+        text = path.read_text().replace(", friction_radius: = R_f", "")
+        with self.assertWarns(slipbench.SlipbenchWarning):
+            slipbench.load(text)
+
+    def test_ctrl_c_ends_a_run(self):
+        case = slot(history=[{**SLOT["history"][0], "increments": 200_000_000}])
+        threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
+        begin = time.monotonic()
+        with self.assertRaises(KeyboardInterrupt):
+            case.run(every=1_000_000)
+        self.assertLess(time.monotonic() - begin, 5.0)
+
+    def test_threads_run_side_by_side(self):
+        runs = [None] * 4
+        case = slot()
+
+        def work(index):
+            runs[index] = case.with_parameters(mu=0.1 * (index + 1)).run()
+
+        threads = [threading.Thread(target=work, args=(index,)) for index in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual([round(run["FLIM"][-1], 9) for run in runs], [10.0, 20.0, 30.0, 40.0])
+
+
+class Laws(unittest.TestCase):
+    def test_increments_of_a_law_are_those_of_the_run(self):
+        run = slot().run()
+        law = slipbench.Law({key: SLOT[key] for key in ("connector", "friction", "parameters")})
+        state = law.initial_state()
+        forces = numpy.array([0.0, 100.0, 0.0, 0.0, 0.0, 0.0])
+        positions = run["CP1"]
+        for row in range(1, len(positions)):
+            begin = numpy.array([positions[row - 1], 0, 0, 0, 0, 0])
+            step = law.update(state, numpy.array([positions[row] - positions[row - 1], 0, 0, 0, 0, 0]), forces, begin, 0.01)
+            state = step.state
+            self.assertEqual(step.force[0], run["CSF1"][row])
+        self.assertEqual(state[12], run["CASU1"][-1] if "CASU1" in run else run["CASU"][-1])
+
+    def test_rows_are_the_same_as_one_by_one(self):
+        law = slipbench.Law({"connector": {"type": "CYLINDRICAL"}, "friction": [{"predefined": {"R": 0.3, "L": 2}, "coefficient": 0.2}]})
+        dice = numpy.random.default_rng(1)
+        motion, forces = dice.normal(size=(200, 6)) * 1e-3, dice.normal(size=(200, 6)) * 100
+        states = law.initial_state(200)
+        together = law.update(states, motion, forces, tangent=True)
+        for row in range(200):
+            one = law.update(states[row], motion[row], forces[row], tangent=True)
+            for name in ("state", "force", "limit", "regime", "tangent", "force_tangent"):
+                numpy.testing.assert_array_equal(getattr(one, name), getattr(together, name)[row], name)
+
+    def test_the_tangent_is_the_slope_of_the_force(self):
+        law = slipbench.Law({"connector": {"type": "SLIDE-PLANE"}, "friction": [{"predefined": {}, "coefficient": 0.2, "stick": {"stiffness": 1000}}]})
+        forces = numpy.array([50.0, 0, 0, 0, 0, 0])
+        motion = numpy.array([0, 0.05, 0.02, 0, 0, 0])
+        step = law.update(law.initial_state(), motion, forces, tangent=True)
+        for column in (1, 2):
+            delta = numpy.zeros(6)
+            delta[column] = 1e-7
+            ahead, behind = (law.update(law.initial_state(), motion + sign * delta, forces).force for sign in (1, -1))
+            # Central differences of 1e-7 lose 9 digits of forces of 10 N.
+            numpy.testing.assert_allclose(step.tangent[:, column], (ahead - behind) / 2e-7, atol=1e-4)
+
+    def test_wrong_shapes_are_told(self):
+        law = slipbench.Law({"connector": {"type": "SLOT"}, "friction": [{"predefined": {}, "coefficient": 0.2}]})
+        with self.assertRaisesRegex(ValueError, "motion: wanted 6"):
+            law.update(law.initial_state(), numpy.zeros(5))
+        with self.assertRaisesRegex(ValueError, "forces: wanted 6 numbers"):
+            law.update(law.initial_state(), numpy.zeros(6), numpy.zeros(4))
+        with self.assertRaisesRegex(slipbench.CaseError, "coeficient"):
+            slipbench.Law({"connector": {"type": "SLOT"}, "friction": [{"predefined": {}, "coeficient": 0.2}]})
+
+
+class Others(unittest.TestCase):
+    def test_pandas_has_the_columns_over_time(self):
+        try:
+            import pandas  # noqa: F401
+        except ImportError:
+            self.skipTest("no pandas")
+        run = slot().run()
+        frame = run.to_pandas()
+        self.assertEqual(list(frame.columns), [name for name in run if name != "t"])
+        self.assertEqual(frame.index.name, "t")
+        self.assertEqual(frame.attrs["units"]["CSF1"], "N")
+
+    def test_xarray_has_units_and_texts(self):
+        try:
+            import xarray  # noqa: F401
+        except ImportError:
+            self.skipTest("no xarray")
+        data = slot().run().to_xarray()
+        self.assertEqual(data["CSF1"].attrs["units"], "N")
+        self.assertTrue(data["CSF1"].attrs["long_name"])
+
+    def test_a_plot_has_force_limit_and_loop(self):
+        try:
+            import matplotlib
+        except ImportError:
+            self.skipTest("no matplotlib")
+        matplotlib.use("Agg")
+        run = slot().run()
+        over_time, over_motion = run.plot()
+        drawn = {line.get_label() for line in over_time.lines}
+        self.assertLessEqual({"limit", "CSF1"}, drawn)
+        self.assertEqual(over_motion.get_xlabel(), "CU1 [mm]")
+        numpy.testing.assert_array_equal(over_motion.lines[0].get_ydata(), run["CSF1"])
+        page = run._repr_html_()
+        self.assertIn("data:image/png;base64,", page)
+        self.assertIn("PASS limit", page)
+
+    def test_many_runs_leave_nothing(self):
+        case = slot()
+
+        def memory():
+            return int(pathlib.Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+        for _ in range(500):
+            case.run()
+        before = memory()
+        for _ in range(2000):
+            case.run()
+        self.assertLess(memory() - before, 2 << 20)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=1)
