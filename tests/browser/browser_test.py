@@ -870,7 +870,8 @@ def save():
 
         def saved(pattern):
             for _ in range(200):
-                files = [path for path in (folder / "saved").glob(pattern) if not path.name.endswith(".crdownload")]
+                # The browser holds the name with an empty file until the whole is moved there.
+                files = [path for path in (folder / "saved").glob(pattern) if path.stat().st_size > 0]
                 if files:
                     return files[0]
                 time.sleep(0.05)
