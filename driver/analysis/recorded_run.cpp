@@ -2,6 +2,8 @@
 #include "driver/analysis/recorded_run.hpp"
 
 #include <algorithm>
+#include <new>
+#include <span>
 #include <utility>
 
 #include "driver/bench/run_case.hpp"
@@ -15,39 +17,66 @@ namespace {
 /// End of a run that is not wanted any more.
 struct Interrupted {};
 
-/// Rows of a run, turned into columns at its end: their number is not known before.
-class Rows {
- public:
-  Rows(const cases::Case& problem, const std::vector<results::Column>& columns)
-      : problem_(problem), columns_(columns) {}
-
-  void add(const bench::Row& row) {
-    for (const results::Column& column : columns_) {
-      numbers_.push_back(results::column_value(column, problem_, row));
-    }
-    ++rows_;
+/// Increments that the steps of a case say; where motions break there are a few more.
+std::size_t expected_rows(const cases::Case& problem, int every) {
+  std::size_t rows = 2;
+  for (const cases::Step& step : problem.steps) {
+    rows += static_cast<std::size_t>(step.increments) * static_cast<std::size_t>(step.repeat);
   }
-  std::size_t count() const { return rows_; }
+  return rows / static_cast<std::size_t>(every) + 64;
+}
 
-  std::vector<double> by_columns() const {
-    const std::size_t width = columns_.size();
-    std::vector<double> turned(numbers_.size());
-    // Blocks of rows stay in the cache for all columns.
-    constexpr std::size_t kTogether = 64;
-    for (std::size_t first = 0; first < rows_; first += kTogether) {
-      const std::size_t end = std::min(first + kTogether, rows_);
-      for (std::size_t c = 0; c < width; ++c) {
-        for (std::size_t r = first; r < end; ++r) turned[c * rows_ + r] = numbers_[r * width + c];
-      }
+/// Columns of rows as they come.
+class ColumnRecorder {
+ public:
+  ColumnRecorder(const cases::Case& problem, int every, RecordedRun& run)
+      : problem_(problem), every_(every), run_(run) {
+    make_room(expected_rows(problem, every));
+  }
+
+  void add(std::span<const bench::Row> block) {
+    kept_.clear();
+    for (const bench::Row& row : block) {
+      if (row.index % every_ == 0) kept_.push_back(&row);
     }
-    return turned;
+    keep();
+  }
+  void add(const bench::Row& row) {
+    kept_.assign(1, &row);
+    keep();
   }
 
  private:
+  /// A column at a time: its function and its place stay in the caches.
+  void keep() {
+    if (run_.rows + kept_.size() > run_.stride) make_room(2 * (run_.rows + kept_.size()));
+    double* to = run_.numbers.get() + run_.rows;
+    for (const results::Column& column : run_.columns) {
+      for (std::size_t i = 0; i < kept_.size(); ++i) {
+        to[i] = results::column_value(column, problem_, *kept_[i]);
+      }
+      to += run_.stride;
+    }
+    run_.rows += kept_.size();
+  }
+
+  void make_room(std::size_t rows) {
+    // Pages that nothing is written to cost nothing.
+    std::unique_ptr<double[], decltype(&std::free)> wider(
+        static_cast<double*>(std::malloc(rows * run_.columns.size() * sizeof(double))), &std::free);
+    if (!wider) throw std::bad_alloc();
+    for (std::size_t c = 0; c < run_.columns.size(); ++c) {
+      const double* const from = run_.numbers.get() + c * run_.stride;
+      if (run_.rows > 0) std::copy(from, from + run_.rows, wider.get() + c * rows);
+    }
+    run_.numbers = std::move(wider);
+    run_.stride = rows;
+  }
+
   const cases::Case& problem_;
-  const std::vector<results::Column>& columns_;
-  std::vector<double> numbers_;
-  std::size_t rows_ = 0;
+  int every_;
+  RecordedRun& run_;
+  std::vector<const bench::Row*> kept_;
 };
 
 }  // namespace
@@ -63,7 +92,7 @@ tl::expected<RecordedRun, bench::SimulationFailure> record_run(const cases::Case
     run.positions.push_back(column.name);
     positions.push_back(std::move(column));
   }
-  Rows rows(problem, run.columns);
+  ColumnRecorder rows(problem, options.every, run);
   results::Summary summary(problem);
   results::EventDetector detector(problem);
   std::vector<check::CheckProgress> checks;
@@ -83,9 +112,7 @@ tl::expected<RecordedRun, bench::SimulationFailure> record_run(const cases::Case
       }
     }
     for (check::CheckProgress& check : checks) check.add(block);
-    for (const bench::Row& row : block) {
-      if (row.index % options.every == 0) rows.add(row);
-    }
+    rows.add(block);
     if (block.back().index % options.every != 0) last = block.back();
   };
   const auto ended = [&]() -> decltype(bench::run_in_blocks(problem, take)) {
@@ -99,8 +126,6 @@ tl::expected<RecordedRun, bench::SimulationFailure> record_run(const cases::Case
   if (!ended) return tl::unexpected(ended.error());
   // The end of the run is always in the result.
   if (last.index == summary.increments() && last.index > 0) rows.add(last);
-  run.rows = rows.count();
-  run.numbers = rows.by_columns();
   for (const check::CheckProgress& check : checks) run.verdicts.push_back(check.verdict());
   run.warnings = summary.warnings(*ended);
   run.document = check::run_document(problem, summary, reading, run.warnings, run.verdicts);

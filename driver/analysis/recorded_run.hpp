@@ -2,7 +2,9 @@
 // A run in memory, for programs that hold the bench as a library.
 #pragma once
 
+#include <cstdlib>
 #include <functional>
+#include <memory>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -27,7 +29,8 @@ struct RecordedEvent {
 struct RecordedRun {
   std::vector<results::Column> columns;  ///< those of the result file
   std::size_t rows = 0;
-  std::vector<double> numbers;         ///< column c, row r at [c rows + r]
+  std::size_t stride = 0;  ///< from a column to the next
+  std::unique_ptr<double[], decltype(&std::free)> numbers{nullptr, &std::free};  ///< [c stride + r]
   std::vector<std::string> positions;  ///< columns of the free positions
   std::vector<RecordedEvent> events;
   std::vector<check::Verdict> verdicts;

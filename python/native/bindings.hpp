@@ -17,6 +17,7 @@ namespace py = pybind11;
 
 void bind_case(py::module_& module);
 void bind_law(py::module_& module);
+void bind_tools(py::module_& module);
 
 /// Raises slipbench.CaseError with the messages of a text.
 [[noreturn]] void raise_case_error(const driver::base::Diagnostics& diagnostics,

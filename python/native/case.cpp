@@ -34,16 +34,14 @@ class Case {
     resolve();
   }
 
-  const driver::cases::Case& problem() {
-    if (!problem_) resolve();
-    return *problem_;
-  }
+  const driver::cases::Case& problem() const { return *problem_; }
 
-  void set(const std::string& name, std::variant<double, std::string> value) {
+  void set(const std::vector<std::pair<std::string, std::variant<double, std::string>>>& values) {
     std::vector<base::ParameterText> before = overrides_;
-    std::erase_if(overrides_, [&](const auto& one) { return one.name == name; });
-    overrides_.push_back({name, std::move(value)});
-    problem_.reset();
+    for (const auto& [name, value] : values) {
+      std::erase_if(overrides_, [&own = name](const auto& one) { return one.name == own; });
+      overrides_.push_back({name, value});
+    }
     try {
       resolve();
     } catch (...) {
@@ -53,7 +51,6 @@ class Case {
   }
 
   std::shared_ptr<Run> run(int every, bool with_checks) {
-    problem();
     auto run = std::make_shared<Run>();
     run->problem = problem_;
     const driver::analysis::RecordOptions options{
@@ -103,7 +100,7 @@ py::array column_of(const py::object& self, const std::string& name) {
     if (record.columns[c].name != name) continue;
     py::array_t<double> view({static_cast<py::ssize_t>(record.rows)},
                              {static_cast<py::ssize_t>(sizeof(double))},
-                             record.numbers.data() + c * record.rows, self);
+                             record.numbers.get() + c * record.stride, self);
     view.attr("flags").attr("writeable") = false;
     return view;
   }
@@ -203,21 +200,21 @@ void bind_case(py::module_& module) {
           },
           py::arg("text"), py::arg("name"), py::arg("folder"), py::arg("allow_outside"))
       .def("copy", [](const Case& one) { return std::make_unique<Case>(one); })
-      .def("set", &Case::set, py::arg("name"), py::arg("value"))
+      .def("set", &Case::set, py::arg("values"))
       .def("run", &Case::run, py::arg("every"), py::arg("checks"))
       .def_property_readonly("parameters",
-                             [](Case& one) {
+                             [](const Case& one) {
                                py::dict values;
                                for (const auto& [name, value] : one.problem().parameters) {
                                  values[py::str(name)] = value;
                                }
                                return values;
                              })
-      .def_property_readonly("title", [](Case& one) { return one.problem().title; })
+      .def_property_readonly("title", [](const Case& one) { return one.problem().title; })
       .def_property_readonly("text",
                              [](const Case& one) { return std::string(one.source().text()); })
       .def_property_readonly("name", [](const Case& one) { return one.source().name(); })
-      .def_property_readonly("definitions", [](Case& one) {
+      .def_property_readonly("definitions", [](const Case& one) {
         std::vector<std::string> names;
         for (const auto& each : one.problem().definitions) names.push_back(each.name);
         return names;

@@ -45,7 +45,13 @@ class Parameters(collections.abc.MutableMapping):
         return self._native.parameters[name]
 
     def __setitem__(self, name: str, value: Number) -> None:
-        self._native.set(name, value if isinstance(value, str) else float(value))
+        self.update({name: value})
+
+    def update(self, *others, **values: Number) -> None:
+        """Gives several parameters other values at once."""
+        given = dict(*others, **values)
+        if given:
+            self._native.set([(name, value if isinstance(value, str) else float(value)) for name, value in given.items()])
 
     def __delitem__(self, name: str) -> None:
         raise TypeError("a case keeps its parameters: give them another value")
