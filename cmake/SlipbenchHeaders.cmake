@@ -4,7 +4,7 @@
 cmake_policy(PUSH)
 cmake_policy(VERSION 3.25)  # whatever an install script has
 function(slipbench_write_headers from to)
-  file(GLOB_RECURSE headers RELATIVE "${from}" "${from}/*.hpp")
+  file(GLOB_RECURSE headers RELATIVE "${from}" "${from}/*.hpp" "${from}/*.h")
   file(GLOB_RECURSE gone RELATIVE "${to}" "${to}/*")
   list(REMOVE_ITEM gone ${headers})
   foreach(header IN LISTS gone)

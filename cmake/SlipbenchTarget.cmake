@@ -9,8 +9,8 @@ function(slipbench_target target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(${target} PRIVATE -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
   endif()
-  # In a shared module as in a program: nobody replaces a function of ours when it is loaded.
-  if(SLIPBENCH_PYTHON AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # In a shared library as in a program: nobody replaces a function of ours when it is loaded.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     target_compile_options(${target} PRIVATE -fno-semantic-interposition)
   endif()
   # Collecting garbage is a tenth of what g++ does; it waits until half a gigabyte is in use.

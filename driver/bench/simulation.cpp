@@ -35,7 +35,7 @@ bool is_node(int quantity) { return quantity >= cases::kFirstNode; }
 
 /// The name of the first number of an update that is not finite; null if there is none.
 const char* not_finite(const law::FrictionUpdate& update) {
-  if (all_finite(update)) return nullptr;
+  if (law::all_finite(update)) return nullptr;
   const std::array<std::pair<const char*, double>, 8> named{{
       {"normal force", update.normal_force},
       {"coefficient", update.mu},

@@ -115,15 +115,6 @@ struct SimulationFailure {
   int step = -1;        ///< of the case's steps, where an increment failed
 };
 
-/// Tells whether the numbers of an update are finite.
-inline bool all_finite(const law::FrictionUpdate& update) {
-  // A force or an elastic slip that is not finite spoils work and stored energy too. Two short sums
-  // run side by side where one long one would wait for itself. One infinity or NaN spoils the sum.
-  return std::isfinite(
-      (update.limit + update.normal_force + update.mu + update.phi) +
-      (update.stored_energy + update.work + update.dissipation + update.state.accumulated_slip));
-}
-
 /// The reason why a run ended where its history could not be read.
 SimulationFailure to_failure(const base::HistoryError& error);
 

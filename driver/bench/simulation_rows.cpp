@@ -178,7 +178,7 @@ std::size_t Simulation::update_known_rows(std::span<Row> rows, std::size_t defin
     };
     law::update_known<D>(law, increment, old, limit_of, &here.update);
     add_up(*before, here);
-    if (!all_finite(here.update) && !judge(row, definition)) return k;
+    if (!law::all_finite(here.update) && !judge(row, definition)) return k;
     before = &here;
   }
   return rows.size();

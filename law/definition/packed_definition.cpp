@@ -15,6 +15,9 @@
 namespace slipbench::law {
 namespace {
 
+/// Of the order of the numbers; to be raised whenever an exchange() below changes.
+constexpr double kVersion = 1.0;
+
 /// Order of the numbers, written once for both ways: every exchange() below goes through an object
 /// and hands its numbers to one of these.
 class Writer {
@@ -101,7 +104,7 @@ void exchange(auto& archive, TableFunction& function) {
       const std::vector<double> point = function.table().point(r);
       row.insert(row.end(), point.begin(), point.end());
     }
-    row.resize(static_cast<std::size_t>(dependents + independents));
+    row.resize(static_cast<std::size_t>(dependents) + static_cast<std::size_t>(independents));
     for (double& x : row) archive.number(x);
   }
   if constexpr (std::remove_reference_t<decltype(archive)>::kReads) {
@@ -282,6 +285,28 @@ std::optional<FrictionDefinition> unpack(std::span<const double>& numbers) {
   if (!reader.good) return std::nullopt;
   numbers = reader.rest;
   return definition;
+}
+
+std::vector<double> pack_all(std::span<const FrictionDefinition> definitions) {
+  std::vector<double> numbers{kVersion, static_cast<double>(definitions.size())};
+  for (const FrictionDefinition& definition : definitions) {
+    const std::vector<double> one = pack(definition);
+    numbers.insert(numbers.end(), one.begin(), one.end());
+  }
+  return numbers;
+}
+
+std::optional<std::vector<FrictionDefinition>> unpack_all(std::span<const double> numbers) {
+  if (numbers.size() < 2 || numbers[0] != kVersion) return std::nullopt;
+  const double count = numbers[1];
+  std::vector<FrictionDefinition> definitions;
+  for (numbers = numbers.subspan(2); !numbers.empty();) {
+    auto definition = unpack(numbers);
+    if (!definition) return std::nullopt;
+    definitions.push_back(*std::move(definition));
+  }
+  if (static_cast<double>(definitions.size()) != count) return std::nullopt;
+  return definitions;
 }
 
 }  // namespace slipbench::law

@@ -23,4 +23,12 @@ std::vector<double> pack(const FrictionDefinition& definition);
 /// is none, a parameter of a law out of its bounds.
 std::optional<FrictionDefinition> unpack(std::span<const double>& numbers);
 
+/// Returns the definitions of a connector as one list: the version of this order, how many they
+/// are, then each.
+std::vector<double> pack_all(std::span<const FrictionDefinition> definitions);
+
+/// Returns the definitions of such a list; nothing, if it is none, of another version, or has
+/// numbers left over.
+std::optional<std::vector<FrictionDefinition>> unpack_all(std::span<const double> numbers);
+
 }  // namespace slipbench::law

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 
 #include "law/definition/friction_definition.hpp"
 #include "law/definition/friction_state.hpp"
@@ -62,6 +63,15 @@ struct FrictionUpdate {
   bool multiple_roots = false;  ///< the limit falls too fast for one certain solution
   bool converged = true;        ///< false: a return to a potential found no solution
 };
+
+/// Tells whether the numbers of an update are finite.
+inline bool all_finite(const FrictionUpdate& update) {
+  // A force or an elastic slip that is not finite spoils work and stored energy too. Two short sums
+  // run side by side where one long one would wait for itself. One infinity or NaN spoils the sum.
+  return std::isfinite(
+      (update.limit + update.normal_force + update.mu + update.phi) +
+      (update.stored_energy + update.work + update.dissipation + update.state.accumulated_slip));
+}
 
 /// Friction force per connector component: f_i = R_i y_i [F], [F L].
 ConnectorForce friction_force(const FrictionDefinition& definition, const FrictionState& state);

@@ -8,11 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "driver/case/case.hpp"
-#include "driver/read/read_case.hpp"
-#include "law/update/connector_tangent.hpp"
-#include "law/update/penalty_update.hpp"
-#include "law/update/return_mapping.hpp"
+#include "c/handle.hpp"
+#include "c/slip_law.h"
+#include "driver/read/law_only.hpp"
 #include "python/native/bindings.hpp"
 
 namespace slipbench::python {
@@ -21,32 +19,24 @@ namespace {
 namespace base = driver::base;
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-constexpr py::ssize_t kSix = law::kComponents;
-/// Of a definition: elastic slip, force, accumulated slip, regime.
-constexpr py::ssize_t kStateSize = 2 * kSix + 2;
-/// What is told of an increment and a definition, a number each.
-constexpr std::array kTold{"limit",       "normal_force",  "mu",   "slip_increment", "slip_rate",
-                           "dissipation", "stored_energy", "work", "regime"};
+constexpr py::ssize_t kSix = SLIP_COMPONENTS;
+constexpr py::ssize_t kStateSize = SLIP_STATE_NUMBERS;
 
-law::FrictionState state_of(const double* numbers) {
-  law::FrictionState state;
-  for (std::size_t i = 0; i < law::kComponents; ++i) {
-    state.elastic_slip[i] = numbers[i];
-    state.force[i] = numbers[kSix + static_cast<py::ssize_t>(i)];
-  }
-  state.accumulated_slip = numbers[2 * kSix];
-  state.regime = static_cast<law::Regime>(static_cast<int>(numbers[2 * kSix + 1]));
-  return state;
-}
-
-void put_state(const law::FrictionState& state, double* numbers) {
-  for (std::size_t i = 0; i < law::kComponents; ++i) {
-    numbers[i] = state.elastic_slip[i];
-    numbers[kSix + static_cast<py::ssize_t>(i)] = state.force[i];
-  }
-  numbers[2 * kSix] = state.accumulated_slip;
-  numbers[2 * kSix + 1] = static_cast<double>(state.regime);
-}
+/// A number of an update, of each definition.
+struct Told {
+  const char* name;
+  double (*of)(const slip_result& result);
+};
+constexpr std::array kTold{
+    Told{"limit", [](const slip_result& one) { return one.limit; }},
+    Told{"normal_force", [](const slip_result& one) { return one.normal_force; }},
+    Told{"mu", [](const slip_result& one) { return one.mu; }},
+    Told{"slip_increment", [](const slip_result& one) { return one.slip_increment; }},
+    Told{"slip_rate", [](const slip_result& one) { return one.slip_rate; }},
+    Told{"dissipation", [](const slip_result& one) { return one.dissipation; }},
+    Told{"stored_energy", [](const slip_result& one) { return one.stored_energy; }},
+    Told{"work", [](const slip_result& one) { return one.work; }},
+    Told{"regime", [](const slip_result& one) { return static_cast<double>(one.regime); }}};
 
 /// Increments that were updated. Numbers are kept in the order in which they are given out.
 struct Update {
@@ -111,29 +101,34 @@ class Column {
   py::ssize_t width_;
 };
 
-template <class Vector>
-void take(const double* numbers, Vector& vector) {
-  if (numbers == nullptr) return;
-  for (int c = 0; c < law::kComponents; ++c) vector[c] = numbers[c];
+void take(const double* numbers, double* to) {
+  if (numbers != nullptr) std::copy_n(numbers, kSix, to);
 }
 
 class Law {
  public:
   explicit Law(const std::string& text) {
     const base::SourceText source("<law>", text);
-    auto parsed = driver::read::ParsedCase::parse(source, ".");
-    if (!parsed) raise_case_error(parsed.error(), {&source, 1});
-    auto definitions = parsed->resolve_friction_only();
-    if (!definitions) raise_case_error(definitions.error(), {&source, 1});
-    for (driver::cases::CaseDefinition& one : *definitions) {
-      if (one.backward || one.dead_zone ||
-          std::holds_alternative<law::Capstan>(one.law.criterion)) {
-        raise_error("SlipbenchError",
-                    "a Law has no dead zones, directions or belts: run a case that has them");
-      }
-      names_.push_back(one.name);
-      definitions_.push_back(std::move(one.law));
-    }
+    auto read = driver::read::read_law_only(source, ".");
+    if (!read) raise_case_error(read.error(), {&source, 1});
+    names_ = std::move(read->names);
+    law_.definitions = std::move(read->definitions);
+  }
+  /// Of packed numbers.
+  explicit Law(const Numbers& numbers) {
+    slip_error error;
+    slip_law* const made =
+        slip_law_unpack(numbers.data(), static_cast<std::size_t>(numbers.size()), &error);
+    if (made == nullptr) throw py::value_error(error.message);
+    law_ = std::move(*made);
+    slip_law_destroy(made);
+    names_.resize(law_.definitions.size());
+  }
+
+  py::array_t<double> numbers() const {
+    py::array_t<double> packed(static_cast<py::ssize_t>(slip_law_pack(&law_, nullptr, 0)));
+    slip_law_pack(&law_, packed.mutable_data(), static_cast<std::size_t>(packed.size()));
+    return packed;
   }
 
   py::ssize_t state_size() const { return kStateSize * count(); }
@@ -165,27 +160,33 @@ class Law {
     made.force.resize(static_cast<std::size_t>(made.count * kSix));
     made.told.resize(kTold.size() * static_cast<std::size_t>(made.count * count()));
     if (tangent) made.tangent.resize(static_cast<std::size_t>(2 * made.count * kSix * kSix));
-    const std::array<double, 16> no_fields{};
     const auto step = [&](py::ssize_t i) {
-      law::ConnectorIncrement increment;
+      slip_increment increment{};
       increment.duration = durations.number(i, 1.0);
-      take(begins.at(i), increment.begin_position);
-      for (int c = 0; c < law::kComponents; ++c) {
-        increment.end.position[c] = increment.begin_position[c] + motions.at(i)[c];
-        increment.end.motion[c] = increment.end.position[c];
-      }
+      take(begins.at(i), increment.begin);
+      for (int c = 0; c < kSix; ++c) increment.end[c] = increment.begin[c] + motions.at(i)[c];
       take(constraint.at(i), increment.force);
-      increment.end.temperature = temperatures.number(i, 0.0);
-      increment.end.fields =
-          fields ? std::span(all_fields.at(i), static_cast<std::size_t>(field_count))
-                 : std::span<const double>(no_fields);
-      for (py::ssize_t d = 0; d < count(); ++d) put(made, increment, states.at(i), i, d);
+      increment.temperature = temperatures.number(i, 0.0);
+      increment.fields = all_fields.at(i);
+      increment.field_count = static_cast<std::size_t>(field_count);
+      return put(made, increment, states.at(i), i);
+    };
+    Failure failure;
+    const auto all = [&] {
+      for (py::ssize_t i = 0; i < made.count && failure.error.status == SLIP_OK; ++i) {
+        failure = {i, step(i)};
+      }
     };
     if (made.count > kLong) {
       const py::gil_scoped_release released;
-      for (py::ssize_t i = 0; i < made.count; ++i) step(i);
+      all();
     } else {
-      for (py::ssize_t i = 0; i < made.count; ++i) step(i);
+      all();
+    }
+    if (failure.error.status != SLIP_OK) {
+      const std::string place =
+          made.single ? "" : "increment " + std::to_string(failure.increment) + ": ";
+      raise_error("RunError", place + failure.error.message);
     }
     return made;
   }
@@ -194,41 +195,37 @@ class Law {
   /// From so many increments on other threads are worth a switch.
   static constexpr py::ssize_t kLong = 64;
 
-  py::ssize_t count() const { return static_cast<py::ssize_t>(definitions_.size()); }
+  struct Failure {
+    py::ssize_t increment = 0;
+    slip_error error{};
+  };
 
-  void put(Update& made, const law::ConnectorIncrement& increment, const double* states,
-           py::ssize_t i, py::ssize_t d) const {
-    const law::FrictionDefinition& definition = definitions_[static_cast<std::size_t>(d)];
-    const law::FrictionState old = state_of(states + d * kStateSize);
-    const law::FrictionUpdate one = definition.formulation
-                                        ? law::update_penalty(definition, increment, old)
-                                        : law::update(definition, increment, old);
-    put_state(one.state, made.state.data() + i * state_size() + d * kStateSize);
-    const law::ConnectorForce force = law::friction_force(definition, one.state);
-    double* const sum = made.force.data() + i * kSix;
-    for (int c = 0; c < law::kComponents; ++c) sum[c] += force[c];
-    const std::array<double, kTold.size()> told{
-        one.limit,          one.normal_force, one.mu,
-        one.slip_increment, one.slip_rate,    one.dissipation,
-        one.stored_energy,  one.work,         static_cast<double>(one.state.regime)};
-    const py::ssize_t each = made.count * count();
-    for (std::size_t k = 0; k < told.size(); ++k) {
-      made.told[static_cast<std::size_t>(static_cast<py::ssize_t>(k) * each + i * count() + d)] =
-          told[k];
+  py::ssize_t count() const { return static_cast<py::ssize_t>(law_.definitions.size()); }
+
+  slip_error put(Update& made, const slip_increment& increment, const double* old_state,
+                 py::ssize_t i) const {
+    slip_error error;
+    std::array<slip_result, SLIP_DEFINITIONS> results;
+    double* const state = made.state.data() + i * state_size();
+    double* const force = made.force.data() + i * kSix;
+    if (made.tangent.empty()) {
+      slip_law_update(&law_, &increment, old_state, state, force, results.data(), &error);
+    } else {
+      double* const to_motion = made.tangent.data() + i * kSix * kSix;
+      slip_law_tangent(&law_, &increment, old_state, state, force, results.data(), to_motion,
+                       to_motion + made.count * kSix * kSix, &error);
     }
-    if (made.tangent.empty()) return;
-    const law::ConnectorTangent slope = law::connector_tangent(definition, increment, one);
-    double* const to_motion = made.tangent.data() + i * kSix * kSix;
-    double* const to_force = to_motion + made.count * kSix * kSix;
-    for (int row = 0; row < law::kComponents; ++row) {
-      for (int column = 0; column < law::kComponents; ++column) {
-        to_motion[row * kSix + column] += slope.to_motion(row, column);
-        to_force[row * kSix + column] += slope.to_force(row, column);
+    const py::ssize_t each = made.count * count();
+    for (std::size_t k = 0; k < kTold.size(); ++k) {
+      double* const column = made.told.data() + static_cast<py::ssize_t>(k) * each + i * count();
+      for (py::ssize_t d = 0; d < count(); ++d) {
+        column[d] = kTold[k].of(results[static_cast<std::size_t>(d)]);
       }
     }
+    return error;
   }
 
-  std::vector<law::FrictionDefinition> definitions_;
+  slip_law law_;
   std::vector<std::string> names_;
 };
 
@@ -250,10 +247,12 @@ void bind_law(py::module_& module) {
       .def_property_readonly("tangent", [](const Update& one) { return tangent_of(one, 0); })
       .def_property_readonly("force_tangent", [](const Update& one) { return tangent_of(one, 1); });
   for (std::size_t k = 0; k < kTold.size(); ++k) {
-    update.def_property_readonly(kTold[k], [k](const Update& one) { return told_of(one, k); });
+    update.def_property_readonly(kTold[k].name, [k](const Update& one) { return told_of(one, k); });
   }
   py::class_<Law>(module, "Law")
       .def(py::init<const std::string&>(), py::arg("text"))
+      .def(py::init<const Numbers&>(), py::arg("numbers"))
+      .def_property_readonly("numbers", &Law::numbers)
       .def("update", &Law::update, py::arg("state"), py::arg("motion"),
            py::arg("forces") = py::none(), py::arg("begin") = py::none(),
            py::arg("duration") = py::none(), py::arg("temperature") = py::none(),

@@ -45,6 +45,18 @@ class Law:
         """
         return self._native.update(state, motion, forces, begin, duration, temperature, fields, tangent)
 
+    @classmethod
+    def from_numbers(cls, numbers) -> "Law":
+        """The law whose `numbers` these are: of another process, of the C interface's slip_law_pack. Raises ValueError."""
+        law = cls.__new__(cls)
+        law._native = _native.Law(numbers)
+        return law
+
+    @property
+    def numbers(self):
+        """All numbers of the law as one array, tables and all: to save it, and for slip_law_unpack of the C interface."""
+        return self._native.numbers
+
     @property
     def names(self) -> List[str]:
         """The names of its definitions."""

@@ -25,6 +25,12 @@ const std::vector<Room>& rooms() {
                   ".*|muParser.*\\.h|udunits2\\.h|sha256\\.h|mpi\\.h|hdf5\\.h"
                   "|(unistd|fcntl|spawn|signal|poll|locale|malloc|dlfcn)\\.h"),
        "law/, reference/, driver/, its third parties and the system"},
+      // Only the law stands behind slip_law.h; a text of a case is another library's.
+      {std::regex("c/(slip_law|handle)\\..*"), std::regex("(c|law|Eigen)/.*"),
+       "c/, law/ and Eigen"},
+      {std::regex("c/.*"), std::regex("(c|law|driver)/.*"), "c/, law/ and driver/"},
+      {std::regex("python/.*"), std::regex("(python|c|law|reference|driver|pybind11)/.*"),
+       "python/, c/, law/, reference/, driver/ and pybind11"},
       {std::regex("tests/law/.*"),
        std::regex("(law|reference|Eigen|catch2|tests/law|tests/support)/.*"),
        "law/, reference/, tests/law/, tests/support/, Eigen and Catch2"},
@@ -67,7 +73,7 @@ bool is_standard(const Include& include) {
 }
 
 bool is_project(const std::string& name) {
-  static const std::regex kProject("(law|reference|driver|tests|bench)/.*");
+  static const std::regex kProject("(law|reference|driver|c|python|tests|bench)/.*");
   return std::regex_match(name, kProject);
 }
 

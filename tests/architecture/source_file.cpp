@@ -13,8 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kRooms{".ci", "bench", "cases",     "cmake",   "docs", "driver",
-                            "law", "plots", "reference", "scripts", "tests"};
+constexpr std::array kRooms{".ci", "bench", "c",      "cases",     "cmake",   "docs", "driver",
+                            "law", "plots", "python", "reference", "scripts", "tests"};
 constexpr std::array kRootFiles{".clang-format",   ".clang-tidy",  ".gitignore",
                                 "CHANGELOG.md",    "CITATION.cff", "CMakeLists.txt",
                                 "LICENSE",         "NOTICE",       "CMakePresets.json",

@@ -210,6 +210,24 @@ class Laws(unittest.TestCase):
         with self.assertRaisesRegex(slipbench.CaseError, "coeficient"):
             slipbench.Law({"connector": {"type": "SLOT"}, "friction": [{"predefined": {}, "coeficient": 0.2}]})
 
+    def test_a_law_comes_back_from_its_numbers(self):
+        law = slipbench.Law({"connector": {"type": "PLANAR"}, "friction": [{"predefined": {"R": 0.3}, "coefficient": {"columns": ["mu", "slip_rate"], "rows": [[0.3, 0], [0.2, 10]]}}]})
+        again = slipbench.Law.from_numbers(law.numbers)
+        numpy.testing.assert_array_equal(again.numbers, law.numbers)
+        motion, forces = [0, 0.1, 0.2, 0.3, 0, 0], [100, 0, 0, 0, 5, 5]
+        for one in (law, again):
+            self.assertEqual(one.state_size, 28)
+        numpy.testing.assert_array_equal(again.update(again.initial_state(), motion, forces).state, law.update(law.initial_state(), motion, forces).state)
+        with self.assertRaisesRegex(ValueError, "no packed friction"):
+            slipbench.Law.from_numbers(law.numbers[:-1])
+
+    def test_a_number_that_is_none_is_told_with_its_increment(self):
+        law = slipbench.Law({key: SLOT[key] for key in ("connector", "friction", "parameters")})
+        forces = numpy.zeros((100, 6))
+        forces[73, 1] = numpy.nan
+        with self.assertRaisesRegex(slipbench.RunError, "increment 73: .*not finite"):
+            law.update(law.initial_state(100), numpy.ones((100, 6)), forces)
+
 
 class Others(unittest.TestCase):
     def test_pandas_has_the_columns_over_time(self):
