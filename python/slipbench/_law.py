@@ -1,9 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """Friction definitions, updated increment by increment."""
-from typing import List, Mapping, Union
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, List, Mapping, Optional, Union
 
 from . import _native
 from ._case import _text_of
+
+if TYPE_CHECKING:  # numpy is imported when an array is made
+    import numpy
+    import numpy.typing
+
+    ArrayLike = numpy.typing.ArrayLike
+    Array = numpy.typing.NDArray[numpy.float64]
 
 #: Values of `regime` of an update, and of the column STATUS.
 OPEN, STICK, SLIP = 0, 1, 2
@@ -32,28 +41,31 @@ class Law:
             text = _text_of(keys)
         self._native = _native.Law(text)
 
-    def update(self, state, motion, forces=None, begin=None, duration=None, temperature=None, fields=None, tangent=False):
+    def update(self, state: ArrayLike, motion: ArrayLike, forces: Optional[ArrayLike] = None, begin: Optional[ArrayLike] = None,
+               duration: Optional[ArrayLike] = None, temperature: Optional[ArrayLike] = None, fields: Optional[ArrayLike] = None,
+               tangent: bool = False, end: Optional[ArrayLike] = None, reference: Optional[ArrayLike] = None) -> _native.Update:
         """One increment, or one of each row.
 
         state: as `initial_state` and `Update.state` have it; motion: 6 differences of positions over the increment [L, rad]; forces: 6
         constraint forces and moments at its end [F, F L], 0 by default; begin: 6 positions at its begin, 0; duration [T], 1; temperature
-        and fields at its end. Arrays have a row for each increment, or hold for all. Positions count from the reference.
+        and fields at its end. Arrays have a row for each increment, or hold for all. `end` gives 6 positions in place of begin + motion, free of the
+        rounding of that sum; reference: 6 constitutive reference positions that tables over CCU count from, 0.
 
         Returns an Update: state, force (of the connector's 6 components), limit, normal_force, mu, slip_increment, slip_rate, dissipation,
         stored_energy, work and regime, with a column for each definition where there are several; with tangent=True also
         tangent = d force/d motion and force_tangent = d force/d forces, 6 by 6. Other threads go on meanwhile.
         """
-        return self._native.update(state, motion, forces, begin, duration, temperature, fields, tangent)
+        return self._native.update(state, motion, forces, begin, duration, temperature, fields, tangent, end, reference)
 
     @classmethod
-    def from_numbers(cls, numbers) -> "Law":
+    def from_numbers(cls, numbers: ArrayLike) -> Law:
         """The law whose `numbers` these are: of another process, of the C interface's slip_law_pack. Raises ValueError."""
         law = cls.__new__(cls)
         law._native = _native.Law(numbers)
         return law
 
     @property
-    def numbers(self):
+    def numbers(self) -> Array:
         """All numbers of the law as one array, tables and all: to save it, and for slip_law_unpack of the C interface."""
         return self._native.numbers
 
@@ -67,7 +79,7 @@ class Law:
         """How many numbers a state has: for each definition 6 of elastic slip [L], 6 of force [F], the accumulated slip [L], the regime."""
         return self._native.state_size
 
-    def initial_state(self, count: int = 0):
+    def initial_state(self, count: int = 0) -> Array:
         """A state without force and slip; with a count, a row for each of so many points."""
         import numpy
 
