@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-# slipbench_write_headers(FROM TO): the headers of the folder FROM as they are installed: what they include of the
+# slipbench_write_headers(FROM TO PATTERN): the headers of the folder FROM as they are installed: what they include of the
 # project is "slipbench/ROOM/..", not "ROOM/..". A header of TO that is the same already keeps its time.
 cmake_policy(PUSH)
 cmake_policy(VERSION 3.25)  # whatever an install script has
-function(slipbench_write_headers from to)
-  file(GLOB_RECURSE headers RELATIVE "${from}" "${from}/*.hpp" "${from}/*.h")
+function(slipbench_write_headers from to pattern)
+  file(GLOB_RECURSE headers RELATIVE "${from}" "${from}/${pattern}")
   file(GLOB_RECURSE gone RELATIVE "${to}" "${to}/*")
   list(REMOVE_ITEM gone ${headers})
   foreach(header IN LISTS gone)

@@ -4,8 +4,11 @@
 #   include/slipbench/<room>/...     headers, for `#include <slipbench/law/update/return_mapping.hpp>`
 #   lib/, lib/cmake/slipbench/       libraries; one targets file for each room, so that a room's consumer
 #                                    needs the dependencies of that room only
+#   lib/pkgconfig/                   the same for pkg-config: slipbench-law, slipbench-reference, slipbench-c, slipbench-c_yaml
+#   lib/slipbench/                   what the program opens: HDF5, the library of functional mock-up units
+#   lib/python3/dist-packages/       import slipbench
 #   bin/slipbench                    the program
-#   share/slipbench/                 cases, plot templates, reference curves
+#   share/slipbench/                 cases, plot templates, reference curves; fortran: the module and its worked examples
 #   share/doc/slipbench/             documentation, licence, notice
 include(CMakePackageConfigHelpers)
 
@@ -21,9 +24,43 @@ function(slipbench_include_root target scope)
   endif()
 endfunction()
 
-# slipbench_install_room(TARGET ROOM): the library as slipbench::ROOM, and the headers of the current folder.
+# slipbench_install_library(TARGET COMPONENT): the library as slipbench::COMPONENT.
+function(slipbench_install_library target component)
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${component})
+  if(NOT SLIPBENCH_INSTALL)
+    return()
+  endif()
+  install(TARGETS ${target} EXPORT slipbench-${component}-targets)
+  install(EXPORT slipbench-${component}-targets NAMESPACE slipbench::
+          DESTINATION ${SLIPBENCH_INSTALL_CMAKEDIR})
+endfunction()
+
+# slipbench_install_pkg_config(TARGET COMPONENT REQUIRES): slipbench-COMPONENT.pc, which finds the installation
+# from where it stands itself.
+function(slipbench_install_pkg_config target component requires)
+  if(NOT SLIPBENCH_INSTALL)
+    return()
+  endif()
+  file(RELATIVE_PATH up /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+  set(file ${PROJECT_BINARY_DIR}/slipbench-${component}.pc)
+  file(WRITE ${file} "prefix=\${pcfiledir}/${up}
+Name: slipbench-${component}
+Description: ${PROJECT_DESCRIPTION}: ${component}
+Version: ${PROJECT_VERSION}
+Requires: ${requires}
+Cflags: -I\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}
+Libs: -L\${prefix}/${CMAKE_INSTALL_LIBDIR} -l${target}
+")
+  install(FILES ${file} DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+
+# slipbench_install_room(TARGET ROOM [PATTERN]): the library as slipbench::ROOM, and the headers of the current folder.
 function(slipbench_install_room target room)
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${room})
+  slipbench_install_library(${target} ${room})
+  set(pattern "*.hpp")
+  if(ARGC GREATER 2)
+    set(pattern ${ARGV2})
+  endif()
   if(NOT PROJECT_IS_TOP_LEVEL)
     file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/include/slipbench)
     file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/include/slipbench/${room} SYMBOLIC)
@@ -31,12 +68,9 @@ function(slipbench_install_room target room)
   if(NOT SLIPBENCH_INSTALL)
     return()
   endif()
-  install(TARGETS ${target} EXPORT slipbench-${room}-targets)
-  install(EXPORT slipbench-${room}-targets NAMESPACE slipbench::
-          DESTINATION ${SLIPBENCH_INSTALL_CMAKEDIR})
   set(headers "${PROJECT_BINARY_DIR}/installed-headers/${room}")
   install(CODE "include(\"${PROJECT_SOURCE_DIR}/cmake/SlipbenchHeaders.cmake\")
-slipbench_write_headers(\"${CMAKE_CURRENT_SOURCE_DIR}\" \"${headers}\")")
+slipbench_write_headers(\"${CMAKE_CURRENT_SOURCE_DIR}\" \"${headers}\" \"${pattern}\")")
   install(DIRECTORY "${headers}" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/slipbench)
 endfunction()
 
@@ -62,6 +96,7 @@ function(slipbench_install_package)
   install(FILES ${PROJECT_BINARY_DIR}/slipbench-config.cmake
                 ${PROJECT_BINARY_DIR}/slipbench-config-version.cmake
                 ${PROJECT_SOURCE_DIR}/cmake/FindLibMD.cmake
+                ${PROJECT_SOURCE_DIR}/cmake/FindMiniZip.cmake
                 ${PROJECT_SOURCE_DIR}/cmake/FindUDUNITS2.cmake
                 ${PROJECT_SOURCE_DIR}/cmake/SlipbenchAddCases.cmake
           DESTINATION ${SLIPBENCH_INSTALL_CMAKEDIR})

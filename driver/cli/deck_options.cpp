@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/ranges.h>
+
 #include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
 
 #include "driver/cli/declare.hpp"
 #include "driver/commands/deck_output.hpp"
@@ -39,10 +43,14 @@ void declare_deck_source(CLI::App& command, commands::ImportOptions& options) {
       ->type_name("\"X Y Z\"");
 }
 
-void declare_deck_target(CLI::App& command, commands::DeckOutputOptions& options) {
+void declare_deck_target(CLI::App& command, commands::DeckOutputOptions& options,
+                         std::span<const std::string_view> more) {
+  std::vector<std::string> targets(commands::kExportTargets.begin(),
+                                   commands::kExportTargets.end());
+  targets.insert(targets.end(), more.begin(), more.end());
   command.add_option("--to", options.to, "The program whose deck it is")
-      ->type_name("abaqus|radioss|lsdyna|opensees|table")
-      ->check(one_of({commands::kExportTargets.begin(), commands::kExportTargets.end()}))
+      ->type_name(fmt::format("{}", fmt::join(targets, "|")))
+      ->check(one_of(targets))
       ->required();
   command.add_option("-o,--output", options.output, "The deck; default: the terminal")
       ->type_name("FILE");

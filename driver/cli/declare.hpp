@@ -4,7 +4,9 @@
 
 #include <array>
 #include <functional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace CLI {
@@ -55,7 +57,9 @@ void declare_force(CLI::App& command, bool& force, const std::string& what);
 void declare_deck_source(CLI::App& command, commands::ImportOptions& options);
 
 /// Adds the program whose deck is written, its form, and where it goes.
-void declare_deck_target(CLI::App& command, commands::DeckOutputOptions& options);
+/// \param more targets besides programs that have decks
+void declare_deck_target(CLI::App& command, commands::DeckOutputOptions& options,
+                         std::span<const std::string_view> more = {});
 
 /// Completes names of cases that were given without their ending.
 void name_cases(std::vector<std::string>& paths);

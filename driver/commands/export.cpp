@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/commands/export.hpp"
 
+#include <algorithm>
+
 #include "driver/base/files/exit_code.hpp"
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/units/parameters.hpp"
+#include "driver/commands/export_law.hpp"
 #include "driver/read/keys/case_text.hpp"
 #include "driver/read/read_case.hpp"
 #include "driver/terminal/print.hpp"
@@ -25,6 +28,8 @@ int export_command(const ExportCommandOptions& options) {
     terminal::print_error(base::summary(read.diagnostics) + ", nothing was written\n");
     return read.environment_failure ? base::kExitEnvironment : base::kExitBadInput;
   }
+  const auto is_law = std::find(kLawTargets.begin(), kLawTargets.end(), options.deck.to);
+  if (is_law != kLawTargets.end()) return export_law(read, options.file, *settings, options.deck);
   const auto made = deck_of_case(*read.value, written, options.deck);
   if (!made) {
     return terminal::refuse(base::kExitBadInput,

@@ -4,40 +4,36 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
-#include <array>
 #include <string_view>
-#include <system_error>
+
+#include "driver/base/files/plugin_path.hpp"
 
 namespace slipbench::driver::table {
 namespace {
 
-namespace fs = std::filesystem;
+constexpr const char* kFile = "slipbench-hdf5.so";
 
 using Entry = const Hdf5Plugin* (*)();
 
 tl::expected<const Hdf5Plugin*, std::string> load() {
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
-  const std::array places{program / "slipbench-hdf5.so",
-                          program.parent_path() / "lib" / "slipbench" / "slipbench-hdf5.so"};
-  for (const fs::path& place : places) {
-    if (!fs::exists(place, error)) continue;
-    void* const library = dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (library == nullptr) {
-      return tl::unexpected(fmt::format("HDF5 cannot be used: {}", dlerror()));
-    }
-    const auto entry = reinterpret_cast<Entry>(dlsym(library, "slipbench_hdf5"));
-    const Hdf5Plugin* const plugin = entry == nullptr ? nullptr : entry();
-    if (plugin == nullptr || std::string_view(plugin->version) != SLIPBENCH_VERSION) {
-      return tl::unexpected(
-          fmt::format("HDF5 cannot be used: {} is of another version", place.string()));
-    }
-    return plugin;
+  const auto place = base::plugin_path(kFile);
+  if (!place) {
+    return tl::unexpected(fmt::format(
+        "HDF5 cannot be used: there is no {}; it is built where CMake finds HDF5 (Debian: "
+        "libhdf5-dev). csv and npy need nothing",
+        kFile));
   }
-  return tl::unexpected(fmt::format(
-      "HDF5 cannot be used: there is no {}; it is built where CMake finds HDF5 (Debian: "
-      "libhdf5-dev). csv and npy need nothing",
-      places[0].string()));
+  void* const library = dlopen(place->c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) {
+    return tl::unexpected(fmt::format("HDF5 cannot be used: {}", dlerror()));
+  }
+  const auto entry = reinterpret_cast<Entry>(dlsym(library, "slipbench_hdf5"));
+  const Hdf5Plugin* const plugin = entry == nullptr ? nullptr : entry();
+  if (plugin == nullptr || std::string_view(plugin->version) != SLIPBENCH_VERSION) {
+    return tl::unexpected(
+        fmt::format("HDF5 cannot be used: {} is of another version", place->string()));
+  }
+  return plugin;
 }
 
 }  // namespace

@@ -59,6 +59,7 @@ constexpr std::array kFloors{
     Room{"driver/export/abaqus",     "driver::exports"},   // a case as an Abaqus deck
     Room{"driver/export/contact",    "driver::exports"},   // its friction as programs state that of a contact
     Room{"driver/report",            "driver::report"},    // the page of a run
+    Room{"driver/export/fmu",        "driver::exports"},   // a case as a functional mock-up unit, and the numbers of its law
     Room{"driver/plot",              "driver::plot"},      // pictures
     Room{"driver/suite",             "driver::suite"},     // many cases, and what became of them
     Room{"driver/analysis",          "driver::analysis"},  // explanations, convergence, comparisons of integration

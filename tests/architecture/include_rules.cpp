@@ -21,12 +21,12 @@ const std::vector<Room>& rooms() {
       {std::regex("law/.*"), std::regex("(law|Eigen)/.*"), "law/ and Eigen"},
       {std::regex("reference/.*"), std::regex("reference/.*"), "reference/"},
       {std::regex("driver/.*"),
-       std::regex("(law|reference|driver|Eigen|fmt|tl|yaml-cpp|CLI|gsl|sys)/"
+       std::regex("(law|reference|driver|Eigen|fmt|tl|yaml-cpp|CLI|gsl|minizip|sys)/"
                   ".*|muParser.*\\.h|udunits2\\.h|sha256\\.h|mpi\\.h|hdf5\\.h"
                   "|(unistd|fcntl|spawn|signal|poll|locale|malloc|dlfcn)\\.h"),
        "law/, reference/, driver/, its third parties and the system"},
       // Only the law stands behind slip_law.h; a text of a case is another library's.
-      {std::regex("c/(slip_law|handle)\\..*"), std::regex("(c|law|Eigen)/.*"),
+      {std::regex("c/(slip_law|handle|fmu)\\..*"), std::regex("(c|law|Eigen)/.*"),
        "c/, law/ and Eigen"},
       {std::regex("c/.*"), std::regex("(c|law|driver)/.*"), "c/, law/ and driver/"},
       {std::regex("python/.*"), std::regex("(python|c|law|reference|driver|pybind11)/.*"),
@@ -60,6 +60,8 @@ const std::vector<ThirdParty>& third_parties() {
       {std::regex("udunits2\\.h"), std::regex("driver/.*units[^/]*\\.cpp"),
        "a units .cpp of driver/"},
       {std::regex("gsl/.*"), std::regex("driver/.*\\.cpp"), "a .cpp of driver/"},
+      {std::regex("minizip/.*"), std::regex("driver/export/fmu/fmu_archive\\.cpp"),
+       "driver/export/fmu/fmu_archive.cpp"},
       {std::regex("sha256\\.h"), std::regex("driver/base/files/sha256\\.cpp"),
        "driver/base/files/sha256.cpp"},
   };

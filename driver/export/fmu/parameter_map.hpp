@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// From the parameters of a case to the numbers of its friction.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "driver/case/case.hpp"
+#include "driver/read/read_case.hpp"
+
+namespace slipbench::driver::exports {
+
+/// One number that follows a parameter p: factor * p where it is in proportion to it, in all bits,
+/// else number + factor * (p - value), to rounding.
+struct FollowingNumber {
+  std::size_t index = 0;  ///< in the packed numbers
+  bool in_proportion = true;
+  double factor = 1.0;
+};
+
+/// A parameter, its value in the case, and all numbers that follow it.
+struct MappedParameter {
+  std::string name;
+  double value = 0.0;
+  std::vector<FollowingNumber> numbers;
+};
+
+struct ParameterMap {
+  std::vector<MappedParameter> parameters;
+  /// Parameters that the friction depends on in another way, or together with others: their values
+  /// stay.
+  std::vector<std::string> fixed;
+};
+
+/// Finds the numbers that follow each parameter, by reading the friction again with other values. A
+/// parameter that is defined by others follows those. Parameters that the friction does not depend
+/// on are left out. \param numbers of the case as it is: law_numbers
+ParameterMap map_parameters(const read::ParsedCase& parsed, const cases::Case& problem,
+                            const std::vector<base::ParameterText>& settings,
+                            const std::vector<double>& numbers);
+
+}  // namespace slipbench::driver::exports
