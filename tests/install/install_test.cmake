@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Installs the build tree into a fresh prefix, moves the prefix (a package must not remember where it was
 # installed), then configures, builds and runs an outside project against it.
-# Run with cmake -P and BINARY_DIR, CONFIG, GENERATOR, CXX_COMPILER, CXX_FLAGS, WITH_DRIVER, VERSION.
+# Run with cmake -P and BINARY_DIR, CONFIG, GENERATOR, CXX_COMPILER, CXX_FLAGS, WITH_DRIVER, WITH_PYTHON, PYTHON, VERSION.
 cmake_minimum_required(VERSION 3.25)
 
 function(run)
@@ -30,9 +30,9 @@ file(GLOB_RECURSE stray RELATIVE ${prefix} ${prefix}/include/*.cpp ${prefix}/inc
 if(stray)
   message(FATAL_ERROR "only headers belong under include: ${stray}")
 endif()
-file(GLOB_RECURSE headers RELATIVE ${prefix}/include ${prefix}/include/*.hpp)
+file(GLOB_RECURSE headers RELATIVE ${prefix}/include ${prefix}/include/*.hpp ${prefix}/include/*.h)
 foreach(header IN LISTS headers)
-  if(NOT header MATCHES "^slipbench/(law|reference|driver)/")
+  if(NOT header MATCHES "^slipbench/((law|reference|driver)/.*hpp|c/.*h)$")
     message(FATAL_ERROR "only rooms belong under include/slipbench: ${header}")
   endif()
   file(STRINGS ${prefix}/include/${header} includes REGEX "^ *# *include *\"")
@@ -51,11 +51,19 @@ expect_file(share/doc/slipbench/NOTICE)
 expect_file(share/slipbench/cases)
 expect_file(share/slipbench/plots)
 expect_file(share/slipbench/reference/curves)
+expect_file(share/slipbench/fortran/slip_law.f90)
+expect_file(lib/slipbench/slipbench-fmu.so)
 if(EXISTS ${BINARY_DIR}/slipbench-hdf5.so)
   expect_file(lib/slipbench/slipbench-hdf5.so)
 endif()
 
-run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${work}/consumer
+file(READ ${CMAKE_CURRENT_LIST_DIR}/../../docs/guide/other-programs.md guide)
+if(NOT guide MATCHES "```c\n([^`]*)```")
+  message(FATAL_ERROR "the guide shows no C program")
+endif()
+file(WRITE ${work}/pad.c "${CMAKE_MATCH_1}")
+run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${work}/consumer -D PAD=${work}/pad.c
+    -D FORTRAN=${prefix}/share/slipbench/fortran/slip_law.f90
     -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_BUILD_TYPE=${CONFIG} -D CMAKE_CXX_COMPILER=${CXX_COMPILER}
     "-DCMAKE_CXX_FLAGS=${CXX_FLAGS}" -D WITH_DRIVER=${WITH_DRIVER} -D WANTED_VERSION=${VERSION})
 run(${CMAKE_COMMAND} --build ${work}/consumer --config ${CONFIG})
@@ -65,6 +73,43 @@ if(WITH_DRIVER)
   run(${prefix}/bin/slipbench --version)
   if(NOT text MATCHES "${VERSION}")
     message(FATAL_ERROR "the installed program does not say version ${VERSION}: ${text}")
+  endif()
+endif()
+
+# The C program of the guide, by CMake above, by pkg-config here.
+run(${work}/consumer/pad)
+set(wanted "${text}")
+if(NOT wanted MATCHES " 0.002 +6.0000 stick" OR NOT wanted MATCHES "slip\n")
+  message(FATAL_ERROR "the C program of the guide prints ${wanted}")
+endif()
+find_program(pkg_config pkg-config)
+if(pkg_config)
+  file(GLOB_RECURSE packages ${prefix}/lib/*.pc)
+  list(GET packages 0 package)
+  cmake_path(GET package PARENT_PATH folder)
+  set(ENV{PKG_CONFIG_PATH} ${folder})
+  foreach(name IN ITEMS c law reference)
+    run(${pkg_config} --cflags --libs slipbench-${name})
+    separate_arguments(flags_of_${name} UNIX_COMMAND "${text}")
+  endforeach()
+  run(${CXX_COMPILER} -x c ${work}/pad.c -x none ${flags_of_c} -o ${work}/pad)
+  cmake_path(GET folder PARENT_PATH libraries)
+  run(${CMAKE_COMMAND} -E env LD_LIBRARY_PATH=${libraries} ${work}/pad)
+  if(NOT text STREQUAL wanted)
+    message(FATAL_ERROR "by pkg-config the C program prints ${text}")
+  endif()
+  separate_arguments(flags UNIX_COMMAND "${CXX_FLAGS}")
+  run(${CXX_COMPILER} -std=c++20 ${flags} ${CMAKE_CURRENT_LIST_DIR}/consumer/consumer.cpp ${flags_of_law} ${flags_of_reference} -o ${work}/by_pkg_config)
+  run(${work}/by_pkg_config)
+endif()
+if(EXISTS ${work}/consumer/fortran_consumer)
+  run(${work}/consumer/fortran_consumer)
+endif()
+if(WITH_PYTHON)
+  run(${CMAKE_COMMAND} -E env PYTHONPATH=${prefix}/lib/python3/dist-packages ${PYTHON} -c
+      "import slipbench, pathlib; assert pathlib.Path(slipbench.__file__).is_relative_to('${prefix}'); print(slipbench.load('${prefix}/share/slipbench/cases/examples/hinge.yaml').run().passed)")
+  if(NOT text MATCHES "True")
+    message(FATAL_ERROR "the installed Python module says ${text}")
   endif()
 endif()
 
