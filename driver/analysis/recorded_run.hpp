@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -27,7 +28,8 @@ struct RecordedEvent {
 
 /// Numbers of a run, a column after another.
 struct RecordedRun {
-  std::vector<results::Column> columns;  ///< those of the result file
+  std::vector<results::Column>
+      columns;  ///< those of the result file, or the ones that were asked for
   std::size_t rows = 0;
   std::size_t stride = 0;  ///< from a column to the next
   std::unique_ptr<double[], decltype(&std::free)> numbers{nullptr, &std::free};  ///< [c stride + r]
@@ -41,6 +43,7 @@ struct RecordedRun {
 struct RecordOptions {
   int every = 1;  ///< rows that are kept: each of so many, and the last
   bool with_checks = true;
+  std::span<const std::string> columns = {};  ///< besides the time; none: those of the result file
   /// Called from time to time; the run ends where it returns false.
   std::function<bool()> go_on = {};
 };

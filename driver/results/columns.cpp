@@ -459,10 +459,14 @@ std::vector<Column> result_columns(const cases::Case& problem) {
 }
 
 std::vector<Column> output_columns(const cases::Case& problem) {
+  return chosen_columns(problem, problem.output_columns);
+}
+
+std::vector<Column> chosen_columns(const cases::Case& problem, std::span<const std::string> names) {
   std::vector<Column> all = result_columns(problem);
-  if (problem.output_columns.empty()) return all;
+  if (names.empty()) return all;
   std::vector<Column> selected = {all.front()};
-  for (const std::string& name : problem.output_columns) {
+  for (const std::string& name : names) {
     auto column = find_column(problem, all, name);
     if (!column || name == all.front().name) continue;
     column->name = name;

@@ -52,6 +52,10 @@ std::vector<Column> result_columns(const cases::Case& problem);
 /// after `t`, or all of them. Names that do not exist are left out; the reader reports them.
 std::vector<Column> output_columns(const cases::Case& problem);
 
+/// The time and the columns of these names, or all that a result can have; names that no column has
+/// are passed over.
+std::vector<Column> chosen_columns(const cases::Case& problem, std::span<const std::string> names);
+
 /// The column of a name, for checks: besides the names of `result_columns`, those that belong to a
 /// definition may carry its `.name` even where the file omits it (CSF1.sleeve, FLIM.sleeve), and
 /// the positions of held components, which are constant (CPR2 of a universal joint).

@@ -76,17 +76,40 @@ class SweepReader {
                   .samples = samples,
                   .sobol_indices = keys.sobol_indices.value,
                   .seed = static_cast<std::uint64_t>(keys.seed)};
-      if (!out_.diagnostics.has_errors() && resolve_base(sweep)) {
-        read_collected(keys, sweep);
-        if (bound && !out_.diagnostics.has_errors()) out_.value = std::move(sweep);
-      }
+      finish(keys, bound, std::move(sweep));
     }
     out_.environment_failure |= binder_.environment_failed();
     const std::vector<std::string>& named = binder_.data_files();
     out_.data_files.insert(out_.data_files.end(), named.begin(), named.end());
   }
 
+  /// Takes case and samples as they are given, and what is collected from the text.
+  void read_around(GivenSamples&& given) {
+    SweepText text;
+    const bool bound = yaml::read_struct(binder_, root_, yaml::Path(), text);
+    const SweepKeysText& keys = text.sweep.value;
+    const std::vector<std::string> known = parameters_of(given.parsed);
+    for (const VariedParameter& one : given.varied) check_varied(one.name, known, root_, {});
+    Sweep sweep{.file = path_,
+                .title = {},
+                .case_path = {},
+                .parsed = std::move(given.parsed),
+                .settings = options_.overrides,
+                .allow_outside = options_.allow_outside,
+                .varied = std::move(given.varied),
+                .sampler = Sampler::kCsv};
+    sweep.samples = sweep.varied.empty() ? 0 : sweep.varied[0].distribution.numbers.size();
+    finish(keys, bound, std::move(sweep));
+  }
+
  private:
+  /// Checks the case in the middle of the samples, and reads what is collected of it.
+  void finish(const SweepKeysText& keys, bool bound, Sweep&& sweep) {
+    if (out_.diagnostics.has_errors() || !resolve_base(sweep)) return;
+    read_collected(keys, sweep);
+    if (bound && !out_.diagnostics.has_errors()) out_.value = std::move(sweep);
+  }
+
   /// The system of units that the case states, for numbers with a unit.
   [[nodiscard]] base::UnitSystem units_of_case() const {
     const auto keys = root_.find("sweep");
@@ -253,8 +276,10 @@ class SweepReader {
     const yaml::At<int>& samples = keys.samples;
     const auto say = [&](std::string message, std::string hint = {}) {
       const bool has = samples.given();
-      binder_.error(has ? *samples.node : root_, has ? samples.path : yaml::Path() / "sweep",
-                    std::move(message), std::move(hint));
+      const auto sweep = root_.find("sweep");
+      binder_.error(has ? *samples.node : sweep.value_or(root_),
+                    has ? samples.path : yaml::Path() / "sweep", std::move(message),
+                    std::move(hint));
       return std::size_t{0};
     };
     if (keys.sobol_indices.value && (keys.csv.given() || keys.sampler.value == Sampler::kGrid)) {
@@ -416,6 +441,21 @@ class SweepReader {
 };
 
 }  // namespace
+
+ReadSweep sweep_of_samples(GivenSamples given, const std::string& collect,
+                           const ReadSweepOptions& options) {
+  ReadSweep result;
+  const std::string name = "<collect>";
+  result.sources.emplace_back(name,
+                              "slipbench: 1\nsweep: {case: given, collect: " + collect + "}\n");
+  const auto tree = yaml::parse_yaml(result.sources.front());
+  if (!tree) {
+    result.diagnostics = tree.error();
+  } else {
+    SweepReader(tree->root(), name, options, result).read_around(std::move(given));
+  }
+  return result;
+}
 
 ReadSweep read_sweep(const std::string& path, const ReadSweepOptions& options) {
   ReadSweep result;

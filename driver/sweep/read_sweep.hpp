@@ -30,4 +30,15 @@ struct ReadSweepOptions {
 /// are collected.
 ReadSweep read_sweep(const std::string& path, const ReadSweepOptions& options = {});
 
+/// A case that is read already, with values of its parameters: a list for each, all of one length.
+struct GivenSamples {
+  read::ParsedCase parsed;
+  std::vector<VariedParameter> varied;
+};
+
+/// Makes the sweep of samples that a program has in memory.
+/// \param collect a map as it stands under 'collect' in a sweep file, in one line
+ReadSweep sweep_of_samples(GivenSamples given, const std::string& collect,
+                           const ReadSweepOptions& options = {});
+
 }  // namespace slipbench::driver::sweep

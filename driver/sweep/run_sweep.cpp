@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -177,6 +178,7 @@ void run_sweep(const Sweep& sweep, const SweepOptions& options,
   const bool packs = options.packs && end >= options.first + kWorthPacking;
   const std::unique_ptr<PackedRun> packed = packs ? packed_run(sweep) : nullptr;
   std::size_t failed = 0;
+  std::atomic<bool> stopped{false};
   std::vector<Chunk> chunks;
   for (std::size_t begin = options.first; begin < end;) {
     chunks.clear();
@@ -186,10 +188,12 @@ void run_sweep(const Sweep& sweep, const SweepOptions& options,
       samples.take(chunks.back().values);
     }
     base::for_each_index(chunks.size(), options.threads, [&](std::size_t i) {
-      if (options.recall && options.recall(chunks[i])) return;
+      if (options.go_on && !stopped && !options.go_on()) stopped = true;
+      if (stopped || (options.recall && options.recall(chunks[i]))) return;
       run_chunk(sweep, chunks[i], packed.get());
       if (options.finished) options.finished(chunks[i]);
     });
+    if (stopped) return;
     for (const Chunk& chunk : chunks) {
       for (std::size_t i = 0; i < chunk.count; ++i) {
         failed += chunk.failures[i].empty() ? 0 : 1;

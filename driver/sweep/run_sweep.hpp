@@ -63,6 +63,8 @@ struct SweepOptions {
   std::size_t chunk = 0;  ///< samples that a thread takes at once; 0: chunk_size
   bool packs = true;      ///< samples that can go together do: it saves time and changes nothing
   std::function<void(std::size_t done, std::size_t failed)> progress = {};
+  /// Asked before each chunk, by the thread that runs it; after a no the sweep ends early.
+  std::function<bool()> go_on = {};
   /// Fills numbers and failures of a chunk that was run before; false if it has to be run. Called
   /// by several threads, as the next one.
   std::function<bool(Chunk&)> recall = {};

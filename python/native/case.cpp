@@ -26,17 +26,25 @@ struct Run {
   driver::analysis::RecordedRun record;
 };
 
+using Settings = std::vector<std::pair<std::string, std::variant<double, std::string>>>;
+
 /// Text of a case with values for its parameters; resolved when it is asked for.
 class Case {
  public:
-  Case(base::SourceText source, std::string folder, bool allow_outside)
+  Case(base::SourceText source, std::string folder, bool allow_outside, const Settings& settings)
       : source_(std::move(source)), folder_(std::move(folder)), allow_outside_(allow_outside) {
+    for (const auto& [name, value] : settings) overrides_.push_back({name, value});
     resolve();
+    if (const auto parsed = driver::read::ParsedCase::parse(source_, folder_)) {
+      if (const auto parameters = parsed->root().find("parameters")) {
+        for (const auto& entry : parameters->entries()) order_.emplace_back(entry.key.text());
+      }
+    }
   }
 
   const driver::cases::Case& problem() const { return *problem_; }
 
-  void set(const std::vector<std::pair<std::string, std::variant<double, std::string>>>& values) {
+  void set(const Settings& values) {
     std::vector<base::ParameterText> before = overrides_;
     for (const auto& [name, value] : values) {
       std::erase_if(overrides_, [&own = name](const auto& one) { return one.name == own; });
@@ -50,13 +58,13 @@ class Case {
     }
   }
 
-  std::shared_ptr<Run> run(int every, bool with_checks) {
+  std::shared_ptr<Run> run(int every, bool with_checks, const std::vector<std::string>& columns) {
     auto run = std::make_shared<Run>();
+    const Interruption interruption;
     run->problem = problem_;
     const driver::analysis::RecordOptions options{
-        .every = every, .with_checks = with_checks, .go_on = [] {
-          const py::gil_scoped_acquire locked;
-          return PyErr_CheckSignals() == 0;
+        .every = every, .with_checks = with_checks, .columns = columns, .go_on = [&] {
+          return interruption.none();
         }};
     auto record = [&] {
       const py::gil_scoped_release released;
@@ -73,6 +81,13 @@ class Case {
   const base::SourceText& source() const { return source_; }
   const std::string& folder() const { return folder_; }
   bool allow_outside() const { return allow_outside_; }
+  /// Names of the parameters in the order of the text.
+  const std::vector<std::string>& order() const { return order_; }
+  Settings overrides() const {
+    Settings all;
+    for (const base::ParameterText& one : overrides_) all.emplace_back(one.name, one.value);
+    return all;
+  }
 
  private:
   void resolve() {
@@ -87,6 +102,7 @@ class Case {
   base::SourceText source_;
   std::string folder_;
   bool allow_outside_;
+  std::vector<std::string> order_;
   std::vector<base::ParameterText> overrides_;
   std::shared_ptr<const driver::cases::Case> problem_;
   base::Diagnostics diagnostics_;
@@ -109,6 +125,15 @@ py::array column_of(const py::object& self, const std::string& name) {
 
 std::string unit_of(const Run& run, const driver::results::Column& column) {
   return base::unit_text(column.dimension, run.problem->units);
+}
+
+/// Name of each definition, whether CSFC is its total force, and the columns of its components.
+py::list friction_of(const driver::cases::Case& problem) {
+  py::list all;
+  for (const auto& one : driver::results::friction_columns(problem)) {
+    all.append(py::make_tuple(one.name, one.coupled, one.forces));
+  }
+  return all;
 }
 
 py::list events_of(const Run& run) {
@@ -149,8 +174,10 @@ std::string parent_of(const std::string& path) {
 
 void bind_case(py::module_& module) {
   py::class_<Run, std::shared_ptr<Run>>(module, "Run")
-      .def("column",
-           [](const py::object& self, const std::string& name) { return column_of(self, name); })
+      .def(
+          "column",
+          [](const py::object& self, const std::string& name) { return column_of(self, name); },
+          py::arg("name"))
       .def_property_readonly("columns",
                              [](const Run& run) {
                                std::vector<std::string> names;
@@ -173,46 +200,47 @@ void bind_case(py::module_& module) {
                                }
                                return texts;
                              })
-      .def_property_readonly(
-          "friction",
-          [](const Run& run) {
-            py::list all;
-            for (const auto& one : driver::results::friction_columns(*run.problem)) {
-              all.append(py::make_tuple(one.name, one.coupled, one.forces));
-            }
-            return all;
-          })
+      .def_property_readonly("friction", [](const Run& run) { return friction_of(*run.problem); })
       .def_property_readonly("rows", [](const Run& run) { return run.record.rows; })
       .def_property_readonly("title", [](const Run& run) { return run.problem->title; })
       .def_property_readonly("events", events_of)
       .def_property_readonly("warnings", [](const Run& run) { return run.record.warnings; })
       .def_property_readonly("document", [](const Run& run) { return run.record.document.dump(); });
   py::class_<Case>(module, "Case")
-      .def(py::init([](const std::string& path, bool allow_outside) {
-             return std::make_unique<Case>(source_of(path), parent_of(path), allow_outside);
+      .def(py::init([](const std::string& path, bool allow_outside, const Settings& settings) {
+             return std::make_unique<Case>(source_of(path), parent_of(path), allow_outside,
+                                           settings);
            }),
-           py::arg("path"), py::arg("allow_outside"))
+           py::arg("path"), py::arg("allow_outside"), py::arg("settings"))
       .def_static(
           "of_text",
           [](const std::string& text, const std::string& name, const std::string& folder,
-             bool allow_outside) {
-            return std::make_unique<Case>(base::SourceText(name, text), folder, allow_outside);
+             bool allow_outside, const Settings& settings) {
+            return std::make_unique<Case>(base::SourceText(name, text), folder, allow_outside,
+                                          settings);
           },
-          py::arg("text"), py::arg("name"), py::arg("folder"), py::arg("allow_outside"))
+          py::arg("text"), py::arg("name"), py::arg("folder"), py::arg("allow_outside"),
+          py::arg("settings"))
       .def("copy", [](const Case& one) { return std::make_unique<Case>(one); })
       .def("set", &Case::set, py::arg("values"))
-      .def("run", &Case::run, py::arg("every"), py::arg("checks"))
+      .def("run", &Case::run, py::arg("every"), py::arg("checks"), py::arg("columns"))
       .def_property_readonly("parameters",
                              [](const Case& one) {
                                py::dict values;
-                               for (const auto& [name, value] : one.problem().parameters) {
-                                 values[py::str(name)] = value;
+                               for (const std::string& name : one.order()) {
+                                 values[py::str(name)] = one.problem().parameters.at(name);
                                }
                                return values;
                              })
       .def_property_readonly("title", [](const Case& one) { return one.problem().title; })
       .def_property_readonly("text",
                              [](const Case& one) { return std::string(one.source().text()); })
+      .def_property_readonly("folder", &Case::folder)
+      .def_property_readonly("friction", [](const Case& one) { return friction_of(one.problem()); })
+      .def_property_readonly(
+          "columns", [](const Case& one) { return driver::results::column_names(one.problem()); })
+      .def_property_readonly("allow_outside", &Case::allow_outside)
+      .def_property_readonly("overrides", [](const Case& one) { return one.overrides(); })
       .def_property_readonly("name", [](const Case& one) { return one.source().name(); })
       .def_property_readonly("definitions", [](const Case& one) {
         std::vector<std::string> names;

@@ -25,18 +25,27 @@ constexpr py::ssize_t kStateSize = SLIP_STATE_NUMBERS;
 /// A number of an update, of each definition.
 struct Told {
   const char* name;
+  const char* text;
   double (*of)(const slip_result& result);
 };
 constexpr std::array kTold{
-    Told{"limit", [](const slip_result& one) { return one.limit; }},
-    Told{"normal_force", [](const slip_result& one) { return one.normal_force; }},
-    Told{"mu", [](const slip_result& one) { return one.mu; }},
-    Told{"slip_increment", [](const slip_result& one) { return one.slip_increment; }},
-    Told{"slip_rate", [](const slip_result& one) { return one.slip_rate; }},
-    Told{"dissipation", [](const slip_result& one) { return one.dissipation; }},
-    Told{"stored_energy", [](const slip_result& one) { return one.stored_energy; }},
-    Told{"work", [](const slip_result& one) { return one.work; }},
-    Told{"regime", [](const slip_result& one) { return static_cast<double>(one.regime); }}};
+    Told{"limit", "Limit of the friction force, F_lim [F].",
+         [](const slip_result& one) { return one.limit; }},
+    Told{"normal_force", "Normal force, F_N [F].",
+         [](const slip_result& one) { return one.normal_force; }},
+    Told{"mu", "Coefficient used [1].", [](const slip_result& one) { return one.mu; }},
+    Told{"slip_increment", "Equivalent slip of the increment [L].",
+         [](const slip_result& one) { return one.slip_increment; }},
+    Told{"slip_rate", "Slip rate that the coefficient saw [L/T].",
+         [](const slip_result& one) { return one.slip_rate; }},
+    Told{"dissipation", "Dissipated energy of the increment [F L], never negative.",
+         [](const slip_result& one) { return one.dissipation; }},
+    Told{"stored_energy", "Energy of the elastic slip at the end [F L].",
+         [](const slip_result& one) { return one.stored_energy; }},
+    Told{"work", "Work of the friction force over the increment [F L].",
+         [](const slip_result& one) { return one.work; }},
+    Told{"regime", "slipbench.OPEN, STICK or SLIP.",
+         [](const slip_result& one) { return static_cast<double>(one.regime); }}};
 
 /// Increments that were updated. Numbers are kept in the order in which they are given out.
 struct Update {
@@ -137,7 +146,8 @@ class Law {
   Update update(const Numbers& state, const Numbers& motion, const std::optional<Numbers>& forces,
                 const std::optional<Numbers>& begin, const std::optional<Numbers>& duration,
                 const std::optional<Numbers>& temperature, const std::optional<Numbers>& fields,
-                bool tangent) const {
+                bool tangent, const std::optional<Numbers>& end,
+                const std::optional<Numbers>& reference) const {
     Update made;
     made.single = motion.ndim() == 1;
     made.count = made.single ? 1 : motion.shape(0);
@@ -149,6 +159,8 @@ class Law {
     const Column motions(motion, made.count, kSix, made.single, "motion");
     const Column constraint(forces, made.count, kSix, made.single, "forces");
     const Column begins(begin, made.count, kSix, made.single, "begin");
+    const Column ends(end, made.count, kSix, made.single, "end");
+    const Column references(reference, made.count, kSix, made.single, "reference");
     const Column durations(duration, made.count, 1, made.single, "duration");
     const Column temperatures(temperature, made.count, 1, made.single, "temperature");
     const py::ssize_t field_count = !fields               ? 0
@@ -165,6 +177,8 @@ class Law {
       increment.duration = durations.number(i, 1.0);
       take(begins.at(i), increment.begin);
       for (int c = 0; c < kSix; ++c) increment.end[c] = increment.begin[c] + motions.at(i)[c];
+      take(ends.at(i), increment.end);
+      take(references.at(i), increment.reference);
       take(constraint.at(i), increment.force);
       increment.temperature = temperatures.number(i, 0.0);
       increment.fields = all_fields.at(i);
@@ -232,22 +246,31 @@ class Law {
 }  // namespace
 
 void bind_law(py::module_& module) {
-  py::class_<Update> update(module, "Update");
+  py::class_<Update> update(module, "Update",
+                            "Increments that were updated: a row of each array is one of them.");
   update
-      .def_property_readonly("state",
-                             [](const Update& one) {
-                               return array_of(one.state.data(),
-                                               {one.count, one.definitions * kStateSize},
-                                               one.single);
-                             })
-      .def_property_readonly("force",
-                             [](const Update& one) {
-                               return array_of(one.force.data(), {one.count, kSix}, one.single);
-                             })
-      .def_property_readonly("tangent", [](const Update& one) { return tangent_of(one, 0); })
-      .def_property_readonly("force_tangent", [](const Update& one) { return tangent_of(one, 1); });
+      .def_property_readonly(
+          "state",
+          [](const Update& one) {
+            return array_of(one.state.data(), {one.count, one.definitions * kStateSize},
+                            one.single);
+          },
+          "States at the end, as `update` takes them.")
+      .def_property_readonly(
+          "force",
+          [](const Update& one) {
+            return array_of(one.force.data(), {one.count, kSix}, one.single);
+          },
+          "Friction forces and moments on the six components [F, F L].")
+      .def_property_readonly(
+          "tangent", [](const Update& one) { return tangent_of(one, 0); },
+          "Slopes of the force to the positions at the end, 6 by 6.")
+      .def_property_readonly(
+          "force_tangent", [](const Update& one) { return tangent_of(one, 1); },
+          "Slopes of the force to the constraint forces at the end, 6 by 6.");
   for (std::size_t k = 0; k < kTold.size(); ++k) {
-    update.def_property_readonly(kTold[k].name, [k](const Update& one) { return told_of(one, k); });
+    update.def_property_readonly(
+        kTold[k].name, [k](const Update& one) { return told_of(one, k); }, kTold[k].text);
   }
   py::class_<Law>(module, "Law")
       .def(py::init<const std::string&>(), py::arg("text"))
@@ -256,7 +279,8 @@ void bind_law(py::module_& module) {
       .def("update", &Law::update, py::arg("state"), py::arg("motion"),
            py::arg("forces") = py::none(), py::arg("begin") = py::none(),
            py::arg("duration") = py::none(), py::arg("temperature") = py::none(),
-           py::arg("fields") = py::none(), py::arg("tangent") = false)
+           py::arg("fields") = py::none(), py::arg("tangent") = false, py::arg("end") = py::none(),
+           py::arg("reference") = py::none())
       .def_property_readonly("state_size", &Law::state_size)
       .def_property_readonly("names", &Law::names);
 }

@@ -6,5 +6,6 @@ PYBIND11_MODULE(_native, module) {
   module.attr("version") = SLIPBENCH_VERSION;
   slipbench::python::bind_case(module);
   slipbench::python::bind_law(module);
+  slipbench::python::bind_sweep(module);
   slipbench::python::bind_tools(module);
 }

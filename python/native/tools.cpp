@@ -35,10 +35,20 @@ py::dict calibrated(const std::string& path, const std::map<std::string, double>
   calibrate::Fit& fit = *read.value;
   if (bootstrap) fit.bootstrap = *bootstrap;
   fit.profile = fit.profile || profile;
-  auto found = [&] {
+  struct Interrupted {};
+  const Interruption interruption;
+  auto found = [&]() -> decltype(calibrate::calibrate(fit)) {
     const py::gil_scoped_release released;
-    return calibrate::calibrate(fit, {}, {.threads = threads});
+    const calibrate::CalibrateProgress progress{[&](const calibrate::CalibrateStep&) {
+      if (!interruption.none()) throw Interrupted{};
+    }};
+    try {
+      return calibrate::calibrate(fit, progress, {.threads = threads});
+    } catch (const Interrupted&) {
+      return tl::unexpected(calibrate::CalibrationFailure{});
+    }
   }();
+  if (PyErr_Occurred() != nullptr) throw py::error_already_set();
   if (!found) raise_error("RunError", found.error().message);
   py::dict result;
   result["document"] = calibrate::calibration_json(fit, *found).dump();

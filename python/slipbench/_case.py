@@ -3,7 +3,7 @@
 import collections.abc
 import json
 import os
-from typing import Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Union
+from typing import Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 from . import _native
 
@@ -34,6 +34,10 @@ class Verdict(NamedTuple):
         return self.passed
 
 
+def _settings(values: Mapping[str, Number]) -> List[Tuple[str, Union[float, str]]]:
+    return [(name, value if isinstance(value, str) else float(value)) for name, value in values.items()]
+
+
 class Parameters(collections.abc.MutableMapping):
     """The parameters of a case: names with their numbers. A number or an expression ("= 2*R") replaces what the case's text
     has; the case is read again at once, and a fault raises CaseError and changes nothing."""
@@ -51,7 +55,7 @@ class Parameters(collections.abc.MutableMapping):
         """Gives several parameters other values at once."""
         given = dict(*others, **values)
         if given:
-            self._native.set([(name, value if isinstance(value, str) else float(value)) for name, value in given.items()])
+            self._native.set(_settings(given))
 
     def __delitem__(self, name: str) -> None:
         raise TypeError("a case keeps its parameters: give them another value")
@@ -66,6 +70,14 @@ class Parameters(collections.abc.MutableMapping):
         return repr(self._native.parameters)
 
 
+def _no_column(name: str, names: List[str]) -> KeyError:
+    import difflib
+
+    near = difflib.get_close_matches(name, names, 3)
+    hint = f"; did you mean {' or '.join(near)}?" if near else f"; the columns are {', '.join(names)}"
+    return KeyError(f"no column {name!r}{hint}")
+
+
 class Run(collections.abc.Mapping):
     """The result of a run. `run["CSF1"]` is a column as a read-only NumPy array, without a copy; names are those of the result file."""
 
@@ -78,11 +90,7 @@ class Run(collections.abc.Mapping):
         try:
             return self._native.column(name)
         except KeyError:
-            import difflib
-
-            near = difflib.get_close_matches(name, self._names, 3)
-            hint = f"; did you mean {' or '.join(near)}?" if near else f"; the columns are {', '.join(self._names)}"
-            raise KeyError(f"no column {name!r}{hint}") from None
+            raise _no_column(name, self._names) from None
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._names)
@@ -219,32 +227,35 @@ class Case:
         one.parameters.update(values)
         return one
 
-    def run(self, every: int = 1, checks: bool = True) -> Run:
+    def run(self, every: int = 1, checks: bool = True, columns: Optional[Sequence[str]] = None) -> Run:
         """Runs it. Ctrl-C ends it; other threads go on meanwhile.
 
-        every: of so many rows one is kept, and the last; checks: whether they are judged. Raises RunError where the run does not
-        come to its end.
+        every: of so many rows one is kept, and the last; checks: whether they are judged; columns: those that are kept besides the time,
+        which makes long runs quick; by default those of the result file. Raises RunError where the run does not come to its end.
         """
         if every < 1:
             raise ValueError(f"every: wanted a whole number of at least 1, found {every}")
-        return Run(self._native.run(every, checks))
+        if columns is not None and not isinstance(columns, str):
+            for name in columns:
+                if name not in self._native.columns:
+                    raise _no_column(name, self._native.columns)
+        elif columns is not None:
+            raise TypeError("columns: wanted a list of names")
+        return Run(self._native.run(every, checks, list(columns or [])))
 
     def __repr__(self) -> str:
         return f"<slipbench.Case {self.title!r}: {', '.join(self.definitions)}>"
 
 
-def load(source: Union[str, "os.PathLike[str]", Mapping], *, folder: str = ".", allow_outside: bool = False, **parameters: Number) -> Case:
+def load(source: Union[str, "os.PathLike[str]", Mapping], *, folder: Union[str, "os.PathLike[str]"] = ".", allow_outside: bool = False, **parameters: Number) -> Case:
     """Reads a case: a file's name, its text (which has a line feed), or a dict with its keys.
 
     folder: where data files of a text or a dict are looked for; allow_outside: whether they may lie outside it. Further arguments are
     values of its parameters. Raises CaseError with all that is wrong; warnings are SlipbenchWarning.
     """
+    settings = _settings(parameters)
     if isinstance(source, collections.abc.Mapping):
-        native = _native.Case.of_text(_text_of(source), "<dict>", os.fspath(folder), allow_outside)
-    elif isinstance(source, str) and "\n" in source:
-        native = _native.Case.of_text(source, "<text>", os.fspath(folder), allow_outside)
-    else:
-        native = _native.Case(os.fspath(source), allow_outside)
-    case = Case(native)
-    case.parameters.update(parameters)
-    return case
+        return Case(_native.Case.of_text(_text_of(source), "<dict>", os.fspath(folder), allow_outside, settings))
+    if isinstance(source, str) and "\n" in source:
+        return Case(_native.Case.of_text(source, "<text>", os.fspath(folder), allow_outside, settings))
+    return Case(_native.Case(os.fspath(source), allow_outside, settings))

@@ -44,7 +44,7 @@ class Calibration:
     @property
     def estimates(self) -> Dict[str, Estimate]:
         """The unknowns by their names."""
-        return {one["name"]: Estimate(one["name"], one["value"], one["standard_error"], tuple(one["interval"]) if one["interval"] else None,
+        return {one["name"]: Estimate(one["name"], one["value"], one["standard_error"], (one["interval"][0], one["interval"][1]) if one["interval"] else None,
                                       one["unit"], one["start"], one["identifiability"]) for one in self.document["unknowns"]}
 
     def __getitem__(self, name: str) -> float:

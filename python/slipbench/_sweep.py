@@ -2,30 +2,29 @@
 """One case with many values of its parameters, and many cases with their checks."""
 import collections.abc
 import concurrent.futures
+import json
 import os
 import pathlib
 from typing import Any, Callable, Dict, Iterator, List, Mapping, NamedTuple, Optional, Union
 
+from . import _native
 from ._case import Case, Run, Verdict, load
-from ._errors import RunError, SlipbenchError
+from ._errors import SlipbenchError
 
 
-def _figures(run: Run) -> Dict[str, float]:
+def _figures(case: Case) -> Dict[str, Dict[str, str]]:
     """What a sweep collects if nothing else is said: of each definition the largest force and limit, and what was dissipated."""
+    friction, columns = case._native.friction, set(case._native.columns)
     figures = {}
-    for name, coupled, forces in run._native.friction:
-        def column(stem):
-            return next((run[one] for one in (f"{stem}.{name}", stem) if one in run), None)
+    for name, coupled, forces in friction:
+        def own(stem):
+            return next((one for one in (f"{stem}.{name}", stem) if one in columns), None)
 
-        tail = f".{name}" if len(run._native.friction) > 1 else ""
-        force = column("CSFC") if coupled else (run[forces[0]] if forces and forces[0] in run else None)
-        limit, lost = column("FLIM"), column("DISS")
-        if force is not None:
-            figures["force" + tail] = float(abs(force).max())
-        if limit is not None:
-            figures["limit" + tail] = float(limit.max())
-        if lost is not None:
-            figures["dissipation" + tail] = float(lost[-1])
+        tail = f".{name}" if len(friction) > 1 else ""
+        for figure, part, column in (("force", "magnitude", own("CSFC") if coupled else next(iter(forces), None)),
+                                     ("limit", "max", own("FLIM")), ("dissipation", "last", own("DISS"))):
+            if column is not None:
+                figures[figure + tail] = {part: column}
     return figures
 
 
@@ -57,38 +56,48 @@ class Sweep(collections.abc.Mapping):
         return f"<slipbench.Sweep: {rows} samples, {', '.join(self._columns)}; {len(self.failures)} failed>"
 
 
-def sweep(case: Case, collect: Optional[Union[Callable[[Run], Mapping[str, float]], Mapping[str, Callable[[Run], float]]]] = None, *,
-          threads: int = 0, **parameters) -> Sweep:
+Collect = Union[Callable[[Run], Mapping[str, float]], Mapping[str, Union[Callable[[Run], float], Mapping[str, Any]]]]
+
+
+def sweep(case: Case, collect: Optional[Collect] = None, *, threads: int = 0, **parameters: Any) -> Sweep:
     """Runs a case with arrays of values of its parameters, which are broadcast against each other.
 
-    collect: a function of a run that gives a dict of numbers, or a dict of functions; by default the largest force and limit and the
-    dissipated energy of each definition. threads: 0 for as many as cores. Raises CaseError where a sample makes no case.
+    collect: numbers of a run as a sweep file has them, {"peak": {"magnitude": "CSF1"}, "lost": {"last": "DISS"}}: the samples go through the
+    engine of the program, many at once where they can; by default the largest force and limit and the dissipated energy of each
+    definition. Or a function of a run that gives a dict of numbers, or a dict of such functions, at the cost of a run each.
+    threads: 0 for as many as cores. A sample that makes no case, or whose run ends early, has nan and a reason in `failures`.
 
-        slipbench.sweep(case, mu=numpy.linspace(0.1, 0.3, 50), collect={"peak": lambda run: run["CSF1"].max()})
+        slipbench.sweep(case, {"peak": {"max": "CSF1"}}, mu=numpy.linspace(0.1, 0.3, 50))
     """
     import numpy
 
     if not parameters:
         raise ValueError("sweep: which parameters vary? sweep(case, mu=array)")
+    arrays = numpy.broadcast_arrays(*(numpy.asarray(values, dtype=float) for values in parameters.values()))
+    columns = {name: numpy.array(values).ravel() for name, values in zip(parameters, arrays)}
     if collect is None:
-        take = _figures
-    elif callable(collect):
+        collect = _figures(case)
+    if not callable(collect) and not any(callable(one) for one in collect.values()):
+        native = case._native
+        names, numbers, failures = _native.sweep(
+            native.text, native.name, native.folder, native.allow_outside, [(name, value) for name, value in native.overrides if name not in columns],
+            list(columns.items()), json.dumps(collect), threads)
+        columns.update(zip(names, numbers.T))
+        return Sweep(columns, failures)
+    if callable(collect):
         take = collect
     else:
         def take(run):
             return {name: function(run) for name, function in collect.items()}
 
-    arrays = numpy.broadcast_arrays(*(numpy.asarray(values, dtype=float) for values in parameters.values()))
-    columns = {name: numpy.array(values).ravel() for name, values in zip(parameters, arrays)}
-    count = len(next(iter(columns.values())))
-
     def sample(index):
-        one = case.with_parameters(**{name: values[index] for name, values in columns.items()})
         try:
+            one = case.with_parameters(**{name: values[index] for name, values in columns.items()})
             return dict(take(one.run(checks=False)))
-        except RunError as error:
+        except SlipbenchError as error:
             return str(error)
 
+    count = len(next(iter(columns.values())))
     with concurrent.futures.ThreadPoolExecutor(threads or os.cpu_count()) as pool:
         results = list(pool.map(sample, range(count)))
     failures = {index: result for index, result in enumerate(results) if isinstance(result, str)}

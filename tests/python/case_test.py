@@ -99,7 +99,26 @@ class Runs(unittest.TestCase):
             slot().run(every=0)
 
 
+    def test_columns_may_be_chosen(self):
+        run, all_of_it = slot().run(columns=["CSF1", "FLIM"]), slot().run()
+        self.assertEqual(list(run), ["t", "CSF1", "FLIM"])
+        numpy.testing.assert_array_equal(run["CSF1"], all_of_it["CSF1"])
+        self.assertTrue(run.passed)
+        with self.assertRaisesRegex(KeyError, "did you mean CSF1"):
+            slot().run(columns=["CSF11"])
+        with self.assertRaisesRegex(TypeError, "list of names"):
+            slot().run(columns="CSF1")
+
+
 class Parameters(unittest.TestCase):
+    def test_a_value_that_the_case_lacks_is_given_with_it(self):
+        lacking = {**SLOT, "parameters": {"zeta": 1, "mu": None, "N": 100}}
+        with self.assertRaisesRegex(slipbench.CaseError, "mu"):
+            slipbench.load(lacking)
+        case = slipbench.load(lacking, mu=0.3)
+        self.assertEqual(dict(case.parameters), {"zeta": 1.0, "mu": 0.3, "N": 100.0})
+        self.assertEqual(list(case.parameters), ["zeta", "mu", "N"])
+
     def test_a_value_is_read_at_once_and_a_faulty_one_changes_nothing(self):
         case = slot()
         case.parameters["mu"] = 0.3

@@ -4,10 +4,14 @@
 usage: tools_test.py SLIPBENCH CASES_FOLDER [unittest words]   (PYTHONPATH has the module)
 """
 import json
+import os
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
+import threading
+import time
 import unittest
 
 import numpy
@@ -68,9 +72,35 @@ class Sweeps(unittest.TestCase):
         numpy.testing.assert_allclose(result["peak"], [10.0, 20.0])
         self.assertEqual(result.failures, {})
 
-    def test_a_faulty_value_is_an_error(self):
-        with self.assertRaises(slipbench.CaseError):
-            slipbench.sweep(slipbench.load(SLOT), mu=[0.1, -1.0])
+    def test_a_faulty_sample_fails_by_itself(self):
+        for collect in (None, {"peak": lambda run: run["CSF1"].max()}):
+            result = slipbench.sweep(slipbench.load(SLOT), collect, mu=[0.1, -1.0])
+            self.assertEqual(list(result.failures), [1])
+            self.assertIn("coefficient", result.failures[1])
+            name = list(result)[-1]
+            self.assertTrue(numpy.isfinite(result[name][0]) and numpy.isnan(result[name][1]))
+        with self.assertRaisesRegex(slipbench.CaseError, "nu"):
+            slipbench.sweep(slipbench.load(SLOT), nu=[0.1, 0.2])
+
+    def test_numbers_of_a_sweep_file_are_those_of_runs(self):
+        case = slipbench.load(SLOT, N=80)
+        dice = numpy.random.default_rng(1)
+        mu = dice.uniform(0.1, 0.3, 300)
+        result = slipbench.sweep(case, {"peak": {"max": "CSF1"}, "lost": {"last": "DISS"}, "loose": {"count": "stick_to_slip"}}, mu=mu)
+        for index in (0, 99, 299):
+            run = case.with_parameters(mu=mu[index]).run()
+            self.assertEqual((result["peak"][index], result["lost"][index]), (run["CSF1"].max(), run["DISS"][-1]))
+            self.assertEqual(result["loose"][index], sum((one.origin, one.goal) == ("stick", "slip") for one in run.events))
+        with self.assertRaisesRegex(slipbench.CaseError, "CSF11"):
+            slipbench.sweep(case, {"peak": {"max": "CSF11"}}, mu=mu)
+
+    def test_ctrl_c_ends_a_sweep(self):
+        case = slipbench.load({**SLOT, "history": [{**SLOT["history"][0], "increments": 1_000_000, "duration": 1000}]})
+        threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
+        begin = time.monotonic()
+        with self.assertRaises(KeyboardInterrupt):
+            slipbench.sweep(case, {"loose": {"count": "stick_to_slip"}}, mu=numpy.linspace(0.1, 0.2, 400))
+        self.assertLess(time.monotonic() - begin, 5.0)
 
 
 class Checks(unittest.TestCase):
