@@ -104,7 +104,7 @@ tl::expected<void, ExperimentModel::Failure> ExperimentModel::prepare() {
   if (!read) {
     const base::HistoryError& error = read.error();
     std::string place = error.file;
-    if (error.line > 0) place += fmt::format(":{}", error.line);
+    if (error.line > 0) place += fmt::format(":{}:{}", error.line, std::max(error.column, 1));
     return tl::unexpected(Failure{place + (place.empty() ? "" : ": ") + error.message,
                                   error.kind == base::HistoryError::Kind::kEnvironment, false});
   }

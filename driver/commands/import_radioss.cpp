@@ -16,6 +16,7 @@
 #include "driver/base/text/source_text.hpp"
 #include "driver/base/units/units.hpp"
 #include "driver/commands/import_units.hpp"
+#include "driver/import/deck_kind.hpp"
 #include "driver/import/radioss/case_writer.hpp"
 #include "driver/import/radioss/deck_friction.hpp"
 #include "driver/import/radioss/deck_interface.hpp"
@@ -227,6 +228,17 @@ std::vector<Meant> find_meant(const radioss::DeckContents& contents,
   return all;
 }
 
+/// Sentence on a file that no reader knows as a deck of its program.
+base::Diagnostic not_a_deck(const base::SourceText& source) {
+  const bool empty = source.text().find_first_not_of(" \t\r\n") == std::string_view::npos;
+  return {.file = std::string(source.name()),
+          .where = {1, 1, 1},
+          .message = empty ? "the file is empty" : "this is no deck of a program that is known",
+          .hint =
+              "keywords of Abaqus and LS-DYNA begin with '*', blocks of Radioss with '/', and an "
+              "OpenSees script has a line with frictionModel"};
+}
+
 }  // namespace
 
 ImportedDeck import_radioss(const ImportOptions& options) {
@@ -248,6 +260,12 @@ ImportedDeck import_radioss(const ImportOptions& options) {
   base::Diagnostics diagnostics;
   const radioss::StarterDeck deck = radioss::split_deck(
       *source, std::filesystem::path(options.deck).parent_path().string(), diagnostics);
+  if (!diagnostics.has_errors() &&
+      import::kind_of_text(source->text()) == import::DeckKind::kUnknown) {
+    imported.messages += base::render(not_a_deck(*source));
+    imported.code = base::kExitBadInput;
+    return imported;
+  }
   const std::vector<radioss::DeckInterface> interfaces =
       radioss::read_interfaces(deck, diagnostics);
   std::optional<int> chosen = options.id;

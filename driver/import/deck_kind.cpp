@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace slipbench::driver::import {
 namespace {
@@ -61,6 +62,9 @@ DeckKind kind_of_text(std::string_view text) {
 }
 
 DeckKind kind_of_deck(const std::filesystem::path& file) {
+  // To open a pipe would wait for its writer.
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return DeckKind::kUnknown;
   std::ifstream stream(file, std::ios::binary);
   std::string head(kHead, '\0');
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <system_error>
 #include <utility>
 
 namespace slipbench::driver::import {
@@ -33,6 +34,13 @@ base::SourcePosition DeckTexts::position(std::string_view piece) const {
 std::string DeckTexts::place(std::string_view piece) const {
   return fmt::format("{}:{}", std::filesystem::path(name(piece)).filename().string(),
                      position(piece).line);
+}
+
+bool is_open(const std::vector<std::string>& open, const std::string& path) {
+  std::error_code ignored;
+  return std::any_of(open.begin(), open.end(), [&](const std::string& one) {
+    return std::filesystem::equivalent(one, path, ignored);
+  });
 }
 
 }  // namespace slipbench::driver::import

@@ -40,4 +40,8 @@ class DeckTexts {
   std::deque<base::SourceText> texts_;
 };
 
+/// Returns whether a file is among those that are being read: a deck that includes it there has no
+/// end. Links are followed.
+bool is_open(const std::vector<std::string>& open, const std::string& path);
+
 }  // namespace slipbench::driver::import

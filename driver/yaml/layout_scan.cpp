@@ -365,7 +365,10 @@ class LayoutScanner {
     if (after_open_quote_) return;
     const std::string_view words = text_.substr(begin, end - begin);
     const std::size_t colon = words.find(':');
-    if (colon != std::string_view::npos && colon > 0) {
+    if (colon != std::string_view::npos && words.substr(colon + 1).starts_with(kNoBreakSpace)) {
+      structural_slip(begin + colon + 1, kNoBreakSpace.size(),
+                      "a no-break space (U+00A0) after ':'", "write a blank");
+    } else if (colon != std::string_view::npos && colon > 0) {
       structural_slip(begin, end - begin, "missing blank after ':'",
                       fmt::format("write '{}: {}'", shown(begin, begin + colon),
                                   shown(begin + colon + 1, end)));

@@ -535,8 +535,10 @@ void run_library(const Feed& feed, std::string_view source_text, bool cut, TreeB
 void check_root(const base::SourceText& source, TreeBuilder& builder) {
   const std::string_view text = source.text();
   const NodeRecord& root = builder.root();
-  if (!builder.has_root() || root.kind == NodeKind::kNull) {
+  if (!builder.has_root()) {
     builder.error(0, 1, {}, "the file is empty", "nothing but blanks and comments is in it");
+  } else if (root.kind == NodeKind::kNull) {
+    builder.error(root.offset, 1, {}, "a map ('key: value') is wanted, this is null");
   } else if (root.kind == NodeKind::kSequence) {
     builder.error(root.offset, 1, {}, "a map ('key: value') is wanted, this is a list");
   } else if (root.kind == NodeKind::kScalar) {

@@ -318,8 +318,12 @@ tl::unexpected<HistoryError> CsvReader::File::diagnose(std::string_view line, lo
   if (fields.size() != columns) {
     const bool decimal_commas = separator == ',' && fields.size() > columns &&
                                 std::all_of(fields.begin(), fields.end(), [](const Field& field) {
-                                  return number_in(field.text, '.').has_value();
+                                  return number_in(field.text, '.').has_value() &&
+                                         field.text.find('.') == std::string_view::npos;
                                 });
+    if (fields.size() < columns && fields.back().text.starts_with('"')) {
+      return error(number, fields.back().offset, "the quote \" is not closed in its line");
+    }
     return error(
         number, 0,
         fmt::format("{} field{} where the header has {} column{}{}", fields.size(),

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "driver/base/text/letters.hpp"
+#include "driver/base/text/utf8.hpp"
 
 namespace slipbench::driver::base {
 namespace {
@@ -68,6 +69,16 @@ tl::expected<std::size_t, ExpressionError> scan_number(std::string_view text, st
   return failure(fmt::format("'{}' is not a number", word), begin);
 }
 
+/// Fault of a character that is not printable ASCII.
+std::string odd_character(std::string_view rest) {
+  const CodePoint point = decode_utf8(rest);
+  const std::string shown =
+      point.valid && point.value >= 0xA0
+          ? fmt::format("'{}' (U+{:04X})", rest.substr(0, point.length), point.value)
+          : fmt::format("the byte 0x{:02X}", static_cast<unsigned char>(rest[0]));
+  return fmt::format("{}: an expression is written in printable ASCII characters", shown);
+}
+
 /// Reads the text once for what muParser would accept and a case must not contain, and for the
 /// names in it. (muParser would also stop at the first NUL.)
 tl::expected<std::vector<Mention>, ExpressionError> scan(std::string_view text) {
@@ -116,7 +127,7 @@ tl::expected<std::vector<Mention>, ExpressionError> scan(std::string_view text) 
       }
       ++i;
     } else if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f) {
-      return failure("an expression is written in printable ASCII characters", i);
+      return failure(odd_character(text.substr(i)), i);
     } else {
       ++i;
     }
@@ -133,6 +144,8 @@ std::string syntax_message(const mu::ParserError& error) {
       return "a ')' is missing";
     case mu::ecUNEXPECTED_PARENS:
       return fmt::format("unexpected '{}'", token);
+    case mu::ecEXPRESSION_TOO_LONG:
+      return "the expression is longer than 10000 characters";
     case mu::ecTOO_FEW_PARAMS:
       return fmt::format("too few arguments for the function {}", token);
     case mu::ecTOO_MANY_PARAMS:
@@ -304,7 +317,11 @@ tl::expected<double, ExpressionError> Expression::operator()(std::span<const dou
   if ((faults & FE_INVALID) != 0 || std::isnan(result)) {
     reason = "is not defined (0/0, or a root or logarithm of a negative number)";
   }
-  if ((faults & FE_DIVBYZERO) != 0) reason = "divides by zero";
+  if ((faults & FE_DIVBYZERO) != 0) {
+    // The logarithm of 0 raises the same flag.
+    const bool divides = formula.find_first_of("/^") != std::string_view::npos;
+    reason = divides ? "divides by zero" : "is infinite (the logarithm of 0?)";
+  }
   return tl::unexpected(ExpressionError{
       fmt::format("{} {}{}", formula.substr(first, last - first + 1), reason, where), -1, {}});
 }

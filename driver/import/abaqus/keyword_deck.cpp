@@ -96,6 +96,7 @@ KeywordDeck KeywordDeck::read_text(base::SourceText text, const std::string& fol
                                    base::Diagnostics& out) {
   KeywordDeck deck(out);
   deck.folder_ = folder;
+  deck.open_files_ = {std::string(text.name())};
   deck.files_.add(std::move(text));
   deck.scan(0, 0);
   return deck;
@@ -108,6 +109,13 @@ void KeywordDeck::scan(std::size_t file, int depth) {
   int data = 1;
   const auto end_data = [&](int line) {
     if (!blocks_.empty() && line > data) blocks_.back().data.push_back({file, data, line});
+    for (; blocks_.empty() && data < line; ++data) {
+      const std::string_view text = trimmed(source.line(data));
+      if (text.empty() || is_comment(text)) continue;
+      out_->error(files_.name(text), files_.position(text), {}, "data before the first keyword",
+                  "a keyword begins with '*'");
+      break;
+    }
   };
   for (int line = 1; line <= source.line_count(); ++line) {
     const std::string_view text = source.line(line);
@@ -193,18 +201,20 @@ void KeywordDeck::include(const Block& block, int depth) {
     error(block.where, block, "names no file: INPUT= is missing");
     return;
   }
-  if (depth >= kDeepestInclude) {
+  const fs::path path = fs::path(folder_) / shown(*input->value);
+  if (depth >= kDeepestInclude || import::is_open(open_files_, path.string())) {
     error(input->where, block, "files include each other without end");
     return;
   }
-  const fs::path path = fs::path(folder_) / shown(*input->value);
   auto source = base::read_source(path.string(), kDeckSizeLimit);
   if (!source) {
     error(input->where, block, source.error().diagnostic.message,
           "files that a deck includes are looked for in its folder");
     return;
   }
+  open_files_.push_back(path.string());
   scan(files_.add(std::move(*source)), depth + 1);
+  open_files_.pop_back();
 }
 
 void KeywordDeck::read_parameters(const Block& block) {

@@ -92,6 +92,7 @@ class KeywordDeck {
   std::vector<Block> blocks_;
   base::NamedNumbers numbers_;  ///< of *PARAMETER, by their names in small letters
   std::string folder_;
+  std::vector<std::string> open_files_;  ///< those that are being read, each included by the last
   base::Diagnostics* out_;
 };
 

@@ -86,7 +86,13 @@ class Reader {
     const std::vector<Block>& blocks = deck_.blocks();
     for (std::size_t at = 0; at < blocks.size();) {
       if (blocks[at].keyword == "CONNECTOR BEHAVIOR") {
-        model_.behaviors.push_back(read_behavior(deck_, at));
+        const Block& head = blocks[at];
+        Behavior behavior = read_behavior(deck_, at);
+        const Behavior* const first = find_behavior(label_of(behavior.name));
+        if (first != nullptr && !behavior.name.empty()) {
+          deck_.error(head.where, head, "has the name of the one in " + deck_.place(first->where));
+        }
+        model_.behaviors.push_back(std::move(behavior));
       } else {
         read_block(blocks[at]);
         ++at;

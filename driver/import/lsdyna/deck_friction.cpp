@@ -38,8 +38,14 @@ struct Table {
 };
 
 Coefficients read_coefficients(CardReader& cards, std::size_t card, std::size_t first) {
-  return {cards.number(card, first, "FS"), cards.number(card, first + 1, "FD"),
-          cards.number(card, first + 2, "DC"), cards.number(card, first + 3, "VC")};
+  const Coefficients found{cards.number(card, first, "FS"), cards.number(card, first + 1, "FD"),
+                           cards.number(card, first + 2, "DC"),
+                           cards.number(card, first + 3, "VC")};
+  if (found.dc < 0.0) {
+    cards.refuse(card, first + 2,
+                 "DC must not be negative: the coefficient would grow with the velocity for ever");
+  }
+  return found;
 }
 
 std::string number(double value) { return base::format_number(value); }

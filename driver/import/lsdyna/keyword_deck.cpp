@@ -9,7 +9,9 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "driver/import/radioss/deck_line.hpp"
 
@@ -42,7 +44,7 @@ bool is_read(std::string_view keyword) {
 class Splitter {
  public:
   Splitter(KeywordDeck& deck, const std::string& folder, base::Diagnostics& out)
-      : deck_(deck), folder_(folder), out_(out) {}
+      : deck_(deck), folder_(folder), out_(out), open_files_{std::string(deck.texts[0].name())} {}
 
   void split(std::size_t file, int depth) {
     bool open = false;
@@ -93,22 +95,27 @@ class Splitter {
     constexpr int kDeepestInclude = 20;
     constexpr std::size_t kDeckSizeLimit = std::size_t{1} << 30U;
     const std::string path = (std::filesystem::path(folder_) / name).string();
-    if (depth < kDeepestInclude) {
-      if (auto source = base::read_source(path, kDeckSizeLimit)) {
-        split(deck_.texts.add(std::move(*source)), depth + 1);
-        ended_ = false;
-        return;
-      }
+    if (depth >= kDeepestInclude || import::is_open(open_files_, path)) {
+      out_.error(deck_.texts.name(name), deck_.texts.position(name), "*INCLUDE",
+                 "files include each other without end");
+      return;
+    }
+    if (auto source = base::read_source(path, kDeckSizeLimit)) {
+      open_files_.push_back(path);
+      split(deck_.texts.add(std::move(*source)), depth + 1);
+      open_files_.pop_back();
+      ended_ = false;
+      return;
     }
     out_.warning(deck_.texts.name(name), deck_.texts.position(name), "*INCLUDE",
-                 depth < kDeepestInclude ? "the file cannot be read: what it has is missing here"
-                                         : "files include each other without end",
+                 "the file cannot be read: what it has is missing here",
                  "files that a deck includes are looked for in its folder");
   }
 
   KeywordDeck& deck_;
   const std::string& folder_;
   base::Diagnostics& out_;
+  std::vector<std::string> open_files_;  ///< those that are being read, each included by the last
   bool long_ = false;
   bool ended_ = false;
 };

@@ -49,6 +49,10 @@ class CardReader {
   double number(std::size_t card, std::size_t field, std::string_view name,
                 std::size_t columns = 10);
   int id(std::size_t card, std::size_t field, std::string_view name, std::size_t columns = 10);
+  /// Reports that a field has a number which cannot be meant.
+  void refuse(std::size_t card, std::size_t field, const std::string& message) {
+    fault(text(card, field), message);
+  }
 
  private:
   void fault(std::string_view piece, const std::string& message);

@@ -168,6 +168,15 @@ class ModelReader {
     }
     const auto tag = number(command, 2, "the tag");
     if (!tag) return;
+    if (*tag != std::floor(*tag) || std::abs(*tag) > 1e9) {
+      fault(command, fmt::format("a tag is a whole number, found {}", text_of(*tag)));
+      return;
+    }
+    if (std::any_of(found_.begin(), found_.end(),
+                    [&](const Found& one) { return static_cast<double>(one.tag) == *tag; })) {
+      fault(command, fmt::format("the tag {} stands twice", text_of(*tag)));
+      return;
+    }
     Found found{static_cast<int>(*tag), std::string(known->name), {}};
     found.friction.name = fmt::format("frictionModel {} {}", known->name, found.tag);
     if (known->numbers.front().empty()) {
@@ -178,6 +187,12 @@ class ModelReader {
         const auto value = number(command, 3 + i, known->numbers[i]);
         if (!value) return;
         numbers.push_back(*value);
+      }
+      if (command.words.size() > 3 + numbers.size()) {
+        fault(command, fmt::format("'{}' is one too many: {} takes {} number{} behind the tag",
+                                   base::printable(command.words[3 + numbers.size()]), known->name,
+                                   numbers.size(), numbers.size() == 1 ? "" : "s"));
+        return;
       }
       if (!take(command, numbers, found)) return;
     }

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <utility>
 
+#include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/number.hpp"
 
 namespace slipbench::driver::opensees {
@@ -174,6 +175,7 @@ class Reader {
     } else {
       // What it was is not what it is.
       script_.numbers.erase(name);
+      script_.unread[name] = value;
     }
   }
 
@@ -201,6 +203,11 @@ tl::expected<double, std::string> number_of(const Script& script, std::string_vi
   const auto compiled = base::Expression::compile(text, {}, script.numbers);
   const auto value = compiled ? (*compiled)({}) : tl::unexpected(compiled.error());
   if (value) return *value;
+  const auto unread = script.unread.find(value.error().unknown_name);
+  if (unread != script.unread.end()) {
+    return tl::unexpected(fmt::format("'{}': {} is set to '{}', which is not read as a number",
+                                      word, unread->first, base::printable(unread->second)));
+  }
   return tl::unexpected(fmt::format("'{}': {}", word, value.error().message));
 }
 

@@ -2,6 +2,7 @@
 // An OpenSees script as its commands on friction, with their numbers.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,7 +23,8 @@ struct ScriptCommand {
 struct Script {
   import::DeckTexts texts;
   std::vector<ScriptCommand> commands = {};
-  base::NamedNumbers numbers = {};  ///< of `set name value`, or `name = value`
+  base::NamedNumbers numbers = {};                 ///< of `set name value`, or `name = value`
+  std::map<std::string, std::string> unread = {};  ///< what was set and is no number, by name
 };
 
 /// Takes the commands frictionModel and element out of a script in Tcl or Python. Names that were

@@ -71,7 +71,8 @@ tl::expected<double, std::string> number_of(std::string_view text,
   const bool negative = text.front() == '-';
   const auto found = parameters.find(text.substr(negative ? 2 : 1));
   if (found == parameters.end()) {
-    return tl::make_unexpected(in_quotes(text) + " is no number of a /PARAMETER of the deck");
+    return tl::make_unexpected(in_quotes(text) +
+                               " is no number that the deck states as a parameter");
   }
   return negative ? -found->second : found->second;
 }

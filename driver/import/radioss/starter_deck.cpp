@@ -5,7 +5,9 @@
 #include <array>
 #include <charconv>
 #include <filesystem>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "driver/import/radioss/deck_line.hpp"
 
@@ -81,7 +83,7 @@ constexpr int kDeepestInclude = 15;
 class Splitter {
  public:
   Splitter(StarterDeck& deck, const std::string& folder, base::Diagnostics& out)
-      : deck_(deck), folder_(folder), out_(out) {}
+      : deck_(deck), folder_(folder), out_(out), open_files_{std::string(deck.texts[0].name())} {}
 
   void split(std::size_t file, int depth) {
     const base::SourceText source = deck_.texts[file];
@@ -166,22 +168,27 @@ class Splitter {
     std::string_view name = line.substr(8);
     name.remove_prefix(std::min(name.find_first_not_of(" \t"), name.size()));
     const std::string path = (std::filesystem::path(folder_) / name).string();
-    if (depth < kDeepestInclude) {
-      if (auto source = base::read_source(path, kDeckSizeLimit)) {
-        split(deck_.texts.add(std::move(*source)), depth + 1);
-        return;
-      }
+    if (depth >= kDeepestInclude || import::is_open(open_files_, path)) {
+      out_.error(deck_.texts.name(line), deck_.texts.position(line), "#include",
+                 "files include each other without end");
+      return;
+    }
+    if (auto source = base::read_source(path, kDeckSizeLimit)) {
+      open_files_.push_back(path);
+      split(deck_.texts.add(std::move(*source)), depth + 1);
+      open_files_.pop_back();
+      return;
     }
     deck_.has_includes = true;
     out_.warning(deck_.texts.name(line), deck_.texts.position(line), "#include",
-                 depth < kDeepestInclude ? "the file cannot be read: what it has is missing here"
-                                         : "files include each other without end",
+                 "the file cannot be read: what it has is missing here",
                  "files that a deck includes are looked for in its folder");
   }
 
   StarterDeck& deck_;
   const std::string& folder_;
   base::Diagnostics& out_;
+  std::vector<std::string> open_files_;  ///< those that are being read, each included by the last
   bool open_ = false;
   bool in_submodel_ = false;
   Submodel submodel_;

@@ -84,6 +84,7 @@ TEST_CASE("rows that come together are those of increments one by one, in all ca
   for (const fs::directory_entry& entry :
        fs::recursive_directory_iterator(fs::path(test::source_dir()) / "cases")) {
     if (entry.path().extension() != ".yaml") continue;
+    if (entry.path().string().find("/bad/") != std::string::npos) continue;
     INFO(entry.path().string());
     const read::ReadCase read = read::read_case(entry.path().string(), {});
     if (!read.value || read.diagnostics.has_errors()) continue;

@@ -79,8 +79,9 @@ TEST_CASE("fric_ID, a function of the temperature and parameters of the deck are
   CHECK(one.temperature_function == 12);
   one = only(begin(120) + parameter + head + fric + kIbc + laws);
   CHECK(one.temperature_function == 0);
-  CHECK(read(begin(2024) + head + fric + kIbc + laws).messages ==
-        std::vector<std::string>{"10:Fric: '&mu' is no number of a /PARAMETER of the deck"});
+  CHECK(
+      read(begin(2024) + head + fric + kIbc + laws).messages ==
+      std::vector<std::string>{"10:Fric: '&mu' is no number that the deck states as a parameter"});
 }
 
 TEST_CASE("Cards that are too few or too many are found by the marks of IBC, or told") {
