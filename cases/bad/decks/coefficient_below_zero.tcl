@@ -1,0 +1,5 @@
+# A negative coefficient.
+wipe
+model basic -ndm 3 -ndf 6
+set mu -0.05
+frictionModel Coulomb 1 $mu
