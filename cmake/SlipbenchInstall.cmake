@@ -4,7 +4,7 @@
 #   include/slipbench/<room>/...     headers, for `#include <slipbench/law/update/return_mapping.hpp>`
 #   lib/, lib/cmake/slipbench/       libraries; one targets file for each room, so that a room's consumer
 #                                    needs the dependencies of that room only
-#   lib/pkgconfig/                   the same for pkg-config: slipbench-law, slipbench-reference, slipbench-c, slipbench-c_yaml
+#   lib/pkgconfig/                   the same for pkg-config: slipbench-law, slipbench-c, slipbench-c_yaml
 #   lib/slipbench/                   what the program opens: HDF5, the library of functional mock-up units
 #   lib/python3/dist-packages/       import slipbench
 #   bin/slipbench                    the program

@@ -280,12 +280,15 @@ TEST_CASE("A second document is refused where it begins") {
 TEST_CASE("A file must hold a map") {
   const std::string empty =
       "c.yaml:1:1: error: the file is empty; nothing but blanks and comments is in it\n";
+  const auto null_at = [](const std::string& column) {
+    return "c.yaml:1:" + column + ": error: a map ('key: value') is wanted, this is null\n";
+  };
   check_all(
       {{"", empty + "    1 | \n      | ^\n"},
        {"\n\n", empty + "    1 | \n      | ^\n"},
        {"# only\n", empty + "    1 | # only\n      | ^\n"},
-       {"---\n", empty + "    1 | ---\n      | ^\n"},
-       {"~\n", empty + "    1 | ~\n      | ^\n"},
+       {"---\n", null_at("4") + "    1 | ---\n      |    ^\n"},
+       {"~\n", null_at("1") + "    1 | ~\n      | ^\n"},
        {"- a\n- b\n",
         "c.yaml:1:1: error: a map ('key: value') is wanted, this is a list\n"
         "    1 | - a\n      | ^\n"},
