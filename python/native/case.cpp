@@ -61,6 +61,7 @@ class Case {
   std::shared_ptr<Run> run(int every, bool with_checks, const std::vector<std::string>& columns) {
     auto run = std::make_shared<Run>();
     const Interruption interruption;
+    const base::Diagnostics reading = diagnostics_;  // another thread may set parameters meanwhile
     run->problem = problem_;
     const driver::analysis::RecordOptions options{
         .every = every, .with_checks = with_checks, .columns = columns, .go_on = [&] {
@@ -68,7 +69,7 @@ class Case {
         }};
     auto record = [&] {
       const py::gil_scoped_release released;
-      return driver::analysis::record_run(*run->problem, diagnostics_, options);
+      return driver::analysis::record_run(*run->problem, reading, options);
     }();
     if (PyErr_Occurred() != nullptr) throw py::error_already_set();
     if (!record) {
