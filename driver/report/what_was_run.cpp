@@ -27,6 +27,9 @@ template <class... Cases>
 struct Match : Cases... {
   using Cases::operator()...;
 };
+// clang 14 needs to be told.
+template <class... Cases>
+Match(Cases...) -> Match<Cases...>;
 
 std::string arguments_of(const law::TableFunction& function) {
   std::vector<std::string> names;
