@@ -119,6 +119,8 @@ std::string gnuplot_string(std::string_view text) {
   std::string result = "'";
   for (const char c : text) {
     if (c == '\'') result += '\'';
+    // gnuplot writes '>' into an SVG as it is, where "]]>" is no text.
+    if (c == '>' && result.ends_with("]]")) result += ' ';
     result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
   }
   return result + "'";

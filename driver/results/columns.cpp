@@ -493,8 +493,9 @@ std::optional<Column> find_column(const cases::Case& problem, std::span<const Co
 }
 
 std::vector<std::string> column_names(const cases::Case& problem) {
-  std::vector<std::string> names;
   const std::vector<Column> columns = result_columns(problem);
+  std::vector<std::string> names;
+  names.reserve(columns.size());
   for (const Column& column : columns) names.push_back(column.name);
   for (const Column& column : columns) {
     if (column.definition < 0 || column.name.find('.') != std::string::npos) continue;

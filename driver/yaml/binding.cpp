@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/yaml/binding.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -15,6 +17,7 @@
 #include "driver/base/text/number.hpp"
 #include "driver/base/text/standard_input.hpp"
 #include "driver/base/text/suggestions.hpp"
+#include "driver/base/text/utf8.hpp"
 #include "driver/base/units/carried_unit.hpp"
 
 namespace slipbench::driver::yaml {
@@ -438,6 +441,23 @@ bool Codec<std::string>::read(Binder& binder, const Node& node, const Path& path
     return false;
   }
   out = std::string(node.text());
+  // Texts are shown in one line of terminals, logs and files: a second line could pass for a
+  // message of the program.
+  while (out.ends_with('\n')) out.pop_back();
+  std::ranges::replace_if(
+      out, [](char c) { return c == '\n' || c == '\t'; }, ' ');
+  for (std::string_view rest = out; !rest.empty();) {
+    const base::CodePoint c = base::decode_utf8(rest);
+    const std::string_view piece = rest.substr(0, c.length);
+    if (base::printable(piece) != piece) {
+      binder.error(node, path,
+                   fmt::format("a text holds no control characters and none that turn the "
+                               "direction of writing, found U+{:04X}",
+                               c.value));
+      return false;
+    }
+    rest.remove_prefix(c.length);
+  }
   return true;
 }
 

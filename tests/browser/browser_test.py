@@ -670,7 +670,7 @@ def print_page():
 
 
 def hostile():
-    words = ["<script>window.broken = 1</script>", "</script><img src=x onerror='window.broken = 2'>", "<!-- ", "\u202egnitset", "{{script}} &amp; \"'"]
+    words = ["<script>window.broken = 1</script>", "</script><img src=x onerror='window.broken = 2'>", "<!-- ", "{{script}} &amp; \"'"]
     text = (folder / example("lift_off")).read_text()
     paths = []
     for i, word in enumerate(words):

@@ -23,6 +23,8 @@ TEST is one of
   suite      a suite with hostile names and broken cases: JUnit XML keeps the schema junit.xsd, JSON, annotations, what
              files are written and which are refused, --filter, --failed-first, --fail-fast, --quiet, interruption, the
              progress bar on a terminal and nowhere else
+  hostile    texts and names of files that would be commands, markup or messages elsewhere stay data in all that is written:
+             nothing is run, XML and JSON give the texts back, no line of a log begins with one
   guide      the complete cases in docs/guide and README.md pass, and what they show of the program's output is what
              it says; a page of the guide may use the files of those before it
 The needs beyond python3 itself are python3-yaml, python3-jsonschema and xmllint.
@@ -497,7 +499,7 @@ def suite_junit(folder):
         return xml.etree.ElementTree.parse(folder / name).getroot()
 
     (folder / "cases/a & b").mkdir(parents=True)
-    hostile = r'"<check> & \"quotes\" \x07 \x1b[31m \ufffe ]]> \n::error::injected \U0001f527 größe"'
+    hostile = r'"<check> & \"quotes\" \ufffe ]]> \n::error::injected \U0001f527 größe"'
     (folder / "cases/a & b/'<hostile>\"\x01\n.yaml").write_text(slider(mu=0.3, name=hostile))
     (folder / "cases/holds.yaml").write_text(slider())
     (folder / "cases/unchecked.yaml").write_text(slider().split("checks:")[0])
@@ -533,6 +535,45 @@ def suite_junit(folder):
     expect(code == 0 and int(validate("repository.xml").get("tests")) > 300, "JUnit of the repository's own cases")
 
 
+def hostile():
+    """Gives every text of a case, and its file, a name made of commands and markup, and reads what comes out."""
+    text = '</title></script><script>alert(1)</script><img src=x onerror=alert(2)> $(touch ran) `touch ran` "; system("touch ran"); ' \
+           "set output '|touch ran' # %{touch ran} =cmd|'/c calc'!A1 ]]> --> {/Symbol s} @x_2 ::error::injected"
+    quoted = json.dumps("\n" + text.replace("::error", "\n::error"))
+    case = slider(mu=0.3, name=quoted).replace("slipbench: 1\n", f"slipbench: 1\ntitle: {quoted}\n")
+    case = re.sub(r"step: \w+", lambda _: "step: " + quoted, re.sub(r"why: [^}\n]+", lambda _: "why: " + quoted, case))
+    expect(case.count("::error") >= 4, f"not every text of the case is replaced:\n{case}")
+    for name in ("plain", "$(touch ran)", "`touch ran`", "\"; system('touch ran'); #", "<script>alert(1)<script>", "=1+1", "|touch ran"):
+        with tempfile.TemporaryDirectory() as place:
+            folder = pathlib.Path(place)
+            file = name + ".yaml"
+            (folder / file).write_text(case)
+            sweep = {"slipbench": 1, "title": text, "sweep": {"case": file, "vary": {"mu": {"grid": [0.1, 0.2]}}, "collect": {"peak": {"max": "CSF1"}}}}
+            (folder / "sweep.yaml").write_text(yaml.safe_dump(sweep))
+            said = []
+            commands = [["run", file, "-o", "out"], ["run", file, "-o", "told", "--explain", "0.5"], ["report", file, "-o", "page.html"],
+                        ["check", file, "--junit", "check.xml", "--json", "check.json", "--report", "check.html"],
+                        ["convert", f"out/{name}.csv", "-o", "rows.json"], ["sweep", "sweep.yaml", "-o", "swept"]]
+            commands += [["plot", file, "-o", f"picture.{kind}"] for kind in ("svg", "png")]
+            commands += [["export", file, "--to", to, "-o", f"deck.{to}"] for to in ("abaqus", "radioss", "lsdyna", "opensees", "table", "fmu")]
+            for command in commands:
+                code, output = run(*command, cwd=folder, env={"GITHUB_ACTIONS": "true"})
+                expect(code in (0, 1), f"{command} ended with {code}:\n{output}")
+                said += output.splitlines()
+            told = [line for line in said if re.match(r"\s*::", line) and not line.startswith("::error file=")]
+            expect(not told, f"lines that pass for messages to the runner: {told}")
+            expect(not list(folder.rglob("ran")), f"{name}: a text was run as a command")
+            for written in folder.rglob("*"):
+                if written.suffix in (".html", ".svg", ".xml"):
+                    expect("<script>alert" not in written.read_text() and "<img src=x" not in written.read_text(), f"{written.name} has the text as markup")
+                if written.suffix in (".svg", ".xml"):
+                    xml.etree.ElementTree.parse(written)
+                if written.suffix in (".csv", ".inp", ".rad", ".k", ".tcl"):
+                    expect(not re.search(r"(?m)^\s*(::|=cmd|\$\(|`)", written.read_text()), f"{written.name} has a line that begins with the text")
+            expect(json.loads((folder / "check.json").read_text())["cases"][0]["checks"][0]["name"] == " " + text.replace("::error", " ::error"),
+                   "JSON changes a name")
+
+
 def suite_json(folder):
     for name, mu in (("a", 0.2), ("b", 0.3)):
         (folder / f"{name}.yaml").write_text(slider(mu))
@@ -557,7 +598,7 @@ def suite_annotations(folder):
     code, text = run("check", "belt.yaml", cwd=folder / "friction", env=environment)
     expect(code == 1, f"annotations: ended with {code}")
     told = [line for line in text.splitlines() if line.startswith("::")]
-    expect(len(told) == 1 and told[0].startswith("::error file=friction/belt.yaml,line=10,col=5,title=belt%3A pull%0A"),
+    expect(len(told) == 1 and told[0].startswith("::error file=friction/belt.yaml,line=10,col=5,title=belt%3A pull %3A%3Aerror"),
            f"annotations: found {told}")
     for environment in ({}, {"GITHUB_ACTIONS": "false"}):
         _, text = run("check", "belt.yaml", cwd=folder / "friction", env=environment)
@@ -715,7 +756,7 @@ def suite_progress(folder):
     expect(bar.search(on_terminal({"TERM": "xterm"}, stdout=subprocess.PIPE)), "no bar while the table goes to a file")
 
 
-tests = {f.__name__: f for f in (schema, check, bad, mistakes, sensitive, calibration, sweeps, increments, twins, suite, guide)}
+tests = {f.__name__: f for f in (schema, check, bad, mistakes, sensitive, calibration, sweeps, increments, twins, suite, hostile, guide)}
 parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 parser.add_argument("test", choices=tests)
 parser.add_argument("--slipbench", required=True, help="the program")
