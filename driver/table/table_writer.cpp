@@ -78,6 +78,7 @@ tl::expected<TableWriter, std::string> TableWriter::create(TableFormat format, T
   }
   if (format == TableFormat::kHdf5) {
     if (const auto plugin = hdf5_plugin(); !plugin) return tl::unexpected(plugin.error());
+    if (auto named = file.need_name(); !named) return tl::unexpected(std::move(named.error()));
     auto staged =
         base::OutputFile::create(file.temporary().string() + ".rows", {}, base::kNeverNamed);
     if (!staged) return tl::unexpected(std::move(staged.error()));

@@ -25,7 +25,7 @@ bool lies_in(const fs::path& path, const fs::path& folder) {
 tl::expected<fs::path, HistoryError> resolve_data_path(const fs::path& case_folder,
                                                        std::string_view text, bool allow_outside) {
   constexpr std::string_view kHint =
-      "a case or fit reads files of its own folder only, unless --allow-outside is given";
+      "a case, fit or deck reads files of its own folder only, unless --allow-outside is given";
   if (text.empty()) return input_error("the file's name is empty");
   if (text.find('\0') != std::string_view::npos) {
     return input_error("the file's name contains a NUL character");

@@ -65,6 +65,7 @@ void handle_interruption() {
   struct sigaction ignore {};
   ignore.sa_handler = SIG_IGN;
   sigaction(SIGPIPE, &ignore, nullptr);
+  sigaction(SIGXFSZ, &ignore, nullptr);
 }
 
 void say_when_interrupted(std::string_view text) {

@@ -9,7 +9,7 @@ namespace slipbench::driver::base {
 
 /// From now on SIGINT, SIGTERM and SIGHUP (unless it was ignored) remove all registered files, end
 /// all registered processes and end this program at once, with exit code 130, 143 or 129; a closed
-/// pipe is an error of the write instead of a signal.
+/// pipe, or a file beyond the limit of its size, is an error of the write instead of a signal.
 void handle_interruption();
 
 /// Sets what an interruption says on standard error before it ends the program, at most 2000 bytes;

@@ -7,6 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -21,6 +22,9 @@ namespace slipbench::driver::base {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// How many files are being written. A folder that was made for one without a name looks empty.
+std::atomic<int> files_in_work{0};
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
@@ -48,6 +52,15 @@ tl::expected<fs::path, std::string> behind_links(const fs::path& target) {
     place = folder_of(place) / next;
   }
   return place;
+}
+
+/// Waits until the names in a folder are on the disk. Where that fails the files are there all the
+/// same, or after a power failure those that were there before.
+void names_to_disk(const fs::path& folder) {
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  fsync(descriptor);
+  close(descriptor);
 }
 
 /// The nearest of a folder and those it lies in that is there.
@@ -153,30 +166,65 @@ tl::expected<OutputFile, std::string> OutputFile::create(const fs::path& wanted,
   if (!fault.empty()) return tl::unexpected(std::move(fault));
   file.mark_ = mark;
   file.force_ = overwriting.force;
-  if (auto begun = file.begin(); !begun) return tl::unexpected(std::move(begun.error()));
+  if (!file.begin_unnamed()) {
+    if (auto begun = file.begin_named(); !begun) return tl::unexpected(std::move(begun.error()));
+  }
+  file.buffer_.reserve(kFlushSize + kFlushSize / 4);
   return file;
 }
 
-/// Creates the file under the name it is written by.
-tl::expected<void, std::string> OutputFile::begin() {
+std::string OutputFile::fault(int error) const {
+  return fmt::format("{}: cannot be written: {}", target_.string(), reason(error));
+}
+
+/// Creates the file without a name; false where that cannot be done, or where /proc, by which it
+/// is named in the end, does not show it.
+bool OutputFile::begin_unnamed() {
+  constexpr mode_t kReadWrite = 0666;
+  const int descriptor =
+      open(folder_of(place_).c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, kReadWrite);
+  if (descriptor < 0) return false;
+  // By the number of the process, a child finds it as well.
+  std::error_code error;
+  const fs::path process = fs::read_symlink("/proc/self", error);
+  fs::path path = fs::path("/proc") / process / "fd" / std::to_string(descriptor);
+  struct stat made {};
+  struct stat shown {};
+  if (fstat(descriptor, &made) != 0 || stat(path.c_str(), &shown) != 0 ||
+      made.st_ino != shown.st_ino || made.st_dev != shown.st_dev) {
+    ::close(descriptor);
+    return false;
+  }
+  descriptor_ = descriptor;
+  temporary_ = std::move(path);
+  ++files_in_work;
+  return true;
+}
+
+/// Creates the file under a hidden name.
+tl::expected<void, std::string> OutputFile::begin_named() {
   std::string name = (folder_of(place_) / ("." + place_.filename().string() + ".XXXXXX")).string();
   {
     const InterruptionPause pause;
     descriptor_ = mkostemp(name.data(), O_CLOEXEC);
-    if (descriptor_ < 0) {
-      return tl::unexpected(
-          fmt::format("{}: cannot be written: {}", target_.string(), reason(errno)));
-    }
+    if (descriptor_ < 0) return tl::unexpected(fault(errno));
     temporary_ = name;
+    named_ = true;
     registered_ = register_file(name);
+    ++files_in_work;
   }
   // mkostemp gives the owner alone the right to read; a result is as readable as any new file.
   const mode_t mask = umask(0);
   umask(mask);
   constexpr mode_t kReadWrite = 0666;
   fchmod(descriptor_, kReadWrite & ~mask);
-  buffer_.reserve(kFlushSize + kFlushSize / 4);
   return {};
+}
+
+tl::expected<void, std::string> OutputFile::need_name() {
+  if (named_) return {};
+  forget();
+  return begin_named();
 }
 
 OutputFile::OutputFile(OutputFile&& other) noexcept
@@ -187,6 +235,7 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
       error_(std::move(other.error_)),
       mark_(std::move(other.mark_)),
       force_(other.force_),
+      named_(std::exchange(other.named_, false)),
       descriptor_(std::exchange(other.descriptor_, -1)),
       registered_(std::exchange(other.registered_, -1)) {
   other.temporary_.clear();
@@ -194,15 +243,21 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
 
 OutputFile::~OutputFile() { drop(); }
 
+/// Lets go of what is there under the temporary path; its hidden name may be gone already.
+void OutputFile::forget() {
+  if (descriptor_ < 0) return;
+  ::close(std::exchange(descriptor_, -1));
+  --files_in_work;
+  forget_file(std::exchange(registered_, -1));
+  named_ = false;
+  temporary_.clear();
+}
+
 void OutputFile::drop() {
-  if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
   const InterruptionPause pause;
-  if (!temporary_.empty()) {
-    unlink(temporary_.c_str());
-    forget_file(std::exchange(registered_, -1));
-    temporary_.clear();
-  }
-  remove_empty_folders();
+  if (named_) unlink(temporary_.c_str());
+  forget();
+  if (files_in_work == 0) remove_empty_folders();
 }
 
 void OutputFile::flush() {
@@ -212,7 +267,7 @@ void OutputFile::flush() {
     const ssize_t written = write(descriptor_, data, left);
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) {
-      error_ = fmt::format("{}: cannot be written: {}", target_.string(), reason(errno));
+      error_ = fault(errno);
       break;
     }
     data += written;
@@ -226,17 +281,48 @@ void OutputFile::replace_start(std::string_view text) {
   if (!error_.empty()) return;
   const ssize_t written = pwrite(descriptor_, text.data(), text.size(), 0);
   if (written >= 0 && static_cast<std::size_t>(written) == text.size()) return;
-  error_ = fmt::format("{}: cannot be written: {}", target_.string(),
-                       written < 0 ? reason(errno) : "the disk is full");
+  error_ = fault(written < 0 ? errno : ENOSPC);
 }
 
 tl::expected<void, std::string> OutputFile::close() {
   flush();
-  if (descriptor_ >= 0 && ::close(std::exchange(descriptor_, -1)) != 0 && error_.empty()) {
-    error_ = fmt::format("{}: cannot be written: {}", target_.string(), reason(errno));
-  }
+  // Some file systems tell a failed write only where a descriptor is closed. The file itself has to
+  // stay open, or it is gone; a copy that is closed tells as much.
+  const int copy = fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
+  if (copy >= 0 && ::close(copy) != 0 && error_.empty()) error_ = fault(errno);
   if (!error_.empty()) return tl::unexpected(error_);
   return {};
+}
+
+/// Waits until the bytes are on the disk: a name that is there after a power failure has them all.
+tl::expected<void, std::string> OutputFile::to_disk() {
+  // A file system that cannot wait says so by one of these.
+  if (fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS && errno != ENOTSUP) {
+    return tl::unexpected(fault(errno));
+  }
+  return {};
+}
+
+/// Gives a complete file its name, under the lock of its folder; false with errno set.
+bool OutputFile::give_name() {
+  const auto link_as = [&](const fs::path& name) {
+    return linkat(AT_FDCWD, temporary_.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+  };
+  if (!named_) {
+    if (link_as(place_)) return true;
+    // The program that made the folder, and found it empty at its end, has removed it.
+    if (errno == ENOENT && make_folders(folder_of(place_)).empty() && link_as(place_)) return true;
+    if (errno != EEXIST) return false;
+    // Only a name can take another's place. One that a killed program has left here is in the way,
+    // and goes: between two calls, a program that is killed leaves a complete file.
+    fs::path name = folder_of(place_) / ("." + place_.filename().string() + ".new");
+    if (!link_as(name) && (errno != EEXIST || unlink(name.c_str()) != 0 || !link_as(name))) {
+      return false;
+    }
+    temporary_ = std::move(name);
+    named_ = true;
+  }
+  return rename(temporary_.c_str(), place_.c_str()) == 0;
 }
 
 tl::expected<void, std::string> commit(std::span<OutputFile* const> files) {
@@ -251,19 +337,21 @@ tl::expected<void, std::string> commit(std::span<OutputFile* const> files,
   for (OutputFile* file : files) {
     if (auto closed = file->close(); !closed) return closed;
   }
+  for (OutputFile* file : files) {
+    if (auto kept = file->to_disk(); !kept) return kept;
+  }
   for (const OutputFile* file : files) {
     std::string fault = foreign_fault(file->target_, file->place_, file->mark_, file->force_);
     if (!fault.empty()) return tl::unexpected(std::move(fault));
   }
+  std::set<fs::path> folders;
   const InterruptionPause pause;
   for (OutputFile* file : files) {
-    if (rename(file->temporary_.c_str(), file->place_.c_str()) != 0) {
-      return tl::unexpected(
-          fmt::format("{}: cannot be written: {}", file->target_.string(), reason(errno)));
-    }
-    forget_file(std::exchange(file->registered_, -1));
-    file->temporary_.clear();
+    if (!file->give_name()) return tl::unexpected(file->fault(errno));
+    file->forget();
+    folders.insert(folder_of(file->place_));
   }
+  for (const fs::path& folder : folders) names_to_disk(folder);
   return {};
 }
 

@@ -52,12 +52,14 @@ class FolderLocks {
   std::vector<int> descriptors_;
 };
 
-/// A file that appears under its name only when it is complete: it is written in the same folder
-/// under a name of its own and renamed by `commit`. A name that is a link stays one: the file that
-/// it leads to is written, beside itself. Dropped before that, interrupted or failed, it leaves
-/// nothing behind. Errors are sentences that name the file and the system's reason; after
-/// the first one, writing does nothing. It takes the place of nothing but what its mark and
-/// Overwriting let it, also if another file has come to that place while it was written.
+/// A file that appears under its name only when it is complete: it is written without a name in the
+/// same folder (O_TMPFILE), and `commit` brings it to the disk and names it. So a program that is
+/// killed leaves nothing behind. Where the file system or a library wants a name, it is written
+/// under a hidden one, which is left only by a program that is killed. A name that is a link stays
+/// one: the file that it leads to is written, beside itself. Dropped before that, interrupted or
+/// failed, it leaves nothing behind. Errors are sentences that name the file and the system's
+/// reason; after the first one, writing does nothing. It takes the place of nothing but what its
+/// mark and Overwriting let it, also if another file has come to that place while it was written.
 class OutputFile {
  public:
   /// Makes the folder, too, if it is missing. Errors: a folder that is no folder, or cannot be made
@@ -85,13 +87,17 @@ class OutputFile {
   /// Replaces the first bytes, which were there already, by as many.
   void replace_start(std::string_view text);
 
-  /// Writes what is left and closes, for others to read under the temporary name.
+  /// Writes what is left, for others to read by the temporary path.
   tl::expected<void, std::string> close();
+
+  /// Makes it anew under a hidden name, for a library that writes it and wants one; before anything
+  /// is written.
+  tl::expected<void, std::string> need_name();
 
   /// The name it was asked for by.
   const std::filesystem::path& target() const { return target_; }
   const FileMark& mark() const { return mark_; }
-  /// The name under which it is being written.
+  /// The path by which this program and its children reach it until it is named or dropped.
   const std::filesystem::path& temporary() const { return temporary_; }
 
  private:
@@ -102,9 +108,14 @@ class OutputFile {
   static constexpr std::size_t kFlushSize = std::size_t{256} << 10U;
 
   OutputFile() = default;
-  tl::expected<void, std::string> begin();
+  bool begin_unnamed();
+  tl::expected<void, std::string> begin_named();
   void flush();
+  tl::expected<void, std::string> to_disk();
+  bool give_name();
+  void forget();
   void drop();
+  std::string fault(int error) const;
 
   std::filesystem::path target_;
   std::filesystem::path place_;  ///< where it will be, links followed
@@ -113,13 +124,14 @@ class OutputFile {
   std::string error_;
   FileMark mark_;
   bool force_ = false;
+  bool named_ = false;  ///< the temporary path is a name in the folder
   int descriptor_ = -1;
   int registered_ = -1;
 };
 
-/// Completes files that belong together, all or none: writes what is left, closes them and gives
-/// them their names. Two programs that complete files in one folder do so one after the other.
-/// The error is that of the first file that has one; then none appears under its name.
+/// Completes files that belong together, all or none: writes what is left, waits until it is on the
+/// disk and gives them their names. Two programs that complete files in one folder do so one after
+/// the other. The error is that of the first file that has one; then none appears under its name.
 tl::expected<void, std::string> commit(std::span<OutputFile* const> files);
 /// The same for a caller that holds the locks of the files' folders already, to look at what is
 /// there before it is replaced.
