@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "law/base/unit_name.hpp"
+#include "law/definition/admissible_definition.hpp"
 #include "law/friction/law_list.hpp"
 
 namespace slipbench::law {
@@ -88,6 +89,7 @@ void exchange(auto& archive, TableFunction& function) {
   archive.integer(dependents, 1, kComponents);
   archive.integer(independents, 1, kMaxIndependents);
   archive.integer(rows, 1, most_entries(archive));
+  const int width = dependents + independents;
   archive.integer(extrapolation, 0, static_cast<int>(Extrapolation::kLinear));
   std::vector<Independent> columns(function.independents().begin(), function.independents().end());
   columns.resize(static_cast<std::size_t>(independents));
@@ -95,6 +97,12 @@ void exchange(auto& archive, TableFunction& function) {
     archive.integer(column.kind, 0, static_cast<int>(IndependentKind::kConstitutiveMotion));
     const bool is_field = column.kind == IndependentKind::kField;
     archive.integer(column.index, 0, (is_field ? kMaxFields : kComponents) - 1);
+  }
+  if constexpr (std::remove_reference_t<decltype(archive)>::kReads) {
+    // As many numbers as are there, so that damaged counts ask for no memory.
+    const auto wanted = static_cast<std::size_t>(rows) * static_cast<std::size_t>(width);
+    archive.good = archive.good && wanted <= archive.rest.size();
+    if (!archive.good) return;
   }
   std::vector<std::vector<double>> table(static_cast<std::size_t>(rows));
   for (std::size_t r = 0; r < table.size(); ++r) {
@@ -104,7 +112,7 @@ void exchange(auto& archive, TableFunction& function) {
       const std::vector<double> point = function.table().point(r);
       row.insert(row.end(), point.begin(), point.end());
     }
-    row.resize(static_cast<std::size_t>(dependents) + static_cast<std::size_t>(independents));
+    row.resize(static_cast<std::size_t>(width));
     for (double& x : row) archive.number(x);
   }
   if constexpr (std::remove_reference_t<decltype(archive)>::kReads) {
@@ -214,7 +222,10 @@ void exchange(auto& archive, Law& law) {
     const auto in_bounds = [&](const auto& field) {
       const auto& member = law.*field.member;
       if constexpr (std::is_same_v<std::remove_cvref_t<decltype(member)>, double>) {
-        return field.bounds.contains(member);
+        return std::isfinite(member) && field.bounds.contains(member);
+      } else if constexpr (std::is_same_v<std::remove_cvref_t<decltype(member)>,
+                                          std::optional<double>>) {
+        return !member || (std::isfinite(*member) && field.bounds.contains(*member));
       } else {
         return true;
       }
@@ -282,7 +293,7 @@ std::optional<FrictionDefinition> unpack(std::span<const double>& numbers) {
   Reader reader(numbers);
   FrictionDefinition definition;
   exchange(reader, definition);
-  if (!reader.good) return std::nullopt;
+  if (!reader.good || !is_admissible(definition)) return std::nullopt;
   numbers = reader.rest;
   return definition;
 }

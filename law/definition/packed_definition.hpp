@@ -20,7 +20,8 @@ std::vector<double> pack(const FrictionDefinition& definition);
 /// Returns the definition that begins at the front of `numbers`, and takes its numbers away from
 /// there. What is returned gives the updates of the definition that was packed, in all bits.
 /// Nothing, if the numbers are no definition: too few, a kind that there is none of, a table that
-/// is none, a parameter of a law out of its bounds.
+/// is none or has other columns than are asked for, a number that is not finite or out of its
+/// bounds.
 std::optional<FrictionDefinition> unpack(std::span<const double>& numbers);
 
 /// Returns the definitions of a connector as one list: the version of this order, how many they

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <array>
+#include <bit>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -96,6 +99,112 @@ TEST_CASE("numbers that are no definition are refused, and damaged ones do no ha
     }
   }
   CHECK(refused > 3000);
+}
+
+/// Damages some numbers of a list: other values, counts that are one off, numbers that change
+/// places, too few, too many.
+std::vector<double> damaged(std::vector<double> numbers, Dice& dice) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const std::vector<double> values{0.0,  1.0,   2.0,    3.0,   4.0,       5.0,        6.0, -1.0,
+                                   -0.0, 1e300, 1e-300, -1e10, kInfinity, -kInfinity, 1e5, 0.5};
+  const auto place = [&] {
+    return static_cast<std::size_t>(dice.pick(static_cast<int>(numbers.size())));
+  };
+  for (int times = 1 + dice.pick(3); times > 0; --times) {
+    switch (dice.pick(6)) {
+      case 0:
+        numbers[place()] = dice.one_of(values);
+        break;
+      case 1:
+        numbers[place()] += dice.chance(0.5) ? 1.0 : -1.0;
+        break;
+      case 2:
+        numbers[place()] *= dice.chance(0.5) ? -1.0 : 1e150;
+        break;
+      case 3:
+        std::swap(numbers[place()], numbers[place()]);
+        break;
+      case 4:
+        numbers.insert(numbers.begin() + static_cast<std::ptrdiff_t>(place()), dice.one_of(values));
+        break;
+      default: {
+        double& x = numbers[place()];
+        x = std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) ^
+                                  (std::uint64_t{1} << static_cast<unsigned>(dice.pick(64))));
+      }
+    }
+  }
+  return numbers;
+}
+
+// The sanitizers look at the updates here: what is out of the numbers of a table or of a component
+// would be an index of its own memory.
+TEST_CASE("damaged numbers are refused, or make a definition whose updates run") {
+  int refused = 0, ran = 0;
+  for (std::uint32_t seed = 1; seed <= 600; ++seed) {
+    Dice dice(seed);
+    const std::vector<double> packed = pack(any_definition(dice));
+    const std::vector<HistoryRow> rows = random_history(&dice, 4);
+    const std::array<double, kMaxFields> fields{0.5, -0.25};
+    for (int times = 0; times < 40; ++times) {
+      const std::vector<double> bad = damaged(packed, dice);
+      std::span<const double> rest(bad);
+      const auto read = unpack(rest);
+      if (!read || std::holds_alternative<Capstan>(read->criterion)) {
+        ++refused;
+        continue;
+      }
+      ++ran;
+      FrictionState state;
+      for (const HistoryRow& row : rows) {
+        ConnectorIncrement increment = row.increment();
+        increment.end.fields = fields;  // a damaged table may ask for any
+        const FrictionUpdate one = read->formulation ? update_penalty(*read, increment, state)
+                                                     : update(*read, increment, state);
+        if (!all_finite(one)) break;
+        state = one.state;
+      }
+    }
+  }
+  CHECK(refused > 10000);
+  CHECK(ran > 3000);
+}
+
+TEST_CASE("a table of other columns than are asked for is refused") {
+  const auto read = [](const FrictionDefinition& definition) {
+    const std::vector<double> packed = pack(definition);
+    std::span<const double> rest(packed);
+    return unpack(rest).has_value();
+  };
+  const auto table_of = [](int dependents) {
+    std::vector<double> row(static_cast<std::size_t>(dependents), 0.5);
+    row.push_back(20.0);
+    return make_function({row}, {kOverTemperature}, dependents);
+  };
+  FrictionDefinition definition;
+  definition.law = ConstantCoefficient{0.2};
+  DerivedTerm term = norm_term({1, 2, 3}, 1.0);
+  for (int dependents = 1; dependents <= 6; ++dependents) {
+    term.weight_table = table_of(dependents);
+    definition.contact_force = DerivedComponent{term};
+    CHECK(read(definition) == (dependents == 3));
+  }
+  definition.contact_force = NoContactForce{};
+  for (int dependents = 1; dependents <= 2; ++dependents) {
+    FrictionDefinition other = definition;
+    other.internal_contact_force = table_of(dependents);
+    CHECK(read(other) == (dependents == 1));
+    other = definition;
+    other.law = TabularCoefficient{table_of(dependents)};
+    CHECK(read(other) == (dependents == 1));
+  }
+  for (const double stick : {0.0, -1.0, HUGE_VAL}) {
+    FrictionDefinition other = definition;
+    other.stick.value = stick;
+    CHECK_FALSE(read(other));
+  }
+  definition.slip.dimension = 2;  // both of component 1
+  CHECK_FALSE(read(definition));
 }
 
 }  // namespace
