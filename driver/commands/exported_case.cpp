@@ -52,9 +52,15 @@ void give(const law::FrictionLaw& law, const read::CaseText& text, const cases::
   definition.law = spins && radius.given() ? law::at_radius(law, radius.value) : law;
 }
 
+/// Takes the changes of friction out of the steps: no contact of a deck has them.
+void drop_changes(cases::Case& problem) {
+  for (cases::Step& step : problem.steps) step.friction_changes.clear();
+}
+
 /// The case with the friction that a contact of a deck has.
 cases::Case with_friction_of(const cases::Case& other, const read::CaseText& text,
                              cases::Case problem) {
+  drop_changes(problem);
   const law::FrictionDefinition& stated = other.definitions.front().law;
   for (cases::CaseDefinition& one : problem.definitions) {
     give(stated.law, text, problem, one.law);
@@ -83,6 +89,7 @@ tl::expected<analysis::ResponseDifference, std::string> measured_difference(
     const std::string& deck) {
   cases::Case other = problem;
   if (program == "table") {
+    drop_changes(other);
     for (cases::CaseDefinition& one : other.definitions) {
       give(exports::law_of_table(deck), written, problem, one.law);
       one.law.force_limit = law::kNoForceLimit;

@@ -17,7 +17,7 @@ REFUSED_AT_MOST = {"radioss": 49, "lsdyna": 33, "opensees": 59, "table": 46}
 # Points of tables are set to 1e-4 of the largest coefficient; rates that fall with slip double it.
 TABLE = 1e-3
 # What is not in a deck may change as much as it likes, if it is told.
-TOLD = ("force_limit", "dependence on", "viscous penalty", "filter", "stick stiffness")
+TOLD = ("force_limit", "dependence on", "viscous penalty", "filter", "stick stiffness", "changes of friction")
 
 
 def main():

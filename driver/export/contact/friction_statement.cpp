@@ -72,6 +72,24 @@ bool has_geometry(const cases::CaseDefinition& definition) {
   return !definition.predefined || !std::holds_alternative<law::Contact>(*definition.predefined);
 }
 
+/// Notes what acts beside the friction, or changes it on the way.
+void tell_other_parts(const cases::Case& problem, std::vector<Loss>& losses) {
+  bool acts = false;
+  for (int c = 0; c < law::kComponents; ++c) acts = acts || cases::acts_beside_friction(problem, c);
+  if (acts) {
+    losses.push_back(
+        {Kind::kDropped, "springs, dampers and stops: a contact has its friction only"});
+  }
+  if (problem.dynamics) {
+    losses.push_back({Kind::kDropped, "the mass and its belt: masses are a matter of the model"});
+  }
+  if (std::any_of(problem.steps.begin(), problem.steps.end(),
+                  [](const cases::Step& step) { return !step.friction_changes.empty(); })) {
+    losses.push_back({Kind::kDropped,
+                      "changes of friction in steps: the friction is that before the first one"});
+  }
+}
+
 }  // namespace
 
 int FrictionStatement::id_of(const read::PartOrGroup& side) const {
@@ -137,6 +155,7 @@ FrictionStatement stated_friction(const cases::Case& problem, const read::CaseTe
          "the case's slip is an angle, that of a contact a way: velocities and forces of the deck "
          "are those at a radius of 1");
   }
+  tell_other_parts(problem, losses);
   if (!problem.checks.empty()) note(Kind::kDropped, "checks: a deck has none");
   note(Kind::kDropped, "history: the model has its own");
   statement.run = run_range(problem);

@@ -144,6 +144,27 @@ TEST_CASE("What a program has no word for is dropped, and its size is measured")
   CHECK(creeps.difference.other_creep == 0.0);
 }
 
+TEST_CASE("Springs, stops and changes of friction are dropped with a word, and changes measured") {
+  const std::string slot =
+      "slipbench: 1\ntitle: t\nconnector: {type: SLOT}\nfriction:\n"
+      "  - {predefined: {}, coefficient: 0.3}\n"
+      "elasticity: [{component: 1, stiffness: 5}]\n"
+      "history:\n"
+      "  - {step: a, increments: 10, motion: {CP1: {to: 3}}, force: {f2: 10}}\n"
+      "  - {step: b, increments: 10, motion: {CP1: {to: 6}}, change_friction: {friction1: "
+      "{coefficient: 0.8}}}\n";
+  for (const std::string program : {"radioss", "lsdyna", "opensees", "table"}) {
+    const Exported found = take(program, slot);
+    INFO(program << "\n" << analysis::difference_text(found.difference));
+    CHECK(found.tells(exports::Loss::Kind::kDropped, "springs, dampers and stops"));
+    CHECK(found.tells(exports::Loss::Kind::kDropped, "changes of friction in steps"));
+    CHECK(found.difference.force.most == Approx(5.0));
+  }
+  const Exported plain = take("lsdyna", contact("0.3"));
+  CHECK_FALSE(plain.tells(exports::Loss::Kind::kDropped, "springs"));
+  CHECK_FALSE(plain.tells(exports::Loss::Kind::kDropped, "changes of friction"));
+}
+
 TEST_CASE("A contact is a SLIDE-PLANE with user-defined friction in Abaqus, and lifts off there") {
   const std::string lifts =
       "slipbench: 1\ntitle: pad\nconnector: {type: CONTACT}\nfriction:\n"
