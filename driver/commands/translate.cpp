@@ -71,6 +71,19 @@ std::string_view ending(std::string_view program) {
   return program == "opensees" ? ".tcl" : ".csv";
 }
 
+/// The losses of reading a deck. That the case keeps something does not say that the other deck
+/// does, which its writer tells; sentences on how numbers were read stay.
+std::vector<import::Loss> losses_of_reading(const import::WrittenCase& of) {
+  std::vector<import::Loss> losses;
+  for (const import::Loss& one : of.losses) {
+    if (one.kind != import::Loss::Kind::kKept) losses.push_back(one);
+  }
+  for (const std::string& note : of.notes) {
+    losses.push_back({import::Loss::Kind::kKept, "as read: " + note});
+  }
+  return losses;
+}
+
 /// Reports settings that no case of the deck asks for.
 std::string unknown_setting(const ImportedDeck& deck, const Values& settings) {
   for (const base::ParameterText& one : settings) {
@@ -114,7 +127,8 @@ tl::expected<DeckOutput, std::string> translated(const import::WrittenCase& of,
     made->difference =
         tl::unexpected("not measured: give " + joined(open) + " with --set, and it is run");
   }
-  made->deck.losses.insert(made->deck.losses.begin(), of.losses.begin(), of.losses.end());
+  const std::vector<import::Loss> read = losses_of_reading(of);
+  made->deck.losses.insert(made->deck.losses.begin(), read.begin(), read.end());
   return made;
 }
 

@@ -20,6 +20,7 @@ struct WrittenCase {
   std::string text;                     ///< YAML
   std::vector<std::string> asked = {};  ///< parameters without a value
   std::vector<Loss> losses = {};
+  std::vector<std::string> notes = {};  ///< on how numbers were read; kept among the losses
 };
 
 }  // namespace slipbench::driver::import

@@ -31,7 +31,7 @@ WrittenCase CaseParts::write() {
   const std::string draft = text();
   const cases::Case problem = resolved(draft);
   forces_ = used_forces(problem);
-  WrittenCase written{text(), asked_, {}};
+  WrittenCase written{.text = text(), .asked = asked_};
   const cases::Case made = resolved(written.text);
   const auto kept = [&](std::size_t count, const char* what) {
     if (count == 0) return;

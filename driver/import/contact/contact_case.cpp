@@ -67,6 +67,7 @@ class ContactText {
                        friction_.pairs.size() == 1 ? "" : "s"));
     if (!friction_.filter.empty()) kept("filter " + friction_.filter);
     for (const std::string& note : friction_.notes) kept(note);
+    out_.notes = friction_.notes;
     out_.losses.push_back({Loss::Kind::kDropped, "mesh and all that is no friction of a contact"});
     return std::move(out_);
   }

@@ -54,6 +54,25 @@ TEST_CASE("A constant and a decay of Abaqus keep all digits in programs of conta
   }
 }
 
+TEST_CASE("A translation says of nothing that it is kept which the other deck drops") {
+  const DeckOutput made = take(
+      "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n*ELEMENT, TYPE=CONN3D2, ELSET=PIN\n1, 1, 2\n"
+      "*CONNECTOR SECTION, ELSET=PIN, BEHAVIOR=B\nSLOT\n*CONNECTOR BEHAVIOR, NAME=B\n"
+      "*CONNECTOR FRICTION, PREDEFINED\n10.\n*FRICTION\n0.2,\n"
+      "*CONNECTOR ELASTICITY, COMPONENT=1\n5.,\n"
+      "*STEP\n*STATIC\n0.01, 1.\n*CONNECTOR MOTION\nPIN, 1, 20.\n*END STEP\n"
+      "*STEP\n*STATIC\n0.01, 1.\n*CONNECTOR MOTION\nPIN, 1, 40.\n"
+      "*CHANGE FRICTION, ELSET=PIN\n*FRICTION\n0.7,\n*END STEP\n",
+      "lsdyna");
+  const std::string report = loss_report(made.deck.losses);
+  INFO(report);
+  CHECK(report.find("kept: 1 component") == std::string::npos);
+  CHECK(report.find("kept: 2 steps") == std::string::npos);
+  CHECK(report.find("dropped: springs, dampers and stops") != std::string::npos);
+  CHECK(report.find("dropped: changes of friction") != std::string::npos);
+  CHECK_FALSE(made.difference->is_none());
+}
+
 TEST_CASE("Records of part pairs of Radioss keep all digits in LS-DYNA") {
   const DeckOutput made = take(
       "#RADIOSS STARTER\n/BEGIN\npads\n      2022         0\n"
