@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "driver/import/script_formula.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "driver/base/text/diagnostic.hpp"
+
+namespace slipbench::driver::import {
+namespace {
+
+constexpr int kDeepest = 200;
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+bool begins_name(char c) { return c == '_' || std::isalpha(static_cast<unsigned char>(c)) != 0; }
+
+using OneArgument = double (*)(double);
+
+double absolute(double x) { return std::abs(x); }
+
+constexpr std::array<std::pair<std::string_view, OneArgument>, 17> kFunctions{{
+    {"sqrt", [](double x) { return std::sqrt(x); }},
+    {"exp", [](double x) { return std::exp(x); }},
+    {"log", [](double x) { return std::log(x); }},
+    {"ln", [](double x) { return std::log(x); }},
+    {"log10", [](double x) { return std::log10(x); }},
+    {"sin", [](double x) { return std::sin(x); }},
+    {"cos", [](double x) { return std::cos(x); }},
+    {"tan", [](double x) { return std::tan(x); }},
+    {"asin", [](double x) { return std::asin(x); }},
+    {"acos", [](double x) { return std::acos(x); }},
+    {"atan", [](double x) { return std::atan(x); }},
+    {"sinh", [](double x) { return std::sinh(x); }},
+    {"cosh", [](double x) { return std::cosh(x); }},
+    {"tanh", [](double x) { return std::tanh(x); }},
+    {"fabs", absolute},
+    {"floor", [](double x) { return std::floor(x); }},
+    {"ceil", [](double x) { return std::ceil(x); }},
+}};
+
+/// Reads a formula from left to right, by descent into what binds more strongly.
+class FormulaReader {
+ public:
+  FormulaReader(std::string_view text, const ScriptNumbers& numbers, FormulaLanguage language)
+      : text_(text), numbers_(numbers), language_(language) {}
+
+  tl::expected<ScriptNumber, FormulaFault> read() {
+    const ScriptNumber value = choice();
+    skip_blanks();
+    if (sound_ && at_ < text_.size()) {
+      fail(fmt::format("'{}' is not understood", base::printable(text_.substr(at_, 1))));
+    }
+    if (sound_ && !std::isfinite(value.value)) fail("the result is no number");
+    if (!sound_) return tl::unexpected(std::move(fault_));
+    return value;
+  }
+
+ private:
+  void fail(std::string message, std::string unknown = {}) {
+    if (!sound_) return;
+    sound_ = false;
+    fault_ = {std::move(message), std::min(at_, text_.size()), std::move(unknown)};
+    at_ = text_.size();
+  }
+
+  void skip_blanks() {
+    while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) ++at_;
+  }
+
+  /// Takes a mark that is not the beginning of a longer one.
+  bool take(std::string_view mark, std::string_view not_before = {}) {
+    skip_blanks();
+    if (!text_.substr(at_).starts_with(mark)) return false;
+    const std::size_t end = at_ + mark.size();
+    if (end < text_.size() && not_before.find(text_[end]) != not_before.npos) return false;
+    at_ = end;
+    return true;
+  }
+
+  ScriptNumber choice() {
+    if (++depth_ > kDeepest) fail("is nested too deeply");
+    ScriptNumber value = any();
+    if (sound_ && take("?")) {
+      const ScriptNumber yes = choice();
+      if (!take(":")) fail("wanted ':'");
+      const ScriptNumber no = choice();
+      value = value.value != 0.0 ? yes : no;
+    }
+    --depth_;
+    return value;
+  }
+
+  static ScriptNumber truth(bool is) { return {is ? 1.0 : 0.0, true}; }
+
+  ScriptNumber any() {
+    ScriptNumber value = all();
+    while (sound_ && take("||")) {
+      const ScriptNumber other = all();
+      value = truth(value.value != 0.0 || other.value != 0.0);
+    }
+    return value;
+  }
+
+  ScriptNumber all() {
+    ScriptNumber value = compared();
+    while (sound_ && take("&&")) {
+      const ScriptNumber other = compared();
+      value = truth(value.value != 0.0 && other.value != 0.0);
+    }
+    return value;
+  }
+
+  ScriptNumber compared() {
+    ScriptNumber value = sum();
+    while (sound_) {
+      if (take("==")) {
+        value = truth(value.value == sum().value);
+      } else if (take("!=")) {
+        value = truth(value.value != sum().value);
+      } else if (take("<=")) {
+        value = truth(value.value <= sum().value);
+      } else if (take(">=")) {
+        value = truth(value.value >= sum().value);
+      } else if (take("<")) {
+        value = truth(value.value < sum().value);
+      } else if (take(">")) {
+        value = truth(value.value > sum().value);
+      } else {
+        break;
+      }
+    }
+    return value;
+  }
+
+  ScriptNumber sum() {
+    ScriptNumber value = product();
+    while (sound_) {
+      const bool plus = take("+");
+      if (!plus && !take("-")) break;
+      const ScriptNumber other = product();
+      value = {plus ? value.value + other.value : value.value - other.value,
+               value.whole && other.whole};
+    }
+    return value;
+  }
+
+  ScriptNumber product() {
+    ScriptNumber value = sign();
+    while (sound_) {
+      if (take("*", "*")) {
+        const ScriptNumber other = sign();
+        value = {value.value * other.value, value.whole && other.whole};
+      } else if (take("//")) {
+        value = divided(value, sign(), true);
+      } else if (take("/")) {
+        value = divided(value, sign(), false);
+      } else if (take("%")) {
+        const ScriptNumber other = sign();
+        const double whole = divided(value, other, true).value;
+        value = {value.value - whole * other.value, value.whole && other.whole};
+      } else {
+        break;
+      }
+    }
+    return value;
+  }
+
+  ScriptNumber divided(const ScriptNumber& a, const ScriptNumber& b, bool floor) {
+    if (b.value == 0.0) {
+      fail("division by zero");
+      return {};
+    }
+    const double ratio = a.value / b.value;
+    const bool whole = a.whole && b.whole;
+    if (floor) return {std::floor(ratio), whole};
+    if (!whole || language_ == FormulaLanguage::kPython) return {ratio, false};
+    return {language_ == FormulaLanguage::kTcl ? std::floor(ratio) : std::trunc(ratio), true};
+  }
+
+  /// A sign binds less than ** does, but in Tcl more.
+  ScriptNumber sign() {
+    const bool tight = language_ == FormulaLanguage::kTcl;
+    const ScriptNumber value = signed_number(tight);
+    return tight ? power(value) : value;
+  }
+
+  ScriptNumber signed_number(bool tight) {
+    if (++depth_ > kDeepest) fail("is nested too deeply");
+    ScriptNumber value;
+    if (take("-")) {
+      value = signed_number(tight);
+      value.value = -value.value;
+    } else if (take("+")) {
+      value = signed_number(tight);
+    } else if (take("!", "=")) {
+      value = truth(signed_number(tight).value == 0.0);
+    } else if (sound_) {
+      value = tight ? atom() : power(atom());
+    }
+    --depth_;
+    return value;
+  }
+
+  ScriptNumber power(const ScriptNumber& base) {
+    if (!sound_ || !take("**")) return base;
+    if (++depth_ > kDeepest) fail("is nested too deeply");
+    const ScriptNumber exponent = sign();
+    --depth_;
+    return {std::pow(base.value, exponent.value),
+            base.whole && exponent.whole && exponent.value >= 0.0};
+  }
+
+  ScriptNumber atom() {
+    skip_blanks();
+    if (take("(")) {
+      const ScriptNumber value = choice();
+      if (!take(")")) fail("wanted ')'");
+      return value;
+    }
+    if (at_ < text_.size() && (is_digit(text_[at_]) || text_[at_] == '.')) return literal();
+    const bool dollar = take("$");
+    if (dollar) take("::");
+    if (at_ < text_.size() && begins_name(text_[at_])) return named(dollar);
+    fail(at_ < text_.size()
+             ? fmt::format("wanted a number, found '{}'", base::printable(text_.substr(at_, 1)))
+             : "a number is missing");
+    return {};
+  }
+
+  ScriptNumber literal() {
+    double value = 0.0;
+    std::string_view rest = text_.substr(at_);
+    // Fortran writes the exponent of a double with a D.
+    std::string copy(rest);
+    for (std::size_t i = 1; i < copy.size() && language_ == FormulaLanguage::kFortran; ++i) {
+      const bool exponent = copy[i] == 'd' || copy[i] == 'D';
+      if (exponent && (is_digit(copy[i - 1]) || copy[i - 1] == '.')) copy[i] = 'e';
+    }
+    const auto read = std::from_chars(copy.data(), copy.data() + copy.size(), value);
+    if (read.ec != std::errc{}) {
+      fail("is no number");
+      return {};
+    }
+    const auto length = static_cast<std::size_t>(read.ptr - copy.data());
+    at_ += length;
+    return {value, is_whole_literal(rest.substr(0, length))};
+  }
+
+  ScriptNumber named(bool dollar) {
+    const std::size_t begin = at_;
+    while (at_ < text_.size() &&
+           (begins_name(text_[at_]) || is_digit(text_[at_]) || text_[at_] == '.')) {
+      ++at_;
+    }
+    const std::string_view whole = text_.substr(begin, at_ - begin);
+    const std::string_view name = whole.substr(whole.rfind('.') + 1);
+    skip_blanks();
+    if (!dollar && at_ < text_.size() && text_[at_] == '(') return called(name, begin);
+    if (const auto found = numbers_.find(whole); found != numbers_.end()) return found->second;
+    if (!dollar && name == "pi") return {std::numbers::pi, false};
+    if (!dollar && (name == "True" || name == "true")) return truth(true);
+    if (!dollar && (name == "False" || name == "false")) return truth(false);
+    at_ = begin;
+    fail(fmt::format("'{}' is not known", base::printable(whole)), std::string(whole));
+    return {};
+  }
+
+  ScriptNumber called(std::string_view name, std::size_t begin) {
+    take("(");
+    std::vector<ScriptNumber> arguments;
+    do {
+      arguments.push_back(choice());
+    } while (sound_ && take(","));
+    if (!take(")")) fail("wanted ')'");
+    if (!sound_) return {};
+    const double x = arguments.front().value;
+    const bool all_whole = std::all_of(arguments.begin(), arguments.end(),
+                                       [](const ScriptNumber& one) { return one.whole; });
+    if (arguments.size() == 1) {
+      for (const auto& [known, function] : kFunctions) {
+        if (known == name) return {function(x), false};
+      }
+      if (name == "abs") return {std::abs(x), all_whole};
+      if (name == "int" || name == "wide" || name == "entier") return {std::trunc(x), true};
+      if (name == "round" || name == "nint") return {std::round(x), true};
+      if (name == "double" || name == "float" || name == "dble") return {x, false};
+    }
+    if (arguments.size() == 2) {
+      const double y = arguments[1].value;
+      if (name == "pow") {
+        return {std::pow(x, y), all_whole && y >= 0.0 && language_ != FormulaLanguage::kTcl};
+      }
+      if (name == "atan2") return {std::atan2(x, y), false};
+      if (name == "hypot") return {std::hypot(x, y), false};
+      if (name == "fmod" || name == "mod") return {std::fmod(x, y), all_whole};
+    }
+    if (name == "min" || name == "max") {
+      double value = x;
+      for (const ScriptNumber& one : arguments) {
+        value = name == "min" ? std::min(value, one.value) : std::max(value, one.value);
+      }
+      return {value, all_whole};
+    }
+    at_ = begin;
+    fail(fmt::format("there is no function '{}' of {} number{}", base::printable(name),
+                     arguments.size(), arguments.size() == 1 ? "" : "s"),
+         std::string(name));
+    return {};
+  }
+
+  std::string_view text_;
+  const ScriptNumbers& numbers_;
+  FormulaLanguage language_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+  bool sound_ = true;
+  FormulaFault fault_;
+};
+
+}  // namespace
+
+tl::expected<ScriptNumber, FormulaFault> evaluate_formula(std::string_view text,
+                                                          const ScriptNumbers& numbers,
+                                                          FormulaLanguage language) {
+  return FormulaReader(text, numbers, language).read();
+}
+
+bool is_whole_literal(std::string_view text) {
+  if (!text.empty() && (text.front() == '+' || text.front() == '-')) text.remove_prefix(1);
+  return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
+}
+
+}  // namespace slipbench::driver::import
