@@ -17,7 +17,7 @@ ImportedDeck import_opensees(const ImportOptions& options) {
   const auto source = source_of(options, imported);
   if (!source) return imported;
   base::Diagnostics diagnostics;
-  const opensees::Script script = opensees::read_script(*source);
+  const opensees::Script script = opensees::read_script(*source, diagnostics);
   std::vector<ContactChoice> choices;
   for (opensees::Found& one : opensees::read_models(script, diagnostics)) {
     choices.push_back({fmt::format("{}_{}", one.type, one.tag), std::move(one.friction),

@@ -145,7 +145,7 @@ class ModelReader {
       fault(command, fmt::format("{} is missing", name));
       return std::nullopt;
     }
-    const auto value = number_of(script_, command.words[index]);
+    const auto value = number_of(command, index);
     if (value) return *value;
     fault(command, fmt::format("{}: {}", name, value.error()));
     return std::nullopt;
@@ -284,7 +284,7 @@ class ModelReader {
         type == "flatSliderBearing" || type == "RJWatsonEqsBearing" || type == "RJWatsonEQSBearing";
     const bool pendulum = type == "singleFPBearing" || type == "SinglePendulum";
     if (!flat && !pendulum) return;
-    const auto tag = number_of(script_, command.words[5]);
+    const auto tag = number_of(command, 5);
     if (!tag) return;
     for (Found& found : found_) {
       if (static_cast<double>(found.tag) != *tag) continue;
