@@ -31,6 +31,8 @@ void declare_deck_source(CLI::App& command, commands::ImportOptions& options) {
       .add_option("--connector", options.connector,
                   "Abaqus: the connector to take, if there are several: its element or set")
       ->type_name("NAME");
+  command.add_flag("--allow-outside", options.allow_outside,
+                   "Let the deck include files outside its own folder");
   command
       .add_option("--units", options.units,
                   "Length, force and time the deck is in; default: those of /BEGIN (an Abaqus "

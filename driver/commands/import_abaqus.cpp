@@ -100,8 +100,9 @@ ImportedDeck import_abaqus(const ImportOptions& options) {
   base::Diagnostics diagnostics;
   bool environment_failure = false;
   const auto deck = options.text
-                        ? abaqus::KeywordDeck::read_text(*options.text, ".", diagnostics)
-                        : abaqus::KeywordDeck::read(options.deck, diagnostics, environment_failure);
+                        ? abaqus::KeywordDeck::read_text(*options.text, {"."}, diagnostics)
+                        : abaqus::KeywordDeck::read(options.deck, diagnostics, environment_failure,
+                                                    options.allow_outside);
   abaqus::Model model;
   if (deck) model = abaqus::read_model(*deck);
   imported.messages =

@@ -19,7 +19,8 @@ ImportedDeck import_lsdyna(const ImportOptions& options) {
   if (!source) return imported;
   base::Diagnostics diagnostics;
   const lsdyna::KeywordDeck deck = lsdyna::split_deck(
-      *source, std::filesystem::path(options.deck).parent_path().string(), diagnostics);
+      *source, {std::filesystem::path(options.deck).parent_path().string(), options.allow_outside},
+      diagnostics);
   std::vector<ContactChoice> choices;
   for (lsdyna::Found& one : lsdyna::read_frictions(deck, diagnostics)) {
     const bool meant = (!options.id && !options.interface) ||

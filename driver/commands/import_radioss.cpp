@@ -259,7 +259,8 @@ ImportedDeck import_radioss(const ImportOptions& options) {
   if (!source) return imported;
   base::Diagnostics diagnostics;
   const radioss::StarterDeck deck = radioss::split_deck(
-      *source, std::filesystem::path(options.deck).parent_path().string(), diagnostics);
+      *source, {std::filesystem::path(options.deck).parent_path().string(), options.allow_outside},
+      diagnostics);
   if (!diagnostics.has_errors() &&
       import::kind_of_text(source->text()) == import::DeckKind::kUnknown) {
     imported.messages += base::render(not_a_deck(*source));

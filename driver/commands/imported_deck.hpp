@@ -21,9 +21,10 @@ struct ImportOptions {
   std::optional<int> id = std::nullopt;         ///< of a statement of friction: /FRICTION
   std::optional<int> interface = std::nullopt;  ///< of a contact interface
   std::string connector = {};                   ///< number or set of a connector element
-  std::string history = {};  ///< --history: CSV with results of the model, CRF2, CTM3, CP1
-  bool all = false;          ///< --all: a file each, into the folder `output`
-  bool json = false;         ///< --json: what is kept, approximated and dropped, for machines
+  std::string history = {};    ///< --history: CSV with results of the model, CRF2, CTM3, CP1
+  bool all = false;            ///< --all: a file each, into the folder `output`
+  bool allow_outside = false;  ///< --allow-outside: included files may lie outside its folder
+  bool json = false;           ///< --json: what is kept, approximated and dropped, for machines
   std::optional<base::SourceText> text = std::nullopt;  ///< of the deck, in place of the file's
 };
 

@@ -9,6 +9,8 @@
 #include <system_error>
 #include <utility>
 
+#include "driver/base/files/data_path.hpp"
+
 namespace slipbench::driver::import {
 
 std::size_t DeckTexts::add(base::SourceText text) {
@@ -36,11 +38,25 @@ std::string DeckTexts::place(std::string_view piece) const {
                      position(piece).line);
 }
 
-bool is_open(const std::vector<std::string>& open, const std::string& path) {
+tl::expected<base::SourceText, IncludeFault> OpenFiles::open(std::string_view name,
+                                                             std::size_t size_limit) {
+  const auto path = base::resolve_data_path(folder_.path, name, folder_.allow_outside);
+  if (!path) return tl::unexpected(IncludeFault{false, path.error().message, {}});
+  const std::string file = path->string();
   std::error_code ignored;
-  return std::any_of(open.begin(), open.end(), [&](const std::string& one) {
-    return std::filesystem::equivalent(one, path, ignored);
+  const bool is_open = std::any_of(open_.begin(), open_.end(), [&](const std::string& one) {
+    return std::filesystem::equivalent(one, file, ignored);
   });
+  if (is_open || open_.size() > deepest_) {
+    return tl::unexpected(IncludeFault{false, "files include each other without end", {}});
+  }
+  auto source = base::read_source(file, size_limit);
+  if (!source) {
+    return tl::unexpected(IncludeFault{true, source.error().diagnostic.message,
+                                       "files that a deck includes are looked for in its folder"});
+  }
+  open_.push_back(file);
+  return std::move(*source);
 }
 
 }  // namespace slipbench::driver::import

@@ -5,6 +5,8 @@
 #include <deque>
 #include <string>
 #include <string_view>
+#include <tl/expected.hpp>
+#include <utility>
 #include <vector>
 
 #include "driver/base/text/diagnostic.hpp"
@@ -40,8 +42,36 @@ class DeckTexts {
   std::deque<base::SourceText> texts_;
 };
 
-/// Returns whether a file is among those that are being read: a deck that includes it there has no
-/// end. Links are followed.
-bool is_open(const std::vector<std::string>& open, const std::string& path);
+/// Folder of a deck, which the files that it includes lie in.
+struct DeckFolder {
+  std::string path;
+  bool allow_outside = false;  ///< they may lie elsewhere, too
+};
+
+/// Reason why an included file is not read.
+struct IncludeFault {
+  bool is_missing = false;  ///< it cannot be read; else it must not be
+  std::string message;
+  std::string hint;
+};
+
+/// Files of a deck that are being read, each included by the last one.
+class OpenFiles {
+ public:
+  OpenFiles(DeckFolder folder, std::string deck, std::size_t deepest)
+      : folder_(std::move(folder)), deepest_(deepest), open_{std::move(deck)} {}
+
+  /// Opens a file that the last one includes, by its name in the deck's folder. Links are followed.
+  /// Errors: a file that is open already, as such a deck has no end; one outside of the folder; one
+  /// that cannot be read.
+  tl::expected<base::SourceText, IncludeFault> open(std::string_view name, std::size_t size_limit);
+  /// Ends the file that was opened last.
+  void close() { open_.pop_back(); }
+
+ private:
+  DeckFolder folder_;
+  std::size_t deepest_;
+  std::vector<std::string> open_;
+};
 
 }  // namespace slipbench::driver::import

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "driver/base/text/suggestions.hpp"
 #include "driver/import/abaqus/keyword_list.hpp"
 
 namespace slipbench::driver::abaqus {
@@ -18,7 +19,7 @@ namespace fs = std::filesystem;
 
 // Decks carry the whole mesh.
 constexpr std::size_t kDeckSizeLimit = std::size_t{1} << 32U;
-constexpr int kDeepestInclude = 20;
+constexpr std::size_t kDeepestInclude = 20;
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\r\f\v";
@@ -82,29 +83,27 @@ std::string shown(std::string_view item) {
 }
 
 std::optional<KeywordDeck> KeywordDeck::read(const std::string& path, base::Diagnostics& out,
-                                             bool& environment_failure) {
+                                             bool& environment_failure, bool allow_outside) {
   auto source = base::read_source(path, kDeckSizeLimit);
   if (!source) {
     out.add(source.error().diagnostic);
     environment_failure = source.error().failure == base::ReadFailure::kEnvironment;
     return std::nullopt;
   }
-  return read_text(std::move(*source), fs::path(path).parent_path().string(), out);
+  return read_text(std::move(*source), {fs::path(path).parent_path().string(), allow_outside}, out);
 }
 
-KeywordDeck KeywordDeck::read_text(base::SourceText text, const std::string& folder,
+KeywordDeck KeywordDeck::read_text(base::SourceText text, const import::DeckFolder& folder,
                                    base::Diagnostics& out) {
-  KeywordDeck deck(out);
-  deck.folder_ = folder;
-  deck.open_files_ = {std::string(text.name())};
+  KeywordDeck deck(out, import::OpenFiles(folder, std::string(text.name()), kDeepestInclude));
   deck.files_.add(std::move(text));
-  deck.scan(0, 0);
+  deck.scan(0, true);
   return deck;
 }
 
 /// Goes through the lines of a file. Those before its first keyword belong to the block that was
 /// open where it was included.
-void KeywordDeck::scan(std::size_t file, int depth) {
+void KeywordDeck::scan(std::size_t file, bool is_first) {
   const base::SourceText source = files_[file];
   int data = 1;
   const auto end_data = [&](int line) {
@@ -126,10 +125,10 @@ void KeywordDeck::scan(std::size_t file, int depth) {
     if (blocks_.back().keyword != "INCLUDE") continue;
     const Block block = blocks_.back();
     blocks_.pop_back();
-    include(block, depth);
+    include(block);
   }
   end_data(source.line_count() + 1);
-  if (depth == 0) {
+  if (is_first) {
     for (const Block& block : blocks_) {
       if (block.keyword == "PARAMETER") read_parameters(block);
     }
@@ -160,6 +159,19 @@ void KeywordDeck::begin_block(std::size_t file, int& line) {
         });
     if (matters) {
       error(block.where, block, "may mean " + base::in_words(keyword.candidates));
+    }
+  }
+  // So would be one whose name has a letter too few or too many.
+  if (keyword.name.empty() && keyword.candidates.empty()) {
+    constexpr std::size_t kLongName = 8;
+    constexpr std::size_t kSlips = 2;
+    for (const KeywordRule& one : rules) {
+      if (one.name.size() < kLongName || base::name_distance(block.keyword, one.name) > kSlips) {
+        continue;
+      }
+      error(block.where, block, "is no keyword that is known",
+            fmt::format("did you mean *{}?", one.name));
+      break;
     }
   }
   bool first = true;
@@ -195,26 +207,19 @@ void KeywordDeck::begin_block(std::size_t file, int& line) {
   blocks_.push_back(std::move(block));
 }
 
-void KeywordDeck::include(const Block& block, int depth) {
+void KeywordDeck::include(const Block& block) {
   const Parameter* const input = block.find("INPUT");
   if (input == nullptr || !input->value) {
     error(block.where, block, "names no file: INPUT= is missing");
     return;
   }
-  const fs::path path = fs::path(folder_) / shown(*input->value);
-  if (depth >= kDeepestInclude || import::is_open(open_files_, path.string())) {
-    error(input->where, block, "files include each other without end");
-    return;
-  }
-  auto source = base::read_source(path.string(), kDeckSizeLimit);
+  auto source = open_files_.open(shown(*input->value), kDeckSizeLimit);
   if (!source) {
-    error(input->where, block, source.error().diagnostic.message,
-          "files that a deck includes are looked for in its folder");
+    error(input->where, block, source.error().message, source.error().hint);
     return;
   }
-  open_files_.push_back(path.string());
-  scan(files_.add(std::move(*source)), depth + 1);
-  open_files_.pop_back();
+  scan(files_.add(std::move(*source)), false);
+  open_files_.close();
 }
 
 void KeywordDeck::read_parameters(const Block& block) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
+#include <utility>
 #include <vector>
 
 #include "driver/base/text/diagnostic.hpp"
@@ -55,10 +56,10 @@ class KeywordDeck {
   /// \return nothing if the deck itself cannot be read; `environment_failure` tells on which side
   ///         the fault is
   static std::optional<KeywordDeck> read(const std::string& path, base::Diagnostics& out,
-                                         bool& environment_failure);
+                                         bool& environment_failure, bool allow_outside = false);
 
   /// The same from a text in memory.
-  static KeywordDeck read_text(base::SourceText text, const std::string& folder,
+  static KeywordDeck read_text(base::SourceText text, const import::DeckFolder& folder,
                                base::Diagnostics& out);
 
   const std::vector<Block>& blocks() const { return blocks_; }
@@ -82,17 +83,17 @@ class KeywordDeck {
   std::string place(std::string_view piece) const { return files_.place(piece); }
 
  private:
-  explicit KeywordDeck(base::Diagnostics& out) : out_(&out) {}
-  void scan(std::size_t file, int depth);
+  KeywordDeck(base::Diagnostics& out, import::OpenFiles open_files)
+      : open_files_(std::move(open_files)), out_(&out) {}
+  void scan(std::size_t file, bool is_first);
   void begin_block(std::size_t file, int& line);
-  void include(const Block& block, int depth);
+  void include(const Block& block);
   void read_parameters(const Block& block);
 
   import::DeckTexts files_;
   std::vector<Block> blocks_;
   base::NamedNumbers numbers_;  ///< of *PARAMETER, by their names in small letters
-  std::string folder_;
-  std::vector<std::string> open_files_;  ///< those that are being read, each included by the last
+  import::OpenFiles open_files_;
   base::Diagnostics* out_;
 };
 

@@ -85,8 +85,15 @@ class FrictionReader {
     }
     for (std::size_t i = 0; i < deck_.blocks.size(); ++i) {
       const std::string& keyword = deck_.blocks[i].keyword;
-      if (keyword.starts_with("DEFINE_CURVE")) read_curve(i);
-      if (keyword.starts_with("DEFINE_TABLE")) read_table(i);
+      const std::string plain =
+          keyword.ends_with("_TITLE") ? keyword.substr(0, keyword.rfind('_')) : keyword;
+      if (plain == "DEFINE_CURVE") {
+        read_curve(i);
+      } else if (plain == "DEFINE_CURVE_FUNCTION" || plain == "DEFINE_CURVE_SMOOTH") {
+        // Curves without points, which a table that counts on them misses.
+        curve_of_block_[i] = {};
+      }
+      if (plain == "DEFINE_TABLE" || plain == "DEFINE_TABLE_2D") read_table(i);
       if (keyword == "DEFINE_FRICTION" || keyword == "DEFINE_FRICTION_TITLE") read_definition(i);
     }
     for (const Block& block : deck_.blocks) {
@@ -241,6 +248,12 @@ class FrictionReader {
       found_.push_back(std::move(found));
       return;
     }
+    if (cards.count() < first + 2) {
+      found.passed_over = fmt::format("its card with FS is missing: it has {} card{} of {}",
+                                      cards.count(), cards.count() == 1 ? "" : "s", first + 3);
+      found_.push_back(std::move(found));
+      return;
+    }
     const Coefficients set = read_coefficients(cards, first + 1, 0);
     const auto factor = [&](std::size_t field, std::string_view name) {
       const double value = cards.number(first + 2, field, name);
@@ -267,7 +280,7 @@ class FrictionReader {
       return;
     }
     if (set.fs == 2.0) {
-      take_table(set, fsf, found);
+      take_table(set, fsf, vsf, found);
       return;
     }
     if (set.fs < 0.0) {
@@ -308,7 +321,7 @@ class FrictionReader {
     if (!title.empty()) found.friction.title = std::move(title);
   }
 
-  void take_table(const Coefficients& set, double fsf, Found& found) {
+  void take_table(const Coefficients& set, double fsf, double vsf, Found& found) {
     const int id = static_cast<int>(set.fd);
     const auto table = tables_.find(id);
     if (table == tables_.end() || table->second.values.empty()) {
@@ -338,13 +351,13 @@ class FrictionReader {
     found.friction.otherwise.coefficient =
         "\n      columns: [mu, slip_rate, contact_force]\n      rows: [" + rows + "]";
     found.friction.sees_pressure = true;
-    if (set.vc > 0.0) found.friction.otherwise.shear_limit = set.vc;
+    if (set.vc > 0.0) found.friction.otherwise.shear_limit = vsf * set.vc;
     found.friction.losses.push_back(
         {Kind::kApproximated, fmt::format("*DEFINE_TABLE {} is over the pressure of a segment, the "
                                           "case's table over force/area; outside of it both keep "
                                           "its end values",
                                           id)});
-    tell_factors(fsf, 1.0, found.friction);
+    tell_factors(fsf, vsf, found.friction);
   }
 
   static void tell_factors(double fsf, double vsf, import::ContactFriction& friction) {

@@ -7,13 +7,13 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "driver/import/radioss/deck_line.hpp"
+#include "driver/import/script_formula.hpp"
 
 namespace slipbench::driver::lsdyna {
 namespace {
@@ -33,52 +33,69 @@ std::string in_capitals(std::string_view text) {
   return result;
 }
 
+std::string in_small_letters(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return result;
+}
+
 bool is_read(std::string_view keyword) {
-  constexpr std::array<std::string_view, 7> kRead{"CONTACT_",     "DEFINE_FRICTION", "DEFINE_TABLE",
-                                                  "DEFINE_CURVE", "SET_PART",        "PARAMETER",
-                                                  "INCLUDE"};
+  constexpr std::array<std::string_view, 6> kRead{"CONTACT_",     "DEFINE_FRICTION", "DEFINE_TABLE",
+                                                  "DEFINE_CURVE", "SET_PART",        "PARAMETER"};
   return std::any_of(kRead.begin(), kRead.end(),
                      [&](std::string_view one) { return keyword.starts_with(one); });
 }
 
 class Splitter {
  public:
-  Splitter(KeywordDeck& deck, const std::string& folder, base::Diagnostics& out)
-      : deck_(deck), folder_(folder), out_(out), open_files_{std::string(deck.texts[0].name())} {}
+  Splitter(KeywordDeck& deck, const import::DeckFolder& folder, base::Diagnostics& out)
+      : deck_(deck),
+        out_(out),
+        open_files_(folder, std::string(deck.texts[0].name()), kDeepestInclude) {}
 
-  void split(std::size_t file, int depth) {
-    bool open = false;
-    const base::SourceText& source = deck_.texts[file];
+  void split(std::size_t file) {
+    Cards cards = Cards::kNone;
+    std::string name;
+    std::string_view name_where;
+    const base::SourceText source = deck_.texts[file];
     for (int number = 1; number <= source.line_count(); ++number) {
       std::string_view line = source.line(number);
       if (line.ends_with('\r')) line.remove_suffix(1);
       if (line.starts_with('$')) continue;
-      if (!line.starts_with('*')) {
-        if (!open) continue;
-        if (deck_.blocks.back().keyword == "INCLUDE") {
-          include(trimmed(line), depth);
-          // Its cards are file names.
-          open = false;
-        } else {
-          deck_.blocks.back().cards.push_back(line);
-        }
-        continue;
+      if (line.starts_with('*')) {
+        name.clear();
+        cards = begin(line);
+        if (ended_) return;
+      } else if (cards == Cards::kRead) {
+        deck_.blocks.back().cards.push_back(line);
+      } else if (cards == Cards::kFiles && !trimmed(line).empty()) {
+        if (name.empty()) name_where = trimmed(line);
+        // A long name goes on in the next line.
+        std::string_view part = trimmed(line);
+        const bool goes_on = part.ends_with(" +");
+        if (goes_on) part = trimmed(part.substr(0, part.size() - 1));
+        name += part;
+        if (goes_on) continue;
+        include(name, name_where);
+        name.clear();
       }
-      open = begin(line);
-      if (ended_) return;
     }
   }
 
  private:
-  bool begin(std::string_view line) {
+  /// Use of the cards below a keyword.
+  enum class Cards { kNone, kRead, kFiles };
+
+  Cards begin(std::string_view line) {
     std::string keyword = in_capitals(trimmed(line.substr(1)));
     if (keyword == "END") {
       ended_ = true;
-      return false;
+      return Cards::kNone;
     }
     if (keyword.starts_with("KEYWORD")) {
       long_ = keyword.find("LONG=Y") != keyword.npos || keyword.find("LONG=K") != keyword.npos;
-      return false;
+      return Cards::kNone;
     }
     bool is_long = long_;
     while (!keyword.empty() && (keyword.back() == '+' || keyword.back() == '-')) {
@@ -86,42 +103,55 @@ class Splitter {
       keyword.pop_back();
     }
     keyword = std::string(trimmed(keyword));
-    if (!is_read(keyword)) return false;
+    if (keyword == "INCLUDE") return Cards::kFiles;
+    if (keyword.starts_with("INCLUDE_")) {
+      out_.warning(deck_.texts.name(line), deck_.texts.position(trimmed(line)), "*" + keyword,
+                   "is not followed: what it brings is missing here",
+                   "*INCLUDE is: give the ids their offsets in the file");
+      return Cards::kNone;
+    }
+    if (!is_read(keyword)) return Cards::kNone;
     deck_.blocks.push_back({std::move(keyword), line, {}, is_long});
-    return true;
+    return Cards::kRead;
   }
 
-  void include(std::string_view name, int depth) {
-    constexpr int kDeepestInclude = 20;
+  void include(const std::string& name, std::string_view where) {
     constexpr std::size_t kDeckSizeLimit = std::size_t{1} << 30U;
-    const std::string path = (std::filesystem::path(folder_) / name).string();
-    if (depth >= kDeepestInclude || import::is_open(open_files_, path)) {
-      out_.error(deck_.texts.name(name), deck_.texts.position(name), "*INCLUDE",
-                 "files include each other without end");
-      return;
-    }
-    if (auto source = base::read_source(path, kDeckSizeLimit)) {
-      open_files_.push_back(path);
-      split(deck_.texts.add(std::move(*source)), depth + 1);
-      open_files_.pop_back();
+    auto source = open_files_.open(name, kDeckSizeLimit);
+    if (source) {
+      split(deck_.texts.add(std::move(*source)));
+      open_files_.close();
       ended_ = false;
-      return;
+    } else if (source.error().is_missing) {
+      out_.warning(deck_.texts.name(where), deck_.texts.position(where), "*INCLUDE",
+                   "the file cannot be read: what it has is missing here", source.error().hint);
+    } else {
+      out_.error(deck_.texts.name(where), deck_.texts.position(where), "*INCLUDE",
+                 source.error().message);
     }
-    out_.warning(deck_.texts.name(name), deck_.texts.position(name), "*INCLUDE",
-                 "the file cannot be read: what it has is missing here",
-                 "files that a deck includes are looked for in its folder");
   }
 
+  static constexpr std::size_t kDeepestInclude = 20;
   KeywordDeck& deck_;
-  const std::string& folder_;
   base::Diagnostics& out_;
-  std::vector<std::string> open_files_;  ///< those that are being read, each included by the last
+  import::OpenFiles open_files_;
   bool long_ = false;
   bool ended_ = false;
 };
 
+/// Gives a parameter a number, under its name as it is and in capitals and small letters.
+void set_parameter(std::string_view name, const import::ScriptNumber& number,
+                   base::NamedNumbers& parameters, import::ScriptNumbers& typed) {
+  const std::string capitals = in_capitals(name);
+  const std::string small = in_small_letters(name);
+  parameters[std::string(name)] = number.value;
+  parameters[capitals] = number.value;
+  parameters[small] = number.value;
+  typed[small] = number;
+}
+
 /// Takes the numbers of *PARAMETER: pairs of "R name" and a value. Names know no case.
-void take_parameters(const KeywordDeck& deck, const Block& block, base::NamedNumbers& parameters,
+void take_parameters(KeywordDeck& deck, const Block& block, import::ScriptNumbers& typed,
                      base::Diagnostics& out) {
   const CardReader reader(deck, block, out);
   for (std::size_t card = 0; card < reader.count(); ++card) {
@@ -131,26 +161,60 @@ void take_parameters(const KeywordDeck& deck, const Block& block, base::NamedNum
       if (type != "R" && type != "I") continue;
       const auto value = radioss::parse_fortran_number(reader.text(card, field + 1));
       if (!value) continue;
-      const std::string name = in_capitals(trimmed(word.substr(1)));
-      std::string small = name;
-      std::transform(small.begin(), small.end(), small.begin(),
-                     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-      parameters[std::string(trimmed(word.substr(1)))] = *value;
-      parameters[name] = *value;
-      parameters[small] = *value;
+      set_parameter(trimmed(word.substr(1)), {*value, type == "I"}, deck.parameters, typed);
     }
+  }
+}
+
+/// Takes the numbers of *PARAMETER_EXPRESSION: "R name" in 10 columns, or up to a comma, and a
+/// formula, which goes on in lines that begin with 10 blanks. Whole numbers divide as integers.
+void take_expressions(KeywordDeck& deck, const Block& block, import::ScriptNumbers& typed,
+                      base::Diagnostics& out) {
+  constexpr std::size_t kName = 10;
+  const auto split = [&](std::string_view card) {
+    const std::size_t comma = std::min(card.find(','), card.size());
+    // A comma behind the name, not one between the arguments of a function.
+    const bool free = card.substr(0, comma).find('(') == card.npos && comma < card.size();
+    const std::size_t end = std::min(free ? comma : kName, card.size());
+    return std::pair(trimmed(card.substr(0, end)),
+                     card.substr(std::min(end + (free ? 1 : 0), card.size())));
+  };
+  for (std::size_t i = 0; i < block.cards.size(); ++i) {
+    const auto [word, first] = split(block.cards[i]);
+    const std::string type = in_capitals(word.substr(0, 1));
+    if (type != "R" && type != "I") continue;
+    std::string formula = in_small_letters(first);
+    for (; i + 1 < block.cards.size() && trimmed(block.cards[i + 1].substr(0, kName)).empty();
+         ++i) {
+      formula += " " + in_small_letters(trimmed(block.cards[i + 1]));
+    }
+    std::replace(formula.begin(), formula.end(), '&', ' ');
+    const auto value = import::evaluate_formula(formula, typed, import::FormulaLanguage::kFortran);
+    if (!value) {
+      const std::string_view piece =
+          first.substr(std::min(value.error().offset, first.size() - (first.empty() ? 0 : 1)));
+      out.error(deck.texts.name(piece), deck.texts.position(piece.substr(0, 1)),
+                "*PARAMETER_EXPRESSION", value.error().message);
+      continue;
+    }
+    const bool whole = type == "I";
+    set_parameter(trimmed(word.substr(1)), {whole ? std::trunc(value->value) : value->value, whole},
+                  deck.parameters, typed);
   }
 }
 
 }  // namespace
 
-KeywordDeck split_deck(const base::SourceText& source, const std::string& folder,
+KeywordDeck split_deck(const base::SourceText& source, const import::DeckFolder& folder,
                        base::Diagnostics& out) {
   KeywordDeck deck{.texts = import::DeckTexts(source)};
-  Splitter(deck, folder, out).split(0, 0);
+  Splitter(deck, folder, out).split(0);
+  import::ScriptNumbers typed;
   for (const Block& block : deck.blocks) {
-    if (block.keyword.starts_with("PARAMETER")) {
-      take_parameters(deck, block, deck.parameters, out);
+    if (block.keyword.starts_with("PARAMETER_EXPRESSION")) {
+      take_expressions(deck, block, typed, out);
+    } else if (block.keyword.starts_with("PARAMETER")) {
+      take_parameters(deck, block, typed, out);
     }
   }
   return deck;

@@ -30,8 +30,9 @@ struct KeywordDeck {
 };
 
 /// Splits a deck into blocks, and those of the files that it includes, which are looked for in
-/// `folder`; one that cannot be read is a warning. Lines that begin with '$' are comments.
-KeywordDeck split_deck(const base::SourceText& source, const std::string& folder,
+/// `folder`; one that cannot be read is a warning, one outside of it an error. Lines that begin
+/// with '$' are comments.
+KeywordDeck split_deck(const base::SourceText& source, const import::DeckFolder& folder,
                        base::Diagnostics& out);
 
 /// Fields of the cards of a block: 10 columns each (20 in long format), or between commas. The

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <filesystem>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -72,20 +72,27 @@ int id_of(const DeckBlock& block, std::size_t index) {
   return index >= block.words.size() ? 0 : integer_in(block.words[index]);
 }
 
-int with_offset(int id, int offset) { return id > 0 ? id + offset : id; }
+int with_offset(int id, int offset) {
+  constexpr long long kLargest = std::numeric_limits<int>::max();
+  // What no id can be is none.
+  const long long sum = static_cast<long long>(id) + offset;
+  return id > 0 ? static_cast<int>(std::clamp(sum, 0LL, kLargest)) : id;
+}
 
 namespace {
 
 constexpr std::size_t kDeckSizeLimit = std::size_t{1} << 30U;
-constexpr int kDeepestInclude = 15;
+constexpr std::size_t kDeepestInclude = 15;
 
 /// Goes through the texts of a deck, in the order in which they include each other.
 class Splitter {
  public:
-  Splitter(StarterDeck& deck, const std::string& folder, base::Diagnostics& out)
-      : deck_(deck), folder_(folder), out_(out), open_files_{std::string(deck.texts[0].name())} {}
+  Splitter(StarterDeck& deck, const import::DeckFolder& folder, base::Diagnostics& out)
+      : deck_(deck),
+        out_(out),
+        open_files_(folder, std::string(deck.texts[0].name()), kDeepestInclude) {}
 
-  void split(std::size_t file, int depth) {
+  void split(std::size_t file) {
     const base::SourceText source = deck_.texts[file];
     const std::string_view text = source.text();
     if (const std::size_t at = first_control(text); at != std::string_view::npos) {
@@ -110,7 +117,7 @@ class Splitter {
       } else if (line.front() == '/') {
         if (!begin_block(line)) return;
       } else if (comment) {
-        if (in_capitals(line.substr(0, 8)) == "#INCLUDE") include(line, depth);
+        if (in_capitals(line.substr(0, 8)) == "#INCLUDE") include(line);
       } else if (open_) {
         DeckBlock& block = deck_.blocks.back();
         block.lines.push_back(line);
@@ -164,31 +171,26 @@ class Splitter {
     if (submodel_.part_offset == 0) submodel_.part_offset = submodel_.offset;
   }
 
-  void include(std::string_view line, int depth) {
+  void include(std::string_view line) {
     std::string_view name = line.substr(8);
     name.remove_prefix(std::min(name.find_first_not_of(" \t"), name.size()));
-    const std::string path = (std::filesystem::path(folder_) / name).string();
-    if (depth >= kDeepestInclude || import::is_open(open_files_, path)) {
+    auto source = open_files_.open(name, kDeckSizeLimit);
+    if (source) {
+      split(deck_.texts.add(std::move(*source)));
+      open_files_.close();
+    } else if (source.error().is_missing) {
+      deck_.has_includes = true;
+      out_.warning(deck_.texts.name(line), deck_.texts.position(line), "#include",
+                   "the file cannot be read: what it has is missing here", source.error().hint);
+    } else {
       out_.error(deck_.texts.name(line), deck_.texts.position(line), "#include",
-                 "files include each other without end");
-      return;
+                 source.error().message);
     }
-    if (auto source = base::read_source(path, kDeckSizeLimit)) {
-      open_files_.push_back(path);
-      split(deck_.texts.add(std::move(*source)), depth + 1);
-      open_files_.pop_back();
-      return;
-    }
-    deck_.has_includes = true;
-    out_.warning(deck_.texts.name(line), deck_.texts.position(line), "#include",
-                 "the file cannot be read: what it has is missing here",
-                 "files that a deck includes are looked for in its folder");
   }
 
   StarterDeck& deck_;
-  const std::string& folder_;
   base::Diagnostics& out_;
-  std::vector<std::string> open_files_;  ///< those that are being read, each included by the last
+  import::OpenFiles open_files_;
   bool open_ = false;
   bool in_submodel_ = false;
   Submodel submodel_;
@@ -213,10 +215,10 @@ void take_parameters(const DeckBlock& block, base::NamedNumbers& parameters) {
 
 }  // namespace
 
-StarterDeck split_deck(const base::SourceText& source, const std::string& folder,
+StarterDeck split_deck(const base::SourceText& source, const import::DeckFolder& folder,
                        base::Diagnostics& out) {
   StarterDeck deck{.texts = import::DeckTexts(source), .blocks = {}};
-  Splitter(deck, folder, out).split(0, 0);
+  Splitter(deck, folder, out).split(0);
   for (const DeckBlock& block : deck.blocks) {
     if (block.words.front() == "PARAMETER") take_parameters(block, deck.parameters);
   }

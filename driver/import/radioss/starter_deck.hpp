@@ -43,8 +43,8 @@ struct StarterDeck {
 /// Splits a deck into blocks; a block ends at the next line that begins with '/', the deck at /END
 /// or at its end. Lines that begin with '#' or '$' are comments. Bytes that are no text (NUL and
 /// other control characters) are an error; titles may be in any encoding. Files it includes are
-/// looked for in `folder`; one that cannot be read is a warning.
-StarterDeck split_deck(const base::SourceText& source, const std::string& folder,
+/// looked for in `folder`; one that cannot be read is a warning, one outside of it an error.
+StarterDeck split_deck(const base::SourceText& source, const import::DeckFolder& folder,
                        base::Diagnostics& out);
 
 /// The id behind a keyword, /GRPART/PART/id or /FRICTION/id: word `index` as an integer of at least
@@ -54,7 +54,7 @@ int id_of(const DeckBlock& block, std::size_t index);
 /// A word as an integer of at least 1; else 0.
 int integer_in(std::string_view word);
 
-/// An id as the whole deck counts it; none stays none.
+/// An id as the whole deck counts it, at most the largest int; none stays none.
 int with_offset(int id, int offset);
 
 }  // namespace slipbench::driver::radioss

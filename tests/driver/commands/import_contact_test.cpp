@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Friction of contacts in decks of LS-DYNA and OpenSees, evaluated against their formulas.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -143,6 +146,158 @@ TEST_CASE("A faulty deck is refused with its place") {
   CHECK_THAT(message("c.tcl", "frictionModel Coulomb 1 $mu\n"), Catch::Contains("mu"));
   CHECK_THAT(message("d.tcl", "frictionModel Coulomb 1 0.1\nfrictionModel Coulomb 2 0.2\n"),
              Catch::Contains("choose one with --id"));
+}
+
+/// All cases of a deck, given as text.
+ImportedDeck import_text(const std::string& name, const std::string& text,
+                         const TemporaryFolder& folder) {
+  ImportOptions options;
+  options.deck = folder.write(name, text).string();
+  options.all = true;
+  return read_deck(options);
+}
+
+const std::string kTable =
+    "*DEFINE_TABLE\n         1\n                 1.0\n                10.0\n"
+    "*DEFINE_CURVE\n        11\n                 0.0                 0.4\n"
+    "              1000.0                 0.2\n"
+    "*DEFINE_CURVE\n        12\n                 0.0                 0.4\n"
+    "              1000.0                 0.2\n";
+
+TEST_CASE("FS 2 has VSF in its limit, and functions of curves do not end the deck") {
+  const TemporaryFolder folder;
+  const std::string contact =
+      "*CONTACT_SURFACE_TO_SURFACE\n1,2\n2,1,0,50\n1,1,1,1,1,1,1,0.5\n*END\n";
+  const ImportedDeck deck = import_text("a.k", "*KEYWORD\n" + kTable + contact, folder);
+  INFO(deck.messages);
+  const cases::Case problem = case_of(deck, "a_CONTACT_1", {{"area", 4.0}});
+  CHECK(problem.definitions[0].law.force_limit == Approx(0.5 * 50.0 * 4.0));
+  const ImportedDeck function = import_text(
+      "b.k", "*KEYWORD\n*DEFINE_CURVE_FUNCTION\n5\n0.3*sin(TIME)\n" + kTable + contact, folder);
+  INFO(function.messages);
+  CHECK(function.code == base::kExitOk);
+}
+
+TEST_CASE("A contact of LS-DYNA whose cards are missing is told as such") {
+  const TemporaryFolder folder;
+  const ImportedDeck deck =
+      import_text("a.k", "*KEYWORD\n*CONTACT_SURFACE_TO_SURFACE\n1,2\n*END\n", folder);
+  CHECK_THAT(deck.messages, Catch::Contains("its card with FS is missing: it has 1 card of 3"));
+}
+
+TEST_CASE("*INCLUDE takes all its files, of its folder, and others of its kind are told") {
+  const TemporaryFolder folder;
+  const auto contact = [](int id, const std::string& friction) {
+    return "*CONTACT_SURFACE_TO_SURFACE_ID\n" + std::to_string(id) + "\n1,2\n" + friction + "\n0\n";
+  };
+  folder.write("one.k", contact(1, "0.1"));
+  folder.write("a_long_name.k", contact(2, "0.2"));
+  const ImportedDeck deck = import_text(
+      "a.k", "*KEYWORD\n*INCLUDE\none.k\n$ and\na_long +\n_name.k\n" + contact(3, "0.3") + "*END\n",
+      folder);
+  INFO(deck.messages);
+  REQUIRE(deck.cases.size() == 3);
+  CHECK(coefficient(case_of(deck, "a_CONTACT_2"), 1.0, 1.0) == 0.2);
+  const ImportedDeck other = import_text(
+      "b.k", "*KEYWORD\n*INCLUDE_TRANSFORM\none.k\n" + contact(3, "0.3") + "*END\n", folder);
+  CHECK(other.cases.size() == 1);
+  CHECK_THAT(other.messages,
+             Catch::Contains("b.k:2:1: warning: *INCLUDE_TRANSFORM: is not followed"));
+}
+
+TEST_CASE("*PARAMETER_EXPRESSION is evaluated, with whole numbers as integers") {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& expression) {
+    return import_text("a.k",
+                       "*KEYWORD\n*PARAMETER\nR  half          0.5I   two         2\n"
+                       "*PARAMETER_EXPRESSION\nR fs      " +
+                           expression + "\n*CONTACT_SURFACE_TO_SURFACE\n1,2\n       &fs\n0\n*END\n",
+                       folder);
+  };
+  const auto friction = [&](const std::string& expression) {
+    const ImportedDeck deck = read(expression);
+    INFO(deck.messages);
+    REQUIRE(deck.cases.size() == 1);
+    return coefficient(case_of(deck, "a_CONTACT_1"), 1.0, 1.0);
+  };
+  CHECK(friction("(3-1)/10.0") == Approx(0.2));
+  CHECK(friction("half*&TWO/10.") == Approx(0.1));
+  CHECK(friction("min(0.3,half)") == Approx(0.3));
+  CHECK(friction("1/two + 1.5d-1") == Approx(0.15));
+  CHECK(friction("half**2") == Approx(0.25));
+  CHECK_THAT(read("half*nope").messages,
+             Catch::Contains("a.k:5:16: error: *PARAMETER_EXPRESSION: 'nope' is not known"));
+}
+
+TEST_CASE("Decks include files of their own folder alone, unless they may") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "deck");
+  std::filesystem::create_symlink(folder.path() / "up.inc", folder.path() / "deck" / "link.inc");
+  folder.write("up.inc", "*CONTACT_SURFACE_TO_SURFACE\n1,2\n0.1\n0\n");
+  const std::string absolute = (folder.path() / "up.inc").string();
+  for (const std::string& name : {std::string("../up.inc"), std::string("link.inc"), absolute}) {
+    ImportOptions options;
+    options.deck = folder.write("deck/a.k", "*KEYWORD\n*INCLUDE\n" + name + "\n*END\n").string();
+    const ImportedDeck refused = read_deck(options);
+    INFO(name << "\n" << refused.messages);
+    CHECK(refused.code == base::kExitBadInput);
+    CHECK_THAT(refused.messages, Catch::Contains("a.k:3:1: error: *INCLUDE: ") &&
+                                     Catch::Contains("unless --allow-outside is given"));
+    options.allow_outside = true;
+    const ImportedDeck allowed = read_deck(options);
+    INFO(allowed.messages);
+    CHECK(allowed.cases.size() == 1);
+  }
+  ImportOptions options;
+  options.deck =
+      folder.write("deck/a_0000.rad", "#RADIOSS STARTER\n#include ../up.inc\n/END\n").string();
+  CHECK_THAT(read_deck(options).messages,
+             Catch::Contains("a_0000.rad:2:1: error: #include: '../up.inc' contains '..'"));
+}
+
+/// The coefficient of the only model of a script, or what is said of it.
+std::string coulomb(const std::string& name, const std::string& script) {
+  const TemporaryFolder folder;
+  const ImportedDeck deck = import_text(name, script, folder);
+  if (deck.cases.empty()) return deck.messages;
+  CHECK(deck.cases.size() == 1);
+  const cases::Case problem = case_of(deck, name.substr(0, 1) + "_Coulomb_1");
+  return fmt::format("{:.6g}", coefficient(problem, 1.0, 1.0));
+}
+
+TEST_CASE("Names of a script have the value that they have where a model takes them") {
+  const std::string model = "\nfrictionModel Coulomb 1 $mu\n";
+  CHECK(coulomb("a.tcl", "set mu 0.1" + model + "set mu 0.2\n") == "0.1");
+  CHECK(coulomb("a.tcl", "set mu [expr 1/4]" + model) == "0");
+  CHECK(coulomb("a.tcl", "set mu [expr 1/4.]" + model) == "0.25");
+  CHECK(coulomb("a.tcl", "set n 3\nincr n 2\nset mu [expr {$n*0.1}]" + model) == "0.5");
+  CHECK(coulomb("a.tcl", "set mu 0.1\nif {0} {\n  set mu 0.7\n}" + model) == "0.1");
+  CHECK(coulomb("a.tcl",
+                "set k 2\nif {$k == 1} {set mu 0.7} elseif {$k > 1} {\nset mu 0.3\n} "
+                "else {set mu 0.9}" +
+                    model) == "0.3");
+  CHECK(coulomb("a.tcl", "proc f {x} {\n  set mu 0.7\n}\nset mu 0.2" + model) == "0.2");
+  CHECK_THAT(coulomb("a.tcl", "set mu 0.1\nif {[f]} {\n  set mu 0.7\n}" + model),
+             Catch::Contains("mu is set in a block that may not be run"));
+  CHECK_THAT(coulomb("a.tcl", "set mu 0.1\nset mu [f]" + model),
+             Catch::Contains("mu is set to '[f]', which is not read as a number"));
+  CHECK_THAT(coulomb("a.tcl", "set mu 0.1\nif {1} {\n  set k 3" + model),
+             Catch::Contains("a.tcl:2:8: error: this brace is never closed"));
+  CHECK_THAT(coulomb("a.tcl", "frictionModel Coulomb 1e99 0.1\n"),
+             Catch::Contains("a tag is a whole number"));
+  const std::string call = "ops.frictionModel('Coulomb', 1, mu)\n";
+  CHECK(coulomb("a.py", "mu = 0.1\nmu += 0.1\n" + call + "mu = 9\n") == "0.2");
+  CHECK(coulomb("a.py", "mu = 1/4\n" + call) == "0.25");
+  CHECK(coulomb("a.py", "mu = 7//2*0.1\n" + call) == "0.3");
+  CHECK(coulomb("a.py", "mu, k = 0.1, 2\nmu *= k\n" + call) == "0.2");
+  CHECK(coulomb("a.py", "mu = 0.1\nif False:\n    mu = 0.7\n" + call) == "0.1");
+  CHECK(coulomb("a.py",
+                "k = 2\nif k == 1:\n  mu = 0.7\nelif k > 1:\n  mu = 0.3\nelse:\n  mu = 0.9\n" +
+                    call) == "0.3");
+  CHECK(coulomb("a.py", "mu = 0.2\ndef f(x):\n    mu = 0.7\n" + call) == "0.2");
+  CHECK(coulomb("a.py", "def main():\n    mu = 0.7\n    " + call) == "0.7");
+  CHECK_THAT(coulomb("a.py", "mu = 0.1\nfor i in range(3):\n    mu += 0.1\n" + call),
+             Catch::Contains("mu is set in a block that may not be run"));
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ struct ReadDeck {
 inline ReadDeck read_deck(const std::string& text, std::optional<int> chosen = {}) {
   const base::SourceText source("d.rad", text);
   base::Diagnostics diagnostics;
-  const StarterDeck deck = split_deck(source, ".", diagnostics);
+  const StarterDeck deck = split_deck(source, {"."}, diagnostics);
   ReadDeck read{read_contents(deck, chosen, diagnostics), {}, {}};
   const auto friction =
       std::find_if(read.contents.frictions.begin(), read.contents.frictions.end(),

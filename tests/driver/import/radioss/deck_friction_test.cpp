@@ -2,6 +2,7 @@
 #include "driver/import/radioss/deck_friction.hpp"
 
 #include <catch2/catch.hpp>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -403,6 +404,14 @@ TEST_CASE("No piece of a deck upsets the reader") {
     const ReadDeck read = read_deck(whole.substr(0, length));
     for (const std::string& message : read.messages) CHECK_FALSE(message.empty());
   }
+}
+
+TEST_CASE("An id behind an offset stays an int") {
+  constexpr int kLargest = std::numeric_limits<int>::max();
+  CHECK(with_offset(3, 100) == 103);
+  CHECK(with_offset(0, 100) == 0);
+  CHECK(with_offset(kLargest, 100) == kLargest);
+  CHECK(with_offset(3, -100) == 0);
 }
 
 }  // namespace

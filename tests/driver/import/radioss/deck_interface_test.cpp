@@ -22,7 +22,7 @@ struct Read {
 Read read(const std::string& text) {
   const base::SourceText source("d.rad", text);
   base::Diagnostics diagnostics;
-  const StarterDeck deck = split_deck(source, ".", diagnostics);
+  const StarterDeck deck = split_deck(source, {"."}, diagnostics);
   Read read{read_interfaces(deck, diagnostics), {}};
   for (const base::Diagnostic& one : diagnostics.sorted()) {
     read.messages.push_back(fmt::format("{}:{}", one.where.line, one.message));
@@ -135,7 +135,7 @@ TEST_CASE("Records and groups of a submodel name parts by its offset") {
                            card({{0, "0"}}) + card({{2, "0.2"}}) + "//ENDSUB\n/PART/7\np\n";
   const base::SourceText source("d.rad", text);
   base::Diagnostics diagnostics;
-  const StarterDeck deck = split_deck(source, ".", diagnostics);
+  const StarterDeck deck = split_deck(source, {"."}, diagnostics);
   const DeckContents contents = read_contents(deck, std::nullopt, diagnostics);
   REQUIRE(contents.frictions.size() == 1);
   CHECK(contents.frictions[0].id == 10001);

@@ -245,7 +245,7 @@ std::string deck(const Layout& layout, int version, const Values& values) {
 DeckInterface read_one(const std::string& text) {
   const base::SourceText source("d.rad", text);
   base::Diagnostics diagnostics;
-  const StarterDeck starter = split_deck(source, ".", diagnostics);
+  const StarterDeck starter = split_deck(source, {"."}, diagnostics);
   std::vector<DeckInterface> found = read_interfaces(starter, diagnostics);
   INFO(text);
   REQUIRE(diagnostics.empty());
