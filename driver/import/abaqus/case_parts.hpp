@@ -85,12 +85,16 @@ class CaseParts {
   bool is_mine(const std::string& target) const;
   std::string history_text();
   std::string step_text(const Step& step, bool first, bool last, double begin);
+  /// Ends motions and loads that OP=NEW takes away and the step does not state again.
+  void let_go(const Step& step, std::vector<std::string>& force);
   void take_nodes(const Step& step, double begin, std::vector<std::string>& force,
                   std::vector<std::string>& ambient, std::vector<std::string>& fields);
   /// The profile of a column of the recorded history, of the first name that it has; or nothing.
   std::optional<std::string> recorded(const std::vector<std::string>& names, double begin) const;
-  std::string changes_text(const Step& step);
-  std::string blend_text(const Step& step, const FrictionChange& change);
+  std::string changes_text(const Step& step, double begin, long increments);
+  std::string blend_text(const Step& step, const FrictionChange& change, double begin);
+  /// The stick of a friction that changes; empty: as it was.
+  std::string changed_stick(const Friction& friction, const FrictionChange& change);
 
   const KeywordDeck& deck_;
   const Model& model_;
@@ -103,6 +107,9 @@ class CaseParts {
   std::set<std::string> ambient_;  ///< temperature and fields that tables see
   std::array<double, law::kComponents> initial_{}, values_{}, loads_{};
   law::ComponentSet driven_;
+  std::array<bool, law::kComponents> moved_{},
+      loaded_{};                                  ///< by a motion, by a load that is in effect
+  std::set<std::string> of_nodes_;                ///< forces of nodes in effect
   std::map<std::string, double> ambient_values_;  ///< at the start of a step
 };
 

@@ -171,6 +171,11 @@ std::string CaseParts::friction_text() {
               table({"F"}, ambient_columns(independents, friction.fields), friction.rows, "") +
               "\n";
     }
+    if (!friction.coefficient) {
+      notes_.push_back(
+          fmt::format("*CONNECTOR FRICTION ({}) has no *FRICTION: its coefficient is 0",
+                      deck_.place(friction.where)));
+    }
     text += "    coefficient: " + coefficient_text(friction.coefficient) + "\n";
     const auto& coefficient = friction.coefficient;
     if (coefficient && coefficient->force_limit && *coefficient->force_limit > 0.0) {

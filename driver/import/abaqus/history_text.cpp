@@ -24,6 +24,9 @@ std::string CaseParts::history_text() {
   }
   values_ = initial_;
   driven_ = {};
+  moved_ = {};
+  loaded_ = {};
+  of_nodes_.clear();
   loads_.fill(0.0);
   double begin = 0.0;
   for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -40,10 +43,11 @@ std::string CaseParts::step_text(const Step& step, bool first, bool last, double
   text += "    duration: " + number_text(step.period) + "\n";
   const double wanted =
       step.increment > 0.0 ? std::ceil(step.period / step.increment - 1e-9) : kIncrements;
-  text += fmt::format("    increments: {}\n",
-                      static_cast<long>(std::clamp(wanted, 1.0, kMostIncrements)));
+  const auto increments = static_cast<long>(std::clamp(wanted, 1.0, kMostIncrements));
+  text += fmt::format("    increments: {}\n", increments);
   std::vector<std::string> motion;
   std::vector<std::string> force;
+  let_go(step, force);
   for (const Drive& drive : step.drives) {
     if (!is_mine(drive.target)) continue;
     const int c = drive.component - 1;
@@ -63,6 +67,7 @@ std::string CaseParts::step_text(const Step& step, bool first, bool last, double
     }
     value = profile.end;
     driven_.insert(c);
+    (drive.is_load ? loaded_ : moved_)[i] = true;
     (drive.is_load ? force : motion).push_back(name + ": " + profile.text);
   }
   for (int c = 0; c < law::kComponents; ++c) {
@@ -119,7 +124,33 @@ std::string CaseParts::step_text(const Step& step, bool first, bool last, double
   }
   for (const std::string& one : ambient) text += "    " + one + "\n";
   if (!fields.empty()) text += "    fields: {" + join(fields) + "}\n";
-  return text + changes_text(step);
+  return text + changes_text(step, begin, increments);
+}
+
+void CaseParts::let_go(const Step& step, std::vector<std::string>& force) {
+  const auto stated = [&](int c, bool is_load) {
+    return std::any_of(step.drives.begin(), step.drives.end(), [&](const Drive& one) {
+      return one.component == c + 1 && one.is_load == is_load && is_mine(one.target);
+    });
+  };
+  const std::string none = step.at_once.value_or(!step.is_static) ? "0" : "{to: 0}";
+  for (int c = 0; c < law::kComponents; ++c) {
+    const auto i = static_cast<std::size_t>(c);
+    const bool unloads = step.new_loads && loaded_[i] && !stated(c, true);
+    if (unloads) {
+      loads_[i] = 0.0;
+      loaded_[i] = false;
+    }
+    const bool frees = step.new_motions && moved_[i] && !stated(c, false);
+    if (frees) {
+      moved_[i] = false;
+      notes_.push_back(fmt::format("{}: OP=NEW lets component {} go in {}: {}",
+                                   cases::motion_name(c), c + 1, step.name,
+                                   "its force is that of its load, 0 without one"));
+    }
+    if (stated(c, true) || moved_[i] || !(unloads || frees)) continue;
+    force.push_back(cases::force_name(c) + ": " + (unloads ? none : number_text(loads_[i])));
+  }
 }
 
 std::optional<std::string> CaseParts::recorded(const std::vector<std::string>& names,
@@ -140,6 +171,7 @@ std::optional<std::string> CaseParts::recorded(const std::vector<std::string>& n
 void CaseParts::take_nodes(const Step& step, double begin, std::vector<std::string>& force,
                            std::vector<std::string>& ambient, std::vector<std::string>& fields) {
   if (!connector_.alone) return;
+  std::set<std::string> stated;
   for (const Drive& drive : step.of_nodes) {
     if (drive.target != (*connector_.alone)[1]) continue;
     const int c = drive.component - 1;
@@ -152,12 +184,21 @@ void CaseParts::take_nodes(const Step& step, double begin, std::vector<std::stri
     if (!profile.note.empty()) notes_.push_back(profile.note);
     if (profile.text.empty()) continue;
     value = profile.end;
+    if (is_force) stated.insert(name);
     const std::string entry = name + ": " + profile.text;
     (is_force ? force : name == "temperature" ? ambient : fields).push_back(entry);
   }
+  for (int c = 0; c < law::kComponents && step.new_of_nodes; ++c) {
+    const std::string name = cases::force_name(c);
+    if (of_nodes_.count(name) == 0 || stated.count(name) > 0) continue;
+    loads_[static_cast<std::size_t>(c)] = 0.0;
+    of_nodes_.erase(name);
+    force.push_back(name + (step.at_once.value_or(!step.is_static) ? ": 0" : ": {to: 0}"));
+  }
+  of_nodes_.insert(stated.begin(), stated.end());
 }
 
-std::string CaseParts::changes_text(const Step& step) {
+std::string CaseParts::changes_text(const Step& step, double begin, long increments) {
   std::string text;
   for (const FrictionChange& change : step.changes) {
     if (!is_mine(change.target)) continue;
@@ -171,22 +212,50 @@ std::string CaseParts::changes_text(const Step& step) {
         entries.push_back("force_limit: " +
                           number_text(change.coefficient->force_limit.value_or(0.0)));
       }
-      const std::string stick = stick_text(std::nullopt, change.coefficient);
-      if (!stick.empty()) entries.push_back("stick: {" + stick + "}");
     }
-    if (!change.amplitude.empty()) entries.push_back("amplitude: " + blend_text(step, change));
+    if (!change.amplitude.empty()) {
+      entries.push_back("amplitude: " + blend_text(step, change, begin));
+    } else if (step.at_once.value_or(false) && increments > 1) {
+      // What comes at once is there at the end of the first increment.
+      entries.push_back(fmt::format(
+          "amplitude: {{columns: [weight, t], rows: [[0, 0], [1, {}], [1, {}]]}}",
+          number_text(step.period / static_cast<double>(increments)), number_text(step.period)));
+    }
     text += text.empty() ? "    change_friction:\n" : "";
-    for (std::size_t i = 0; i < connector_.behavior->frictions.size(); ++i) {
-      text += fmt::format("      {}: {{{}}}\n", friction_name(i), join(entries));
+    const std::vector<Friction>& frictions = connector_.behavior->frictions;
+    for (std::size_t i = 0; i < frictions.size(); ++i) {
+      std::vector<std::string> own = entries;
+      if (const std::string stick = changed_stick(frictions[i], change); !stick.empty()) {
+        own.push_back("stick: {" + stick + "}");
+      }
+      text += fmt::format("      {}: {{{}}}\n", friction_name(i), join(own));
     }
   }
   return text;
 }
 
-std::string CaseParts::blend_text(const Step& step, const FrictionChange& change) {
+std::string CaseParts::changed_stick(const Friction& friction, const FrictionChange& change) {
+  if (change.reset) return {};
+  const std::string stated = stick_text(std::nullopt, change.coefficient);
+  if (!stated.empty() || friction.stick_stiffness || !friction.coefficient) return stated;
+  // The program's default is a slip tolerance, whatever the friction before had.
+  const auto has_own = [](const Coefficient& one) {
+    return one.elastic_slip || one.slip_tolerance;
+  };
+  bool differs = has_own(*friction.coefficient);
+  for (const Step& step : model_.steps) {
+    for (const FrictionChange& one : step.changes) {
+      differs = differs || (one.coefficient && has_own(*one.coefficient));
+    }
+  }
+  if (!differs) return {};
+  return "slip_tolerance: 0.0001";
+}
+
+std::string CaseParts::blend_text(const Step& step, const FrictionChange& change, double begin) {
   Drive drive{
       .where = change.where, .magnitude = 1.0, .amplitude = change.amplitude, .is_load = true};
-  const DriveProfile profile = profile_of(deck_, model_, step, drive, "weight", 0.0, 0.0, 0.0);
+  const DriveProfile profile = profile_of(deck_, model_, step, drive, "weight", 0.0, 0.0, begin);
   if (profile.text == "{smooth_to: 1}") return "smooth";
   if (profile.text.empty() || profile.text.front() != '{') {
     pass(fmt::format("the amplitude of *CHANGE FRICTION ({}) is no table",

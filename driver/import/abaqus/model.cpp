@@ -98,6 +98,9 @@ class Reader {
         ++at;
       }
     }
+    if (step_) {
+      deck_.error(step_->where, *step_block_, "has no *END STEP: the deck ends in this step");
+    }
     make_connectors();
     find_positions();
     if (!others_ && elements_.size() == 1 && model_.connectors.size() == 1) {
@@ -112,14 +115,23 @@ class Reader {
   void find_wanted_sets() {
     for (const Block& block : deck_.blocks()) {
       if (block.keyword == "CONNECTOR SECTION" || block.keyword == "CHANGE FRICTION") {
-        wanted_.insert(label_of(value_of(block, "ELSET")));
+        want(label_of(value_of(block, "ELSET")));
       } else if (block.keyword == "CONNECTOR MOTION" || block.keyword == "CONNECTOR LOAD") {
         deck_.for_each_line(block, [&](std::string_view line) {
           const Items items = split_items(line);
-          wanted_.insert(label_of(items.front()));
+          want(label_of(items.front()));
         });
       }
     }
+  }
+
+  /// Notes that a set matters, one of an instance by its name in the part, too. Returns false if
+  /// that was known.
+  bool want(const std::string& label) {
+    if (const std::size_t dot = label.rfind('.'); dot != label.npos) {
+      wanted_.insert(label.substr(dot + 1));
+    }
+    return wanted_.insert(label).second;
   }
 
   void read_block(const Block& block) {
@@ -143,11 +155,7 @@ class Reader {
     } else if (keyword == "AMPLITUDE") {
       read_amplitude(block);
     } else if (keyword == "STEP") {
-      const std::string name = shown(value_of(block, "NAME"));
-      step_ = Step{.name = name.empty() ? fmt::format("step {}", ++steps_) : name,
-                   .where = block.where};
-      has_time_ = false;
-      change_open_ = false;
+      begin_step(block);
     } else if (keyword == "END STEP") {
       end_step();
     } else if (step_) {
@@ -212,6 +220,9 @@ class Reader {
     std::string name = value_of(block, "ELSET");
     const std::string label = label_of(name);
     if (wanted_.count(label) == 0) return;
+    // Members in an instance are counted as those of its part.
+    const std::string instance = label_of(value_of(block, "INSTANCE"));
+    const std::string of_instance = instance.empty() ? instance : instance + ".";
     auto& members = sets_[{part_, label}];
     const bool generate = block.has("GENERATE");
     for (const Items& items : deck_.lines(block)) {
@@ -219,16 +230,17 @@ class Reader {
         const long first = whole(deck_, items.front(), 0);
         const long last = items.size() > 1 ? whole(deck_, items[1], first) : first;
         const long step = items.size() > 2 ? whole(deck_, items[2], 1) : 1;
-        ranges_[{part_, label}].push_back({first, last, std::max(1L, step)});
+        ranges_[{part_, label}].push_back({of_instance, first, last, std::max(1L, step)});
         continue;
       }
       for (const std::string_view item : items) {
-        if (!item.empty()) members.push_back(label_of(item));
+        if (!item.empty()) members.push_back(of_instance + label_of(item));
       }
     }
     // A set of sets: those are wanted, too, wherever they stand.
     for (const std::string& member : members) {
-      if (wanted_.insert(member).second && !starts_with_digit(member)) read_earlier_set(member);
+      const std::string own = member.substr(member.rfind('.') + 1);
+      if (want(member) && !starts_with_digit(own)) read_earlier_set(own);
     }
   }
 
@@ -332,19 +344,56 @@ class Reader {
     one.absolute = folded(value_of(block, "VALUE")).starts_with("A");
     one.interval = deck_.number(value_of(block, "FIXED INTERVAL")).value_or(0.0);
     one.begin = deck_.number(value_of(block, "BEGIN")).value_or(0.0);
-    for (const Items& items : deck_.lines(block)) {
-      for (const std::string_view item : items) {
+    one.smoothed = deck_.number(value_of(block, "SMOOTH")).value_or(0.0) > 0.0;
+    using Kind = Amplitude::Kind;
+    const bool pairs = one.kind == Kind::kTabular || one.kind == Kind::kSmoothStep;
+    bool sound = true;
+    for (Items items : deck_.lines(block)) {
+      // Items left out at the end of a line are 0, and those of the next line keep their places.
+      while (!items.empty() && items.back().empty()) items.pop_back();
+      std::size_t wanted = items.size();
+      if (pairs || one.kind == Kind::kPeriodic) wanted += wanted % 2;
+      if (one.kind == Kind::kPeriodic && one.numbers.empty()) wanted = std::max(wanted, kHead);
+      items.resize(wanted);
+      for (std::size_t i = 0; i < wanted; ++i) {
+        const std::string_view item = items[i];
         const auto number =
             item.empty() ? tl::expected<double, std::string>(0.0) : deck_.number(item);
         if (!number) {
           // Other kinds have words of their own in their data.
-          if (one.kind != Amplitude::Kind::kOther) deck_.error(item, block, number.error());
+          if (one.kind != Kind::kOther) deck_.error(item, block, number.error());
+          sound = false;
           break;
+        }
+        const std::size_t before = one.numbers.size();
+        if (sound && pairs && i % 2 == 0 && before >= 2 && *number < one.numbers[before - 2]) {
+          deck_.error(item.empty() ? block.where : item, block,
+                      fmt::format("times must not fall: {:g} stands behind {:g}", *number,
+                                  one.numbers[before - 2]));
+          sound = false;
         }
         one.numbers.push_back(*number);
       }
     }
     model_.amplitudes.push_back(one);
+  }
+
+  void begin_step(const Block& block) {
+    if (step_) {
+      deck_.error(block.where, block,
+                  fmt::format("stands in the step of {}, which has no *END STEP",
+                              deck_.place(step_->where)));
+    }
+    const std::string name = shown(value_of(block, "NAME"));
+    step_ =
+        Step{.name = name.empty() ? fmt::format("step {}", ++steps_) : name, .where = block.where};
+    step_block_ = &block;
+    if (const std::string amplitude = folded(value_of(block, "AMPLITUDE")); !amplitude.empty()) {
+      step_->at_once = amplitude.starts_with("S");
+    }
+    changes_.clear();
+    has_time_ = false;
+    change_open_ = false;
   }
 
   void read_in_step(const Block& block) {
@@ -370,6 +419,7 @@ class Reader {
                                 .target = label_of(value_of(block, "ELSET")),
                                 .amplitude = label_of(value_of(block, "AMPLITUDE")),
                                 .reset = block.has("RESET")});
+      changes_.push_back(&block);
       change_open_ = true;
     } else if (keyword == "FRICTION" && change_open_) {
       if (step_->changes.back().reset) {
@@ -398,7 +448,8 @@ class Reader {
                   .amplitude = label_of(value_of(block, "AMPLITUDE")),
                   .type = type,
                   .is_load = is_load,
-                  .fixed = block.has("FIXED")};
+                  .fixed = block.has("FIXED"),
+                  .user = block.has("USER")};
       const auto component =
           items.size() > 1 ? component_in(deck_, items[1]) : std::optional<int>();
       if (!component) {
@@ -423,6 +474,7 @@ class Reader {
   void read_of_nodes(const Block& block) {
     const bool is_load = block.keyword == "CLOAD";
     const std::string variable = value_of(block, "VARIABLE");
+    if (is_load && folded(value_of(block, "OP")) == "NEW") step_->new_of_nodes = true;
     for (const Items& items : deck_.lines(block)) {
       Drive drive{.where = items.front(),
                   .target = label_of(items.front()),
@@ -454,6 +506,11 @@ class Reader {
 
   void end_step() {
     if (!step_) return;
+    for (std::size_t i = 0; i < changes_.size(); ++i) {
+      const FrictionChange& change = step_->changes[i];
+      if (change.reset || change.coefficient || change.target.empty()) continue;
+      deck_.error(change.where, *changes_[i], "wants a *FRICTION behind it, or RESET");
+    }
     if (has_time_) {
       model_.steps.push_back(std::move(*step_));
     } else {
@@ -481,22 +538,39 @@ class Reader {
         if (element.sets.count(key.second) > 0) continue;
         const bool in = std::any_of(members.begin(), members.end(), [&](const std::string& member) {
           if (key.first == element.part && member == number) return true;
-          for (const Instance& instance : instances_) {
-            if (instance.part == element.part && member == instance.label + "." + number)
-              return true;
-          }
           return element.sets.count(member) > 0;
         });
         if (in) found = element.sets.insert(key.second).second;
       }
       for (const auto& [key, ranges] : ranges_) {
         if (key.first != element.part) continue;
-        for (const auto& [first, last, step] : ranges) {
-          const long way = element.number - first;
-          if (way >= 0 && element.number <= last && way % step == 0) {
+        for (const Range& range : ranges) {
+          if (range.instance.empty() && range.has(element.number)) {
             found = element.sets.insert(key.second).second || found;
           }
         }
+      }
+    }
+  }
+
+  /// Adds the sets of the assembly that have an element of one instance.
+  void find_sets_of_instance(const Element& element, const Instance& instance,
+                             std::set<std::string>& labels) const {
+    for (const auto& [key, ranges] : ranges_) {
+      for (const Range& range : ranges) {
+        if (range.instance == instance.label + "." && range.has(element.number)) {
+          labels.insert(key.second);
+        }
+      }
+    }
+    for (bool found = true; found;) {
+      found = false;
+      for (const auto& [key, members] : sets_) {
+        if (!key.first.empty() || labels.count(key.second) > 0) continue;
+        const bool in = std::any_of(members.begin(), members.end(), [&](const std::string& one) {
+          return !starts_with_digit(one) && labels.count(one) > 0;
+        });
+        if (in) found = labels.insert(key.second).second;
       }
     }
   }
@@ -536,6 +610,7 @@ class Reader {
         own.name = instance.name + "." + one.name;
         for (const std::string& set : element.sets) own.labels.insert(instance.label + "." + set);
         own.labels.insert(instance.label + "." + one.name);
+        find_sets_of_instance(element, instance, own.labels);
         add(std::move(own), element, *section, &instance);
         placed = true;
       }
@@ -640,6 +715,15 @@ class Reader {
     std::array<Ends, 2> ends;
     std::optional<Matrix3d> axes;  ///< of node a
   };
+  /// Numbers of GENERATE, in an instance ("ONE.") where its name is given.
+  struct Range {
+    std::string instance;
+    long first = 0, last = 0, step = 1;
+    bool has(long number) const {
+      return number >= first && number <= last && (number - first) % step == 0;
+    }
+  };
+  static constexpr std::size_t kHead = 4;  ///< numbers of a periodic amplitude's first line
   using Scoped = std::pair<std::string, std::string>;  ///< part, label
 
   const KeywordDeck& deck_;
@@ -650,14 +734,16 @@ class Reader {
   std::vector<Element> elements_;
   std::vector<Section> sections_;
   std::map<Scoped, std::vector<std::string>> sets_;
-  std::map<Scoped, std::vector<std::array<long, 3>>> ranges_;
+  std::map<Scoped, std::vector<Range>> ranges_;
   std::map<Scoped, Matrix3d> axes_;
   std::vector<std::pair<std::string, const Block*>> node_blocks_;
   std::map<NodeName, std::optional<Vector3d>> nodes_;
   std::vector<Place> places_;
   std::optional<Step> step_;
-  std::set<std::string> held_;  ///< nodes whose motion is held in all six components
-  bool others_ = false;         ///< elements that are no connectors
+  const Block* step_block_ = nullptr;
+  std::vector<const Block*> changes_;  ///< those of the step
+  std::set<std::string> held_;         ///< nodes whose motion is held in all six components
+  bool others_ = false;                ///< elements that are no connectors
   bool has_time_ = false;
   bool change_open_ = false;
   int steps_ = 0;

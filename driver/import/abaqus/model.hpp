@@ -26,6 +26,7 @@ struct Amplitude {
   bool absolute = false;             ///< values are not factors of the magnitude
   double interval = 0.0;             ///< FIXED INTERVAL of equally spaced values
   double begin = 0.0;                ///< BEGIN of these
+  bool smoothed = false;             ///< SMOOTH rounds the corners of its polyline
   std::vector<double> numbers = {};  ///< all of the data lines
 };
 
@@ -40,6 +41,7 @@ struct Drive {
   bool is_load = false;
   std::string quantity = {};  ///< "temperature", "field1" of a node's, or empty
   bool fixed = false;         ///< held where it is
+  bool user = false;          ///< a subroutine gives its values
 };
 
 /// *CHANGE FRICTION.
@@ -58,8 +60,10 @@ struct Step {
   double period = 1.0;
   double increment = 0.0;  ///< the first one; 0: the deck does not say
   bool is_static = true;
-  bool new_motions = false;  ///< OP=NEW: those of the step before are gone
+  std::optional<bool> at_once = std::nullopt;  ///< AMPLITUDE=STEP, or RAMP
+  bool new_motions = false;                    ///< OP=NEW: those of the step before are gone
   bool new_loads = false;
+  bool new_of_nodes = false;  ///< the same of forces of nodes
   std::vector<Drive> drives = {};
   std::vector<FrictionChange> changes = {};
   std::vector<Drive> of_nodes = {};  ///< forces, temperatures and fields of nodes

@@ -86,7 +86,6 @@ std::string formula_of(const Amplitude& amplitude) {
       // N, omega, t0, A0; then A, B of each harmonic.
       const auto count = static_cast<std::size_t>(std::clamp(at(0), 0.0, 1000.0));
       std::string sum = number_text(at(3));
-      // The first line is filled up to four numbers, whatever is left out.
       for (std::size_t n = 1; n <= count; ++n) {
         const std::string angle = fmt::format("{}*{}*{}", n, number_text(at(1)), since(at(2)));
         const double a = at(4 + 2 * (n - 1));
@@ -120,6 +119,32 @@ std::string formula_of(const Amplitude& amplitude) {
     default:
       return {};
   }
+}
+
+/// The value of an amplitude that formula_of writes, at a time of its own.
+double value_of(const Amplitude& amplitude, double time) {
+  const auto at = [&](std::size_t i) {
+    return i < amplitude.numbers.size() ? amplitude.numbers[i] : 0.0;
+  };
+  if (amplitude.kind == Amplitude::Kind::kPeriodic) {
+    double sum = at(3);
+    if (time < at(2)) return sum;
+    const auto count = static_cast<std::size_t>(std::clamp(at(0), 0.0, 1000.0));
+    for (std::size_t n = 1; n <= count; ++n) {
+      const double angle = static_cast<double>(n) * at(1) * (time - at(2));
+      sum += at(2 * n + 2) * std::cos(angle) + at(2 * n + 3) * std::sin(angle);
+    }
+    return sum;
+  }
+  if (amplitude.kind == Amplitude::Kind::kDecay) {
+    return time < at(2) ? at(0) : at(0) + at(1) * std::exp(-(time - at(2)) / at(3));
+  }
+  for (std::size_t i = 1; i < amplitude.numbers.size() / 2; ++i) {
+    if (time >= at(2 * i)) continue;
+    const double x = std::max(0.0, (time - at(2 * i - 2)) / (at(2 * i) - at(2 * i - 2)));
+    return at(2 * i - 1) + (at(2 * i + 1) - at(2 * i - 1)) * x * x * x * (10 - 15 * x + 6 * x * x);
+  }
+  return at(amplitude.numbers.size() - 1);
 }
 
 /// Integral of a polyline of velocities, at enough points that its arcs are straight.
@@ -182,6 +207,12 @@ DriveProfile profile_of(const KeywordDeck& deck, const Model& model, const Step&
                         const Drive& drive, const std::string& name, double initial, double current,
                         double begin) {
   const std::string place = deck.place(drive.where);
+  if (drive.user) {
+    return {{},
+            current,
+            fmt::format("{} ({}): USER, a subroutine gives its values, which are asked for here",
+                        name, place)};
+  }
   if (drive.fixed) return {fmt::format("{{to: {}}}", number_text(current)), current};
   if (drive.type == "ACCELERATION" && !drive.is_load) {
     return {{}, current, fmt::format("{} ({}): an acceleration is not taken over", name, place)};
@@ -193,7 +224,7 @@ DriveProfile profile_of(const KeywordDeck& deck, const Model& model, const Step&
       return {fmt::format("{{to: {}}}", number_text(end)), end};
     }
     const double end = initial + drive.magnitude;
-    if (drive.is_load && !step.is_static) return {number_text(end), end};
+    if (step.at_once.value_or(drive.is_load && !step.is_static)) return {number_text(end), end};
     return {fmt::format("{{to: {}}}", number_text(end)), end};
   }
   const Amplitude* const amplitude = find_amplitude(model, drive.amplitude);
@@ -211,10 +242,15 @@ DriveProfile profile_of(const KeywordDeck& deck, const Model& model, const Step&
     points = covering(points, step.period);
     for (auto& point : points) point.second *= factor;
     std::string note;
+    if (amplitude->smoothed) {
+      note = fmt::format("{} ({}): SMOOTH rounds the corners of its amplitude, which stay here",
+                         name, place);
+    }
     if (velocity) {
       points = integrated(points, current);
-      note = fmt::format("{} ({}): the integral of its velocity is drawn with straight pieces",
-                         name, place);
+      note += note.empty() ? "" : "; ";
+      note += fmt::format("{} ({}): the integral of its velocity is drawn with straight pieces",
+                          name, place);
     } else {
       for (auto& point : points) point.second += initial;
     }
@@ -232,8 +268,9 @@ DriveProfile profile_of(const KeywordDeck& deck, const Model& model, const Step&
   }
   std::string text = fmt::format("{}*{}", number_text(factor), formula);
   if (initial != 0.0) text = fmt::format("{} + {}", number_text(initial), text);
-  // The value at the end matters to steps that ramp from it.
-  return {fmt::format("\"= {}\"", text), std::nan("")};
+  // The value at the end matters to steps that set out from it.
+  const double time = step.period + (amplitude->total_time ? begin : 0.0);
+  return {fmt::format("\"= {}\"", text), initial + factor * value_of(*amplitude, time)};
 }
 
 }  // namespace slipbench::driver::abaqus

@@ -138,6 +138,11 @@ TEST_CASE("Amplitudes and kinds of motion become profiles") {
      "0.8", "2*(1 - 2*0.6^3*(10 - 15*0.6 + 6*0.6^2))");
   at("*AMPLITUDE, NAME=A, DEFINITION=PERIODIC\n1, 3., 0.2, 0.5\n0.25, -0.75\n", ", AMPLITUDE=A",
      "0.7", "2*(0.5 + 0.25*cos(3*0.5) - 0.75*sin(3*0.5))");
+  // Items that a line leaves out at its end are 0 and shift nothing.
+  at("*AMPLITUDE, NAME=A, DEFINITION=PERIODIC\n1, 3., 0.2\n0.25, -0.75\n", ", AMPLITUDE=A", "0.7",
+     "2*(0.25*cos(3*0.5) - 0.75*sin(3*0.5))");
+  at("*AMPLITUDE, NAME=A\n0., 0., 0.4,\n0.5, 1., 1., 1.\n", ", AMPLITUDE=A", "0.5", "2");
+  at("*AMPLITUDE, NAME=A\n0., 0., 0.5, 1., , ,\n1., 3.\n", ", AMPLITUDE=A", "0.8", "4.4");
   at("*AMPLITUDE, NAME=A, DEFINITION=DECAY\n1., 2., 0., 0.5\n", ", AMPLITUDE=A", "1",
      "2*(1 + 2*exp(-2))");
   at("*AMPLITUDE, NAME=A\n0., 1., 1., 1.\n", ", AMPLITUDE=A, TYPE=VELOCITY", "0.6", "1.2");
@@ -158,6 +163,121 @@ TEST_CASE("Steps follow one another, and change the friction") {
   CHECK(failed(written.text + at_the_end("CP1 - 50", "10", 3.0), forces).empty());
   CHECK(failed(written.text + at_the_end("MU", "0.25", 2.0), forces).empty());
   CHECK(failed(written.text + at_the_end("FLIM", "4", 3.0), forces).empty());
+}
+
+TEST_CASE("OP=NEW takes away what a step does not state again") {
+  Folder folder;
+  const std::string sticky =
+      "*CONNECTOR FRICTION, PREDEFINED\n5.\n*FRICTION, ELASTIC SLIP=0.01\n0.1\n";
+  const std::string two = "*STEP\n*STATIC\n0.1, 1.\n";
+  const auto written = [&](const std::string& first, const std::string& second) {
+    return case_of(
+        folder.read(deck_of("SLIDE-PLANE", sticky, step_of(first) + two + second + "*END STEP\n")));
+  };
+  const std::vector<base::ParameterText> forces{{"f1", 20.0}};
+  const std::string moves = "*CONNECTOR MOTION\nJOINT, 2, 3.\nJOINT, 3, 0.\n";
+  // Let go, the friction of a plane springs back until nothing pulls.
+  const WrittenCase freed = written(moves, "*CONNECTOR MOTION, OP=NEW\nJOINT, 3, 0.\n");
+  INFO(freed.text);
+  CHECK_THAT(freed.text, Catch::Contains("OP=NEW lets component 2 go in step 1"));
+  CHECK(failed(freed.text + at_the_end("CSF2", "0", 2.0), forces).empty());
+  const WrittenCase held = written(moves, "*CONNECTOR MOTION\nJOINT, 3, 0.\n");
+  CHECK(failed(held.text + at_the_end("CP2", "3", 2.0), forces).empty());
+  // A load goes as it came.
+  const std::string loads = "*CONNECTOR LOAD\nJOINT, 2, 1.\nJOINT, 3, 0.5\n";
+  const WrittenCase unloaded = written(loads, "*CONNECTOR LOAD, OP=NEW\nJOINT, 3, 0.5\n");
+  INFO(unloaded.text);
+  CHECK(failed(unloaded.text + at_the_end("CSF2", "0.5", 1.5), forces).empty());
+  CHECK(failed(unloaded.text + at_the_end("CSF2", "0", 2.0), forces).empty());
+  const WrittenCase loaded = written(loads, "*CONNECTOR LOAD\nJOINT, 3, 0.5\n");
+  CHECK(failed(loaded.text + at_the_end("CSF2", "1", 2.0), forces).empty());
+}
+
+TEST_CASE("A step behind a periodic motion sets out from its end") {
+  Folder folder;
+  const std::string more = "*STEP\n*STATIC\n0.1, 1.\n*CONNECTOR MOTION";
+  for (const auto& [second, end] : {std::pair<std::string, std::string>{", FIXED\nJOINT, 1\n", "0"},
+                                    {", TYPE=VELOCITY\nJOINT, 1, 4.\n", "4"}}) {
+    const WrittenCase written = case_of(folder.read(deck_of(
+        "SLOT", "*CONNECTOR FRICTION, PREDEFINED\n5.\n*FRICTION\n0.1\n",
+        "*AMPLITUDE, NAME=A, DEFINITION=PERIODIC\n2, 3., 0.2, 0.5\n0.25, -0.75, 0.1, 0.2\n" +
+            step_of("*CONNECTOR MOTION, AMPLITUDE=A\nJOINT, 1, 2.\n") + more + second +
+            "*END STEP\n")));
+    INFO(written.text);
+    const std::string last =
+        "2*(0.5 + 0.25*cos(2.4) - 0.75*sin(2.4) + 0.1*cos(4.8) + 0.2*sin(4.8))";
+    CHECK(failed(written.text + at_the_end("CP1 - 50", last + " + " + end, 2.0),
+                 {{"f2", 1.0}, {"f3", 1.0}})
+              .empty());
+  }
+}
+
+TEST_CASE("AMPLITUDE=STEP brings loads and changes of friction at once") {
+  Folder folder;
+  const WrittenCase written = case_of(folder.read(deck_of(
+      "SLOT", "*CONNECTOR FRICTION, PREDEFINED\n5.\n*FRICTION, ELASTIC SLIP=0.01\n0.1\n",
+      step_of("*CONNECTOR MOTION\n7, 1, 2.\n") +
+          "*STEP, AMPLITUDE=STEP\n*STATIC\n0.25, 1.\n*CONNECTOR LOAD\nJOINT, 1, 0.3\n"
+          "*CHANGE FRICTION, ELSET=JOINT\n*FRICTION, ELASTIC SLIP=0.01\n0.4\n*END STEP\n")));
+  INFO(written.text);
+  const std::vector<base::ParameterText> forces{{"f2", 3.0}, {"f3", 4.0}};
+  CHECK(failed(written.text + at_the_end("CSF1", "0.3", 1.25), forces).empty());
+  CHECK(failed(written.text + at_the_end("MU", "0.4", 1.25), forces).empty());
+}
+
+TEST_CASE("A change of friction begins with its step, and has the stick of its own *FRICTION") {
+  Folder folder;
+  const WrittenCase written = case_of(folder.read(
+      deck_of("SLOT", "*CONNECTOR FRICTION, PREDEFINED\n5.\n*FRICTION, ELASTIC SLIP=0.01\n0.1\n",
+              "*AMPLITUDE, NAME=A, TIME=TOTAL TIME\n0., 0., 1., 0., 1.5, 1., 9., 1.\n" +
+                  step_of("*CONNECTOR MOTION\n7, 1, 2.\n") +
+                  "*STEP\n*STATIC\n0.1, 1.\n*CONNECTOR MOTION\nJOINT, 1, 4.\n"
+                  "*CHANGE FRICTION, ELSET=JOINT, AMPLITUDE=A\n*FRICTION\n0.4\n*END STEP\n")));
+  INFO(written.text);
+  const std::vector<base::ParameterText> forces{{"f2", 3.0}, {"f3", 4.0}};
+  CHECK(failed(written.text + at_the_end("MU", "0.4", 1.5), forces).empty());
+  CHECK_THAT(written.text, Catch::Contains("stick: {slip_tolerance: 0.0001}"));
+}
+
+TEST_CASE("Values of a subroutine and rounded corners are told") {
+  Folder folder;
+  const std::string friction = "*CONNECTOR FRICTION, PREDEFINED\n5.\n*FRICTION\n0.1\n";
+  const WrittenCase user = case_of(
+      folder.read(deck_of("SLOT", friction, step_of("*CONNECTOR MOTION, USER\nJOINT, 1, 1.\n"))));
+  CHECK_THAT(user.text, Catch::Contains("USER, a subroutine gives its values"));
+  CHECK(std::find(user.asked.begin(), user.asked.end(), "CP1") != user.asked.end());
+  const WrittenCase smooth =
+      case_of(folder.read(deck_of("SLOT", friction,
+                                  "*AMPLITUDE, NAME=A, SMOOTH=0.25\n0., 0., 0.5, 1., 1., 0.\n" +
+                                      step_of("*CONNECTOR MOTION, AMPLITUDE=A\nJOINT, 1, 1.\n"))));
+  CHECK_THAT(smooth.text, Catch::Contains("SMOOTH rounds the corners"));
+  const WrittenCase none =
+      case_of(folder.read(deck_of("SLOT", "*CONNECTOR FRICTION, PREDEFINED\n5.\n")));
+  CHECK_THAT(none.text, Catch::Contains("has no *FRICTION: its coefficient is 0"));
+}
+
+TEST_CASE("A set of an instance names the elements of that instance alone") {
+  Folder folder;
+  const ReadDeck read = folder.read(
+      "*PART, NAME=P\n*NODE\n1, 1., 0., 0.\n2, 1., 30., 0.\n*ELEMENT, TYPE=CONN3D2, ELSET=E\n"
+      "5, 1, 2\n*CONNECTOR SECTION, ELSET=E, BEHAVIOR=B\nSLOT\n*END PART\n*ASSEMBLY, NAME=A\n"
+      "*INSTANCE, NAME=one, PART=P\n*END INSTANCE\n*INSTANCE, NAME=two, PART=P\n*END INSTANCE\n"
+      "*ELSET, ELSET=FIRST, INSTANCE=one\n5\n*ELSET, ELSET=SECOND, INSTANCE=two, GENERATE\n"
+      "1, 9, 1\n*ELSET, ELSET=ALSO\nSECOND\n*END ASSEMBLY\n"
+      "*CONNECTOR BEHAVIOR, NAME=B\n*CONNECTOR FRICTION, PREDEFINED\n5.\n*FRICTION\n0.1\n" +
+      step_of("*CONNECTOR MOTION\nFIRST, 1, 1.\nALSO, 1, 2.\none.E, 1, 3.\n"));
+  REQUIRE(read.said.empty());
+  REQUIRE(read.model.connectors.size() == 2);
+  const auto named = [&](std::size_t i, const std::string& set) {
+    return read.model.connectors[i].labels.count(set) > 0;
+  };
+  CHECK(named(0, "FIRST"));
+  CHECK_FALSE(named(1, "FIRST"));
+  CHECK(named(0, "ONE.E"));
+  for (const std::string set : {"SECOND", "ALSO"}) {
+    CHECK_FALSE(named(0, set));
+    CHECK(named(1, set));
+  }
 }
 
 TEST_CASE("Positions come from nodes, orientations and instances") {
@@ -223,6 +343,20 @@ TEST_CASE("A fault of a deck is told with its line") {
   CHECK(said("*CONNECTOR FRICTION, PREDEFINED\n1.\n*FRICTION\n0.1, 1., 1., 1., 1.\n") ==
         "14:18: *FRICTION: is one number too many: wanted mu, slip rate, contact force, "
         "temperature, fields");
+  CHECK(said("", "*AMPLITUDE, NAME=A\n0., 0., 1., 1., 0.5, 2.\n") ==
+        "12:17: *AMPLITUDE: times must not fall: 0.5 stands behind 1");
+  CHECK(said("", "*STEP\n*STATIC\n1., 1.\n") ==
+        "11:1: *STEP: has no *END STEP: the deck ends in this step");
+  CHECK(said("", "*STEP\n*STATIC\n1., 1.\n*STEP\n*STATIC\n1., 1.\n*END STEP\n") ==
+        "14:1: *STEP: stands in the step of d.inp:11, which has no *END STEP");
+  CHECK(said("", "*STEP\n*STATIC\n1., 1.\n*CHANGE FRICTION, ELSET=JOINT\n*END STEP\n") ==
+        "14:1: *CHANGE FRICTION: wants a *FRICTION behind it, or RESET");
+  CHECK(said("*CONECTOR FRICTION, PREDEFINED\n5.\n") ==
+        "11:1: *CONECTOR FRICTION: is no keyword that is known");
+  CHECK(said("*CONNECTOR FRICTION, PREDEFINED\n5.\n*MATERIAL, NAME=STEEL\n*DENSITY\n7.8\n") ==
+        "nothing");
+  CHECK(said("*INCLUDE, INPUT=../up.inc\n")
+            .find("11:11: *INCLUDE: '../up.inc' contains '..'; a case, fit or deck reads") == 0);
   CHECK(said("*INCLUDE, INPUT=no.inc\n").find("11:11: *INCLUDE: ") == 0);
   CHECK(said("*INCLUDE, INPUT=d.inp\n").find("files include each other without end") !=
         std::string::npos);
