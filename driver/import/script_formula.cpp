@@ -270,7 +270,7 @@ class FormulaReader {
     if (!dollar && (name == "True" || name == "true")) return truth(true);
     if (!dollar && (name == "False" || name == "false")) return truth(false);
     at_ = begin;
-    fail(fmt::format("'{}' is not known", base::printable(whole)), std::string(whole));
+    fail(fmt::format("unknown name '{}'", base::printable(whole)), std::string(whole));
     return {};
   }
 

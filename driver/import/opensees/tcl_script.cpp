@@ -79,6 +79,7 @@ class TclReader {
       } else if (c == '"') {
         const std::size_t begin = ++at;
         while (at < text.size() && text[at] != '"') at += text[at] == '\\' ? 2 : 1;
+        if (at >= text.size()) fault(text.substr(begin - 1, 1), "this quote is never closed");
         at = std::min(at, text.size());
         words.push_back({text.substr(begin, at - begin), false});
         ++at;

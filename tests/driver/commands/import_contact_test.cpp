@@ -226,7 +226,7 @@ TEST_CASE("*PARAMETER_EXPRESSION is evaluated, with whole numbers as integers") 
   CHECK(friction("1/two + 1.5d-1") == Approx(0.15));
   CHECK(friction("half**2") == Approx(0.25));
   CHECK_THAT(read("half*nope").messages,
-             Catch::Contains("a.k:5:16: error: *PARAMETER_EXPRESSION: 'nope' is not known"));
+             Catch::Contains("a.k:5:16: error: *PARAMETER_EXPRESSION: unknown name 'nope'"));
 }
 
 TEST_CASE("Decks include files of their own folder alone, unless they may") {

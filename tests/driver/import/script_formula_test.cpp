@@ -49,7 +49,7 @@ TEST_CASE("Operators bind as strongly as in the language") {
 }
 
 TEST_CASE("A formula without a value tells why and where") {
-  CHECK(fault("1 + c") == "4: 'c' is not known");
+  CHECK(fault("1 + c") == "4: unknown name 'c'");
   CHECK(fault("1 +") == "3: a number is missing");
   CHECK(fault("(1") == "2: wanted ')'");
   CHECK(fault("1 2") == "2: '2' is not understood");
