@@ -12,7 +12,9 @@
 #include <cerrno>
 #include <fstream>
 #include <iterator>
+#include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "driver/base/files/data_path.hpp"
 #include "driver/base/files/exit_code.hpp"
@@ -29,7 +31,15 @@ namespace {
 tl::expected<void, PlotFailure> run_gnuplot(const fs::path& script_file) {
   std::string program = "gnuplot";
   std::string argument = script_file.string();
-  std::array<char*, 3> arguments{program.data(), argument.data(), nullptr};
+  std::string no_settings = "-d";  // of the user: they would change the picture
+  std::array<char*, 4> arguments{program.data(), no_settings.data(), argument.data(), nullptr};
+  // Nor does the user's language change it, and the degree sign is one of UTF-8.
+  std::string locale = "LC_ALL=C.UTF-8";
+  std::vector<char*> environment;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    if (!std::string_view(*entry).starts_with("LC_ALL=")) environment.push_back(*entry);
+  }
+  environment.insert(environment.end(), {locale.data(), nullptr});
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -44,7 +54,8 @@ tl::expected<void, PlotFailure> run_gnuplot(const fs::path& script_file) {
     sigemptyset(&nothing);
     posix_spawnattr_setsigmask(&attributes, &nothing);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
-    error = posix_spawnp(&child, "gnuplot", &actions, &attributes, arguments.data(), environ);
+    error = posix_spawnp(&child, "gnuplot", &actions, &attributes, arguments.data(),
+                         environment.data());
     posix_spawnattr_destroy(&attributes);
     if (error == 0) base::register_child(child);
   }

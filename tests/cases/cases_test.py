@@ -25,6 +25,8 @@ TEST is one of
              progress bar on a terminal and nowhere else
   hostile    texts and names of files that would be commands, markup or messages elsewhere stay data in all that is written:
              nothing is run, XML and JSON give the texts back, no line of a log begins with one
+  same_bytes locale (one with a decimal comma), time zone, folder, environment, number of threads and repetition change no
+             byte of results, pictures, pages, decks and sweeps, nor of what is said but for times of the clock
   guide      the complete cases in docs/guide and README.md pass, and what they show of the program's output is what
              it says; a page of the guide may use the files of those before it
 The needs beyond python3 itself are python3-yaml, python3-jsonschema and xmllint.
@@ -35,6 +37,7 @@ import concurrent.futures
 import csv
 import difflib
 import importlib.util
+import itertools
 import json
 import os
 import pathlib
@@ -52,6 +55,7 @@ import jsonschema
 import yaml
 
 sys.dont_write_bytecode = True
+import same_results  # noqa: E402
 import transcript  # noqa: E402
 
 POSITION = re.compile(r":\d+:\d+: ")
@@ -462,6 +466,50 @@ def examples(document, folder):
     return cases
 
 
+def same_bytes():
+    names = ["hinge", "press_fit", "belt", "renard", "stick_slip_belt", "shock_absorber"]
+
+    def outcome(folder, environment, jobs):
+        """All that is said and written, in a folder of that name."""
+        folder = folder / "cases"  # JUnit names it
+        folder.mkdir(parents=True)
+        for path in [*(source / f"cases/examples/{name}.yaml" for name in names), *(source / "cases/sweeps").glob("slot*.yaml")]:
+            shutil.copy(path, folder)
+        commands = [["run", *(f"{name}.yaml" for name in names), "-o", "out"], ["report", "hinge.yaml", "belt.yaml", "-o", "page.html"],
+                    ["check", ".", "--jobs", jobs, "--json", "check.json", "--junit", "check.xml"], ["plot", "press_fit.yaml", "-o", "picture.svg"],
+                    ["sweep", "slot_sweep.yaml", "-j", jobs, "-o", "swept"], ["export", "hinge.yaml", "--to", "abaqus", "-o", "deck.inp"]]
+        found = {}
+        for command in commands:
+            done = subprocess.run([program, *map(str, command)], cwd=folder, env=environment, capture_output=True, timeout=300)
+            expect(done.returncode == 0, f"{command}: ended with {done.returncode}:\n{done.stdout.decode()}{done.stderr.decode()}")
+            found[command[0]] = done.stdout + done.stderr
+        found |= {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file() and path.suffix != ".yaml"}
+        return {name: re.sub(rb' time="[0-9.]+"| *TIME| +\d threads?', b"", same_results.constant(content)) for name, content in found.items()}
+
+    with tempfile.TemporaryDirectory() as scratch:
+        scratch = pathlib.Path(scratch)
+        comma = scratch / "locales/de_DE.UTF-8"
+        comma.parent.mkdir()
+        subprocess.run(["localedef", "-i", "de_DE", "-f", "UTF-8", comma], check=True, capture_output=True)
+        german = {**os.environ, "LOCPATH": str(comma.parent), "LC_ALL": "de_DE.UTF-8", "LANG": "de_DE.UTF-8"}
+        said = subprocess.run(["/usr/bin/printf", "%.1f", "1,5"], env=german, capture_output=True, text=True).stdout
+        expect(said == "1,5", f"the locale has no decimal comma, it shows {said!r}")
+        (scratch / ".gnuplot").write_text("set grid\nset title 'of the user'\n")
+        plain = {"PATH": os.environ["PATH"], "XDG_CACHE_HOME": str(scratch / "cache")}
+        wanted = outcome(scratch / "plain", plain, 1)
+        expect(len(wanted) > 25, f"only {sorted(wanted)} to compare")
+        for what, folder, environment, jobs in (
+                ("repetition", "again", plain, 1), ("threads", "threads", plain, 7), ("folder", "ein anderer Ördner/& deeper", plain, 1), ("locale", "locale", german, 2),
+                ("time zone", "zone", {**plain, "TZ": "Pacific/Kiritimati"}, 1),
+                ("environment", "environment", {**os.environ, "COLUMNS": "40", "HOME": str(scratch), "OMP_NUM_THREADS": "3", "MALLOC_PERTURB_": "165"}, 3)):
+            found = outcome(scratch / folder, environment, jobs)
+            expect(set(found) == set(wanted), f"{what}: other files, {sorted(set(found) ^ set(wanted))}")
+            for name in sorted(set(found) & set(wanted)):
+                lines = itertools.zip_longest(found[name].split(b"\n"), wanted[name].split(b"\n"))
+                other = next((pair for pair in lines if pair[0] != pair[1]), None)
+                expect(other is None, f"{what}: other bytes in {name}, first {other}")
+
+
 SLIDER = """slipbench: 1
 units: {{length: mm, force: N, time: s}}
 parameters: {{mu: {mu}}}
@@ -548,12 +596,12 @@ def hostile():
             folder = pathlib.Path(place)
             file = name + ".yaml"
             (folder / file).write_text(case)
-            sweep = {"slipbench": 1, "title": text, "sweep": {"case": file, "vary": {"mu": {"grid": [0.1, 0.2]}}, "collect": {"peak": {"max": "CSF1"}}}}
+            sweep = {"slipbench": 1, "title": text, "sweep": {"case": file, "sampler": "grid", "vary": {"mu": {"grid": [0.1, 0.2]}}, "collect": {"peak": {"max": "CSF1"}}}}
             (folder / "sweep.yaml").write_text(yaml.safe_dump(sweep))
             said = []
             commands = [["run", file, "-o", "out"], ["run", file, "-o", "told", "--explain", "0.5"], ["report", file, "-o", "page.html"],
                         ["check", file, "--junit", "check.xml", "--json", "check.json", "--report", "check.html"],
-                        ["convert", f"out/{name}.csv", "-o", "rows.json"], ["sweep", "sweep.yaml", "-o", "swept"]]
+                        ["convert", f"out/{name}.csv", "-o", "rows.npy"], ["sweep", "sweep.yaml", "-o", "swept"]]
             commands += [["plot", file, "-o", f"picture.{kind}"] for kind in ("svg", "png")]
             commands += [["export", file, "--to", to, "-o", f"deck.{to}"] for to in ("abaqus", "radioss", "lsdyna", "opensees", "table", "fmu")]
             for command in commands:
@@ -756,7 +804,7 @@ def suite_progress(folder):
     expect(bar.search(on_terminal({"TERM": "xterm"}, stdout=subprocess.PIPE)), "no bar while the table goes to a file")
 
 
-tests = {f.__name__: f for f in (schema, check, bad, mistakes, sensitive, calibration, sweeps, increments, twins, suite, hostile, guide)}
+tests = {f.__name__: f for f in (schema, check, bad, mistakes, sensitive, calibration, sweeps, increments, twins, suite, hostile, same_bytes, guide)}
 parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
 parser.add_argument("test", choices=tests)
 parser.add_argument("--slipbench", required=True, help="the program")
