@@ -57,7 +57,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-/// Whether a block is run.
+/// Fate of a block; open where its condition is no number.
 enum class Runs { kYes, kNo, kOpen };
 
 /// Block that lines with more blanks before them belong to.
@@ -170,7 +170,7 @@ class PythonReader {
     return outer == Runs::kOpen ? outer : inner;
   }
 
-  /// Whether a branch is run; `before`: whether one above it is.
+  /// Tells whether a branch is run; `before`: whether one above it is.
   Runs branch(std::string_view word, std::string_view condition, Runs& before) const {
     if (before == Runs::kYes) return Runs::kNo;
     Runs own = Runs::kYes;
