@@ -72,23 +72,25 @@ Written unit_of(const read::ReadCase& read, const std::string& file,
         Failure{base::kExitEnvironment,
                 "slipbench-fmu.so, the library of units, is not beside the program"});
   }
-  const auto parsed =
-      read::ParsedCase::parse(read.sources.front(), fs::path(file).parent_path().string());
+  const std::string folder = fs::path(file).parent_path().string();
+  const auto parsed = read::ParsedCase::parse(read.sources.front(), folder.empty() ? "." : folder);
   if (!parsed) return tl::unexpected(Failure{base::kExitBadInput, "the case is not read again"});
   const exports::ParameterMap map =
       exports::map_parameters(*parsed, problem, settings, law.numbers);
-  for (const exports::MappedParameter& one : map.parameters) {
-    law.losses.push_back({Kind::kKept, fmt::format("parameter {}: the host can set it", one.name)});
-  }
-  for (const std::string& name : map.fixed) {
-    law.losses.push_back(
-        {Kind::kDropped,
-         fmt::format("parameter {}: the friction follows it by a curve, or together with "
-                     "others; it stays {}",
-                     name, problem.parameters.find(name)->second)});
-  }
   const auto variables = exports::fmu_variables(problem, map);
   if (!variables) return tl::unexpected(Failure{base::kExitBadInput, variables.error()});
+  for (const exports::FmuVariable& one : *variables) {
+    if (one.role != "parameter") continue;
+    const std::string& name = map.parameters[static_cast<std::size_t>(one.index)].name;
+    law.losses.push_back(
+        {Kind::kKept, fmt::format("parameter {}: the host can set it{}", name,
+                                  one.name == name ? "" : ", by the name " + one.name)});
+  }
+  for (const exports::FixedParameter& one : map.fixed) {
+    law.losses.push_back(
+        {Kind::kDropped, fmt::format("parameter {}: {}; it stays {}", one.name, one.reason,
+                                     problem.parameters.find(one.name)->second)});
+  }
   const std::string resource = exports::fmu_resource(problem, *variables, map, law.numbers);
   const std::string description_of = exports::model_description(problem, *variables, {});
   const exports::FmuIdentity identity{identifier_of(file), guid_of(resource + description_of)};

@@ -29,6 +29,19 @@ constexpr std::array kTold{Told{"FLIM", "limit"},
                            Told{"STRAIN_E", "stored_energy"},
                            Told{"WORK", "work"}};
 
+/// Gives parameters of the case that are called as another variable is a name of their own.
+void tell_apart(std::vector<FmuVariable>& all) {
+  for (FmuVariable& one : all) {
+    if (one.role != "parameter") continue;
+    const auto taken = [&] {
+      return std::any_of(all.begin(), all.end(), [&](const FmuVariable& other) {
+        return &other != &one && other.name == one.name;
+      });
+    };
+    while (taken()) one.name.insert(0, "parameter_");
+  }
+}
+
 }  // namespace
 
 tl::expected<std::vector<FmuVariable>, std::string> fmu_variables(const cases::Case& problem,
@@ -99,6 +112,7 @@ tl::expected<std::vector<FmuVariable>, std::string> fmu_variables(const cases::C
       if (column != columns.end()) output(*column, told.type, told.role, static_cast<int>(d));
     }
   }
+  tell_apart(all);
   return all;
 }
 

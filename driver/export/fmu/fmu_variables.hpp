@@ -36,8 +36,9 @@ struct FmuVariable {
 /// The variables of a case: as inputs positions and rates of the free components, constraint
 /// forces, temperature and fields with the values that the history begins with; as parameters those
 /// of the case that the friction follows; as outputs the friction forces and, of each definition,
-/// what the result columns of the same names have. \return a sentence where the history does not
-/// begin
+/// what the result columns of the same names have. A parameter that is called as another variable
+/// is, `increments` or `MU`, has "parameter_" before its name. \return a sentence where the history
+/// does not begin
 tl::expected<std::vector<FmuVariable>, std::string> fmu_variables(const cases::Case& problem,
                                                                   const ParameterMap& map);
 

@@ -7,20 +7,26 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string_view>
 #include <utility>
+#include <variant>
 
+#include "driver/export/fmu/formula_names.hpp"
 #include "law/definition/packed_definition.hpp"
 
 namespace slipbench::driver::exports {
 namespace {
 
-/// Friction of the case with other values of its parameters.
+constexpr const char* kCurve = "the friction follows it by a curve, or together with others";
+constexpr const char* kPlace = "the connector begins at another place with it";
+
+/// The case with other values of its parameters.
 class Varied {
  public:
   Varied(const read::ParsedCase& parsed, const std::vector<base::ParameterText>& settings)
       : parsed_(parsed), settings_(settings) {}
 
-  /// Packed numbers; nothing where the value is refused.
+  /// Packed numbers of the friction; nothing where the value is refused.
   std::optional<std::vector<double>> numbers(const std::string& name, double value) const {
     const auto definitions =
         parsed_.resolve_friction_only({.overrides = with(name, value), .allow_outside = true});
@@ -31,17 +37,11 @@ class Varied {
     return law::pack_all(laws);
   }
 
-  /// Parameters whose values change with it, itself left out.
-  std::set<std::string> followers(const std::string& name, double value,
-                                  const base::NamedNumbers& now) const {
-    std::set<std::string> found;
-    const auto changed = parsed_.resolve_parameters_only({.overrides = with(name, value)});
-    if (!changed) return found;
-    for (const auto& [other, number] : *changed) {
-      const auto before = now.find(other);
-      if (other != name && before != now.end() && before->second != number) found.insert(other);
-    }
-    return found;
+  /// Tells whether the connector begins at another place, or counts its motion from another.
+  bool moves_the_begin(const std::string& name, double value, const cases::Case& problem) const {
+    const auto other = parsed_.resolve({.overrides = with(name, value), .allow_outside = true});
+    return other.value &&
+           (other.value->initial != problem.initial || other.value->reference != problem.reference);
   }
 
  private:
@@ -55,22 +55,154 @@ class Varied {
   const std::vector<base::ParameterText>& settings_;
 };
 
-/// The number as a function of the parameter, from its values at two others; nothing where it is no
-/// straight line.
+/// Formulas of a case by what they are about.
+class Formulas {
+ public:
+  Formulas(const read::ParsedCase& parsed, const std::vector<base::ParameterText>& settings) {
+    if (const auto map = parsed.root().find("parameters"); map && map->is_map()) {
+      for (const yaml::Entry entry : map->entries()) {
+        const std::string_view text = entry.value.text();
+        if (text.starts_with('=')) parameters_[std::string(entry.key.text())] = text;
+      }
+    }
+    for (const base::ParameterText& one : settings) {
+      parameters_.erase(one.name);
+      if (const auto* text = std::get_if<std::string>(&one.value)) parameters_[one.name] = *text;
+    }
+    std::vector<yaml::Formula> all;
+    parsed.resolve({.overrides = settings, .allow_outside = true, .formulas = &all});
+    for (yaml::Formula& one : all) {
+      const std::string_view path = one.path;
+      if (path.starts_with("history") || path.starts_with("output") || path.starts_with("checks"))
+        continue;
+      const bool place =
+          path.starts_with("connector.initial") || path.starts_with("connector.reference");
+      (place ? places_ : friction_).push_back(std::move(one.text));
+    }
+  }
+
+  /// Tells whether a parameter is defined by other ones.
+  bool is_defined(const std::string& name, const base::NamedNumbers& parameters) const {
+    const auto text = parameters_.find(name);
+    if (text == parameters_.end()) return false;
+    const std::set<std::string> names = names_in(text->second);
+    return std::any_of(names.begin(), names.end(),
+                       [&](const std::string& one) { return parameters.contains(one); });
+  }
+  /// The parameter and all that are defined by it.
+  std::set<std::string> with_followers(const std::string& name) const {
+    std::set<std::string> found{name};
+    for (std::size_t before = 0; before != found.size();) {
+      before = found.size();
+      for (const auto& [other, text] : parameters_) {
+        if (mentions(text, found)) found.insert(other);
+      }
+    }
+    return found;
+  }
+  bool place_mentions(const std::set<std::string>& names) const {
+    return any_mentions(places_, names);
+  }
+  /// Tells whether the friction depends on one of the names in pieces.
+  bool friction_has_pieces(const std::set<std::string>& names) const {
+    if (!any_mentions(friction_, names)) return false;
+    const auto pieces = [&](const std::string& text) { return has_pieces_of(text, names); };
+    return std::any_of(friction_.begin(), friction_.end(), pieces) ||
+           std::any_of(parameters_.begin(), parameters_.end(),
+                       [&](const auto& one) { return pieces(one.second); });
+  }
+
+ private:
+  static bool mentions(const std::string& text, const std::set<std::string>& names) {
+    const std::set<std::string> found = names_in(text);
+    return std::any_of(found.begin(), found.end(),
+                       [&](const std::string& one) { return names.contains(one); });
+  }
+  static bool any_mentions(const std::vector<std::string>& texts,
+                           const std::set<std::string>& names) {
+    return std::any_of(texts.begin(), texts.end(),
+                       [&](const std::string& text) { return mentions(text, names); });
+  }
+
+  std::map<std::string, std::string> parameters_;  ///< those that are formulas
+  std::vector<std::string> friction_, places_;
+};
+
+/// The friction at another value of a parameter.
+struct Sample {
+  double value = 0.0;
+  std::vector<double> numbers;
+};
+
+/// Other values of a parameter: of no symmetry, near and far, on both sides of it and of 0. Values
+/// that a law refuses are no part of the line.
+std::vector<double> other_values(double value) {
+  constexpr std::array kParts{0.0625, -0.0546875, -0.13,  0.21,  -0.29,  0.43,  -0.61, 0.83,
+                              -0.87,  1.3,        -1.7,   2.9,   -3.1,   11.0,  -13.0, 97.0,
+                              -103.0, 1013.0,     -997.0, 2.1e5, -1.9e5, 3.7e8, -4.1e8};
+  constexpr std::array kAnywhere{0.0, 1e-3, 0.047, 0.53, 1.9, -1.1, 23.0, -17.0, 1.7e3, -2.3e3};
+  const double size = value != 0.0 ? value : 1.0 / 64.0;
+  std::vector<double> values;
+  for (const double part : kParts) values.push_back(value + part * size);
+  for (const double x : kAnywhere) {
+    if (x != value) values.push_back(x);
+  }
+  return values;
+}
+
+/// The number as a function of the parameter; nothing where it is no straight line.
 std::optional<FollowingNumber> follow(std::size_t index, double p, double n,
-                                      const std::array<double, 2>& other,
-                                      const std::array<double, 2>& number) {
+                                      const std::vector<Sample>& samples) {
   const double ratio = n / p;
-  if (p != 0.0 && number[0] == ratio * other[0] && number[1] == ratio * other[1]) {
+  const auto in_proportion = [&](const Sample& one) {
+    return one.numbers[index] == ratio * one.value;
+  };
+  if (p != 0.0 && std::all_of(samples.begin(), samples.end(), in_proportion)) {
     return FollowingNumber{index, true, ratio};
   }
-  const double slope = (number[1] - number[0]) / (other[1] - other[0]);
-  const double middle = number[0] + slope * (p - other[0]);
-  const double size = std::max({std::abs(n), std::abs(number[0]), std::abs(number[1])});
-  // Rounding of the formula; a curve differs by far more over the width of the two.
-  constexpr double kStraight = 1e-12;
-  if (!(std::abs(middle - n) <= kStraight * size)) return std::nullopt;
+  const Sample& far =
+      *std::max_element(samples.begin(), samples.end(), [&](const Sample& a, const Sample& b) {
+        return std::abs(a.value - p) < std::abs(b.value - p);
+      });
+  const double slope = (far.numbers[index] - n) / (far.value - p);
+  const auto on_line = [&](const Sample& one) {
+    const double step = slope * (one.value - p);
+    const double x = one.numbers[index];
+    // Rounding of the formula; a curve differs by far more at some of so many values.
+    constexpr double kStraight = 1e-12;
+    return std::abs(n + step - x) <=
+           kStraight * std::max({std::abs(n), std::abs(x), std::abs(step)});
+  };
+  if (!std::all_of(samples.begin(), samples.end(), on_line)) return std::nullopt;
   return FollowingNumber{index, false, slope};
+}
+
+/// The friction at all values that are not refused.
+std::vector<Sample> samples_of(const Varied& varied, const std::string& name, double value) {
+  std::vector<Sample> samples;
+  for (const double x : other_values(value)) {
+    if (auto numbers = varied.numbers(name, x)) samples.push_back({x, *std::move(numbers)});
+  }
+  return samples;
+}
+
+/// All numbers that follow a parameter; nothing where one does so by a curve, or is not known to do
+/// otherwise.
+std::optional<MappedParameter> mapped(const std::string& name, double value,
+                                      const std::vector<Sample>& samples,
+                                      const std::vector<double>& numbers) {
+  MappedParameter found{name, value, {}};
+  for (const Sample& one : samples) {
+    if (one.numbers.size() != numbers.size()) return std::nullopt;
+  }
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const auto same = [&](const Sample& one) { return one.numbers[i] == numbers[i]; };
+    if (std::all_of(samples.begin(), samples.end(), same)) continue;
+    const auto one = follow(i, value, numbers[i], samples);
+    if (!one) return std::nullopt;
+    found.numbers.push_back(*one);
+  }
+  return found;
 }
 
 }  // namespace
@@ -79,48 +211,39 @@ ParameterMap map_parameters(const read::ParsedCase& parsed, const cases::Case& p
                             const std::vector<base::ParameterText>& settings,
                             const std::vector<double>& numbers) {
   const Varied varied(parsed, settings);
+  const Formulas formulas(parsed, settings);
   ParameterMap map;
-  std::set<std::string> followers;
   std::map<std::size_t, int> users;
   for (const auto& [name, value] : problem.parameters) {
-    // On either side, by a part that changes no kind of anything; one that is 0 by a little.
-    const double width = value != 0.0 ? value / 16.0 : 1.0 / 1024.0;
-    std::array<double, 2> other{value - width, value + width};
-    followers.merge(varied.followers(name, other[1], problem.parameters));
-    auto low = varied.numbers(name, other[0]);
-    if (!low) {
-      other[0] = value + width / 2.0;  // a bound: both above it
-      low = varied.numbers(name, other[0]);
-    }
-    const auto high = varied.numbers(name, other[1]);
-    MappedParameter mapped{name, value, {}};
-    bool straight = low && high && low->size() == numbers.size() && high->size() == numbers.size();
-    for (std::size_t i = 0; straight && i < numbers.size(); ++i) {
-      if ((*low)[i] == numbers[i] && (*high)[i] == numbers[i]) continue;
-      const auto one = follow(i, value, numbers[i], other, {(*low)[i], (*high)[i]});
-      straight = one.has_value();
-      if (one) mapped.numbers.push_back(*one);
-    }
-    if (!straight) {
-      map.fixed.push_back(name);
+    if (formulas.is_defined(name, problem.parameters)) continue;
+    const std::vector<Sample> samples = samples_of(varied, name, value);
+    const std::set<std::string> names = formulas.with_followers(name);
+    auto found = mapped(name, value, samples, numbers);
+    // Two values beside its own are the least that tell a line from a curve.
+    constexpr std::size_t kLeast = 2;
+    if (samples.size() < kLeast || formulas.friction_has_pieces(names)) found.reset();
+    if (!found) {
+      map.fixed.push_back({name, kCurve});
       continue;
     }
-    for (const FollowingNumber& one : mapped.numbers) ++users[one.index];
-    if (!mapped.numbers.empty()) map.parameters.push_back(std::move(mapped));
+    if (found->numbers.empty()) continue;
+    const bool places =
+        formulas.place_mentions(names) ||
+        std::any_of(samples.begin(), samples.begin() + kLeast, [&](const Sample& one) {
+          return varied.moves_the_begin(name, one.value, problem);
+        });
+    for (const FollowingNumber& one : found->numbers) ++users[one.index];
+    if (places)
+      map.fixed.push_back({name, kPlace});
+    else
+      map.parameters.push_back(*std::move(found));
   }
-  const auto defined = [&](const std::string& name) { return followers.contains(name); };
-  for (const MappedParameter& one : map.parameters) {
-    if (!defined(one.name)) continue;
-    for (const FollowingNumber& number : one.numbers) --users[number.index];
-  }
-  std::erase_if(map.parameters, [&](const MappedParameter& one) { return defined(one.name); });
-  std::erase_if(map.fixed, defined);
   // Two parameters of one number multiply each other, or may do.
   std::erase_if(map.parameters, [&](const MappedParameter& one) {
     const bool shared =
         std::any_of(one.numbers.begin(), one.numbers.end(),
                     [&](const FollowingNumber& number) { return users[number.index] > 1; });
-    if (shared) map.fixed.push_back(one.name);
+    if (shared) map.fixed.push_back({one.name, kCurve});
     return shared;
   });
   return map;

@@ -26,16 +26,23 @@ struct MappedParameter {
   std::vector<FollowingNumber> numbers;
 };
 
-struct ParameterMap {
-  std::vector<MappedParameter> parameters;
-  /// Parameters that the friction depends on in another way, or together with others: their values
-  /// stay.
-  std::vector<std::string> fixed;
+/// A parameter that keeps its value, and why: "the friction follows it by a curve, ..".
+struct FixedParameter {
+  std::string name;
+  std::string reason;
 };
 
-/// Finds the numbers that follow each parameter, by reading the friction again with other values. A
-/// parameter that is defined by others follows those. Parameters that the friction does not depend
-/// on are left out. \param numbers of the case as it is: law_numbers
+struct ParameterMap {
+  std::vector<MappedParameter> parameters;
+  std::vector<FixedParameter> fixed;
+};
+
+/// Finds the numbers that follow each parameter in a straight line: at some thirty other values,
+/// near and far, the friction is read again; and no formula that mentions it may have pieces, as
+/// max(p, 1) has. A parameter that also moves the place where the connector begins, or that other
+/// parameters have a part in, is fixed. Parameters that are defined by others follow those, and
+/// those that the friction does not depend on are left out. \param numbers of the case as it is:
+/// law_numbers
 ParameterMap map_parameters(const read::ParsedCase& parsed, const cases::Case& problem,
                             const std::vector<base::ParameterText>& settings,
                             const std::vector<double>& numbers);
