@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
+#include <exception>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -25,6 +28,10 @@ namespace {
 using Status = int;
 constexpr Status kOk = 0, kDiscard = 2, kError = 3;
 using Reference = unsigned int;
+constexpr std::string_view kErrorCategory = "logStatusError";
+/// The most increments of a step, as modelDescription.xml says: a slip of the host ends in a
+/// message, not in hours.
+constexpr double kMostIncrements = 100000.0;
 
 using Logger = void (*)(void* environment, const char* instance, Status status,
                         const char* category, const char* message, ...);
@@ -80,11 +87,29 @@ enum Role : std::size_t {
   kWork
 };
 
+enum class Type { kReal, kInteger, kBoolean };
+constexpr Type type_of(Role role) {
+  if (role == kIncrements || role == kRegime) return Type::kInteger;
+  return role == kByRate ? Type::kBoolean : Type::kReal;
+}
+constexpr bool is_parameter(Role role) {
+  return role == kParameter || role == kByRate || role == kIncrements;
+}
+constexpr bool is_output(Role role) { return role >= kFrictionForce; }
+
+/// Tells whether a variable of the role can have the value.
+bool can_be(Role role, double x) {
+  if (role == kByRate) return x == 0.0 || x == 1.0;
+  return role != kIncrements || (x >= 1.0 && x <= kMostIncrements && x == std::floor(x));
+}
+
 /// Content of resources/law.txt.
 struct Model {
-  double time_unit = 1.0;  ///< of the case's units of time in a second
+  double fingerprint = 0.0;  ///< of the unit, so that a state of another one is not taken
+  double time_unit = 1.0;    ///< of the case's units of time in a second
   std::array<double, SLIP_COMPONENTS> initial{}, reference{};
   std::vector<double> starts;  ///< of all variables, by value reference
+  std::vector<Role> roles;     ///< of all variables
   std::array<Places, kRoles.size()> of;
   std::vector<Parameter> parameters;
   std::vector<double> numbers;
@@ -149,7 +174,9 @@ bool read_model(std::string_view text, Model& model) {
     std::vector<int>& place = model.of[static_cast<std::size_t>(role - kRoles.begin())].place;
     if (place.size() <= index) place.resize(index + 1, -1);
     place[index] = static_cast<int>(model.starts.size());
+    model.roles.push_back(static_cast<Role>(role - kRoles.begin()));
     model.starts.push_back(words.number<double>());
+    if (!can_be(model.roles.back(), model.starts.back())) return false;
   }
   words.expect("parameters");
   for (std::size_t i = words.count(); i > 0 && words.good(); --i) {
@@ -197,19 +224,32 @@ struct Destroy {
   void operator()(slip_law* law) const { slip_law_destroy(law); }
 };
 
+/// Where an instance is between its making and its end: the states of the standard's section 4.2.4.
+enum class Mode { kInstantiated, kInitialization, kStepping, kTerminated };
+
+/// A number that tells one unit's guid from another's; exact as a double.
+double fingerprint_of(std::string_view guid) {
+  std::uint64_t hash = 0xcbf29ce484222325U;  // FNV-1a
+  for (const char c : guid) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+  return static_cast<double>(hash >> 12U);
+}
+
 /// One instance. All that moves is in `now`, so that a saved state is a copy of it.
 struct Instance {
   std::string name;
   Callbacks callbacks{};
+  bool logs = false;  ///< the host wants to hear of errors
   Model model;
   std::unique_ptr<slip_law, Destroy> law;
+  std::vector<double> made_of;  ///< values of the parameters that the law was made of
+  bool stale = true;            ///< inputs or parameters were set since the outputs were made
 
   struct State {
     std::array<double, SLIP_COMPONENTS> position{};     ///< where the last step ended
     std::array<double, SLIP_COMPONENTS> begin_force{};  ///< there
     double begin_temperature = 0.0;
     std::array<double, SLIP_FIELDS> begin_fields{};
-    double initialized = 0.0;
+    double mode = 0.0;             ///< Mode
     std::vector<double> friction;  ///< of the law
     std::vector<double> values;    ///< of all variables
   };
@@ -217,12 +257,14 @@ struct Instance {
   State before;  ///< the step that is being made: kept, so that a step allocates nothing
 
   Status log(Status status, const char* message) const {
-    if (callbacks.logger != nullptr) {
-      callbacks.logger(callbacks.environment, name.c_str(), status, "logStatusError", "%s",
+    if (logs && callbacks.logger != nullptr) {
+      callbacks.logger(callbacks.environment, name.c_str(), status, kErrorCategory.data(), "%s",
                        message);
     }
     return status;
   }
+  Mode mode() const { return static_cast<Mode>(static_cast<int>(now.mode)); }
+  void enter(Mode mode) { now.mode = static_cast<double>(mode); }
   double value(Role role, std::size_t index, double otherwise) const {
     const int place = model.of[role][index];
     return place < 0 ? otherwise : now.values[static_cast<std::size_t>(place)];
@@ -239,7 +281,7 @@ struct Instance {
 /// Puts an instance where it was when it was made.
 void restart(Instance& one) {
   one.now.values = one.model.starts;
-  one.now.initialized = 0.0;
+  one.enter(Mode::kInstantiated);
 }
 
 /// Ambient and forces that the host prescribes for the end of a step.
@@ -295,38 +337,47 @@ Status advance(Instance& one, double duration, const std::array<double, SLIP_COM
   return kOk;
 }
 
-/// Makes the law of the parameters as they are.
-Status make_law(Instance& one) {
+/// Values of the parameters in a state.
+std::vector<double> parameters_in(const Instance& one, const Instance::State& state) {
+  std::vector<double> values;
+  for (std::size_t p = 0; p < one.model.parameters.size(); ++p) {
+    const int place = one.model.of[kParameter][p];
+    values.push_back(place < 0 ? one.model.parameters[p].value
+                               : state.values[static_cast<std::size_t>(place)]);
+  }
+  return values;
+}
+
+/// Makes the law of the parameters that a state has, if it is another one; after an error the law
+/// is the old one.
+Status make_law(Instance& one, const Instance::State& state) {
+  std::vector<double> values = parameters_in(one, state);
+  if (one.law != nullptr && values == one.made_of) return kOk;
   std::vector<double> numbers = one.model.numbers;
   for (std::size_t p = 0; p < one.model.parameters.size(); ++p) {
     const Parameter& parameter = one.model.parameters[p];
-    const double x = one.value(kParameter, p, parameter.value);
+    const double x = values[p];
     if (x == parameter.value) continue;  // as it was exported, in all bits
     for (const Following& number : parameter.numbers) {
       double& n = numbers[number.index];
       n = number.in_proportion ? number.factor * x : n + number.factor * (x - parameter.value);
     }
   }
-  one.law.reset(slip_law_unpack(numbers.data(), numbers.size(), nullptr));
-  if (one.law != nullptr) return kOk;
-  return one.log(
-      kError,
-      "the parameters make no friction: one is out of its bounds, or two do not go together");
-}
-
-/// Tells whether two states have the same parameters, so the same law.
-bool same_parameters(const Instance& one, const Instance::State& a, const Instance::State& b) {
-  const std::vector<int>& place = one.model.of[kParameter].place;
-  return std::all_of(place.begin(), place.end(), [&](int at) {
-    return at < 0 ||
-           a.values[static_cast<std::size_t>(at)] == b.values[static_cast<std::size_t>(at)];
-  });
+  std::unique_ptr<slip_law, Destroy> made(slip_law_unpack(numbers.data(), numbers.size(), nullptr));
+  if (made == nullptr) {
+    return one.log(
+        kError,
+        "the parameters make no friction: one is out of its bounds, or two do not go together");
+  }
+  one.law = std::move(made);
+  one.made_of = std::move(values);
+  return kOk;
 }
 
 /// Begins with the parameters and starts as they are, and the state of a connector that has not
 /// moved.
 Status initialize(Instance& one) {
-  if (const Status made = make_law(one); made != kOk) return made;
+  if (const Status made = make_law(one, one.now); made != kOk) return made;
   slip_law_initial_state(one.law.get(), one.now.friction.data());
   for (std::size_t c = 0; c < SLIP_COMPONENTS; ++c) {
     one.now.position[c] = one.value(kPosition, c, one.model.initial[c]);
@@ -335,18 +386,24 @@ Status initialize(Instance& one) {
     for (std::size_t d = 0; d < SLIP_DEFINITIONS; ++d) one.tell(role, d, 0.0);
   }
   // An increment without motion: the limits, coefficients and regimes there.
-  const Status status = advance(one, 0.0, one.now.position, prescribed(one));
-  one.now.initialized = status == kOk ? 1.0 : 0.0;
+  return advance(one, 0.0, one.now.position, prescribed(one));
+}
+
+/// Runs `body`; after an error the instance is where it was.
+template <class Body>
+Status undone_on_error(Instance& one, Body body) {
+  one.before = one.now;
+  const Status status = body();
+  if (status != kOk) std::swap(one.now, one.before);
   return status;
 }
 
 Status do_step(Instance& one, double size) {
-  if (one.now.initialized == 0.0) return one.log(kError, "a step before the end of initialization");
-  if (!(size > 0.0)) return one.log(kDiscard, "a step must be longer than 0");
-  const double asked = one.value(kIncrements, 0, 1.0);
-  if (!(asked >= 1.0)) return one.log(kError, "increments must be 1 or more");
-  const bool by_rate = one.value(kByRate, 0, 0.0) != 0.0;
   const double duration = size * one.model.time_unit;
+  if (!(duration > 0.0 && std::isfinite(duration)))
+    return one.log(kError, "a step must be longer than 0, and finite");
+  const double asked = one.value(kIncrements, 0, 1.0);
+  const bool by_rate = one.value(kByRate, 0, 0.0) != 0.0;
   const std::array<double, SLIP_COMPONENTS> from = one.now.position;
   std::array<double, SLIP_COMPONENTS> to = from;
   for (std::size_t c = 0; c < SLIP_COMPONENTS; ++c) {
@@ -378,47 +435,83 @@ Status do_step(Instance& one, double size) {
 
 /// Runs a call of the host; no exception leaves the library.
 template <class Body>
-Status guarded(void* component, Body body) {
+Status guarded(void* component, Body body) noexcept {
   if (component == nullptr) return kError;
   Instance& one = *static_cast<Instance*>(component);
   try {
     return body(one);
   } catch (const std::bad_alloc&) {
     return one.log(kError, "no memory is left");
+  } catch (const std::exception& exception) {
+    return one.log(kError, exception.what());
+  } catch (...) {
+    return one.log(kError, "an error without a name");
   }
 }
 
+/// Runs a call of the host that belongs to one mode.
+template <class Body>
+Status guarded_in(void* component, Mode mode, const char* otherwise, Body body) noexcept {
+  return guarded(component, [&](Instance& one) {
+    return one.mode() == mode ? body(one) : one.log(kError, otherwise);
+  });
+}
+
+/// Tells whether all value references are those of variables of a type.
+Status check(const Instance& one, const Reference* references, std::size_t count,
+             const void* values, Type type) {
+  if (count > 0 && (references == nullptr || values == nullptr))
+    return one.log(kError, "value references and values must be there");
+  for (std::size_t i = 0; i < count; ++i) {
+    if (references[i] >= one.model.roles.size())
+      return one.log(kError, "no variable has this value reference");
+    if (type_of(one.model.roles[references[i]]) != type)
+      return one.log(kError, "a variable is of another type: Real, Integer, Boolean");
+  }
+  return kOk;
+}
+
 template <class Value>
-Status get(void* component, const Reference* references, std::size_t count, Value* values) {
-  return guarded(component, [&](const Instance& one) {
-    for (std::size_t i = 0; i < count; ++i) {
-      if (references[i] >= one.now.values.size())
-        return one.log(kError, "no variable has this value reference");
-      values[i] = static_cast<Value>(one.now.values[references[i]]);
+Status get(void* component, const Reference* references, std::size_t count, Value* values,
+           Type type) {
+  return guarded(component, [&](Instance& one) {
+    if (const Status status = check(one, references, count, values, type); status != kOk)
+      return status;
+    const bool outputs = std::any_of(references, references + count, [&](Reference reference) {
+      return is_output(one.model.roles[reference]);
+    });
+    if (outputs && one.stale && one.mode() == Mode::kInitialization) {
+      const Status status = undone_on_error(one, [&] { return initialize(one); });
+      if (status != kOk) return status;
+      one.stale = false;
     }
+    for (std::size_t i = 0; i < count; ++i)
+      values[i] = static_cast<Value>(one.now.values[references[i]]);
     return kOk;
   });
 }
 
-/// Variables of a role cannot be set, being outputs.
-bool is_output(const Model& model, Reference reference) {
-  for (std::size_t role = kFrictionForce; role < kRoles.size(); ++role) {
-    const std::vector<int>& place = model.of[role].place;
-    if (std::find(place.begin(), place.end(), static_cast<int>(reference)) != place.end())
-      return true;
-  }
-  return false;
-}
-
 template <class Value>
-Status set(void* component, const Reference* references, std::size_t count, const Value* values) {
+Status set(void* component, const Reference* references, std::size_t count, const Value* values,
+           Type type) {
   return guarded(component, [&](Instance& one) {
+    if (const Status status = check(one, references, count, values, type); status != kOk)
+      return status;
+    const bool begun = one.mode() != Mode::kInstantiated && one.mode() != Mode::kInitialization;
+    const auto number = [&](std::size_t i) {
+      const auto x = static_cast<double>(values[i]);
+      return type == Type::kBoolean && x != 0.0 ? 1.0 : x;
+    };
     for (std::size_t i = 0; i < count; ++i) {
-      if (references[i] >= one.now.values.size())
-        return one.log(kError, "no variable has this value reference");
-      if (is_output(one.model, references[i])) return one.log(kError, "an output cannot be set");
-      one.now.values[references[i]] = static_cast<double>(values[i]);
+      const Role role = one.model.roles[references[i]];
+      if (is_output(role)) return one.log(kError, "an output cannot be set");
+      if (begun && is_parameter(role))
+        return one.log(kError, "parameters are fixed: they cannot be set after initialization");
+      if (!can_be(role, number(i)))
+        return one.log(kError, "increments are a whole number from 1 to 100000");
     }
+    for (std::size_t i = 0; i < count; ++i) one.now.values[references[i]] = number(i);
+    one.stale = true;
     return kOk;
   });
 }
@@ -430,9 +523,24 @@ void for_each_number(State& state, Visit visit) {
   for (auto& x : state.begin_force) visit(x);
   visit(state.begin_temperature);
   for (auto& x : state.begin_fields) visit(x);
-  visit(state.initialized);
+  visit(state.mode);
   for (auto& x : state.friction) visit(x);
   for (auto& x : state.values) visit(x);
+}
+
+/// Tells whether a state that was read from bytes is one that an instance can be in.
+bool is_state_of(const Instance& one, const Instance::State& state) {
+  if (state.values.size() != one.now.values.size() ||
+      state.friction.size() != one.now.friction.size())
+    return false;
+  const bool mode = state.mode >= 0.0 && state.mode <= static_cast<double>(Mode::kTerminated) &&
+                    state.mode == std::floor(state.mode);
+  for (std::size_t i = 0; i < state.values.size(); ++i) {
+    const Role role = one.model.roles[i];
+    const bool regime = role != kRegime || (state.values[i] >= 0.0 && state.values[i] <= 2.0);
+    if (!regime || !can_be(role, state.values[i])) return false;
+  }
+  return mode;
 }
 
 Status nothing_pending(void* component) {
@@ -448,20 +556,32 @@ Status nothing_pending(void* component) {
 
 FMU_API const char* fmi2GetTypesPlatform() { return "default"; }
 FMU_API const char* fmi2GetVersion() { return "2.0"; }
-FMU_API Status fmi2SetDebugLogging(void* component, int, std::size_t, const char* const*) {
-  return component == nullptr ? kError : kOk;
+FMU_API Status fmi2SetDebugLogging(void* component, int on, std::size_t count,
+                                   const char* const* categories) {
+  return guarded(component, [&](Instance& one) {
+    bool wanted = count == 0;
+    for (std::size_t i = 0; categories != nullptr && i < count; ++i) {
+      if (categories[i] == nullptr || categories[i] != kErrorCategory)
+        return one.log(kError, "the one category of messages is logStatusError");
+      wanted = true;
+    }
+    if (wanted) one.logs = on != 0;
+    return kOk;
+  });
 }
 
 FMU_API void* fmi2Instantiate(const char* name, int type, const char* guid, const char* resources,
-                              const Callbacks* callbacks, int /*visible*/, int /*logging*/) {
+                              const Callbacks* callbacks, int /*visible*/, int logging) {
+  std::unique_ptr<Instance> one;
+  const auto refuse = [&](const std::string& why) -> void* {
+    if (one != nullptr) one->log(kError, why.c_str());
+    return nullptr;
+  };
   try {
-    auto one = std::make_unique<Instance>();
+    one = std::make_unique<Instance>();
     one->name = name == nullptr ? "" : name;
     if (callbacks != nullptr) one->callbacks = *callbacks;
-    const auto refuse = [&](const std::string& why) -> void* {
-      one->log(kError, why.c_str());
-      return nullptr;
-    };
+    one->logs = true;  // the only way to tell why there is no instance
     constexpr int kCoSimulation = 1;
     if (type != kCoSimulation) return refuse("this unit is one for co-simulation");
     const std::string file = folder_of(resources == nullptr ? "" : resources) + "/law.txt";
@@ -477,11 +597,15 @@ FMU_API void* fmi2Instantiate(const char* name, int type, const char* guid, cons
     }
     if (!read_model(std::string_view(text).substr(end + 1), one->model))
       return refuse(file + " is damaged, or of another version");
+    one->model.fingerprint = fingerprint_of(guid);
     restart(*one);
-    if (make_law(*one) != kOk) return nullptr;
+    if (make_law(*one, one->now) != kOk) return nullptr;
     one->now.friction.resize(slip_law_state_size(one->law.get()));
+    one->logs = logging != 0;
     return one.release();
-  } catch (const std::bad_alloc&) {
+  } catch (const std::exception& exception) {
+    return refuse(exception.what());
+  } catch (...) {
     return nullptr;
   }
 }
@@ -489,15 +613,34 @@ FMU_API void* fmi2Instantiate(const char* name, int type, const char* guid, cons
 FMU_API void fmi2FreeInstance(void* component) { delete static_cast<Instance*>(component); }
 
 FMU_API Status fmi2SetupExperiment(void* component, int, double, double, int, double) {
-  return component == nullptr ? kError : kOk;
+  return guarded_in(component, Mode::kInstantiated, "the experiment is set up after initialization",
+                    [](const Instance&) { return kOk; });
 }
 FMU_API Status fmi2EnterInitializationMode(void* component) {
-  return component == nullptr ? kError : kOk;
+  return guarded_in(component, Mode::kInstantiated, "initialization was entered already",
+                    [](Instance& one) {
+                      one.enter(Mode::kInitialization);
+                      one.stale = true;
+                      return kOk;
+                    });
 }
 FMU_API Status fmi2ExitInitializationMode(void* component) {
-  return guarded(component, [](Instance& one) { return initialize(one); });
+  return guarded_in(component, Mode::kInitialization, "initialization was not entered",
+                    [](Instance& one) {
+                      return undone_on_error(one, [&] {
+                        const Status status = initialize(one);
+                        if (status == kOk) one.enter(Mode::kStepping);
+                        return status;
+                      });
+                    });
 }
-FMU_API Status fmi2Terminate(void* component) { return component == nullptr ? kError : kOk; }
+FMU_API Status fmi2Terminate(void* component) {
+  return guarded_in(component, Mode::kStepping, "there is no simulation to terminate",
+                    [](Instance& one) {
+                      one.enter(Mode::kTerminated);
+                      return kOk;
+                    });
+}
 FMU_API Status fmi2Reset(void* component) {
   return guarded(component, [](Instance& one) {
     restart(one);
@@ -507,27 +650,27 @@ FMU_API Status fmi2Reset(void* component) {
 
 FMU_API Status fmi2GetReal(void* component, const Reference* references, std::size_t count,
                            double* values) {
-  return get(component, references, count, values);
+  return get(component, references, count, values, Type::kReal);
 }
 FMU_API Status fmi2GetInteger(void* component, const Reference* references, std::size_t count,
                               int* values) {
-  return get(component, references, count, values);
+  return get(component, references, count, values, Type::kInteger);
 }
 FMU_API Status fmi2GetBoolean(void* component, const Reference* references, std::size_t count,
                               int* values) {
-  return get(component, references, count, values);
+  return get(component, references, count, values, Type::kBoolean);
 }
 FMU_API Status fmi2SetReal(void* component, const Reference* references, std::size_t count,
                            const double* values) {
-  return set(component, references, count, values);
+  return set(component, references, count, values, Type::kReal);
 }
 FMU_API Status fmi2SetInteger(void* component, const Reference* references, std::size_t count,
                               const int* values) {
-  return set(component, references, count, values);
+  return set(component, references, count, values, Type::kInteger);
 }
 FMU_API Status fmi2SetBoolean(void* component, const Reference* references, std::size_t count,
                               const int* values) {
-  return set(component, references, count, values);
+  return set(component, references, count, values, Type::kBoolean);
 }
 FMU_API Status fmi2GetString(void* component, const Reference*, std::size_t count, const char**) {
   return guarded(component, [&](const Instance& one) {
@@ -543,11 +686,10 @@ FMU_API Status fmi2SetString(void* component, const Reference*, std::size_t coun
 
 FMU_API Status fmi2DoStep(void* component, double /*begin*/, double size, int) {
   return guarded(component, [&](Instance& one) {
-    // A step that cannot be made leaves the connector where it was.
-    one.before = one.now;
-    const Status status = do_step(one, size);
-    if (status != kOk) std::swap(one.now, one.before);
-    return status;
+    if (one.mode() == Mode::kTerminated) return one.log(kError, "a step after the end");
+    if (one.mode() != Mode::kStepping)
+      return one.log(kError, "a step before the end of initialization");
+    return undone_on_error(one, [&] { return do_step(one, size); });
   });
 }
 FMU_API Status fmi2CancelStep(void* component) { return nothing_pending(component); }
@@ -585,6 +727,7 @@ FMU_API Status fmi2GetDirectionalDerivative(void* component, const Reference*, s
 
 FMU_API Status fmi2GetFMUstate(void* component, void** state) {
   return guarded(component, [&](const Instance& one) {
+    if (state == nullptr) return one.log(kError, "there is no place for a state");
     if (*state != nullptr) {
       *static_cast<Instance::State*>(*state) = one.now;
     } else {
@@ -596,10 +739,15 @@ FMU_API Status fmi2GetFMUstate(void* component, void** state) {
 FMU_API Status fmi2SetFMUstate(void* component, void* state) {
   return guarded(component, [&](Instance& one) {
     if (state == nullptr) return one.log(kError, "there is no state");
-    const auto& saved = *static_cast<const Instance::State*>(state);
-    const bool same = same_parameters(one, saved, one.now);
-    one.now = saved;
-    return same ? kOk : make_law(one);
+    // A copy first: what fails leaves the instance as it was.
+    Instance::State saved = *static_cast<const Instance::State*>(state);
+    if (!is_state_of(one, saved)) return one.log(kError, "the state is none of this unit");
+    // Before its initialization ends an instance may have parameters that make no law yet.
+    const bool begun = saved.mode >= static_cast<double>(Mode::kStepping);
+    if (begun && make_law(one, saved) != kOk) return kError;
+    one.now = std::move(saved);
+    one.stale = true;
+    return kOk;
   });
 }
 FMU_API Status fmi2FreeFMUstate(void* component, void** state) {
@@ -611,8 +759,9 @@ FMU_API Status fmi2FreeFMUstate(void* component, void** state) {
   });
 }
 FMU_API Status fmi2SerializedFMUstateSize(void* component, void* state, std::size_t* size) {
-  return guarded(component, [&](const Instance&) {
-    std::size_t count = 0;
+  return guarded(component, [&](const Instance& one) {
+    if (state == nullptr || size == nullptr) return one.log(kError, "there is no state");
+    std::size_t count = 1;
     for_each_number(*static_cast<const Instance::State*>(state), [&](const double&) { ++count; });
     *size = count * sizeof(double);
     return kOk;
@@ -620,26 +769,34 @@ FMU_API Status fmi2SerializedFMUstateSize(void* component, void* state, std::siz
 }
 FMU_API Status fmi2SerializeFMUstate(void* component, void* state, char* bytes, std::size_t size) {
   return guarded(component, [&](const Instance& one) {
+    if (state == nullptr || bytes == nullptr) return one.log(kError, "there is no state");
     std::size_t at = 0;
     bool fits = true;
-    for_each_number(*static_cast<const Instance::State*>(state), [&](const double& x) {
+    const auto put = [&](const double& x) {
       fits = fits && at + sizeof x <= size;
       if (fits) std::memcpy(bytes + at, &x, sizeof x);
       at += sizeof x;
-    });
+    };
+    put(one.model.fingerprint);
+    for_each_number(*static_cast<const Instance::State*>(state), put);
     return fits ? kOk : one.log(kError, "the memory is shorter than the state");
   });
 }
 FMU_API Status fmi2DeSerializeFMUstate(void* component, const char* bytes, std::size_t size,
                                        void** state) {
   return guarded(component, [&](const Instance& one) {
+    if (bytes == nullptr || state == nullptr) return one.log(kError, "there are no bytes");
     auto read = std::make_unique<Instance::State>(one.now);
     std::size_t at = 0;
-    for_each_number(*read, [&](double& x) {
+    double fingerprint = 0.0;
+    const auto take = [&](double& x) {
       if (at + sizeof x <= size) std::memcpy(&x, bytes + at, sizeof x);
       at += sizeof x;
-    });
-    if (at != size) return one.log(kError, "the bytes are no state of this unit");
+    };
+    take(fingerprint);
+    for_each_number(*read, take);
+    if (at != size || fingerprint != one.model.fingerprint || !is_state_of(one, *read))
+      return one.log(kError, "the bytes are no state of this unit");
     *state = read.release();
     return kOk;
   });

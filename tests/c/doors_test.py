@@ -64,12 +64,12 @@ class Doors(unittest.TestCase):
         """All definitions through one library, an instance each, all variables by their references."""
         inputs_of = [f"position {c}" for c in range(6)] + [f"force {c}" for c in range(6)] + ["temperature 0", "field 0", "field 1"]
         outputs_of = [f"friction_force {c}" for c in range(6)] + [f"{role} 0" for role in (
-            "limit", "normal_force", "mu", "regime", "accumulated_slip", "dissipation", "stored_energy", "work")]
+            "limit", "normal_force", "mu", "accumulated_slip", "dissipation", "stored_energy", "work", "regime")]
         library = ctypes.CDLL(UNIT_LIBRARY)
         library.fmi2Instantiate.restype = ctypes.c_void_p
         places = (ctypes.c_uint * 15)(*range(15))
-        outputs = (ctypes.c_uint * 14)(*range(15, 29))
-        found = (ctypes.c_double * 14)()
+        outputs, regime_at = (ctypes.c_uint * 13)(*range(15, 28)), (ctypes.c_uint * 1)(28)
+        found, regime = (ctypes.c_double * 13)(), ctypes.c_int()
         with tempfile.TemporaryDirectory() as folder:
             law = pathlib.Path(folder) / "law.txt"
             for numbers, inputs, told in definitions():
@@ -83,6 +83,7 @@ class Doors(unittest.TestCase):
                 one = library.fmi2Instantiate(b"one", 1, b"g", b"file://" + folder.encode(), None, 0, 0)
                 self.assertTrue(one)
                 component = ctypes.c_void_p(one)
+                self.assertEqual(library.fmi2EnterInitializationMode(component), 0)
                 self.assertEqual(library.fmi2ExitInitializationMode(component), 0)
                 dissipation = work = 0.0
                 for i, (row, wanted) in enumerate(zip(inputs, told)):
@@ -90,11 +91,12 @@ class Doors(unittest.TestCase):
                     self.assertEqual(library.fmi2SetReal(component, places, ctypes.c_size_t(15), values), 0)
                     if i > 0:
                         self.assertEqual(library.fmi2DoStep(component, ctypes.c_double(0), ctypes.c_double(row[0]), 1), 0)
-                    self.assertEqual(library.fmi2GetReal(component, outputs, ctypes.c_size_t(14), found), 0)
+                    self.assertEqual(library.fmi2GetReal(component, outputs, ctypes.c_size_t(13), found), 0)
+                    self.assertEqual(library.fmi2GetInteger(component, regime_at, ctypes.c_size_t(1), ctypes.byref(regime)), 0)
                     dissipation += wanted[25]
                     work += wanted[27]
-                    expected = [*wanted[:6], *wanted[20:23], wanted[28], wanted[18], dissipation, wanted[26], work]
-                    self.assertEqual(list(found), expected)
+                    expected = [*wanted[:6], *wanted[20:23], wanted[18], dissipation, wanted[26], work, wanted[28]]
+                    self.assertEqual([*found, regime.value], expected)
                 library.fmi2FreeInstance(component)
 
 

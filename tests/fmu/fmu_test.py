@@ -5,6 +5,7 @@
 import collections
 import pathlib
 import re
+import struct
 import subprocess
 import sys
 import tempfile
@@ -246,6 +247,199 @@ class Units(unittest.TestCase):
             text = (self.unit.folder / "resources/law.txt").read_text()
             (damaged / "law.txt").write_text(text[:cut])
             self.assertFalse(self.unit.instance(resources=f"file://{damaged}").component)
+
+    def refused(self, one, message, function, *arguments):
+        """A call that must be an error with that message."""
+        with self.assertRaisesRegex(RuntimeError, f"^{function}: status 3: .*{message}"):
+            one.call(function, *arguments)
+
+    def test_calls_out_of_order_are_errors(self):
+        one = self.unit.made()
+        step = (host.REAL(0), host.REAL(0.1), 1)
+        self.refused(one, "before the end of initialization", "fmi2DoStep", *step)
+        self.refused(one, "not entered", "fmi2ExitInitializationMode")
+        self.refused(one, "no simulation", "fmi2Terminate")
+        one.call("fmi2EnterInitializationMode")
+        self.refused(one, "entered already", "fmi2EnterInitializationMode")
+        self.refused(one, "set up after", "fmi2SetupExperiment", 0, host.REAL(0), host.REAL(0), 0, host.REAL(0))
+        one.call("fmi2ExitInitializationMode")
+        self.refused(one, "not entered", "fmi2ExitInitializationMode")
+        one.call("fmi2DoStep", *step)
+        for size in (-0.1, 0.0, float("inf"), float("nan"), 1e308 * 10):
+            self.refused(one, "longer than 0, and finite", "fmi2DoStep", host.REAL(0), host.REAL(size), 1)
+        one.call("fmi2Terminate")
+        self.refused(one, "after the end", "fmi2DoStep", *step)
+        one.call("fmi2Reset")
+        one.initialize()
+        one.call("fmi2DoStep", *step)
+        one.free()
+
+    def test_parameters_are_fixed_after_initialization(self):
+        one = self.unit.instance()
+        saved = one.state()
+        for name, value in (("mu", 0.3), ("by_rate", 1), ("increments", 2)):
+            before = one.get(name)
+            with self.assertRaisesRegex(RuntimeError, "fixed"):
+                one.set(**{name: value})
+            self.assertEqual(one.get(name), before)
+        # A state brings back its parameters, and its place in the order of calls.
+        one.call("fmi2Reset")
+        early = one.state()
+        one.set(mu=0.3)
+        one.go_back(saved)
+        self.assertEqual(one.get("mu"), self.run_["MU"][0])
+        one.set(f1=100.0, CPR1=0.5)
+        one.step(0.1)
+        self.assertEqual(one.get("MU"), self.run_["MU"][0])
+        with self.assertRaisesRegex(RuntimeError, "fixed"):
+            one.set(mu=0.3)
+        one.go_back(early)
+        one.set(mu=0.3)
+        one.initialize()
+        self.assertEqual(one.get("MU"), 0.3)
+        one.free()
+
+    def test_types_are_kept(self):
+        one = self.unit.instance()
+        real, whole, flag = (one.place(name)[0] for name in ("f1", "STATUS", "by_rate"))
+        one_of = host.ctypes.c_size_t(1)
+        number, integer = host.REAL(1.0), host.INTEGER(1)
+        for function, reference, value in (("fmi2SetReal", whole, number), ("fmi2GetReal", whole, number), ("fmi2GetInteger", real, integer),
+                                           ("fmi2SetInteger", real, integer), ("fmi2GetBoolean", whole, integer), ("fmi2GetInteger", flag, integer)):
+            self.refused(one, "another type", function, reference, one_of, host.ctypes.byref(value))
+        self.refused(one, "no variable", "fmi2GetReal", (host.ctypes.c_uint * 1)(99999), one_of, host.ctypes.byref(number))
+        self.refused(one, "must be there", "fmi2GetReal", real, one_of, None)
+        one.free()
+        other = self.unit.made()
+        for count in (0, -1, 100001, 2**31 - 1):
+            with self.assertRaisesRegex(RuntimeError, "from 1 to 100000"):
+                other.set(increments=count)
+        other.set(increments=100000)
+        self.assertEqual((self.unit.variables["increments"][0].get("min"), self.unit.variables["increments"][0].get("max")), ("1", "100000"))
+        other.free()
+
+    def test_states_that_are_none_change_nothing(self):
+        one = self.unit.instance()
+        wanted = self.go(one, 1, 20)[-1]
+        saved = one.state()
+        written = one.to_bytes(saved)
+        size = host.ctypes.c_size_t()
+        self.refused(one, "no state", "fmi2SerializedFMUstateSize", None, host.ctypes.byref(size))
+        self.refused(one, "no state", "fmi2SetFMUstate", None)
+        self.refused(one, "no place", "fmi2GetFMUstate", None)
+        numbers = list(struct.unpack(f"{len(written) // 8}d", written))
+        refused = 0
+        for i in range(len(numbers)):
+            for x in (float("nan"), -1e300, 0.5, 1e300):
+                bad = struct.pack(f"{len(numbers)}d", *numbers[:i], x, *numbers[i + 1:])
+                state = host.ctypes.c_void_p()
+                try:
+                    state = one.from_bytes(bad)
+                    one.go_back(state)
+                    one.go_back(saved)
+                except RuntimeError:
+                    refused += 1
+                if state:
+                    one.free_state(state)
+                self.assertEqual([one.get(name) for name in ("CSM1", "DISS", "STATUS")], wanted)
+        self.assertGreater(refused, 20)
+        other, _ = unit_of(CASES / "examples/puck.yaml", "other")
+        two = other.instance()
+        with self.assertRaisesRegex(RuntimeError, "no state of this unit|none of this unit"):
+            one.go_back(one.from_bytes(two.to_bytes(two.state())))
+        with self.assertRaisesRegex(RuntimeError, "none of this unit"):
+            one.go_back(two.state())
+        self.assertEqual(self.go(one, 20, 60), self.go(self.resumed(written), 20, 60))
+        one.free()
+        two.free()
+
+    def resumed(self, written):
+        one = self.unit.instance("resumed")
+        one.go_back(one.from_bytes(written))
+        return one
+
+    def test_outputs_are_there_in_initialization(self):
+        one = self.unit.made()
+        one.call("fmi2EnterInitializationMode")
+        one.set(f1=100.0, f2=200.0)
+        limit = one.get("FLIM")
+        self.assertGreater(limit, 0.0)
+        self.assertEqual(one.get("MU"), self.run_["MU"][0])
+        one.set(mu=2.0 * one.get("mu"))
+        self.assertAlmostEqual(one.get("FLIM") / limit, 2.0, places=13)
+        one.set(mu=-1.0)
+        with self.assertRaisesRegex(RuntimeError, "make no friction"):
+            one.get("FLIM")
+        one.set(mu=0.5)
+        one.call("fmi2ExitInitializationMode")
+        self.assertEqual(one.get("MU"), 0.5)
+        one.free()
+
+    def test_messages_come_where_they_are_wanted(self):
+        one = self.unit.made(logging=0)
+        number, count = host.REAL(0), host.ctypes.c_size_t(1)
+        wrong = (one.place("STATUS")[0], count, host.ctypes.byref(number))
+
+        def wrong_use():
+            before = len(one.said)
+            one.library.fmi2GetReal(host.ctypes.c_void_p(one.component), *wrong)
+            return len(one.said) - before
+
+        self.assertEqual(wrong_use(), 0)
+        one.call("fmi2SetDebugLogging", 1, host.ctypes.c_size_t(0), None)
+        self.assertEqual(wrong_use(), 1)
+        categories = (host.ctypes.c_char_p * 1)(b"logStatusError")
+        one.call("fmi2SetDebugLogging", 0, count, categories)
+        self.assertEqual(wrong_use(), 0)
+        listed = [category.get("name") for category in self.unit.description.find("LogCategories")]
+        self.assertEqual(listed, ["logStatusError"])
+        one.free()
+        folder = FOLDER / "a_folder"
+        (folder / "law.txt").mkdir(parents=True)
+        self.assertFalse(self.unit.made(resources=f"file://{folder}", logging=0).component)
+
+    def test_the_library_shows_the_functions_of_the_standard_only(self):
+        done = subprocess.run(["readelf", "--dyn-syms", "--wide", self.unit.folder / "binaries/linux64/hinge.so"], capture_output=True, text=True, check=True)
+        shown = [line.split()[-1] for line in done.stdout.splitlines() if re.search(r" (GLOBAL|WEAK|UNIQUE) ", line) and " UND " not in line]
+        self.assertEqual([name for name in shown if not name.startswith("fmi2")], [])
+        self.assertIn("fmi2DoStep", shown)
+
+    def said_of(self, name, parameters, *, coefficient="= mu", connector="{type: SLOT}", extra="", history="history: [{step: a, increments: 1}]"):
+        """What the command says of a case, by parameter; and its unit."""
+        case = FOLDER / f"{name}.yaml"
+        case.write_text(f"slipbench: 1\ntitle: {name}\nparameters: {parameters}\nconnector: {connector}\nfriction:\n"
+                        f"  - {{predefined: {{}}, coefficient: \"{coefficient}\", stick: {{stiffness: 1000}}}}\n{extra}{history}\n")
+        unit, said = unit_of(case, name)
+        return {name: f"{kind}: {text}" for kind, name, text in re.findall(r"(kept|dropped): parameter (\w+): (.*)", said)}, unit
+
+    def test_a_parameter_that_bends_is_fixed(self):
+        for name, parameters, coefficient in (
+                ("cubic", "{tilt: 0}", "= 0.2 + tilt^3"), ("capped", "{tilt: 0.2}", "= 0.1*max(tilt, 1)"), ("far", "{tilt: 0.2}", "= min(tilt, 1e12)"),
+                ("chosen", "{tilt: 0.2}", "= tilt < 7 ? 0.1 : 0.2"), ("root", "{tilt: 0.2}", "= sqrt((tilt - 5)^2)/20"),
+                ("by_another", "{tilt: 0.2, other: '= max(tilt, 1)'}", "= 0.1*other"), ("wave", "{tilt: 0}", "= 0.3 + 0.1*sin(2*pi*tilt)")):
+            said, unit = self.said_of(name, parameters, coefficient=coefficient)
+            self.assertRegex(said["tilt"], "^dropped: the friction follows it by a curve", name)
+            self.assertNotIn("tilt", unit.variables)
+        for name, parameters, coefficient in (("line", "{tilt: 0.2}", "= 0.1 + 3*tilt/7"), ("beside", "{tilt: 0.2, most: 3}", "= tilt*max(2, 1) + 0*2"),
+                                              ("zero", "{tilt: 0}", "= 0.2 + tilt"), ("defined", "{tilt: 0.2, other: '= tilt/2'}", "= other")):
+            said, unit = self.said_of(name, parameters, coefficient=coefficient)
+            self.assertRegex(said["tilt"], "^kept", name)
+            self.assertIn("tilt", unit.variables)
+            self.assertNotIn("other", said)
+
+    def test_a_parameter_that_moves_the_begin_is_fixed(self):
+        said, unit = self.said_of("place", "{mu: 0.2}", connector="{type: SLOT, initial: {CP1: = 10*mu}}")
+        self.assertRegex(said["mu"], "^dropped: the connector begins at another place with it")
+        self.assertNotIn("mu", unit.variables)
+
+    def test_names_that_a_unit_has_itself_are_told_apart(self):
+        for name in ("increments", "by_rate", "MU", "FN", "DISS", "f2", "temperature"):
+            said, unit = self.said_of(f"name_{name}", f"{{{name}: 0.5}}", coefficient=f"= {name}")
+            self.assertIn(said[name], (f"kept: the host can set it, by the name parameter_{name}", "kept: the host can set it"))
+            self.assertEqual(len(unit.variables), len(unit.description.find("ModelVariables")))
+            one = unit.instance(**{f"parameter_{name}" if "by the name" in said[name] else name: 0.7})
+            self.assertEqual(one.get("MU"), 0.7)
+            one.free()
 
     def test_wrong_commands_are_told(self):
         def said(*arguments):

@@ -29,9 +29,13 @@ class Unit:
         self.library.fmi2GetVersion.restype = self.library.fmi2GetTypesPlatform.restype = ctypes.c_char_p
         self.resources = "file://" + urllib.parse.quote(str(self.folder / "resources"))
 
+    def made(self, name="one", guid=None, resources=None, logging=1):
+        """An instance as it is made; its component is None where it is refused."""
+        return Instance(self, name, guid or self.description.get("guid"), resources or self.resources, logging)
+
     def instance(self, name="one", guid=None, resources=None, **starts):
         """An instance with other starts than its own, at the end of its initialization."""
-        made = Instance(self, name, guid or self.description.get("guid"), resources or self.resources)
+        made = self.made(name, guid, resources)
         if made.component:
             made.set(**starts)
             made.initialize()
@@ -39,12 +43,12 @@ class Unit:
 
 
 class Instance:
-    def __init__(self, unit, name, guid, resources):
+    def __init__(self, unit, name, guid, resources, logging):
         self.unit, self.library, self.said, self.time = unit, unit.library, [], 0.0
         # The logger takes further arguments as printf does: the unit gives one text.
         self.logger = LOGGER(lambda environment, instance, status, category, form, text: self.said.append(text.decode()))
         self.callbacks = Callbacks(self.logger, None, None, None, None)
-        self.component = self.library.fmi2Instantiate(name.encode(), 1, guid.encode(), resources.encode(), ctypes.byref(self.callbacks), 0, 0)
+        self.component = self.library.fmi2Instantiate(name.encode(), 1, guid.encode(), resources.encode(), ctypes.byref(self.callbacks), 0, logging)
 
     def call(self, function, *arguments):
         status = getattr(self.library, function)(ctypes.c_void_p(self.component), *arguments)

@@ -72,8 +72,11 @@ constexpr std::array<std::string_view, 3> kType{"Real", "Integer", "Boolean"};
 std::string start_text(const FmuVariable& one) {
   if (one.causality == Causality::kOutput) return {};
   if (one.type == FmuType::kBoolean) return fmt::format(" start=\"{}\"", one.start != 0.0);
-  if (one.type == FmuType::kInteger)
-    return fmt::format(" start=\"{}\"", static_cast<long>(one.start));
+  if (one.type == FmuType::kInteger) {
+    // The bounds that the unit's library holds it to (c/fmu.cpp).
+    const char* bounds = one.role == "increments" ? " min=\"1\" max=\"100000\"" : "";
+    return fmt::format("{} start=\"{}\"", bounds, static_cast<long>(one.start));
+  }
   return fmt::format(" start=\"{}\"", base::format_number(one.start));
 }
 
@@ -156,7 +159,7 @@ std::string model_description(const cases::Case& problem, const std::vector<FmuV
       "  <CoSimulation modelIdentifier=\"{}\" canHandleVariableCommunicationStepSize=\"true\" "
       "canGetAndSetFMUstate=\"true\"\n"
       "    canSerializeFMUstate=\"true\" canNotUseMemoryManagementFunctions=\"true\"/>\n"
-      "{}"
+      "{}  <LogCategories>\n    <Category name=\"logStatusError\"/>\n  </LogCategories>\n"
       "  <ModelVariables>\n{}  </ModelVariables>\n"
       "  <ModelStructure>\n    <Outputs>\n{}    </Outputs>\n    <InitialUnknowns>\n{}    "
       "</InitialUnknowns>\n  </ModelStructure>\n"
