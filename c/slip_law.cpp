@@ -252,6 +252,8 @@ slip_law* made(slip_error* error, Make make) {
     fail(error, SLIP_BAD_DEFINITION, fault.text);
   } catch (const std::bad_alloc&) {
     fail(error, SLIP_NO_MEMORY, "no memory is left");
+  } catch (...) {
+    fail(error, SLIP_BAD_DEFINITION, "the definitions cannot be held");
   }
   return nullptr;
 }
@@ -301,10 +303,12 @@ class Surroundings {
   Ambient ambient_;
 };
 
-void put_matrix(const Eigen::Matrix<double, kComponents, kComponents>& matrix, double* to) {
+using Slopes = Eigen::Matrix<double, kComponents, kComponents>;
+
+void put_matrix(const Slopes& matrix, double* to) {
   if (to == nullptr) return;
   for (int i = 0; i < kComponents; ++i) {
-    for (int j = 0; j < kComponents; ++j) to[kComponents * i + j] += matrix(i, j);
+    for (int j = 0; j < kComponents; ++j) to[kComponents * i + j] = matrix(i, j);
   }
 }
 
@@ -348,8 +352,22 @@ int updated(const slip_law* law, const slip_increment* from, const double* old_s
     const ConnectorForce one = friction_force(definition, updates[d].state);
     for (int c = 0; c < kComponents; ++c) sum[c] += one[c];
   }
-  if (tangent && to_motion != nullptr) std::fill_n(to_motion, kComponents * kComponents, 0.0);
-  if (tangent && to_force != nullptr) std::fill_n(to_force, kComponents * kComponents, 0.0);
+  if (tangent) {
+    Slopes motion_slopes = Slopes::Zero(), force_slopes = Slopes::Zero();
+    for (std::size_t d = 0; d < count; ++d) {
+      const ConnectorTangent slopes = connector_tangent(law->definitions[d], increment, updates[d]);
+      if (!slopes.to_motion.allFinite() || !slopes.to_force.allFinite()) {
+        return fail(error, SLIP_NOT_FINITE,
+                    "the tangent of definition %zu is not finite: look at its increment and its "
+                    "forces",
+                    d);
+      }
+      motion_slopes += slopes.to_motion;
+      force_slopes += slopes.to_force;
+    }
+    put_matrix(motion_slopes, to_motion);
+    put_matrix(force_slopes, to_force);
+  }
   for (std::size_t d = 0; d < count; ++d) {
     const FrictionUpdate& one = updates[d];
     put_state(one.state, new_state + d * SLIP_STATE_NUMBERS);
@@ -358,10 +376,6 @@ int updated(const slip_law* law, const slip_increment* from, const double* old_s
                     one.slip_increment, one.slip_rate,    one.dissipation,
                     one.stored_energy,  one.work,         static_cast<int>(one.state.regime)};
     }
-    if (!tangent) continue;
-    const ConnectorTangent slopes = connector_tangent(law->definitions[d], increment, one);
-    put_matrix(slopes.to_motion, to_motion);
-    put_matrix(slopes.to_force, to_force);
   }
   if (force != nullptr) {
     for (int c = 0; c < kComponents; ++c) force[c] = sum[c];
@@ -404,7 +418,7 @@ size_t slip_law_pack(const slip_law* law, double* numbers, size_t capacity) {
     const std::vector<double> all = pack_all(law->definitions);
     if (numbers != nullptr) std::copy_n(all.begin(), std::min(capacity, all.size()), numbers);
     return all.size();
-  } catch (const std::bad_alloc&) {
+  } catch (...) {
     return 0;
   }
 }

@@ -158,7 +158,8 @@ SLIP_API int slip_law_update(const slip_law* law, const slip_increment* incremen
 
 /** Does the same, and gives the consistent tangent of the force: slopes to the positions at the end
  * of the increment and to the constraint forces there, df_i/du_j at [6 i + j]; both unsymmetric in
- * general. Either may be NULL. */
+ * general. Either may be NULL. A tangent with a number that is not finite is an error,
+ * SLIP_NOT_FINITE, which changes nothing: take the update alone there. */
 SLIP_API int slip_law_tangent(const slip_law* law, const slip_increment* increment,
                               const double* old_state, double* new_state, double force[6],
                               slip_result* results, double to_motion[36], double to_force[36],

@@ -52,5 +52,8 @@ slip_law* slip_law_create_from_yaml(const char* text, const char* folder, slip_e
   } catch (const std::exception& exception) {
     note(error, SLIP_NO_MEMORY, exception.what());
     return nullptr;
+  } catch (...) {
+    note(error, SLIP_BAD_DEFINITION, "the text cannot be read");
+    return nullptr;
   }
 }

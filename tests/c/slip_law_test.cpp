@@ -309,6 +309,32 @@ TEST_CASE("an update that is not finite leaves the state as it was") {
                         &error) == SLIP_BAD_ARGUMENT);
 }
 
+TEST_CASE("a tangent that is not finite is an error and changes nothing") {
+  const slip_number mu{"mu", 0.2};
+  // kappa = F_lim/g_c = 2000/1e-306 is beyond a double; without motion the force is still 0.
+  const slip_definition definition = slot(&mu, 1e-306);
+  const Handle handle(slip_law_create(&definition, 1, nullptr));
+  REQUIRE(handle);
+  std::array<double, SLIP_STATE_NUMBERS> state{};
+  slip_law_initial_state(handle.get(), state.data());
+  const auto before = state;
+  slip_increment increment{};
+  increment.force[1] = 1e4;
+  CHECK(slip_law_update(handle.get(), &increment, state.data(), state.data(), nullptr, nullptr,
+                        nullptr) == SLIP_OK);
+  std::array<double, 36> to_motion{};
+  to_motion.fill(7.0);
+  std::array<double, 6> force{1.0, 2.0, 3.0, 4.0, 5.0, 6.0};
+  slip_error error;
+  state = before;
+  CHECK(slip_law_tangent(handle.get(), &increment, state.data(), state.data(), force.data(),
+                         nullptr, to_motion.data(), nullptr, &error) == SLIP_NOT_FINITE);
+  CHECK(std::string(error.message).find("the tangent of definition 0 is not finite") == 0);
+  CHECK(state == before);
+  CHECK(to_motion[0] == 7.0);
+  CHECK(force[5] == 6.0);
+}
+
 TEST_CASE("the coefficient alone is that of the law") {
   const std::array<slip_number, 3> decay{{{"static", 0.3}, {"kinetic", 0.2}, {"decay", 0.1}}};
   slip_definition definition = slot(decay.data(), 1e-3);
