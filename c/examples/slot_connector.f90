@@ -10,14 +10,37 @@ module slot_connector
   use slip_law
   implicit none
   private
-  public :: make_friction, position_at
+  public :: friction_of, position_at
   integer, parameter :: position_at = slip_state_numbers + 1
+  !> Frictions that were made, and the properties (3) to (6) that each is of.
+  integer, parameter :: most = 64
+  integer, save :: made = 0
+  type(c_ptr), save :: laws(most) = c_null_ptr
+  real(c_double), save :: of_props(4, most) = 0
   character(kind=c_char), target, save :: connection(5) = [character(kind=c_char) :: 'S', 'L', 'O', 'T', c_null_char]
   character(len=18, kind=c_char), target, save :: decay_law = 'exponential_decay' // c_null_char
   character(len=8, kind=c_char), target, save :: key(3) = &
       [character(len=8) :: 'static' // c_null_char, 'kinetic' // c_null_char, 'decay' // c_null_char]
 contains
-  !> Returns the friction of a set of properties. All elements of a type share one: it never changes.
+  !> Returns the friction of a set of properties: the one that was made of the same before, or a new one. Elements share it: it
+  !> never changes. A solver that calls from several threads makes it under a lock of its own.
+  type(c_ptr) function friction_of(props) result(law)
+    real(c_double), intent(in) :: props(*)
+    integer :: i
+    do i = 1, made
+      if (all(of_props(:, i) == props(3:6))) then
+        law = laws(i)
+        return
+      end if
+    end do
+    if (made == most) error stop 'slot_connector: more sets of properties than it has room for: raise most'
+    law = make_friction(props)
+    made = made + 1
+    of_props(:, made) = props(3:6)
+    laws(made) = law
+  end function
+
+  !> Makes the friction of a set of properties.
   type(c_ptr) function make_friction(props) result(law)
     real(c_double), intent(in) :: props(*)
     type(slip_number), target :: numbers(3)
@@ -56,14 +79,14 @@ subroutine vuel(nblock, rhs, amass, dtimeStable, svars, nsvars, energy, nnode, n
   real(c_double), intent(inout) :: svars(nblock, nsvars), energy(nblock, *)
   integer, parameter :: mass_matrix = 1, internal_force = 2, operation = 3
   integer, parameter :: plastic_energy = 1, internal_energy = 3
-  type(c_ptr), save :: friction = c_null_ptr
+  type(c_ptr) :: friction
   type(slip_increment) :: increment
   type(slip_result) :: result(1)
   type(slip_error) :: error
   real(c_double) :: state(slip_state_numbers), force(6), held(2)
   integer :: k, i
 
-  if (.not. c_associated(friction)) friction = make_friction(props)
+  friction = friction_of(props)
   do k = 1, nblock
     if (lflags(operation) == mass_matrix) then
       do i = 1, ndofel

@@ -87,13 +87,19 @@ contains
 
   subroutine run_connector()
     integer, parameter :: operation = 3
-    real(c_double) :: props(6), rhs(1, 6), amass(1, 6, 6), stable(1), svars(1, 15), energy(1, 12), u(1, 6), old(1, 6)
+    real(c_double) :: props(6), other(6), rhs(1, 6), amass(1, 6, 6), stable(1), svars(1, 15), energy(1, 12), u(1, 6), old(1, 6)
     real(c_double) :: nothing(1, 6), row(4), coords(1, 2, 3), predef(1, 2, 1, 2), one(1)
     integer :: lflags(3), none(1)
     external :: vuel
     nothing = 0; coords = 0; predef = 0; one = 0; none = 0; energy = 0; u = 0; amass = 0; rhs = 0; lflags = 0; row = 0
     read *, props
     lflags(operation) = 1
+    ! Elements of another set come first: each set keeps its own friction.
+    other = props
+    other(3:4) = 2 * props(3:4)
+    call vuel(1, rhs, amass, stable, svars, 15, energy, 2, 6, other, 6, none, 1, coords, 3, u, u, nothing, nothing, 1, none, &
+        [0.0_c_double, 0.0_c_double], 1.0_c_double, row(1), row(1), 1, 1, lflags, one, predef, 1, 0, one)
+    amass = 0
     do
       old = u
       u(1, 4:6) = [row(2), -row(3:4) / props(1)]
