@@ -81,22 +81,43 @@ py::array_t<double> tangent_of(const Update& update, int which) {
                   {update.count, kSix, kSix}, update.single);
 }
 
-/// Array of increments, or one number for all of them.
+std::string shape_of(const Numbers& numbers) {
+  std::string text = "(";
+  for (py::ssize_t k = 0; k < numbers.ndim(); ++k)
+    text += (k > 0 ? ", " : "") + std::to_string(numbers.shape(k));
+  return text + (numbers.ndim() == 1 ? ",)" : ")");
+}
+
+/// Array of increments, a row each, or one row for all of them.
 class Column {
  public:
-  Column(const std::optional<Numbers>& numbers, py::ssize_t count, py::ssize_t width, bool single,
-         const char* name)
+  /// \param width of a row; 1: a number for each, and a row need not be an array
+  Column(const std::optional<Numbers>& numbers, py::ssize_t count, py::ssize_t width,
+         const char* name, bool number)
       : width_(width) {
     if (!numbers) return;
     data_ = numbers->data();
-    const py::ssize_t size = numbers->size();
-    if (size == count * width && (single || numbers->ndim() > (width > 1 ? 1 : 0))) {
-      stride_ = width;
-    } else if (size != width) {
-      throw py::value_error(std::string(name) + ": wanted " + std::to_string(width) +
-                            (width == 1 ? " number" : " numbers") + ", or as many for each of " +
-                            std::to_string(count) + " increments, found " + std::to_string(size));
+    const py::ssize_t dimension = numbers->ndim();
+    const py::ssize_t first = dimension > 0 ? numbers->shape(0) : 1;
+    const bool rows = dimension == 2 && numbers->shape(1) == width;
+    bool fits = false;
+    if (number) {
+      fits = dimension == 0 || dimension == 1 || rows;
+    } else {
+      fits = rows || (dimension == 1 && first == width);
+      if (!rows && fits) return;
     }
+    fits = fits && (first == count || first == 1);
+    if (!fits) {
+      const std::string each = std::to_string(width);
+      const std::string all = std::to_string(count);
+      throw py::value_error(
+          std::string(name) + ": wanted " +
+          (number ? "a number, or an array of shape (" + all + ",)"
+                  : "an array of shape (" + each + ",) or (" + all + ", " + each + ")") +
+          ", found shape " + shape_of(*numbers));
+    }
+    if (first == count) stride_ = width;
   }
   const double* at(py::ssize_t i) const { return data_ == nullptr ? nullptr : data_ + i * stride_; }
   double number(py::ssize_t i, double otherwise) const {
@@ -109,6 +130,25 @@ class Column {
   py::ssize_t stride_ = 0;
   py::ssize_t width_;
 };
+
+/// How many fields there are: (F,) are those of all increments, (N, F) those of each. A list as
+/// long as there are increments could be either, and is refused.
+py::ssize_t count_of_fields(const std::optional<Numbers>& fields, py::ssize_t count) {
+  if (!fields) return 0;
+  const py::ssize_t dimension = fields->ndim();
+  const py::ssize_t each = dimension == 0 ? 1 : fields->shape(dimension - 1);
+  if (dimension == 1 && each == count && count > 1) {
+    const std::string n = std::to_string(count);
+    throw py::value_error("fields: shape (" + n + ",) may be a field for each of " + n +
+                          " increments or " + n + " fields for all: say which by shape (" + n +
+                          ", 1) or (1, " + n + ")");
+  }
+  if (each > SLIP_FIELDS) {
+    throw py::value_error("fields: wanted " + std::to_string(SLIP_FIELDS) +
+                          " at most, found shape " + shape_of(*fields));
+  }
+  return each;
+}
 
 void take(const double* numbers, double* to) {
   if (numbers != nullptr) std::copy_n(numbers, kSix, to);
@@ -152,22 +192,22 @@ class Law {
     made.single = motion.ndim() == 1;
     made.count = made.single ? 1 : motion.shape(0);
     made.definitions = count();
-    if (motion.size() != made.count * kSix) {
-      throw py::value_error("motion: wanted 6 components, or rows of 6");
+    if (motion.ndim() < 1 || motion.ndim() > 2 || motion.shape(motion.ndim() - 1) != kSix) {
+      throw py::value_error("motion: wanted 6 components, or rows of 6, found shape " +
+                            shape_of(motion));
     }
-    const Column states(state, made.count, state_size(), made.single, "state");
-    const Column motions(motion, made.count, kSix, made.single, "motion");
-    const Column constraint(forces, made.count, kSix, made.single, "forces");
-    const Column begins(begin, made.count, kSix, made.single, "begin");
-    const Column ends(end, made.count, kSix, made.single, "end");
-    const Column references(reference, made.count, kSix, made.single, "reference");
-    const Column durations(duration, made.count, 1, made.single, "duration");
-    const Column temperatures(temperature, made.count, 1, made.single, "temperature");
-    const py::ssize_t field_count = !fields               ? 0
-                                    : fields->ndim() == 0 ? 1
-                                                          : fields->shape(fields->ndim() - 1);
-    const Column all_fields(fields, made.count, std::max<py::ssize_t>(1, field_count), made.single,
-                            "fields");
+    const py::ssize_t n = made.count;
+    const Column states(state, n, state_size(), "state", false);
+    const Column motions(motion, n, kSix, "motion", false);
+    const Column constraint(forces, n, kSix, "forces", false);
+    const Column begins(begin, n, kSix, "begin", false);
+    const Column ends(end, n, kSix, "end", false);
+    const Column references(reference, n, kSix, "reference", false);
+    const Column durations(duration, n, 1, "duration", true);
+    const Column temperatures(temperature, n, 1, "temperature", true);
+    const py::ssize_t field_count = count_of_fields(fields, n);
+    const bool one_field = fields && fields->ndim() == 0;
+    const Column all_fields(fields, n, std::max<py::ssize_t>(1, field_count), "fields", one_field);
     made.state.resize(static_cast<std::size_t>(made.count * state_size()));
     made.force.resize(static_cast<std::size_t>(made.count * kSix));
     made.told.resize(kTold.size() * static_cast<std::size_t>(made.count * count()));

@@ -3,9 +3,11 @@
 import collections.abc
 import json
 import os
+import warnings
 from typing import Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 from . import _native
+from ._errors import SlipbenchWarning
 
 Number = Union[float, int, str]
 
@@ -97,6 +99,9 @@ class Run(collections.abc.Mapping):
 
     def __len__(self) -> int:
         return len(self._names)
+
+    def __reduce__(self):
+        raise TypeError("a run is not pickled: hand over the case, which can run again, or arrays, dict(run), and run.document")
 
     def __repr__(self) -> str:
         return f"<slipbench.Run of {self.title!r}: {self._native.rows} rows, {len(self._names)} columns>"
@@ -243,8 +248,20 @@ class Case:
             raise TypeError("columns: wanted a list of names")
         return Run(self._native.run(every, checks, list(columns or [])))
 
+    def __reduce__(self):
+        """Text, parameters and folder: what another process, or a copy, reads it from again."""
+        native = self._native
+        return _case_of, (native.text, native.name, os.path.abspath(native.folder), native.allow_outside, native.overrides)
+
     def __repr__(self) -> str:
         return f"<slipbench.Case {self.title!r}: {', '.join(self.definitions)}>"
+
+
+def _case_of(text: str, name: str, folder: str, allow_outside: bool, settings: List[Tuple[str, Union[float, str]]]) -> Case:
+    """The case that was pickled; of its warnings its maker has heard."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", SlipbenchWarning)
+        return Case(_native.Case.of_text(text, name, folder, allow_outside, settings))
 
 
 def load(source: Union[str, "os.PathLike[str]", Mapping], *, folder: Union[str, "os.PathLike[str]"] = ".", allow_outside: bool = False, **parameters: Number) -> Case:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """What can go wrong, as exceptions and warnings."""
+import sys
 import warnings
 from typing import List, NamedTuple
 
@@ -53,6 +54,9 @@ class SlipbenchWarning(UserWarning):
 
 
 def warn(entry) -> None:
-    """Issues the warning of a message of the compiled part."""
+    """Issues the warning of a message of the compiled part, at the line that called this package."""
     one = Message(**entry)
-    warnings.warn(SlipbenchWarning(one.text.rstrip("\n"), one), stacklevel=3)
+    frame, level = sys._getframe(), 1
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").partition(".")[0] == __package__:
+        frame, level = frame.f_back, level + 1
+    warnings.warn(SlipbenchWarning(one.text.rstrip("\n"), one), stacklevel=level)

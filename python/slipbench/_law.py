@@ -48,8 +48,11 @@ class Law:
 
         state: as `initial_state` and `Update.state` have it; motion: 6 differences of positions over the increment [L, rad]; forces: 6
         constraint forces and moments at its end [F, F L], 0 by default; begin: 6 positions at its begin, 0; duration [T], 1; temperature
-        and fields at its end. Arrays have a row for each increment, or hold for all. `end` gives 6 positions in place of begin + motion, free of the
-        rounding of that sum; reference: 6 constitutive reference positions that tables over CCU count from, 0.
+        and fields at its end. `end` gives 6 positions in place of begin + motion, free of the rounding of that sum; reference: 6
+        constitutive reference positions that tables over CCU count from, 0.
+
+        Shapes: motion is (6,) for one increment or (N, 6) for N. The others hold for all as (6,), fields (F,), duration and temperature
+        as a number, or have a row each: (N, 6), (N, F), (N,). Fields of shape (N,) could mean either, and are a ValueError.
 
         Returns an Update: state, force (of the connector's 6 components), limit, normal_force, mu, slip_increment, slip_rate, dissipation,
         stored_energy, work and regime, with a column for each definition where there are several; with tangent=True also
@@ -63,6 +66,9 @@ class Law:
         law = cls.__new__(cls)
         law._native = _native.Law(numbers)
         return law
+
+    def __reduce__(self):
+        return Law.from_numbers, (self.numbers,)
 
     @property
     def numbers(self) -> Array:
