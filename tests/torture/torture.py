@@ -274,6 +274,10 @@ class Torture:
         for name in self.commands:
             # A page of a calibration, and a journal, are larger as well.
             self.refused("files of 8 KB at most", name, self.fresh(), before=small_files, said_too="File too large")
+        # A program with a sanitizer asks for more than there is, and uses little of it.
+        enough = lambda: resource.setrlimit(resource.RLIMIT_AS, (1 << 30, 1 << 30))
+        if subprocess.run([str(self.program), "--version"], capture_output=True, preexec_fn=enough).returncode != 0:
+            return "files of 8 KB; not of memory, of which a program with sanitizers wants terabytes"
         ends = collections.Counter()
         for megabytes in self.dice.sample(range(16, 160), sizes):
             def little_memory(size=megabytes << 20):

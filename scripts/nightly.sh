@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
+# nightly.sh [PART..]: all that takes too long for every change, one part after the other, or those named. All are tried, whatever
+# one of them finds; the last lines say which found something. Exit: 0 nothing found, 1 something, 2 a wrong argument.
+#   sanitizers  all tests under the address and undefined-behaviour sanitizers                      1 h
+#   threads     what runs in parallel, under the thread sanitizer                                   20 min
+#   memory      reads of memory that was never written, by valgrind, in a dozen cases               5 min
+#   fuzz        every target of scripts/fuzz.sh, SLIPBENCH_FUZZ_SECONDS (600) each                  2 h
+#   torture     scripts/torture.sh                                                                  10 min
+#   mutate      scripts/mutate.sh: which changes of the code no test sees
+set -euo pipefail
+# shellcheck source-path=SCRIPTDIR source=common.sh
+. "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+sanitizers() { SLIPBENCH_PRESET=asan-ubsan scripts/test.sh; }
+
+threads() {
+  configure tsan
+  build tsan --target slipbench driver_tests
+  # The first race ends the program, with a code that no command has.
+  export TSAN_OPTIONS="halt_on_error=1 exitcode=66"
+  ctest --preset tsan --no-label-summary -R '^driver/(sweep|suite|farm|base/files|calibrate/(calibrate|observation|replay))'
+  local out
+  out=$(mktemp -d)
+  race() { build/tsan/slipbench "$@" >"$out/said" 2>&1 || [ $? -ne 66 ] || { cat "$out/said"; fail "a race in: slipbench $*"; }; }
+  race check cases/examples cases/verification -j 4 --report "$out/page.html"
+  race sweep cases/sweeps/slot_sweep.yaml -j 4 -o "$out"
+  race sweep cases/sweeps/slot_sweep.yaml -j 4 -o "$out" --no-rows --force
+  race sweep cases/sweeps/press_fit_indices.yaml -j 4 -o "$out"
+  race calibrate cases/calibration/wear_table_fit.yaml -o "$out"
+  race calibrate cases/calibration/slider_loop_fit.yaml -o "$out" --bootstrap 20 --profile
+  rm -r "$out"
+}
+
+memory() {
+  configure release
+  build release --target slipbench
+  local out name
+  out=$(mktemp -d)
+  for name in shock_absorber hinge_wear slide_plane_circle puck modified_darmstad belt press_fit universal_joint part_pairs \
+    stick_slip_belt backlash_brake axial_strut; do
+    say "  $name"
+    valgrind -q --error-exitcode=99 --track-origins=yes build/release/slipbench run "cases/examples/$name.yaml" -o "$out" >"$out/said" 2>&1 ||
+      [ $? -ne 99 ] || { cat "$out/said"; fail "valgrind finds something in cases/examples/$name.yaml"; }
+  done
+  valgrind -q --error-exitcode=99 build/release/slipbench calibrate cases/calibration/slider_loop_fit.yaml -o "$out" >"$out/said" 2>&1 ||
+    [ $? -ne 99 ] || { cat "$out/said"; fail 'valgrind finds something in a calibration'; }
+  rm -r "$out"
+}
+
+fuzz() { scripts/fuzz.sh all "${SLIPBENCH_FUZZ_SECONDS:-600}"; }
+torture() { scripts/torture.sh; }
+mutate() { scripts/mutate.sh; }
+
+parts=(sanitizers threads memory fuzz torture mutate)
+for part in "$@"; do
+  printf '%s\n' "${parts[@]}" | grep -qxF -- "$part" || fail "wanted some of ${parts[*]}; found '$part'" 2
+done
+[ "$#" -eq 0 ] || parts=("$@")
+found=()
+for part in "${parts[@]}"; do
+  say "$part"
+  # In a shell of its own, which ends at the first fault; behind || it would not.
+  set +e
+  (set -e; "$part")
+  code=$?
+  set -e
+  [ "$code" -eq 0 ] || found+=("$part")
+done
+[ "${#found[@]}" -eq 0 ] || fail "found something: ${found[*]}"
+say "nothing found: ${parts[*]}"
