@@ -79,18 +79,23 @@ tl::expected<void, PlotFailure> run_gnuplot(const fs::path& script_file) {
 }
 
 /// Shows an SVG smaller or larger than it is laid out: its first width and height are those of the
-/// page, its viewBox stays.
-void scale_svg(const fs::path& file, double scale) {
+/// page, its viewBox stays. Returns whether it could.
+bool scale_svg(const fs::path& file, double scale) {
   std::ifstream in(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   in.close();
   for (const std::string_view name : {"width=\"", "height=\""}) {
-    const std::size_t begin = text.find(name) + name.size();
+    const std::size_t found = text.find(name);
+    if (found == std::string::npos) return false;
+    const std::size_t begin = found + name.size();
     const std::size_t end = text.find('"', begin);
     const double side = std::stod(text.substr(begin, end - begin));
     text.replace(begin, end - begin, fmt::format("{:.0f}", scale * side));
   }
-  std::ofstream(file, std::ios::binary) << text;
+  std::ofstream out(file, std::ios::binary);
+  out << text;
+  out.close();
+  return out.good();
 }
 
 }  // namespace
@@ -149,8 +154,13 @@ tl::expected<void, PlotFailure> draw_script(const std::string& script, const fs:
   if (fs::file_size(output.temporary(), error) == 0 || error) {
     return failed(base::kExitEnvironment, picture.string() + ": gnuplot wrote no picture");
   }
-  if (picture.extension() == ".svg" && scale != 1.0) scale_svg(output.temporary(), scale);
-  write_mark(output.temporary(), picture.extension().string(), output.mark().text);
+  const bool scaled =
+      picture.extension() != ".svg" || scale == 1.0 || scale_svg(output.temporary(), scale);
+  const std::string ending = picture.extension().string();
+  if (!scaled || !write_mark(output.temporary(), ending, output.mark().text)) {
+    return failed(base::kExitEnvironment,
+                  picture.string() + ": cannot be written: it ends early, as on a full disk");
+  }
   base::OutputFile* const together[] = {&output};
   if (auto committed = base::commit(together); !committed) {
     return failed(base::kExitEnvironment, committed.error());

@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cstdint>
 #include <fstream>
+#include <iterator>
 
 #include "driver/base/text/standard_input.hpp"
 
@@ -47,6 +49,18 @@ std::string png_chunk(const std::string& kind_and_data) {
          big_endian(check_sum(kind_and_data));
 }
 
+/// Tells whether a file ends with a text, blanks behind it left aside.
+bool ends_with(const fs::path& file, std::string_view text) {
+  constexpr std::streamoff kBlanks = 8;
+  std::ifstream in(file, std::ios::binary | std::ios::ate);
+  const std::streamoff size = in.tellg();
+  const std::streamoff begin = size - static_cast<std::streamoff>(text.size()) - kBlanks;
+  in.seekg(std::max<std::streamoff>(begin, 0));
+  std::string end{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  while (!end.empty() && (end.back() == '\n' || end.back() == ' ')) end.pop_back();
+  return end.ends_with(text);
+}
+
 }  // namespace
 
 base::FileMark picture_mark(const std::string& input) {
@@ -54,17 +68,23 @@ base::FileMark picture_mark(const std::string& input) {
   return {"a picture of " + name, "", "slipbench picture (" + plain(name) + ")"};
 }
 
-void write_mark(const fs::path& picture, std::string_view ending, const std::string& text) {
+bool write_mark(const fs::path& picture, std::string_view ending, const std::string& text) {
+  const std::string last = png_chunk("IEND");
+  if (!ends_with(picture, ending == ".svg" ? "</svg>" : ending == ".pdf" ? "%%EOF" : last)) {
+    return false;
+  }
   std::string end;
   if (ending == ".svg") end = "<!-- " + text + " -->\n";
   if (ending == ".pdf") end = "% " + text + "\n";
   if (ending == ".png") {
     using namespace std::string_literals;
-    const std::string last = png_chunk("IEND");
     fs::resize_file(picture, fs::file_size(picture) - last.size());
     end = png_chunk("tEXtSoftware\0"s + text) + last;
   }
-  std::ofstream(picture, std::ios::binary | std::ios::app) << end;
+  std::ofstream out(picture, std::ios::binary | std::ios::app);
+  out << end;
+  out.close();
+  return out.good();
 }
 
 }  // namespace slipbench::driver::plot

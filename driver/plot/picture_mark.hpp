@@ -16,7 +16,9 @@ base::FileMark picture_mark(const std::string& input);
 /// Writes the text of a mark into a picture that gnuplot has made, where no viewer shows it: behind
 /// the end of an SVG or PDF as a comment, into a PNG as a chunk of text.
 /// \param ending ".svg", ".png" or ".pdf"
-void write_mark(const std::filesystem::path& picture, std::string_view ending,
-                const std::string& text);
+/// \return whether it could be written, and the picture before it is whole: gnuplot does not tell
+/// of a full disk
+[[nodiscard]] bool write_mark(const std::filesystem::path& picture, std::string_view ending,
+                              const std::string& text);
 
 }  // namespace slipbench::driver::plot

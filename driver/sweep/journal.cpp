@@ -205,7 +205,9 @@ std::string Journal::check_records(std::uint64_t begin) {
     record.count = number_at<std::uint32_t>(head, 8);
     record.words = number_at<std::uint32_t>(head, 12);
     record.offset = length_ + kHeadBytes;
-    if (record.count == 0 || record.first + record.count > samples_) return damaged(length_);
+    if (record.count == 0 || record.count > samples_ || record.first > samples_ - record.count) {
+      return damaged(length_);
+    }
     const std::uint64_t bytes = record.count * depth_ * sizeof(double) + record.words;
     const std::uint64_t end = record.offset + bytes + kHashBytes;
     if (end > size) break;

@@ -245,15 +245,35 @@ class Torture:
         finally:
             subprocess.run(["umount", "-l", str(place)], check=True)
 
-    def full_disk(self):
-        with self.mounted("size=32k") as place:
-            if place is None:
-                return "no small file system may be mounted here; the limit of a file's size stands for it"
-            for name in self.commands:
-                self.refused("a full disk", name, place, said_too="No space left on device")
-                for file in place.iterdir():
-                    file.unlink()
-        return "a tmpfs of 32 KB"
+    def full_disk(self, sizes):
+        for size in [32, *self.dice.sample(range(48, 512, 8), sizes)]:
+            with self.mounted(f"size={size}k") as place:
+                if place is None:
+                    return "no small file system may be mounted here; the limit of a file's size stands for it"
+                for name in self.commands:
+                    self.refused(f"a disk of {size} KB", name, place, codes=(4,) if size == 32 else (0, 1, 4))
+                    for file in place.iterdir():
+                        file.unlink()
+                self.pictures(size, place)
+        return f"a tmpfs of 32 KB, and {sizes} of up to 512 KB"
+
+    def pictures(self, size, place):
+        """Draws a result that lies elsewhere: a picture is whole, or is not there."""
+        if shutil.which("gnuplot") is None:
+            return
+        drawn = self.folder / "drawn"
+        if not drawn.exists():
+            self.ended(["run", str(self.suite / "shock_absorber.yaml"), "-o", str(drawn)], None)
+        for ending in ("svg", "png", "pdf"):
+            plot = ["plot", str(drawn / "shock_absorber.csv"), "-o", "OUT"]
+            whole, picture = drawn / f"whole.{ending}", place / f"a.{ending}"
+            if not whole.exists():
+                self.ended(plot, whole)
+            code, said = self.ended(plot, picture)
+            if code not in (0, 4) or picture.exists() != (code == 0) or (code == 0 and picture.stat().st_size != whole.stat().st_size):
+                self.fault(f"a disk of {size} KB: plot {ending} ends with {code}: {said.strip()[-300:]}")
+            for file in place.iterdir():
+                file.unlink()
 
     def read_only(self):
         with self.mounted("ro") as place:
@@ -376,7 +396,7 @@ def main():
             "kills": lambda: torture.kills(given.kills),
             "parts": lambda: torture.parts(max(1, given.kills // 15)),
             "signals": lambda: torture.signals(max(4, given.kills // 5)),
-            "full_disk": torture.full_disk,
+            "full_disk": lambda: torture.full_disk(min(20, given.kills // 8)),
             "read_only": torture.read_only,
             "limits": lambda: torture.limits(min(40, 3 + given.kills // 8)),
             "inputs_gone": torture.inputs_gone,
