@@ -236,7 +236,7 @@ std::string CaseParts::changes_text(const Step& step, double begin, long increme
 
 std::string CaseParts::changed_stick(const Friction& friction, const FrictionChange& change) {
   if (change.reset) return {};
-  const std::string stated = stick_text(std::nullopt, change.coefficient);
+  std::string stated = stick_text(std::nullopt, change.coefficient);
   if (!stated.empty() || friction.stick_stiffness || !friction.coefficient) return stated;
   // The program's default is a slip tolerance, whatever the friction before had.
   const auto has_own = [](const Coefficient& one) {
