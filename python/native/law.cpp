@@ -52,10 +52,24 @@ struct Update {
   bool single = true;
   py::ssize_t count = 0;
   py::ssize_t definitions = 1;
-  std::vector<double> state;    ///< [count][definitions kStateSize]
-  std::vector<double> force;    ///< [count][6], of all definitions together
-  std::vector<double> told;     ///< [kTold][count][definitions]
-  std::vector<double> tangent;  ///< [2][count][6][6], to motion and to force; empty if not wanted
+  bool has_tangent = false;
+  /// State [count][definitions kStateSize], force [count][6] of all definitions together, told
+  /// [kTold][count][definitions], tangent [2][count][6][6] to motion and to force if it is wanted.
+  std::vector<double> numbers;
+
+  void make_room() {
+    numbers.resize(
+        static_cast<std::size_t>(tangent_at() + (has_tangent ? 2 * count * kSix * kSix : 0)));
+  }
+  py::ssize_t force_at() const { return count * definitions * kStateSize; }
+  py::ssize_t told_at() const { return force_at() + count * kSix; }
+  py::ssize_t tangent_at() const {
+    return told_at() + static_cast<py::ssize_t>(kTold.size()) * count * definitions;
+  }
+  double* state() { return numbers.data(); }
+  double* force() { return numbers.data() + force_at(); }
+  double* told() { return numbers.data() + told_at(); }
+  double* tangent() { return numbers.data() + tangent_at(); }
 };
 
 py::array_t<double> array_of(const double* data, std::vector<py::ssize_t> shape, bool single) {
@@ -65,20 +79,19 @@ py::array_t<double> array_of(const double* data, std::vector<py::ssize_t> shape,
   return array;
 }
 
-py::array_t<double> told_of(const Update& update, std::size_t which) {
+py::array_t<double> told_of(Update& update, std::size_t which) {
   const py::ssize_t each = update.count * update.definitions;
   std::vector<py::ssize_t> shape{update.count};
   if (update.definitions > 1) shape.push_back(update.definitions);
-  return array_of(update.told.data() + static_cast<py::ssize_t>(which) * each, shape,
-                  update.single);
+  return array_of(update.told() + static_cast<py::ssize_t>(which) * each, shape, update.single);
 }
 
-py::array_t<double> tangent_of(const Update& update, int which) {
-  if (update.tangent.empty()) {
+py::array_t<double> tangent_of(Update& update, int which) {
+  if (!update.has_tangent) {
     throw py::attribute_error("no tangent was asked for: update(.., tangent=True)");
   }
-  return array_of(update.tangent.data() + which * update.count * kSix * kSix,
-                  {update.count, kSix, kSix}, update.single);
+  return array_of(update.tangent() + which * update.count * kSix * kSix, {update.count, kSix, kSix},
+                  update.single);
 }
 
 std::string shape_of(const Numbers& numbers) {
@@ -208,10 +221,8 @@ class Law {
     const py::ssize_t field_count = count_of_fields(fields, n);
     const bool one_field = fields && fields->ndim() == 0;
     const Column all_fields(fields, n, std::max<py::ssize_t>(1, field_count), "fields", one_field);
-    made.state.resize(static_cast<std::size_t>(made.count * state_size()));
-    made.force.resize(static_cast<std::size_t>(made.count * kSix));
-    made.told.resize(kTold.size() * static_cast<std::size_t>(made.count * count()));
-    if (tangent) made.tangent.resize(static_cast<std::size_t>(2 * made.count * kSix * kSix));
+    made.has_tangent = tangent;
+    made.make_room();
     const auto step = [&](py::ssize_t i) {
       slip_increment increment{};
       increment.duration = durations.number(i, 1.0);
@@ -260,18 +271,18 @@ class Law {
                  py::ssize_t i) const {
     slip_error error;
     std::array<slip_result, SLIP_DEFINITIONS> results;
-    double* const state = made.state.data() + i * state_size();
-    double* const force = made.force.data() + i * kSix;
-    if (made.tangent.empty()) {
+    double* const state = made.state() + i * state_size();
+    double* const force = made.force() + i * kSix;
+    if (!made.has_tangent) {
       slip_law_update(&law_, &increment, old_state, state, force, results.data(), &error);
     } else {
-      double* const to_motion = made.tangent.data() + i * kSix * kSix;
+      double* const to_motion = made.tangent() + i * kSix * kSix;
       slip_law_tangent(&law_, &increment, old_state, state, force, results.data(), to_motion,
                        to_motion + made.count * kSix * kSix, &error);
     }
     const py::ssize_t each = made.count * count();
     for (std::size_t k = 0; k < kTold.size(); ++k) {
-      double* const column = made.told.data() + static_cast<py::ssize_t>(k) * each + i * count();
+      double* const column = made.told() + static_cast<py::ssize_t>(k) * each + i * count();
       for (py::ssize_t d = 0; d < count(); ++d) {
         column[d] = kTold[k].of(results[static_cast<std::size_t>(d)]);
       }
@@ -283,6 +294,46 @@ class Law {
   std::vector<std::string> names_;
 };
 
+/// The array of an argument; nothing for None. One that is as wanted is not copied.
+std::optional<Numbers> numbers_of(PyObject* argument, const char* name) {
+  if (argument == Py_None) return std::nullopt;
+  const py::handle given(argument);
+  if (Numbers::check_(given)) return py::reinterpret_borrow<Numbers>(given);
+  Numbers made = Numbers::ensure(given);
+  if (!made) throw py::value_error(std::string(name) + ": wanted numbers");
+  return made;
+}
+
+constexpr std::array kArguments{"state",       "motion", "forces",  "begin", "duration",
+                                "temperature", "fields", "tangent", "end",   "reference"};
+
+/// Law.update of a row of all its arguments. pybind11's own way to a function takes as long as the
+/// increment and all of this.
+PyObject* update_of(PyObject* self, PyObject* const* given, Py_ssize_t count) noexcept {
+  try {
+    if (count != static_cast<Py_ssize_t>(kArguments.size()))
+      throw py::type_error("update: wanted 10 arguments");
+    const auto at = [&](std::size_t i) { return numbers_of(given[i], kArguments[i]); };
+    const int tangent = PyObject_IsTrue(given[7]);
+    if (tangent < 0) throw py::error_already_set();
+    const auto state = at(0);
+    const auto motion = at(1);
+    if (!state || !motion) throw py::value_error("update: wanted a state and a motion");
+    const Law& law = py::cast<const Law&>(py::handle(self));
+    return py::cast(law.update(*state, *motion, at(2), at(3), at(4), at(5), at(6), tangent != 0,
+                               at(8), at(9)))
+        .release()
+        .ptr();
+  } catch (py::error_already_set& error) {
+    error.restore();
+  } catch (const py::builtin_exception& error) {
+    error.set_error();
+  } catch (const std::exception& error) {
+    PyErr_SetString(PyExc_RuntimeError, error.what());
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 void bind_law(py::module_& module) {
@@ -291,38 +342,37 @@ void bind_law(py::module_& module) {
   update
       .def_property_readonly(
           "state",
-          [](const Update& one) {
-            return array_of(one.state.data(), {one.count, one.definitions * kStateSize},
-                            one.single);
+          [](Update& one) {
+            return array_of(one.state(), {one.count, one.definitions * kStateSize}, one.single);
           },
           "States at the end, as `update` takes them.")
       .def_property_readonly(
           "force",
-          [](const Update& one) {
-            return array_of(one.force.data(), {one.count, kSix}, one.single);
+          [](Update& one) {
+            return array_of(one.force(), {one.count, kSix}, one.single);
           },
           "Friction forces and moments on the six components [F, F L].")
       .def_property_readonly(
-          "tangent", [](const Update& one) { return tangent_of(one, 0); },
+          "tangent", [](Update& one) { return tangent_of(one, 0); },
           "Slopes of the force to the positions at the end, 6 by 6.")
       .def_property_readonly(
-          "force_tangent", [](const Update& one) { return tangent_of(one, 1); },
+          "force_tangent", [](Update& one) { return tangent_of(one, 1); },
           "Slopes of the force to the constraint forces at the end, 6 by 6.");
   for (std::size_t k = 0; k < kTold.size(); ++k) {
     update.def_property_readonly(
-        kTold[k].name, [k](const Update& one) { return told_of(one, k); }, kTold[k].text);
+        kTold[k].name, [k](Update& one) { return told_of(one, k); }, kTold[k].text);
   }
-  py::class_<Law>(module, "Law")
-      .def(py::init<const std::string&>(), py::arg("text"))
+  py::class_<Law> law(module, "Law");
+  law.def(py::init<const std::string&>(), py::arg("text"))
       .def(py::init<const Numbers&>(), py::arg("numbers"))
       .def_property_readonly("numbers", &Law::numbers)
-      .def("update", &Law::update, py::arg("state"), py::arg("motion"),
-           py::arg("forces") = py::none(), py::arg("begin") = py::none(),
-           py::arg("duration") = py::none(), py::arg("temperature") = py::none(),
-           py::arg("fields") = py::none(), py::arg("tangent") = false, py::arg("end") = py::none(),
-           py::arg("reference") = py::none())
       .def_property_readonly("state_size", &Law::state_size)
       .def_property_readonly("names", &Law::names);
+  static PyMethodDef update_method{
+      "update", reinterpret_cast<PyCFunction>(reinterpret_cast<void (*)()>(update_of)),
+      METH_FASTCALL, nullptr};
+  law.attr("update") = py::reinterpret_steal<py::object>(
+      PyDescr_NewMethod(reinterpret_cast<PyTypeObject*>(law.ptr()), &update_method));
 }
 
 }  // namespace slipbench::python
