@@ -57,7 +57,14 @@ int run(int argc, char** argv) {
 
   for (CLI::App* declared : app.get_subcommands(nullptr)) {
     for (CLI::Option* option : declared->get_options()) {
-      if (option->get_expected_max() == 0) option->disable_flag_override();
+      if (option->get_expected_max() == 0) {
+        option->disable_flag_override();
+        continue;
+      }
+      option->check([](const std::string& word) {
+        return std::string(word.empty() ? "an empty text; is a variable of the shell not set?"
+                                        : "");
+      });
     }
   }
   const std::vector<std::string_view> words(argv + std::min(argc, 1), argv + argc);

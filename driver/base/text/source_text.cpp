@@ -200,6 +200,10 @@ tl::expected<SourceText, ReadError> read_source(const std::string& path, std::si
   if (path == kStandardInput) {
     return read_all(STDIN_FILENO, source_name(path), 0, size_limit);
   }
+  if (path.empty()) {
+    return failed(ReadFailure::kBadInput, "''",
+                  "names no file; is a variable of the shell not set?");
+  }
   struct stat status {};
   // Asked before opening: to open a device can already act on it.
   if (::stat(path.c_str(), &status) != 0) return failed_with(errno, path);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -211,6 +213,25 @@ std::optional<history::Profile> finish(yaml::Binder& binder, const cases::Case& 
   return profile;
 }
 
+/// Warns of a sine whose increments are too few to follow it: they show another, slower one. The
+/// peaks and jumps of the other waves are ends of increments.
+void doubt_increments(yaml::Binder& binder, const yaml::Node& node, const yaml::Path& path,
+                      const history::Profile& profile, const cases::Step& step) {
+  constexpr double kFewest = 4.0;
+  constexpr double kEnough = 20.0;
+  const auto* wave = std::get_if<history::Wave>(&profile);
+  if (wave == nullptr || wave->shape != history::WaveShape::kSine || wave->amplitude == 0.0) return;
+  const double per_period = wave->period / step.duration * static_cast<double>(step.increments);
+  if (!(per_period < kFewest)) return;
+  binder.warning(
+      node, path,
+      fmt::format("{:.3g} increments a period are too few to follow the sine: they show a "
+                  "slower or a smaller one",
+                  per_period),
+      fmt::format("increments: {:.0f} make {:.0f} a period",
+                  std::ceil(kEnough * step.duration / wave->period), kEnough));
+}
+
 /// \param start total time at the step's start
 void read_step(yaml::Binder& binder, const StepText& text, cases::Case& out, double start) {
   cases::Step step;
@@ -229,7 +250,9 @@ void read_step(yaml::Binder& binder, const StepText& text, cases::Case& out, dou
                                    .total_time = start,
                                    .position = out.initial.values};
     auto finished = finish(binder, out, profile, node, path, *quantity, begin);
-    if (finished) step.drives.push_back({*quantity, std::move(*finished)});
+    if (!finished) return;
+    doubt_increments(binder, node, path, *finished, step);
+    step.drives.push_back({*quantity, std::move(*finished)});
   };
   for (const auto& entry : text.motion) {
     add(quantity_of(binder, out, entry.name, *entry.key, entry.path, true, false, false),
