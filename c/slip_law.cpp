@@ -356,14 +356,14 @@ int updated(const slip_law* law, const slip_increment* from, const double* old_s
     Slopes motion_slopes = Slopes::Zero(), force_slopes = Slopes::Zero();
     for (std::size_t d = 0; d < count; ++d) {
       const ConnectorTangent slopes = connector_tangent(law->definitions[d], increment, updates[d]);
-      if (!slopes.to_motion.allFinite() || !slopes.to_force.allFinite()) {
+      motion_slopes += slopes.to_motion;
+      force_slopes += slopes.to_force;
+      if (!motion_slopes.allFinite() || !force_slopes.allFinite()) {
         return fail(error, SLIP_NOT_FINITE,
                     "the tangent of definition %zu is not finite: look at its increment and its "
                     "forces",
                     d);
       }
-      motion_slopes += slopes.to_motion;
-      force_slopes += slopes.to_force;
     }
     put_matrix(motion_slopes, to_motion);
     put_matrix(force_slopes, to_force);

@@ -311,15 +311,18 @@ TEST_CASE("an update that is not finite leaves the state as it was") {
 
 TEST_CASE("a tangent that is not finite is an error and changes nothing") {
   const slip_number mu{"mu", 0.2};
-  // kappa = F_lim/g_c = 2000/1e-306 is beyond a double; without motion the force is still 0.
-  const slip_definition definition = slot(&mu, 1e-306);
+  // df/du = R^2 kappa = 1e309 is beyond a double; without motion the force is still 0.
+  slip_definition definition = slot(&mu, 0.0);
+  definition.connection = nullptr;
+  definition.slip_scale[0] = 10.0;
+  definition.internal_contact_force = 5.0;
+  definition.stick_stiffness = 1e307;
   const Handle handle(slip_law_create(&definition, 1, nullptr));
   REQUIRE(handle);
   std::array<double, SLIP_STATE_NUMBERS> state{};
   slip_law_initial_state(handle.get(), state.data());
   const auto before = state;
-  slip_increment increment{};
-  increment.force[1] = 1e4;
+  const slip_increment increment{};
   CHECK(slip_law_update(handle.get(), &increment, state.data(), state.data(), nullptr, nullptr,
                         nullptr) == SLIP_OK);
   std::array<double, 36> to_motion{};
