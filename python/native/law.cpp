@@ -144,7 +144,7 @@ class Column {
   py::ssize_t width_;
 };
 
-/// How many fields there are: (F,) are those of all increments, (N, F) those of each. A list as
+/// Counts fields: (F,) are those of all increments, (N, F) those of each. A list as
 /// long as there are increments could be either, and is refused.
 py::ssize_t count_of_fields(const std::optional<Numbers>& fields, py::ssize_t count) {
   if (!fields) return 0;
