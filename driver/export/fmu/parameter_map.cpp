@@ -214,7 +214,9 @@ ParameterMap map_parameters(const read::ParsedCase& parsed, const cases::Case& p
   const Formulas formulas(parsed, settings);
   ParameterMap map;
   std::map<std::size_t, int> users;
-  for (const auto& [name, value] : problem.parameters) {
+  for (const auto& parameter : problem.parameters) {
+    const std::string& name = parameter.first;
+    const double value = parameter.second;
     if (formulas.is_defined(name, problem.parameters)) continue;
     const std::vector<Sample> samples = samples_of(varied, name, value);
     const std::set<std::string> names = formulas.with_followers(name);
