@@ -82,19 +82,19 @@ is_slow() { (ulimit -t "$limit" && exec "$1" -timeout=600 "$2") >/dev/null 2>&1 
 
 # try TARGET: runs a target for its time; says what was covered, and in findings how many inputs were found.
 try() {
-  local name=$1 program work=build/fuzz/corpus/$1 found=build/fuzz/findings/$1 log=build/fuzz/$1.log started left code executed edges input
+  local name=$1 program work=$PWD/build/fuzz/corpus/$1 found=$PWD/build/fuzz/findings/$1 log=$PWD/build/fuzz/$1.log started left code executed edges input
   program=$PWD/build/fuzz/tests/fuzz/fuzz_$name
   rm -rf "$work.seeds" "$found"
   mkdir -p "$work" "$work.seeds" "$found"
   seed "$name" "$work.seeds"
-  dictionary "$name" >"build/fuzz/$name.dict"
+  dictionary "$name" >"$PWD/build/fuzz/$name.dict"
   started=$(date +%s)
   executed=0
   while left=$((seconds - $(date +%s) + started)) && [ "$left" -gt 0 ]; do
     code=0
     ASAN_OPTIONS=quarantine_size_mb=16:detect_stack_use_after_return=0 nice -n 10 "$program" \
       -max_total_time="$left" -timeout="$limit" -malloc_limit_mb=$memory -rss_limit_mb=$((2 * memory + 128)) \
-      -max_len=$longest -dict="build/fuzz/$name.dict" -artifact_prefix="$found/" -print_final_stats=1 \
+      -max_len=$longest -dict="$PWD/build/fuzz/$name.dict" -artifact_prefix="$found/" -print_final_stats=1 \
       "$work" "$work.seeds" >"$log" 2>&1 || code=$?
     executed=$((executed + $(sed -n 's/^stat::number_of_executed_units: *//p' "$log" | tail -n 1 | grep . || echo 0)))
     edges=$(grep -oE 'cov: [0-9]+' "$log" | tail -n 1 | cut -c6- || true)
@@ -107,7 +107,8 @@ try() {
     fi
     findings=$((findings + 1))
     tail -n 40 "$log"
-    say "$name: FOUND $(find "$found" -type f | head -n 1)"
+    input=$(find "$found" -type f | head -n 1)
+    say "$name: FOUND ${input:-nothing, but libFuzzer ends with $code}"
     break
   done
   say "$name: $executed inputs in $(($(date +%s) - started)) s, ${edges:-0} edges covered"

@@ -86,7 +86,11 @@ class NpyTable : public TableReader {
     if (!head) return head.error();
     head_.columns = std::move(head->columns);
     left_ = head->rows;
-    const std::uintmax_t wanted = head->size + left_ * head_.columns.size() * sizeof(double);
+    const std::uintmax_t row = head_.columns.size() * sizeof(double);
+    if (left_ > size / row) {
+      return fmt::format("has {} bytes where its head says {} rows", size, left_);
+    }
+    const std::uintmax_t wanted = head->size + left_ * row;
     if (size != wanted) {
       return fmt::format("has {} bytes where its head says {}", size, wanted);
     }

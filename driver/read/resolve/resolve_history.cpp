@@ -381,7 +381,12 @@ void resolve_history(yaml::Binder& binder, const CaseText& text, cases::Case& ou
       }
     }
     read_step(binder, step, out, start);
+    const bool ends = std::isfinite(start);
     start += step.repeat * step.duration.value;
+    if (ends && !std::isfinite(start) && step.duration.sound) {
+      binder.error(*step.duration.node, step.duration.path,
+                   "the total time at the end of this step is beyond the largest number, 1.8e308");
+    }
   }
 }
 
