@@ -143,6 +143,7 @@ std::vector<double> other_values(double value) {
   constexpr std::array kAnywhere{0.0, 1e-3, 0.047, 0.53, 1.9, -1.1, 23.0, -17.0, 1.7e3, -2.3e3};
   const double size = value != 0.0 ? value : 1.0 / 64.0;
   std::vector<double> values;
+  values.reserve(kParts.size() + kAnywhere.size());
   for (const double part : kParts) values.push_back(value + part * size);
   for (const double x : kAnywhere) {
     if (x != value) values.push_back(x);
