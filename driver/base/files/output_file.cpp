@@ -23,7 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How many files are being written. A folder that was made for one without a name looks empty.
+/// Number of files that are being written. A folder that was made for one without a name looks
+/// empty.
 std::atomic<int> files_in_work{0};
 
 std::string reason(int error) { return std::generic_category().message(error); }
