@@ -16,7 +16,7 @@ sanitizers() { SLIPBENCH_PRESET=asan-ubsan scripts/test.sh; }
 
 threads() {
   configure tsan
-  build tsan --target slipbench driver_tests
+  build tsan --target slipbench driver_tests ground_tests
   # The first race ends the program, with a code that no command has.
   export TSAN_OPTIONS="halt_on_error=1 exitcode=66"
   ctest --preset tsan --no-label-summary -R '^driver/(sweep|suite|farm|base/files|calibrate/(calibrate|observation|replay))'
