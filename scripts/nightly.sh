@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 # nightly.sh [PART..]: all that takes too long for every change, one part after the other, or those named. All are tried, whatever
 # one of them finds; the last lines say which found something. Exit: 0 nothing found, 1 something, 2 a wrong argument.
-#   sanitizers  all tests under the address and undefined-behaviour sanitizers                      1 h
-#   threads     what runs in parallel, under the thread sanitizer                                   20 min
-#   memory      reads of memory that was never written, by valgrind, in a dozen cases               5 min
-#   fuzz        every target of scripts/fuzz.sh, SLIPBENCH_FUZZ_SECONDS (600) each                  2 h
-#   torture     scripts/torture.sh                                                                  10 min
+#   sanitizers  all tests under the address and undefined-behaviour sanitizers                       1 h
+#   threads     what runs in parallel, under the thread sanitizer                                    20 min
+#   memory      reads of memory that was never written, by valgrind, in a dozen cases               3 min
+#   fuzz        every target of scripts/fuzz.sh, SLIPBENCH_FUZZ_SECONDS (600) each                   2 h
+#   torture     scripts/torture.sh                                                                   3 min
 #   mutate      scripts/mutate.sh: which changes of the code no test sees
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
