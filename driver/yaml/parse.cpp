@@ -155,7 +155,9 @@ class TreeBuilder : public YAML::EventHandler {
     record.quoted = tag == "!";
     if (record.quoted || text_.substr(offset, value.size()) != value) {
       // A quoted text without escapes still is a part of the source.
-      const bool verbatim = record.quoted && text_.substr(offset + 1, value.size()) == value &&
+      // A tag '!' at the end of the source, which is refused, has nothing behind it.
+      const bool verbatim = record.quoted && offset < text_.size() &&
+                            text_.substr(offset + 1, value.size()) == value &&
                             (text_[offset] == '"' || text_[offset] == '\'');
       record.decoded = !verbatim;
       record.begin = narrow(verbatim ? offset + 1 : data_.decoded_text.size());
