@@ -3,8 +3,11 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -163,6 +166,16 @@ py::ssize_t count_of_fields(const std::optional<Numbers>& fields, py::ssize_t co
   return each;
 }
 
+/// Refuses durations that no increment has.
+void check_durations(const Column& durations, py::ssize_t count) {
+  for (py::ssize_t i = 0; i < count; ++i) {
+    const double duration = durations.number(i, 1.0);
+    if (duration >= 0.0 && std::isfinite(duration)) continue;
+    throw py::value_error("duration: wanted 0 or more, found " +
+                          std::string(py::str(py::float_(duration))));
+  }
+}
+
 void take(const double* numbers, double* to) {
   if (numbers != nullptr) std::copy_n(numbers, kSix, to);
 }
@@ -176,15 +189,19 @@ class Law {
     names_ = std::move(read->names);
     law_.definitions = std::move(read->definitions);
   }
-  /// Of packed numbers.
-  explicit Law(const Numbers& numbers) {
+  /// Of packed numbers, which have no names.
+  Law(const Numbers& numbers, std::vector<std::string> names) : names_(std::move(names)) {
     slip_error error;
     slip_law* const made =
         slip_law_unpack(numbers.data(), static_cast<std::size_t>(numbers.size()), &error);
     if (made == nullptr) throw py::value_error(error.message);
     law_ = std::move(*made);
     slip_law_destroy(made);
-    names_.resize(law_.definitions.size());
+    if (names_.empty()) names_.resize(law_.definitions.size());
+    if (names_.size() != law_.definitions.size()) {
+      throw py::value_error("names: wanted " + std::to_string(law_.definitions.size()) +
+                            ", one of each definition, found " + std::to_string(names_.size()));
+    }
   }
 
   py::array_t<double> numbers() const {
@@ -217,6 +234,7 @@ class Law {
     const Column ends(end, n, kSix, "end", false);
     const Column references(reference, n, kSix, "reference", false);
     const Column durations(duration, n, 1, "duration", true);
+    check_durations(durations, n);
     const Column temperatures(temperature, n, 1, "temperature", true);
     const py::ssize_t field_count = count_of_fields(fields, n);
     const bool one_field = fields && fields->ndim() == 0;
@@ -364,7 +382,8 @@ void bind_law(py::module_& module) {
   }
   py::class_<Law> law(module, "Law");
   law.def(py::init<const std::string&>(), py::arg("text"))
-      .def(py::init<const Numbers&>(), py::arg("numbers"))
+      .def(py::init<const Numbers&, std::vector<std::string>>(), py::arg("numbers"),
+           py::arg("names") = std::vector<std::string>())
       .def_property_readonly("numbers", &Law::numbers)
       .def_property_readonly("state_size", &Law::state_size)
       .def_property_readonly("names", &Law::names);

@@ -2,6 +2,7 @@
 """Cases and their runs."""
 import collections.abc
 import json
+import operator
 import os
 import warnings
 from typing import Any, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
@@ -238,15 +239,24 @@ class Case:
         every: of so many rows one is kept, and the last; checks: whether they are judged; columns: those that are kept besides the time,
         which makes long runs quick; by default those of the result file. Raises RunError where the run does not come to its end.
         """
-        if every < 1:
+        try:
+            rows = operator.index(every)
+        except TypeError:
+            raise TypeError(f"every: wanted a whole number of at least 1, found {every!r}") from None
+        if rows < 1:
             raise ValueError(f"every: wanted a whole number of at least 1, found {every}")
-        if columns is not None and not isinstance(columns, str):
-            for name in columns:
-                if name not in self._native.columns:
-                    raise _no_column(name, self._native.columns)
-        elif columns is not None:
-            raise TypeError("columns: wanted a list of names")
-        return Run(self._native.run(every, checks, list(columns or [])))
+        if isinstance(columns, str) or not isinstance(columns, (type(None), collections.abc.Iterable)):
+            raise TypeError(f"columns: wanted a list of names, found {columns!r}")
+        wanted = list(columns if columns is not None else ())
+        for i, name in enumerate(wanted):
+            if not isinstance(name, str):
+                raise TypeError(f"columns: wanted a list of names, found {name!r} in it")
+            if name not in self._native.columns:
+                raise _no_column(name, self._native.columns)
+            if name in wanted[:i]:
+                raise ValueError(f"columns: {name!r} is there twice")
+        most = 2**31 - 1  # rows that a run can have
+        return Run(self._native.run(min(rows, most), checks, wanted))
 
     def __reduce__(self):
         """Text, parameters and folder: what another process, or a copy, reads it from again."""

@@ -2,7 +2,7 @@
 """Friction definitions, updated increment by increment."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, List, Mapping, Optional, Union
+from typing import TYPE_CHECKING, List, Mapping, Optional, Sequence, Union
 
 from . import _native
 from ._case import _text_of
@@ -61,14 +61,15 @@ class Law:
         return self._native.update(state, motion, forces, begin, duration, temperature, fields, tangent, end, reference)
 
     @classmethod
-    def from_numbers(cls, numbers: ArrayLike) -> Law:
-        """The law whose `numbers` these are: of another process, of the C interface's slip_law_pack. Raises ValueError."""
+    def from_numbers(cls, numbers: ArrayLike, names: Sequence[str] = ()) -> Law:
+        """The law whose `numbers` these are: of another process, of the C interface's slip_law_pack. Numbers have no names of the
+        definitions: `names` gives them, or they are empty. Raises ValueError."""
         law = cls.__new__(cls)
-        law._native = _native.Law(numbers)
+        law._native = _native.Law(numbers, list(names))
         return law
 
     def __reduce__(self):
-        return Law.from_numbers, (self.numbers,)
+        return Law.from_numbers, (self.numbers, self.names)
 
     @property
     def numbers(self) -> Array:

@@ -3,6 +3,7 @@
 
 usage: case_test.py SLIPBENCH CASES_FOLDER [unittest words]   (PYTHONPATH has the module)
 """
+import copy
 import gc
 import math
 import os
@@ -101,7 +102,11 @@ class Runs(unittest.TestCase):
         self.assertEqual(list(run["t"]), [0.0, 0.3, 0.6, 0.9, 1.0])
         with self.assertRaisesRegex(ValueError, "at least 1"):
             slot().run(every=0)
-
+        for every in (1.5, math.nan, "2"):
+            with self.assertRaisesRegex(TypeError, f"^every: wanted a whole number of at least 1, found {every!r}$"):
+                slot().run(every=every)
+        self.assertEqual(len(slot().run(every=numpy.int64(30))["t"]), 5)
+        self.assertEqual(list(slot().run(every=10**12)["t"]), [0.0, 1.0])
 
     def test_columns_may_be_chosen(self):
         run, all_of_it = slot().run(columns=["CSF1", "FLIM"]), slot().run()
@@ -112,6 +117,13 @@ class Runs(unittest.TestCase):
             slot().run(columns=["CSF11"])
         with self.assertRaisesRegex(TypeError, "list of names"):
             slot().run(columns="CSF1")
+        with self.assertRaisesRegex(TypeError, "^columns: wanted a list of names, found 1 in it$"):
+            slot().run(columns=[1])
+        with self.assertRaisesRegex(TypeError, "^columns: wanted a list of names, found 1$"):
+            slot().run(columns=1)
+        with self.assertRaisesRegex(ValueError, "^columns: 'CSF1' is there twice$"):
+            slot().run(columns=["CSF1", "FLIM", "CSF1"])
+        self.assertEqual(list(slot().run(columns=iter(["CSF1"]))), ["t", "CSF1"])
 
 
 class Parameters(unittest.TestCase):
@@ -217,12 +229,26 @@ class Pickles(unittest.TestCase):
 
     def test_a_law_is_its_numbers_and_a_run_is_none(self):
         law = slipbench.Law({key: SLOT[key] for key in ("connector", "friction", "parameters")})
-        numpy.testing.assert_array_equal(pickle.loads(pickle.dumps(law)).numbers, law.numbers)
+        for copied in (pickle.loads(pickle.dumps(law)), copy.deepcopy(law)):
+            numpy.testing.assert_array_equal(copied.numbers, law.numbers)
+            self.assertEqual(copied.names, law.names)
+            self.assertTrue(all(copied.names))
+        self.assertEqual(slipbench.Law.from_numbers(law.numbers).names, [""])
+        with self.assertRaisesRegex(ValueError, "^names: wanted 1, one of each definition, found 2$"):
+            slipbench.Law.from_numbers(law.numbers, ["a", "b"])
         with self.assertRaisesRegex(TypeError, "hand over the case"):
             pickle.dumps(slot().run())
 
 
 class Laws(unittest.TestCase):
+    def test_durations_that_no_increment_has_are_refused(self):
+        law = slipbench.Law({key: SLOT[key] for key in ("connector", "friction", "parameters")})
+        state = law.initial_state()
+        for duration, found in ((-1, "-1.0"), (math.nan, "nan"), (math.inf, "inf"), ([1, -2], "-2.0")):
+            with self.assertRaisesRegex(ValueError, f"^duration: wanted 0 or more, found {found}$"):
+                law.update(state, numpy.zeros((2, 6)), duration=duration)
+        law.update(state, numpy.zeros(6), duration=0)
+
     def test_increments_of_a_law_are_those_of_the_run(self):
         run = slot().run()
         law = slipbench.Law({key: SLOT[key] for key in ("connector", "friction", "parameters")})
