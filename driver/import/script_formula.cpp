@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,8 @@ namespace slipbench::driver::import {
 namespace {
 
 constexpr int kDeepest = 200;
+constexpr double kMostWhole = 9007199254740991.0;  ///< 2^53 - 1: a double has all integers up to it
+constexpr double kMostWholeFortran = 2147483647.0;  ///< of four bytes
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -86,10 +89,19 @@ class FormulaReader {
     return true;
   }
 
+  /// Refuses an integer that the program may have otherwise.
+  ScriptNumber exact(const ScriptNumber& value) {
+    const double most = language_ == FormulaLanguage::kFortran ? kMostWholeFortran : kMostWhole;
+    if (value.whole && !(std::abs(value.value) <= most)) {
+      fail("this integer is too large to be sure of: write it with a decimal point");
+    }
+    return value;
+  }
+
   ScriptNumber choice() {
     if (++depth_ > kDeepest) fail("is nested too deeply");
     ScriptNumber value = any();
-    if (sound_ && take("?")) {
+    if (sound_ && language_ != FormulaLanguage::kPython && take("?")) {
       const ScriptNumber yes = choice();
       if (!take(":")) fail("wanted ':'");
       const ScriptNumber no = choice();
@@ -103,7 +115,7 @@ class FormulaReader {
 
   ScriptNumber any() {
     ScriptNumber value = all();
-    while (sound_ && take("||")) {
+    while (sound_ && language_ != FormulaLanguage::kPython && take("||")) {
       const ScriptNumber other = all();
       value = truth(value.value != 0.0 || other.value != 0.0);
     }
@@ -112,7 +124,7 @@ class FormulaReader {
 
   ScriptNumber all() {
     ScriptNumber value = compared();
-    while (sound_ && take("&&")) {
+    while (sound_ && language_ != FormulaLanguage::kPython && take("&&")) {
       const ScriptNumber other = compared();
       value = truth(value.value != 0.0 && other.value != 0.0);
     }
@@ -121,7 +133,9 @@ class FormulaReader {
 
   ScriptNumber compared() {
     ScriptNumber value = sum();
-    while (sound_) {
+    // What 1 < 2 < 3 is, and whether == binds less than <, differs between languages.
+    for (int count = 0; sound_; ++count) {
+      const std::size_t before = at_;
       if (take("==")) {
         value = truth(value.value == sum().value);
       } else if (take("!=")) {
@@ -137,6 +151,10 @@ class FormulaReader {
       } else {
         break;
       }
+      if (count > 0) {
+        at_ = before;
+        fail("compares more than two numbers: write parentheses");
+      }
     }
     return value;
   }
@@ -147,8 +165,8 @@ class FormulaReader {
       const bool plus = take("+");
       if (!plus && !take("-")) break;
       const ScriptNumber other = product();
-      value = {plus ? value.value + other.value : value.value - other.value,
-               value.whole && other.whole};
+      value = exact({plus ? value.value + other.value : value.value - other.value,
+                     value.whole && other.whole});
     }
     return value;
   }
@@ -158,13 +176,16 @@ class FormulaReader {
     while (sound_) {
       if (take("*", "*")) {
         const ScriptNumber other = sign();
-        value = {value.value * other.value, value.whole && other.whole};
-      } else if (take("//")) {
+        value = exact({value.value * other.value, value.whole && other.whole});
+      } else if (language_ == FormulaLanguage::kPython && take("//")) {
         value = divided(value, sign(), true);
-      } else if (take("/")) {
+      } else if (take("/", "/")) {
         value = divided(value, sign(), false);
       } else if (take("%")) {
         const ScriptNumber other = sign();
+        if (language_ != FormulaLanguage::kPython && !(value.whole && other.whole)) {
+          fail("'%' takes whole numbers");
+        }
         const double whole = divided(value, other, true).value;
         value = {value.value - whole * other.value, value.whole && other.whole};
       } else {
@@ -201,7 +222,7 @@ class FormulaReader {
       value.value = -value.value;
     } else if (take("+")) {
       value = signed_number(tight);
-    } else if (take("!", "=")) {
+    } else if (language_ != FormulaLanguage::kPython && take("!", "=")) {
       value = truth(signed_number(tight).value == 0.0);
     } else if (sound_) {
       value = tight ? atom() : power(atom());
@@ -215,8 +236,17 @@ class FormulaReader {
     if (++depth_ > kDeepest) fail("is nested too deeply");
     const ScriptNumber exponent = sign();
     --depth_;
-    return {std::pow(base.value, exponent.value),
-            base.whole && exponent.whole && exponent.value >= 0.0};
+    return raised(base, exponent);
+  }
+
+  ScriptNumber raised(const ScriptNumber& base, const ScriptNumber& exponent) {
+    const double value = std::pow(base.value, exponent.value);
+    const bool whole = base.whole && exponent.whole;
+    if (!whole || exponent.value >= 0.0) return exact({value, whole});
+    if (base.value == 0.0) fail("division by zero");
+    // Integers stay integers: 2**-1 is cut off to 0.
+    if (language_ == FormulaLanguage::kPython) return {value, false};
+    return {std::trunc(value), true};
   }
 
   ScriptNumber atom() {
@@ -251,8 +281,12 @@ class FormulaReader {
       return {};
     }
     const auto length = static_cast<std::size_t>(read.ptr - copy.data());
+    const bool whole = is_whole_literal(rest.substr(0, length));
+    if (whole && length > 1 && rest.front() == '0' && language_ != FormulaLanguage::kFortran) {
+      fail("an integer that begins with 0 is octal in Tcl 8: write it without the 0");
+    }
     at_ += length;
-    return {value, is_whole_literal(rest.substr(0, length))};
+    return exact({value, whole});
   }
 
   ScriptNumber named(bool dollar) {
@@ -264,14 +298,113 @@ class FormulaReader {
     const std::string_view whole = text_.substr(begin, at_ - begin);
     const std::string_view name = whole.substr(whole.rfind('.') + 1);
     skip_blanks();
-    if (!dollar && at_ < text_.size() && text_[at_] == '(') return called(name, begin);
-    if (const auto found = numbers_.find(whole); found != numbers_.end()) return found->second;
-    if (!dollar && name == "pi") return {std::numbers::pi, false};
-    if (!dollar && (name == "True" || name == "true")) return truth(true);
-    if (!dollar && (name == "False" || name == "false")) return truth(false);
+    if (!dollar && at_ < text_.size() && text_[at_] == '(') {
+      const bool own = name.size() == whole.size();
+      const bool python = language_ == FormulaLanguage::kPython;
+      return called(own || (python && is_mathematics(whole)) ? name : whole, begin);
+    }
+    const bool tcl = language_ == FormulaLanguage::kTcl;
+    // A word without '$' is no variable of Tcl.
+    if (const auto found = numbers_.find(whole); found != numbers_.end() && (dollar || !tcl)) {
+      return found->second;
+    }
+    const bool python = language_ == FormulaLanguage::kPython;
+    if (name == "pi" && (python ? is_mathematics(whole) : !tcl && !dollar)) {
+      return {std::numbers::pi, false};
+    }
+    if (!dollar && whole == (python ? "True" : "true")) return truth(true);
+    if (!dollar && whole == (python ? "False" : "false")) return truth(false);
     at_ = begin;
     fail(fmt::format("unknown name '{}'", base::printable(whole)), std::string(whole));
     return {};
+  }
+
+  /// Returns whether a name with a module is one of math or numpy.
+  static bool is_mathematics(std::string_view whole) {
+    const std::string_view module = whole.substr(0, std::min(whole.find('.'), whole.size()));
+    return module.size() < whole.size() && whole.find('.', module.size() + 1) == whole.npos &&
+           (module == "math" || module == "np" || module == "numpy");
+  }
+
+  /// Returns whether the language has a function of this name.
+  bool has_function(std::string_view name) const {
+    constexpr std::array<std::string_view, 4> kFortranOnly{"ln", "nint", "dble", "mod"};
+    constexpr std::array<std::string_view, 3> kTclOnly{"wide", "entier", "double"};
+    const auto in = [&](const auto& list) {
+      return std::find(list.begin(), list.end(), name) != list.end();
+    };
+    if (language_ == FormulaLanguage::kTcl)
+      return !in(kFortranOnly) && name != "fabs" && name != "float";
+    if (language_ == FormulaLanguage::kPython) return !in(kFortranOnly) && !in(kTclOnly);
+    return true;
+  }
+
+  /// Refuses integers as arguments of functions whose result in Fortran may be one or not.
+  void refuse_whole(std::string_view name) {
+    fail(fmt::format("whether '{}' of whole numbers is whole is not certain: write a decimal point",
+                     name));
+  }
+
+  /// Applies a function; nothing if it is not known.
+  std::optional<ScriptNumber> result(std::string_view name,
+                                     const std::vector<ScriptNumber>& arguments) {
+    const bool fortran = language_ == FormulaLanguage::kFortran;
+    const double x = arguments.front().value;
+    const auto whole_ones = std::count_if(arguments.begin(), arguments.end(),
+                                          [](const auto& one) { return one.whole; });
+    const bool all_whole = whole_ones == static_cast<std::ptrdiff_t>(arguments.size());
+    if (arguments.size() == 1) {
+      if (fortran && (name == "floor" || name == "ceil")) refuse_whole(name);
+      for (const auto& [known, function] : kFunctions) {
+        if (known == name) return ScriptNumber{function(x), false};
+      }
+      if (name == "abs") return ScriptNumber{std::abs(x), all_whole};
+      if (name == "int" || name == "wide" || name == "entier") {
+        return ScriptNumber{std::trunc(x), true};
+      }
+      if (name == "round" || name == "nint") {
+        // Python rounds a half to the even neighbour, as nearbyint does.
+        const bool even = language_ == FormulaLanguage::kPython;
+        return ScriptNumber{even ? std::nearbyint(x) : std::round(x), true};
+      }
+      if (name == "double" || name == "float" || name == "dble") return ScriptNumber{x, false};
+    }
+    if (arguments.size() == 2) {
+      const double y = arguments[1].value;
+      if (name == "pow") {
+        if (fortran && all_whole) refuse_whole(name);
+        return ScriptNumber{std::pow(x, y), false};
+      }
+      if (name == "atan2") return ScriptNumber{std::atan2(x, y), false};
+      if (name == "hypot") return ScriptNumber{std::hypot(x, y), false};
+      if (name == "mod" && fortran) return ScriptNumber{std::fmod(x, y), all_whole};
+      if (name == "fmod") {
+        if (fortran && all_whole) refuse_whole(name);
+        return ScriptNumber{std::fmod(x, y), false};
+      }
+    }
+    if (name == "min" || name == "max") return chosen(name == "min", arguments, whole_ones);
+    return std::nullopt;
+  }
+
+  /// Takes the least or largest argument, which keeps its type.
+  ScriptNumber chosen(bool least, const std::vector<ScriptNumber>& arguments,
+                      std::ptrdiff_t whole_ones) {
+    const bool mixed =
+        whole_ones != 0 && whole_ones != static_cast<std::ptrdiff_t>(arguments.size());
+    if (mixed && language_ == FormulaLanguage::kFortran) refuse_whole(least ? "min" : "max");
+    ScriptNumber value = arguments.front();
+    for (const ScriptNumber& one : arguments) {
+      if (least ? one.value < value.value : one.value > value.value) value = one;
+    }
+    // Which of two equal ones is taken is not the same in all versions.
+    for (const ScriptNumber& one : arguments) {
+      if (one.value == value.value && one.whole != value.whole &&
+          language_ == FormulaLanguage::kTcl) {
+        fail("whether the result is whole is not certain: write a decimal point");
+      }
+    }
+    return value;
   }
 
   ScriptNumber called(std::string_view name, std::size_t begin) {
@@ -282,33 +415,8 @@ class FormulaReader {
     } while (sound_ && take(","));
     if (!take(")")) fail("wanted ')'");
     if (!sound_) return {};
-    const double x = arguments.front().value;
-    const bool all_whole = std::all_of(arguments.begin(), arguments.end(),
-                                       [](const ScriptNumber& one) { return one.whole; });
-    if (arguments.size() == 1) {
-      for (const auto& [known, function] : kFunctions) {
-        if (known == name) return {function(x), false};
-      }
-      if (name == "abs") return {std::abs(x), all_whole};
-      if (name == "int" || name == "wide" || name == "entier") return {std::trunc(x), true};
-      if (name == "round" || name == "nint") return {std::round(x), true};
-      if (name == "double" || name == "float" || name == "dble") return {x, false};
-    }
-    if (arguments.size() == 2) {
-      const double y = arguments[1].value;
-      if (name == "pow") {
-        return {std::pow(x, y), all_whole && y >= 0.0 && language_ != FormulaLanguage::kTcl};
-      }
-      if (name == "atan2") return {std::atan2(x, y), false};
-      if (name == "hypot") return {std::hypot(x, y), false};
-      if (name == "fmod" || name == "mod") return {std::fmod(x, y), all_whole};
-    }
-    if (name == "min" || name == "max") {
-      double value = x;
-      for (const ScriptNumber& one : arguments) {
-        value = name == "min" ? std::min(value, one.value) : std::max(value, one.value);
-      }
-      return {value, all_whole};
+    if (has_function(name)) {
+      if (const auto value = result(name, arguments)) return exact(*value);
     }
     at_ = begin;
     fail(fmt::format("there is no function '{}' of {} number{}", base::printable(name),

@@ -19,11 +19,11 @@ struct ScriptNumber {
 
 using ScriptNumbers = std::map<std::string, ScriptNumber, std::less<>>;
 
-/// Language of a formula: what 1/4 is, and whether -2**2 is 4.
+/// Language of a formula: what 1/4 is, whether -2**2 is 4, and what 2**-1 is.
 enum class FormulaLanguage {
-  kTcl,     ///< 0, as 1/4 is rounded down; 4
-  kPython,  ///< 0.25; -4
-  kFortran  ///< 0, as 1/4 is cut off; -4
+  kTcl,     ///< 0, as 1/4 is rounded down; 4; 0
+  kPython,  ///< 0.25; -4; 0.5
+  kFortran  ///< 0, as 1/4 is cut off; -4; 0
 };
 
 /// Reason why a formula has no value.
@@ -34,8 +34,9 @@ struct FormulaFault {
 };
 
 /// Evaluates a formula: + - * / // % **, comparisons, !, &&, ||, c ? a : b, parentheses, names
-/// (also as $name), pi, and the usual functions; math.sqrt is sqrt. A '$' alone, a division by
-/// zero and a result that is no finite number are faults.
+/// (in Tcl as $name), and the usual functions, each if the language has it; math.sqrt is sqrt. A
+/// '$' alone, a division by zero, a result that is no finite number, and whatever the programs of
+/// the language may take otherwise (010, max(1, 1.), integers beyond 2^53) are faults.
 tl::expected<ScriptNumber, FormulaFault> evaluate_formula(std::string_view text,
                                                           const ScriptNumbers& numbers,
                                                           FormulaLanguage language);

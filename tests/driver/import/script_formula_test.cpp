@@ -18,8 +18,8 @@ double value(const std::string& text, Language language = Language::kTcl) {
   return found->value;
 }
 
-std::string fault(const std::string& text) {
-  const auto found = evaluate_formula(text, {}, Language::kTcl);
+std::string fault(const std::string& text, Language language = Language::kTcl) {
+  const auto found = evaluate_formula(text, {}, language);
   return found ? "none" : std::to_string(found.error().offset) + ": " + found.error().message;
 }
 
@@ -43,13 +43,48 @@ TEST_CASE("Operators bind as strongly as in the language") {
   CHECK(value("-2**2") == 4.0);
   CHECK(value("-2**2", Language::kPython) == -4.0);
   CHECK(value("2**-1.0") == 0.5);
-  CHECK(value("1 < 2 && !(3 <= 2) ? a : b") == 2.0);
-  CHECK(value("pow(b, 2) + max(1, a, b) + math.sqrt(4) + x.y") == Approx(0.25 + 2 + 2 + 7));
+  CHECK(value("1 < 2 && !(3 <= 2) ? $a : $b") == 2.0);
+  CHECK(value("pow(b, 2) + max(1, a, b) + math.sqrt(4) + x.y", Language::kPython) ==
+        Approx(0.25 + 2 + 2 + 7));
   CHECK(value("2*acos(-1)") == Approx(2 * std::acos(-1.0)));
 }
 
+TEST_CASE("Functions and powers are whole where those of the language are") {
+  CHECK(value("2**-1") == 0.0);
+  CHECK(value("(-1)**-1") == -1.0);
+  CHECK(value("2**(-1)*4.0", Language::kFortran) == 0.0);
+  CHECK(value("2**-1", Language::kPython) == 0.5);
+  CHECK(value("fmod(3,2)/2") == 0.5);
+  CHECK(value("max(1,0.5)/2") == 0.0);
+  CHECK(value("max(1,2.5)/2") == 1.25);
+  CHECK(value("round(2.5)/2") == 1.0);
+  CHECK(value("round(0.5)", Language::kPython) == 0.0);
+  CHECK(value("round(-1.5)", Language::kPython) == -2.0);
+  CHECK(value("mod(3,2)/2", Language::kFortran) == 0.0);
+  CHECK(value("010", Language::kFortran) == 10.0);
+}
+
+TEST_CASE("What programs of a language may take otherwise is refused where it stands") {
+  CHECK(fault("1 + 010").starts_with("4: an integer that begins with 0"));
+  CHECK(fault("1 < 2 < 3").find("compares more than two") != std::string::npos);
+  CHECK(fault("max(1, 1.0)/2").find("not certain") != std::string::npos);
+  CHECK(fault("max(1, 0.5)/2", Language::kFortran).find("not certain") != std::string::npos);
+  CHECK(fault("pow(2, 2)/3", Language::kFortran).find("not certain") != std::string::npos);
+  CHECK(fault("3000000*3000", Language::kFortran).find("too large") != std::string::npos);
+  CHECK(fault("9007199254740993").find("too large") != std::string::npos);
+  for (const char* text :
+       {"mu", "pi", "5//2", "7.5 % 2", "ln(2)", "fabs(1.)", "nint(1.)", "0**-1"}) {
+    INFO(text);
+    CHECK(fault(text) != "none");
+  }
+  for (const char* text : {"pi", "!1", "1 && 2", "1 ? 2 : 3", "a.sqrt(4)", "010", "ln(2)"}) {
+    INFO(text);
+    CHECK(fault(text, Language::kPython) != "none");
+  }
+}
+
 TEST_CASE("A formula without a value tells why and where") {
-  CHECK(fault("1 + c") == "4: unknown name 'c'");
+  CHECK(fault("1 + $c") == "5: unknown name 'c'");
   CHECK(fault("1 +") == "3: a number is missing");
   CHECK(fault("(1") == "2: wanted ')'");
   CHECK(fault("1 2") == "2: '2' is not understood");
