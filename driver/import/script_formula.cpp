@@ -91,6 +91,7 @@ class FormulaReader {
 
   /// Refuses an integer that the program may have otherwise.
   ScriptNumber exact(const ScriptNumber& value) {
+    if (!std::isfinite(value.value)) fail("the result is no number");
     const double most = language_ == FormulaLanguage::kFortran ? kMostWholeFortran : kMostWhole;
     if (value.whole && !(std::abs(value.value) <= most)) {
       fail("this integer is too large to be sure of: write it with a decimal point");

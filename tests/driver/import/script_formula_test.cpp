@@ -77,6 +77,7 @@ TEST_CASE("What programs of a language may take otherwise is refused where it st
     INFO(text);
     CHECK(fault(text) != "none");
   }
+  CHECK(fault("1 // 0 ** -4.", Language::kPython).find("is no number") != std::string::npos);
   for (const char* text : {"pi", "!1", "1 && 2", "1 ? 2 : 3", "a.sqrt(4)", "010", "ln(2)"}) {
     INFO(text);
     CHECK(fault(text, Language::kPython) != "none");
