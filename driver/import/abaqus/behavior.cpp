@@ -14,19 +14,6 @@
 namespace slipbench::driver::abaqus {
 namespace {
 
-/// A value of a parameter that is one of some words, or the first of them where it is not given.
-std::string word_of(const KeywordDeck& deck, const Block& block, std::string_view name,
-                    const std::vector<std::string_view>& words) {
-  const Parameter* const one = block.find(name);
-  if (one == nullptr) return std::string(words.front());
-  const FoundName found = find_name(one->value.value_or(""), words);
-  if (found.name.empty()) {
-    deck.error(one->where, block, fmt::format("{} is {}", name, base::in_words(words)));
-    return std::string(words.front());
-  }
-  return std::string(found.name);
-}
-
 std::optional<double> number_of(const KeywordDeck& deck, const Block& block, std::string_view name,
                                 double lowest) {
   const Parameter* const one = block.find(name);
@@ -151,11 +138,12 @@ Potential read_potential(const KeywordDeck& deck, const Block& block) {
     }
     number(4, term.shift);
     double sign = 1.0;
-    const std::string word = folded(item(5));
-    if (word == "NEGATIVE") {
-      sign = -1.0;
-    } else if (word != "POSITIVE") {
+    constexpr std::array<std::string_view, 2> kSigns{"POSITIVE", "NEGATIVE"};
+    const FoundName word = find_name(item(5), kSigns);
+    if (word.name.empty()) {
       number(5, sign);
+    } else if (word.name == "NEGATIVE") {
+      sign = -1.0;
     }
     term.sign = sign < 0.0 ? -1 : 1;
     potential.terms.push_back(term);

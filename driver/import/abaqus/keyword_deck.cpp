@@ -184,7 +184,8 @@ void KeywordDeck::begin_block(std::size_t file, int& line) {
       if (equals != item.npos) one.value = trimmed(item.substr(equals + 1));
       if (!rule->parameters.empty()) {
         const FoundName name = find_name(one.name, rule->parameters);
-        if (name.name.empty()) {
+        const bool is_other = rule->has_others && name.candidates.empty();
+        if (name.name.empty() && !is_other) {
           error(item, block,
                 name.candidates.empty() ? fmt::format("*{} has no parameter '{}'", rule->name,
                                                       base::printable(one.name))
@@ -192,7 +193,7 @@ void KeywordDeck::begin_block(std::size_t file, int& line) {
                                                       base::in_words(name.candidates)));
           continue;
         }
-        one.name = name.name;
+        if (!name.name.empty()) one.name = name.name;
       }
       block.parameters.push_back(one);
     }

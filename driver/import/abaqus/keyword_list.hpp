@@ -12,6 +12,7 @@ namespace slipbench::driver::abaqus {
 struct KeywordRule {
   std::string_view name;                          ///< in capitals, one blank between words
   std::vector<std::string_view> parameters = {};  ///< likewise
+  bool has_others = false;                        ///< parameters that are not in the list
 };
 
 /// The keywords that are read.

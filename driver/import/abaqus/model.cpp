@@ -258,17 +258,19 @@ class Reader {
 
   void read_orientation(const Block& block) {
     const std::string label = label_of(value_of(block, "NAME"));
-    const std::string system = folded(value_of(block, "SYSTEM"));
-    const std::string definition = folded(value_of(block, "DEFINITION"));
+    const std::string system =
+        word_of(deck_, block, "SYSTEM",
+                {"RECTANGULAR", "CYLINDRICAL", "SPHERICAL", "Z RECTANGULAR", "USER"});
+    const std::string definition =
+        word_of(deck_, block, "DEFINITION", {"COORDINATES", "NODES", "OFFSET TO NODES"});
     constexpr std::size_t kMost = 9;
     std::vector<Row> rows;
     for (const Items& items : deck_.lines(block)) {
       const std::vector<Row> row = read_rows(deck_, block, {items}, kMost, "its points");
       rows.insert(rows.end(), row.begin(), row.end());
     }
-    if ((!system.empty() && !std::string("RECTANGULAR").starts_with(system)) ||
-        (!definition.empty() && !std::string("COORDINATES").starts_with(definition)) ||
-        rows.empty() || rows[0].size() < 6) {
+    if (system != "RECTANGULAR" || definition != "COORDINATES" || rows.empty() ||
+        rows[0].size() < 6) {
       return;
     }
     const auto point = [&](std::size_t i) {
@@ -340,8 +342,8 @@ class Reader {
       const auto* const place = std::find(kKinds.begin(), kKinds.end(), found.name);
       one.kind = static_cast<Amplitude::Kind>(std::min<std::ptrdiff_t>(place - kKinds.begin(), 5));
     }
-    one.total_time = folded(value_of(block, "TIME")).starts_with("T");
-    one.absolute = folded(value_of(block, "VALUE")).starts_with("A");
+    one.total_time = word_of(deck_, block, "TIME", {"STEP TIME", "TOTAL TIME"}) == "TOTAL TIME";
+    one.absolute = word_of(deck_, block, "VALUE", {"RELATIVE", "ABSOLUTE"}) == "ABSOLUTE";
     one.interval = deck_.number(value_of(block, "FIXED INTERVAL")).value_or(0.0);
     one.begin = deck_.number(value_of(block, "BEGIN")).value_or(0.0);
     one.smoothed = deck_.number(value_of(block, "SMOOTH")).value_or(0.0) > 0.0;
@@ -388,8 +390,8 @@ class Reader {
     step_ =
         Step{.name = name.empty() ? fmt::format("step {}", ++steps_) : name, .where = block.where};
     step_block_ = &block;
-    if (const std::string amplitude = folded(value_of(block, "AMPLITUDE")); !amplitude.empty()) {
-      step_->at_once = amplitude.starts_with("S");
+    if (block.has("AMPLITUDE")) {
+      step_->at_once = word_of(deck_, block, "AMPLITUDE", {"RAMP", "STEP"}) == "STEP";
     }
     changes_.clear();
     has_time_ = false;
@@ -431,17 +433,16 @@ class Reader {
     }
   }
 
+  /// Returns whether OP=NEW takes away what the steps before have stated.
+  bool is_anew(const Block& block) const {
+    return word_of(deck_, block, "OP", {"MOD", "NEW"}) == "NEW";
+  }
+
   void read_drives(const Block& block, bool is_load) {
-    const bool is_new = folded(value_of(block, "OP")) == "NEW";
+    const bool is_new = is_anew(block);
     (is_load ? step_->new_loads : step_->new_motions) |= is_new;
-    constexpr std::array<std::string_view, 3> kTypes{"DISPLACEMENT", "VELOCITY", "ACCELERATION"};
-    std::string type = "DISPLACEMENT";
-    if (const Parameter* const one = block.find("TYPE"); one != nullptr && !is_load) {
-      const FoundName found = find_name(one->value.value_or(""), kTypes);
-      if (found.name.empty())
-        deck_.error(one->where, block, "TYPE is displacement, velocity or acceleration");
-      type = found.name;
-    }
+    const std::string type =
+        word_of(deck_, block, "TYPE", {"DISPLACEMENT", "VELOCITY", "ACCELERATION"});
     for (const Items& items : deck_.lines(block)) {
       Drive drive{.where = items.front(),
                   .target = label_of(items.front()),
@@ -474,7 +475,7 @@ class Reader {
   void read_of_nodes(const Block& block) {
     const bool is_load = block.keyword == "CLOAD";
     const std::string variable = value_of(block, "VARIABLE");
-    if (is_load && folded(value_of(block, "OP")) == "NEW") step_->new_of_nodes = true;
+    if (is_load && is_anew(block)) step_->new_of_nodes = true;
     for (const Items& items : deck_.lines(block)) {
       Drive drive{.where = items.front(),
                   .target = label_of(items.front()),
@@ -496,10 +497,12 @@ class Reader {
   }
 
   void read_boundary(const Block& block) {
+    constexpr std::array<std::string_view, 8> kKinds{"ENCASTRE", "PINNED", "XSYMM",  "YSYMM",
+                                                     "ZSYMM",    "XASYMM", "YASYMM", "ZASYMM"};
     for (const Items& items : deck_.lines(block)) {
       const bool all =
           items.size() > 2 && whole(deck_, items[1], 0) == 1 && whole(deck_, items[2], 0) == 6;
-      const bool encastre = items.size() > 1 && folded(items[1]) == "ENCASTRE";
+      const bool encastre = items.size() > 1 && find_name(items[1], kKinds).name == "ENCASTRE";
       if (all || encastre) held_.insert(label_of(items.front()));
     }
   }

@@ -6,7 +6,22 @@
 #include <cmath>
 #include <string>
 
+#include "driver/base/text/diagnostic.hpp"
+#include "driver/import/abaqus/keyword_list.hpp"
+
 namespace slipbench::driver::abaqus {
+
+std::string word_of(const KeywordDeck& deck, const Block& block, std::string_view name,
+                    const std::vector<std::string_view>& words) {
+  const Parameter* const one = block.find(name);
+  if (one == nullptr) return std::string(words.front());
+  const FoundName found = find_name(one->value.value_or(""), words);
+  if (found.name.empty()) {
+    deck.error(one->where, block, fmt::format("{} is {}", name, base::in_words(words)));
+    return std::string(words.front());
+  }
+  return std::string(found.name);
+}
 
 std::vector<Row> read_rows(const KeywordDeck& deck, const Block& block,
                            const std::vector<Items>& lines, std::size_t most,
