@@ -13,6 +13,7 @@
 #include "driver/import/abaqus/case_writer.hpp"
 #include "driver/import/abaqus/keyword_deck.hpp"
 #include "driver/import/abaqus/model.hpp"
+#include "driver/import/abaqus/profile_text.hpp"
 #include "law/connection/connection_type.hpp"
 
 namespace slipbench::driver::abaqus {
@@ -85,8 +86,14 @@ class CaseParts {
   bool is_mine(const std::string& target) const;
   std::string history_text();
   std::string step_text(const Step& step, bool first, bool last, double begin);
+  /// The last one of the lines that state the same quantity of a component, which holds, then what
+  /// steps before have set going and the step does not state again.
+  std::vector<Drive> in_effect(const Step& step, const std::vector<Drive>& stated,
+                               const std::vector<Drive>& going);
+  /// Notes that a drive goes on behind its step: a velocity, or an amplitude over the total time.
+  void go_on(const Drive& drive, const DriveProfile& profile, std::vector<Drive>& going) const;
   /// Ends motions and loads that OP=NEW takes away and the step does not state again.
-  void let_go(const Step& step, std::vector<std::string>& force);
+  void let_go(const Step& step, const std::vector<Drive>& drives, std::vector<std::string>& force);
   void take_nodes(const Step& step, double begin, std::vector<std::string>& force,
                   std::vector<std::string>& ambient, std::vector<std::string>& fields);
   /// The profile of a column of the recorded history, of the first name that it has; or nothing.
@@ -109,6 +116,7 @@ class CaseParts {
   law::ComponentSet driven_;
   std::array<bool, law::kComponents> moved_{},
       loaded_{};                                  ///< by a motion, by a load that is in effect
+  std::vector<Drive> going_, going_of_nodes_;     ///< what changes on without being stated again
   std::set<std::string> of_nodes_;                ///< forces of nodes in effect
   std::map<std::string, double> ambient_values_;  ///< at the start of a step
 };

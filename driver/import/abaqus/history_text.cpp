@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "driver/case/quantity.hpp"
 #include "driver/import/abaqus/case_parts.hpp"
@@ -27,6 +28,8 @@ std::string CaseParts::history_text() {
   moved_ = {};
   loaded_ = {};
   of_nodes_.clear();
+  going_.clear();
+  going_of_nodes_.clear();
   loads_.fill(0.0);
   double begin = 0.0;
   for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -47,9 +50,15 @@ std::string CaseParts::step_text(const Step& step, bool first, bool last, double
   text += fmt::format("    increments: {}\n", increments);
   std::vector<std::string> motion;
   std::vector<std::string> force;
-  let_go(step, force);
-  for (const Drive& drive : step.drives) {
-    if (!is_mine(drive.target)) continue;
+  std::vector<Drive> stated;
+  std::copy_if(step.drives.begin(), step.drives.end(), std::back_inserter(stated),
+               [&](const Drive& one) { return is_mine(one.target); });
+  std::erase_if(going_,
+                [&](const Drive& one) { return one.is_load ? step.new_loads : step.new_motions; });
+  const std::vector<Drive> drives = in_effect(step, stated, going_);
+  going_.clear();
+  let_go(step, drives, force);
+  for (const Drive& drive : drives) {
     const int c = drive.component - 1;
     const auto i = static_cast<std::size_t>(c);
     if (!connection_.info.available.contains(c)) {
@@ -66,6 +75,7 @@ std::string CaseParts::step_text(const Step& step, bool first, bool last, double
       if (!drive.is_load) profile.text = "{to: " + profile.text + "}";
     }
     value = profile.end;
+    go_on(drive, profile, going_);
     driven_.insert(c);
     (drive.is_load ? loaded_ : moved_)[i] = true;
     (drive.is_load ? force : motion).push_back(name + ": " + profile.text);
@@ -127,10 +137,53 @@ std::string CaseParts::step_text(const Step& step, bool first, bool last, double
   return text + changes_text(step, begin, increments);
 }
 
-void CaseParts::let_go(const Step& step, std::vector<std::string>& force) {
+std::vector<Drive> CaseParts::in_effect(const Step& step, const std::vector<Drive>& stated,
+                                        const std::vector<Drive>& going) {
+  const auto same = [](const Drive& a, const Drive& b) {
+    return a.component == b.component && a.is_load == b.is_load && a.quantity == b.quantity;
+  };
+  std::vector<Drive> drives;
+  for (const Drive& one : stated) {
+    const auto before = std::find_if(drives.begin(), drives.end(),
+                                     [&](const Drive& other) { return same(one, other); });
+    if (before == drives.end()) {
+      drives.push_back(one);
+      continue;
+    }
+    const std::string name = !one.quantity.empty() ? one.quantity
+                             : one.is_load         ? cases::force_name(one.component - 1)
+                                                   : cases::motion_name(one.component - 1);
+    notes_.push_back(fmt::format("{}: stated twice in {} ({} and {}): the last one holds", name,
+                                 step.name, deck_.place(before->where), deck_.place(one.where)));
+    *before = one;
+  }
+  for (const Drive& one : going) {
+    const bool again = std::any_of(drives.begin(), drives.end(),
+                                   [&](const Drive& other) { return same(one, other); });
+    if (!again) drives.push_back(one);
+  }
+  return drives;
+}
+
+void CaseParts::go_on(const Drive& drive, const DriveProfile& profile,
+                      std::vector<Drive>& going) const {
+  if (drive.fixed || drive.user || profile.text.empty()) return;
+  const Amplitude* const amplitude = find_amplitude(model_, drive.amplitude);
+  if (amplitude != nullptr && amplitude->total_time) {
+    going.push_back(drive);
+  } else if (!drive.is_load && drive.type == "VELOCITY") {
+    // An amplitude over the time of its step keeps its last value.
+    going.push_back(drive);
+    going.back().magnitude = profile.rate;
+    going.back().amplitude.clear();
+  }
+}
+
+void CaseParts::let_go(const Step& step, const std::vector<Drive>& drives,
+                       std::vector<std::string>& force) {
   const auto stated = [&](int c, bool is_load) {
-    return std::any_of(step.drives.begin(), step.drives.end(), [&](const Drive& one) {
-      return one.component == c + 1 && one.is_load == is_load && is_mine(one.target);
+    return std::any_of(drives.begin(), drives.end(), [&](const Drive& one) {
+      return one.component == c + 1 && one.is_load == is_load;
     });
   };
   const std::string none = step.at_once.value_or(!step.is_static) ? "0" : "{to: 0}";
@@ -172,18 +225,27 @@ void CaseParts::take_nodes(const Step& step, double begin, std::vector<std::stri
                            std::vector<std::string>& ambient, std::vector<std::string>& fields) {
   if (!connector_.alone) return;
   std::set<std::string> stated;
+  std::vector<Drive> of_node_b;
   for (const Drive& drive : step.of_nodes) {
     if (drive.target != (*connector_.alone)[1]) continue;
+    const bool is_held = connection_.info.held.contains(drive.component - 1);
+    if (is_held || !drive.quantity.empty()) of_node_b.push_back(drive);
+  }
+  std::erase_if(going_of_nodes_,
+                [&](const Drive& one) { return step.new_of_nodes && one.quantity.empty(); });
+  const std::vector<Drive> drives = in_effect(step, of_node_b, going_of_nodes_);
+  going_of_nodes_.clear();
+  for (const Drive& drive : drives) {
     const int c = drive.component - 1;
     const auto i = static_cast<std::size_t>(c);
     const bool is_force = drive.quantity.empty();
-    if (is_force && !connection_.info.held.contains(c)) continue;
     const std::string name = is_force ? cases::force_name(c) : drive.quantity;
     double& value = is_force ? loads_[i] : ambient_values_[name];
     const DriveProfile profile = profile_of(deck_, model_, step, drive, name, 0.0, value, begin);
     if (!profile.note.empty()) notes_.push_back(profile.note);
     if (profile.text.empty()) continue;
     value = profile.end;
+    go_on(drive, profile, going_of_nodes_);
     if (is_force) stated.insert(name);
     const std::string entry = name + ": " + profile.text;
     (is_force ? force : name == "temperature" ? ambient : fields).push_back(entry);
@@ -200,8 +262,17 @@ void CaseParts::take_nodes(const Step& step, double begin, std::vector<std::stri
 
 std::string CaseParts::changes_text(const Step& step, double begin, long increments) {
   std::string text;
+  const FrictionChange* last = nullptr;
   for (const FrictionChange& change : step.changes) {
     if (!is_mine(change.target)) continue;
+    if (last != nullptr) {
+      notes_.push_back(fmt::format("*CHANGE FRICTION: twice in {} ({} and {}): the last one holds",
+                                   step.name, deck_.place(last->where), deck_.place(change.where)));
+    }
+    last = &change;
+  }
+  if (last != nullptr) {
+    const FrictionChange& change = *last;
     std::vector<std::string> entries;
     if (change.reset) {
       entries.emplace_back("reset: true");
@@ -221,7 +292,7 @@ std::string CaseParts::changes_text(const Step& step, double begin, long increme
           "amplitude: {{columns: [weight, t], rows: [[0, 0], [1, {}], [1, {}]]}}",
           number_text(step.period / static_cast<double>(increments)), number_text(step.period)));
     }
-    text += text.empty() ? "    change_friction:\n" : "";
+    text += "    change_friction:\n";
     const std::vector<Friction>& frictions = connector_.behavior->frictions;
     for (std::size_t i = 0; i < frictions.size(); ++i) {
       std::vector<std::string> own = entries;

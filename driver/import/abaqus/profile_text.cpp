@@ -221,10 +221,14 @@ DriveProfile profile_of(const KeywordDeck& deck, const Model& model, const Step&
   if (drive.amplitude.empty()) {
     if (velocity) {
       const double end = current + drive.magnitude * step.period;
-      return {fmt::format("{{to: {}}}", number_text(end)), end};
+      return {fmt::format("{{to: {}}}", number_text(end)), end, {}, drive.magnitude};
     }
     const double end = initial + drive.magnitude;
-    if (step.at_once.value_or(drive.is_load && !step.is_static)) return {number_text(end), end};
+    if (step.at_once.value_or(drive.is_load && !step.is_static)) {
+      if (drive.is_load) return {number_text(end), end};
+      // A motion goes over a time: there from the start on, it is made in the first increment.
+      return {table_text(name, {{0.0, end}, {step.period, end}}), end};
+    }
     return {fmt::format("{{to: {}}}", number_text(end)), end};
   }
   const Amplitude* const amplitude = find_amplitude(model, drive.amplitude);
@@ -246,6 +250,7 @@ DriveProfile profile_of(const KeywordDeck& deck, const Model& model, const Step&
       note = fmt::format("{} ({}): SMOOTH rounds the corners of its amplitude, which stay here",
                          name, place);
     }
+    const double rate = velocity ? points.back().second : 0.0;
     if (velocity) {
       points = integrated(points, current);
       note += note.empty() ? "" : "; ";
@@ -254,7 +259,7 @@ DriveProfile profile_of(const KeywordDeck& deck, const Model& model, const Step&
     } else {
       for (auto& point : points) point.second += initial;
     }
-    return {table_text(name, points), points.back().second, note};
+    return {table_text(name, points), points.back().second, note, rate};
   }
   if (auto plain = plain_profile(*amplitude, step, factor, initial, current); plain && !velocity) {
     return *plain;

@@ -15,6 +15,7 @@ struct DriveProfile {
   std::string text;       ///< YAML; empty where it cannot be written
   double end = 0.0;       ///< value at the end of the step
   std::string note = {};  ///< on what was approximated, or why there is no text
+  double rate = 0.0;      ///< velocity at the end of the step, of a motion that states velocities
 };
 
 /// Profile of a motion, as a position, or of a load.

@@ -225,6 +225,85 @@ TEST_CASE("AMPLITUDE=STEP brings loads and changes of friction at once") {
   CHECK(failed(written.text + at_the_end("MU", "0.4", 1.25), forces).empty());
 }
 
+TEST_CASE("AMPLITUDE=STEP makes a motion in the first increment") {
+  Folder folder;
+  const WrittenCase written = case_of(folder.read(
+      deck_of("SLOT", "*CONNECTOR FRICTION, PREDEFINED\n5.\n*FRICTION\n0.1\n",
+              "*STEP, AMPLITUDE=STEP\n*STATIC\n0.25, 1.\n*CONNECTOR MOTION\n7, 1, 2.\n*END STEP\n"
+              "*STEP, AMPL=S\n*STATIC\n0.25, 1.\n*CONNECTOR MOTION\nJOINT, 1, 5.\n*END STEP\n")));
+  INFO(written.text);
+  const std::vector<base::ParameterText> forces{{"f2", 3.0}, {"f3", 4.0}};
+  CHECK(failed(written.text + at_the_end("CP1 - 50", "2", 0.25), forces).empty());
+  CHECK(failed(written.text + at_the_end("CP1 - 50", "2", 1.0), forces).empty());
+  CHECK(failed(written.text + at_the_end("CP1 - 50", "5", 1.25), forces).empty());
+  CHECK(failed(written.text + at_the_end("CP1 - 50", "5", 2.0), forces).empty());
+}
+
+TEST_CASE("Velocities and amplitudes over the total time go on until they are stated again") {
+  Folder folder;
+  const std::string friction =
+      "*CONNECTOR FRICTION, PREDEFINED\n5.\n*FRICTION, ELASTIC SLIP=0.01\n0.1\n";
+  const std::string total = "*AMPLITUDE, NAME=A, TIME=TOTAL TIME\n0., 0., 3., 3.\n";
+  const std::string own = "*AMPLITUDE, NAME=A\n0., 0., 1., 1.\n";
+  // What stands in the first and the second of three steps, and the position at the end of each.
+  const auto at = [&](const std::string& amplitude, const std::string& first,
+                      const std::string& second, const std::array<std::string, 3>& ends) {
+    const std::string begin = "*STEP\n*STATIC\n0.1, 1.\n";
+    const WrittenCase written = case_of(
+        folder.read(deck_of("SLOT", friction,
+                            amplitude + step_of("*CONNECTOR MOTION" + first + "\nJOINT, 1, 2.\n") +
+                                begin + second + "*END STEP\n" + begin + "*END STEP\n")));
+    INFO(written.text);
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(failed(written.text + at_the_end("CP1 - 50", ends[i], 1.0 + static_cast<double>(i)),
+                   {{"f2", 1.0}, {"f3", 1.0}})
+                .empty());
+    }
+  };
+  at("", ", TYPE=VELOCITY", "", {"2", "4", "6"});
+  at("", ", TYPE=VELOCITY", "*CONNECTOR MOTION, TYPE=VELOCITY\n7, 1, -1.\n", {"2", "1", "0"});
+  at("", ", TYPE=VELOCITY", "*CONNECTOR MOTION, FIXED\nJOINT, 1\n", {"2", "2", "2"});
+  at("", "", "", {"2", "2", "2"});
+  at(total, ", AMPLITUDE=A", "", {"2", "4", "6"});
+  at(total, ", AMPLITUDE=A, TYPE=VELOCITY", "", {"1", "4", "9"});
+  at(own, ", AMPLITUDE=A", "", {"2", "2", "2"});
+  at(own, ", AMPLITUDE=A, TYPE=VELOCITY", "", {"1", "3", "5"});
+  at(total, ", AMPLITUDE=A", "*CONNECTOR MOTION\nJOINT, 1, 3.\n", {"2", "3", "3"});
+  const auto force_at_2 = [&](const std::string& second, const std::string& force) {
+    const WrittenCase written = case_of(
+        folder.read(deck_of("SLOT", friction,
+                            total + step_of("*CONNECTOR LOAD, AMPLITUDE=A\nJOINT, 1, 0.1\n") +
+                                "*STEP\n*STATIC\n0.1, 1.\n" + second + "*END STEP\n")));
+    INFO(written.text);
+    CHECK(
+        failed(written.text + at_the_end("CSF1", force, 2.0), {{"f2", 1.0}, {"f3", 1.0}}).empty());
+  };
+  force_at_2("", "0.2");
+  force_at_2("*CONNECTOR LOAD, OP=NEW\n", "0");
+  // A motion that OP=NEW takes away does not go on.
+  const WrittenCase freed = case_of(
+      folder.read(deck_of("SLOT", friction,
+                          step_of("*CONNECTOR MOTION, TYPE=VELOCITY\nJOINT, 1, 2.\n") +
+                              "*STEP\n*STATIC\n0.1, 1.\n*CONNECTOR MOTION, OP=NEW\n*END STEP\n")));
+  CHECK(failed(freed.text + at_the_end("CSF1", "0", 2.0), {{"f2", 1.0}, {"f3", 1.0}}).empty());
+}
+
+TEST_CASE("Of two lines for one component in one step the last one holds") {
+  Folder folder;
+  const WrittenCase written =
+      case_of(folder.read(deck_of("SLOT", "*CONNECTOR FRICTION, PREDEFINED\n5.\n*FRICTION\n0.1\n",
+                                  step_of("*CONNECTOR MOTION\nJOINT, 1, 1.\n7, 1, 2.\n"
+                                          "*CHANGE FRICTION, ELSET=JOINT\n*FRICTION\n0.2\n"
+                                          "*CHANGE FRICTION, ELSET=JOINT\n*FRICTION\n0.4\n"))));
+  INFO(written.text);
+  CHECK_THAT(written.text,
+             Catch::Contains("CP1: stated twice in slide (d.inp:19 and d.inp:20): the last one"));
+  CHECK_THAT(written.text, Catch::Contains("*CHANGE FRICTION: twice in slide (d.inp:21 and"));
+  const std::vector<base::ParameterText> forces{{"f2", 3.0}, {"f3", 4.0}};
+  CHECK(failed(written.text + at_the_end("CP1 - 50", "2"), forces).empty());
+  CHECK(failed(written.text + at_the_end("MU", "0.4"), forces).empty());
+}
+
 TEST_CASE("A change of friction begins with its step, and has the stick of its own *FRICTION") {
   Folder folder;
   const WrittenCase written = case_of(folder.read(
