@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "driver/base/files/exit_code.hpp"
+#include "driver/base/text/format_number.hpp"
 #include "driver/base/text/number.hpp"
 #include "driver/base/text/source_text.hpp"
 #include "driver/base/units/units.hpp"
@@ -133,9 +134,15 @@ std::optional<Meant> meant_by(const radioss::DeckInterface& interface,
     }
   } else {
     meant.options.shear_limit = interface.shear_limit;
-    if (meant.friction.formulation == 1 && meant.friction.otherwise.visf != 0.0) {
-      notes.emplace_back(
-          "the program squares VISF of an interface: with convention: as_coded write its square");
+    double& visf = meant.friction.otherwise.visf;
+    if (meant.friction.formulation == 1 && visf != 0.0 && visf != 1.0) {
+      const std::string own = base::format_number(visf);
+      visf *= visf;
+      meant.options.as_coded = true;
+      notes.push_back(
+          fmt::format("VISF {} of the interface is {} here: the program squares it, not that of a "
+                      "/FRICTION, and takes the root (convention: as_coded): C = {} sqrt(2 K m)",
+                      own, base::format_number(visf), own));
     }
   }
   if (interface.temperature_function > 0) {

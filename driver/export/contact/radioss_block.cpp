@@ -218,6 +218,7 @@ class RadiossText {
       note(Loss::Kind::kApproximated, "K_t: the interface finds it from its own stiffness");
     } else {
       note(Loss::Kind::kApproximated, "K and m: the interface finds them from the mesh");
+      tell_damping();
     }
     if (law_ == 4) {
       note(Loss::Kind::kKept,
@@ -226,6 +227,25 @@ class RadiossText {
     }
     if (law_ == 3) {
       note(Loss::Kind::kKept, "the constants of Renard hide the unit of speed of the case");
+    }
+  }
+
+  /// Tells where the program takes another damping from VISF than its page says.
+  void tell_damping() {
+    double other = 1.0;
+    each([&](const StatedFriction& one) { other = visf(one) != 1.0 ? visf(one) : other; });
+    if (other == 1.0) return;
+    const std::string number = base::format_number(other);
+    if (statement_.formulation->convention == law::Convention::kAsCoded) {
+      note(Loss::Kind::kKept,
+           fmt::format("VISF {}: C = sqrt(VISF) sqrt(2 K m), as the program computes it; it is the "
+                       "square of an interface's own",
+                       number));
+    } else {
+      note(Loss::Kind::kApproximated,
+           fmt::format("VISF {}: C = VISF sqrt(2 K m) as its page has it; the program takes "
+                       "sqrt(VISF), and has this damping with VISF {}",
+                       number, base::format_number(other * other)));
     }
   }
 

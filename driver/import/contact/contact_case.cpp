@@ -182,8 +182,9 @@ class ContactText {
     for (const std::string& remark : friction_.remarks) line("    # {}", remark);
     if (friction_.viscous) {
       const double visf = table_ ? 0.0 : friction_.otherwise.visf;
-      line("    formulation: {{penalty: viscous{}, K: = K, m: = m}}",
-           visf == 0.0 ? "" : ", VISF: " + base::format_number(visf));
+      line("    formulation: {{penalty: viscous{}, K: = K, m: = m{}}}",
+           visf == 0.0 ? "" : ", VISF: " + base::format_number(visf),
+           friction_.as_coded ? ", convention: as_coded" : "");
     } else {
       line("    formulation: {{penalty: stiffness, K_t: {}}}",
            friction_.tangential_stiffness ? base::format_number(*friction_.tangential_stiffness)

@@ -48,7 +48,8 @@ struct ContactFriction {
   std::vector<ContactGroup> groups = {};
   std::vector<ContactRecord> pairs = {};  ///< the last one that joins both parts holds
   ContactRecord otherwise = {};
-  bool viscous = false;                             ///< penalty; else a stiffness
+  bool viscous = false;   ///< penalty; else a stiffness
+  bool as_coded = false;  ///< convention of a viscous penalty; else as documented
   std::optional<double> tangential_stiffness = {};  ///< of a stiffness penalty, where it is known
   std::vector<std::string> remarks = {};            ///< comments above the formulation
   std::string filter = {};                          ///< a value in YAML; empty: none

@@ -140,6 +140,7 @@ import::ContactFriction contact_friction(const DeckContents& deck, const DeckFri
                                     .filter = filter(friction),
                                     .checks = checks_text(friction)};
 contact.otherwise.shear_limit = options.shear_limit;
+contact.as_coded = options.as_coded;
 contact.sees_pressure = sees_pressure(friction, friction.otherwise) || options.shear_limit > 0.0;
 // Without all of the deck's parts a list would refuse good ids.
 if (has_all_parts(deck)) contact.parts = deck.parts;
@@ -151,9 +152,11 @@ for (const DeckPair& pair : friction.pairs) {
   contact.sees_pressure = contact.sees_pressure || sees_pressure(friction, pair.first) ||
                           (pair.second && sees_pressure(friction, *pair.second));
 }
-contact.remarks.emplace_back(
-    "convention: as_coded in the formulation computes as OpenRadioss (2026) does where that "
-    "differs");
+if (!contact.as_coded) {
+  contact.remarks.emplace_back(
+      "convention: as_coded in the formulation computes as OpenRadioss (2026) does where that "
+      "differs");
+}
 if (contact.viscous) {
   contact.remarks.emplace_back(
       "interfaces of TYPE21, 24 and 25 take {penalty: stiffness, K_t: ..} all the same");

@@ -20,6 +20,7 @@ struct SkeletonOptions {
   std::vector<std::string> notes = {};          ///< sentences for the heading
   std::vector<import::Loss> losses = {};        ///< what the deck has beyond its friction
   double shear_limit = 0.0;  ///< stress that the friction does not exceed; 0: none
+  bool as_coded = false;     ///< computed as the program does where its page differs
 };
 
 /// Returns what a side is called in the case: the id of its part, or its group.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/commands/translate.hpp"
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
@@ -71,6 +73,39 @@ TEST_CASE("A translation says of nothing that it is kept which the other deck dr
   CHECK(report.find("dropped: springs, dampers and stops") != std::string::npos);
   CHECK(report.find("dropped: changes of friction") != std::string::npos);
   CHECK_FALSE(made.difference->is_none());
+}
+
+TEST_CASE("VISF of an interface is squared, as that of the /FRICTION which takes its place") {
+  const std::string head =
+      "#RADIOSS STARTER\n/BEGIN\ndrum\n      2026         0\n"
+      "                  Mg                  mm                   s\n"
+      "                  Mg                  mm                   s\n";
+  const DeckOutput interface =
+      take(head +
+               "/INTER/TYPE7/6\nlining on drum\n"
+               "         1         2         0         0         0                   0         0\n"
+               "                   0                   0                   0                   0\n"
+               "                   0                   0                   0                   0\n"
+               "                   1                 0.3                   0                   0\n"
+               "       000                             0                   0                 0.5\n"
+               "         0         0                   0         1         0                   "
+               "0\n/END\n",
+           "radioss");
+  INFO(loss_report(interface.deck.losses));
+  CHECK(interface.deck.text.find("0.3                0.25\n") != std::string::npos);
+  const std::string told = loss_report(interface.deck.losses);
+  CHECK(told.find("VISF 0.5 of the interface is 0.25 here") != std::string::npos);
+  CHECK(told.find("kept: VISF 0.25: C = sqrt(VISF) sqrt(2 K m)") != std::string::npos);
+  const DeckOutput card =
+      take(head + "/FRICTION/1\nlining\n" +
+               "         0         0                   0         1\n"
+               "                   0                   0                   0                   0"
+               "                   0\n"
+               "                   0                 0.3                 0.5\n/END\n",
+           "radioss");
+  CHECK(card.deck.text.find("0.3                 0.5\n") != std::string::npos);
+  CHECK(loss_report(card.deck.losses).find("approximated: VISF 0.5: C = VISF sqrt(2 K m)") !=
+        std::string::npos);
 }
 
 TEST_CASE("Records of part pairs of Radioss keep all digits in LS-DYNA") {
