@@ -38,6 +38,8 @@ class DeckParts {
 
  private:
   bool is_contact() const { return problem_.connection.info.name == "CONTACT"; }
+  /// Returns whether a coefficient of the case depends on the slip rate.
+  bool sees_slip_rate() const;
   void judge_contact();
   /// Points in place of a law that Abaqus has not.
   std::string tabulated(const law::FrictionLaw& law);

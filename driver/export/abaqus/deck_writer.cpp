@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/export/abaqus/deck_parts.hpp"
 #include "driver/results/provenance.hpp"
+#include "law/friction/friction_law.hpp"
 
 namespace slipbench::driver::exports {
 
@@ -26,6 +28,19 @@ std::string data_lines(const std::vector<std::string>& items) {
   const std::size_t lines = (items.size() + kItems - 1) / kItems;
   for (std::size_t line = (count + kItems - 1) / kItems; line < lines; ++line) text += ",\n";
   return text;
+}
+
+bool DeckParts::sees_slip_rate() const {
+  const auto in_law = [](const cases::CaseDefinition& one) {
+    return law::depends_on_slip_rate(one.law.law);
+  };
+  const auto in_changes = [](const cases::Step& step) {
+    return std::any_of(
+        step.friction_changes.begin(), step.friction_changes.end(),
+        [](const cases::FrictionChange& change) { return law::depends_on_slip_rate(change.law); });
+  };
+  return std::any_of(problem_.definitions.begin(), problem_.definitions.end(), in_law) ||
+         std::any_of(problem_.steps.begin(), problem_.steps.end(), in_changes);
 }
 
 void DeckParts::judge() {
@@ -61,7 +76,7 @@ void DeckParts::judge() {
     note(Kind::kApproximated, "integration: exact; the solver takes implicit increments");
   }
   for (const cases::CaseDefinition& one : problem_.definitions) {
-    if (one.law.slip_rate == law::SlipRateMeasure::kRelativeMotion) {
+    if (one.law.slip_rate == law::SlipRateMeasure::kRelativeMotion && sees_slip_rate()) {
       note(Kind::kApproximated,
            "integration: slip_rate: relative_motion; the solver takes that of the slip");
       break;

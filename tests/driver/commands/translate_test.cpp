@@ -108,6 +108,23 @@ TEST_CASE("VISF of an interface is squared, as that of the /FRICTION which takes
         std::string::npos);
 }
 
+TEST_CASE("The slip rate is told of only where a coefficient depends on it") {
+  const std::string head =
+      "#RADIOSS STARTER\n/BEGIN\npads\n      2022         0\n"
+      "                  Mg                  mm                   s\n"
+      "                  Mg                  mm                   s\n/FRICTION/1\npads\n";
+  const auto told = [&](const std::string& law, const std::string& c1, const std::string& c2) {
+    const DeckOutput made =
+        take(head + "         " + law + "         0                   0         2\n" +
+                 fmt::format("{:>20}{:>20}{:>20}{:>20}{:>20}\n", c1, c2, 0, 0, 0) +
+                 "                   0                 0.3                   0\n/END\n",
+             "abaqus");
+    return loss_report(made.deck.losses).find("slip_rate: relative_motion") != std::string::npos;
+  };
+  CHECK_FALSE(told("0", "0", "0"));
+  CHECK(told("4", "0.1", "0.004"));
+}
+
 TEST_CASE("Records of part pairs of Radioss keep all digits in LS-DYNA") {
   const DeckOutput made = take(
       "#RADIOSS STARTER\n/BEGIN\npads\n      2022         0\n"
