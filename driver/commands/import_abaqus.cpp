@@ -14,6 +14,7 @@
 
 #include "driver/base/csv/csv_fields.hpp"
 #include "driver/base/csv/line_reader.hpp"
+#include "driver/base/files/data_path.hpp"
 #include "driver/base/files/exit_code.hpp"
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/commands/import_units.hpp"
@@ -59,6 +60,18 @@ std::string inventory(const abaqus::Model& model, const std::vector<Candidate>& 
   }
   for (const std::string& note : model.notes) text += "  " + base::printable(note) + "\n";
   return text + "  " + plural(model.passed_over, "keyword") + " passed over\n";
+}
+
+/// Returns why the case cannot read a history file from its folder, and what to do; or nothing.
+std::string outside(const abaqus::RecordedHistory& history, const ImportOptions& options,
+                    const fs::path& folder) {
+  if (options.allow_outside || base::resolve_data_path(folder, history.file)) return {};
+  const std::string own = folder == "." ? "this folder" : base::printable(folder.string());
+  return fmt::format(
+      "--history {}: a case reads files of its own folder only, and this one would stand in {}: "
+      "copy the file there, write the case beside it (-o), or give --allow-outside to import and "
+      "run",
+      base::printable(options.history), own);
 }
 
 /// Finds the columns of a history file. Error: a sentence.
@@ -128,6 +141,9 @@ ImportedDeck import_abaqus(const ImportOptions& options) {
     case_options.folder = folder.empty() ? "." : folder.string();
     auto history = recorded_history(options, case_options.folder);
     if (!history) return refused(std::move(imported), history.error(), base::kExitEnvironment);
+    if (const std::string fault = outside(*history, options, case_options.folder); !fault.empty()) {
+      return refused(std::move(imported), fault);
+    }
     case_options.history = std::move(*history);
   }
   std::vector<Candidate> candidates;

@@ -284,6 +284,22 @@ TEST_CASE("A history of the model takes the place of constraint forces that a de
   CHECK(import_command(hinge.options) == base::kExitEnvironment);
 }
 
+TEST_CASE("A history above the folder of the case is refused, or taken if it may be") {
+  ImportOfFile hinge("abaqus/cae_hinge.inp");
+  fs::create_directory(hinge.folder.path() / "cases");
+  hinge.options.output = (hinge.folder.path() / "cases" / "c.yaml").string();
+  hinge.options.history =
+      hinge.folder.write("ctf.csv", "t,CRF1,CRF2,CRF3,CRM2,CRM3\n0,0,10,0,0,0\n5,0,60,0,0,0\n")
+          .string();
+  const ImportedDeck refused = read_deck(hinge.options);
+  CHECK(refused.code == base::kExitBadInput);
+  CHECK(refused.messages.find("a case reads files of its own folder only") != std::string::npos);
+  CHECK(import_command(hinge.options) == base::kExitBadInput);
+  CHECK_FALSE(fs::exists(hinge.options.output));
+  hinge.options.allow_outside = true;
+  CHECK(import_command(hinge.options) == base::kExitOk);
+}
+
 TEST_CASE("A history of the model goes through the steps of a deck in total time") {
   ImportOfFile hinge("abaqus/cae_hinge.inp");
   std::string deck = file_text(hinge.options.deck);
