@@ -394,6 +394,40 @@ TEST_CASE("Names may be shortened, files included and numbers named") {
   CHECK_THAT(written.text, Catch::Contains("initial: {CP1: 50}"));
 }
 
+TEST_CASE("Values of parameters may be shortened to what is unique") {
+  Folder folder;
+  const std::string friction = "*CONNECTOR FRICTION, PREDEFINED\n5.\n*FRICTION\n0.1\n";
+  const Model model =
+      folder
+          .read(deck_of("SLOT", friction,
+                        "*AMPLITUDE, NAME=A, TIME=TOTAL, VALUE=ABS, DEF=TAB\n0., 0., 1., 1.\n"
+                        "*STEP, AMPL=S\n*STATIC\n0.1, 1.\n*CONNECTOR LOAD, OP=N\nJOINT, 1, 1.\n"
+                        "*CONNECTOR MOTION, OP=N, TYPE=V\nJOINT, 1, 1.\n*CLOAD, OP=N\n2, 2, 1.\n"
+                        "*END STEP\n*STEP, AMPL=R\n*STATIC\n*CONNECTOR LOAD, OP=M\nJOINT, 1, 1.\n"
+                        "*END STEP\n"))
+          .model;
+  REQUIRE(model.steps.size() == 2);
+  CHECK(model.steps[0].at_once == true);
+  CHECK(model.steps[0].new_loads);
+  CHECK(model.steps[0].new_motions);
+  CHECK(model.steps[0].new_of_nodes);
+  CHECK(model.steps[0].drives.at(1).type == "VELOCITY");
+  CHECK(model.steps[1].at_once == false);
+  CHECK_FALSE(model.steps[1].new_loads);
+  CHECK(model.amplitudes.at(0).total_time);
+  CHECK(model.amplitudes.at(0).absolute);
+  const auto said = [&](const std::string& text) {
+    const ReadDeck read = folder.read(deck_of("SLOT", friction, text));
+    return read.said.empty() ? "nothing" : read.said.front();
+  };
+  CHECK(said("*STEP, AMPLITUDE=FAST\n*STATIC\n*END STEP\n") ==
+        "15:8: *STEP: AMPLITUDE is RAMP or STEP");
+  CHECK(said(step_of("*CONNECTOR LOAD, OP=OLD\nJOINT, 1, 1.\n")) ==
+        "18:18: *CONNECTOR LOAD: OP is MOD or NEW");
+  CHECK(said("*STEP, N\n*STATIC\n*END STEP\n") == "15:8: *STEP: 'N' may mean NAME or NLGEOM");
+  CHECK(said("*STEP, NEWTON=1\n*STATIC\n*END STEP\n") == "nothing");
+}
+
 TEST_CASE("A fault of a deck is told with its line") {
   Folder folder;
   const auto said = [&](const std::string& behavior, const std::string& rest = "") {
@@ -468,37 +502,3 @@ TEST_CASE("Joints that the bench does not model are passed over with a reason") 
 
 }  // namespace
 }  // namespace slipbench::driver::abaqus
-TEST_CASE("Values of parameters may be shortened to what is unique") {
-  Folder folder;
-  const std::string friction = "*CONNECTOR FRICTION, PREDEFINED\n5.\n*FRICTION\n0.1\n";
-  const Model model =
-      folder
-          .read(deck_of("SLOT", friction,
-                        "*AMPLITUDE, NAME=A, TIME=TOTAL, VALUE=ABS, DEF=TAB\n0., 0., 1., 1.\n"
-                        "*STEP, AMPL=S\n*STATIC\n0.1, 1.\n*CONNECTOR LOAD, OP=N\nJOINT, 1, 1.\n"
-                        "*CONNECTOR MOTION, OP=N, TYPE=V\nJOINT, 1, 1.\n*CLOAD, OP=N\n2, 2, 1.\n"
-                        "*END STEP\n*STEP, AMPL=R\n*STATIC\n*CONNECTOR LOAD, OP=M\nJOINT, 1, 1.\n"
-                        "*END STEP\n"))
-          .model;
-  REQUIRE(model.steps.size() == 2);
-  CHECK(model.steps[0].at_once == true);
-  CHECK(model.steps[0].new_loads);
-  CHECK(model.steps[0].new_motions);
-  CHECK(model.steps[0].new_of_nodes);
-  CHECK(model.steps[0].drives.at(1).type == "VELOCITY");
-  CHECK(model.steps[1].at_once == false);
-  CHECK_FALSE(model.steps[1].new_loads);
-  CHECK(model.amplitudes.at(0).total_time);
-  CHECK(model.amplitudes.at(0).absolute);
-  const auto said = [&](const std::string& text) {
-    const ReadDeck read = folder.read(deck_of("SLOT", friction, text));
-    return read.said.empty() ? "nothing" : read.said.front();
-  };
-  CHECK(said("*STEP, AMPLITUDE=FAST\n*STATIC\n*END STEP\n") ==
-        "15:8: *STEP: AMPLITUDE is RAMP or STEP");
-  CHECK(said(step_of("*CONNECTOR LOAD, OP=OLD\nJOINT, 1, 1.\n")) ==
-        "18:18: *CONNECTOR LOAD: OP is MOD or NEW");
-  CHECK(said("*STEP, N\n*STATIC\n*END STEP\n") == "15:8: *STEP: 'N' may mean NAME or NLGEOM");
-  CHECK(said("*STEP, NEWTON=1\n*STATIC\n*END STEP\n") == "nothing");
-}
-
