@@ -22,13 +22,6 @@ namespace {
 
 constexpr auto kPython = import::FormulaLanguage::kPython;
 
-bool is_in_name(char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; }
-
-template <std::size_t count>
-bool is_in(const std::array<std::string_view, count>& list, std::string_view wanted) {
-  return std::find(list.begin(), list.end(), wanted) != list.end();
-}
-
 /// Line of a program: it goes on in brackets and behind a '\\'.
 struct Line {
   std::string text;        ///< without comments; of strings, only letters, digits and marks

@@ -30,8 +30,6 @@ std::string_view variable_of(std::string_view word) {
   return is_name(word) ? word : std::string_view{};
 }
 
-bool is_in_name(char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; }
-
 /// Commands that set no name of the script: of Tcl and Python first, those of OpenSees behind them.
 constexpr std::array<std::string_view, 165> kSettingNothing{"puts",
                                                             "format",
@@ -219,6 +217,8 @@ bool is_python(const base::SourceText& source) {
 }  // namespace
 
 bool is_wanted(std::string_view name) { return name == "frictionModel" || name == "element"; }
+
+bool is_in_name(char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
 bool sets_nothing(std::string_view command) {
   return std::find(kSettingNothing.begin(), kSettingNothing.end(), command) !=

@@ -2,6 +2,9 @@
 // An OpenSees script as its commands on friction, with their numbers.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <string>
@@ -75,6 +78,15 @@ tl::expected<double, std::string> number_of(const ScriptCommand& command, std::s
 
 /// Returns whether a command is taken out of a script.
 bool is_wanted(std::string_view name);
+
+/// Returns whether a character may stand in a name.
+bool is_in_name(char c);
+
+/// Returns whether a list has a word.
+template <std::size_t count>
+bool is_in(const std::array<std::string_view, count>& list, std::string_view wanted) {
+  return std::find(list.begin(), list.end(), wanted) != list.end();
+}
 
 /// Returns whether a command of Tcl, Python or OpenSees sets no name of the script.
 bool sets_nothing(std::string_view command);

@@ -26,11 +26,6 @@ struct Word {
   bool expanded = false;  ///< {*} stands before it: it is any number of words
 };
 
-template <std::size_t count>
-bool is_in(const std::array<std::string_view, count>& list, std::string_view wanted) {
-  return std::find(list.begin(), list.end(), wanted) != list.end();
-}
-
 /// Returns whether a word has another text when it is used than where it stands.
 bool is_computed(std::string_view text) { return text.find_first_of("$[\\") != text.npos; }
 
