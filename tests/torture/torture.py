@@ -110,10 +110,10 @@ class Torture:
             if file.is_dir():
                 continue
             if file.name.startswith("."):
-                # Between two calls a file that replaces another has its own hidden name; it is complete.
+                # Between two calls files that are named together, or replace others, have hidden names; they are complete.
                 hidden += 1
-                wanted = self.peace[name].get(file.name[1:].removesuffix(".new"))
-                if not file.name.endswith(".new") or (wanted is not None and file.read_bytes() != wanted):
+                own = re.fullmatch(r"\.(.*)\.[A-Za-z0-9]{6}", file.name)
+                if not own or own[1] not in self.peace[name] or not self.is_whole(file, self.peace[name][own[1]], pathlib.Path(own[1]).suffix):
                     self.fault(f"{what}: {file.name} is left")
             elif journal and file.suffix in (".journal", ".tally"):
                 continue
@@ -124,15 +124,15 @@ class Torture:
         return hidden
 
     @staticmethod
-    def is_whole(file, wanted):
+    def is_whole(file, wanted, suffix=None):
         """Compares with the bytes of a run in peace, or where these have times looks for the end."""
-        text = file.read_bytes()
+        text, suffix = file.read_bytes(), suffix or file.suffix
         if wanted is not None:
             return text == wanted
         try:
-            if file.suffix == ".json":
+            if suffix == ".json":
                 json.loads(text)
-            elif file.suffix in (".xml", ".svg"):
+            elif suffix in (".xml", ".svg"):
                 xml.etree.ElementTree.fromstring(text)
             else:
                 return text.rstrip().endswith(b"</html>")
@@ -378,6 +378,35 @@ class Torture:
         return "the same bytes"
 
 
+    def names(self):
+        """A name that is too long for one of the files, and a result that nothing can take the place of: none is there."""
+        for length in (244, 246, 247, 249, 250, 251):
+            case = self.inputs / ("n" * length + ".yaml")
+            try:
+                shutil.copy(self.inputs / "slot.yaml", case)
+            except OSError:
+                continue
+            out = self.fresh()
+            code, said = self.ended(["run", case.name, "-o", "OUT"], out)
+            case.unlink()
+            there = list(out.iterdir()) if out.exists() else []
+            if code != (0 if length + len(".events.csv") <= 255 else 4) or (code != 0 and (there or "File name too long" not in said)):
+                self.fault(f"a name of {length}: run ends with {code}, {len(there)} files are there: {said.strip()[-300:]}")
+        out = self.fresh()
+        self.ended(self.commands["run"], out)
+        before = {file.name: file.read_bytes() for file in out.iterdir()}
+        bound = out / "long.json"
+        if subprocess.run(["mount", "--bind", str(bound), str(bound)], capture_output=True).returncode != 0:
+            return "long names; nothing may be mounted here"
+        try:
+            code, said = self.ended([*self.commands["run"], "--set", "mu=0.37"], out)
+        finally:
+            subprocess.run(["umount", "-l", str(bound)], check=True)
+        if code != 4 or before != {file.name: file.read_bytes() for file in out.iterdir()}:
+            self.fault(f"a result that is mounted: run ends with {code}: {said.strip()[-300:]}")
+        return "long names, and a result that is mounted"
+
+
 def main():
     options = argparse.ArgumentParser()
     options.add_argument("program", type=lambda name: pathlib.Path(name).resolve())
@@ -403,6 +432,7 @@ def main():
             "two_at_once": lambda: torture.two_at_once(max(1, given.kills // 60)),
             "clock_back": torture.clock_back,
             "without_proc": torture.without_proc,
+            "names": torture.names,
         }
         chosen = [one for one in re.split("[, ]+", given.only) if one] or list(trials)
         for one in chosen:

@@ -4,11 +4,15 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <cerrno>
+#include <climits>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <set>
@@ -71,6 +75,42 @@ fs::path nearest_there(fs::path folder) {
   return folder.empty() ? fs::path(".") : folder;
 }
 
+/// The longest name in a folder, which is there, in bytes.
+std::size_t longest_name(const fs::path& folder) {
+  const long most = pathconf(folder.c_str(), _PC_NAME_MAX);
+  return most > 0 ? static_cast<std::size_t>(most) : NAME_MAX;
+}
+
+/// Begin of the hidden names of a file, to which kSuffix characters come.
+constexpr std::size_t kSuffix = 6;
+fs::path hidden_stem(const fs::path& place) {
+  const fs::path folder = folder_of(place);
+  const std::string name = place.filename().string();
+  // Room for what others add: a file beside it, with a hidden name in turn.
+  constexpr std::size_t kRoom = 16;
+  const bool fits = name.size() + kSuffix + kRoom <= longest_name(folder) &&
+                    place.native().size() + kSuffix + kRoom < PATH_MAX;
+  return folder / ("." + (fits ? name : std::string("slipbench")) + ".");
+}
+
+/// Returns letters and digits that no other program is likely to take.
+std::string random_suffix() {
+  constexpr std::string_view kLetters =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
+  std::array<unsigned char, kSuffix> bytes{};
+  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
+    static std::atomic<unsigned int> count{0};
+    auto number = static_cast<std::size_t>(getpid()) * 7919U + count++;
+    for (unsigned char& byte : bytes) {
+      byte = static_cast<unsigned char>(number % kLetters.size());
+      number /= kLetters.size();
+    }
+  }
+  std::string text;
+  for (const unsigned char byte : bytes) text += kLetters[byte % kLetters.size()];
+  return text;
+}
+
 /// The file at `place` that must stay, in a sentence, or nothing.
 std::string foreign_fault(const fs::path& target, const fs::path& place, const FileMark& mark,
                           bool force) {
@@ -92,6 +132,9 @@ std::string obstacle(const fs::path& target, const fs::path& place, const FileMa
   std::error_code error;
   if (const fs::path folder = nearest_there(folder_of(place)); !fs::is_directory(folder, error)) {
     return fmt::format("{}: {} is not a folder", target.string(), folder.string());
+  } else if (place.filename().native().size() > longest_name(folder) ||
+             place.native().size() >= PATH_MAX) {
+    return fmt::format("{}: cannot be written: {}", target.string(), reason(ENAMETOOLONG));
   }
   if (std::string fault = input_fault(target, overwriting.inputs); !fault.empty()) return fault;
   return foreign_fault(target, place, mark, overwriting.force);
@@ -149,9 +192,15 @@ std::string make_folders(const fs::path& folder) {
   std::error_code error;
   if (folder.empty() || fs::is_directory(folder, error)) return {};
   if (std::string fault = make_folders(folder.parent_path()); !fault.empty()) return fault;
-  const InterruptionPause pause;
-  if (fs::create_directory(folder, error)) register_file(folder.string());
-  return error ? fmt::format("{}: cannot be made: {}", folder.string(), error.message()) : "";
+  bool made = false;
+  {
+    const InterruptionPause pause;
+    made = fs::create_directory(folder, error);
+    if (made) register_file(folder.string());
+  }
+  if (error) return fmt::format("{}: cannot be made: {}", folder.string(), error.message());
+  if (made) names_to_disk(folder_of(folder));
+  return {};
 }
 
 tl::expected<OutputFile, std::string> OutputFile::create(const fs::path& wanted,
@@ -204,7 +253,7 @@ bool OutputFile::begin_unnamed() {
 
 /// Creates the file under a hidden name.
 tl::expected<void, std::string> OutputFile::begin_named() {
-  std::string name = (folder_of(place_) / ("." + place_.filename().string() + ".XXXXXX")).string();
+  std::string name = hidden_stem(place_).string() + std::string(kSuffix, 'X');
   {
     const InterruptionPause pause;
     descriptor_ = mkostemp(name.data(), O_CLOEXEC);
@@ -237,6 +286,7 @@ OutputFile::OutputFile(OutputFile&& other) noexcept
       mark_(std::move(other.mark_)),
       force_(other.force_),
       named_(std::exchange(other.named_, false)),
+      placed_(other.placed_),
       descriptor_(std::exchange(other.descriptor_, -1)),
       registered_(std::exchange(other.registered_, -1)) {
   other.temporary_.clear();
@@ -304,26 +354,86 @@ tl::expected<void, std::string> OutputFile::to_disk() {
   return {};
 }
 
-/// Gives a complete file its name, under the lock of its folder; false with errno set.
-bool OutputFile::give_name() {
-  const auto link_as = [&](const fs::path& name) {
+/// Gives a file without a name one that nobody has yet; false with errno set.
+bool OutputFile::link_as(const fs::path& name) {
+  const auto link = [&] {
     return linkat(AT_FDCWD, temporary_.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
   };
-  if (!named_) {
-    if (link_as(place_)) return true;
-    // The program that made the folder, and found it empty at its end, has removed it.
-    if (errno == ENOENT && make_folders(folder_of(place_)).empty() && link_as(place_)) return true;
-    if (errno != EEXIST) return false;
-    // Only a name can take another's place. One that a killed program has left here is in the way,
-    // and goes: between two calls, a program that is killed leaves a complete file.
-    fs::path name = folder_of(place_) / ("." + place_.filename().string() + ".new");
-    if (!link_as(name) && (errno != EEXIST || unlink(name.c_str()) != 0 || !link_as(name))) {
-      return false;
-    }
-    temporary_ = std::move(name);
-    named_ = true;
+  if (link()) return true;
+  // The program that made the folder, and found it empty at its end, has removed it.
+  return errno == ENOENT && make_folders(folder_of(place_)).empty() && link();
+}
+
+/// Copies a complete file to a hidden name, where the file system names no file a second time.
+tl::expected<void, std::string> OutputFile::copy_to_name() {
+  const int source = std::exchange(descriptor_, -1);
+  --files_in_work;
+  auto copied = begin_named();
+  off_t at = 0;
+  std::string piece(kFlushSize, '\0');
+  while (copied && error_.empty()) {
+    const ssize_t count = pread(source, piece.data(), piece.size(), at);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) error_ = fault(errno);
+    if (count <= 0) break;
+    at += count;
+    buffer_.assign(piece, 0, static_cast<std::size_t>(count));
+    flush();
   }
-  return rename(temporary_.c_str(), place_.c_str()) == 0;
+  ::close(source);
+  if (!copied) return copied;
+  if (auto closed = close(); !closed) return closed;
+  return to_disk();
+}
+
+/// Gives a complete file a hidden name beside its place.
+tl::expected<void, std::string> OutputFile::name_beside() {
+  if (named_) return {};
+  const std::string stem = hidden_stem(place_).string();
+  constexpr int kMostTrials = 100;
+  for (int trial = 0; trial < kMostTrials; ++trial) {
+    fs::path name = stem + random_suffix();
+    if (link_as(name)) {
+      registered_ = register_file(name.string());
+      temporary_ = std::move(name);
+      named_ = true;
+      return {};
+    }
+    if (errno != EEXIST) break;
+  }
+  if (errno == EPERM || errno == EOPNOTSUPP || errno == ENOSYS || errno == EMLINK ||
+      errno == EACCES) {
+    return copy_to_name();
+  }
+  return tl::unexpected(fault(errno));
+}
+
+/// Renames a file from its hidden name to its own, by which give_back can take it away again where
+/// the file system knows how; false with errno set.
+bool OutputFile::take_place() {
+  const auto rename_by = [&](unsigned int flags) {
+    return renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, place_.c_str(), flags) == 0;
+  };
+  if (rename_by(RENAME_NOREPLACE)) {
+    placed_ = Placed::kNew;
+  } else if (errno == EEXIST && rename_by(RENAME_EXCHANGE)) {
+    placed_ = Placed::kExchanged;
+  } else if (rename(temporary_.c_str(), place_.c_str()) == 0) {
+    placed_ = Placed::kReplaced;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+/// Puts back what was at the place of the file.
+void OutputFile::give_back() {
+  if (placed_ == Placed::kNew) {
+    rename(place_.c_str(), temporary_.c_str());
+  } else if (placed_ == Placed::kExchanged) {
+    renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, place_.c_str(), RENAME_EXCHANGE);
+  }
+  placed_ = Placed::kNot;
 }
 
 tl::expected<void, std::string> commit(std::span<OutputFile* const> files) {
@@ -346,11 +456,26 @@ tl::expected<void, std::string> commit(std::span<OutputFile* const> files,
     if (!fault.empty()) return tl::unexpected(std::move(fault));
   }
   std::set<fs::path> folders;
+  for (const OutputFile* file : files) folders.insert(folder_of(file->place_));
   const InterruptionPause pause;
-  for (OutputFile* file : files) {
-    if (!file->give_name()) return tl::unexpected(file->fault(errno));
-    file->forget();
-    folders.insert(folder_of(file->place_));
+  // One file that takes no other's place needs no second name.
+  const bool alone = files.size() == 1 && !files[0]->named_ && files[0]->link_as(files[0]->place_);
+  if (alone) {
+    files[0]->forget();
+  } else {
+    for (OutputFile* file : files) {
+      if (auto named = file->name_beside(); !named) return named;
+    }
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      if (files[i]->take_place()) continue;
+      const int error = errno;
+      for (std::size_t k = i; k-- > 0;) files[k]->give_back();
+      return tl::unexpected(files[i]->fault(error));
+    }
+    for (OutputFile* file : files) {
+      if (file->placed_ == OutputFile::Placed::kExchanged) unlink(file->temporary_.c_str());
+      file->forget();
+    }
   }
   for (const fs::path& folder : folders) names_to_disk(folder);
   return {};

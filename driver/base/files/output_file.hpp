@@ -54,18 +54,21 @@ class FolderLocks {
 
 /// A file that appears under its name only when it is complete: it is written without a name in the
 /// same folder (O_TMPFILE), and `commit` brings it to the disk and names it. So a program that is
-/// killed leaves nothing behind. Where the file system or a library wants a name, it is written
-/// under a hidden one, which is left only by a program that is killed. A name that is a link stays
-/// one: the file that it leads to is written, beside itself. Dropped before that, interrupted or
-/// failed, it leaves nothing behind. Errors are sentences that name the file and the system's
-/// reason; after the first one, writing does nothing. It takes the place of nothing but what its
-/// mark and Overwriting let it, also if another file has come to that place while it was written.
+/// killed leaves nothing behind, but for the moment in which several files are named together, or
+/// one takes the place of another: then a complete file may be left under a hidden name of its own,
+/// ".NAME.XXXXXX". Where the file system or a library wants a name, it is written
+/// under such a one from the start, which is left only by a program that is killed. A name that is
+/// a link stays one: the file that it leads to is written, beside itself. Dropped before that,
+/// interrupted or failed, it leaves nothing behind. Errors are sentences that name the file and the
+/// system's reason; after the first one, writing does nothing. It takes the place of nothing but
+/// what its mark and Overwriting let it, also if another file has come to that place while it was
+/// written.
 class OutputFile {
  public:
   /// Makes the folder, too, if it is missing. Errors: a folder that is no folder, or cannot be made
   /// or written to; a target that exists and is no regular file (a folder, a device, a descriptor
   /// such as /dev/stdout); links in a circle; a target that is an input or a file of another
-  /// origin.
+  /// origin; a name or path that is too long.
   static tl::expected<OutputFile, std::string> create(const std::filesystem::path& target,
                                                       const FileMark& mark,
                                                       const Overwriting& overwriting = {});
@@ -112,7 +115,11 @@ class OutputFile {
   tl::expected<void, std::string> begin_named();
   void flush();
   tl::expected<void, std::string> to_disk();
-  bool give_name();
+  tl::expected<void, std::string> name_beside();
+  bool link_as(const std::filesystem::path& name);
+  bool take_place();
+  void give_back();
+  tl::expected<void, std::string> copy_to_name();
   void forget();
   void drop();
   std::string fault(int error) const;
@@ -125,13 +132,17 @@ class OutputFile {
   FileMark mark_;
   bool force_ = false;
   bool named_ = false;  ///< the temporary path is a name in the folder
+  /// What has become of the place: nothing yet, named anew, or what was there has the hidden name.
+  enum class Placed : unsigned char { kNot, kNew, kExchanged, kReplaced } placed_ = Placed::kNot;
   int descriptor_ = -1;
   int registered_ = -1;
 };
 
 /// Completes files that belong together, all or none: writes what is left, waits until it is on the
-/// disk and gives them their names. Two programs that complete files in one folder do so one after
-/// the other. The error is that of the first file that has one; then none appears under its name.
+/// disk, names all of them by hidden names and then renames one after the other. Two programs that
+/// complete files in one folder do so one after the other. The error is that of the first file that
+/// has one; then none is under its name, and what was there is there again (where the file system
+/// cannot exchange two names, what a renaming before it has replaced is gone).
 tl::expected<void, std::string> commit(std::span<OutputFile* const> files);
 /// The same for a caller that holds the locks of the files' folders already, to look at what is
 /// there before it is replaced.

@@ -1,17 +1,56 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/base/files/output_file.hpp"
 
+#include <fcntl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cerrno>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tests/driver/support/temporary_folder.hpp"
+
+namespace {
+
+/// Failures of the file system that a test asks for: of new names with this part in them.
+struct Failing {
+  std::string part = {};
+  int error = 0;
+  bool fails(const char* name) const {
+    if (part.empty() || std::string_view(name).find(part) == std::string_view::npos) return false;
+    errno = error;
+    return true;
+  }
+};
+Failing failing_links, failing_renames;
+
+}  // namespace
+
+// These take the place of the C library's in the whole program, and do what it does.
+// NOLINTBEGIN(readability-identifier-naming)
+extern "C" int linkat(int from, const char* source, int to, const char* name, int flags) noexcept {
+  if (failing_links.fails(name)) return -1;
+  return static_cast<int>(syscall(SYS_linkat, from, source, to, name, flags));
+}
+extern "C" int renameat2(int from, const char* source, int to, const char* name,
+                         unsigned int flags) noexcept {
+  if (failing_renames.fails(name)) return -1;
+  return static_cast<int>(syscall(SYS_renameat2, from, source, to, name, flags));
+}
+extern "C" int rename(const char* source, const char* name) noexcept {
+  if (failing_renames.fails(name)) return -1;
+  return static_cast<int>(syscall(SYS_renameat2, AT_FDCWD, source, AT_FDCWD, name, 0U));
+}
+// NOLINTEND(readability-identifier-naming)
 
 namespace slipbench::driver::base {
 namespace {
@@ -78,15 +117,87 @@ TEST_CASE("a file takes the place of another in one step", "[files]") {
   CHECK(names_in(folder.path()) == std::vector<std::string>{"one.csv"});
 }
 
-TEST_CASE("what a killed program left between two calls is in nobody's way", "[files]") {
+TEST_CASE("hidden files and folders of others are in nobody's way, and stay", "[files]") {
   const TemporaryFolder folder;
   const fs::path target = folder.write("one.csv", "before");
-  if (has_unnamed_files()) folder.write(".one.csv.new", "of a killed program");
-  OutputFile file = made(target, {.force = true});
-  file.append("after");
-  complete(file);
+  folder.write(".one.csv.new", "precious");
+  fs::create_directory(folder.path() / ".two.csv.new");
+  OutputFile one = made(target, {.force = true});
+  OutputFile two = made(folder.path() / "two.csv");
+  one.append("after");
+  OutputFile* const both[] = {&one, &two};
+  REQUIRE(commit(both).has_value());
   CHECK(text_of(target) == "after");
-  CHECK(names_in(folder.path()) == std::vector<std::string>{"one.csv"});
+  CHECK(text_of(folder.path() / ".one.csv.new") == "precious");
+  CHECK(names_in(folder.path()) ==
+        std::vector<std::string>{".one.csv.new", ".two.csv.new", "one.csv", "two.csv"});
+}
+
+/// Completes one new file, one in the place of another, and one more new one; returns the error.
+std::string committed_three(const TemporaryFolder& folder) {
+  folder.write("b.csv", "before");
+  std::vector<OutputFile> files;
+  for (const char* name : {"a.csv", "b.csv", "c.csv"}) {
+    files.push_back(made(folder.path() / name, {.force = true}));
+    files.back().append(std::string(600'000, *name));
+  }
+  OutputFile* const all[] = {&files[0], &files[1], &files[2]};
+  const auto committed = commit(all);
+  return committed ? "" : committed.error();
+}
+
+TEST_CASE("where one of several files cannot be named none is, and what was there is", "[files]") {
+  for (const bool link : {true, false}) {
+    if (link && !has_unnamed_files()) continue;
+    for (const char* name : {"a.csv", "b.csv", "c.csv"}) {
+      const TemporaryFolder folder;
+      INFO(link << name);
+      (link ? failing_links : failing_renames) = {name, ENOSPC};
+      const std::string error = committed_three(folder);
+      failing_links = failing_renames = {};
+      CHECK(error ==
+            (folder.path() / name).string() + ": cannot be written: No space left on device");
+      CHECK(names_in(folder.path()) == std::vector<std::string>{"b.csv"});
+      CHECK(text_of(folder.path() / "b.csv") == "before");
+    }
+  }
+}
+
+TEST_CASE("where a file has one name only, it is copied to it", "[files]") {
+  for (const int error : {EPERM, EOPNOTSUPP}) {
+    const TemporaryFolder folder;
+    failing_links = {"csv", error};
+    CHECK(committed_three(folder).empty());
+    OutputFile alone = made(folder.path() / "alone.csv");
+    alone.append("alone");
+    complete(alone);
+    failing_links = {};
+    CHECK(text_of(folder.path() / "b.csv") == std::string(600'000, 'b'));
+    CHECK(text_of(folder.path() / "alone.csv") == "alone");
+    CHECK(names_in(folder.path()) ==
+          std::vector<std::string>{"a.csv", "alone.csv", "b.csv", "c.csv"});
+  }
+}
+
+TEST_CASE("a name that is too long is refused before anything is written", "[files]") {
+  const TemporaryFolder folder;
+  const std::string longest(255, 'n');
+  for (const std::string& before : {std::string(), std::string("mine")}) {
+    if (!before.empty()) folder.write(longest, before);
+    OutputFile file = made(folder.path() / longest, {.force = true});
+    file.append("after");
+    complete(file);
+    CHECK(text_of(folder.path() / longest) == "after");
+  }
+  OutputFile named = made(folder.path() / longest, {.force = true});
+  REQUIRE(named.need_name().has_value());
+  complete(named);
+  CHECK(names_in(folder.path()).size() == 1);
+  const fs::path target = folder.path() / "new" / (longest + "n");
+  const std::string fault = target.string() + ": cannot be written: File name too long";
+  CHECK(target_fault(target, {}) == fault);
+  CHECK(OutputFile::create(target, {}).error() == fault);
+  CHECK_FALSE(fs::exists(folder.path() / "new"));
 }
 
 TEST_CASE("a file that a library writes by its name has one", "[files]") {
