@@ -13,6 +13,7 @@
 #include <exception>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <new>
 #include <string>
@@ -250,6 +251,9 @@ struct Instance {
     double begin_temperature = 0.0;
     std::array<double, SLIP_FIELDS> begin_fields{};
     double mode = 0.0;             ///< Mode
+    double set_up = 0.0;           ///< 1 once the experiment is set up
+    double time = 0.0;             ///< of the host [s], where the last step ended
+    double stop = 0.0;             ///< of the host [s]; the largest number where it set none
     std::vector<double> friction;  ///< of the law
     std::vector<double> values;    ///< of all variables
   };
@@ -281,6 +285,9 @@ struct Instance {
 /// Puts an instance where it was when it was made.
 void restart(Instance& one) {
   one.now.values = one.model.starts;
+  one.now.set_up = 0.0;
+  one.now.time = 0.0;
+  one.now.stop = std::numeric_limits<double>::max();
   one.enter(Mode::kInstantiated);
 }
 
@@ -398,10 +405,30 @@ Status undone_on_error(Instance& one, Body body) {
   return status;
 }
 
-Status do_step(Instance& one, double size) {
+/// Notes from when on, and if it is defined until when, the host simulates.
+Status set_up(Instance& one, double start, bool has_stop, double stop) {
+  if (one.now.set_up != 0.0) return one.log(kError, "the experiment was set up already");
+  if (!std::isfinite(start)) return one.log(kError, "the start time is not finite");
+  if (has_stop && !(stop >= start && std::isfinite(stop)))
+    return one.log(kError, "the stop time is before the start time, or not finite");
+  one.now.set_up = 1.0;
+  one.now.time = start;
+  one.now.stop = has_stop ? stop : std::numeric_limits<double>::max();
+  return kOk;
+}
+
+Status do_step(Instance& one, double begin, double size) {
   const double duration = size * one.model.time_unit;
   if (!(duration > 0.0 && std::isfinite(duration)))
     return one.log(kError, "a step must be longer than 0, and finite");
+  // What sums and products of steps differ by; of a step it is nothing.
+  const double rounding = 1e-6 * size + 64.0 * std::numeric_limits<double>::epsilon() *
+                                            std::max(std::abs(begin), std::abs(one.now.time));
+  if (!(std::abs(begin - one.now.time) <= rounding))
+    return one.log(kError, "a step must begin where the last one ended");
+  if (!(begin + size <= one.now.stop + rounding))
+    return one.log(kError, "a step beyond the stop time");
+  one.now.time = begin + size;
   const double asked = one.value(kIncrements, 0, 1.0);
   const bool by_rate = one.value(kByRate, 0, 0.0) != 0.0;
   const std::array<double, SLIP_COMPONENTS> from = one.now.position;
@@ -480,6 +507,8 @@ Status get(void* component, const Reference* references, std::size_t count, Valu
     const bool outputs = std::any_of(references, references + count, [&](Reference reference) {
       return is_output(one.model.roles[reference]);
     });
+    if (outputs && one.mode() == Mode::kInstantiated)
+      return one.log(kError, "outputs are not there before initialization");
     if (outputs && one.stale && one.mode() == Mode::kInitialization) {
       const Status status = undone_on_error(one, [&] { return initialize(one); });
       if (status != kOk) return status;
@@ -497,6 +526,7 @@ Status set(void* component, const Reference* references, std::size_t count, cons
   return guarded(component, [&](Instance& one) {
     if (const Status status = check(one, references, count, values, type); status != kOk)
       return status;
+    if (one.mode() == Mode::kTerminated) return one.log(kError, "a value is set after the end");
     const bool begun = one.mode() != Mode::kInstantiated && one.mode() != Mode::kInitialization;
     const auto number = [&](std::size_t i) {
       const auto x = static_cast<double>(values[i]);
@@ -524,6 +554,9 @@ void for_each_number(State& state, Visit visit) {
   visit(state.begin_temperature);
   for (auto& x : state.begin_fields) visit(x);
   visit(state.mode);
+  visit(state.set_up);
+  visit(state.time);
+  visit(state.stop);
   for (auto& x : state.friction) visit(x);
   for (auto& x : state.values) visit(x);
 }
@@ -540,7 +573,9 @@ bool is_state_of(const Instance& one, const Instance::State& state) {
     const bool regime = role != kRegime || (state.values[i] >= 0.0 && state.values[i] <= 2.0);
     if (!regime || !can_be(role, state.values[i])) return false;
   }
-  return mode;
+  const bool times = (state.set_up == 1.0 || (state.set_up == 0.0 && state.mode == 0.0)) &&
+                     std::isfinite(state.time) && std::isfinite(state.stop);
+  return mode && times;
 }
 
 Status nothing_pending(void* component) {
@@ -612,13 +647,16 @@ FMU_API void* fmi2Instantiate(const char* name, int type, const char* guid, cons
 
 FMU_API void fmi2FreeInstance(void* component) { delete static_cast<Instance*>(component); }
 
-FMU_API Status fmi2SetupExperiment(void* component, int, double, double, int, double) {
+FMU_API Status fmi2SetupExperiment(void* component, int, double, double start, int has_stop,
+                                   double stop) {
   return guarded_in(component, Mode::kInstantiated, "the experiment is set up after initialization",
-                    [](const Instance&) { return kOk; });
+                    [&](Instance& one) { return set_up(one, start, has_stop != 0, stop); });
 }
 FMU_API Status fmi2EnterInitializationMode(void* component) {
   return guarded_in(component, Mode::kInstantiated, "initialization was entered already",
                     [](Instance& one) {
+                      if (one.now.set_up == 0.0)
+                        return one.log(kError, "the experiment was not set up");
                       one.enter(Mode::kInitialization);
                       one.stale = true;
                       return kOk;
@@ -684,12 +722,12 @@ FMU_API Status fmi2SetString(void* component, const Reference*, std::size_t coun
   });
 }
 
-FMU_API Status fmi2DoStep(void* component, double /*begin*/, double size, int) {
+FMU_API Status fmi2DoStep(void* component, double begin, double size, int) {
   return guarded(component, [&](Instance& one) {
     if (one.mode() == Mode::kTerminated) return one.log(kError, "a step after the end");
     if (one.mode() != Mode::kStepping)
       return one.log(kError, "a step before the end of initialization");
-    return undone_on_error(one, [&] { return do_step(one, size); });
+    return undone_on_error(one, [&] { return do_step(one, begin, size); });
   });
 }
 FMU_API Status fmi2CancelStep(void* component) { return nothing_pending(component); }

@@ -161,7 +161,7 @@ class Units(unittest.TestCase):
         one.go_back(saved)
         self.assertEqual(self.go(one, 80, 120), first)
         other = self.unit.instance("two")
-        restored = other.from_bytes(written)
+        restored = other.from_bytes(written, saved.time)
         other.go_back(restored)
         self.assertEqual(self.go(other, 80, 120), first)
         with self.assertRaisesRegex(RuntimeError, "no state of this unit"):
@@ -259,6 +259,9 @@ class Units(unittest.TestCase):
         self.refused(one, "before the end of initialization", "fmi2DoStep", *step)
         self.refused(one, "not entered", "fmi2ExitInitializationMode")
         self.refused(one, "no simulation", "fmi2Terminate")
+        self.refused(one, "not set up", "fmi2EnterInitializationMode")
+        one.set_up()
+        self.refused(one, "set up already", "fmi2SetupExperiment", 0, host.REAL(0), host.REAL(0), 0, host.REAL(0))
         one.call("fmi2EnterInitializationMode")
         self.refused(one, "entered already", "fmi2EnterInitializationMode")
         self.refused(one, "set up after", "fmi2SetupExperiment", 0, host.REAL(0), host.REAL(0), 0, host.REAL(0))
@@ -269,9 +272,35 @@ class Units(unittest.TestCase):
             self.refused(one, "longer than 0, and finite", "fmi2DoStep", host.REAL(0), host.REAL(size), 1)
         one.call("fmi2Terminate")
         self.refused(one, "after the end", "fmi2DoStep", *step)
+        force = one.place("f1")[0]
+        self.refused(one, "after the end", "fmi2SetReal", force, host.ctypes.c_size_t(1), host.ctypes.byref(host.REAL(1.0)))
+        self.assertEqual((one.get("f1"), one.get("DISS")), (0.0, 0.0))
         one.call("fmi2Reset")
         one.initialize()
         one.call("fmi2DoStep", *step)
+        one.free()
+
+    def test_steps_follow_each_other_until_the_stop_time(self):
+        one = self.unit.made()
+        for start, stop in ((float("nan"), None), (1.0, 0.5), (0.0, float("inf"))):
+            with self.assertRaisesRegex(RuntimeError, "start time" if stop != float("inf") else "stop time"):
+                one.set_up(start, stop)
+        one.initialize(2.0, 3.0)
+        for begin in (0.0, 1.9, 2.1, float("nan")):
+            self.refused(one, "where the last one ended", "fmi2DoStep", host.REAL(begin), host.REAL(0.1), 1)
+        for i in range(10):  # products and sums of steps differ by rounding
+            one.call("fmi2DoStep", host.REAL(2.0 + i * 0.1), host.REAL(0.1), 1)
+        self.refused(one, "beyond the stop time", "fmi2DoStep", host.REAL(3.0), host.REAL(0.1), 1)
+        one.call("fmi2Reset")
+        one.initialize(0.0)
+        one.step(1000.0)
+        one.free()
+
+    def test_outputs_are_not_there_before_initialization(self):
+        one = self.unit.made()
+        with self.assertRaisesRegex(RuntimeError, "before initialization"):
+            one.get("FLIM")
+        self.assertEqual(one.get("mu"), self.run_["MU"][0])
         one.free()
 
     def test_parameters_are_fixed_after_initialization(self):
@@ -332,7 +361,7 @@ class Units(unittest.TestCase):
         for i in range(len(numbers)):
             for x in (float("nan"), -1e300, 0.5, 1e300):
                 bad = struct.pack(f"{len(numbers)}d", *numbers[:i], x, *numbers[i + 1:])
-                state = host.ctypes.c_void_p()
+                state = host.State()
                 try:
                     state = one.from_bytes(bad)
                     one.go_back(state)
@@ -349,17 +378,18 @@ class Units(unittest.TestCase):
             one.go_back(one.from_bytes(two.to_bytes(two.state())))
         with self.assertRaisesRegex(RuntimeError, "none of this unit"):
             one.go_back(two.state())
-        self.assertEqual(self.go(one, 20, 60), self.go(self.resumed(written), 20, 60))
+        self.assertEqual(self.go(one, 20, 60), self.go(self.resumed(written, saved.time), 20, 60))
         one.free()
         two.free()
 
-    def resumed(self, written):
+    def resumed(self, written, time):
         one = self.unit.instance("resumed")
-        one.go_back(one.from_bytes(written))
+        one.go_back(one.from_bytes(written, time))
         return one
 
     def test_outputs_are_there_in_initialization(self):
         one = self.unit.made()
+        one.set_up()
         one.call("fmi2EnterInitializationMode")
         one.set(f1=100.0, f2=200.0)
         limit = one.get("FLIM")
@@ -431,6 +461,16 @@ class Units(unittest.TestCase):
         said, unit = self.said_of("place", "{mu: 0.2}", connector="{type: SLOT, initial: {CP1: = 10*mu}}")
         self.assertRegex(said["mu"], "^dropped: the connector begins at another place with it")
         self.assertNotIn("mu", unit.variables)
+        said, unit = self.said_of("only_place", "{begin: 0.2, idle: 1}", coefficient="= 0.3", connector="{type: SLOT, initial: {CP1: = 10*begin}}")
+        self.assertRegex(said["begin"], "^dropped: the connector begins at another place with it")
+        self.assertNotIn("begin", unit.variables)
+        self.assertNotIn("idle", said)
+
+    def test_parameters_claim_no_unit(self):
+        for name, variable in self.unit.variables.items():
+            if variable.get("causality") == "parameter":
+                self.assertIsNone(variable[0].get("unit"), name)
+        self.assertEqual(self.unit.variables["f1"][0].get("unit"), "N")
 
     def test_names_that_a_unit_has_itself_are_told_apart(self):
         for name in ("increments", "by_rate", "MU", "FN", "DISS", "f2", "temperature"):

@@ -14,6 +14,12 @@ class Callbacks(ctypes.Structure):
     _fields_ = [("logger", LOGGER), ("allocate", ctypes.c_void_p), ("release", ctypes.c_void_p), ("finished", ctypes.c_void_p), ("environment", ctypes.c_void_p)]
 
 
+class State(ctypes.c_void_p):
+    """A state that an instance has kept, and the host's time of it."""
+
+    time = 0.0
+
+
 class Unit:
     """A unit, unpacked into a folder."""
 
@@ -55,8 +61,12 @@ class Instance:
         if status != 0:
             raise RuntimeError(f"{function}: status {status}: {'; '.join(self.said[-1:])}")
 
-    def initialize(self):
-        self.call("fmi2SetupExperiment", 0, REAL(0), REAL(0), 0, REAL(0))
+    def set_up(self, start=0.0, stop=None):
+        self.call("fmi2SetupExperiment", 0, REAL(0), REAL(start), stop is not None, REAL(stop or 0.0))
+        self.time = start
+
+    def initialize(self, start=0.0, stop=None):
+        self.set_up(start, stop)
         self.call("fmi2EnterInitializationMode")
         self.call("fmi2ExitInitializationMode")
 
@@ -81,12 +91,14 @@ class Instance:
         self.time += size
 
     def state(self):
-        saved = ctypes.c_void_p()
+        saved = State()
+        saved.time = self.time
         self.call("fmi2GetFMUstate", ctypes.byref(saved))
         return saved
 
     def go_back(self, saved):
         self.call("fmi2SetFMUstate", saved)
+        self.time = saved.time
 
     def free_state(self, saved):
         self.call("fmi2FreeFMUstate", ctypes.byref(saved))
@@ -98,8 +110,9 @@ class Instance:
         self.call("fmi2SerializeFMUstate", saved, written, size)
         return written.raw
 
-    def from_bytes(self, written):
-        saved = ctypes.c_void_p()
+    def from_bytes(self, written, time=0.0):
+        saved = State()
+        saved.time = time
         self.call("fmi2DeSerializeFMUstate", written, ctypes.c_size_t(len(written)), ctypes.byref(saved))
         return saved
 

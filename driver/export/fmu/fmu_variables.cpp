@@ -82,7 +82,7 @@ tl::expected<std::vector<FmuVariable>, std::string> fmu_variables(const cases::C
   };
   for (std::size_t i = 0; i < map.parameters.size(); ++i) {
     parameter(map.parameters[i].name, FmuType::kReal, map.parameters[i].value, "parameter",
-              static_cast<int>(i), "Parameter of the case.");
+              static_cast<int>(i), "Parameter of the case, as a number in its units.");
   }
   parameter("by_rate", FmuType::kBoolean, 0.0, "by_rate", 0,
             "Whether rates move the connector, not positions.");

@@ -229,7 +229,6 @@ ParameterMap map_parameters(const read::ParsedCase& parsed, const cases::Case& p
       map.fixed.push_back({name, kCurve});
       continue;
     }
-    if (found->numbers.empty()) continue;
     const bool places =
         formulas.place_mentions(names) ||
         std::any_of(samples.begin(), samples.begin() + kLeast, [&](const Sample& one) {
@@ -238,7 +237,7 @@ ParameterMap map_parameters(const read::ParsedCase& parsed, const cases::Case& p
     for (const FollowingNumber& one : found->numbers) ++users[one.index];
     if (places)
       map.fixed.push_back({name, kPlace});
-    else
+    else if (!found->numbers.empty())
       map.parameters.push_back(*std::move(found));
   }
   // Two parameters of one number multiply each other, or may do.

@@ -39,10 +39,10 @@ struct ParameterMap {
 
 /// Finds the numbers that follow each parameter in a straight line: at some thirty other values,
 /// near and far, the friction is read again; and no formula that mentions it may have pieces, as
-/// max(p, 1) has. A parameter that also moves the place where the connector begins, or that other
-/// parameters have a part in, is fixed. Parameters that are defined by others follow those, and
-/// those that the friction does not depend on are left out. \param numbers of the case as it is:
-/// law_numbers
+/// max(p, 1) has. A parameter that moves the place where the connector begins, too or only, or that
+/// other parameters have a part in, is fixed. Parameters that are defined by others follow those,
+/// and those that neither friction nor begin depend on are left out. \param numbers of the case as
+/// it is: law_numbers
 ParameterMap map_parameters(const read::ParsedCase& parsed, const cases::Case& problem,
                             const std::vector<base::ParameterText>& settings,
                             const std::vector<double>& numbers);
