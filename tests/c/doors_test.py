@@ -83,14 +83,17 @@ class Doors(unittest.TestCase):
                 one = library.fmi2Instantiate(b"one", 1, b"g", b"file://" + folder.encode(), None, 0, 0)
                 self.assertTrue(one)
                 component = ctypes.c_void_p(one)
+                zero = ctypes.c_double(0)
+                self.assertEqual(library.fmi2SetupExperiment(component, 0, zero, zero, 0, zero), 0)
                 self.assertEqual(library.fmi2EnterInitializationMode(component), 0)
                 self.assertEqual(library.fmi2ExitInitializationMode(component), 0)
-                dissipation = work = 0.0
+                dissipation = work = time = 0.0
                 for i, (row, wanted) in enumerate(zip(inputs, told)):
                     values = (ctypes.c_double * 15)(*row[7:13], *row[19:28])
                     self.assertEqual(library.fmi2SetReal(component, places, ctypes.c_size_t(15), values), 0)
                     if i > 0:
-                        self.assertEqual(library.fmi2DoStep(component, ctypes.c_double(0), ctypes.c_double(row[0]), 1), 0)
+                        self.assertEqual(library.fmi2DoStep(component, ctypes.c_double(time), ctypes.c_double(row[0]), 1), 0)
+                        time += row[0]
                     self.assertEqual(library.fmi2GetReal(component, outputs, ctypes.c_size_t(13), found), 0)
                     self.assertEqual(library.fmi2GetInteger(component, regime_at, ctypes.c_size_t(1), ctypes.byref(regime)), 0)
                     dissipation += wanted[25]
