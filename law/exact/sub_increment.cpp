@@ -156,7 +156,7 @@ double SubIncrements::friction_work(double tau, double accumulated_slip, double 
   int budget = 1000;
   for (double low = accumulated_slip; low < end;) {
     const double step = std::numeric_limits<double>::epsilon() * end;
-    const double high = std::clamp(points_.next_knot(tau, low, end), low + step, end);
+    const double high = std::min(std::max(points_.next_knot(tau, low, end), low + step), end);
     sum += integral(force, low, high, 1e-12 * force(low) * (high - low), &budget);
     low = high;
   }
