@@ -53,6 +53,7 @@ TextTable table_of(const std::string& title, const std::string& value,
   told.left_out = table.rows() - rows;
   for (std::size_t row = 0; row < rows; ++row) {
     std::vector<std::string> cells;
+    cells.reserve(told.head.size());
     for (int k = 0; k < table.dependents(); ++k) cells.push_back(digits(table.ordinate(row, k)));
     for (const double x : table.point(row)) cells.push_back(digits(x));
     told.rows.push_back(std::move(cells));

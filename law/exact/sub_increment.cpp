@@ -330,6 +330,8 @@ SubIncrement SubIncrements::step(const SlipPoint& begin, double from, double to)
     const double v = coordinate(leaf, scale.trial);
     const bool free = leaf.kind == PotentialLeaf::Kind::kHalfLine && v < -zero;
     Signature::Leaf& where = result.signature.leaf[g];
+    // A leaf that nothing pulls may yet be at zero, so the order of the questions counts.
+    // NOLINTNEXTLINE(bugprone-branch-clone)
     if (free || (potential_->combine == PotentialOperator::kMax && !(pull > 0.0))) {
       where = Signature::kNotPulled;
     } else if (is_smooth_at_zero(leaf)) {
