@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// replay TARGET FOLDER: gives a target every file of a folder. Exit code 2 if there is no such
-// target, or no file; a target that breaks a promise ends the program.
+// replay TARGET FILE|FOLDER..: gives a target the files, and every file of the folders. Exit code 2
+// if there is no such target, no file, or one that cannot be read; a target that breaks a promise
+// ends the program.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -20,19 +21,31 @@ std::map<std::string_view, Target>& targets() {
   return all;
 }
 
-int replay(const std::string& name, const std::filesystem::path& folder) {
+/// Feeds a target with files, and with all files of folders, the inputs of each in the order of
+/// their names.
+int replay(const std::string& name, const std::vector<std::filesystem::path>& places) {
   const auto target = targets().find(name);
   if (target == targets().end()) {
     std::cerr << "there is no target " << name << '\n';
     return 2;
   }
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) files.push_back(entry);
+  for (const std::filesystem::path& place : places) {
+    if (!std::filesystem::is_directory(place)) {
+      files.push_back(place);
+      continue;
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(place)) files.push_back(entry);
+  }
   std::sort(files.begin(), files.end());
   for (std::filesystem::path& file : files) file = std::filesystem::absolute(file);
   for (const std::filesystem::path& file : files) {
     std::cout << file.filename().string() << std::endl;  // the one at which it ends stands last
     std::ifstream in(file, std::ios::binary);
+    if (!in) {
+      std::cerr << "it cannot be read\n";
+      return 2;
+    }
     const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
     target->second(bytes);
   }
@@ -47,9 +60,9 @@ Registered::Registered(std::string_view name, Target target) { targets().emplace
 }  // namespace slipbench::fuzz
 
 int main(int count, char** words) {
-  if (count != 3) {
-    std::cerr << "usage: fuzz_replay TARGET FOLDER\n";
+  if (count < 3) {
+    std::cerr << "usage: fuzz_replay TARGET FILE|FOLDER..\n";
     return 2;
   }
-  return slipbench::fuzz::replay(words[1], words[2]);
+  return slipbench::fuzz::replay(words[1], {words + 2, words + count});
 }
