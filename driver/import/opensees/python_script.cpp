@@ -287,7 +287,7 @@ class PythonReader {
       const std::string_view name = rest.substr(0, rest.find_first_of("(: ["));
       own_.emplace(name);
       names_.forget(std::string(name), "is a function of the script");
-      // What it takes from outside may have changed when it is run.
+      // Values from outside may have changed by the time of the call.
       block.outside = names_;
       names_.forget_all();
       const std::size_t open = std::min(rest.find('('), rest.size());

@@ -220,10 +220,7 @@ bool is_wanted(std::string_view name) { return name == "frictionModel" || name =
 
 bool is_in_name(char c) { return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
-bool sets_nothing(std::string_view command) {
-  return std::find(kSettingNothing.begin(), kSettingNothing.end(), command) !=
-         kSettingNothing.end();
-}
+bool sets_nothing(std::string_view command) { return is_in(kSettingNothing, command); }
 
 bool mentions(std::string_view text, std::string_view name) {
   bool found = false;
@@ -231,14 +228,16 @@ bool mentions(std::string_view text, std::string_view name) {
   return found;
 }
 
-std::size_t closing_bracket(std::string_view text, std::size_t open) {
+std::size_t closing_place(std::string_view text, std::size_t open) {
+  const char begin = text[open];
+  const char end = begin == '{' ? '}' : ']';
   int depth = 0;
   for (std::size_t i = open; i < text.size(); ++i) {
     if (text[i] == '\\') {
       ++i;
-    } else if (text[i] == '[') {
+    } else if (text[i] == begin) {
       ++depth;
-    } else if (text[i] == ']' && --depth == 0) {
+    } else if (text[i] == end && --depth == 0) {
       return i;
     }
   }
@@ -282,7 +281,7 @@ tl::expected<import::ScriptNumber, std::string> ScriptNames::value_of(
   const std::string_view inner =
       word.size() > kExpr.size() + 1 ? word.substr(kExpr.size()) : std::string_view{};
   if (word.starts_with(kExpr) && std::string_view(" \t\r\n{\"").find(inner[0]) != inner.npos &&
-      closing_bracket(word, 0) == word.size() - 1) {
+      closing_place(word, 0) == word.size() - 1) {
     return expression(inner.substr(0, inner.size() - 1));
   }
   return tl::unexpected(fmt::format("'{}' is not read as a number", base::printable(word)));

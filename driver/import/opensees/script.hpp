@@ -97,8 +97,9 @@ void for_each_word(std::string_view text, const std::function<void(std::string_v
 /// Returns whether a name occurs in a text as a word.
 bool mentions(std::string_view text, std::string_view name);
 
-/// The place of the bracket that closes the one at a place; the end of the text if none does.
-std::size_t closing_bracket(std::string_view text, std::size_t open);
+/// Finds what closes the bracket or brace at a place, by Tcl's rules; the end of the text if
+/// nothing does.
+std::size_t closing_place(std::string_view text, std::size_t open);
 
 /// Takes blanks off both ends.
 std::string_view without_blanks(std::string_view text);

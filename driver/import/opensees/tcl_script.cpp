@@ -105,20 +105,11 @@ class TclReader {
     return words;
   }
 
-  /// The brace that closes the one at a place.
+  /// Finds the brace that closes the one at a place, or tells that there is none.
   std::size_t closing(std::string_view text, std::size_t open) {
-    int depth = 0;
-    for (std::size_t i = open; i < text.size(); ++i) {
-      if (text[i] == '\\') {
-        ++i;
-      } else if (text[i] == '{') {
-        ++depth;
-      } else if (text[i] == '}' && --depth == 0) {
-        return i;
-      }
-    }
-    fault(text.substr(open, 1), "this brace is never closed");
-    return text.size();
+    const std::size_t end = closing_place(text, open);
+    if (end == text.size()) fault(text.substr(open, 1), "this brace is never closed");
+    return end;
   }
 
   std::string_view bare_at(std::string_view text, std::size_t& at) {
@@ -172,7 +163,7 @@ class TclReader {
       if (text[at] == '\\') {
         ++at;
       } else if (text[at] == '[') {
-        const std::size_t end = closing_bracket(text, at);
+        const std::size_t end = closing_place(text, at);
         run(text.substr(at + 1, end - at - 1), true);
         at = end;
       }
