@@ -151,6 +151,12 @@ TEST_CASE("the onset of slip is where the force meets its side's limit, also thr
     CHECK(run.last.onset == Approx(0.0).margin(1e-13));
     run.move_to(2, 1.0);
     CHECK(run.last.onset == Approx(fixed ? (up + down) / 2000.0 : 0.02).epsilon(1e-13));
+    // The band shrinks with the tension, and with it a force that has a stiffness of its own: slip
+    // from the first, without a motion.
+    run.force[0] = 50.0;
+    run.step();
+    CHECK((run.last.state.regime == Regime::kSlip) == fixed);
+    CHECK(run.last.onset == 0.0);
   }
 }
 
