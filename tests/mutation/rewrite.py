@@ -5,7 +5,8 @@ TREE/mutants.json.
 
 COMPILE_COMMANDS says how the sources of PROJECT are compiled. The places come from Clang's syntax tree
 (Debian: python3-clang-14); `a < b` becomes `slipbench::mutation::less(17, a, b)`, which is `<` unless this run has mutant
-17 or 18. A place that the compiler evaluates (constexpr variables, static_assert, requires) stays as it is.
+17 or 18. A place that the compiler evaluates (constexpr variables, static_assert, requires) stays as it is, and so does a
+member that begins at 0: it says that it has a value, which others replace.
 """
 import hashlib
 import json
@@ -108,6 +109,8 @@ class Rewriter:
                     self.walk(file, child, depth + 1)
             return
         if node.kind in (Kind.VAR_DECL, Kind.FIELD_DECL) and EVALUATED.match(text):
+            return
+        if node.kind == Kind.FIELD_DECL and re.search(r"= *0(\.0)?$|\{\}$", text):
             return
         children = list(node.get_children())
         mutate = getattr(self, "on_" + node.kind.name.lower(), None)
