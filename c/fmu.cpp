@@ -225,7 +225,7 @@ struct Destroy {
   void operator()(slip_law* law) const { slip_law_destroy(law); }
 };
 
-/// Where an instance is between its making and its end: the states of the standard's section 4.2.4.
+/// States of an instance between its making and its end (section 4.2.4 of the standard).
 enum class Mode { kInstantiated, kInitialization, kStepping, kTerminated };
 
 /// A number that tells one unit's guid from another's; exact as a double.
@@ -421,7 +421,7 @@ Status do_step(Instance& one, double begin, double size) {
   const double duration = size * one.model.time_unit;
   if (!(duration > 0.0 && std::isfinite(duration)))
     return one.log(kError, "a step must be longer than 0, and finite");
-  // What sums and products of steps differ by; of a step it is nothing.
+  // Rounding of the host's sums and products of steps.
   const double rounding = 1e-6 * size + 64.0 * std::numeric_limits<double>::epsilon() *
                                             std::max(std::abs(begin), std::abs(one.now.time));
   if (!(std::abs(begin - one.now.time) <= rounding))

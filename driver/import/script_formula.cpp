@@ -134,7 +134,7 @@ class FormulaReader {
 
   ScriptNumber compared() {
     ScriptNumber value = sum();
-    // What 1 < 2 < 3 is, and whether == binds less than <, differs between languages.
+    // The languages differ on 1 < 2 < 3, and on whether == binds less than <.
     for (int count = 0; sound_; ++count) {
       const std::size_t before = at_;
       if (take("==")) {

@@ -189,7 +189,7 @@ class Law {
     names_ = std::move(read->names);
     law_.definitions = std::move(read->definitions);
   }
-  /// Of packed numbers, which have no names.
+  /// Makes a law of packed numbers, which hold no names.
   Law(const Numbers& numbers, std::vector<std::string> names) : names_(std::move(names)) {
     slip_error error;
     slip_law* const made =

@@ -132,7 +132,7 @@ class OutputFile {
   FileMark mark_;
   bool force_ = false;
   bool named_ = false;  ///< the temporary path is a name in the folder
-  /// What has become of the place: nothing yet, named anew, or what was there has the hidden name.
+  /// State of the place: untouched, named anew, exchanged with the hidden name, or replaced.
   enum class Placed : unsigned char { kNot, kNew, kExchanged, kReplaced } placed_ = Placed::kNot;
   int descriptor_ = -1;
   int registered_ = -1;

@@ -287,7 +287,7 @@ std::string CaseParts::changes_text(const Step& step, double begin, long increme
     if (!change.amplitude.empty()) {
       entries.push_back("amplitude: " + blend_text(step, change, begin));
     } else if (step.at_once.value_or(false) && increments > 1) {
-      // What comes at once is there at the end of the first increment.
+      // A sudden change is complete at the end of the first increment.
       entries.push_back(fmt::format(
           "amplitude: {{columns: [weight, t], rows: [[0, 0], [1, {}], [1, {}]]}}",
           number_text(step.period / static_cast<double>(increments)), number_text(step.period)));

@@ -74,7 +74,7 @@ int id_of(const DeckBlock& block, std::size_t index) {
 
 int with_offset(int id, int offset) {
   constexpr long long kLargest = std::numeric_limits<int>::max();
-  // What no id can be is none.
+  // A sum outside the range of ids becomes its nearer end; 0 is none.
   const long long sum = static_cast<long long>(id) + offset;
   return id > 0 ? static_cast<int>(std::clamp(sum, 0LL, kLargest)) : id;
 }

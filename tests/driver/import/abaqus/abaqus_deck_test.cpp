@@ -245,7 +245,7 @@ TEST_CASE("Velocities and amplitudes over the total time go on until they are st
       "*CONNECTOR FRICTION, PREDEFINED\n5.\n*FRICTION, ELASTIC SLIP=0.01\n0.1\n";
   const std::string total = "*AMPLITUDE, NAME=A, TIME=TOTAL TIME\n0., 0., 3., 3.\n";
   const std::string own = "*AMPLITUDE, NAME=A\n0., 0., 1., 1.\n";
-  // What stands in the first and the second of three steps, and the position at the end of each.
+  // Text of the first and the second of three steps, and the position at the end of each.
   const auto at = [&](const std::string& amplitude, const std::string& first,
                       const std::string& second, const std::array<std::string, 3>& ends) {
     const std::string begin = "*STEP\n*STATIC\n0.1, 1.\n";
