@@ -33,9 +33,13 @@ except ImportError as missing:
 matplotlib.use("Agg")
 
 
+OF_FARMS = "scaling.md"  # its engines are there only with the packages of tests/farm, which runs its examples
+
+
 def pages():
     """The pages of the guide, in their order."""
-    return [GUIDE / name for name in dict.fromkeys(re.findall(r"\]\((\w[\w-]*\.md)\)", (GUIDE / "README.md").read_text()))]
+    names = dict.fromkeys(re.findall(r"\]\((\w[\w-]*\.md)\)", (GUIDE / "README.md").read_text()))
+    return [GUIDE / name for name in names if name != OF_FARMS]
 
 
 def render_module():
