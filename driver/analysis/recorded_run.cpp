@@ -55,9 +55,7 @@ class ColumnRecorder {
     if (run_.rows + kept_.size() > run_.stride) make_room(2 * (run_.rows + kept_.size()));
     double* to = run_.numbers.get() + run_.rows;
     for (const results::Column& column : run_.columns) {
-      for (std::size_t i = 0; i < kept_.size(); ++i) {
-        to[i] = results::column_value(column, problem_, *kept_[i]);
-      }
+      results::column_values(column, problem_, kept_, to);
       to += run_.stride;
     }
     run_.rows += kept_.size();

@@ -36,25 +36,74 @@ std::optional<double> area_of(const cases::Case& problem, std::size_t definition
 
 namespace number {
 
-double position(const Cell& at);  ///< CP, and with an offset CU and CCU
-double mean_velocity(const Cell& at);
-double prescribed_force(const Cell& at);
-double quantity(const Cell& at);
-double no_friction(const Cell& at);
-double elastic_force(const Cell& at);
-double viscous_force(const Cell& at);
-double friction_force(const Cell& at);  ///< R_i y_i of one entry of a definition's slip space
-double total_force(const Cell& at);     ///< CEF + CVF + CSF + CRF - CCF of a component
-double stop_flag(const Cell& at);
-double kinetic_energy(const Cell& at);
-double external_work(const Cell& at);
-double chain_force(const Cell& at);  ///< sum of the friction forces of all rings
-double flow_behind(const Cell& at);
-double slip_velocity(const Cell& at);  ///< n . ds/dt of a definition
-double accumulated_slip(const Cell& at);
-double normal_force(const Cell& at);
-double mu_along(const Cell& at);
-double speed_along(const Cell& at);
+inline constexpr auto no_friction = [](const Cell&) { return 0.0; };
+/// CP, and with an offset CU and CCU.
+inline constexpr auto position = [](const Cell& at) {
+  return at.row.quantities[cases::kFirstMotion + at.index()] - at.column.offset;
+};
+inline constexpr auto mean_velocity = [](const Cell& at) {
+  const bench::Row& row = at.row;
+  return row.duration > 0.0
+             ? (row.quantities[cases::kFirstMotion + at.index()] - row.begin.values[at.index()]) /
+                   row.duration
+             : 0.0;
+};
+inline constexpr auto prescribed_force = [](const Cell& at) {
+  return at.row.quantities[cases::kFirstForce + at.index()];
+};
+inline constexpr auto quantity = [](const Cell& at) { return at.row.quantities[at.index()]; };
+inline constexpr auto elastic_force = [](const Cell& at) { return at.forces().elastic; };
+inline constexpr auto viscous_force = [](const Cell& at) { return at.forces().viscous; };
+/// R_i y_i of one entry of a definition's slip space.
+inline constexpr auto friction_force = [](const Cell& at) {
+  return at.scale() * at.own().update.state.force[at.index()];
+};
+/// CEF + CVF + CSF + CRF - CCF of a component.
+inline constexpr auto total_force = [](const Cell& at) {
+  const bench::ComponentForces& forces = at.forces();
+  double friction = 0.0;
+  if (const Owner owner = owner_of(at.problem, at.column.index); owner.definition >= 0) {
+    const auto d = static_cast<std::size_t>(owner.definition);
+    const auto entry = static_cast<std::size_t>(owner.entry);
+    friction = at.problem.definitions[d].law.slip.scale[entry] *
+               at.row.definitions[d].update.state.force[entry];
+  }
+  return forces.elastic + forces.viscous + friction + forces.reaction - forces.applied;
+};
+inline constexpr auto stop_flag = [](const Cell& at) {
+  return at.problem.stop[at.index()]->flag(at.row.quantities[cases::kFirstMotion + at.index()]);
+};
+inline constexpr auto kinetic_energy = [](const Cell& at) { return at.row.forces.kinetic_energy; };
+inline constexpr auto external_work = [](const Cell& at) { return at.row.forces.external_work; };
+/// Sum of the friction forces of all rings.
+inline constexpr auto chain_force = [](const Cell& at) {
+  double sum = 0.0;
+  for (const bench::DefinitionRow& ring : at.row.definitions) sum += ring.update.state.force[0];
+  return sum;
+};
+inline constexpr auto flow_behind = [](const Cell& at) { return at.own().behind.flow; };
+/// n . ds/dt of a definition.
+inline constexpr auto slip_velocity = [](const Cell& at) {
+  const bench::Row& row = at.row;
+  if (!(row.duration > 0.0)) return 0.0;
+  const law::SlipSpace& slip = at.law().slip;
+  double sum = 0.0;
+  for (int k = 0; k < slip.dimension; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const auto c = static_cast<std::size_t>(slip.component[i]);
+    sum += at.own().update.direction[i] * slip.scale[i] *
+           (row.quantities[cases::kFirstMotion + c] - row.begin.values[c]);
+  }
+  return sum / row.duration;
+};
+inline constexpr auto accumulated_slip = [](const Cell& at) {
+  return at.own().update.state.accumulated_slip;
+};
+inline constexpr auto normal_force = [](const Cell& at) { return at.own().update.normal_force; };
+inline constexpr auto mu_along = [](const Cell& at) { return at.own().penalty.mu[at.index()]; };
+inline constexpr auto speed_along = [](const Cell& at) {
+  return at.own().penalty.speeds[at.index()];
+};
 double ring_angle(const Cell& at);
 /// Returns how far CSF2 may go on one side, with the coefficient of the row.
 double band_end(const Cell& at, law::FlowSense sense);

@@ -90,7 +90,8 @@ void add_forces(const cases::Case& problem, int c, std::vector<Column>& columns)
     return;
   }
   const Owner owner = owner_of(problem, c);
-  const ColumnValue value = owner.definition < 0 ? number::no_friction : number::friction_force;
+  const ColumnValue value =
+      owner.definition < 0 ? ColumnValue(number::no_friction) : number::friction_force;
   const bool stopped = problem.stop[static_cast<std::size_t>(c)].has_value();
   const bool mass = problem.dynamics && problem.dynamics->component == c;
   const bool loaded = mass || problem.force_driven.contains(c);
@@ -224,7 +225,7 @@ void add_belt(const cases::Case& problem, std::vector<Column>& columns) {
   const bool chain = problem.definitions.size() > 1;
   const int last = static_cast<int>(problem.definitions.size()) - 1;
   if (last < 0) return;
-  const ColumnValue value = chain ? number::chain_force : number::friction_force;
+  const ColumnValue value = chain ? ColumnValue(number::chain_force) : number::friction_force;
   const std::string text =
       chain ? "f_bc - f_ab over all rings." : "Friction force of the ring, f_bc - f_ab.";
   add("CSF2", base::kForce, text, value, 0, chain ? -1 : 0);
@@ -422,6 +423,10 @@ std::optional<Column> by_name(std::span<const Column> columns, std::string_view 
 
 double column_value(const Column& column, const cases::Case& problem, const bench::Row& row) {
   return column.value({column, problem, row});
+}
+void column_values(const Column& column, const cases::Case& problem,
+                   std::span<const bench::Row* const> rows, double* to) {
+  column.value(column, problem, rows, to);
 }
 
 bool is_position(const Column& column) { return column.value == number::position; }

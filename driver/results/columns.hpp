@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "driver/base/units/units.hpp"
@@ -15,8 +16,29 @@
 namespace slipbench::driver::results {
 
 struct Cell;
-/// Reads the number of a column off a row.
-using ColumnValue = double (*)(const Cell& at);
+struct Column;
+
+/// Function that reads the number of a column off a row, or off many rows without a call for each.
+class ColumnValue {
+ public:
+  ColumnValue() = default;
+  /// Takes a function object without a state, double(const Cell&).
+  template <class Read>
+  requires std::is_empty_v<Read> ColumnValue(Read read);  // NOLINT: a column names what reads it
+
+  double operator()(const Cell& at) const { return one_(at); }
+  /// Reads the numbers of some rows into `to`.
+  void operator()(const Column& column, const cases::Case& problem,
+                  std::span<const bench::Row* const> rows, double* to) const {
+    many_(column, problem, rows, to);
+  }
+  bool operator==(const ColumnValue& other) const { return one_ == other.one_; }
+
+ private:
+  double (*one_)(const Cell& at) = nullptr;
+  void (*many_)(const Column& column, const cases::Case& problem,
+                std::span<const bench::Row* const> rows, double* to) = nullptr;
+};
 
 /// One column of the result: its name, the dimension its unit follows from, one sentence, and how
 /// its number is read off a row.
@@ -24,7 +46,7 @@ struct Column {
   std::string name;
   base::Dimension dimension;
   std::string text;
-  ColumnValue value = nullptr;
+  ColumnValue value;
   int index = 0;        ///< component 0..5, entry of the slip space, or flat quantity
   int definition = -1;  ///< of the case's definitions; -1 if it belongs to none
   double offset = 0.0;  ///< is subtracted
@@ -43,6 +65,14 @@ struct Cell {
   double scale() const { return law().slip.scale[index()]; }
   const bench::ComponentForces& forces() const { return row.forces.component[index()]; }
 };
+
+template <class Read>
+requires std::is_empty_v<Read> ColumnValue::ColumnValue(Read)
+    : one_([](const Cell& at) -> double { return Read{}(at); }),
+      many_([](const Column& column, const cases::Case& problem,
+               std::span<const bench::Row* const> rows, double* to) {
+        for (const bench::Row* const row : rows) *to++ = Read{}(Cell{column, problem, *row});
+      }) {}
 
 /// All columns a case has, in the order of the result file (docs/guide, "Read the result"). Names
 /// of one definition's columns end in `.name` where there are several definitions.
@@ -67,6 +97,9 @@ std::vector<std::string> column_names(const cases::Case& problem);
 
 /// The number of a column in a row of a run of `problem`.
 double column_value(const Column& column, const cases::Case& problem, const bench::Row& row);
+/// Those of several rows, into `to`.
+void column_values(const Column& column, const cases::Case& problem,
+                   std::span<const bench::Row* const> rows, double* to);
 
 bool is_position(const Column& column);          ///< CP, and with an offset CU and CCU
 bool is_friction_force(const Column& column);    ///< of one entry of a definition's slip space
