@@ -29,14 +29,15 @@ using Command = std::function<int()>;
 using Declare = void(CLI::App& app, Command& command);
 Declare declare_run, declare_check, declare_bless, declare_plot, declare_report, declare_calibrate,
     declare_sweep, declare_merge, declare_convert, declare_import, declare_export,
-    declare_translate, declare_list, declare_describe, declare_new, declare_schema;
+    declare_translate, declare_list, declare_describe, declare_new, declare_schema,
+    declare_completion;
 
 /// In the order of the help.
 inline constexpr std::array kCommands{
-    declare_run,     declare_check,     declare_bless,  declare_plot,
-    declare_report,  declare_calibrate, declare_sweep,  declare_merge,
-    declare_convert, declare_import,    declare_export, declare_translate,
-    declare_list,    declare_describe,  declare_new,    declare_schema};
+    declare_run,       declare_check,     declare_bless, declare_plot,     declare_report,
+    declare_calibrate, declare_sweep,     declare_merge, declare_convert,  declare_import,
+    declare_export,    declare_translate, declare_list,  declare_describe, declare_new,
+    declare_schema,    declare_completion};
 
 /// Adds the options that every command with cases has, '--set' and '--allow-outside'.
 void declare_settings(CLI::App& command, std::vector<std::string>& settings, bool& allow_outside);

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/driver/commands/program_for_test.hpp"
+
+namespace slipbench::driver::commands {
+namespace {
+
+/// Returns what bash offers for the last of these words.
+std::string offered(const TemporaryFolder& folder, const std::string& words) {
+  const Ended ended = shell(
+      folder, "bash -uc 'source <(\"" + kProgram + "\" completion bash); COMP_WORDS=(slipbench " +
+                  words +
+                  "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _slipbench; echo ${COMPREPLY[*]-}'");
+  REQUIRE(ended.code == 0);
+  return ended.output;
+}
+
+TEST_CASE("bash completes commands, their options and the words that these take") {
+  const TemporaryFolder folder;
+  CHECK(offered(folder, "re") == "report\n");
+  CHECK(offered(folder, "c") == "check calibrate convert completion\n");
+  CHECK(offered(folder, "run --ex") == "--explain\n");
+  CHECK(offered(folder, "run a.yaml --format \"\"") == "csv npy h5\n");
+  CHECK(offered(folder, "run a.yaml --format n") == "npy\n");
+  CHECK(offered(folder, "list c") == "connections closed-forms curves criteria\n");
+  CHECK(offered(folder, "export a.yaml --to r") == "radioss\n");
+  // Of a value, a file or a name of the user's, the shell's own.
+  CHECK(offered(folder, "run a.yaml --set --ex") == "\n");
+  CHECK(offered(folder, "run \"\"") == "\n");
+}
+
+TEST_CASE("every command of the help is in the completion of every shell") {
+  const TemporaryFolder folder;
+  const Ended help = slipbench(folder, "--help");
+  std::istringstream lines(help.output.substr(help.output.find("Subcommands:")));
+  std::vector<std::string> commands;
+  for (std::string line; std::getline(lines, line) && !line.empty();) {
+    if (line.starts_with("  ")) commands.push_back(line.substr(2, line.find(' ', 2) - 2));
+  }
+  REQUIRE(commands.size() > 10);
+  for (const char* const name : {"bash", "zsh", "fish"}) {
+    const Ended script = slipbench(folder, std::string("completion ") + name);
+    REQUIRE(script.code == 0);
+    for (const std::string& command : commands) {
+      CAPTURE(name, command);
+      CHECK(script.output.find(command) != std::string::npos);
+    }
+  }
+  CHECK(slipbench(folder, "completion tcsh").code == 2);
+}
+
+}  // namespace
+}  // namespace slipbench::driver::commands
