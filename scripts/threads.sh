@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # threads.sh [SECONDS]: the Python module in four threads under the thread sanitizer of g++: runs, updates of one law, sweeps. A race
-# is printed, and ends it with exit code 66. The build takes some 25 minutes on two cores.
+# is printed, and ends it with exit code 66. The build takes some 12 minutes on two cores.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"

@@ -39,6 +39,9 @@ inline constexpr std::array kCommands{
     declare_export,    declare_translate, declare_list,  declare_describe, declare_new,
     declare_schema,    declare_completion};
 
+/// Commit, compiler and libraries of this build, a line each; the build writes it.
+const char* build_facts();
+
 /// Adds the options that every command with cases has, '--set' and '--allow-outside'.
 void declare_settings(CLI::App& command, std::vector<std::string>& settings, bool& allow_outside);
 

@@ -50,7 +50,17 @@ int run(int argc, char** argv) {
       "'slipbench COMMAND --help' tells more about a command.\n"
       "Exit codes: 0 all well, 1 a check failed, 2 bad input, 3 numerical failure,\n"
       "4 file or environment, 70 internal error, 130/143 interrupted, 141 broken pipe.");
-  app.set_version_flag("--version", "slipbench " + std::string(results::program_version()));
+  const std::vector<std::string_view> words(argv + std::min(argc, 1), argv + argc);
+  std::string version = "slipbench " + std::string(results::program_version());
+  // --version ends the parsing, so that what stands beside it is looked for here.
+  if (std::find(words.begin(), words.end(), "--verbose") != words.end()) {
+    version += "\n" + std::string(build_facts());
+  }
+  CLI::Option* const told = app.set_version_flag("--version", version);
+  app.add_flag_function(
+         "--verbose", [](std::int64_t) {},
+         "With --version: commit, compiler and libraries of the build")
+      ->needs(told);
   app.require_subcommand(1);
   Command command;
   for (Declare* const declare : kCommands) declare(app, command);
@@ -67,7 +77,6 @@ int run(int argc, char** argv) {
       });
     }
   }
-  const std::vector<std::string_view> words(argv + std::min(argc, 1), argv + argc);
   if (const std::string fault = fault_of_command(app, words); !fault.empty()) {
     terminal::print_error("slipbench: error: " + fault + "\n");
     return base::kExitBadInput;

@@ -38,7 +38,7 @@ TEST_CASE("a command line without a command is answered by the one that was mean
        {"help", "no command 'help'; type 'slipbench --help' or 'slipbench run --help'"},
        {"--set a=1 run shock.yaml",
         "'--set' stands before the command; options stand behind it: slipbench run ... --set"},
-       {"--verson", "no option '--verson'; did you mean '--version'?"}},
+       {"--verson", "no option '--verson'; did you mean '--version' or '--verbose'?"}},
       "");
   check_all({{"", "no command; wanted one, for example: slipbench run shock.yaml"}},
             "See 'slipbench --help'.\n");

@@ -143,6 +143,14 @@ TEST_CASE("a wrong command line is exit code 2, help and version are 0") {
   CHECK(unknown.code == 2);
   CHECK(unknown.output == "slipbench: error: no command 'chek'; did you mean 'check'?\n");
   CHECK(slipbench(folder, "--version").output.find("slipbench ") == 0);
+  const Ended told = slipbench(folder, "--version --verbose");
+  CHECK(told.code == 0);
+  for (const char* const fact :
+       {"slipbench ", "\ncommit: ", "\ncompiler: ", "\nlibraries: Eigen 3."}) {
+    CAPTURE(fact, told.output);
+    CHECK(told.output.find(fact) != std::string::npos);
+  }
+  CHECK(slipbench(folder, "--verbose list").code == 2);
   CHECK(slipbench(folder, "--help").code == 0);
   CHECK(contains(slipbench(folder, "run --help").output, "--set"));
 }
