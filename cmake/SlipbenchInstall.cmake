@@ -12,6 +12,9 @@
 #   share/doc/slipbench/             documentation, licence, notice
 include(CMakePackageConfigHelpers)
 
+# What is of no other component, `program` or `python`.
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME dev)
+
 set(SLIPBENCH_INSTALL_CMAKEDIR ${CMAKE_INSTALL_LIBDIR}/cmake/slipbench)
 
 # slipbench_include_root(TARGET SCOPE): where an outside project that links TARGET finds <slipbench/ROOM/...>: in the
@@ -79,7 +82,7 @@ function(slipbench_install_program target)
   if(NOT SLIPBENCH_INSTALL)
     return()
   endif()
-  install(TARGETS ${target} EXPORT slipbench-program-targets)
+  install(TARGETS ${target} EXPORT slipbench-program-targets RUNTIME COMPONENT program)
   install(EXPORT slipbench-program-targets NAMESPACE slipbench::
           DESTINATION ${SLIPBENCH_INSTALL_CMAKEDIR})
 endfunction()
@@ -100,8 +103,9 @@ function(slipbench_install_package)
                 ${PROJECT_SOURCE_DIR}/cmake/FindUDUNITS2.cmake
                 ${PROJECT_SOURCE_DIR}/cmake/SlipbenchAddCases.cmake
           DESTINATION ${SLIPBENCH_INSTALL_CMAKEDIR})
-  install(DIRECTORY cases plots DESTINATION ${CMAKE_INSTALL_DATADIR}/slipbench)
-  install(DIRECTORY reference/curves DESTINATION ${CMAKE_INSTALL_DATADIR}/slipbench/reference)
-  install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN Doxyfile EXCLUDE)
-  install(FILES README.md CHANGELOG.md LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+  # cases/bad are inputs of the tests.
+  install(DIRECTORY cases plots DESTINATION ${CMAKE_INSTALL_DATADIR}/slipbench COMPONENT program PATTERN cases/bad EXCLUDE)
+  install(DIRECTORY reference/curves DESTINATION ${CMAKE_INSTALL_DATADIR}/slipbench/reference COMPONENT program)
+  install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program PATTERN Doxyfile EXCLUDE)
+  install(FILES README.md CHANGELOG.md LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 endfunction()

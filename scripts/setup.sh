@@ -15,6 +15,7 @@ case "$#:${1:-}" in
   1:tests) lists+=(scripts/packages-test.txt) ;;
   1:farm) lists+=(scripts/packages-test.txt scripts/packages-farm.txt) ;;
   1:mutation) lists+=(scripts/packages-mutation.txt) ;;
+  1:package) lists+=(scripts/packages-package.txt) ;;
   *) fail "wanted nothing, 'tests', 'farm' or 'mutation', found '$*'" 2 ;;
 esac
 
