@@ -336,7 +336,7 @@ double ExactWalk::end_at_rest(double from, double to) noexcept {
   if (!piece_) return to;
   // A coefficient over the rate: as it is at rest, and as the motion sees it.
   const double fastest = by_rate_ ? length_ * inverse_duration_ : 0.0;
-  for (const double rate : {fastest, 0.0}) {
+  for (const double rate : {fastest, double{0.0}}) {
     const auto way = [&](double t) { return point(t, slip_, rate); };
     enter_piece(way, from, to);
     to = piece_->end_of(way, from, to, kSamples);

@@ -78,7 +78,7 @@ SmoothPiece::SmoothPiece(const FrictionDefinition& definition, const PathSegment
   std::array<bool, kMost> moves{};
   Values first{};
   for (const double tau : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-    for (const double slip : {0.0, largest_slip}) {
+    for (const double slip : {double{0.0}, largest_slip}) {
       const Values here = values({tau, slip, 0.0, 1.0});
       if (tau == 0.0) first = here;
       for (std::size_t i = 0; i < count_; ++i) {

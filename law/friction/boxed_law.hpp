@@ -16,7 +16,7 @@ class BoxedLaw {
     fill(*this, law);
   }
 
-  static constexpr std::size_t kBytes = 128;  ///< of the largest of them, which law it is included
+  static constexpr std::size_t kBytes = 16 * sizeof(double);  ///< of the largest, the law it is included
   alignas(double) std::byte bytes[kBytes] = {};  ///< law_list.hpp makes and reads them
 };
 

@@ -152,7 +152,7 @@ LawRange range(const FrictionLaw& law) {
 
 double area_of(const FrictionLaw& law) {
   return visit_law(
-      [](const auto& l) {
+      [](const auto& l) -> double {
         if constexpr (requires { l.area; }) return l.area.value_or(0.0);
         return 0.0;
       },

@@ -128,7 +128,7 @@ struct GeneralizedViscous {
     const double p = line.force * per_force();
     const double a = c5;
     const double b = c2 + c3 * p;
-    const double c = raw_coefficient(p, 0.0) - kCoefficientFloor;
+    const double c = raw_coefficient(p, double{0.0}) - kCoefficientFloor;
     const double square = b * b - 4.0 * a * c;
     if (!(square >= 0.0)) return kNoBend;
     // The form of the roots that does not cancel; a division by 0 gives none ahead.

@@ -250,7 +250,7 @@ double limit_use(const FrictionDefinition& definition, const FrictionUpdate& upd
                  const PenaltyDetail& detail) noexcept {
   if (!definition.formulation) return 0.0;
   const Formulation& formulation = *definition.formulation;
-  const auto over = [](double force, double bound) {
+  const auto over = [](double force, double bound) -> double {
     if (force == 0.0) return 0.0;
     return bound > 0.0 ? force / bound : std::numeric_limits<double>::infinity();
   };
