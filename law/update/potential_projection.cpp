@@ -152,21 +152,32 @@ std::array<PartReturn, kComponents> Projection::max_parts(double limit) const no
   return parts;
 }
 
+/// From X and the differences of the lengths: t - c q alone is, after many elastic slips, what two
+/// large numbers leave. Over the leaves h of a part that are not at 0
+///   r_g = (c_g (X + offset) + sum c_h (c_h t_g - c_g t_h)) / sum c_h^2.
 SlipVector Projection::returned(const std::array<PartReturn, kComponents>& parts) const noexcept {
-  std::array<int, kComponents> leaves{};
-  for (std::size_t g = 0; g < static_cast<std::size_t>(potential_.leaves); ++g) {
-    ++leaves[static_cast<std::size_t>(potential_.leaf[g].part)];
-  }
+  const auto leaves = static_cast<std::size_t>(potential_.leaves);
+  const auto is_left = [&](std::size_t h) {
+    const PotentialLeaf& leaf = potential_.leaf[h];
+    return lengths_[h] > leaf.factor * parts[static_cast<std::size_t>(leaf.part)].pull;
+  };
   SlipVector y = trial_;
-  for (std::size_t g = 0; g < static_cast<std::size_t>(potential_.leaves); ++g) {
+  for (std::size_t g = 0; g < leaves; ++g) {
     const PotentialLeaf& leaf = potential_.leaf[g];
     const auto i = static_cast<std::size_t>(leaf.part);
-    const double pull = leaf.factor * parts[i].pull;
-    if (!(lengths_[g] > 0.0) || !(pull > 0.0)) continue;
-    // What is left of a leaf alone in its part is known without the cancellation of t - c q.
-    const double rest = leaves[i] == 1 && potential_.offset[i] == 0.0
-                            ? parts[i].magnitude / leaf.factor
-                            : std::max(lengths_[g] - pull, 0.0);
+    if (!(lengths_[g] > 0.0) || !(parts[i].pull > 0.0)) continue;
+    double rest = 0.0;
+    if (is_left(g)) {
+      double sum = leaf.factor * (parts[i].magnitude + potential_.offset[i]);
+      double stiffness = 0.0;
+      for (std::size_t h = 0; h < leaves; ++h) {
+        const PotentialLeaf& other = potential_.leaf[h];
+        if (other.part != leaf.part || !is_left(h)) continue;
+        sum += other.factor * (other.factor * lengths_[g] - leaf.factor * lengths_[h]);
+        stiffness += other.factor * other.factor;
+      }
+      rest = std::max(sum / stiffness, 0.0);
+    }
     const double v = coordinate(leaf, trial_);
     const bool norm = leaf.kind == PotentialLeaf::Kind::kNorm;
     for (std::size_t k = 0; k < y.size(); ++k) {

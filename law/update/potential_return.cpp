@@ -78,7 +78,8 @@ bool beyond_again(const Search& start, double slip, double end) noexcept {
 
 /// The fraction of the way from y0 to `trial` at which P reaches the limit, the last time if y0
 /// is beyond it; 0 if it stays beyond. P is convex along it: Newton's method comes down from the
-/// far end.
+/// far end. Of a way of many elastic slips the fraction is small, and a step to it has the rounding
+/// of 1: a step back from below takes that away.
 double meets_limit(const Potential& potential, const SlipVector& y0, const SlipVector& rise,
                    double limit) noexcept {
   const bool beyond = !within(potential, y0, limit);
@@ -88,8 +89,9 @@ double meets_limit(const Potential& potential, const SlipVector& y0, const SlipV
     const double excess = value(potential, y) - limit;
     const double slope = dot(gradient(potential, y), rise);
     if (beyond && excess > 0.0 && !(slope > 0.0)) return 0.0;
-    if (!(excess > 0.0) || !(slope > 0.0)) break;
+    if (!(slope > 0.0)) break;
     const double next = lambda - excess / slope;
+    if (!(excess > 0.0)) return std::min(next, 1.0);
     if (!(next < lambda)) break;
     lambda = next;
     if (lambda <= 0.0) return 0.0;

@@ -262,6 +262,35 @@ TEST_CASE("a shift moves the band, dissipates its work, and opens where 0 is out
   }
 }
 
+// With b = 2 the contributions X_i come back in proportion to what they are of the trial force,
+// up to their shifts. The difference of trial force and pull alone had an error of 1e9 roundings.
+TEST_CASE("after 1e9 elastic slips a force is known as well as after one") {
+  const StickStiffness stick = fixed_stiffness(2e10);
+  const auto norm_of = [](int number) { return term(TermOperator::kNorm, {{number, 1.0}}); };
+  std::vector<PotentialContribution> shifted{of_derived({norm_of(2)}), of_derived({norm_of(3)})};
+  for (PotentialContribution& one : shifted) {
+    one.function = Function::kMacauley;
+    one.shift = 5.0;
+  }
+  FrictionRun run = run_of(sum(shifted, 2.0), stick);
+  run.position[1] = 0.7;
+  run.position[2] = 0.3;
+  CHECK(run.step().state.regime == Regime::kSlip);
+  const double t2 = 0.7 * 2e10 - 5.0, t3 = 0.3 * 2e10 - 5.0;
+  CHECK(run.friction(2) == Approx(5.0 + 20.0 * t2 / std::hypot(t2, t3)).epsilon(1e-14));
+  CHECK(run.friction(3) == Approx(5.0 + 20.0 * t3 / std::hypot(t2, t3)).epsilon(1e-14));
+
+  // The second of two terms of one contribution is used up: nothing but the first holds it.
+  run = run_of(sum({of_derived({norm_of(1), norm_of(2)}), of_component(3)}, 2.0), stick);
+  run.position[0] = 0.7;
+  run.position[1] = 0.1;
+  run.position[2] = 0.3;
+  run.step();
+  CHECK(run.friction(1) == Approx(20.0 * 0.7 / std::hypot(0.7, 0.3)).epsilon(1e-14));
+  CHECK(run.friction(2) == 0.0);
+  CHECK(run.friction(3) == Approx(20.0 * 0.3 / std::hypot(0.7, 0.3)).epsilon(1e-14));
+}
+
 TEST_CASE("both stick modes agree under a constant limit for every exponent") {
   for (const double b : {1.0, 1.2, 1.5, 2.0, 4.0, 30.0}) {
     const BuiltPotential built = sum({of_component(2), of_component(3, 0.5), of_component(4)}, b);
