@@ -5,6 +5,7 @@
 #   sanitizers  all tests under the address and undefined-behaviour sanitizers                       1 h
 #   threads     what runs in parallel, under the thread sanitizer                                    20 min
 #   memory      reads of memory that was never written, by valgrind, in a dozen cases               3 min
+#   difference  the law in double against itself in long double, over a million increments            20 min
 #   fuzz        every target of scripts/fuzz.sh, SLIPBENCH_FUZZ_SECONDS (600) each                   2 h
 #   torture     scripts/torture.sh                                                                   3 min
 #   mutate      scripts/mutate.sh: which changes of the code no test sees
@@ -48,11 +49,18 @@ memory() {
   rm -r "$out"
 }
 
+# Seeds of its own every night; each that finds something is printed.
+difference() {
+  configure release
+  build release --target difference_tests
+  SLIPBENCH_DIFFERENCE_INCREMENTS=1000000 SLIPBENCH_DIFFERENCE_SEED="$(date +%Y%m%d)000000" build/release/tests/difference_tests
+}
+
 fuzz() { scripts/fuzz.sh all "${SLIPBENCH_FUZZ_SECONDS:-600}"; }
 torture() { scripts/torture.sh; }
 mutate() { scripts/mutate.sh; }
 
-parts=(sanitizers threads memory fuzz torture mutate)
+parts=(sanitizers threads memory difference fuzz torture mutate)
 for part in "$@"; do
   printf '%s\n' "${parts[@]}" | grep -qxF -- "$part" || fail "wanted some of ${parts[*]}; found '$part'" 2
 done

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/difference/one_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "law/definition/motion.hpp"
+#include "law/definition/packed_definition.hpp"
+#include "law/exact/continuous_update.hpp"
+#include "law/update/return_mapping.hpp"
+
+namespace slipbench::test {
+namespace {
+
+template <class Vector>
+double length(const Vector& v) {
+  double square = 0.0;
+  for (const double x : v) square += x * x;
+  return std::sqrt(square);
+}
+
+law::Ambient ambient(const PlainIncrement<double>::End& end) {
+  return {{end.position}, {end.motion}, end.temperature, end.fields};
+}
+
+/// \param largest limit on the way [F]
+/// \param from accumulated slip that the slip is a difference to [L]
+PlainStep<double> plain(const law::FrictionDefinition& definition,
+                        const law::ConnectorIncrement& increment, const law::FrictionState& old,
+                        const law::FrictionUpdate& u, double largest, double from) {
+  const double ds = length(law::motion_in(definition.slip, increment));
+  const bool fixed = definition.stick.mode == law::StickStiffness::Mode::kStiffness;
+  const double stick = definition.stick.value;
+  // The way, with what the spring held, and the force that all of it would give.
+  const double elastic = std::max(length(u.state.elastic_slip), fixed ? largest / stick : stick);
+  const double way = ds + elastic + length(old.elastic_slip);
+  double kappa = fixed ? stick : largest / stick;
+  if (definition.formulation) {
+    const auto* spring = std::get_if<law::StiffnessPenalty>(&definition.formulation->penalty);
+    kappa = spring != nullptr ? spring->stiffness : 0.0;
+  }
+  const double reached = std::max(length(u.state.force), largest);
+  const double trial = reached + length(old.force) + kappa * ds;
+  // Beside a shift the force is what a pull leaves of all of it.
+  const auto* potential = std::get_if<law::Potential>(&definition.criterion);
+  const bool shifted = potential != nullptr && !potential->homogeneous;
+  const double y = shifted ? trial : reached;
+  const double both = y + length(old.force);
+  const double s = shifted ? way : elastic;
+  PlainStep<double> step{{u.state.elastic_slip, u.state.force, u.state.accumulated_slip,
+                          static_cast<int>(u.state.regime)},
+                         {}};
+  const auto tell = [&](const char* name, double value, double size) {
+    step.results.push_back({name, value, std::max(size, std::abs(value))});
+  };
+  for (std::size_t k = 0; k < 6; ++k) tell("force", u.state.force[k], y);
+  for (std::size_t k = 0; k < 6; ++k) tell("elastic slip", u.state.elastic_slip[k], s);
+  // In stick that of a potential is its gradient, which has corners wherever a term is 0.
+  const double held =
+      potential != nullptr && u.state.regime == law::Regime::kStick ? 0.0 : length(u.state.force);
+  const double known = held > 0.0 ? y / held : std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < 6; ++k) tell("direction", u.direction[k], known);
+  tell("accumulated slip", u.state.accumulated_slip, way);
+  tell("slip increment", u.slip_increment, way + from);
+  tell("limit", u.limit, 0.0);
+  tell("mu", u.mu, 0.0);
+  tell("contact force", u.contact_force, u.normal_force);
+  tell("normal force", u.normal_force, 0.0);
+  tell("slip rate", u.slip_rate, increment.duration > 0.0 ? way / increment.duration : 0.0);
+  tell("wear", u.wear, 0.0);
+  tell("phi", u.phi, trial);
+  tell("dissipation", u.dissipation, both * way);
+  tell("stored energy", u.stored_energy, y * s);
+  tell("work", u.work, both * way);
+  tell("onset", u.onset, ds > 0.0 ? way / ds : 1.0);
+  tell("snap-back", u.snap_back, 0.0);
+  tell("lost", u.lost, both * way);
+  tell("jump onset", u.jump_onset, 1.0);
+  const law::SlipTangent& t = u.tangent;
+  const double steep = std::max({std::abs(t.transverse), std::abs(t.radial), std::abs(t.rate)});
+  tell("transverse", t.transverse, steep);
+  tell("radial", t.radial, steep);
+  tell("rate", t.rate, steep);
+  tell("contact", t.contact, 0.0);
+  tell("clip", t.clip, 1.0);
+  tell("regime", static_cast<double>(u.state.regime), 0.0);
+  tell("multiple roots", u.multiple_roots ? 1.0 : 0.0, 0.0);
+  tell("converged", u.converged ? 1.0 : 0.0, 0.0);
+  tell("jumps", u.jumps, 0.0);
+  return step;
+}
+
+}  // namespace
+
+template <>
+PlainStep<double> one_step<double>(Way way, std::span<const double> packed,
+                                   const PlainIncrement<double>& from) {
+  const auto definition = law::unpack(packed);
+  if (!definition) return {};
+  law::ConnectorIncrement increment;
+  increment.duration = from.duration;
+  increment.begin_position.values = from.begin.position;
+  increment.end = ambient(from.end);
+  increment.force.values = from.end.force;
+  const law::FrictionState old{from.old.elastic_slip, from.old.force, from.old.accumulated_slip,
+                               static_cast<law::Regime>(from.old.regime)};
+  if (way == Way::kBackwardEuler) {
+    const law::FrictionUpdate u = law::update(*definition, increment, old);
+    return plain(*definition, increment, old, u, u.limit, 0.0);
+  }
+  if (definition->formulation || law::no_continuous_solution(*definition)) return {};
+  law::PathSegment segment =
+      law::path_segment(*definition, increment, ambient(from.begin), {from.begin.force});
+  segment.begin_blend.weight = from.begin_blend;
+  segment.begin_stick = from.begin_stick;
+  segment.begin_wrap_angle = from.begin_wrap_angle;
+  const double motion = length(law::motion_in(definition->slip, increment));
+  const double fastest = increment.duration > 0.0 ? motion / increment.duration : 0.0;
+  law::SegmentPoints points(*definition, segment, motion);
+  double largest = 0.0;
+  for (const double tau : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+    for (const double rate : {double{0.0}, fastest}) {
+      for (const double side : {-1.0, 1.0}) {
+        largest = std::max(largest, points.limit(tau, old.accumulated_slip, rate, side).force);
+      }
+    }
+  }
+  return plain(*definition, increment, old,
+               law::continuous_update(*definition, segment, old, kExactness), largest,
+               old.accumulated_slip);
+}
+
+}  // namespace slipbench::test
