@@ -26,7 +26,7 @@ law::Ambient ambient(const PlainIncrement<double>::End& end) {
 
 /// \param largest limit on the way [F]
 /// \param from accumulated slip that the slip is a difference to [L]
-PlainStep<double> plain(const law::FrictionDefinition& definition,
+PlainStep<double> plain(Way way_of, const law::FrictionDefinition& definition,
                         const law::ConnectorIncrement& increment, const law::FrictionState& old,
                         const law::FrictionUpdate& u, double largest, double from) {
   const double ds = length(law::motion_in(definition.slip, increment));
@@ -56,9 +56,11 @@ PlainStep<double> plain(const law::FrictionDefinition& definition,
   };
   for (std::size_t k = 0; k < 6; ++k) tell("force", u.state.force[k], y);
   for (std::size_t k = 0; k < 6; ++k) tell("elastic slip", u.state.elastic_slip[k], s);
-  // In stick that of a potential is its gradient, which has corners wherever a term is 0.
-  const double held =
-      potential != nullptr && u.state.regime == law::Regime::kStick ? 0.0 : length(u.state.force);
+  // That of a potential is its gradient, which has corners wherever a term is 0, in stick; exactly
+  // it is that of the last sub-increment, however long.
+  const bool told = potential == nullptr ||
+                    (way_of == Way::kBackwardEuler && u.state.regime == law::Regime::kSlip);
+  const double held = told ? length(u.state.force) : 0.0;
   const double known = held > 0.0 ? y / held : std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < 6; ++k) tell("direction", u.direction[k], known);
   tell("accumulated slip", u.state.accumulated_slip, way);
@@ -73,7 +75,13 @@ PlainStep<double> plain(const law::FrictionDefinition& definition,
   tell("dissipation", u.dissipation, both * way);
   tell("stored energy", u.stored_energy, y * s);
   tell("work", u.work, both * way);
-  tell("onset", u.onset, ds > 0.0 ? way / ds : 1.0);
+  // Where a limit is met is asked of fourth powers of forces, which double may not have.
+  const bool vanishes =
+      std::pow(std::min(trial, reached), 4.0) < std::numeric_limits<double>::min();
+  tell("onset", u.onset,
+       vanishes   ? std::numeric_limits<double>::infinity()
+       : ds > 0.0 ? way / ds
+                  : 1.0);
   tell("snap-back", u.snap_back, 0.0);
   tell("lost", u.lost, both * way);
   tell("jump onset", u.jump_onset, 1.0);
@@ -107,7 +115,7 @@ PlainStep<double> one_step<double>(Way way, std::span<const double> packed,
                                static_cast<law::Regime>(from.old.regime)};
   if (way == Way::kBackwardEuler) {
     const law::FrictionUpdate u = law::update(*definition, increment, old);
-    return plain(*definition, increment, old, u, u.limit, 0.0);
+    return plain(way, *definition, increment, old, u, u.limit, 0.0);
   }
   if (definition->formulation || law::no_continuous_solution(*definition)) return {};
   law::PathSegment segment =
@@ -126,7 +134,7 @@ PlainStep<double> one_step<double>(Way way, std::span<const double> packed,
       }
     }
   }
-  return plain(*definition, increment, old,
+  return plain(way, *definition, increment, old,
                law::continuous_update(*definition, segment, old, kExactness), largest,
                old.accumulated_slip);
 }
