@@ -1,0 +1,208 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Lays the pages of the documentation site together: pages.py SLIPBENCH FOLDER
+
+FOLDER gets what mkdocs reads: the pages of docs/ in the Markdown that mkdocs understands, those that the program tells (commands, types, laws, ..),
+a gallery of cases/examples and the sketches of joints. `scripts/docs.sh` calls it and builds the site.
+"""
+import ast
+import concurrent.futures
+import html
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+DOCS, EXAMPLES = ROOT / "docs", ROOT / "cases/examples"
+FENCE = re.compile(r"^( *)(```+)(\w*) ?(.*)$")
+LINK = re.compile(r"(\]\()([^)\s:]+?)(#[^)\s]*)?(\))")
+
+
+class Site:
+    def __init__(self, program, folder):
+        self.program, self.folder = pathlib.Path(program).resolve(), pathlib.Path(folder)
+        self.shown = set()  # files of the project beside docs/ that some page links to
+
+    def say(self, *words):
+        """What the program prints."""
+        return subprocess.run([self.program, *words], capture_output=True, text=True, check=True, env={**os.environ, "LC_ALL": "C.UTF-8"}).stdout
+
+    def write(self, name, text):
+        path = self.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+
+    def place(self, file):
+        """Where the site has a file of the project, or None."""
+        if file.is_relative_to(DOCS):
+            return file.relative_to(DOCS / "site" if file.is_relative_to(DOCS / "site") else DOCS)
+        if file == EXAMPLES:
+            return pathlib.Path("gallery.md")
+        if file.parent == EXAMPLES and file.suffix == ".yaml":
+            return pathlib.Path(f"gallery.md#{file.stem}")
+        if not file.is_file():
+            return None
+        self.shown.add(file)
+        return pathlib.Path("files") / (f"{file.relative_to(ROOT)}" + ("" if file.suffix == ".md" else ".md"))
+
+    def links(self, line, source, page):
+        """A line with its links as they are on the site; of what the site does not have only the words stay."""
+        def change(match):
+            to = self.place((source.parent / match[2]).resolve())
+            if to is None:
+                return "](#"
+            return f"]({os.path.relpath(to, pathlib.Path(page).parent)}{match[3] or ''})"
+        line = re.sub(r"(`[^`]*`)|" + LINK.pattern, lambda m: m[0] if m[1] else change(re.match(LINK, m[0])), line)
+        return re.sub(r"\[([^\]]*)\]\(#(?=[\s.,;:)]|$)", r"\1", line)
+
+    def page(self, source, page):
+        """A page of the project: titles of blocks, lists and links in mkdocs' way."""
+        lines, fence, last = [], None, ""
+        for line in source.read_text().splitlines():
+            mark = FENCE.match(line)
+            if fence:
+                lines.append(line)
+                fence = None if line.strip() == fence else fence
+            elif mark:
+                fence = mark[2]
+                title = "" if mark[3] == "console" or not mark[4] else f' title="{mark[4].split()[-1]}"'
+                lines.append(f"{mark[1]}{mark[2]}{mark[3]}{title}")
+            else:
+                item = re.match(r"( *)([-*]|\d+\.) ", line)
+                if item and last.strip() and not re.match(r" *([-*]|\d+\.) |  ", last):
+                    lines.append("")  # GitHub begins a list below a line of text, mkdocs does not
+                lines.append(self.links(line, source, page))
+            last = line
+        self.write(page, "\n".join(lines) + "\n")
+
+    def pages(self):
+        for source in sorted(DOCS.rglob("*")):
+            if source.is_dir() or source.suffix == ".py" and source.parent.name == "site" or source.name in ("mkdocs.yml", "Doxyfile"):
+                continue
+            page = self.place(source)
+            if source.suffix == ".md":
+                self.page(source, page)
+            elif "theme" not in page.parts:
+                (self.folder / page).parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy(source, self.folder / page)
+
+    def files(self):
+        """Files that pages link to, and those which these link to."""
+        done = set()
+        while self.shown - done:
+            for file in sorted(self.shown - done):
+                done.add(file)
+                page = self.place(file)
+                if file.suffix == ".md":
+                    self.page(file, page)
+                else:
+                    kind = {".yaml": "yaml", ".csv": "text", ".py": "python"}.get(file.suffix, "text")
+                    self.write(page, f"# {file.name}\n\n`{file.relative_to(ROOT)}`\n\n````{kind}\n{file.read_text()}````\n")
+
+    def reference(self):
+        """What the program says of itself."""
+        def listed(what):
+            return [line.split(maxsplit=1) for line in self.say("list", what).splitlines() if line.startswith("  ")]
+
+        def section(name):
+            told = self.say("describe", name).rstrip().replace("```", "'''")
+            return f"## {name}\n\n```text\n{told}\n```\n"
+
+        commands = re.findall(r"^  (\w+) ", self.say("--help").partition("Subcommands:")[2].partition("Examples:")[0], re.MULTILINE)
+        self.write("reference/commands.md", "# Commands\n\n```text\n" + self.say("--help") + "```\n\n" + "\n".join(
+            f"## slipbench {name}\n\n```text\n{self.say(name, '--help')}```\n" for name in commands))
+        for page, title, what, words in (
+                ("laws", "Laws of the coefficient", "laws", "`coefficient` of a friction definition is a number, a table or one of these laws."),
+                ("closed-forms", "Closed forms", "closed-forms", "What a check can hold a result against; [theory](../theory/closed-forms.md)."),
+                ("curves", "Reference curves", "curves", "Curves that come with the program, for checks."),
+                ("criteria", "Criteria", "criteria", "By what a check compares two curves; [theory](../theory/comparing.md).")):
+            names = [words[0] for words in listed(what)]
+            self.write(f"reference/{page}.md", f"# {title}\n\n{words} `slipbench describe NAME` tells the same.\n\n" + "\n".join(map(section, names)))
+        rows = "\n".join(f"| `{name}` | {html.escape(words)} |" for name, words in listed("quantities"))
+        self.write("reference/columns.md", f"# Columns\n\nWhat a case prescribes and a result has, as far as the connection does.\n\n| name | meaning |\n|---|---|\n{rows}\n")
+        sections = "\n".join(section(name) for name in self.types())
+        self.write("reference/connections.md", "# Connection types\n\nThe types of Abaqus' connector elements (`*CONNECTOR SECTION`) and a contact point of "
+                   f"Radioss.\n\n```text\n{self.say('list', 'connections')}```\n\n{sections}")
+        self.write("reference/python.md", python_reference())
+
+    def types(self):
+        schema = json.loads(self.say("schema"))
+        return schema["properties"]["connector"]["properties"]["type"]["anyOf"][0]["enum"]
+
+    def picture(self, job):
+        """One picture, light or dark: (folder, words of the command, file)."""
+        folder, words, file = job
+        file.parent.mkdir(parents=True, exist_ok=True)
+        subprocess.run([self.program, "plot", *words, "-o", file], cwd=folder, check=True, capture_output=True)
+
+    def light_and_dark(self, jobs):
+        """Pictures (folder, words, name without ending), drawn by all cores."""
+        both = [(folder, [*words, *dark], self.folder / f"{name}{'-dark' if dark else ''}.svg")
+                for folder, words, name in jobs for dark in ([], ["--dark"])]
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            list(pool.map(self.picture, both))
+
+    def gallery(self):
+        text = ["# Gallery\n\nAll cases of `cases/examples`: what each is, what it gives, and the case. `slipbench check cases/examples` runs their checks.\n"]
+        jobs = []
+        for case in sorted(EXAMPLES.glob("*.yaml")):
+            body = case.read_text()
+            title = re.search(r"^title: *(.*)$", body, re.MULTILINE)[1].strip("'\"")
+            first = re.sub(r"\s+", " ", re.sub(r"^# ?", "", re.match(r"(#.*\n)+", body)[0], flags=re.MULTILINE))
+            sentence = re.match(r".*?[.?!:](?= |$)", first)[0].rstrip(":")
+            jobs.append((EXAMPLES, [case.name], f"gallery/{case.stem}"))
+            text.append(f"## {title} {{ #{case.stem} }}\n\n{html.escape(sentence, quote=False)}{'' if sentence[-1] in '.?!' else '.'}\n\n"
+                        + figure(f"gallery/{case.stem}", f"{title}: friction force over time and motion")
+                        + f'\n??? example "{case.name}"\n\n    ```yaml\n' + re.sub(r"^(?=.)", "    ", body, flags=re.MULTILINE) + "    ```\n")
+        self.light_and_dark(jobs)
+        self.write("gallery.md", "\n".join(text))
+
+
+def figure(name, words):
+    """A picture for light and one for dark pages."""
+    words = html.escape(words)
+    return (f'![{words}]({name}.svg#only-light){{ loading=lazy }}\n'
+            f'![{words}]({name}-dark.svg#only-dark){{ loading=lazy }}\n')
+
+
+def python_reference():
+    """The public classes and functions of the Python module, from their own words."""
+    def signature(node):
+        arguments = [one for one in (node.args.args[1:] if node.args.args and node.args.args[0].arg == "self" else node.args.args)]
+        taken = ast.arguments(posonlyargs=[], args=arguments, vararg=node.args.vararg, kwonlyargs=node.args.kwonlyargs,
+                              kw_defaults=node.args.kw_defaults, kwarg=node.args.kwarg, defaults=node.args.defaults)
+        return f"{node.name}({ast.unparse(taken)})" + (f" -> {ast.unparse(node.returns)}" if node.returns else "")
+
+    public = ast.literal_eval(re.search(r"__all__ = (\[.*?\])", (ROOT / "python/slipbench/__init__.py").read_text(), re.DOTALL)[1])
+    text = ["# Python\n\nThe public names of the module `slipbench`; [From Python](../guide/python.md) shows them at work.\n"]
+    for file in sorted((ROOT / "python/slipbench").glob("_*.py")):
+        for node in ast.parse(file.read_text()).body:
+            if getattr(node, "name", None) not in public:
+                continue
+            text.append(f"## {node.name}\n")
+            if isinstance(node, ast.FunctionDef):
+                text.append(f"```python\n{signature(node)}\n```\n")
+            text.append(f"{ast.get_docstring(node) or ''}\n")
+            for inner in getattr(node, "body", []) if isinstance(node, ast.ClassDef) else []:
+                words = ast.get_docstring(inner) if isinstance(inner, ast.FunctionDef) else None
+                if words and not inner.name.startswith("_"):
+                    is_value = any(getattr(one, "id", "") == "property" for one in inner.decorator_list)
+                    text.append(f"`{inner.name if is_value else signature(inner)}`\n:   " + words.replace("\n", "\n    ") + "\n")
+    return "\n".join(text)
+
+
+def main(program, folder):
+    site = Site(program, folder)
+    site.pages()
+    site.reference()
+    site.gallery()
+    site.files()
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
