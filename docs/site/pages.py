@@ -17,6 +17,8 @@ import subprocess
 import sys
 import tempfile
 
+import joints
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DOCS, EXAMPLES = ROOT / "docs", ROOT / "cases/examples"
 FENCE = re.compile(r"^( *)(```+)(\w*) ?(.*)$")
@@ -127,12 +129,38 @@ class Site:
         self.write("reference/columns.md", f"# Columns\n\nWhat a case prescribes and a result has, as far as the connection does.\n\n| name | meaning |\n|---|---|\n{rows}\n")
         sections = "\n".join(section(name) for name in self.types())
         self.write("reference/connections.md", "# Connection types\n\nThe types of Abaqus' connector elements (`*CONNECTOR SECTION`) and a contact point of "
-                   f"Radioss.\n\n```text\n{self.say('list', 'connections')}```\n\n{sections}")
+                   f"Radioss. [Find your joint](../joints.md) has a sketch of each.\n\n```text\n{self.say('list', 'connections')}```\n\n{sections}")
         self.write("reference/python.md", python_reference())
 
     def types(self):
         schema = json.loads(self.say("schema"))
         return schema["properties"]["connector"]["properties"]["type"]["anyOf"][0]["enum"]
+
+    def connections(self):
+        """{type: (what the program tells of it, [what it holds], [what it frees])}"""
+        def words(told, which):
+            found = re.search(rf"^  {which}, .*?:' +(.*)$", told, re.MULTILINE)[1].strip()
+            return [] if found == "none" else found.split(", ")
+        told = {name: self.say("describe", name).partition("  a minimal case")[0] for name in self.types()}
+        return {name: (text, words(text, "holds"), words(text, "frees")) for name, text in told.items()}
+
+    def joints(self):
+        """A section for each connection type below the words of docs/site/joints.md."""
+        text = [(self.folder / "joints.md").read_text()]
+        if set(self.types()) != set(joints.SKETCHES):
+            sys.exit(f"docs/site/joints.py and the program have other types: {sorted(set(self.types()) ^ set(joints.SKETCHES))}")
+        for name, (told, held, free) in self.connections().items():
+            numbers = re.findall(r"^    (\w+) +([^(].*)$", told.partition("predefined friction, parameters")[2], re.MULTILINE)
+            missing = {one for one, _ in numbers if one[0] in "RL"} - joints.labels(name)
+            if missing:
+                sys.exit(f"docs/site/joints.py: the sketch of {name} does not show {', '.join(sorted(missing))}")
+            formula = re.search(r"^  contact force; .*\n((?: {4}.*\n)+)", told, re.MULTILINE)[1].replace("\n    ", "\n").strip()
+            rows = "".join(f"| `{one}` | {words} |\n" for one, words in numbers)
+            text.append(f"## {name}\n\n{told.splitlines()[1].strip()} {made_of(told)}\n\n{joints.sketch(name, held, free)}\n\n"
+                        f"Free: {', '.join(free) or 'nothing'}. Held: {', '.join(held) or 'nothing'}.\n\n```text\n{formula}\n```\n"
+                        + (f"\n| parameter | |\n|---|---|\n{rows}" if rows else "\nNo parameters of predefined friction.\n" if "'predefined: {}'" in told
+                           else "\nFriction is written out, by `component` or `potential`.\n"))
+        self.write("joints.md", "\n".join(text))
 
     def picture(self, job):
         """One picture, light or dark: (folder, words of the command, file)."""
@@ -170,6 +198,11 @@ def figure(name, words):
             f'![{words}]({name}-dark.svg#only-dark){{ loading=lazy }}\n')
 
 
+def made_of(told):
+    parts = re.search(r"connection type, (.* \+ .*)\)", told)
+    return f"Made of {parts[1]}." if parts else ""
+
+
 def python_reference():
     """The public classes and functions of the Python module, from their own words."""
     def signature(node):
@@ -200,6 +233,7 @@ def main(program, folder):
     site = Site(program, folder)
     site.pages()
     site.reference()
+    site.joints()
     site.gallery()
     site.files()
 
