@@ -69,9 +69,13 @@ class Site:
             mark = FENCE.match(line)
             if fence:
                 lines.append(line)
-                fence = None if line.strip() == fence else fence
+                shown.append(line)
+                if line.strip() == fence:
+                    fence = None
+                    if caption:
+                        lines += ["", *self.figure(re.search(r"\S+\.svg", "\n".join(shown))[0], caption, page)]
             elif mark:
-                fence = mark[2]
+                fence, shown, caption = mark[2], [], mark[4] if mark[3] == "console" else ""
                 title = "" if mark[3] == "console" or not mark[4] else f' title="{mark[4].split()[-1]}"'
                 lines.append(f"{mark[1]}{mark[2]}{mark[3]}{title}")
             else:
@@ -81,6 +85,32 @@ class Site:
                 lines.append(self.links(line, source, page))
             last = line
         self.write(page, "\n".join(lines) + "\n")
+
+    def figure(self, name, words, page="index.md"):
+        """A picture that the build has made, for light and dark pages, with its words below."""
+        name, words = pathlib.Path(name).with_suffix(""), html.escape(words)
+        here = (self.folder / page).parent
+        both = [(name, "#only-light"), (f"{name}-dark", "#only-dark")] if (here / f"{name}-dark.svg").exists() else [(name, "")]
+        return [f"![{words}]({one}.svg{look}){{ loading=lazy }}" for one, look in both]
+
+    def tutorials(self):
+        """The pictures of the tutorials: their cases and commands, run in order in one folder."""
+        pages = re.findall(r"\]\((\w[\w-]*\.md)\)", (DOCS / "tutorials/README.md").read_text())
+        block = re.compile(r"^```(\w+) ?([^\n]*)\n(.*?)^```", re.MULTILINE | re.DOTALL)
+        with tempfile.TemporaryDirectory() as scratch:
+            (pathlib.Path(scratch) / "bin").mkdir()
+            (pathlib.Path(scratch) / "bin/slipbench").symlink_to(self.program)
+            for kind, title, body in (found for page in pages for found in block.findall((DOCS / "tutorials" / page).read_text())):
+                if kind == "console":
+                    commands = "\n".join(line[2:] for line in body.splitlines() if line.startswith("$ "))
+                    commands += "".join(f"\n{line[2:-4]}-dark.svg --dark" for line in body.splitlines() if line.startswith("$ slipbench plot "))
+                    subprocess.run(["bash", "-c", commands], cwd=scratch, capture_output=True,
+                                   env={**os.environ, "PATH": f"{scratch}/bin:{os.environ['PATH']}", "LC_ALL": "C.UTF-8"})
+                elif kind == "csv" or title.startswith(("case ", "file ")):
+                    (pathlib.Path(scratch) / title.split()[-1]).write_text(body)
+            (self.folder / "tutorials").mkdir(parents=True)
+            for picture in pathlib.Path(scratch).glob("*.svg"):
+                shutil.copy(picture, self.folder / "tutorials")
 
     def pages(self):
         for source in sorted(DOCS.rglob("*")):
@@ -177,25 +207,17 @@ class Site:
 
     def gallery(self):
         text = ["# Gallery\n\nAll cases of `cases/examples`: what each is, what it gives, and the case. `slipbench check cases/examples` runs their checks.\n"]
-        jobs = []
-        for case in sorted(EXAMPLES.glob("*.yaml")):
+        cases = sorted(EXAMPLES.glob("*.yaml"))
+        self.light_and_dark([(EXAMPLES, [case.name], f"gallery/{case.stem}") for case in cases])
+        for case in cases:
             body = case.read_text()
             title = re.search(r"^title: *(.*)$", body, re.MULTILINE)[1].strip("'\"")
             first = re.sub(r"\s+", " ", re.sub(r"^# ?", "", re.match(r"(#.*\n)+", body)[0], flags=re.MULTILINE))
             sentence = re.match(r".*?[.?!:](?= |$)", first)[0].rstrip(":")
-            jobs.append((EXAMPLES, [case.name], f"gallery/{case.stem}"))
             text.append(f"## {title} {{ #{case.stem} }}\n\n{html.escape(sentence, quote=False)}{'' if sentence[-1] in '.?!' else '.'}\n\n"
-                        + figure(f"gallery/{case.stem}", f"{title}: friction force over time and motion")
-                        + f'\n??? example "{case.name}"\n\n    ```yaml\n' + re.sub(r"^(?=.)", "    ", body, flags=re.MULTILINE) + "    ```\n")
-        self.light_and_dark(jobs)
+                        + "\n".join(self.figure(f"gallery/{case.stem}", f"{title}: friction force over time and motion"))
+                        + f'\n\n??? example "{case.name}"\n\n    ```yaml\n' + re.sub(r"^(?=.)", "    ", body, flags=re.MULTILINE) + "    ```\n")
         self.write("gallery.md", "\n".join(text))
-
-
-def figure(name, words):
-    """A picture for light and one for dark pages."""
-    words = html.escape(words)
-    return (f'![{words}]({name}.svg#only-light){{ loading=lazy }}\n'
-            f'![{words}]({name}-dark.svg#only-dark){{ loading=lazy }}\n')
 
 
 def made_of(told):
@@ -231,6 +253,7 @@ def python_reference():
 
 def main(program, folder):
     site = Site(program, folder)
+    site.tutorials()
     site.pages()
     site.reference()
     site.joints()

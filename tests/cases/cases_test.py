@@ -27,8 +27,8 @@ TEST is one of
              nothing is run, XML and JSON give the texts back, no line of a log begins with one
   same_bytes locale (one with a decimal comma), time zone, folder, environment, number of threads and repetition change no
              byte of results, pictures, pages, decks and sweeps, nor of what is said but for times of the clock
-  guide      the complete cases in docs/guide and README.md pass, and what they show of the program's output is what
-             it says; a page of the guide may use the files of those before it
+  guide      the complete cases in docs/guide, docs/tutorials and README.md pass, and what they show of the program's output
+             is what it says; a page may use the files of those before it in its folder
 The needs beyond python3 itself are python3-yaml, python3-jsonschema and xmllint.
 """
 
@@ -423,11 +423,14 @@ def unhurried(text):
 
 
 def guide():
-    contents = (source / "docs/guide/README.md").read_text()
-    pages = list(dict.fromkeys(re.findall(r"\]\((\w[\w-]*\.md)\)", contents)))
-    on_disk = {path.name for path in (source / "docs/guide").glob("*.md")} - {"README.md"}
-    expect(set(pages) == on_disk, f"docs/guide/README.md: its pages are {pages}, the folder has {sorted(on_disk)}")
-    for documents in ([f"docs/guide/{page}" for page in pages], ["README.md"]):
+    folders = []
+    for name in ("docs/guide", "docs/tutorials"):
+        contents = (source / name / "README.md").read_text()
+        pages = list(dict.fromkeys(re.findall(r"\]\((\w[\w-]*\.md)\)", contents)))
+        on_disk = {path.name for path in (source / name).glob("*.md")} - {"README.md"}
+        expect(set(pages) == on_disk, f"{name}/README.md: its pages are {pages}, the folder has {sorted(on_disk)}")
+        folders.append([f"{name}/{page}" for page in pages])
+    for documents in (*folders, ["README.md"]):
         with tempfile.TemporaryDirectory() as folder:
             folder = pathlib.Path(folder)
             (folder / "bin").mkdir()
