@@ -64,7 +64,9 @@ class Site:
 
     def page(self, source, page):
         """A page of the project: titles of blocks, lists and links in mkdocs' way."""
-        lines, fence, last = [], None, ""
+        lines, fence, last, shown, caption = [], None, "", [], ""
+        if source.parent.name == "tutorials":
+            lines.append("---\nhide: [toc]\n---")
         for line in source.read_text().splitlines():
             mark = FENCE.match(line)
             if fence:
@@ -93,28 +95,36 @@ class Site:
         both = [(name, "#only-light"), (f"{name}-dark", "#only-dark")] if (here / f"{name}-dark.svg").exists() else [(name, "")]
         return [f"![{words}]({one}.svg{look}){{ loading=lazy }}" for one, look in both]
 
-    def tutorials(self):
-        """The pictures of the tutorials: their cases and commands, run in order in one folder."""
-        pages = re.findall(r"\]\((\w[\w-]*\.md)\)", (DOCS / "tutorials/README.md").read_text())
+    def drawn_by(self, name):
+        """Runs the cases and commands that the pages of a folder show, in one folder and in their order; the pictures drawn, {name: bytes}."""
+        pages = dict.fromkeys(re.findall(r"\]\((\w[\w-]*\.md)\)", (DOCS / name / "README.md").read_text()))
         block = re.compile(r"^```(\w+) ?([^\n]*)\n(.*?)^```", re.MULTILINE | re.DOTALL)
         with tempfile.TemporaryDirectory() as scratch:
             (pathlib.Path(scratch) / "bin").mkdir()
             (pathlib.Path(scratch) / "bin/slipbench").symlink_to(self.program)
-            for kind, title, body in (found for page in pages for found in block.findall((DOCS / "tutorials" / page).read_text())):
+            for kind, title, body in (found for page in pages for found in block.findall((DOCS / name / page).read_text())):
                 if kind == "console":
                     commands = "\n".join(line[2:] for line in body.splitlines() if line.startswith("$ "))
-                    commands += "".join(f"\n{line[2:-4]}-dark.svg --dark" for line in body.splitlines() if line.startswith("$ slipbench plot "))
-                    subprocess.run(["bash", "-c", commands], cwd=scratch, capture_output=True,
+                    commands += "".join(f"\n{line[2:-4]}-dark.svg --dark" for line in body.splitlines() if re.match(r"\$ slipbench plot .*svg$", line))
+                    subprocess.run(["bash", "-c", commands], cwd=scratch, stdin=subprocess.DEVNULL, capture_output=True,
                                    env={**os.environ, "PATH": f"{scratch}/bin:{os.environ['PATH']}", "LC_ALL": "C.UTF-8"})
                 elif kind == "csv" or title.startswith(("case ", "file ")):
                     (pathlib.Path(scratch) / title.split()[-1]).write_text(body)
-            (self.folder / "tutorials").mkdir(parents=True)
-            for picture in pathlib.Path(scratch).glob("*.svg"):
-                shutil.copy(picture, self.folder / "tutorials")
+            return {picture.name: picture.read_bytes() for picture in pathlib.Path(scratch).glob("*.svg")}
+
+    def pictures(self):
+        """Those of the tutorials, and anew those that the guide keeps for who reads it without a site."""
+        for name, picture in self.drawn_by("tutorials").items():
+            (self.folder / "tutorials" / name).parent.mkdir(exist_ok=True)
+            (self.folder / "tutorials" / name).write_bytes(picture)
+        anew = {**self.drawn_by("guide"), "shock_absorber.svg": (self.folder / "gallery/shock_absorber.svg").read_bytes()}
+        (self.folder / "images").mkdir()
+        for kept in sorted((DOCS / "images").iterdir()):
+            (self.folder / "images" / kept.name).write_bytes(anew.get(kept.name) or kept.read_bytes())
 
     def pages(self):
         for source in sorted(DOCS.rglob("*")):
-            if source.is_dir() or source.suffix == ".py" and source.parent.name == "site" or source.name in ("mkdocs.yml", "Doxyfile"):
+            if source.is_dir() or source.suffix == ".py" and source.parent.name == "site" or source.parent.name == "images" and source.parent.parent == DOCS or source.name in ("mkdocs.yml", "Doxyfile"):
                 continue
             page = self.place(source)
             if source.suffix == ".md":
@@ -206,14 +216,14 @@ class Site:
             list(pool.map(self.picture, both))
 
     def gallery(self):
-        text = ["# Gallery\n\nAll cases of `cases/examples`: what each is, what it gives, and the case. `slipbench check cases/examples` runs their checks.\n"]
+        text = ["---\nhide: [navigation]\n---\n# Gallery\n\nAll cases of `cases/examples`: what each is, what it gives, and the case. `slipbench check cases/examples` runs their checks.\n"]
         cases = sorted(EXAMPLES.glob("*.yaml"))
         self.light_and_dark([(EXAMPLES, [case.name], f"gallery/{case.stem}") for case in cases])
         for case in cases:
             body = case.read_text()
             title = re.search(r"^title: *(.*)$", body, re.MULTILINE)[1].strip("'\"")
-            first = re.sub(r"\s+", " ", re.sub(r"^# ?", "", re.match(r"(#.*\n)+", body)[0], flags=re.MULTILINE))
-            sentence = re.match(r".*?[.?!:](?= |$)", first)[0].rstrip(":")
+            first = " ".join(line[2:].strip() for line in re.match(r"(# \S.*\n)+", body)[0].splitlines())
+            sentence = re.match(r".*?[.](?= |$)|.*", first)[0].rstrip(":")
             text.append(f"## {title} {{ #{case.stem} }}\n\n{html.escape(sentence, quote=False)}{'' if sentence[-1] in '.?!' else '.'}\n\n"
                         + "\n".join(self.figure(f"gallery/{case.stem}", f"{title}: friction force over time and motion"))
                         + f'\n\n??? example "{case.name}"\n\n    ```yaml\n' + re.sub(r"^(?=.)", "    ", body, flags=re.MULTILINE) + "    ```\n")
@@ -253,11 +263,11 @@ def python_reference():
 
 def main(program, folder):
     site = Site(program, folder)
-    site.tutorials()
+    site.gallery()
+    site.pictures()
     site.pages()
     site.reference()
     site.joints()
-    site.gallery()
     site.files()
 
 

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The documentation site: site_test.py --slipbench PROGRAM --source DIR [--site FOLDER]
 
-It is built in under a minute, all its links lead somewhere, nothing is fetched from elsewhere.
+It is built in under a minute, all its links lead somewhere, nothing is fetched from elsewhere; in a browser its search
+finds what a reader looks for, and its pages can be read, light, dark and on a phone.
 --site takes a site that is built already.
 """
 import argparse
@@ -16,6 +17,8 @@ import sys
 import tempfile
 import time
 import urllib.parse
+
+from browse import look
 
 failures = []
 
@@ -97,6 +100,7 @@ with tempfile.TemporaryDirectory() as scratch:
         place = pathlib.Path(scratch) / "site"
     check_nav(given.source / "docs")
     check_links(place.resolve())
+    look(place.resolve(), scratch, expect)
 print("\n".join(failures))
 print(f"site: {len(failures)} failures")
 sys.exit(1 if failures else 0)
