@@ -146,7 +146,7 @@ def gimbal(outer, middle, inner):
     return (ring((0, 0, 0), outer, 78, "ring a") + ring((0, 0, 0), middle, 62, "ring pin") + ring((0, 0, 0), inner, 46, "ring b") + ball((0, 0, 0), 24, "b"))
 
 
-BELT = [(-120, -70), *((42 * math.cos(math.radians(t)), 42 * math.sin(math.radians(t))) for t in range(138, 36, -3)), (125, -95)]
+BELT = [(-100, -60), *((42 * math.cos(math.radians(t)), 42 * math.sin(math.radians(t))) for t in range(142, 36, -3)), (125, -95)]
 # Of each type: the components to the right, up and to the front; the body; of each component where its mark stands: origin, direction, distance,
 # and of a turned one its radius.
 SKETCHES = {
@@ -206,10 +206,10 @@ SKETCHES = {
                 + path(circle((58, 0, 0), RIGHT, 8), "hole"),
                 {1: ((0, 0, 0), RIGHT, 72), 4: ((0, 0, 0), RIGHT, 156), 2: ((0, 0, 0), UP, 50), 5: ((0, 0, 0), UP, 120), 3: ((0, 0, 0), FRONT, 56),
                  6: ((0, 0, 0), FRONT, 140)}),
-    "SLIPRING": ((1, 2, 3), rod((0, 0, -14), (0, 0, 14), 38, "b") + line((0, 0, 14), (-28, 25, 14)) + line((0, 0, 14), (30, 23, 14)) + text((-5, -14), "α", "size")
-                 + path([flat((x, y, 14)) for x, y in BELT], "belt", close=False) + ball((-124, -74, 14), 10, "a") + ball((129, -101, 14), 10, "pin")
-                 + text((-104, 26), "f1") + text((66, 98), "f_bc") + text((-130, 40), "a") + text((-10, 32), "b") + text((136, 132), "c"),
-                 {1: ((-134, -58, 14), (0.67, 0.74, 0), 58), 2: ((46, 35, 14), (0.61, -0.79, 0), 20), 3: ((-120, -70, 14), (-0.67, -0.74, 0), 14)}),
+    "SLIPRING": ((1, 2, 3), rod((0, 0, -14), (0, 0, 14), 38, "b") + line((0, 0, 14), (-30, 23, 14)) + line((0, 0, 14), (30, 23, 14)) + text((-5, -14), "α", "size")
+                 + path([flat((x, y, 14)) for x, y in BELT], "belt", close=False) + ball((-104, -64, 14), 10, "a") + ball((129, -101, 14), 10, "pin")
+                 + text((-92, 16), "f1") + text((66, 98), "f_bc") + text((-122, 44), "a") + text((-10, 32), "b") + text((136, 132), "c"),
+                 {1: ((-113, -50, 14), (0.61, 0.79, 0), 40), 2: ((46, 35, 14), (0.61, -0.79, 0), 20), 3: ((-104, -64, 14), (-0.61, -0.79, 0), 14)}),
     "CONTACT": ((3, 1, 2), plate(ball((0, 26, 0), 26, "b"), rod((0, 27, 0), (0, 66, 0), 26, "b")),
                 {3: ((0, 10, 0), RIGHT, 40), 1: ((0, 0, 0), UP, 76), 2: ((0, 10, 0), FRONT, 46)}),
 }
