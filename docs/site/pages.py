@@ -89,7 +89,7 @@ class Site:
         self.write(page, "\n".join(lines) + "\n")
 
     def figure(self, name, words, page="index.md"):
-        """A picture that the build has made, for light and dark pages, with its words below."""
+        """A picture that the build has made, for light and dark pages, with words for who does not see it."""
         name, words = pathlib.Path(name).with_suffix(""), html.escape(words)
         here = (self.folder / page).parent
         both = [(name, "#only-light"), (f"{name}-dark", "#only-dark")] if (here / f"{name}-dark.svg").exists() else [(name, "")]

@@ -3,7 +3,7 @@
 """Tests of the links of all .md files in a folder: links_test.py --source DIR
 
   - a relative link leads to a file or folder that is there, and its anchor to a heading of that file
-  - every page of docs/guide and docs/theory begins with a list of all its sections, and the README.md beside it
+  - every page of docs/guide, docs/theory and docs/tutorials begins with a list of all its sections, and the README.md beside it
     lists every page with its sections
   - no line of those pages has 160 characters or more, but for rows of tables and what a program reads or prints
 
@@ -100,15 +100,15 @@ def check(root):
         parts = path.relative_to(root).parts
         if parts[:2] != ("docs", "site") and not any(part.startswith(".") or part == "build" for part in parts):
             check_links(path, root)
-    for folder in (root / "docs/guide", root / "docs/theory"):
-        check_contents(folder, root)
+    for folder in ("docs/guide", "docs/theory", "docs/tutorials"):
+        check_contents(root / folder, root)
 
 
 def check_itself():
     """Faults of every kind in a small folder are found, and nothing else."""
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
-        for name in ("docs/guide", "docs/theory"):
+        for name in ("docs/guide", "docs/theory", "docs/tutorials"):
             (root / name).mkdir(parents=True)
             (root / name / "README.md").write_text("# Pages\n\n[page](page.md): [A b](page.md#a-b)\n")
             (root / name / "page.md").write_text("# Page\n\n- [A b](#a-b)\n\n## A b\n\n`[x](no.md)`\n")
