@@ -215,6 +215,10 @@ SKETCHES = {
 }
 
 
+def identity(name):
+    return f"sketch-{name.lower().replace(' ', '-')}"
+
+
 def labels(name):
     """The lengths that a sketch shows."""
     shown = re.findall(r'<text class="size"[^>]*>(.*?)</text>', SKETCHES[name][1])
@@ -233,4 +237,4 @@ def sketch(name, held, free):
     triad = "".join(path([(-176, 118), (-176 + 0.75 * x, 118 + 0.75 * y)], "triad", close=False) + text((-176 + x, 118 + y), str(component))
                     for component, (x, y) in zip(axes, (flat(add((0, 0, 0), d, 32)) for d in (RIGHT, UP, FRONT))))
     words = f"Sketch of {name}: free {', '.join(free) or 'nothing'}; held {', '.join(held) or 'nothing'}"
-    return f'<svg class="joint" viewBox="-210 -160 420 310" role="img" aria-label="{words}">{body}{drawn}{triad}</svg>'
+    return f'<svg class="sketch" viewBox="-210 -160 420 310" role="img" aria-label="{words}"><g id="{identity(name)}" class="joint">{body}{drawn}</g><g class="joint">{triad}</g></svg>'

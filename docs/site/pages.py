@@ -189,6 +189,9 @@ class Site:
         text = [(self.folder / "joints.md").read_text()]
         if set(self.types()) != set(joints.SKETCHES):
             sys.exit(f"docs/site/joints.py and the program have other types: {sorted(set(self.types()) ^ set(joints.SKETCHES))}")
+        text.append('<div class="joints">' + "".join(
+            f'<a href="#{name.lower().replace(" ", "-")}"><svg viewBox="-210 -160 420 310" aria-hidden="true"><use href="#{joints.identity(name)}"/></svg>{name}</a>'
+            for name in joints.SKETCHES) + "</div>\n")
         for name, (told, held, free) in self.connections().items():
             numbers = re.findall(r"^    (\w+) +([^(].*)$", told.partition("predefined friction, parameters")[2], re.MULTILINE)
             missing = {one for one, _ in numbers if one[0] in "RL"} - joints.labels(name)
