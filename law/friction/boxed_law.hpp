@@ -16,8 +16,8 @@ class BoxedLaw {
     fill(*this, law);
   }
 
-  static constexpr std::size_t kBytes = 16 * sizeof(double);  ///< of the largest, the law it is included
-  alignas(double) std::byte bytes[kBytes] = {};  ///< law_list.hpp makes and reads them
+  static constexpr std::size_t kBytes = 16 * sizeof(double);  ///< room for the largest of them
+  alignas(double) std::byte bytes[kBytes] = {};               ///< law_list.hpp makes and reads them
 };
 
 }  // namespace slipbench::law
