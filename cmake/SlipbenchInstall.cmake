@@ -12,7 +12,7 @@
 #   share/doc/slipbench/             documentation, licence, notice
 include(CMakePackageConfigHelpers)
 
-# What is of no other component, `program` or `python`.
+# What is of no other component, `program`, `mpi` or `python`.
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME dev)
 
 set(SLIPBENCH_INSTALL_CMAKEDIR ${CMAKE_INSTALL_LIBDIR}/cmake/slipbench)
@@ -77,12 +77,12 @@ slipbench_write_headers(\"${CMAKE_CURRENT_SOURCE_DIR}\" \"${headers}\" \"${patte
   install(DIRECTORY "${headers}" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/slipbench)
 endfunction()
 
-# slipbench_install_program(TARGET): the program, for projects that find the package the target slipbench::slipbench.
-function(slipbench_install_program target)
+# slipbench_install_program(TARGET COMPONENT): a program, for projects that find the package the target slipbench::TARGET.
+function(slipbench_install_program target component)
   if(NOT SLIPBENCH_INSTALL)
     return()
   endif()
-  install(TARGETS ${target} EXPORT slipbench-program-targets RUNTIME COMPONENT program)
+  install(TARGETS ${target} EXPORT slipbench-program-targets RUNTIME COMPONENT ${component})
   install(EXPORT slipbench-program-targets NAMESPACE slipbench::
           DESTINATION ${SLIPBENCH_INSTALL_CMAKEDIR})
 endfunction()

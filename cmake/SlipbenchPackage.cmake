@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Debian packages of an installation (scripts/package.sh): slipbench, libslipbench-dev and python3-slipbench, a component each.
+# Debian packages of an installation (scripts/package.sh): slipbench, slipbench-mpi, libslipbench-dev and python3-slipbench, a component
+# each.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "The slipbench authors <slipbench@users.noreply.github.com>")
 set(CPACK_PACKAGE_VENDOR slipbench)
@@ -7,10 +8,13 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "test bench for connector friction")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
-set(CPACK_COMPONENTS_ALL program dev python)
+set(CPACK_COMPONENTS_ALL program mpi dev python)
 set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 if(NOT TARGET slipbench_python)
   list(REMOVE_ITEM CPACK_COMPONENTS_ALL python)
+endif()
+if(NOT TARGET slipbench-mpi)
+  list(REMOVE_ITEM CPACK_COMPONENTS_ALL mpi)
 endif()
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
@@ -23,6 +27,12 @@ set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "Takes one connector of a finite element mo
 position, constraint forces, temperature and fields, integrates stick and
 slip, and tells what happens and why. Speaks the friction of Abaqus
 connectors and of Radioss contacts, and reads and writes their decks.")
+
+set(CPACK_DEBIAN_MPI_PACKAGE_NAME slipbench-mpi)
+set(CPACK_DEBIAN_MPI_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "slipbench (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_MPI_DESCRIPTION "Shares the samples of a sweep, and the starts and resamplings of a calibration,
+out to the ranks of MPI.")
 
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libslipbench-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)

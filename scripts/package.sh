@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # package.sh: builds the program, the libraries and the Python module, and puts them into Debian packages in build/packages: slipbench,
-# libslipbench-dev and python3-slipbench, with their checksums. What lintian calls an error or a warning ends it with exit code 1.
+# slipbench-mpi, libslipbench-dev and python3-slipbench, with their checksums. What lintian calls an error or a warning ends it with exit code 1.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"

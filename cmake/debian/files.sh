@@ -27,22 +27,29 @@ esac
 [ "$component" != dev ] || printf '%s\n' '# Before 1.0 the libraries of the C interface stand beside their headers.' \
   "$package: package-name-doesnt-match-sonames *" "$package: link-to-shared-library-in-wrong-package *" \
   '# They are found where the prefix is, wherever it is moved.' "$package: pkg-config-unavailable-for-cross-compilation *" >>"$overrides"
-[ "$component" = program ] || exit 0
-# The licence is among Debian's own.
-rm -f "$root/share/doc/slipbench/LICENSE"
 export LC_ALL=C.UTF-8 PATH=$root/bin:$PATH
 pages=$root/share/man/man1
-mkdir -p "$pages" "$root/share/bash-completion/completions" "$root/share/zsh/vendor-completions" "$root/share/fish/vendor_completions.d"
-slipbench completion bash >"$root/share/bash-completion/completions/slipbench"
-slipbench completion zsh >"$root/share/zsh/vendor-completions/_slipbench"
-slipbench completion fish >"$root/share/fish/vendor_completions.d/slipbench.fish"
 # page COMMAND NAME WHAT: a manual page of the command's --help.
 page() {
   SOURCE_DATE_EPOCH=$(date -d "$date" +%s) help2man --no-info --section 1 --version-string "$version" --source "slipbench $version" \
     --name "$3" "$1" | sed "s/^\.TH [A-Z]*/.TH ${2^^}/; s/^$1 \\\\-/$2 \\\\-/" | gzip -9n >"$pages/$2.1.gz"
 }
+case "$component" in
+  program) ;;
+  mpi)
+    mkdir -p "$pages"
+    page slipbench-mpi slipbench-mpi 'sweeps and calibrations of slipbench over the ranks of MPI'
+    exit 0
+    ;;
+  *) exit 0 ;;
+esac
+# The licence is among Debian's own.
+rm -f "$root/share/doc/slipbench/LICENSE"
+mkdir -p "$pages" "$root/share/bash-completion/completions" "$root/share/zsh/vendor-completions" "$root/share/fish/vendor_completions.d"
+slipbench completion bash >"$root/share/bash-completion/completions/slipbench"
+slipbench completion zsh >"$root/share/zsh/vendor-completions/_slipbench"
+slipbench completion fish >"$root/share/fish/vendor_completions.d/slipbench.fish"
 page slipbench slipbench 'test bench for connector friction'
 slipbench --help | sed -n '/^Subcommands:/,/^$/ s/^  \([a-z]*\) \+\(.*\)/\1 \2/p' | while read -r name what; do
   page "slipbench $name" "slipbench-$name" "${what,}"
 done
-[ ! -x "$root/bin/slipbench-mpi" ] || page slipbench-mpi slipbench-mpi 'sweeps and calibrations of slipbench over the ranks of MPI'
