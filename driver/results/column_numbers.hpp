@@ -36,30 +36,30 @@ std::optional<double> area_of(const cases::Case& problem, std::size_t definition
 
 namespace number {
 
-inline constexpr auto no_friction = [](const Cell&) { return 0.0; };
+inline constexpr auto kNoFriction = [](const Cell&) { return 0.0; };
 /// CP, and with an offset CU and CCU.
-inline constexpr auto position = [](const Cell& at) {
+inline constexpr auto kPosition = [](const Cell& at) {
   return at.row.quantities[cases::kFirstMotion + at.index()] - at.column.offset;
 };
-inline constexpr auto mean_velocity = [](const Cell& at) {
+inline constexpr auto kMeanVelocity = [](const Cell& at) {
   const bench::Row& row = at.row;
   return row.duration > 0.0
              ? (row.quantities[cases::kFirstMotion + at.index()] - row.begin.values[at.index()]) /
                    row.duration
              : 0.0;
 };
-inline constexpr auto prescribed_force = [](const Cell& at) {
+inline constexpr auto kPrescribedForce = [](const Cell& at) {
   return at.row.quantities[cases::kFirstForce + at.index()];
 };
-inline constexpr auto quantity = [](const Cell& at) { return at.row.quantities[at.index()]; };
-inline constexpr auto elastic_force = [](const Cell& at) { return at.forces().elastic; };
-inline constexpr auto viscous_force = [](const Cell& at) { return at.forces().viscous; };
+inline constexpr auto kQuantity = [](const Cell& at) { return at.row.quantities[at.index()]; };
+inline constexpr auto kElasticForce = [](const Cell& at) { return at.forces().elastic; };
+inline constexpr auto kViscousForce = [](const Cell& at) { return at.forces().viscous; };
 /// R_i y_i of one entry of a definition's slip space.
-inline constexpr auto friction_force = [](const Cell& at) {
+inline constexpr auto kFrictionForce = [](const Cell& at) {
   return at.scale() * at.own().update.state.force[at.index()];
 };
 /// CEF + CVF + CSF + CRF - CCF of a component.
-inline constexpr auto total_force = [](const Cell& at) {
+inline constexpr auto kTotalForce = [](const Cell& at) {
   const bench::ComponentForces& forces = at.forces();
   double friction = 0.0;
   if (const Owner owner = owner_of(at.problem, at.column.index); owner.definition >= 0) {
@@ -70,20 +70,20 @@ inline constexpr auto total_force = [](const Cell& at) {
   }
   return forces.elastic + forces.viscous + friction + forces.reaction - forces.applied;
 };
-inline constexpr auto stop_flag = [](const Cell& at) {
+inline constexpr auto kStopFlag = [](const Cell& at) {
   return at.problem.stop[at.index()]->flag(at.row.quantities[cases::kFirstMotion + at.index()]);
 };
-inline constexpr auto kinetic_energy = [](const Cell& at) { return at.row.forces.kinetic_energy; };
-inline constexpr auto external_work = [](const Cell& at) { return at.row.forces.external_work; };
+inline constexpr auto kKineticEnergy = [](const Cell& at) { return at.row.forces.kinetic_energy; };
+inline constexpr auto kExternalWork = [](const Cell& at) { return at.row.forces.external_work; };
 /// Sum of the friction forces of all rings.
-inline constexpr auto chain_force = [](const Cell& at) {
+inline constexpr auto kChainForce = [](const Cell& at) {
   double sum = 0.0;
   for (const bench::DefinitionRow& ring : at.row.definitions) sum += ring.update.state.force[0];
   return sum;
 };
-inline constexpr auto flow_behind = [](const Cell& at) { return at.own().behind.flow; };
+inline constexpr auto kFlowBehind = [](const Cell& at) { return at.own().behind.flow; };
 /// n . ds/dt of a definition.
-inline constexpr auto slip_velocity = [](const Cell& at) {
+inline constexpr auto kSlipVelocity = [](const Cell& at) {
   const bench::Row& row = at.row;
   if (!(row.duration > 0.0)) return 0.0;
   const law::SlipSpace& slip = at.law().slip;
@@ -96,12 +96,12 @@ inline constexpr auto slip_velocity = [](const Cell& at) {
   }
   return sum / row.duration;
 };
-inline constexpr auto accumulated_slip = [](const Cell& at) {
+inline constexpr auto kAccumulatedSlip = [](const Cell& at) {
   return at.own().update.state.accumulated_slip;
 };
-inline constexpr auto normal_force = [](const Cell& at) { return at.own().update.normal_force; };
-inline constexpr auto mu_along = [](const Cell& at) { return at.own().penalty.mu[at.index()]; };
-inline constexpr auto speed_along = [](const Cell& at) {
+inline constexpr auto kNormalForce = [](const Cell& at) { return at.own().update.normal_force; };
+inline constexpr auto kMuAlong = [](const Cell& at) { return at.own().penalty.mu[at.index()]; };
+inline constexpr auto kSpeedAlong = [](const Cell& at) {
   return at.own().penalty.speeds[at.index()];
 };
 double ring_angle(const Cell& at);

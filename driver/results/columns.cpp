@@ -58,11 +58,11 @@ void add_motion(const cases::Case& problem, int c, std::vector<Column>& columns)
                        double offset) {
     columns.push_back({prefix + suffix, of, std::move(text), value, c, owner.definition, offset});
   };
-  add("CP", dimension, "Relative position " + where + ".", number::position, 0.0);
-  add("CU", dimension, "Displacement from the initial position " + where + ".", number::position,
+  add("CP", dimension, "Relative position " + where + ".", number::kPosition, 0.0);
+  add("CU", dimension, "Displacement from the initial position " + where + ".", number::kPosition,
       problem.initial[c]);
   add("CCU", dimension, "Constitutive displacement from the reference position " + where + ".",
-      number::position, problem.reference[c]);
+      number::kPosition, problem.reference[c]);
   if (problem.dynamics && problem.dynamics->component == c) {
     add(
         "CV", per_time(dimension),
@@ -73,7 +73,7 @@ void add_motion(const cases::Case& problem, int c, std::vector<Column>& columns)
     return;
   }
   add("CV", per_time(dimension), "Mean relative velocity of the increment " + where + ".",
-      number::mean_velocity, 0.0);
+      number::kMeanVelocity, 0.0);
 }
 
 void add_forces(const cases::Case& problem, int c, std::vector<Column>& columns) {
@@ -83,15 +83,15 @@ void add_forces(const cases::Case& problem, int c, std::vector<Column>& columns)
   if (problem.connection.info.held.contains(c)) {
     columns.push_back({cases::force_column("CRF", c), dimension,
                        std::string("Constraint ") + what + where + ", as prescribed.",
-                       number::prescribed_force, c});
+                       number::kPrescribedForce, c});
     columns.push_back({cases::force_column("CTF", c), dimension,
                        std::string("Total ") + what + where + ": the constraint's.",
-                       number::prescribed_force, c});
+                       number::kPrescribedForce, c});
     return;
   }
   const Owner owner = owner_of(problem, c);
   const ColumnValue value =
-      owner.definition < 0 ? ColumnValue(number::no_friction) : number::friction_force;
+      owner.definition < 0 ? ColumnValue(number::kNoFriction) : number::kFrictionForce;
   const bool stopped = problem.stop[static_cast<std::size_t>(c)].has_value();
   const bool mass = problem.dynamics && problem.dynamics->component == c;
   const bool loaded = mass || problem.force_driven.contains(c);
@@ -99,10 +99,10 @@ void add_forces(const cases::Case& problem, int c, std::vector<Column>& columns)
     columns.push_back({cases::force_column(prefix, c), dimension, std::move(text), of, c});
   };
   if (problem.kinetic.is_elastic(c)) {
-    add("CEF", std::string("Elastic ") + what + where + ".", number::elastic_force);
+    add("CEF", std::string("Elastic ") + what + where + ".", number::kElasticForce);
   }
   if (problem.kinetic.is_damped(c)) {
-    add("CVF", std::string("Viscous ") + what + where + ".", number::viscous_force);
+    add("CVF", std::string("Viscous ") + what + where + ".", number::kViscousForce);
   }
   columns.push_back({cases::force_column("CSF", c), dimension,
                      std::string("Friction ") + what + where + ".", value, owner.entry,
@@ -124,11 +124,11 @@ void add_forces(const cases::Case& problem, int c, std::vector<Column>& columns)
       std::string("Total ") + what + where +
           (mass ? ", CEF + CVF + CSF - CCF: what accelerates the mass, reversed."
                 : ", CEF + CVF + CSF + CRF - CCF."),
-      number::total_force);
+      number::kTotalForce);
   if (stopped) {
     columns.push_back({"CSLST" + std::to_string(c + 1), kNumber,
                        "1 at the upper stop " + where + ", -1 at the lower one, else 0.",
-                       number::stop_flag, c});
+                       number::kStopFlag, c});
   }
 }
 
@@ -161,15 +161,15 @@ void add_energies(const cases::Case& problem, std::vector<Column>& columns) {
     columns.push_back({"DRIVER_V", velocity, "Velocity of the driver.",
                        [](const Cell& at) { return at.row.forces.driver_velocity; }});
     columns.push_back({"DRIVER_LOAD", force_dimension(c), "Load on the driver, as prescribed.",
-                       number::quantity, cases::kDriverLoad});
-    add("KINETIC_E", "Kinetic energy of mass and driver.", number::kinetic_energy);
+                       number::kQuantity, cases::kDriverLoad});
+    add("KINETIC_E", "Kinetic energy of mass and driver.", number::kKineticEnergy);
     add("EXTERNAL_WORK", "Work of the loads on mass and driver since the start.",
-        number::external_work);
+        number::kExternalWork);
     return;
   }
-  add("KINETIC_E", "Kinetic energy of the mass.", number::kinetic_energy);
+  add("KINETIC_E", "Kinetic energy of the mass.", number::kKineticEnergy);
   add("EXTERNAL_WORK", "Work of the belt and the load on the mass since the start.",
-      number::external_work);
+      number::kExternalWork);
 }
 
 /// Motions and tensions of a belt; what it lacks (a length, moving nodes) has no column.
@@ -182,24 +182,24 @@ void add_belt(const cases::Case& problem, std::vector<Column>& columns) {
   };
   const bool has_length = all || problem.belt->has_length;
   if (has_length) {
-    add("CP1", base::kLength, "Distance of the nodes a and b of a belt.", number::position, 0);
+    add("CP1", base::kLength, "Distance of the nodes a and b of a belt.", number::kPosition, 0);
     add("CU1", kNumber, "Strain of the belt between a and b.",
         [](const Cell& at) { return at.row.belt.strain; });
     add("CV1", per_time(base::kLength), "Mean rate of the distance over the increment.",
-        number::mean_velocity, 0);
+        number::kMeanVelocity, 0);
   }
   const auto add_flow = [&](int c, const char* text) {
-    add("CU" + cases::component_suffix(c), base::kLength, text, number::position, c);
+    add("CU" + cases::component_suffix(c), base::kLength, text, number::kPosition, c);
     columns.back().offset = problem.initial[c];
   };
-  add("CP2", base::kLength, "Flow of material over the ring at b.", number::position, 1);
+  add("CP2", base::kLength, "Flow of material over the ring at b.", number::kPosition, 1);
   add_flow(1, "Flow of material over the ring at b since the start.");
   add("CV2", per_time(base::kLength), "Mean rate of the flow at b over the increment.",
-      number::mean_velocity, 1);
-  add("CP3", base::kLength, "Flow of material into the segment at a.", number::position, 2);
+      number::kMeanVelocity, 1);
+  add("CP3", base::kLength, "Flow of material into the segment at a.", number::kPosition, 2);
   add_flow(2, "Flow of material into the segment at a since the start.");
   add("CV3", per_time(base::kLength), "Mean rate of the flow at a over the increment.",
-      number::mean_velocity, 2);
+      number::kMeanVelocity, 2);
   if (has_length) {
     add("reference_length", base::kLength, "Unstrained length of the belt between a and b.",
         [](const Cell& at) { return at.row.belt.reference_length; });
@@ -212,20 +212,20 @@ void add_belt(const cases::Case& problem, std::vector<Column>& columns) {
       [](const Cell& at) { return std::max(at.row.quantities[cases::kFirstForce], 0.0); });
   if (problem.kinetic.elasticity[0]) {
     add("CEF1", base::kForce, "Tension of the segment from the elasticity of the belt.",
-        number::elastic_force);
+        number::kElasticForce);
   }
   if (problem.kinetic.damping[0]) {
     add("CVF1", base::kForce, "Tension of the segment from the damping of the belt.",
-        number::viscous_force);
+        number::kViscousForce);
   }
   if (problem.stop[0]) {
     add("CSLST1", kNumber, "1 at the upper stop of the distance a-b, -1 at the lower one, else 0.",
-        number::stop_flag, 0);
+        number::kStopFlag, 0);
   }
   const bool chain = problem.definitions.size() > 1;
   const int last = static_cast<int>(problem.definitions.size()) - 1;
   if (last < 0) return;
-  const ColumnValue value = chain ? ColumnValue(number::chain_force) : number::friction_force;
+  const ColumnValue value = chain ? ColumnValue(number::kChainForce) : number::kFrictionForce;
   const std::string text =
       chain ? "f_bc - f_ab over all rings." : "Friction force of the ring, f_bc - f_ab.";
   add("CSF2", base::kForce, text, value, 0, chain ? -1 : 0);
@@ -235,7 +235,7 @@ void add_belt(const cases::Case& problem, std::vector<Column>& columns) {
       [](const Cell& at) { return law::tension_behind(at.own().update); }, 0, last);
   if (all || !problem.belt->lengths.empty()) {
     add("flow_c", base::kLength, "Flow of material out at the end of the belt's last segment.",
-        number::flow_behind, 0, last);
+        number::kFlowBehind, 0, last);
   }
   if (all || problem.belt->both_tensions) {
     add(
@@ -263,10 +263,10 @@ void add_coefficient(const cases::Case& problem, int d, const std::string& suffi
                [&](const law::FrictionLaw& law) { floored = floored || law::has_floor(law); });
   const bool two = definition.formulation && definition.formulation->orthotropy;
   if (two) {
-    add("MU1", kNumber, "Coefficient along direction 1.", number::mu_along, 0);
-    add("MU2", kNumber, "Coefficient along direction 2.", number::mu_along, 1);
-    add("V1", speed, "Speed that the coefficient of direction 1 saw.", number::speed_along, 0);
-    add("V2", speed, "Speed that the coefficient of direction 2 saw.", number::speed_along, 1);
+    add("MU1", kNumber, "Coefficient along direction 1.", number::kMuAlong, 0);
+    add("MU2", kNumber, "Coefficient along direction 2.", number::kMuAlong, 1);
+    add("V1", speed, "Speed that the coefficient of direction 1 saw.", number::kSpeedAlong, 0);
+    add("V2", speed, "Speed that the coefficient of direction 2 saw.", number::kSpeedAlong, 1);
   }
   if (floored && !two) {
     add("MU_RAW", kNumber, "Coefficient before it is kept at or above 1e-30.",
@@ -338,11 +338,11 @@ void add_definition(const cases::Case& problem, int d, std::vector<Column>& colu
   if (definition.coupled) {
     add("CSFC", force, "Equivalent friction force P(f) of the coupled definition.",
         [](const Cell& at) { return law::equivalent_force(at.law(), at.own().update.state); });
-    add("CNFC", force, "Effective normal force of the coupled definition.", number::normal_force);
+    add("CNFC", force, "Effective normal force of the coupled definition.", number::kNormalForce);
     add("CASUC", slip, "Accumulated equivalent slip of the coupled definition.",
-        number::accumulated_slip);
+        number::kAccumulatedSlip);
     add("CIVC", per_time(slip), "Velocity along the slip direction of the coupled definition.",
-        number::slip_velocity);
+        number::kSlipVelocity);
   } else {
     const int c = definition.law.slip.component[0];
     // The rings of a chain share their component, so that its number does not tell them apart.
@@ -354,14 +354,14 @@ void add_definition(const cases::Case& problem, int d, std::vector<Column>& colu
           [](const Cell& at) { return -number::band_end(at, law::FlowSense::kBackward); });
     }
     if (!ring.empty()) {
-      add("CSF2" + ring, force, "Friction force of the ring.", number::friction_force);
+      add("CSF2" + ring, force, "Friction force of the ring.", number::kFrictionForce);
       add("f_bc" + ring, force, "Tension behind the ring.",
           [](const Cell& at) { return law::tension_behind(at.own().update); });
     }
     if (cases::is_belt(problem.connection) && (!problem.belt || !problem.belt->lengths.empty())) {
       if (d > 0) {
         columns.push_back(
-            {"CP2" + ring, slip, "Flow of material over the ring.", number::flow_behind, 0, d - 1});
+            {"CP2" + ring, slip, "Flow of material over the ring.", number::kFlowBehind, 0, d - 1});
       }
       add("length_bc" + ring, slip, "Length of the segment behind the ring.",
           [](const Cell& at) { return at.problem.belt->lengths[at.definition()]; });
@@ -373,9 +373,9 @@ void add_definition(const cases::Case& problem, int d, std::vector<Column>& colu
     add(cases::force_column("CNF", c) + ring, force,
         cases::is_belt(problem.connection) ? "Tension in front of the ring, its contact force."
                                            : "Effective normal force of the definition.",
-        number::normal_force);
+        number::kNormalForce);
     add("CASU" + cases::component_suffix(c) + ring, slip, "Accumulated slip of the definition.",
-        number::accumulated_slip);
+        number::kAccumulatedSlip);
   }
   const bool filtered = definition.law.formulation &&
                         definition.law.formulation->filter.kind != law::Filter::Kind::kNone;
@@ -384,7 +384,7 @@ void add_definition(const cases::Case& problem, int d, std::vector<Column>& colu
   add("MU" + suffix, kNumber, "Coefficient of friction used.",
       [](const Cell& at) { return at.own().update.mu; });
   add_coefficient(problem, d, suffix, columns);
-  add("FN" + suffix, force, "Effective normal force.", number::normal_force);
+  add("FN" + suffix, force, "Effective normal force.", number::kNormalForce);
   add("FLIM" + suffix, force, "Limit of the friction force.",
       [](const Cell& at) { return at.own().update.limit; });
   add("PHI" + suffix, force,
@@ -429,9 +429,9 @@ void column_values(const Column& column, const cases::Case& problem,
   column.value(column, problem, rows, to);
 }
 
-bool is_position(const Column& column) { return column.value == number::position; }
-bool is_friction_force(const Column& column) { return column.value == number::friction_force; }
-bool is_accumulated_slip(const Column& column) { return column.value == number::accumulated_slip; }
+bool is_position(const Column& column) { return column.value == number::kPosition; }
+bool is_friction_force(const Column& column) { return column.value == number::kFrictionForce; }
+bool is_accumulated_slip(const Column& column) { return column.value == number::kAccumulatedSlip; }
 
 bool is_rotational(const law::FrictionDefinition& definition) {
   return law::is_rotational(definition.slip);
@@ -457,7 +457,7 @@ std::vector<Column> result_columns(const cases::Case& problem) {
     if (quantity < cases::kTemperatureQuantity || quantity >= cases::kTensionBehind) continue;
     const bool temperature = quantity == cases::kTemperatureQuantity;
     columns.push_back({cases::quantity_name(quantity), temperature ? base::kTemperature : kNumber,
-                       temperature ? "Temperature." : "Field variable.", number::quantity,
+                       temperature ? "Temperature." : "Field variable.", number::kQuantity,
                        quantity});
   }
   return columns;
@@ -486,7 +486,7 @@ std::optional<Column> find_column(const cases::Case& problem, std::span<const Co
   if (const auto held = cases::component_of_motion(name);
       held && problem.connection.info.held.contains(*held)) {
     return Column{std::string(name), law::is_rotation(*held) ? base::kAngle : base::kLength,
-                  "Held position, constant.", number::position, *held};
+                  "Held position, constant.", number::kPosition, *held};
   }
   const std::size_t dot = name.find('.');
   if (dot == std::string_view::npos) return std::nullopt;

@@ -19,7 +19,7 @@ using namespace slipbench::test;
 using Rule = PotentialViolation::Rule;
 using Function = ContributionFunction;
 
-DerivedTerm term(TermOperator combine, std::vector<std::pair<int, double>> entries,
+DerivedTerm term(TermOperator combine, const std::vector<std::pair<int, double>>& entries,
                  double sign = 1.0) {
   DerivedTerm result;
   result.combine = combine;
@@ -53,7 +53,7 @@ BuiltPotential largest(const std::vector<PotentialContribution>& contributions) 
 }
 
 /// P of forces given by component number.
-double value_of(const BuiltPotential& built, std::vector<std::pair<int, double>> forces) {
+double value_of(const BuiltPotential& built, const std::vector<std::pair<int, double>>& forces) {
   SlipVector y{};
   for (std::size_t k = 0; k < static_cast<std::size_t>(built.slip.dimension); ++k) {
     for (const auto& [number, force] : forces) {
