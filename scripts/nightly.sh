@@ -8,6 +8,7 @@
 #   difference  the law in double against itself in long double, over a million increments            20 min
 #   fuzz        every target of scripts/fuzz.sh, SLIPBENCH_FUZZ_SECONDS (600) each                   2 h
 #   torture     scripts/torture.sh                                                                   3 min
+#   packages    scripts/package.sh, and its packages in a minimal Debian (as root)                    10 min
 #   mutate      scripts/mutate.sh: which changes of the code no test sees
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
@@ -58,9 +59,10 @@ difference() {
 
 fuzz() { scripts/fuzz.sh all "${SLIPBENCH_FUZZ_SECONDS:-600}"; }
 torture() { scripts/torture.sh; }
+packages() { scripts/package.sh && tests/packages/minimal_debian.sh; }
 mutate() { scripts/mutate.sh; }
 
-parts=(sanitizers threads memory difference fuzz torture mutate)
+parts=(sanitizers threads memory difference fuzz torture packages mutate)
 for part in "$@"; do
   printf '%s\n' "${parts[@]}" | grep -qxF -- "$part" || fail "wanted some of ${parts[*]}; found '$part'" 2
 done
