@@ -89,5 +89,6 @@ def look(site, folder, expect):
         message = json.loads(entry["message"])["message"]
         if message["method"] == "Network.requestWillBeSent":
             address = message["params"]["request"]["url"]
-            expect(address.startswith(("file:", "data:", "blob:", "about:", "chrome:")), f"{address} is fetched")
+            # The browser's own first tab is of chrome: and chrome-untrusted:.
+            expect(address.startswith(("file:", "data:", "blob:", "about:", "chrome:", "chrome-untrusted:")), f"{address} is fetched")
     driver.quit()
