@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""judge.py BUILD TREE [--all | --count N --seed N] [--trials N] [--most SECONDS] [FILE..]: runs the tests that reach a
+"""judge.py BUILD TREE [--all | --count N --seed N] [--most SECONDS] [FILE..]: runs the tests that reach a
 mutant of TREE/mutants.json against it, the quickest first, until one fails.
 
-A first pass with few trials and a limit finds what is caught easily; a second one, with --again, takes the rest whole.
+A first pass with --most finds what is caught easily; a second one, with --again, takes the rest whole.
 
 A mutant is caught when a test fails, crashes, or takes more than five times as long as it does else. Unreached are those
 that no test runs. Exit: 0, or 1 if one survives that equivalent.txt does not explain.
@@ -23,7 +23,7 @@ import time
 
 HERE = pathlib.Path(__file__).parent
 PROGRAMS = ("law_tests", "property_tests")
-TRIALS = 1500  # as the tests have it
+RC_PARAMS = "seed=20240611 max_success=1500 noshrink=1"  # as the tests have it, and a failure is told at once
 LEAST_PER_FILE = 4
 
 
@@ -31,7 +31,7 @@ def run(command, seconds, **environment):
     """Runs a command with a limit to its CPU time; returns None if all is well, else what is not."""
     seconds = int(5 * seconds) + 2
     try:
-        done = subprocess.run(command, env={**os.environ, **environment}, capture_output=True,
+        done = subprocess.run(command, env={**os.environ, "RC_PARAMS": RC_PARAMS, **environment}, capture_output=True,
                               errors="replace", timeout=20 * seconds + 60,
                               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1)))
     except subprocess.TimeoutExpired:
@@ -154,14 +154,12 @@ def main():
     parser.add_argument("--seed", type=int, default=20261125)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--no-cases", action="store_true", help="without `slipbench check`")
-    parser.add_argument("--trials", type=int, default=TRIALS, help="of each property")
     parser.add_argument("--most", type=float, default=float("inf"), help="seconds of tests for one mutant")
     parser.add_argument("--results", type=pathlib.Path, help="where the verdicts go, a line each")
     parser.add_argument("--again", type=pathlib.Path, help="only what survived or was unreached in these verdicts")
     options = parser.parse_args()
     start = time.time()
 
-    os.environ["RC_PARAMS"] = f"seed=20240611 max_success={options.trials} noshrink=1"  # a failure is told at once
     judge = Judge(options.build, options.tree, not options.no_cases, options.most)
     mutants = [m for m in judge.mutants if not options.files or m["file"] in options.files]
     if options.again:
