@@ -75,7 +75,7 @@ inline AnyCase any_case(std::uint64_t seed, Way way) {
   law::FrictionDefinition definition = in_units(description, units).build();
   const SlipUnits own = slip_units(description, units);
   const Units slip{own.slip, own.force, own.time};
-  // Of a belt, exp(mu alpha) of any law is no number.
+  // Some laws make exp(mu alpha) of a belt overflow.
   if (!belt && dice.chance(0.5)) definition.law = any_law_in_units(dice, slip);
   if (!belt && dice.chance(0.15)) {
     law::Formulation& formulation =

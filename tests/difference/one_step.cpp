@@ -75,7 +75,7 @@ PlainStep<double> plain(Way way_of, const law::FrictionDefinition& definition,
   tell("dissipation", u.dissipation, both * way);
   tell("stored energy", u.stored_energy, y * s);
   tell("work", u.work, both * way);
-  // Where a limit is met is asked of fourth powers of forces, which double may not have.
+  // Fourth powers of forces, which may underflow in double, say where a limit is met.
   const bool vanishes =
       std::pow(std::min(trial, reached), 4.0) < std::numeric_limits<double>::min();
   tell("onset", u.onset,

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # minimal_debian.sh: installs the packages of build/packages (scripts/package.sh) in a minimal Debian of their own, made by debootstrap in
-# a temporary folder, as root; runs and draws a first case, reads a manual page, imports the module and compiles against the
+# a temporary folder, as root; runs and draws a first case, looks for a manual page, imports the module and compiles against the
 # library. The installation of the program and the first picture may take 60 s. Exit: 0, or 1 and what went wrong.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=../../scripts/common.sh

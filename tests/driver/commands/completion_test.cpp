@@ -28,7 +28,7 @@ TEST_CASE("bash completes commands, their options and the words that these take"
   CHECK(offered(folder, "run a.yaml --format n") == "npy\n");
   CHECK(offered(folder, "list c") == "connections closed-forms curves criteria\n");
   CHECK(offered(folder, "export a.yaml --to r") == "radioss\n");
-  // Of a value, a file or a name of the user's, the shell's own.
+  // Files and names of the user are left to the shell.
   CHECK(offered(folder, "run a.yaml --set --ex") == "\n");
   CHECK(offered(folder, "run \"\"") == "\n");
 }

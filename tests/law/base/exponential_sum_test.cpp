@@ -17,7 +17,7 @@ TEST_CASE("a sum that touches zero changes its sign nowhere, whatever its roundi
       CAPTURE(touched, rate);
       CHECK(sign_changes(product(root, root), 0.0, 3.0).count == 0);
       REQUIRE(sign_changes(root, 0.0, 3.0).count == 1);
-      // Where the sum is within eight roundings of its terms it has no sign.
+      // A sum within eight roundings of its terms has no sign.
       CHECK(first_sign_change(root, 0.0, 3.0) == Approx(touched).margin(2e-14));
     }
   }
