@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "driver/base/files/exit_code.hpp"
@@ -93,7 +94,7 @@ std::string bash_script(const std::vector<const CLI::App*>& commands) {
 _slipbench() {{
   local typed=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}} command=${{COMP_WORDS[1]}} words= value=
   if [ "$COMP_CWORD" -eq 1 ]; then
-    mapfile -t COMPREPLY < <(compgen -W '{}--help --version' -- "$typed")
+    mapfile -t COMPREPLY < <(compgen -W '{}--help --version --verbose' -- "$typed")
     return
   fi
   case "$command $before" in
