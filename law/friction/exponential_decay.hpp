@@ -51,14 +51,19 @@ struct ExponentialDecay {
 
   static ExponentialDecay example() { return {0.3, 0.2, 0.05}; }
 
+  /// What is left of static - kinetic: as the coefficient less `kinetic` it would lose its digits.
+  template <class Number>
+  Number above_kinetic(const Number& slip_rate) const {
+    using std::exp;
+    return (mu_static - kinetic) * exp(-decay * slip_rate);
+  }
   template <class Number>
   Number coefficient(const Number& slip_rate) const {
-    using std::exp;
-    return kinetic + (mu_static - kinetic) * exp(-decay * slip_rate);
+    return kinetic + above_kinetic(slip_rate);
   }
   CoefficientPoint evaluate(const Ambient& /*ambient*/, const SlipArguments& slip) const noexcept {
-    const double mu = coefficient(slip.slip_rate);
-    return {mu, -decay * (mu - kinetic), 0.0};
+    const double left = above_kinetic(slip.slip_rate);
+    return {kinetic + left, -decay * left, 0.0};
   }
   /// dmu/d(number) in the order of fields().
   std::array<double, 3> to_numbers(const Ambient& /*ambient*/,

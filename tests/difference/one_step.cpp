@@ -60,24 +60,29 @@ PlainStep<double> plain(Way way_of, const law::FrictionDefinition& definition,
   // it is that of the last sub-increment, however long.
   const bool told = potential == nullptr ||
                     (way_of == Way::kBackwardEuler && u.state.regime == law::Regime::kSlip);
-  const double held = told ? length(u.state.force) : 0.0;
+  const double held = told ? (shifted ? u.limit : length(u.state.force)) : 0.0;
   const double known = held > 0.0 ? y / held : std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < 6; ++k) tell("direction", u.direction[k], known);
-  tell("accumulated slip", u.state.accumulated_slip, way);
-  tell("slip increment", u.slip_increment, way + from);
+  // Where a coefficient falls to nothing, both tell by their smallest number when it is there.
+  const bool underflows = u.state.regime == law::Regime::kOpen && u.mu == 0.0;
+  const double gone = underflows ? std::numeric_limits<double>::infinity() : way;
+  tell("accumulated slip", u.state.accumulated_slip, gone);
+  tell("slip increment", u.slip_increment, gone + from);
   tell("limit", u.limit, 0.0);
   tell("mu", u.mu, 0.0);
   tell("contact force", u.contact_force, u.normal_force);
   tell("normal force", u.normal_force, 0.0);
-  tell("slip rate", u.slip_rate, increment.duration > 0.0 ? way / increment.duration : 0.0);
+  tell("slip rate", u.slip_rate, increment.duration > 0.0 ? gone / increment.duration : 0.0);
   tell("wear", u.wear, 0.0);
   tell("phi", u.phi, trial);
   tell("dissipation", u.dissipation, both * way);
   tell("stored energy", u.stored_energy, y * s);
   tell("work", u.work, both * way);
-  // Fourth powers of forces, which may underflow in double, say where a limit is met.
+  // Fourth powers of forces, which may underflow in double, say where a limit is met; and a limit
+  // of nothing is met anywhere.
   const bool vanishes =
-      std::pow(std::min(trial, reached), 4.0) < std::numeric_limits<double>::min();
+      std::pow(std::min(trial, reached), 4.0) < std::numeric_limits<double>::min() ||
+      u.limit < 1e-10 * length(old.force);
   tell("onset", u.onset,
        vanishes   ? std::numeric_limits<double>::infinity()
        : ds > 0.0 ? way / ds
