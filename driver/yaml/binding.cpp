@@ -78,6 +78,10 @@ void Binder::wrong_kind(const Node& node, const Path& path, std::string_view wan
   error(node, path, "wanted " + std::string(wanted) + ", found " + found, std::move(hint));
 }
 
+void Binder::too_many(const Node& list, const Path& path, std::size_t most) {
+  error(list, path, fmt::format("{} items, at most {} are read", list.size(), most));
+}
+
 std::string_view default_text(double number) {
   if (number == 0.0) return "";
   static std::mutex mutex;  // cases are read side by side

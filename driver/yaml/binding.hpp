@@ -148,6 +148,8 @@ class Binder {
                    std::string_view wanted);
   /// "wanted a number, found a list".
   void wrong_kind(const Node& node, const Path& path, std::string_view wanted);
+  /// "60000 items, at most 9000 are read".
+  void too_many(const Node& list, const Path& path, std::size_t most);
   /// Checks bounds; "must not be negative (found -0.1)".
   bool in_bounds(double value, const Node& node, const Path& path, const law::Bounds& bounds);
 
@@ -549,6 +551,12 @@ struct Codec<std::vector<T>> {
                    std::vector<T>& out) {
     if (!node.is_sequence()) {
       binder.wrong_kind(node, path, wanted(info));
+      return false;
+    }
+    // The items of a list may be a thousand times as large as their text: 32 MB is enough.
+    constexpr std::size_t kMostItems = (std::size_t{1} << 25U) / sizeof(T);
+    if (node.size() > kMostItems) {
+      binder.too_many(node, path, kMostItems);
       return false;
     }
     bool good = true;

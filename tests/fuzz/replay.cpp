@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-// replay TARGET FILE|FOLDER..: gives a target the files, and every file of the folders. Exit code 2
-// if there is no such target, no file, or one that cannot be read; a target that breaks a promise
-// ends the program.
+// replay TARGET [--large] FILE|FOLDER..: gives a target the files, and every file of the folders.
+// With --large what grows out of them instead: each file again and again, and each kind of line
+// again and again in its place, up to just under 1 MB; an input that takes 2 s is a fault, and so
+// are 256 MB at any time. Exit code 1 for such a fault, 2 if there is no such target, no file, or
+// one that cannot be read; a target that breaks a promise ends the program.
+#include <sys/resource.h>
+
 #include <algorithm>
+#include <cstddef>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
 #include <map>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tests/fuzz/fuzz_target.hpp"
@@ -21,9 +29,59 @@ std::map<std::string_view, Target>& targets() {
   return all;
 }
 
+constexpr std::size_t kLargest = 999'999;  // bytes
+constexpr double kLongest = 2.0;           // s of a processor
+constexpr long kMost = 256 * 1024;         // KB
+constexpr std::size_t kShape = 10;         // characters that tell one kind of line from another
+
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// Returns a text with the piece from `begin` to `end` as often as it may be there.
+std::string grown(const std::string& text, std::size_t begin, std::size_t end) {
+  std::string made = text.substr(0, begin);
+  const std::string piece = text.substr(begin, end - begin);
+  const std::size_t rest = text.size() - end;
+  while (made.size() + piece.size() + rest <= kLargest) made += piece;
+  return made + text.substr(end);
+}
+
+/// What has been tried of large inputs.
+struct Tried {
+  std::set<std::string> shapes;  ///< kinds of lines that need not be tried again
+  long most = kMost;             ///< KB that were in use, or may be
+};
+
+/// Feeds a target with what grows out of a text; returns how many inputs took too much.
+int feed_large(Target target, const std::string& text, Tried* tried) {
+  int faults = 0;
+  const auto feed = [&](std::size_t begin, std::size_t end) {
+    const double before = processor_seconds();
+    target(grown(text, begin, end));
+    const double took = processor_seconds() - before;
+    rusage used{};
+    getrusage(RUSAGE_SELF, &used);
+    if (took <= kLongest && used.ru_maxrss <= tried->most) return;
+    tried->most = std::max(tried->most, used.ru_maxrss);
+    ++faults;
+    std::cout << "  too much: " << took << " s, " << used.ru_maxrss / 1024
+              << " MB so far, with this again and again: "
+              << std::string_view(text).substr(begin, std::min<std::size_t>(end - begin, 60))
+              << std::endl;
+  };
+  if (text.empty()) return 0;
+  feed(0, text.size());
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size() - 1) + 1;
+    if (tried->shapes.insert(text.substr(begin, std::min(kShape, end - begin))).second)
+      feed(begin, end);
+    begin = end;
+  }
+  return faults;
+}
+
 /// Feeds a target with files, and with all files of folders, the inputs of each in the order of
 /// their names.
-int replay(const std::string& name, const std::vector<std::filesystem::path>& places) {
+int replay(const std::string& name, bool large, const std::vector<std::filesystem::path>& places) {
   const auto target = targets().find(name);
   if (target == targets().end()) {
     std::cerr << "there is no target " << name << '\n';
@@ -39,6 +97,8 @@ int replay(const std::string& name, const std::vector<std::filesystem::path>& pl
   }
   std::sort(files.begin(), files.end());
   for (std::filesystem::path& file : files) file = std::filesystem::absolute(file);
+  int faults = 0;
+  Tried tried;
   for (const std::filesystem::path& file : files) {
     std::cout << file.filename().string() << std::endl;  // the one at which it ends stands last
     std::ifstream in(file, std::ios::binary);
@@ -47,10 +107,15 @@ int replay(const std::string& name, const std::vector<std::filesystem::path>& pl
       return 2;
     }
     const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-    target->second(bytes);
+    if (large) {
+      faults += feed_large(target->second, bytes, &tried);
+    } else {
+      target->second(bytes);
+    }
   }
-  std::cout << files.size() << " inputs of " << name << '\n';
-  return files.empty() ? 2 : 0;
+  std::cout << files.size() << (large ? " files, grown, of " : " inputs of ") << name << '\n';
+  if (files.empty()) return 2;
+  return faults == 0 ? 0 : 1;
 }
 
 }  // namespace
@@ -60,9 +125,11 @@ Registered::Registered(std::string_view name, Target target) { targets().emplace
 }  // namespace slipbench::fuzz
 
 int main(int count, char** words) {
-  if (count < 3) {
-    std::cerr << "usage: fuzz_replay TARGET FILE|FOLDER..\n";
+  const bool large = count > 2 && std::string_view(words[2]) == "--large";
+  const int first = large ? 3 : 2;
+  if (count <= first) {
+    std::cerr << "usage: fuzz_replay TARGET [--large] FILE|FOLDER..\n";
     return 2;
   }
-  return slipbench::fuzz::replay(words[1], {words + 2, words + count});
+  return slipbench::fuzz::replay(words[1], large, {words + first, words + count});
 }

@@ -635,5 +635,13 @@ TEST_CASE("A fault elsewhere in the file hides none of them") {
   }
 }
 
+TEST_CASE("A list whose items would fill the memory is refused") {
+  std::string many = "friction:\n";
+  for (int i = 0; i < 60000; ++i) many += "  - component: 1\n";
+  const std::vector<std::string> found = messages(changed({{"friction:\n", many}}));
+  REQUIRE(found.size() == 1);
+  CHECK_THAT(found[0], Catch::Contains("friction: 60001 items, at most "));
+}
+
 }  // namespace
 }  // namespace slipbench::driver::read
