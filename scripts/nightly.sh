@@ -7,6 +7,7 @@
 #   memory      reads of memory that was never written, by valgrind, in a dozen cases               3 min
 #   difference  the law in double against itself in long double, over a million increments            20 min
 #   fuzz        every target of scripts/fuzz.sh, SLIPBENCH_FUZZ_SECONDS (600) each                   2 h
+#   large       inputs of up to a megabyte, made of what is repeated: 2 s and 256 MB each             3 min
 #   torture     scripts/torture.sh                                                                   3 min
 #   packages    scripts/package.sh, and its packages in a minimal Debian (as root)                    10 min
 #   mutate      scripts/mutate.sh: which changes of the code no test sees
@@ -59,11 +60,28 @@ difference() {
 }
 
 fuzz() { scripts/fuzz.sh all "${SLIPBENCH_FUZZ_SECONDS:-600}"; }
+
+large() {
+  configure release
+  build release --target fuzz_replay
+  grow() { build/release/tests/fuzz/fuzz_replay "$1" --large "${@:2}" >build/large.log || { cat build/large.log; fail "too much, see above"; }; }
+  grow case_text 999999 cases/examples/*.yaml
+  grow fit 999999 cases/calibration/*_fit.yaml
+  grow sweep 999999 cases/sweeps/*.yaml
+  grow csv 999999 cases/calibration/*.csv
+  grow table 999999 cases/calibration/*.csv
+  grow lsdyna 999999 tests/decks/lsdyna
+  grow opensees 999999 tests/decks/opensees
+  # A thousand included files take 40 ms, a thousand connectors 0.5 to 1.5 s: these decks hold little else.
+  grow radioss 500000 tests/decks/radioss
+  grow abaqus 8000 tests/decks/abaqus
+}
+
 torture() { scripts/torture.sh; }
 packages() { scripts/package.sh && tests/packages/minimal_debian.sh; }
 mutate() { scripts/mutate.sh; }
 
-parts=(sanitizers threads memory difference fuzz torture packages mutate)
+parts=(sanitizers threads memory difference fuzz large torture packages mutate)
 for part in "$@"; do
   printf '%s\n' "${parts[@]}" | grep -qxF -- "$part" || fail "wanted some of ${parts[*]}; found '$part'" 2
 done

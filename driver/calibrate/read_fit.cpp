@@ -2,6 +2,7 @@
 #include "driver/calibrate/read_fit.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <filesystem>
 #include <map>
@@ -76,6 +77,7 @@ class FitReader {
   }
 
   void read() {
+    if (has_too_many_experiments()) return;
     binder_.set_units(units_of_cases());
     FitText text;
     const bool bound = yaml::read_struct(binder_, root_, yaml::Path(), text);
@@ -122,13 +124,31 @@ class FitReader {
   }
 
  private:
+  /// The items of a list of experiments, as far as there is one.
+  [[nodiscard]] std::optional<yaml::Node> list_of(std::string_view name) const {
+    const auto calibrate = root_.find("calibrate");
+    const auto all = calibrate && calibrate->is_map() ? calibrate->find(name) : std::nullopt;
+    return all && all->is_sequence() ? all : std::nullopt;
+  }
+
+  /// Reports a list of so many experiments, each with a case to be read, that it must be a mistake.
+  bool has_too_many_experiments() {
+    constexpr std::size_t kMostExperiments = 1000;
+    for (const char* list : kLists) {
+      const auto all = list_of(list);
+      if (!all || all->size() <= kMostExperiments) continue;
+      binder_.too_many(*all, yaml::Path() / "calibrate" / list, kMostExperiments);
+      return true;
+    }
+    return false;
+  }
+
   /// The system of units that all cases state, for numbers with a unit; nothing if they differ.
   [[nodiscard]] std::optional<base::UnitSystem> units_of_cases() const {
     std::optional<base::UnitSystem> units;
-    const auto calibrate = root_.find("calibrate");
-    for (const char* list : {"experiments", "holdout"}) {
-      const auto all = calibrate && calibrate->is_map() ? calibrate->find(list) : std::nullopt;
-      for (std::size_t i = 0; all && all->is_sequence() && i < all->size(); ++i) {
+    for (const char* list : kLists) {
+      const auto all = list_of(list);
+      for (std::size_t i = 0; all && i < all->size(); ++i) {
         const auto file = (*all)[i].is_map() ? (*all)[i].find("case") : std::nullopt;
         if (!file || !file->is_scalar()) continue;
         const auto source = base::read_source((folder_ / fs::path(file->text())).string());
@@ -261,6 +281,8 @@ class FitReader {
       }
     }
   }
+
+  static constexpr std::array kLists{"experiments", "holdout"};
 
   yaml::Node root_;
   const ReadFitOptions& options_;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// replay TARGET [--large] FILE|FOLDER..: gives a target the files, and every file of the folders.
-// With --large what grows out of them instead: each file again and again, and each kind of line
-// again and again in its place, up to just under 1 MB; an input that takes 2 s is a fault, and so
-// are 256 MB at any time. Exit code 1 for such a fault, 2 if there is no such target, no file, or
-// one that cannot be read; a target that breaks a promise ends the program.
+// replay TARGET [--large BYTES] FILE|FOLDER..: gives a target the files, and every file of the
+// folders. With --large what grows out of them instead: each file again and again, and each kind of
+// line again and again in its place, up to so many bytes; an input that takes 2 s is a fault, and
+// so are 256 MB at any time. Exit code 1 for such a fault, 2 if there is no such target, no file,
+// or one that cannot be read; a target that breaks a promise ends the program.
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
@@ -29,19 +30,19 @@ std::map<std::string_view, Target>& targets() {
   return all;
 }
 
-constexpr std::size_t kLargest = 999'999;  // bytes
-constexpr double kLongest = 2.0;           // s of a processor
-constexpr long kMost = 256 * 1024;         // KB
-constexpr std::size_t kShape = 10;         // characters that tell one kind of line from another
+constexpr double kLongest = 2.0;    // s of a processor
+constexpr long kMost = 256 * 1024;  // KB
+constexpr std::size_t kShape = 10;  // characters that tell one kind of line from another
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Returns a text with the piece from `begin` to `end` as often as it may be there.
-std::string grown(const std::string& text, std::size_t begin, std::size_t end) {
+/// Returns a text with the piece from `begin` to `end` as often as it fits into
+/// `most` bytes.
+std::string grown(const std::string& text, std::size_t begin, std::size_t end, std::size_t most) {
   std::string made = text.substr(0, begin);
   const std::string piece = text.substr(begin, end - begin);
   const std::size_t rest = text.size() - end;
-  while (made.size() + piece.size() + rest <= kLargest) made += piece;
+  while (made.size() + piece.size() + rest <= most) made += piece;
   return made + text.substr(end);
 }
 
@@ -52,11 +53,11 @@ struct Tried {
 };
 
 /// Feeds a target with what grows out of a text; returns how many inputs took too much.
-int feed_large(Target target, const std::string& text, Tried* tried) {
+int feed_large(Target target, const std::string& text, std::size_t most, Tried* tried) {
   int faults = 0;
   const auto feed = [&](std::size_t begin, std::size_t end) {
     const double before = processor_seconds();
-    target(grown(text, begin, end));
+    target(grown(text, begin, end, most));
     const double took = processor_seconds() - before;
     rusage used{};
     getrusage(RUSAGE_SELF, &used);
@@ -81,7 +82,9 @@ int feed_large(Target target, const std::string& text, Tried* tried) {
 
 /// Feeds a target with files, and with all files of folders, the inputs of each in the order of
 /// their names.
-int replay(const std::string& name, bool large, const std::vector<std::filesystem::path>& places) {
+/// \param most bytes of what grows out of them, or 0: they are taken as they are
+int replay(const std::string& name, std::size_t most,
+           const std::vector<std::filesystem::path>& places) {
   const auto target = targets().find(name);
   if (target == targets().end()) {
     std::cerr << "there is no target " << name << '\n';
@@ -107,13 +110,13 @@ int replay(const std::string& name, bool large, const std::vector<std::filesyste
       return 2;
     }
     const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-    if (large) {
-      faults += feed_large(target->second, bytes, &tried);
+    if (most > 0) {
+      faults += feed_large(target->second, bytes, most, &tried);
     } else {
       target->second(bytes);
     }
   }
-  std::cout << files.size() << (large ? " files, grown, of " : " inputs of ") << name << '\n';
+  std::cout << files.size() << (most > 0 ? " files, grown, of " : " inputs of ") << name << '\n';
   if (files.empty()) return 2;
   return faults == 0 ? 0 : 1;
 }
@@ -126,10 +129,11 @@ Registered::Registered(std::string_view name, Target target) { targets().emplace
 
 int main(int count, char** words) {
   const bool large = count > 2 && std::string_view(words[2]) == "--large";
-  const int first = large ? 3 : 2;
+  const int first = large ? 4 : 2;
   if (count <= first) {
-    std::cerr << "usage: fuzz_replay TARGET [--large] FILE|FOLDER..\n";
+    std::cerr << "usage: fuzz_replay TARGET [--large BYTES] FILE|FOLDER..\n";
     return 2;
   }
-  return slipbench::fuzz::replay(words[1], large, {words + first, words + count});
+  const std::size_t most = large ? std::strtoull(words[3], nullptr, 10) : 0;
+  return slipbench::fuzz::replay(words[1], most, {words + first, words + count});
 }
