@@ -203,7 +203,12 @@ struct PotentialReturn : ReturnSteps<SlipVector, LimitFunction> {
 
   void take_jumps(const End& end, double along, FrictionUpdate* result) const noexcept {
     const bool opens = end.regime == Regime::kOpen;
-    const double start_force = value(potential, begin.force);
+    // P along the normal: of a force from the other side it is negative.
+    const SlipVector& here = opens ? begin.trial : end.force;
+    const auto along_normal = [&](const SlipVector& v) {
+      return value(potential, here) + dot(m, sum_of(v, -1.0, here));
+    };
+    const double start_force = along_normal(begin.force);
     SnapBackPath path = snap_back_path(limit, along, end.slip, start_force, opens);
     // With shifts y . m is not P.
     if (!opens) {
@@ -212,7 +217,7 @@ struct PotentialReturn : ReturnSteps<SlipVector, LimitFunction> {
     }
     const double stored = 0.5 * dot(begin.force, begin.old.elastic_slip);
     const double work = result->work;
-    book_jumps(path, start_force, value(potential, begin.trial), stored, result);
+    book_jumps(path, start_force, along_normal(begin.trial), stored, result);
     const auto turns = [&](const SlipVector& v) {
       const SlipVector beside = sum_of(v, -dot(v, m) / dot(m, m), m);
       return dot(beside, beside) > 1e-20 * dot(v, v);

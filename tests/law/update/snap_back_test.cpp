@@ -122,6 +122,66 @@ TEST_CASE("a potential meets the same fold along its normal") {
   CHECK(run.last.work == Approx(1250.0).epsilon(1e-9));
 }
 
+Potential of_one_component(double shift) {
+  Potential potential;
+  potential.parts = potential.leaves = 1;
+  potential.leaf[0].direction[0] = 1.0;
+  potential.leaf[0].center = shift;
+  potential.homogeneous = shift == 0.0;
+  return potential;
+}
+
+TEST_CASE("a potential of one component jumps as the component does, wherever it comes from") {
+  // From either side, within the limit of 1500 N and beyond it.
+  for (const double begin : {-2.0, -0.8, 0.0, 0.5, 1.6}) {
+    FrictionState old;
+    old.elastic_slip[0] = begin;
+    old.force[0] = 1000.0 * begin;
+    FrictionRun component(worn());
+    FrictionDefinition definition = worn();
+    definition.criterion = of_one_component(0.0);
+    FrictionRun potential(definition);
+    component.state = potential.state = old;
+    const FrictionUpdate& u = component.move_to(1, 2.0 - begin);
+    const FrictionUpdate& v = potential.move_to(1, 2.0 - begin);
+    INFO("from " << old.force[0] << " N");
+    CHECK(v.jumps == u.jumps);
+    CHECK(v.onset == Approx(u.onset).epsilon(1e-12));
+    CHECK(v.jump_onset == Approx(u.jump_onset).epsilon(1e-12));
+    CHECK(v.lost == Approx(u.lost).epsilon(1e-12));
+    CHECK(v.dissipation == Approx(u.dissipation).epsilon(1e-12));
+    CHECK(v.work == Approx(u.work).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("under a shift friction takes the work of the force that is held, not of the limit") {
+  FrictionDefinition definition = worn();
+  definition.criterion = of_one_component(100.0);
+  FrictionRun run(definition);
+  run.move_to(1, 2.1);
+  // All forces of the first test 100 N higher, over 1.75 mm of slip.
+  CHECK(run.friction(1) == Approx(350.0).epsilon(1e-12));
+  CHECK(run.last.slip_increment == Approx(1.75).epsilon(1e-12));
+  CHECK(run.last.jump_onset == Approx(1600.0 / 2100.0).epsilon(1e-12));
+  CHECK(run.last.lost == Approx(156.25).epsilon(1e-12));
+  CHECK(run.last.dissipation == Approx(875.0 + 250.0 * 0.75 + 175.0).epsilon(1e-12));
+  // 1.6 mm up to 1600 N, and 0.5 mm at 350 N.
+  CHECK(run.last.work == Approx(1280.0 + 175.0).epsilon(1e-12));
+}
+
+TEST_CASE("wear as steep as the spring is soft is met by the least jump, which loses nothing") {
+  // 10 - x down to 6, on a spring of 1: at a trial force of 10 all slips up to 4 are in balance.
+  FrictionDefinition definition = slider(1.0, 0.0, fixed_stiffness(1.0));
+  definition.internal_contact_force = make_function({{10, 0}, {6, 4}}, {kOverAccumulatedSlip});
+  FrictionRun run(definition);
+  run.move_to(1, 11.0);
+  CHECK(run.last.snap_back == 1.0);
+  CHECK(run.last.jumps == 1);
+  CHECK(run.last.slip_increment == Approx(5.0).epsilon(1e-14));
+  CHECK(run.last.lost == Approx(0.0).margin(1e-13));
+  CHECK(run.last.dissipation == Approx(32.0 + 6.0).epsilon(1e-14));
+}
+
 TEST_CASE("a jump of a maximum in small increments and in an exact one loses the same") {
   // 1500 N and 500 N under a limit of 1500 - 1250 L, 250 N from L = 1 mm on: they fall to 250 N
   // after 1.25 mm and 0.25 mm of slip, of which friction takes 875 + 125.
