@@ -52,6 +52,28 @@ TEST_CASE("a belt without friction between equal tensions is open, and slips bet
   CHECK(judged(belt(0.2, 3.0), 100.0, 100.0).state.regime == Regime::kStick);
 }
 
+TEST_CASE("the sense of a belt is that of the change of its tension, however small") {
+  const FrictionDefinition definition = belt(0.2, 3.0);
+  for (const double tension : {100.0, 1e-4}) {
+    const FrictionUpdate forward = judged(definition, tension, 1.01 * tension);
+    CHECK(forward.direction[0] == 1.0);
+    CHECK(forward.limit == Approx(tension * std::expm1(0.6)).epsilon(1e-14));
+    const FrictionUpdate backward = judged(definition, tension, 0.99 * tension);
+    CHECK(backward.direction[0] == -1.0);
+    CHECK(backward.limit == Approx(-tension * std::expm1(-0.6)).epsilon(1e-14));
+    CHECK(judged(definition, tension, tension).direction[0] == 0.0);
+  }
+  CHECK(judged(definition, 100.0, 101.0).direction[0] == 1.0);
+  CHECK(judged(definition, -2.0, -1.0).state.regime == Regime::kOpen);
+}
+
+TEST_CASE("a slack belt has no limit, even if it is wound without end") {
+  const FrictionUpdate slack = judged(belt(1.0, 1e4), 0.0, 0.0);
+  CHECK(slack.limit == 0.0);
+  CHECK(slack.phi == 0.0);
+  CHECK(slack.state.regime == Regime::kOpen);
+}
+
 TEST_CASE("increments longer than a belt's threshold have one solution at any rate of the motion") {
   FrictionDefinition definition = belt(0.0, 4.0);
   definition.law = ExponentialDecay{0.6, 0.1, 5.0};
