@@ -135,6 +135,7 @@ TEST_CASE("without a bound along one axis the other is bounded alone") {
     CHECK(to_ellipse({5.0, 4.0}, {0.0, 3.0}) == PlaneVector{0.0, 3.0});
     CHECK(to_ellipse({5.0, -2.0}, {0.0, 3.0}) == PlaneVector{0.0, -2.0});
     CHECK(to_ellipse({-5.0, 2.0}, {4.0, 0.0}) == PlaneVector{-4.0, 0.0});
+    CHECK(to_ellipse({-5.0, 2.0}, {1e-4, 0.0}) == PlaneVector{-1e-4, 0.0});
     CHECK(to_ellipse({-5.0, 2.0}, {0.0, 0.0}) == PlaneVector{});
   }
   CHECK(within_ellipse({0.0, 2.0}, {0.0, 3.0}));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Work and onset where the limit has fallen below the force at the beginning of the increment.
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "law/definition/potential.hpp"
 #include "law/update/return_mapping.hpp"
@@ -40,6 +41,26 @@ TEST_CASE("a force that turns back below a fallen limit is split where it comes 
     CHECK(through.onset == Approx(25.0 / 30.0).epsilon(1e-14));
     CHECK(through.work == Approx(0.5 * (20.0 - 5.0) * -2.5 + -5.0 * -0.5).epsilon(1e-14));
   }
+}
+
+TEST_CASE("in a plane a force that turns back comes out of a fallen limit where its line does") {
+  FrictionDefinition definition;
+  definition.slip = slip_space({1, 2});
+  definition.contact_force = NoContactForce{};
+  definition.internal_contact_force = 10.0;
+  definition.law = ConstantCoefficient{1.0};
+  definition.stick = {StickStiffness::Mode::kStiffness, 10.0};
+  FrictionState old;
+  old.force = {20.0, 6.0};
+  old.elastic_slip = {2.0, 0.6};
+  ConnectorIncrement increment;
+  increment.duration = 1.0;
+  increment.end.position[0] = -4.0;
+  // From (20, 6) to the predictor (-20, 6): out of the circle of 10 again at (-8, 6).
+  const FrictionUpdate u = update(definition, increment, old);
+  CHECK(u.onset == Approx(28.0 / 40.0).epsilon(1e-14));
+  const double end = -20.0 * 10.0 / std::hypot(20.0, 6.0);
+  CHECK(u.work == Approx(-2.8 * 0.5 * (20.0 - 8.0) - 1.2 * 0.5 * (end - 8.0)).epsilon(1e-14));
 }
 
 }  // namespace

@@ -231,6 +231,8 @@ TEST_CASE("a normal stiffness out of its range counts as none") {
   const Ambient end;
   CHECK(viscous_coefficient(penalty, Convention::kDocumented, end, 5.0).value == 0.0);
   CHECK(viscous_coefficient(penalty, Convention::kDocumented, end, 5.0).to_normal_force == 0.0);
+  // K = 0.5: little is not none.
+  CHECK(viscous_coefficient(penalty, Convention::kDocumented, end, 1.5).value == Approx(1.0));
   const auto c = viscous_coefficient(penalty, Convention::kDocumented, end, 0.5);
   CHECK(c.value == Approx(std::sqrt(3.0)));
   CHECK(c.to_normal_force == Approx(-1.0 / std::sqrt(3.0)));
@@ -539,6 +541,21 @@ TEST_CASE("a force limit bounds both axes, and slopes and coefficients stay thos
   CHECK(std::hypot(run.state.force[0], run.state.force[1]) <= 15.0);
   CHECK(run.last.limit ==
         Approx(std::hypot(run.state.force[0], run.state.force[1])).epsilon(1e-14));
+}
+
+TEST_CASE("behind a filter the use of an elliptic limit is measured along its axes") {
+  Formulation formulation = orthotropic(stiffness(10.0), 0.1);
+  formulation.filter = {Filter::Kind::kSimple, 0.5, false};
+  FrictionDefinition definition = contact_point(ConstantCoefficient{0.3}, formulation, 2);
+  for (const double force_limit : {20.0, kNoForceLimit}) {
+    definition.force_limit = force_limit;
+    // From rest the filter lets half of a force on the limit pass, along each axis and between.
+    for (const auto& [v2, v3] : {std::pair{1e3, 0.0}, {0.0, -1e3}, {1e3, 2e3}}) {
+      Run run(definition);
+      run.slide(1.0, v2, v3, 100.0);
+      CHECK(limit_use(definition, run.last, run.detail) == Approx(0.5).epsilon(1e-14));
+    }
+  }
 }
 
 TEST_CASE("with equal coefficients both orthotropic returns are those of the planar slider") {
