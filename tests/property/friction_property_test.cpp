@@ -297,11 +297,22 @@ TEST_CASE("units that are powers of two change nothing, to the last bit") {
     Case c = draw();
     const auto power = [&] { return std::ldexp(1.0, c.dice.pick(41) - 20); };
     const Units units{power(), power(), power()};
-    const auto results = run_history(c.definition(), c.rows);
-    const auto others =
-        run_history(in_units(c.description, units).build(), in_units(c.rows, units));
+    const FrictionDefinition definition = c.definition();
+    const FrictionDefinition other = in_units(c.description, units).build();
+    const auto rows = in_units(c.rows, units);
+    const auto results = run_history(definition, c.rows);
+    const auto others = run_history(other, rows);
     for (std::size_t i = 0; i < results.size(); ++i) {
       RC_ASSERT(numbers(results[i]) == numbers(others[i], slip_units(c.description, units)));
+      const ConnectorTangent t = connector_tangent(definition, c.rows[i].increment(), results[i]);
+      const ConnectorTangent o = connector_tangent(other, rows[i].increment(), others[i]);
+      for (int k = 0; k < kComponents; ++k) {
+        const double force = force_unit(k, units);
+        for (int j = 0; j < kComponents; ++j) {
+          RC_ASSERT(t.to_motion(k, j) == o.to_motion(k, j) * force / motion_unit(j, units));
+          RC_ASSERT(t.to_force(k, j) == o.to_force(k, j) * force / force_unit(j, units));
+        }
+      }
     }
   });
 }
