@@ -233,6 +233,20 @@ TEST_CASE("with operator max the directions are clipped each for itself, their s
   CHECK(u.dissipation == Approx(20.0 * 0.4).epsilon(1e-14));
 }
 
+TEST_CASE("forces of which the sum is limited come back together") {
+  const BuiltPotential built =
+      sum({of_derived({term(TermOperator::kSum, {{2, 1.0}, {3, 1.0}})})}, 2.0);
+  FrictionRun run = run_of(built, fixed_stiffness(100.0));
+  run.position[1] = 0.3;
+  run.position[2] = 0.1;
+  const FrictionUpdate& u = run.step();
+  // y_tr = (30, 10): each back by half of what the sum is beyond 20.
+  CHECK(u.converged);
+  CHECK(run.friction(2) == Approx(20.0).epsilon(1e-14));
+  CHECK(run.friction(3) == Approx(0.0).margin(1e-14));
+  CHECK(u.slip_increment == Approx(0.1).epsilon(1e-14));
+}
+
 TEST_CASE("a Macauley contribution holds without limit against the other direction") {
   PotentialContribution half = of_component(1);
   half.function = Function::kMacauley;
@@ -260,6 +274,18 @@ TEST_CASE("a shift moves the band, dissipates its work, and opens where 0 is out
     CHECK(run.friction(1) == 0.0);
     CHECK(run.last.dissipation == 0.0);
   }
+}
+
+TEST_CASE("the equivalent elastic slip is measured without the shifts of the forces") {
+  PotentialContribution dead_zone = of_derived({term(TermOperator::kNorm, {{1, 1.0}, {2, 1.0}})});
+  dead_zone.function = Function::kMacauley;
+  dead_zone.shift = 5.0;
+  PotentialContribution moved = of_component(3);
+  moved.shift = -2.0;
+  const FrictionRun run = run_of(sum({dead_zone, moved}, 2.0), fixed_stiffness(100.0));
+  FrictionState state;
+  state.elastic_slip = {0.3, -0.4, 1.2};
+  CHECK(equivalent_elastic_slip(run.definition, state) == Approx(1.3).epsilon(1e-14));
 }
 
 // With b = 2 the contributions X_i come back in proportion to what they are of the trial force,
