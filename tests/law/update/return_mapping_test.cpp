@@ -809,14 +809,39 @@ TEST_CASE("a frictionless definition has no effect and no slip") {
 
 TEST_CASE("a coefficient that vanishes only at rest grips as soon as there is slip") {
   for (const StickStiffness stick : {fixed_stiffness(kStiffness), allowable_slip(0.02)}) {
-    FrictionDefinition definition = slider(0.0, 100.0, stick);
-    definition.law = TabularCoefficient{make_function({{0, 0}, {0.2, 1}}, {kOverSlipRate})};
-    FrictionRun run(definition);
-    run.move_to(1, 0.5);
-    CHECK(run.state.regime == Regime::kSlip);
-    CHECK(run.friction(1) > 5.0);
-    CHECK(run.friction(1) == Approx(20.0 * run.last.slip_rate).epsilon(1e-12));
+    for (const double normal_force : {100.0, 1e-4}) {
+      FrictionDefinition definition = slider(0.0, normal_force, stick);
+      definition.law = TabularCoefficient{make_function({{0, 0}, {0.2, 1}}, {kOverSlipRate})};
+      FrictionRun run(definition);
+      run.move_to(1, 0.5);
+      CHECK(run.state.regime == Regime::kSlip);
+      CHECK(run.friction(1) > 0.05 * normal_force);
+      CHECK(run.friction(1) == Approx(0.2 * normal_force * run.last.slip_rate).epsilon(1e-12));
+    }
   }
+}
+
+TEST_CASE("a grip that the least slip wears away holds as long as it is there") {
+  FrictionDefinition definition = slider(0.0, 0.0, fixed_stiffness(kStiffness));
+  definition.law = TabularCoefficient{make_function({{0, 0}, {0.2, 1}}, {kOverSlipRate})};
+  definition.internal_contact_force = make_function({{100, 0}, {0, 5e-4}}, {kOverAccumulatedSlip});
+  FrictionRun run(definition);
+  run.duration = 1e-3;
+  run.move_to(1, 2e-4);
+  CHECK(run.state.regime == Regime::kSlip);
+  // 0.2 - 1000 x = 200 x (100 - 2e5 x)
+  const double x = (21000.0 - std::sqrt(21000.0 * 21000.0 - 4.0 * 4e7 * 0.2)) / 8e7;
+  CHECK(run.last.slip_increment == Approx(x).epsilon(1e-10));
+}
+
+TEST_CASE("where nothing held at rest the grip that wears away was lost before any slip") {
+  FrictionDefinition definition = slider(0.0, 0.0, fixed_stiffness(kStiffness));
+  definition.law = TabularCoefficient{make_function({{0, 0}, {0.2, 1}}, {kOverSlipRate})};
+  definition.internal_contact_force = make_function({{100, 0}, {0, 0.1}}, {kOverAccumulatedSlip});
+  FrictionRun run(definition);
+  run.move_to(1, 0.5);
+  CHECK(run.state.regime == Regime::kOpen);
+  CHECK(run.last.slip_increment == 0.0);
 }
 
 TEST_CASE("an increment without motion changes nothing, in stick and in slip") {
