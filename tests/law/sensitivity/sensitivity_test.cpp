@@ -35,13 +35,25 @@ DefinitionSlopes slopes_to(const FrictionDefinition& definition, const std::stri
   return slopes;
 }
 
-/// A run of one definition with the derivatives to one of its numbers.
+/// The same to an unknown that moves the number three times as far.
+DefinitionSlopes thrice(DefinitionSlopes slopes) {
+  for (auto* list : {&slopes.stick, &slopes.force_limit, &slopes.law,
+                     &slopes.internal_contact_force, &slopes.contact_weights}) {
+    for (NumberSlope& slope : *list) slope.slope *= 3.0;
+  }
+  return slopes;
+}
+
+/// A run of one definition with the derivatives to one of its numbers; those to an unknown
+/// that moves it three times as far are three times as large.
 class SlopeRun {
  public:
   SlopeRun(FrictionDefinition definition, const std::string& name)
       : run_(std::move(definition)),
         numbers_(slopes_to(run_.definition, name)),
-        slopes_(run_.definition, numbers_) {}
+        slopes_(run_.definition, numbers_),
+        numbers_of_thrice_(thrice(numbers_)),
+        thrice_(run_.definition, numbers_of_thrice_) {}
 
   FrictionRun& run() { return run_; }
   void move_to(int number, double value) {
@@ -49,6 +61,11 @@ class SlopeRun {
     const FrictionState old = run_.state;
     const ConnectorIncrement increment = run_.increment();
     slopes_.advance(increment, old, run_.step());
+    thrice_.advance(increment, old, run_.last);
+    for (int i = 0; i < run_.definition.slip.dimension; ++i) {
+      CHECK(thrice_.force(i)[0] == Approx(3.0 * force(i)).epsilon(kRounding).margin(1e-10));
+    }
+    CHECK(thrice_.accumulated_slip()[0] == Approx(3.0 * slip()).epsilon(kRounding).margin(1e-13));
   }
   Regime regime() const { return run_.state.regime; }
   double force(int entry = 0) const { return slopes_.force(entry)[0]; }
@@ -58,6 +75,8 @@ class SlopeRun {
   FrictionRun run_;
   DefinitionSlopes numbers_;
   StateSlopes slopes_;
+  DefinitionSlopes numbers_of_thrice_;
+  StateSlopes thrice_;
 };
 
 SlopeRun slider_run(const std::string& name, StickStiffness stick) {
