@@ -28,6 +28,13 @@ struct Limit {
   double wear = 0.0;           ///< dF_int/d(accumulated slip) [F/L]
 };
 
+/// How far inside a piece of slips between two knots its slopes are taken: at its ends they may
+/// belong to the neighbours. More than the rounding of its place, and less than its half.
+inline double margin_inside(double low, double high) noexcept {
+  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * high;
+  return std::min(std::max(1e-9 * (high - low), rounding), 0.25 * (high - low));
+}
+
 /// F_lim as a function of the slip increment dL, all else of the increment given (theory 11.4):
 /// through the slip rate, and through the internal contact force where it wears.
 /// \p motion is |ds| of the increment. References are kept: it must not outlive its arguments.

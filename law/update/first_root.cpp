@@ -66,8 +66,7 @@ double first_root(const LimitOf& limit, double trial, double kappa) noexcept {
   const auto slope_at = [&](double x) { return -kappa - limit.slope(limit(x)); };
   while (low < end) {
     double high = std::min(limit.next_knot(low, end), end);
-    // Slopes are taken just inside the piece: at its ends they may belong to the neighbours.
-    const double margin = 1e-9 * (high - low);
+    const double margin = margin_inside(low, high);
     if (limit.is_cubic()) {
       // h' is a parabola through three of its points; its vertex parts convex from concave.
       const double half = 0.5 * (high - low);

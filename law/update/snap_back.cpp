@@ -18,9 +18,8 @@ void for_each_piece(const LimitFunction& limit, double slip, Visit visit) noexce
   }
 }
 
-/// Slopes are taken just inside a piece: at its ends they may belong to the neighbours.
 double inside(double low, double high, double at) noexcept {
-  const double margin = 1e-9 * (high - low);
+  const double margin = margin_inside(low, high);
   return std::clamp(at, low + margin, high - margin);
 }
 

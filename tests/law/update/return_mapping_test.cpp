@@ -678,6 +678,23 @@ TEST_CASE("with several roots the first one is taken, inside one cell of two tab
   CHECK(run.friction(1) == exactly(20.0 - 5.0 * x));
 }
 
+TEST_CASE("a root is not passed over in a cell however narrow") {
+  // The same hump over slips from 1 to 1 + w.
+  for (const double w : {1e-3, 1e-6, 1e-9, 1e-12}) {
+    FrictionDefinition definition = slider(0.0, 0.0, fixed_stiffness(5.0));
+    definition.law =
+        TabularCoefficient{make_function({{.1, 0}, {.1, 1}, {1.0, 1 + w}}, {kOverSlipRate})};
+    definition.internal_contact_force =
+        make_function({{100, 0}, {100, 1}, {10, 1 + w}}, {kOverAccumulatedSlip});
+    FrictionRun run(definition);
+    run.move_to(1, 5.0);
+    INFO("width " << w);
+    CHECK(run.state.accumulated_slip == Approx(1.0).epsilon(w));
+    // The limit rises by some 90/w: the rounding of the place counts.
+    CHECK(run.friction(1) == Approx(20.0).margin(5.0 * w + 1e-13 / w));
+  }
+}
+
 TEST_CASE("the first of many roots is found and flagged, whatever the duration") {
   // mu goes up and down over the rate; h falls and rises with it from knot to knot.
   const Rows rows = {{.1, 0}, {.4, .7}, {.05, 1.3}, {.35, 2.1}, {.02, 2.9}, {.4, 3.7}, {.1, 4.1}};
