@@ -73,7 +73,8 @@ double first_root(const LimitOf& limit, double trial, double kappa) noexcept {
       const double slope_low = slope_at(low + margin);
       const double slope_high = slope_at(high - margin);
       const double bend = 0.5 * (slope_low + slope_high) - slope_at(low + half);
-      const double vertex = bend != 0.0 ? -0.25 * (slope_high - slope_low) / bend : 1.0;
+      // Without a bend it is infinite, or no number: in no piece either way.
+      const double vertex = -0.25 * (slope_high - slope_low) / bend;
       if (vertex > -1.0 + 1e-6 && vertex < 1.0 - 1e-6) high = low + half + vertex * half;
     }
     if (trial - kappa * high - limit(high).force <= 0.0 || high >= end) {
