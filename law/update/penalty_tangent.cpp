@@ -15,12 +15,13 @@ namespace slipbench::law {
 namespace {
 
 using SixVector = Eigen::Matrix<double, kComponents, 1>;
+using SixMatrix = Eigen::Matrix<double, kComponents, kComponents>;
 
 /// Slopes that the tangents of both kinds of limit are made of.
 struct Slopes {
-  Eigen::Matrix<double, kComponents, kComponents> to_slip;  ///< dy/ds
-  SixVector to_contact;                                     ///< dy/d(F_C + F_int)
-  SixVector to_stiffness;                                   ///< dy/dK
+  SixMatrix to_slip;       ///< dy/ds
+  SixVector to_contact;    ///< dy/d(F_C + F_int)
+  SixVector to_stiffness;  ///< dy/dK
 };
 
 /// The isotropic law: the SlipTangent written out, and clipping to F_lim behind the filter.
@@ -121,10 +122,7 @@ void add_orthotropic(const FrictionDefinition& definition, const ConnectorIncrem
 PenaltyTangent penalty_tangent(const FrictionDefinition& definition,
                                const ConnectorIncrement& increment,
                                const FrictionUpdate& update) noexcept {
-  PenaltyTangent tangent;
-  tangent.to_slip.setZero();
-  tangent.to_contact.setZero();
-  tangent.to_position.setZero();
+  PenaltyTangent tangent{SixMatrix::Zero(), SixVector::Zero(), SixMatrix::Zero()};
   if (update.state.regime == Regime::kOpen || update.tangent.clip == 0.0) return tangent;
 
   const Formulation& formulation = *definition.formulation;
