@@ -130,7 +130,7 @@ CoefficientBounds coefficient_bounds(const FrictionLaw& law, const Ambient& ambi
   look(0.0);
   look(rate);
   // Between the ends the extremes of mu and of its slope lie where their slopes change sign, and
-  // beside the floor.
+  // just before a fall ends on the floor.
   const ExponentialSum mu = curve_over_rates(law, contact_force, rate);
   const ExponentialSum slope = derivative(mu);
   ExponentialSum above_floor = mu;
@@ -140,7 +140,6 @@ CoefficientBounds coefficient_bounds(const FrictionLaw& law, const Ambient& ambi
     for (int i = 0; i < changes.count; ++i) {
       const double at = changes.at[static_cast<std::size_t>(i)] * rate;
       look(at * (1.0 - 1e-9));
-      look(at * (1.0 + 1e-9));
     }
   }
   return found;
