@@ -74,14 +74,16 @@ class KnownLimits {
                                                const FrictionState& old, double motion) noexcept {
     KnownLimit limit({}, definition_, increment.duration, motion);
     Limit& rest = limit.rest_;
+    // Linear extrapolation may leave the physical range: neither table is ever negative.
     rest.contact_force =
         evaluate(definition_.contact_force, increment.force, increment.end) +
-        (internal_ ? not_negative(internal_->value(increment.end,
-                                                   {.accumulated_slip = old.accumulated_slip}))
-                   : *std::get_if<double>(&definition_.internal_contact_force));
+        (internal_
+             ? std::max(internal_->value(increment.end, {.accumulated_slip = old.accumulated_slip}),
+                        0.0)
+             : *std::get_if<double>(&definition_.internal_contact_force));
     rest.normal_force = std::abs(rest.contact_force);
     const SlipArguments slip{.slip_rate = rest.slip_rate, .contact_force = rest.normal_force};
-    const double mu = mu_ ? not_negative(mu_->value(increment.end, slip))
+    const double mu = mu_ ? std::max(mu_->value(increment.end, slip), 0.0)
                           : evaluate(definition_.law, increment.end, slip).mu;
     rest.mu = blended(definition_.blend, {mu, 0.0, 0.0}).mu;
     rest.force = std::min(rest.mu * rest.normal_force, definition_.force_limit);
@@ -89,9 +91,6 @@ class KnownLimits {
   }
 
  private:
-  /// Returns the value, or 0 where linear extrapolation has left the physical range.
-  static double not_negative(double value) noexcept { return value < 0.0 ? 0.0 : value; }
-
   const FrictionDefinition& definition_;
   std::optional<TableCursor> mu_;
   std::optional<TableCursor> internal_;
