@@ -41,7 +41,7 @@ struct RadialReturn : ReturnSteps<Slip<D>, LimitOf, kWants> {
     if (!slips) {
       end.force = trial_force(l);
       end.elastic_slip = begin.fixed ? Vector(begin.trial / stick) : begin.trial;
-      size = norm<D>(end.force);
+      const double size = norm<D>(end.force);
       end.direction = size > 0.0 ? Vector(end.force / size) : Vector(Vector::Zero());
       return end;
     }
@@ -87,8 +87,8 @@ struct RadialReturn : ReturnSteps<Slip<D>, LimitOf, kWants> {
       t.transverse = t.radial = begin.stick;
     } else {
       t.transverse = t.radial = l.force / begin.stick;
-      // y = (F_lim / g_c) s_trial also follows the limit, in proportion to |y| / F_lim.
-      const double share = l.force > 0.0 ? size / l.force : 0.0;
+      // y = (F_lim / g_c) s_trial also follows the limit, by |y| / F_lim = |s_trial| / g_c.
+      const double share = reach / begin.stick;
       t.rate = by_rate * share;
       t.contact = l.to_contact * share;
     }
@@ -101,7 +101,6 @@ struct RadialReturn : ReturnSteps<Slip<D>, LimitOf, kWants> {
   }
 
   const double reach = norm<D>(begin.trial);  ///< |trial|
-  double size = 0.0;                          ///< |y| in stick
 };
 
 }  // namespace slipbench::law
