@@ -146,6 +146,19 @@ TEST_CASE("lift-off forgets the force; contact that returns counts from there (N
   CHECK(run.last.state.regime == Regime::kStick);
 }
 
+TEST_CASE("a force without contact at its begin is gone without slip, contact behind or not") {
+  for (const double motion : {0.0, 0.005}) {
+    ExactRun run(pressed());
+    run.state.force[0] = 10.0;
+    run.state.elastic_slip[0] = 0.01;
+    run.state.regime = Regime::kStick;
+    run.go(at(motion, 100.0));
+    CHECK(run.friction(1) == Approx(1000.0 * motion).epsilon(1e-13));
+    CHECK(run.state.accumulated_slip == 0.0);
+    CHECK(run.last.dissipation == 0.0);
+  }
+}
+
 TEST_CASE("a contact force that changes its sign opens for an instant") {
   for (const StickStiffness stick : {fixed_stiffness(1000.0), allowable_slip(0.02)}) {
     FrictionDefinition definition = slider(0.2, 0.0, stick);
