@@ -2,6 +2,8 @@
 // Tangents of potentials in closed form, where differences see nothing: at corners, and at forces
 // that are small numbers.
 #include <catch2/catch.hpp>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "law/definition/potential_terms.hpp"
@@ -13,6 +15,12 @@ namespace {
 
 using namespace slipbench::law;
 using namespace slipbench::test;
+
+PotentialContribution of(std::variant<int, DerivedComponent> what) {
+  PotentialContribution contribution;
+  contribution.of = std::move(what);
+  return contribution;
+}
 
 /// A slider of the coefficient 1.
 FrictionDefinition sliding(const std::vector<PotentialContribution>& terms,
@@ -42,8 +50,7 @@ TEST_CASE("a component without load beside one that slips follows by the exponen
     // The third makes it no norm of the slip space at b = 2, either.
     DerivedTerm across = norm_term({3, 4}, 1.0);
     across.combine = TermOperator::kSum;
-    const std::vector<PotentialContribution> terms{
-        {.of = 0}, {.of = 1}, {.of = DerivedComponent{across}}};
+    const std::vector<PotentialContribution> terms{of(0), of(1), of(DerivedComponent{across})};
     return tangent_after(sliding(terms, PotentialOperator::kSum, exponent, 20.0, 100.0), {0.5})
         .to_motion(1, 1);
   };
@@ -57,7 +64,7 @@ TEST_CASE("a component without load beside one that slips follows by the exponen
 TEST_CASE("a term without load in a contribution that slips stays without") {
   const DerivedComponent sum{norm_term({1, 2}, 1.0), norm_term({3}, 1.0)};
   const FrictionDefinition definition =
-      sliding({{.of = sum}, {.of = 3}}, PotentialOperator::kSum, 2.0, 20.0, 100.0);
+      sliding({of(sum), of(3)}, PotentialOperator::kSum, 2.0, 20.0, 100.0);
   CHECK(tangent_after(definition, {0.0, 0.0, 0.5}).to_motion.topLeftCorner(3, 3).isZero(1e-12));
 }
 
@@ -66,7 +73,7 @@ TEST_CASE("directions that are clipped each for itself follow a limit that runs 
   for (const double c : {1.0, 0.01}) {
     const double a = 1e-4 * c, b = 0.1 * c * c;
     FrictionDefinition definition =
-        sliding({{.of = 0}, {.of = 1}}, PotentialOperator::kMax, 2.0,
+        sliding({of(0), of(1)}, PotentialOperator::kMax, 2.0,
                 make_function({{a, 0}, {a + b, 1}}, {kOverAccumulatedSlip}), 1.0);
     for (PotentialLeaf& leaf : std::get<Potential>(definition.criterion).leaf) leaf.factor = c;
     const ConnectorTangent tangent = tangent_after(definition, {3e-4, 2e-4});
