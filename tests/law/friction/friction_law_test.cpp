@@ -205,4 +205,11 @@ TEST_CASE("a law says when it is asked outside its data") {
   CHECK_FALSE(outside(ExponentialDecay::example(), ambient, {.slip_rate = 1e9}));
 }
 
+TEST_CASE("a coefficient table without the slip rate does not weaken with it") {
+  const FrictionLaw law =
+      TabularCoefficient{make_function({{0.3, 0}, {0.1, 10}}, {kOverContactForce})};
+  CHECK(steepest_weakening(law) == 0.0);
+  CHECK_FALSE(depends_on_slip_rate(law));
+}
+
 }  // namespace

@@ -93,4 +93,12 @@ TEST_CASE("kinks part a limit where they turn it, and the floor holds it") {
   CHECK(default_steepest_weakening(law) == Approx(0.2).epsilon(1e-15));
 }
 
+TEST_CASE("a bound that is met at the largest rates, or from below, is a bound") {
+  CHECK(default_largest(Stribeck<>{0.2, 0.2, 10.0, 2.0, 0.0}) == 0.2);
+  CHECK(default_largest(Stribeck<>{0.3, 0.2, 10.0, 2.0, 0.0}) == 0.3);
+  // Rises for ever, but at 1e12, where the scan ends, by 1e-4 only.
+  CHECK(default_largest(Stribeck<>{0.3, 0.2, 10.0, 2.0, 1e-16}) == 0.3);
+  CHECK(std::isinf(default_largest(Stribeck<>{0.3, 0.2, 10.0, 2.0, 1e-12})));
+}
+
 }  // namespace

@@ -2,6 +2,7 @@
 #include "law/friction/law_range.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "law/friction/law_list.hpp"
 
@@ -22,6 +23,46 @@ TEST_CASE("Renard is drawn beyond its joints, in the case's unit of speed") {
   CHECK(range(law).landmarks[2].slip_rate == Approx(1.0e3 * law.c6).epsilon(1e-15));
 }
 
+TEST_CASE("Renard is drawn until its last piece is near C2, within limits") {
+  Renard law = Renard::example();
+  law.c6 = 20.0;
+  // 3/sqrt(C2 - C4) beyond C6, where nine tenths of the last piece are done.
+  CHECK(range(law).slip_rate == Approx(20.0 + 3.0 / std::sqrt(0.05)).epsilon(1e-15));
+  law.c5 = 0.5, law.c6 = 1.0;
+  CHECK(range(law).slip_rate == 3.0);
+  law.c4 = law.c2;
+  CHECK(range(law).slip_rate == 1.5);  // no last piece to be seen
+}
+
+TEST_CASE("an exponential is drawn until it has died away, or grown e times") {
+  const LawRange decay = range(ExponentialDecay{0.3, 0.2, 0.05});
+  CHECK(decay.slip_rate == 4.0 / 0.05);
+  CHECK(decay.contact_force == 0.0);
+  CHECK(decay.landmarks[0].name == "static");
+  CHECK(decay.landmarks[0].slip_rate == 0.0);
+  CHECK(range(ExponentialDecay{0.3, 0.3, 0.05}).landmarks[0].name.empty());
+  CHECK(exponential_scale(0.25) == 4.0);
+  // The fastest of three, twice as far; the pressure as long as it changes Fric + C5.
+  const LawRange three = range(ModifiedDarmstad{0.08, 0.0, -1e-3, -2e-4, -2e-3, 0.1, -5e-4, 3.0});
+  CHECK(three.slip_rate == Approx(2.0 * 4.0 / 2e-3).epsilon(1e-15));
+  CHECK(three.contact_force == Approx(3.0 * 0.18 / 2e-4).epsilon(1e-14));
+  CHECK(range(ModifiedDarmstad{0.08, 0.0, 0.0, -2e-4, -1e-3, 0.1, -4e-3, 1.0}).slip_rate ==
+        Approx(2.0 * 4.0 / 4e-3).epsilon(1e-15));
+}
+
+TEST_CASE("a decay through measured points is drawn beyond them") {
+  const ExponentialTestData slow{0.3, 0.23, 20.0, 0.2};
+  CHECK(range(slow).slip_rate == 4.0 / slow.fit().decay);
+  // 4/decay = 4 rate2/ln(20) < 1.5 rate2.
+  const LawRange fast = range(ExponentialTestData{0.3, 0.23, 20.0, {}});
+  CHECK(fast.slip_rate == 30.0);
+  CHECK(fast.contact_force == 0.0);
+  CHECK(fast.landmarks[0].name == "mu1");
+  CHECK(fast.landmarks[0].slip_rate == 0.0);
+  CHECK(fast.landmarks[1].name == "mu2");
+  CHECK(fast.landmarks[1].slip_rate == 20.0);
+}
+
 TEST_CASE("A pressure becomes a normal force by the area") {
   GeneralizedViscous law;
   law.fric = 0.1;
@@ -33,6 +74,7 @@ TEST_CASE("A pressure becomes a normal force by the area") {
   CHECK(range(law).contact_force == Approx(60.0).epsilon(1e-14));
   CHECK(range(law).slip_rate == 0.0);
   CHECK(area_of(ExponentialDecay{0.3, 0.2, 1.0}) == 0.0);
+  CHECK(area_of(GeneralizedViscous{}) == 0.0);
 }
 
 TEST_CASE("A law without a scale of its own has none") {

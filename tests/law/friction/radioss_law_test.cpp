@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The coefficient laws of the Radioss friction options against their numbers.
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -212,6 +213,8 @@ TEST_CASE("Renard's rules are quoted, and lenient lets pass those that mu can do
   }
   CHECK(broken({0.15, 0.10, 0.25, 0.05, 10.0, 100.0}, RenardRules::kStrict) == "nothing");
   CHECK(broken({0.1, 0.1, 0.1, 0.1, 10.0, 100.0}, RenardRules::kStrict) == "nothing");
+  // However small the unit makes the numbers.
+  CHECK(broken({0.0, 0.0, 0.25, 0.0, 1e-9, 1e-8}, RenardRules::kStrict) == "nothing");
   CHECK_FALSE(depends_on_slip_rate(renard({0.1, 0.1, 0.1, 0.1, 10.0, 100.0})));
 }
 
@@ -227,6 +230,75 @@ TEST_CASE("the pressure is the contact force over the area") {
   CHECK_FALSE(needs_area(GeneralizedViscous{0.1, 0.0, 0.2, 0.0, 0.0, 0.1, 0.0, {}}));
   CHECK_FALSE(needs_area(ModifiedDarmstad{0.1, 0.0, 0.2, 0.0, 0.3, 0.1, 0.0, {}}));
   CHECK(needs_area(ModifiedDarmstad{0.1, 1e-5, 0.2, 0.0, 0.3, 0.1, 0.0, {}}));
+}
+
+TEST_CASE("a coefficient that meets the floor of itself leaves it with its own slopes") {
+  const FrictionLaw law = GeneralizedViscous{kCoefficientFloor, 1e-3, 0.02, 0.0, 0.0, 0.0, 0.0, {}};
+  const CoefficientPoint point = evaluate(law, Ambient{}, {});
+  CHECK(point.mu == kCoefficientFloor);
+  CHECK(point.to_slip_rate == 0.02);
+  CHECK(point.to_contact_force == 1e-3);
+  CHECK_FALSE(is_clamped(law, Ambient{}, {}));
+}
+
+TEST_CASE("each number of a polynomial law says what it depends on and whether it has a bound") {
+  struct Number {
+    double GeneralizedViscous::*member;
+    bool rate, force;
+  };
+  using L = GeneralizedViscous;
+  CHECK(largest(L{}) == kCoefficientFloor);
+  for (const auto& [member, rate, force] : {Number{&L::fric, false, false},
+                                            {&L::c1, false, true},
+                                            {&L::c2, true, false},
+                                            {&L::c3, true, true},
+                                            {&L::c4, false, true},
+                                            {&L::c5, true, false},
+                                            {&L::c6, false, false}}) {
+    for (const double value : {-1.0, -1e-9, 1e-9, 1.0}) {
+      L law;
+      law.fric = 0.3;
+      law.*member = value;
+      CHECK(depends_on_slip_rate(law) == rate);
+      CHECK(depends_on_contact_force(law) == force);
+      if (rate || force) CHECK(std::isinf(largest(law)) == (value > 0.0));
+      if (value < 0.0) CHECK(largest(law) == std::max(law.fric, kCoefficientFloor));
+    }
+  }
+}
+
+TEST_CASE("an exponential law depends on the rate by a factor and an exponent together") {
+  using L = ModifiedDarmstad;
+  for (const auto& [factor, exponent] :
+       {std::pair{&L::c1, &L::c2}, {&L::c3, &L::c4}, {&L::c5, &L::c6}}) {
+    L law;
+    law.*factor = 0.1;
+    CHECK_FALSE(depends_on_slip_rate(law));
+    law.*exponent = 1.0;
+    CHECK(depends_on_slip_rate(law));
+    law.*factor = 0.0;
+    CHECK_FALSE(depends_on_slip_rate(law));
+  }
+}
+
+TEST_CASE("under a constant force a polynomial bends where it meets its floor") {
+  const SlipLine line{.end = 100.0, .rate_at_zero = -2.0, .rate_per_slip = 0.5, .force = 10.0};
+  const auto bend = [&](double slip, double fric, double c2, double c5) {
+    SlipLine from = line;
+    from.slip = slip;
+    return next_bend(GeneralizedViscous{fric, 0.0, c2, 0.0, 0.0, c5, 0.0, {}}, from);
+  };
+  // V = -2 + x/2. Falling, and rising from below 0.
+  CHECK(bend(4.0, 0.1, -0.02, 0.0) == Approx(14.0).epsilon(1e-14));
+  CHECK(bend(4.0, -0.1, 0.02, 0.0) == Approx(14.0).epsilon(1e-14));
+  CHECK(bend(14.0, 0.1, -0.02, 0.0) == kNoBend);
+  // (V - 2)(V - 8)/100, and roots far apart: (V - 1e-9)(V - 8)/100.
+  CHECK(bend(4.0, 0.16, -0.1, 0.01) == Approx(8.0).epsilon(1e-14));
+  CHECK(bend(8.0, 0.16, -0.1, 0.01) == Approx(20.0).epsilon(1e-14));
+  CHECK(bend(20.0, 0.16, -0.1, 0.01) == kNoBend);
+  CHECK(bend(0.0, 8e-11, -0.08 - 1e-11, 0.01) - 4.0 == Approx(2e-9).epsilon(1e-5));
+  CHECK(bend(4.0, 0.16, 0.1, 0.01) == kNoBend);
+  CHECK(bend(4.0, 0.16, 0.0, 0.0) == kNoBend);
 }
 
 TEST_CASE("a coefficient below the floor is kept up, and its raw value told") {

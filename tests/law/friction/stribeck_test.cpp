@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <tuple>
 
 #include "law/friction/law_list.hpp"
 
@@ -55,6 +56,13 @@ TEST_CASE("the bounds and the bend of Stribeck friction are those of its formula
 TEST_CASE("Stribeck friction refuses a kinetic coefficient above the static one") {
   CHECK(Stribeck<>{0.2, 0.3}.violation() == "'static' must not be below 'kinetic'");
   CHECK_FALSE(Stribeck<>{0.3, 0.3}.violation().has_value());
+}
+
+TEST_CASE("Stribeck friction takes exponents from 1 on, which is that of the decay") {
+  const auto exponent = std::get<3>(Stribeck<>::fields());
+  CHECK(exponent.key == "exponent");
+  CHECK(exponent.bounds.contains(1.0));
+  CHECK_FALSE(exponent.bounds.contains(std::nextafter(1.0, 0.0)));
 }
 
 }  // namespace
