@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -85,6 +87,46 @@ TEST_CASE("a turn is followed through turns and straight lines, to and fro") {
     go(6 * pi, pi / 8);
     go(-2 * pi, 0.37);
     go(begin, 1.5);
+  }
+}
+
+TEST_CASE("a turn is followed in any plane, whatever the lengths") {
+  // The axis of the second one is at right angles to (1, 1, 1).
+  const double half = std::sqrt(0.5);
+  const std::vector<std::pair<Point, Point>> planes = {{{1, 0, 0}, {0, 1, 0}},
+                                                       {{0, 0, 1}, {half, half, 0}}};
+  for (const auto& [along, aside] : planes) {
+    for (const double length : {1e-9, 1.0, 1e9}) {
+      const auto place = [&, &along = along, &aside = aside](double angle, double distance) {
+        Point p{};
+        for (std::size_t i = 0; i < p.size(); ++i) {
+          p[i] = distance * (std::cos(angle) * along[i] + std::sin(angle) * aside[i]);
+        }
+        return p;
+      };
+      const Point a = place(pi, length);
+      BeltTurn turn = begin_turn(0, a, kB, place(0.5, 3.0 * length));
+      for (const double angle : {2.0, pi, 4.0, 2 * pi, 7.0, 5.0, pi, 2.0, 0.0, -1.0, -pi, -4.0}) {
+        turn = follow_turn(turn, a, kB, place(angle, 3.0 * length));
+        REQUIRE(turn.angle == Approx(angle).margin(1e-13));
+      }
+    }
+  }
+}
+
+TEST_CASE("out of a straight line a belt turns on, to whichever side") {
+  for (int half = 0; half < 4; ++half) {
+    for (double side = 0.0; side < 6.0; side += 0.5) {
+      const auto at_side = [&](double angle) {
+        return Point{std::cos(angle), std::sin(angle) * std::cos(side),
+                     std::sin(angle) * std::sin(side)};
+      };
+      BeltTurn turn = begin_turn(half, kA, kB, {half % 2 == 0 ? 1.0 : -1.0, 0, 0});
+      for (const double further : {0.1, 1.0, 2.0, 3.0}) {
+        turn = follow_turn(turn, kA, kB, at_side(half * pi + further));
+        REQUIRE(turn.angle == Approx(half * pi + further).epsilon(1e-13));
+      }
+    }
   }
 }
 

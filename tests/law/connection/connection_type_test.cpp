@@ -319,6 +319,31 @@ TEST_CASE("UJOINT takes its factors from the user's table in place of the fit") 
   CHECK(shares.t_tw == Approx(0.35).epsilon(1e-15));
 }
 
+TEST_CASE("predefined limits do not depend on the unit of length") {
+  // Powers of two change no digit; the lengths reach far below and above 1.
+  for (const double unit : {0x1p-40, 0x1p40}) {
+    const ConnectorForce f{{-7, 11, -13, 1.7, -1.9, 2.3}};
+    ConnectorForce there = f;
+    for (int c = 3; c < kComponents; ++c) there[c] *= unit;
+    const auto same = [&](const auto& here, const auto& in_unit, double limit_unit,
+                          std::size_t index = 0) {
+      CHECK(limit(in_unit, there, 1.0, index) == limit_unit * limit(here, f, 1.0, index));
+    };
+    same(Cylindrical{0.2, 0.7, 5.0}, Cylindrical{0.2 * unit, 0.7 * unit, 5.0}, 1.0);
+    same(Translator{0.3, 0.7, 5.0}, Translator{0.3 * unit, 0.7 * unit, 5.0}, 1.0);
+    same(Hinge{0.3, 0.2, 0.7, 5.0}, Hinge{0.3 * unit, 0.2 * unit, 0.7 * unit, 5.0 * unit}, unit);
+    const Planar planar{0.3, 5.0, 6.0, 0.1};
+    const Planar small{0.3 * unit, 5.0, 6.0 * unit, 0.1 * unit};
+    same(planar, small, 1.0, 0);
+    same(planar, small, unit, 1);
+    UJoint joint, other;
+    joint.R_p = 0.1, joint.R_a = 0.08, joint.L_s = 0.2, joint.L_a = 0.35;
+    other.R_p = 0.1 * unit, other.R_a = 0.08 * unit, other.L_s = 0.2 * unit,
+    other.L_a = 0.35 * unit;
+    for (const std::size_t axis : {0, 1}) same(joint, other, unit, axis);
+  }
+}
+
 TEST_CASE("predefined contact forces match the reference formulas on signed forces") {
   const ConnectorForce f{{-7, 11, -13, 1.7, -1.9, 2.3}};
   // Sums of a few terms in another order: rounding.

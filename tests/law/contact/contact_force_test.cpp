@@ -61,6 +61,10 @@ TEST_CASE("an internal contact force prolonged below zero is zero, with slope ze
   CHECK(evaluate(worn, {}, 1.5).value == 25.0);
   CHECK(evaluate(worn, {}, 2.5).value == 0.0);
   CHECK(evaluate(worn, {}, 2.5).to_accumulated_slip == 0.0);
+  // One that is 0 of itself grows from there.
+  const InternalContactForce growing = make_function({{0, 0}, {50, 1}}, {kOverAccumulatedSlip});
+  CHECK(evaluate(growing, {}, 0.0).value == 0.0);
+  CHECK(evaluate(growing, {}, 0.0).to_accumulated_slip == 50.0);
 }
 
 }  // namespace
