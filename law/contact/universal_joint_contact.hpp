@@ -20,10 +20,10 @@ HingeShares hinge_shares(double slenderness);
 /// Contact moment of one axis of a universal joint (docs/theory, section 5).
 struct UniversalJointContact {
   int axis = 1;      ///< 1: about e1a, 3: about e3b
-  double R_p = 1.0;  ///< pin radius [L]
+  double R_p = 0.0;  ///< pin radius [L]
   double R_a = 0.0;  ///< effective radius of the axial face [L], 0 drops the term
   double L_s = 0.0;  ///< overlap of pin and hinge [L], 0 drops the bending term
-  double L_a = 1.0;  ///< length of an arm of the cross [L]
+  double L_a = 0.0;  ///< length of an arm of the cross [L]
   HingeShares shares;
 };
 
