@@ -4,7 +4,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
-#include <utility>
 #include <vector>
 
 namespace {
@@ -91,24 +90,33 @@ TEST_CASE("a turn is followed through turns and straight lines, to and fro") {
 }
 
 TEST_CASE("a turn is followed in any plane, whatever the lengths") {
+  struct Plane {
+    Point along, aside, axis;
+  };
   // The axis of the second one is at right angles to (1, 1, 1).
   const double half = std::sqrt(0.5);
-  const std::vector<std::pair<Point, Point>> planes = {{{1, 0, 0}, {0, 1, 0}},
-                                                       {{0, 0, 1}, {half, half, 0}}};
-  for (const auto& [along, aside] : planes) {
+  const std::vector<Plane> planes = {
+      {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+      {{0, 0, 1}, {half, half, 0}, {-half, half, 0}},
+      {{2 / 7.0, 3 / 7.0, 6 / 7.0}, {3 / 7.0, -6 / 7.0, 2 / 7.0}, {6 / 7.0, 2 / 7.0, -3 / 7.0}}};
+  for (const Plane& plane : planes) {
     for (const double length : {1e-9, 1.0, 1e9}) {
-      const auto place = [&, &along = along, &aside = aside](double angle, double distance) {
-        Point p{};
+      const Point b{0.25 * length, -0.5 * length, 0.75 * length};
+      const auto place = [&](double angle, double distance) {
+        Point p = b;
         for (std::size_t i = 0; i < p.size(); ++i) {
-          p[i] = distance * (std::cos(angle) * along[i] + std::sin(angle) * aside[i]);
+          p[i] += distance * (std::cos(angle) * plane.along[i] + std::sin(angle) * plane.aside[i]);
         }
         return p;
       };
       const Point a = place(pi, length);
-      BeltTurn turn = begin_turn(0, a, kB, place(0.5, 3.0 * length));
+      BeltTurn turn = begin_turn(0, a, b, place(0.5, 3.0 * length));
       for (const double angle : {2.0, pi, 4.0, 2 * pi, 7.0, 5.0, pi, 2.0, 0.0, -1.0, -pi, -4.0}) {
-        turn = follow_turn(turn, a, kB, place(angle, 3.0 * length));
+        turn = follow_turn(turn, a, b, place(angle, 3.0 * length));
         REQUIRE(turn.angle == Approx(angle).margin(1e-13));
+        for (std::size_t i = 0; i < 3; ++i) {
+          REQUIRE(turn.axis[i] == Approx(plane.axis[i]).margin(1e-13));
+        }
       }
     }
   }

@@ -299,6 +299,9 @@ TEST_CASE("under a constant force a polynomial bends where it meets its floor") 
   CHECK(bend(0.0, 8e-11, -0.08 - 1e-11, 0.01) - 4.0 == Approx(2e-9).epsilon(1e-5));
   CHECK(bend(4.0, 0.16, 0.1, 0.01) == kNoBend);
   CHECK(bend(4.0, 0.16, 0.0, 0.0) == kNoBend);
+  // p = 10/4: 0.1 + (-0.04 + 0.008 p) V.
+  CHECK(next_bend(GeneralizedViscous{0.1, 0.0, -0.04, 0.008, 0.0, 0.0, 0.0, 4.0}, line) ==
+        Approx(14.0).epsilon(1e-14));
 }
 
 TEST_CASE("a coefficient below the floor is kept up, and its raw value told") {
