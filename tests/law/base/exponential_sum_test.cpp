@@ -23,4 +23,11 @@ TEST_CASE("a sum that touches zero changes its sign nowhere, whatever its roundi
   }
 }
 
+TEST_CASE("the size of a sum does not matter to where its sign changes") {
+  for (const double size : {1e-30, 1.0, 1e30}) {
+    CAPTURE(size);
+    CHECK(first_sign_change(polynomial({-size, 2.0 * size}), 0.0, 3.0) == Approx(0.5));
+  }
+}
+
 }  // namespace

@@ -67,6 +67,21 @@ TEST_CASE("slopes to slip quantities and to motions are told apart") {
   CHECK(f.depends_on_motion());
 }
 
+TEST_CASE("a function may depend on as many quantities as a table can have") {
+  std::vector<double> low(1 + kMaxIndependents, 0.0);
+  std::vector<double> high = low;
+  high[0] = 4.0;
+  high[1] = 2.0;
+  std::vector<Independent> independents;
+  for (int i = 0; i < kMaxIndependents; ++i) independents.push_back(over_field(i));
+  const auto f = make_function({low, high}, independents);
+  const std::vector<double> fields(kMaxIndependents, 0.25);
+  Ambient ambient;
+  ambient.fields = fields;
+  SlipArguments slopes;
+  CHECK(f.value_and_slopes(ambient, kSlip, &slopes) == 0.5);
+}
+
 TEST_CASE("a function knows the columns of its independents") {
   const auto f =
       make_function({{1, 0, 0}, {2, 1, 0}, {3, 0, 1}}, {kOverTemperature, kOverAccumulatedSlip});

@@ -257,6 +257,7 @@ TEST_CASE("rows that make no table are refused with the row, the other row and t
   CHECK(one.kind == Kind::kOneRowLinear);
   CHECK(one.row == 2);
   CHECK(one.column == 1);
+  CHECK(error_of({{1, 0, 0}, {2, 1, 0}}, 1, 2, Extrapolation::kLinear).column == 2);
 
   std::vector<double> wide(static_cast<std::size_t>(slipbench::law::kMaxIndependents) + 2, 0.0);
   CHECK(error_of({wide}, 1, slipbench::law::kMaxIndependents + 1).kind ==
