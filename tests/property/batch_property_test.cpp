@@ -4,7 +4,9 @@
 #include <bit>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <new>
 #include <set>
 #include <span>
 #include <tuple>
@@ -333,6 +335,38 @@ TEST_CASE("lanes of any form end in the bits of update(), begun in any state") {
   }
   CHECK(common > lanes / 10);
   CHECK(common < lanes * 9 / 10);
+}
+
+TEST_CASE("a pack and its counts forget what their memory held") {
+  // Two sliders that begin in slip; the internal contact force of one is a number beside a table.
+  std::vector<FrictionDefinition> definitions(2);
+  for (FrictionDefinition& definition : definitions) {
+    definition.law = ConstantCoefficient{0.5};
+    definition.accumulated_slip = AccumulatedSlipTiming::kStart;
+    definition.stick = {StickStiffness::Mode::kStiffness, 1000.0};
+    definition.internal_contact_force = 100.0;
+  }
+  definitions[1].internal_contact_force =
+      make_function({{100.0, 0.0}, {50.0, 2.0}}, {kOverAccumulatedSlip});
+  FrictionState begin;
+  begin.regime = Regime::kSlip;
+  const std::vector<FrictionState> begins(2, begin);
+  alignas(Pack) static std::array<std::byte, sizeof(Pack)> zeros{};
+  auto* const pack = new (zeros.data()) Pack(definitions, begins);
+  CHECK(pack->state(0).regime == Regime::kSlip);
+
+  std::vector<LaneChanges> changes;
+  for (const int run : {1, 2}) {
+    // In the memory of the last run's: before its first increment a run has no regime.
+    changes.assign(1, {Regime::kOpen, Regime::kSlip});
+    pack->follow({}, changes);
+    ConnectorIncrement increment;
+    increment.end.position[0] = run;
+    pack->advance({&increment, 1});
+    CHECK(pack->state(0).force[0] == 50.0);
+    CHECK(changes[0].count[0] == 0.0);
+    changes[0].before.fill(static_cast<double>(Regime::kOpen));
+  }
 }
 
 TEST_CASE("what the limit sees of the slip keeps a definition off the common path") {
