@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "law/exact/smooth_piece.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "tests/support/exact_run.hpp"
+#include "tests/support/friction_run.hpp"
+#include "tests/support/law_tables.hpp"
+
+namespace {
+
+using namespace slipbench::law;
+using namespace slipbench::test;
+using std::numbers::pi;
+
+TEST_CASE("a dip of the limit between any two looks at it is seen, in a table or under the cap") {
+  const auto after_warming = [](const FrictionDefinition& definition, Waypoint point, double motion,
+                                double temperature) {
+    ExactRun run(definition, point);
+    point.position[0] = motion;
+    run.go(point);
+    point.temperature = temperature;
+    for (double& field : point.fields) field = 1.0;
+    run.go(point);
+    return run.friction(1);
+  };
+  FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0));
+  definition.internal_contact_force =
+      make_function({{100, 0}, {100, 59}, {20, 60}, {100, 61}, {100, 100}}, {kOverTemperature});
+  CHECK(after_warming(definition, at(0.0), 0.05, 100.0) == Approx(4.0).epsilon(1e-10));
+
+  // mu = 0.19 + 0.7 (t - 0.625)^2 along the diagonal of temperature and a field.
+  const double at_begin = 0.19 + 0.7 * 0.625 * 0.625;
+  const double aside = at_begin - 0.5 * 1.4 * 0.625;
+  definition.law = TabularCoefficient{
+      make_function({{at_begin, 0, 0}, {aside, 1, 0}, {aside, 0, 1}, {at_begin - 0.175, 1, 1}},
+                    {kOverTemperature, over_field(0)})};
+  Waypoint begin = at(0.0);
+  begin.fields = {0.0};
+  begin.force[0] = 100.0;
+  definition.internal_contact_force = 0.0;
+  definition.contact_force = ComponentContactForce{0};
+  definition.force_limit = 20.0;
+  CHECK(after_warming(definition, begin, 1.0, 1.0) == Approx(19.0).epsilon(1e-12));
+
+  // Of a belt on either side of its band.
+  definition.criterion = Capstan{pi};
+  definition.force_limit = 85.0;
+  const double forward = 100.0 * std::expm1(0.19 * pi);
+  CHECK(after_warming(definition, begin, 1.0, 1.0) == Approx(forward).epsilon(1e-12));
+  definition.force_limit = 46.0;
+  const double backward = 100.0 * std::expm1(-0.19 * pi);
+  CHECK(after_warming(definition, begin, -1.0, 1.0) == Approx(backward).epsilon(1e-12));
+}
+
+TEST_CASE("a weight that passes 0 is a corner of the contact force, whichever of its term it is") {
+  // F_C = 100 + <100 w>, w from -1 to 1: the limit is 20, from the middle on 20 to 40.
+  DerivedTerm term = norm_term({3, 2}, 1.0);
+  term.combine = TermOperator::kMacauleySum;
+  term.weight_table = make_function({{1, -1, 0}, {1, 1, 100}}, {kOverTemperature}, 2);
+  FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0));
+  definition.contact_force = DerivedComponent{term};
+  Waypoint point = at(0.0, 100.0);
+  point.force[1] = 100.0;
+  ExactRun run(definition, point);
+  point.position[0] = 0.05;
+  run.go(point);
+  run.dissipation = 0.0;
+  point.position[0] = 0.15;
+  point.temperature = 100.0;
+  run.go(point);
+  CHECK(run.friction(1) == Approx(40.0).epsilon(1e-12));
+  // Slip of 0.05 under 20 N, then of 0.03 under 20 to 40 N.
+  CHECK(run.dissipation == Approx(20.0 * 0.05 + 30.0 * 0.03).epsilon(1e-11));
+}
+
+}  // namespace
