@@ -25,6 +25,18 @@ FrictionDefinition pressed(std::initializer_list<int> number = {1},
   return definition;
 }
 
+/// The criteria of one component, a norm and a potential, and the tolerance of their methods.
+struct Criterion {
+  SlipCriterion of;
+  double tolerance;
+};
+std::vector<Criterion> criteria_of_one() {
+  Potential line;
+  line.parts = line.leaves = 1;
+  line.leaf[0].direction[0] = 1.0;
+  return {{EuclideanPotential{}, 1e-13}, {line, 1e-9}};
+}
+
 TEST_CASE("an L-shaped path is exact with one increment a leg (reference case D1)") {
   struct Point {
     double travel, along, across;
@@ -161,18 +173,21 @@ TEST_CASE("a force without contact at its begin is gone without slip, contact be
 
 TEST_CASE("a contact force that changes its sign opens for an instant") {
   for (const StickStiffness stick : {fixed_stiffness(1000.0), allowable_slip(0.02)}) {
-    FrictionDefinition definition = slider(0.2, 0.0, stick);
-    definition.contact_force = ComponentContactForce{2};
-    ExactRun run(definition, at(0.0, 100.0));
-    run.go(at(0.01, 100.0));
-    CHECK(run.friction(1) == Approx(10.0));
-    run.go(at(0.01, -100.0));
-    // Nothing has moved since contact returned.
-    CHECK(run.friction(1) == 0.0);
-    REQUIRE(run.changes.count >= 2);
-    const RegimeChange& last = run.changes.at[static_cast<std::size_t>(run.changes.count - 1)];
-    CHECK(last.to == Regime::kStick);
-    CHECK(last.fraction == Approx(0.5).epsilon(1e-12));
+    for (const Criterion& criterion : criteria_of_one()) {
+      FrictionDefinition definition = slider(0.2, 0.0, stick);
+      definition.criterion = criterion.of;
+      definition.contact_force = ComponentContactForce{2};
+      ExactRun run(definition, at(0.0, 100.0));
+      run.go(at(0.01, 100.0));
+      CHECK(run.friction(1) == Approx(10.0));
+      run.go(at(0.01, -100.0));
+      // Nothing has moved since contact returned.
+      CHECK(run.friction(1) == Approx(0.0).margin(criterion.tolerance));
+      REQUIRE(run.changes.count >= 2);
+      const RegimeChange& last = run.changes.at[static_cast<std::size_t>(run.changes.count - 1)];
+      CHECK(last.to == Regime::kStick);
+      CHECK(last.fraction == Approx(0.5).epsilon(1e-12));
+    }
   }
 }
 
@@ -217,14 +232,17 @@ TEST_CASE("slip that wears the limit away opens where it does") {
   FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0));
   definition.internal_contact_force =
       make_function({{100.0, 0.0}, {0.0, 0.5}}, {{IndependentKind::kAccumulatedSlip}});
-  for (const int count : {1, 7, 100}) {
-    ExactRun run(definition, at(0.0));
-    run.go(at(2.0), count);
-    CHECK(run.state.regime == Regime::kOpen);
-    CHECK(run.state.accumulated_slip == Approx(0.5).epsilon(1e-9));
-    CHECK(run.friction(1) == 0.0);
-    // mu integral F_int ds = 0.2 * 100 * 0.5 / 2
-    CHECK(run.dissipation == Approx(5.0).epsilon(1e-9));
+  for (const Criterion& criterion : criteria_of_one()) {
+    definition.criterion = criterion.of;
+    for (const int count : {1, 7, 100}) {
+      ExactRun run(definition, at(0.0));
+      run.go(at(2.0), count);
+      CHECK(run.state.regime == Regime::kOpen);
+      CHECK(run.state.accumulated_slip == Approx(0.5).epsilon(1e-9));
+      CHECK(run.friction(1) == 0.0);
+      // mu integral F_int ds = 0.2 * 100 * 0.5 / 2
+      CHECK(run.dissipation == Approx(5.0).epsilon(1e-9));
+    }
   }
 }
 
@@ -358,24 +376,28 @@ TEST_CASE("slip under a limit that changes linearly turns by a power of the limi
 }
 
 TEST_CASE("a limit that jumps down relaxes the spring at once") {
-  ExactRun run(pressed(), at(0.0, 100.0));
-  run.go(at(0.1, 100.0));
-  // The history begins its next piece at N = 40.
-  ConnectorIncrement increment;
-  increment.duration = 1.0;
-  increment.begin_position = run.here().position;
-  increment.end.position = increment.begin_position;
-  increment.force[2] = 40.0;
-  const Ambient begin = increment.end;
-  RegimeChanges changes;
-  const FrictionUpdate u = continuous_update(
-      run.definition, path_segment(run.definition, increment, begin, increment.force), run.state,
-      1e-12, &changes);
-  CHECK(u.state.force[0] == Approx(8.0).epsilon(1e-14));
-  CHECK(u.slip_increment == Approx(0.012).epsilon(1e-13));
-  // (20^2 - 8^2)/(2 k)
-  CHECK(u.dissipation == Approx(0.168).epsilon(1e-13));
-  CHECK(u.work == 0.0);
+  for (const Criterion& criterion : criteria_of_one()) {
+    FrictionDefinition definition = pressed();
+    definition.criterion = criterion.of;
+    ExactRun run(definition, at(0.0, 100.0));
+    run.go(at(0.1, 100.0));
+    // The history begins its next piece at N = 40.
+    ConnectorIncrement increment;
+    increment.duration = 1.0;
+    increment.begin_position = run.here().position;
+    increment.end.position = increment.begin_position;
+    increment.force[2] = 40.0;
+    const Ambient begin = increment.end;
+    RegimeChanges changes;
+    const FrictionUpdate u = continuous_update(
+        run.definition, path_segment(run.definition, increment, begin, increment.force), run.state,
+        1e-12, &changes);
+    CHECK(u.state.force[0] == Approx(8.0).epsilon(1e-14));
+    CHECK(u.slip_increment == Approx(0.012).epsilon(criterion.tolerance));
+    // (20^2 - 8^2)/(2 k)
+    CHECK(u.dissipation == Approx(0.168).epsilon(criterion.tolerance));
+    CHECK(u.work == 0.0);
+  }
 }
 
 TEST_CASE("a coefficient over the rate of the motion holds over the whole segment") {
@@ -431,6 +453,57 @@ TEST_CASE("a potential is followed to the tolerance") {
   CHECK(run.friction(1) == Approx(3.26142463859956).epsilon(1e-8));
   CHECK(run.friction(2) == Approx(19.7322859630286).epsilon(1e-8));
   CHECK(run.dissipation == Approx(1.32542726716717).epsilon(1e-8));
+  run.go(at(0.05, 100.0));
+  REQUIRE(run.changes.count >= 1);
+  CHECK(run.changes.at[0].to == Regime::kStick);
+  CHECK(run.changes.at[0].fraction == 0.0);
+}
+
+TEST_CASE("a limit with forty corners in one increment is followed through them all") {
+  FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0));
+  Rows rows;
+  for (int i = 0; i <= 40; ++i) {
+    rows.push_back({i % 2 == 0 ? 100.0 : 60.0, static_cast<double>(i)});
+  }
+  definition.internal_contact_force = make_function(rows, {kOverTemperature});
+  Waypoint end = at(0.2 + 0.05);
+  end.temperature = 40.0;
+  for (const Criterion& criterion : criteria_of_one()) {
+    definition.criterion = criterion.of;
+    for (const int count : {1, 40}) {
+      ExactRun run(definition, at(0.0));
+      run.go(at(0.05));
+      run.go(end, count);
+      // Where it falls slip is 0.008 more than the motion of 0.005, which gives the spring 5 N
+      // where it rises by 8: stick. Of the next fall 3 N do not reach down to the force.
+      CHECK(run.friction(1) == Approx(17.0).epsilon(1e-9));
+      CHECK(run.state.accumulated_slip == Approx(0.25 - 0.017).epsilon(1e-9));
+    }
+  }
+}
+
+TEST_CASE("a shifted potential loses its grip where the limit comes down to its value at rest") {
+  // P = |y - 1|: a limit of 1 holds no more than the force 0.
+  FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0));
+  definition.internal_contact_force =
+      make_function({{100.0, 0.0}, {5.0, 50.0}, {100.0, 100.0}}, {kOverTemperature});
+  Potential shifted;
+  shifted.parts = shifted.leaves = 1;
+  shifted.leaf[0].direction[0] = 1.0;
+  shifted.leaf[0].center = 1.0;
+  shifted.homogeneous = false;
+  definition.criterion = shifted;
+  ExactRun run(definition, at(0.0), 1e-10);
+  run.go(at(0.01));
+  CHECK(run.friction(1) == Approx(10.0));
+  Waypoint warm = at(0.01);
+  warm.temperature = 100.0;
+  run.go(warm);
+  CHECK(run.friction(1) == Approx(0.0).margin(1e-9));
+  REQUIRE(run.changes.count >= 2);
+  const RegimeChange& last = run.changes.at[static_cast<std::size_t>(run.changes.count - 1)];
+  CHECK(last.to == Regime::kStick);
+  CHECK(last.fraction == Approx(0.5).epsilon(1e-9));
 }
 
 TEST_CASE("a belt is followed through both sides of its band") {
