@@ -274,8 +274,8 @@ SubIncrement SubIncrements::step(const SlipPoint& begin, double from, double to)
   }
 
   const double kappa = scale.kappa > 0.0 ? scale.kappa : 1.0;
-  double end = Projection(*potential_, scale.trial).longest() / kappa;
-  for (int i = 0; i < 200 && distance(start, end).value > 0.0; ++i) end *= 2.0;
+  // No force is left there; a limit that comes back behind is out of reach.
+  const double end = Projection(*potential_, scale.trial).longest() / kappa;
   const SlipVector steepest = gradient(*potential_, scale.trial);
   const double radial = (value(*potential_, scale.trial) - scale.limit) /
                         (kappa * std::max(dot(steepest, steepest), 1e-300));

@@ -230,18 +230,22 @@ TEST_CASE("linear wear has the closed solution, reversals too (reference case W1
 
 TEST_CASE("slip that wears the limit away opens where it does") {
   FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0));
-  definition.internal_contact_force =
-      make_function({{100.0, 0.0}, {0.0, 0.5}}, {{IndependentKind::kAccumulatedSlip}});
-  for (const Criterion& criterion : criteria_of_one()) {
-    definition.criterion = criterion.of;
-    for (const int count : {1, 7, 100}) {
-      ExactRun run(definition, at(0.0));
-      run.go(at(2.0), count);
-      CHECK(run.state.regime == Regime::kOpen);
-      CHECK(run.state.accumulated_slip == Approx(0.5).epsilon(1e-9));
-      CHECK(run.friction(1) == 0.0);
-      // mu integral F_int ds = 0.2 * 100 * 0.5 / 2
-      CHECK(run.dissipation == Approx(5.0).epsilon(1e-9));
+  // A limit that more slip would bring back is out of reach.
+  const Rows gone{{100.0, 0.0}, {0.0, 0.5}};
+  const Rows back{{100.0, 0.0}, {0.0, 0.5}, {0.0, 0.6}, {100.0, 0.7}};
+  for (const Rows& rows : {gone, back}) {
+    definition.internal_contact_force = make_function(rows, {{IndependentKind::kAccumulatedSlip}});
+    for (const Criterion& criterion : criteria_of_one()) {
+      definition.criterion = criterion.of;
+      for (const int count : {1, 7, 100}) {
+        ExactRun run(definition, at(0.0));
+        run.go(at(2.0), count);
+        CHECK(run.state.regime == Regime::kOpen);
+        CHECK(run.state.accumulated_slip == Approx(0.5).epsilon(1e-9));
+        CHECK(run.friction(1) == 0.0);
+        // mu integral F_int ds = 0.2 * 100 * 0.5 / 2
+        CHECK(run.dissipation == Approx(5.0).epsilon(1e-9));
+      }
     }
   }
 }
@@ -377,26 +381,29 @@ TEST_CASE("slip under a limit that changes linearly turns by a power of the limi
 
 TEST_CASE("a limit that jumps down relaxes the spring at once") {
   for (const Criterion& criterion : criteria_of_one()) {
-    FrictionDefinition definition = pressed();
-    definition.criterion = criterion.of;
-    ExactRun run(definition, at(0.0, 100.0));
-    run.go(at(0.1, 100.0));
-    // The history begins its next piece at N = 40.
-    ConnectorIncrement increment;
-    increment.duration = 1.0;
-    increment.begin_position = run.here().position;
-    increment.end.position = increment.begin_position;
-    increment.force[2] = 40.0;
-    const Ambient begin = increment.end;
-    RegimeChanges changes;
-    const FrictionUpdate u = continuous_update(
-        run.definition, path_segment(run.definition, increment, begin, increment.force), run.state,
-        1e-12, &changes);
-    CHECK(u.state.force[0] == Approx(8.0).epsilon(1e-14));
-    CHECK(u.slip_increment == Approx(0.012).epsilon(criterion.tolerance));
-    // (20^2 - 8^2)/(2 k)
-    CHECK(u.dissipation == Approx(0.168).epsilon(criterion.tolerance));
-    CHECK(u.work == 0.0);
+    for (const double motion : {0.0, 0.01}) {
+      FrictionDefinition definition = pressed();
+      definition.criterion = criterion.of;
+      ExactRun run(definition, at(0.0, 100.0));
+      run.go(at(0.1, 100.0));
+      // The history begins its next piece at N = 40.
+      ConnectorIncrement increment;
+      increment.duration = 1.0;
+      increment.begin_position = run.here().position;
+      increment.end.position = increment.begin_position;
+      increment.force[2] = 40.0;
+      const Ambient begin = increment.end;
+      increment.end.position[0] += motion;
+      RegimeChanges changes;
+      const FrictionUpdate u = continuous_update(
+          run.definition, path_segment(run.definition, increment, begin, increment.force),
+          run.state, 1e-12, &changes);
+      CHECK(u.state.force[0] == Approx(8.0).epsilon(1e-14));
+      CHECK(u.slip_increment == Approx(0.012 + motion).epsilon(criterion.tolerance));
+      // (20^2 - 8^2)/(2 k), and 8 N over the motion
+      CHECK(u.dissipation == Approx(0.168 + 8.0 * motion).epsilon(criterion.tolerance));
+      CHECK(u.work == Approx(8.0 * motion).epsilon(criterion.tolerance));
+    }
   }
 }
 
