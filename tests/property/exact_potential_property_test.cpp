@@ -32,13 +32,20 @@ Rows rows_over(Dice* dice, double low, double high, const std::vector<double>& k
   return rows;
 }
 
+/// What the units of a case are in those of the draw.
+struct Units {
+  double force = 1.0;
+  double length = 1.0;
+  double time = 1.0;
+};
+
 /// A maximum or sum over two or three components, one of them perhaps one-sided; or the
 /// norm with a coefficient that rises with the rate.
-Draw draw(std::uint64_t seed) {
+Draw draw(std::uint64_t seed, const Units& units = {}) {
   Dice dice(seed);
   Draw d;
   FrictionDefinition& f = d.definition;
-  const double force = dice.one_of(std::vector<double>{50.0, 1000.0});
+  const double force = units.force * dice.one_of(std::vector<double>{50.0, 1000.0});
   const bool viscous = dice.chance(0.35);
   const int dimension = viscous ? 1 + dice.pick(2) : 2 + dice.pick(2);
   if (viscous) {
@@ -47,8 +54,9 @@ Draw draw(std::uint64_t seed) {
     for (int i = 0; i < dimension; ++i) f.slip.component[static_cast<std::size_t>(i)] = i;
     const double mu = dice.between(0.05, 0.3);
     const double middle = dice.between(0.1, 1.0);
-    f.law = TabularCoefficient{
-        make_function({{mu, 0.0}, {mu + 0.08 * middle, middle}, {mu + 0.3, 4.0}}, {kOverSlipRate})};
+    const double rate = units.length / units.time;
+    f.law = TabularCoefficient{make_function(
+        {{mu, 0.0}, {mu + 0.08 * middle, middle * rate}, {mu + 0.3, 4.0 * rate}}, {kOverSlipRate})};
   } else {
     std::vector<PotentialContribution> terms;
     for (int i = 0; i < dimension; ++i) {
@@ -80,7 +88,7 @@ Draw draw(std::uint64_t seed) {
     if (dice.chance(0.25)) f.force_limit = dice.between(0.05, 0.3) * force;
   }
   if (dice.chance(0.6)) {
-    const double worn = dice.between(0.2, 1.5);
+    const double worn = units.length * dice.between(0.2, 1.5);
     f.internal_contact_force = make_function({{force * dice.between(0.8, 1.2), 0.0},
                                               {force * dice.between(0.3, 0.8), 0.4 * worn},
                                               {dice.chance(0.4) ? 0.0 : 0.2 * force, worn}},
@@ -89,12 +97,12 @@ Draw draw(std::uint64_t seed) {
     f.internal_contact_force = dice.between(0.2, 1.0) * force;
   }
   f.contact_force = ComponentContactForce{5};
-  const double elastic = dice.one_of(std::vector<double>{1e-3, 0.01, 0.1});
+  const double elastic = units.length * dice.one_of(std::vector<double>{1e-3, 0.01, 0.1});
   f.stick = !viscous && dice.chance(0.5)
                 ? StickStiffness{StickStiffness::Mode::kElasticSlip, elastic}
                 : StickStiffness{StickStiffness::Mode::kStiffness, 0.2 * force / elastic};
 
-  const double stride = dice.one_of(std::vector<double>{0.1, 0.5});
+  const double stride = units.length * dice.one_of(std::vector<double>{0.1, 0.5});
   Waypoint here;
   here.temperature = 20.0;
   here.force[5] = dice.between(-force, force);
@@ -105,7 +113,7 @@ Draw draw(std::uint64_t seed) {
     }
     if (dice.chance(0.6)) here.force[5] = dice.between(-force, force);
     if (dice.chance(0.4)) here.temperature = dice.between(0.0, 100.0);
-    here.duration = dice.one_of(std::vector<double>{0.5, 1.0, 2.0});
+    here.duration = units.time * dice.one_of(std::vector<double>{0.5, 1.0, 2.0});
     d.corners.push_back(here);
   }
   return d;
@@ -217,6 +225,34 @@ TEST_CASE("under potentials and viscous laws a fine backward Euler tends to the 
   CHECK(judged >= 30);
   CAPTURE(sum[0], sum[1]);
   CHECK(sum[0] / sum[1] == Approx(2.0).margin(0.4));
+}
+
+TEST_CASE("the units of a case change no digit of exact integration") {
+  // Powers of two, so that nothing rounds otherwise.
+  for (const Units& units : {Units{0x1p-30, 1.0, 1.0}, Units{0x1p40, 1.0, 1.0},
+                             Units{1.0, 0x1p-20, 1.0}, Units{0x1p20, 0x1p30, 0x1p-10}}) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      for (const bool norm : {false, true}) {
+        CAPTURE(units.force, units.length, units.time, seed, norm);
+        // By events and by extrapolation.
+        const auto ends_in = [&](const Units& in) {
+          Draw d = draw(seed, in);
+          if (norm) d.definition.criterion = EuclideanPotential{};
+          if (norm && d.name == "viscous") {
+            d.definition.stick = {StickStiffness::Mode::kElasticSlip, 0.01 * in.length};
+          }
+          return follow(d, 1).ends;
+        };
+        const Ends one = ends_in({});
+        const Ends other = ends_in(units);
+        const double energy = units.force * units.length;
+        const std::array size{units.force, units.force, units.force, units.length, energy, energy};
+        for (std::size_t n = 0; n < one.size(); ++n) {
+          for (std::size_t q = 0; q < size.size(); ++q) CHECK(other[n][q] == one[n][q] * size[q]);
+        }
+      }
+    }
+  }
 }
 
 }  // namespace
