@@ -93,7 +93,6 @@ ExactWalk::ExactWalk(const FrictionDefinition& definition, const PathSegment& se
   }
   if (!constant_ || wears_ || by_rate_) {
     piece_.emplace(definition, segment, points_, largest_slip_, contact_scale_);
-    if (piece_->is_endless()) piece_.reset();
   }
 }
 

@@ -52,7 +52,7 @@ class ExactWalk {
   Limit limit(double tau, double slip, double rate = 0.0) noexcept {
     return points_.limit(tau, begin_slip_ + slip, rate, sense());
   }
-  LimitPoint point(double tau, double slip, double rate = 0.0) const {
+  LimitPoint point(double tau, double slip, double rate) const {
     return {tau, begin_slip_ + slip, rate, sense()};
   }
   /// R at a point.

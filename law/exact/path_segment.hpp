@@ -97,8 +97,7 @@ class SegmentPoints {
                                  mix(tau, from.weight, definition_.blend.weight)};
     const ConnectorIncrement& at = increment(tau);
     if (std::holds_alternative<Capstan>(definition_.criterion)) {
-      const CapstanLimit limit(definition_, at, motion_,
-                               sense < 0.0 ? FlowSense::kBackward : FlowSense::kForward);
+      const CapstanLimit limit(definition_, at, motion_, flow_sense(sense));
       return limit.at(rate(limit.rate(0.0), slip_rate), blend,
                       mix(tau, segment_.begin_wrap_angle, end_wrap_angle_));
     }
@@ -124,9 +123,7 @@ class SegmentPoints {
       return limit.mu * limit.normal_force;
     }
     const double wrap_angle = mix(tau, segment_.begin_wrap_angle, end_wrap_angle_);
-    return limit.normal_force * capstan_limit(limit.mu * wrap_angle, sense < 0.0
-                                                                         ? FlowSense::kBackward
-                                                                         : FlowSense::kForward);
+    return limit.normal_force * capstan_limit(limit.mu * wrap_angle, flow_sense(sense));
   }
 
   /// The tau asked for last.
@@ -143,6 +140,9 @@ class SegmentPoints {
       const double velocity = mean_velocity(segment_.increment, c);
       here_.force[c] = kinetic_force(*segment_.kinetic, c, velocity, here_.end);
     }
+  }
+  static FlowSense flow_sense(double sense) {
+    return sense < 0.0 ? FlowSense::kBackward : FlowSense::kForward;
   }
   static double mix(double tau, double a, double b) {
     return a == b ? b : (1.0 - tau) * a + tau * b;

@@ -154,7 +154,6 @@ double SmoothPiece::value(const Quantity& quantity, const LimitPoint& point,
 
 SmoothPiece::Values SmoothPiece::values(const LimitPoint& point) noexcept {
   Values values{};
-  if (count_ == 0) return values;
   const Limit limit =
       points_.limit(point.tau, point.accumulated_slip, point.slip_rate, point.sense);
   for (std::size_t i = 0; i < count_; ++i) values[i] = value(quantities_[i], point, limit);

@@ -36,9 +36,6 @@ class SmoothPiece {
   SmoothPiece(const FrictionDefinition& definition, const PathSegment& segment,
               SegmentPoints& points, double largest_slip, double contact_size) noexcept;
 
-  /// Tells whether there is nothing to leave: no quantity moves.
-  bool is_endless() const { return count_ == 0; }
-
   /// The quantities at a point.
   Values values(const LimitPoint& point) noexcept;
 
@@ -123,7 +120,7 @@ double lowest(Function&& f, double low, double high, double enough) {
 
 template <class Way>
 double SmoothPiece::end_of(Way&& point, double from, double to, int samples) noexcept {
-  if (is_endless() || !(to > from)) return to;
+  if (!(to > from)) return to;
   // Between a place inside and one outside: quantity by quantity, whichever is out there.
   const auto leave = [&](double low, double high) {
     for (std::size_t n = 0; n <= count_; ++n) {

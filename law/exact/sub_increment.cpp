@@ -85,7 +85,6 @@ SubIncrements::SubIncrements(const FrictionDefinition& definition, const PathSeg
       definition, segment, points_,
       old.accumulated_slip + 2.0 * (length_ + held + (fixed_ ? 0.0 : points_.stick(1.0))),
       no_contact_);
-  if (piece_->is_endless()) piece_.reset();
   no_contact_ *= ends_where_contact_turns() ? kNoContact : 0.0;
   least_ = value(*potential_, SlipVector{});
   closed_ = !fixed_ && potential_->homogeneous;
@@ -119,16 +118,15 @@ bool SubIncrements::grips(double tau, double accumulated_slip, double slip_rate)
 }
 
 void SubIncrements::enter(const LimitPoint& here, const LimitPoint& ahead) noexcept {
-  if (piece_)
-    piece_->enter(piece_->values(here), piece_->values(ahead), by_rate_ ? kRateSlack : 0.0);
+  piece_->enter(piece_->values(here), piece_->values(ahead), by_rate_ ? kRateSlack : 0.0);
 }
 
 bool SubIncrements::stays(const LimitPoint& point) noexcept {
-  return !piece_ || piece_->reserve(piece_->values(point)) >= 0.0;
+  return piece_->reserve(piece_->values(point)) >= 0.0;
 }
 
 bool SubIncrements::keeps_rate(const LimitPoint& end) noexcept {
-  return !piece_ || !by_rate_ || piece_->reserve(piece_->values(end)) >= -kRateSlack;
+  return !by_rate_ || piece_->reserve(piece_->values(end)) >= -kRateSlack;
 }
 
 SlipVector SubIncrements::force(const SlipPoint& at, double tau, double slip_rate) noexcept {
