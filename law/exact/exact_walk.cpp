@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "law/base/quadrature.hpp"
+#include "law/definition/limit_function.hpp"
 
 namespace slipbench::law {
 namespace {
@@ -182,7 +183,7 @@ double ExactWalk::rises_until(double tau, double low, double high) noexcept {
   const double stick = points_.stick(tau);
   const auto rises = [&](double x) { return 1.0 + limit(tau, x).to_slip / stick > 0.0; };
   // Slopes just inside: at its ends a piece may have those of its neighbours.
-  const double margin = 1e-9 * (high - low);
+  const double margin = margin_inside(low, high);
   if (!rises(low + margin)) return low;
   if (rises(high - margin)) return high;
   for (double falls = high - margin; true;) {
