@@ -3,7 +3,7 @@
 """Lays the pages of the documentation site together: pages.py SLIPBENCH FOLDER
 
 FOLDER gets what mkdocs reads: the pages of docs/ in the Markdown that mkdocs understands, those that the program tells (commands, types, laws, ..),
-a gallery of cases/examples and the sketches of joints. `scripts/docs.sh` calls it and builds the site.
+a gallery of cases/examples, the sketches of joints and the validation dossier. `scripts/docs.sh` calls it and builds the site.
 """
 import ast
 import concurrent.futures
@@ -17,6 +17,7 @@ import subprocess
 import sys
 import tempfile
 
+import dossier
 import joints
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -271,6 +272,7 @@ def main(program, folder):
     site.pages()
     site.reference()
     site.joints()
+    dossier.write(site)
     site.files()
 
 
