@@ -41,6 +41,7 @@ class Check:
     tolerance: float | None = None
     unit: str = ""
     criterion: str = ""
+    form: str = ""  # the closed form that it is held against
     part: float | None = None  # the deviation as a part of the largest value, where there is no tolerance
 
     def share(self):
@@ -229,7 +230,7 @@ class Dossier:
             kind, source = self.kind_of(against, why)
             criterion = asked.get("criterion", "pointwise")
             check = Check(name, str(asked["name"]), kind, str(asked["quantity"]), told_truth(against, source), why or "no reason stated",
-                          False, criterion=criterion)
+                          False, criterion=criterion, form=against.get("closed_form", ""))
             if asked["name"] in verdicts:
                 found = verdicts[asked["name"]]
                 check.passed = found["passed"]
@@ -400,8 +401,7 @@ class Dossier:
         """The page of the evidence that has a case, and its place there."""
         if case not in self.texts:
             return None
-        stem = anchor(case.removeprefix("slipbench new ").strip("'")) + "-minimal" if case.startswith("slipbench new ") else pathlib.Path(case).stem
-        return f"evidence/{anchor(self.texts[case][2][0])}", stem
+        return f"evidence/{anchor(self.texts[case][2][0])}", anchor(case.removeprefix(f"{self.cases.name}/").removesuffix(".yaml")).strip("-")
 
     def link(self, case, up):
         page = self.page_of(case)
@@ -431,9 +431,10 @@ class Dossier:
     def check_table(self, checks, up=None):
         """The numbers of checks; with the case of each where up leads to the pages of the cases."""
         heads = ("case",) * (up is not None) + ("check", "kind of truth", "off by", "tolerance and its reason", "of it", "verdict")
-        rows = []
+        rows, back = [], "../" * (up is None)
         for check in checks:
-            told = html.escape(check.against) if check.kind in (BACK, DECK) else f"against {check.against}"
+            form = f'<a href="{back}closed-forms.html#{anchor(check.form)}">{html.escape(check.form)}</a> ' * bool(check.form)
+            told = html.escape(check.against) if check.kind in (BACK, DECK) else f"against {form}{check.against}"
             asked = f"<br><code>{html.escape(check.quantity)}</code> {told}" + f", by {check.criterion}" * (check.criterion not in ("", "pointwise"))
             share = check.share()
             rows.append(row(heads, "passed" if check.passed else "failed", (self.link(check.case, up),) * (up is not None) + (
@@ -535,13 +536,10 @@ def kind_is(kind, wanted):
 
 
 def told_truth(against, source):
-    """What a check is held against, as HTML."""
-    if "closed_form" in against:
-        name, rest = against["closed_form"], {key: value for key, value in against.items() if key != "closed_form"}
-        return f'<a href="../closed-forms.html#{anchor(name)}">{html.escape(name)}</a> ' + (f"<code>{html.escape(plain(rest))}</code>" if rest else "")
-    if "curve" in against:
-        return f"<code>{html.escape(plain(against))}</code>"
-    return f"<code>{html.escape(str(against['expression']))}</code>" + (f" [{html.escape(source)}]" if source else "")
+    """What a check is held against, as HTML; beside the closed form's name."""
+    words = plain({key: value for key, value in against.items() if key != "closed_form"}) if "expression" not in against else str(against["expression"])
+    cited = f" [{html.escape(source)}]" if "expression" in against and source else ""
+    return f"<code>{html.escape(words)}</code>{cited}" if words else ""
 
 
 def plain(node):

@@ -12,7 +12,8 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "browser"))
 from browser_page import By, browser, screen  # noqa: E402
 
 PAGES = ["index.html", "joints.html", "gallery.html", "compare.html", "tutorials/index.html", "tutorials/hinge.html", "guide/friction.html",
-         "reference/connections.html", "reference/columns.html", "theory/model.html", "notebooks/capstan.html", "case-reference.html"]
+         "reference/connections.html", "reference/columns.html", "theory/model.html", "notebooks/capstan.html",
+         "case-reference.html", "dossier.html", "dossier/closed-forms.html", "dossier/evidence/hinge.html"]
 
 # What a check of accessibility calls serious, and can be told without a person.
 SERIOUS = """
