@@ -93,6 +93,12 @@ GROUPS = {  # the page of each kind of claim: its title, what counts as evidence
 }
 
 
+def truth(words):
+    """The kind of truth that words on an origin begin with, or None."""
+    found = re.match(r"(Closed form|Run of \w+|Published|Measured)\b", words)
+    return found and {"Published": "published number", "Measured": "measurement"}.get(found[1], found[1][0].lower() + found[1][1:])
+
+
 def anchor(name):
     return re.sub(r"[^\w-]+", "-", name.lower())
 
@@ -121,7 +127,7 @@ class Dossier:
         self.connections = site.connections()
         self.cases_of = {}  # case: what it says
         self.texts = {}  # case: (title, head comment, connector types)
-        self.sources = set(re.findall(r"^\| (\w+) \|", (ROOT / "law/SOURCES.md").read_text(), re.MULTILINE))
+        self.sources = dict(re.findall(r"^\| (\w+) \| (.*?) \|", (ROOT / "law/SOURCES.md").read_text(), re.MULTILINE))
 
     # What the program claims
 
@@ -170,9 +176,9 @@ class Dossier:
             return "closed form", source.source if source else ""
         if "curve" in against:
             return self.kind_of_curve(against["curve"], str(against.get("column", "")))
-        cited = [key for key in re.findall(r"\[(\w+)\]", why) if key in self.sources]
+        cited = next((key for key in re.findall(r"\[(\w+)\]", why) if key in self.sources), None)
         if cited and re.fullmatch(r"= *[-+.\deE]+", str(against["expression"]).strip()):
-            return "published number", cited[0]
+            return truth(self.sources[cited]) or "published number", cited
         return WRITTEN, ""
 
     def kind_of_curve(self, name, column):
@@ -183,10 +189,7 @@ class Dossier:
         if APART in meaning:
             return APART, name
         origin = page.read_text().partition("## Origin\n")[2].partition("\n## ")[0]
-        found = re.search(r"^(Closed form|Run of \w+|Published|Measured)\b", origin, re.MULTILINE)
-        kinds = {"Published": "published number", "Measured": "measurement", None: UNSTATED}
-        word = found and found[1]
-        return kinds.get(word) or word[0].lower() + word[1:], name
+        return next(filter(None, map(truth, origin.splitlines())), UNSTATED), name
 
     def laws_of(self, case):
         """The laws that coefficients of friction of a case have."""
