@@ -41,6 +41,7 @@ class Check:
     tolerance: float | None = None
     unit: str = ""
     criterion: str = ""
+    message: str = "the case does not run"  # of a check that failed
     form: str = ""  # the closed form that it is held against
     part: float | None = None  # the deviation as a part of the largest value, where there is no tolerance
 
@@ -109,7 +110,9 @@ def number(value):
 
 def percent(share):
     """Cut, not rounded: what is within its tolerance is not told as 100 %."""
-    return f"{math.floor(share * 1e4) / 100:.4g} %" if 1e-4 <= share < float("inf") else "0" if share == 0 else "< 0.01 %" if share < 1 else "-"
+    if share >= 10:
+        return f"{share:.3g} times" if share < float("inf") else "beyond a tolerance of 0"
+    return f"{math.floor(share * 1e4) / 100:.4g} %" if share >= 1e-4 else "0" if share == 0 else "< 0.01 %"
 
 
 def walk(node, key=None):
@@ -236,7 +239,7 @@ class Dossier:
                           False, criterion=criterion, form=against.get("closed_form", ""))
             if asked["name"] in verdicts:
                 found = verdicts[asked["name"]]
-                check.passed = found["passed"]
+                check.passed, check.message = found["passed"], found["message"]
                 judged = [one for one in found["measures"] if one["tolerance"] is not None]
                 deciding = max(judged, key=lambda one: (not one["passed"], Check.share(stand_in(one)) or 0)) if judged else None
                 check.deviation, check.tolerance, check.unit = (
@@ -439,6 +442,8 @@ class Dossier:
             form = f'<a href="{back}closed-forms.html#{anchor(check.form)}">{html.escape(check.form)}</a> ' * bool(check.form)
             told = html.escape(check.against) if check.kind in (BACK, DECK) else f"against {form}{check.against}"
             asked = f"<br><code>{html.escape(check.quantity)}</code> {told}" + f", by {check.criterion}" * (check.criterion not in ("", "pointwise"))
+            if not check.passed and check.kind not in (BACK, DECK):
+                asked += f"<br>{html.escape(check.message)}"
             share = check.share()
             rows.append(row(heads, "passed" if check.passed else "failed", (self.link(check.case, up),) * (up is not None) + (
                 html.escape(check.name) + asked, html.escape(check.kind), "-" if check.deviation is None else f"{number(check.deviation)} {check.unit}",
@@ -460,7 +465,7 @@ class Dossier:
         if claim.checks:
             shown, words = sorted(claim.checks, key=Check.rank, reverse=True), "All checks"
             if claim.group in ("laws", "connections", "keys") or len(shown) > 100:  # all of them stand with their cases
-                shown, words = list({check.case: check for check in reversed(shown)}.values())[::-1], "Of each case the check that is nearest to its tolerance"
+                shown, words = list({check.case: check for check in reversed(shown)}.values())[::-1], "The worst check of each case"
             opened = " open" * (len(shown) <= 8)
             text.append(f"<details{opened}><summary>{words}: {counted(len(shown), 'row')}</summary>{self.check_table(shown, '')}</details>\n")
             text.append(f"<details><summary>Make it again</summary><pre><code>{html.escape(chr(10).join(self.commands(claim)))}</code></pre></details>\n")
