@@ -8,7 +8,7 @@ set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 base=${1:-${SLIPBENCH_BASE:-}}
-most=${SLIPBENCH_TIDY_SOURCES:-60}
+most=${SLIPBENCH_TIDY_SOURCES:-40}
 database=build/lint/compile_commands.json
 
 # find_base: sets base, or leaves it empty and says in why_none why there is none.
