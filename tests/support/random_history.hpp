@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "law/update/return_mapping.hpp"
@@ -94,7 +95,8 @@ inline std::vector<law::FrictionUpdate> run_history(const law::FrictionDefinitio
   return results;
 }
 
-/// All numbers of a result, multiplied by the units given.
+/// All numbers of a result, multiplied by the units given. Far down a decay its slope is next to
+/// the least normal number, and has not the same digits in all units: it counts as 0.
 inline std::vector<double> numbers(const law::FrictionUpdate& u, const SlipUnits& unit = {}) {
   std::vector<double> all;
   for (std::size_t i = 0; i < law::kComponents; ++i) {
@@ -112,7 +114,7 @@ inline std::vector<double> numbers(const law::FrictionUpdate& u, const SlipUnits
         u.limit * unit.force, u.slip_increment * unit.slip, u.slip_rate * unit.slip / unit.time,
         u.dissipation * energy, u.stored_energy * energy, u.work * energy,
         static_cast<double>(u.state.regime), u.multiple_roots ? 1.0 : 0.0}) {
-    all.push_back(x);
+    all.push_back(std::abs(x) < 1e-250 ? 0.0 : x);
   }
   return all;
 }
