@@ -13,7 +13,7 @@ scripts/setup.sh docs
 if [ $# -eq 0 ]; then
   say 'building the program'
   configure release
-  build release --target slipbench
+  build release --target slipbench slipbench_fmu
 fi
 
 say 'laying the pages together'

@@ -118,10 +118,12 @@ class Site:
         for name, picture in self.drawn_by("tutorials").items():
             (self.folder / "tutorials" / name).parent.mkdir(exist_ok=True)
             (self.folder / "tutorials" / name).write_bytes(picture)
-        anew = {**self.drawn_by("guide"), "shock_absorber.svg": (self.folder / "gallery/shock_absorber.svg").read_bytes()}
         (self.folder / "images").mkdir()
-        for kept in sorted((DOCS / "images").iterdir()):
-            (self.folder / "images" / kept.name).write_bytes(anew.get(kept.name) or kept.read_bytes())
+        pad = self.folder / "images/pad_on_a_belt.svg"
+        subprocess.run([sys.executable, "-B", ROOT / "tests/fmu/squeal.py", self.program, pad], check=True, capture_output=True)
+        anew = {**self.drawn_by("guide"), "shock_absorber.svg": (self.folder / "gallery/shock_absorber.svg").read_bytes(), pad.name: pad.read_bytes()}
+        for kept in (DOCS / "images").iterdir():
+            (self.folder / "images" / kept.name).write_bytes(anew[kept.name])
 
     def pages(self):
         for source in sorted(DOCS.rglob("*")):

@@ -1,24 +1,23 @@
 # SPDX-License-Identifier: Apache-2.0
 """A mass on a belt in a host of units: the host integrates the motion, the unit gives the friction.
 
-    squeal.py SLIPBENCH MODULE_FOLDER [PICTURE]
+    squeal.py SLIPBENCH [PICTURE]
 
 It stick-slips as the case of docs/guide/history.md does, which the bench integrates itself from event to event. With PICTURE the
-drawing of docs/guide/other-programs.md is made."""
+drawing of docs/guide/other-programs.md is made, as docs/site/pages.py does."""
+import csv
 import pathlib
 import re
 import subprocess
 import sys
 import tempfile
 
+import numpy
+
 import host
 
-PROGRAM, MODULE = str(pathlib.Path(sys.argv[1]).absolute()), sys.argv[2]
+PROGRAM = str(pathlib.Path(sys.argv[1]).absolute())
 GUIDE = pathlib.Path(__file__).parents[2] / "docs/guide"
-sys.path.insert(0, MODULE)
-import numpy  # noqa: E402
-
-import slipbench  # noqa: E402
 
 
 def example(page, name):
@@ -85,19 +84,31 @@ def draw(rows, exact, file):
     figure.savefig(file, metadata={"Date": None} if file.endswith(".svg") else None)
 
 
+def table(file):
+    """The columns of a file of results."""
+    with file.open() as lines:
+        rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+    return {name: [row[name] for row in rows] for name in rows[0]}
+
+
 def main():
     with tempfile.TemporaryDirectory() as folder:
-        case = pathlib.Path(folder) / "pad.yaml"
+        folder = pathlib.Path(folder)
+        case = folder / "pad.yaml"
         case.write_text(example("other-programs.md", "pad.yaml"))
-        unit_file = pathlib.Path(folder) / "pad.fmu"
+        unit_file = folder / "pad.fmu"
         subprocess.run([PROGRAM, "export", case, "--to", "fmu", "-o", unit_file], check=True, capture_output=True)
-        rows = ride(host.Unit(unit_file, pathlib.Path(folder) / "unit"), 5.0)
-    exact = slipbench.load(example("history.md", "squeal.yaml")).run()
+        rows = ride(host.Unit(unit_file, folder / "unit"), 5.0)
+        (folder / "squeal.yaml").write_text(example("history.md", "squeal.yaml"))
+        subprocess.run([PROGRAM, "run", folder / "squeal.yaml", "-o", folder], check=True, capture_output=True)
+        exact = table(folder / "squeal.csv")
+        exact = {name: numpy.array(exact[name], float) for name in ("t", "CU1", "CP1")}
+        events = table(folder / "squeal.events.csv")
     loose = [end for _, end in sticks(rows) if end < rows[-1, 0]]
-    wanted = [one.time for one in exact.events if (one.origin, one.goal) == ("stick", "slip")]
+    wanted = [float(time) for time, left, entered in zip(events["t"], events["from"], events["to"]) if (left, entered) == ("stick", "slip")]
     print(f"breaks loose at {numpy.round(loose, 3).tolist()} s in the host, {numpy.round(wanted, 3).tolist()} s in the bench")
-    if len(sys.argv) > 3:
-        draw(rows, exact, sys.argv[3])
+    if len(sys.argv) > 2:
+        draw(rows, exact, sys.argv[2])
     assert len(loose) == len(wanted) >= 5
     # The host's steps of 0.1 ms, and a fall of the coefficient within 2 mm/s in place of a jump.
     numpy.testing.assert_allclose(loose, wanted, atol=0.03)
