@@ -19,6 +19,7 @@ import tempfile
 
 import dossier
 import joints
+import moving
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DOCS, EXAMPLES = ROOT / "docs", ROOT / "cases/examples"
@@ -121,7 +122,8 @@ class Site:
         (self.folder / "images").mkdir()
         pad = self.folder / "images/pad_on_a_belt.svg"
         subprocess.run([sys.executable, "-B", ROOT / "tests/fmu/squeal.py", self.program, pad], check=True, capture_output=True)
-        anew = {**self.drawn_by("guide"), "shock_absorber.svg": (self.folder / "gallery/shock_absorber.svg").read_bytes(), pad.name: pad.read_bytes()}
+        anew = {**self.drawn_by("guide"), "shock_absorber.svg": (self.folder / "gallery/shock_absorber.svg").read_bytes(), pad.name: pad.read_bytes(),
+                "shaft.svg": moving.draw(self.program).encode()}
         for kept in (DOCS / "images").iterdir():
             (self.folder / "images" / kept.name).write_bytes(anew[kept.name])
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Every kind of picture of several cases shows all of its text, none over another:
+"""Every kind of picture of several cases shows all of its text, none over another, and the moving picture of README.md plays the rows of its case:
 pictures_test.py --slipbench EXE --source DIR [--keep DIR]
 
 Without gnuplot nothing can be drawn, and the test fails.
@@ -98,6 +98,24 @@ def main():
             drawn.add("fit")
             look(picture.name, picture.read_text(), "fit")
 
+    def moves():
+        """The picture that is kept is what the program's rows give now, and it moves at every change of stick and slip."""
+        sys.dont_write_bytecode = True
+        sys.path.insert(0, str(options.source / "docs/site"))
+        import moving
+        kept = (options.source / "docs/images/shaft.svg").read_text()
+        failures.extend(f"shaft.svg: {fault}" for fault in misplaced(kept))
+        if kept != moving.draw(options.slipbench):
+            failures.append("docs/images/shaft.svg is not what docs/site/moving.py draws: run it")
+        if re.search(r"https?://(?!www\.w3\.org/2000/svg\")", kept):
+            failures.append("docs/images/shaft.svg names a place elsewhere")
+        rows = moving.rows_of(options.slipbench)
+        changes = sum((before["STATUS"] == 2) != (after["STATUS"] == 2) for before, after in zip(rows, rows[1:]))
+        colours = re.findall(r"fill:(#\w+)", re.search(r"@keyframes rubs\{(.*?\})\}", kept)[1])
+        if sum(before != after for before, after in zip(colours, colours[1:])) != changes or changes < 9:
+            failures.append(f"shaft.svg: {changes} changes of stick and slip, its colours are {colours}")
+
+    moves()
     help_text = run("plot", "--help").stdout
     kinds = re.search(r"One picture only: (.*)", help_text).group(1).split(", ")
     wanted = ["", "--law", "--x t", *(f"--as {kind}" for kind in kinds)]
