@@ -13,7 +13,7 @@ scripts/setup.sh docs
 if [ $# -eq 0 ]; then
   say 'building the program'
   configure release
-  build release --target slipbench slipbench_fmu
+  build release --target slipbench slipbench_fmu slipbench_python
 fi
 
 say 'laying the pages together'

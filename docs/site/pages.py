@@ -77,10 +77,10 @@ class Site:
                 if line.strip() == fence:
                     fence = None
                     if caption:
-                        lines += ["", *self.figure(re.search(r"\S+\.svg", "\n".join(shown))[0], caption, page)]
+                        lines += ["", *self.figure(re.search(r"[\w./-]+\.svg", "\n".join(shown))[0], caption, page)]
             elif mark:
-                fence, shown, caption = mark[2], [], mark[4] if mark[3] == "console" else ""
-                title = "" if mark[3] == "console" or not mark[4] else f' title="{mark[4].split()[-1]}"'
+                fence, shown, caption = mark[2], [], mark[4] if mark[3] in ("console", "python") else ""
+                title = "" if caption or not mark[4] else f' title="{mark[4].split()[-1]}"'
                 lines.append(f"{mark[1]}{mark[2]}{mark[3]}{title}")
             else:
                 item = re.match(r"( *)([-*]|\d+\.) ", line)
@@ -100,6 +100,8 @@ class Site:
     def drawn_by(self, name):
         """Runs the cases and commands that the pages of a folder show, in one folder and in their order; the pictures drawn, {name: bytes}."""
         pages = dict.fromkeys(re.findall(r"\]\((\w[\w-]*\.md)\)", (DOCS / name / "README.md").read_text()))
+        environment = {**os.environ, "LC_ALL": "C.UTF-8", "MPLBACKEND": "Agg", "PYTHONPATH": str(self.program.parent / "python")}
+        script = ""
         block = re.compile(r"^```(\w+) ?([^\n]*)\n(.*?)^```", re.MULTILINE | re.DOTALL)
         with tempfile.TemporaryDirectory() as scratch:
             (pathlib.Path(scratch) / "bin").mkdir()
@@ -109,7 +111,11 @@ class Site:
                     commands = "\n".join(line[2:] for line in body.splitlines() if line.startswith("$ "))
                     commands += "".join(f"\n{line[2:-4]}-dark.svg --dark" for line in body.splitlines() if re.match(r"\$ slipbench plot .*svg$", line))
                     subprocess.run(["bash", "-c", commands], cwd=scratch, stdin=subprocess.DEVNULL, capture_output=True,
-                                   env={**os.environ, "PATH": f"{scratch}/bin:{os.environ['PATH']}", "LC_ALL": "C.UTF-8"})
+                                   env={**environment, "PATH": f"{scratch}/bin:{os.environ['PATH']}"})
+                elif kind == "python":
+                    script += body
+                    if title:  # it draws; what the blocks before it have made is needed for that
+                        subprocess.run([sys.executable, "-c", script], cwd=scratch, stdin=subprocess.DEVNULL, capture_output=True, env=environment, check=True)
                 elif kind == "csv" or title.startswith(("case ", "file ")):
                     (pathlib.Path(scratch) / title.split()[-1]).write_text(body)
             return {picture.name: picture.read_bytes() for picture in pathlib.Path(scratch).glob("*.svg")}

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The Python blocks of the guide, run in order; and the notebooks, held against their pages.
+"""The Python blocks of the guide and the tutorials, run in order; and the notebooks, held against their pages.
 
 usage: guide_test.py SLIPBENCH GUIDE_FOLDER [unittest words]   (PYTHONPATH has the module)
 
-On a page of the guide a text block right below a Python block is what that prints. A page may use the files that it and the pages before it show.
+On a page a text block right below a Python block is what that prints. A page may use the files that it and those before it in its folder show.
 """
 import contextlib
 import importlib.util
@@ -17,7 +17,7 @@ import tempfile
 import unittest
 
 SLIPBENCH, GUIDE = pathlib.Path(sys.argv.pop(1)), pathlib.Path(sys.argv.pop(1)).resolve()
-NOTEBOOKS = GUIDE.parent / "notebooks"
+NOTEBOOKS, TUTORIALS = GUIDE.parent / "notebooks", GUIDE.parent / "tutorials"
 FENCE = re.compile(r"^```(\w+) ?([^\n]*)\n(.*?)^```\n(?:\n```text\n(.*?)^```)?", re.MULTILINE | re.DOTALL)
 sys.dont_write_bytecode = True  # beside render.py
 os.environ["PATH"] = f"{SLIPBENCH.parent.resolve()}{os.pathsep}{os.environ['PATH']}"
@@ -36,10 +36,10 @@ matplotlib.use("Agg")
 OF_FARMS = "scaling.md"  # its engines are there only with the packages of tests/farm, which runs its examples
 
 
-def pages():
-    """The pages of the guide, in their order."""
-    names = dict.fromkeys(re.findall(r"\]\((\w[\w-]*\.md)\)", (GUIDE / "README.md").read_text()))
-    return [GUIDE / name for name in names if name != OF_FARMS]
+def pages(folder):
+    """The pages of the guide or of the tutorials, in their order."""
+    names = dict.fromkeys(re.findall(r"\]\((\w[\w-]*\.md)\)", (folder / "README.md").read_text()))
+    return [folder / name for name in names if name != OF_FARMS]
 
 
 def render_module():
@@ -50,10 +50,11 @@ def render_module():
 
 
 class Pages(unittest.TestCase):
-    def test_python_blocks_run_and_print_what_the_page_shows(self):
+    def run_blocks(self, pages):
+        """Runs the Python blocks of pages, and holds what they print against what the pages show; how many there are."""
         blocks = 0
         with tempfile.TemporaryDirectory() as folder, in_folder(folder):
-            for page in pages():
+            for page in pages:
                 names = {"__name__": page.stem}
                 for kind, title, body, shown in FENCE.findall(page.read_text()):
                     if kind == "csv" or kind == "yaml" and re.match(r"(case|file) ", title):
@@ -65,7 +66,11 @@ class Pages(unittest.TestCase):
                         self.assertEqual(printed.getvalue().strip(), shown.strip(), f"{page.name}:\n{body}")
                         blocks += 1
         matplotlib.pyplot.close("all")
-        self.assertGreater(blocks, 10)
+        return blocks
+
+    def test_python_blocks_run_and_print_what_the_page_shows(self):
+        self.assertGreater(self.run_blocks(pages(GUIDE)), 10)
+        self.assertGreater(self.run_blocks(pages(TUTORIALS)), 7)
 
 
 class Notebooks(unittest.TestCase):
