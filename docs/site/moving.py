@@ -6,40 +6,30 @@ The case that README.md shows is run, and its rows are played at half speed: the
 force over time with slip shaded. Who wants no motion sees the whole loop. FILE is docs/images/shaft.svg, which a test holds against
 the program's rows.
 """
-import csv
 import itertools
 import math
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
+
+from drawing import Axes, number, path, rows_of
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 WIDTH, HEIGHT = 840, 436
 SECONDS, REST = 10.0, 1.5  # for all rows, and for looking at the last one
 RADIUS, LENGTH, MILLIMETRE = 12, 40, 4.4  # of shaft and sleeve, as in the case; on the paper
-BLUE, DARK, RED, SHADE = "#1f77b4", "#16324f", "#c0392b", "#dcdcdc"
+BLUE, DARK, RED, SHADE, INK = "#1f77b4", "#16324f", "#c0392b", "#dcdcdc", "#444"
 
 
-def rows_of(program):
-    """The rows that README's case gives, each a map of its columns."""
+def rows_of_readme(program):
+    """The rows that README's case gives."""
     case = re.search(r"^```yaml case (\S+)\n(.*?)^```", (ROOT / "README.md").read_text(), re.MULTILINE | re.DOTALL)
     assert f"R: {RADIUS}, L: {LENGTH}" in case[2], "README's case has another shaft than the picture"
     with tempfile.TemporaryDirectory() as folder:
-        (pathlib.Path(folder) / case[1]).write_text(case[2])
-        subprocess.run([pathlib.Path(program).resolve(), "run", case[1]], cwd=folder, check=True, capture_output=True)
-        with (pathlib.Path(folder) / case[1]).with_suffix(".csv").open() as lines:
-            return [{name: float(value) for name, value in row.items()} for row in csv.DictReader(line for line in lines if not line.startswith("#"))]
-
-
-def number(value):
-    """A length on the paper as a text."""
-    return f"{round(value, 1) + 0.0:g}"
-
-
-def path(points):
-    return "M" + "L".join(f"{number(x)} {number(y)}" for x, y in points)
+        file = pathlib.Path(folder) / case[1]
+        file.write_text(case[2])
+        return rows_of(program, file)
 
 
 class Player:
@@ -55,18 +45,6 @@ class Player:
         keys = "".join(f"{100 * time / self.end * SECONDS / (SECONDS + REST):.2f}%{{{text}}}" for time, text in told)
         timing = "step-end" if steps else "linear"
         self.rules.append(f"@keyframes {name}{{{keys}100%{{{told[-1][1]}}}}}#{name}{{animation:{name} {SECONDS + REST}s {timing} infinite}}")
-
-
-def axes(left, top, width, height, x, y, names):
-    """A frame with its ticks (place, value) and the names of both axes."""
-    parts = [f'<path d="M{left} {top}v{height}h{width}" fill="none" stroke="#444"/>']
-    for at, value in x:
-        parts.append(f'<path d="M{number(at)} {top + height}v4" stroke="#444"/><text x="{number(at)}" y="{top + height + 17}" text-anchor="middle">{value}</text>')
-    for at, value in y:
-        parts.append(f'<path d="M{left} {number(at)}h-4" stroke="#444"/><text x="{left - 7}" y="{number(at + 4)}" text-anchor="end">{value}</text>')
-    parts.append(f'<text x="{left + width / 2:g}" y="{top + height + 35}" text-anchor="middle">{names[0]}</text>')
-    parts.append(f'<text transform="translate({left - 36} {top + height / 2:g}) rotate(-90)" text-anchor="middle">{names[1]}</text>')
-    return parts
 
 
 def joint(player, rows):
@@ -107,19 +85,15 @@ def limit_of(rows):
 
 def loop(player, rows, frames):
     """The friction force over the travel, traced step by step."""
-    left, top, width, height = 450, 24, 366, 190
     limit = limit_of(rows)
+    axes = Axes(450, 24, 366, 190, (-6, 6), (-1.15 * limit, 1.15 * limit))
+    parts = axes.frame((-5, 0, 5), (-50, 0, 50), ("travel of the shaft CP1 [mm]", "friction CSF1 [N]"), INK)
+    for force in (limit, -limit):
+        parts.append(f'<path d="{path([axes.at(-6, force), axes.at(6, force)])}" stroke="{RED}" stroke-dasharray="5 5"/>')
+    parts.append(f'<text x="{axes.across(6):g}" y="{number(axes.down(limit) - 5)}" text-anchor="end" fill="{RED}">limit {limit:g} N</text>')
 
     def place(row):
-        return left + width * (row["CP1"] + 6) / 12, top + height * (1 - (row["CSF1"] / limit + 1.15) / 2.3)
-
-    def level(force):
-        return top + height * (1 - (force / limit + 1.15) / 2.3)
-    parts = axes(left, top, width, height, [(left + width * (v + 6) / 12, v) for v in (-5, 0, 5)], [(level(v), v) for v in (-50, 0, 50)],
-                 ("travel of the shaft CP1 [mm]", "friction CSF1 [N]"))
-    for sign in (1, -1):
-        parts.append(f'<path d="M{left} {number(level(sign * limit))}h{width}" stroke="{RED}" stroke-dasharray="5 5"/>')
-    parts.append(f'<text x="{left + width}" y="{number(level(limit) - 5)}" text-anchor="end" fill="{RED}">limit {limit:g} N</text>')
+        return axes.at(row["CP1"], row["CSF1"])
     shown = {row["t"] for row in frames}
     for k, (colour, begin, end) in enumerate(((BLUE, 1, 3), (DARK, 3, 5))):
         step = [row for row in rows if begin - 1e-9 <= row["t"] <= end + 1e-9]
@@ -130,7 +104,7 @@ def loop(player, rows, frames):
         parts.append(f'<path id="trace{k}" d="{path(points)}" fill="none" stroke="{colour}" stroke-width="2" stroke-dasharray="{whole}"/>')
         player.play(f"trace{k}", [(0.0, f"stroke-dashoffset:{whole}"),
                                   *((row["t"], f"stroke-dashoffset:{number(whole - done)}") for row, done in zip(step, way) if row["t"] in shown)])
-        parts.append(f'<text x="{left + 0.72 * width:g}" y="{number(level(50 if k == 0 else 15))}" text-anchor="middle" fill="{colour}">{("stroke", "stroke and turn")[k]}</text>')
+        parts.append(f'<text x="{number(axes.across(2.6))}" y="{number(axes.down(50 if k == 0 else 15))}" text-anchor="middle" fill="{colour}">{("stroke", "stroke and turn")[k]}</text>')
     x, y = place(rows[-1])
     parts.append(f'<circle id="here" r="4.5" fill="{RED}" style="transform:translate({number(x)}px,{number(y)}px)"/>')
     player.play("here", [(row["t"], "transform:translate({}px,{}px)".format(*map(number, place(row)))) for row in frames])
@@ -139,34 +113,26 @@ def loop(player, rows, frames):
 
 def history(player, rows):
     """The friction force over time, slip shaded."""
-    left, top, width, height = 62, 292, 754, 96
     end, limit = rows[-1]["t"], limit_of(rows)
-
-    def across(time):
-        return left + width * time / end
-
-    def level(force):
-        return top + height * (1 - (force / limit + 1.2) / 2.4)
+    axes = Axes(62, 292, 754, 96, (0, end), (-1.2 * limit, 1.2 * limit))
     parts = []
     for slips, run in itertools.groupby(itertools.pairwise(rows), lambda pair: pair[1]["STATUS"] == 2):
         run = list(run)
         if slips:
-            begin, stop = across(run[0][0]["t"]), across(run[-1][1]["t"])
-            parts.append(f'<rect x="{number(begin)}" y="{top}" width="{number(stop - begin)}" height="{height}" fill="{SHADE}"/>')
-    parts += axes(left, top, width, height, [(across(v), v) for v in range(int(end) + 1)], [(level(v), v) for v in (-50, 0, 50)],
-                  ("time t [s]", "CSF1 [N]"))
+            begin, stop = axes.across(run[0][0]["t"]), axes.across(run[-1][1]["t"])
+            parts.append(f'<rect x="{number(begin)}" y="{axes.top}" width="{number(stop - begin)}" height="{axes.height}" fill="{SHADE}"/>')
+    parts += axes.frame(range(int(end) + 1), (-50, 0, 50), ("time t [s]", "CSF1 [N]"), INK)
     for sign in (1, -1):
-        parts.append(f'<path d="{path((across(row["t"]), level(sign * row["FLIM"])) for row in (rows[0], *(row for row in rows if row["FLIM"] == limit)))}" '
-                     f'fill="none" stroke="{RED}" stroke-dasharray="5 5"/>')
-    parts.append(f'<path d="{path((across(row["t"]), level(row["CSF1"])) for row in rows)}" fill="none" stroke="{BLUE}" stroke-width="2"/>')
-    parts.append(f'<path id="now" d="M{left} {top}v{height}" stroke="#111" style="transform:translateX({width}px)"/>')
-    player.play("now", [(row["t"], f"transform:translateX({number(across(row['t']) - left)}px)") for row in (rows[0], rows[-1])])
+        parts.append(f'<path d="{axes.curve((row["t"], sign * row["FLIM"]) for row in rows)}" fill="none" stroke="{RED}" stroke-dasharray="5 5"/>')
+    parts.append(f'<path d="{axes.curve((row["t"], row["CSF1"]) for row in rows)}" fill="none" stroke="{BLUE}" stroke-width="2"/>')
+    parts.append(f'<path id="now" d="M{axes.left} {axes.top}v{axes.height}" stroke="#111" style="transform:translateX({axes.width}px)"/>')
+    player.play("now", [(row["t"], f"transform:translateX({number(axes.across(row['t']) - axes.left)}px)") for row in (rows[0], rows[-1])])
     return parts
 
 
 def draw(program):
     """The picture as a text."""
-    rows = rows_of(program)
+    rows = rows_of_readme(program)
     # Every fourth row will do between the changes of stick and slip; the curves are of all.
     frames = [row for n, row in enumerate(rows) if n % 4 == 0 or n + 1 == len(rows) or not rows[n - 1]["STATUS"] == row["STATUS"] == rows[n + 1]["STATUS"]]
     player = Player(rows[-1]["t"])

@@ -109,7 +109,7 @@ def main():
             failures.append("docs/images/shaft.svg is not what docs/site/moving.py draws: run it")
         if re.search(r"https?://(?!www\.w3\.org/2000/svg\")", kept):
             failures.append("docs/images/shaft.svg names a place elsewhere")
-        rows = moving.rows_of(options.slipbench)
+        rows = moving.rows_of_readme(options.slipbench)
         changes = sum((before["STATUS"] == 2) != (after["STATUS"] == 2) for before, after in zip(rows, rows[1:]))
         colours = re.findall(r"fill:(#\w+)", re.search(r"@keyframes rubs\{(.*?\})\}", kept)[1])
         if sum(before != after for before, after in zip(colours, colours[1:])) != changes or changes < 9:
