@@ -20,6 +20,7 @@ import tempfile
 import dossier
 import joints
 import moving
+import play
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DOCS, EXAMPLES = ROOT / "docs", ROOT / "cases/examples"
@@ -216,6 +217,15 @@ class Site:
                            else "\nFriction is written out, by `component` or `potential`.\n"))
         self.write("joints.md", "\n".join(text))
 
+    def play(self):
+        """The pictures of docs/site/play.md, and the positions of their sliders."""
+        text = (self.folder / "play.md").read_text()
+        figures, data = play.pictures((DOCS / "site/play.md").read_text(), self.program)
+        for name, figure in figures.items():
+            text = text.replace(f'<div id="play-{name}"></div>', figure)
+        self.write("assets/play_data.js", data)
+        self.write("play.md", text + '\n<script src="assets/play_data.js"></script>\n<script src="assets/play.js"></script>\n')
+
     def picture(self, job):
         """One picture, light or dark: (folder, words of the command, file)."""
         folder, words, file = job
@@ -282,6 +292,7 @@ def main(program, folder):
     site.pages()
     site.reference()
     site.joints()
+    site.play()
     dossier.write(site)
     site.files()
 

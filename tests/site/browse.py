@@ -1,17 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The documentation site in headless Chromium, opened as files: what it fetches and complains of, its search, and whether it can be read by all.
+"""The documentation site in headless Chromium, opened as files: what it fetches and complains of, its search, whether it can be read by all, and
+whether the sliders of its page to play with show what the program computes.
 
 Called by site_test.py; the needs are those of tests/browser.
 """
+import csv
 import json
+import math
+import re
+import subprocess
 import sys
 import pathlib
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "browser"))
-from browser_page import By, browser, screen  # noqa: E402
+from browser_page import ActionChains, By, browser, screen  # noqa: E402
 
-PAGES = ["index.html", "joints.html", "gallery.html", "compare.html", "tutorials/index.html", "tutorials/hinge.html", "guide/friction.html",
+PAGES = ["index.html", "joints.html", "play.html", "gallery.html", "compare.html", "tutorials/index.html", "tutorials/hinge.html", "guide/friction.html",
          "reference/connections.html", "reference/columns.html", "theory/model.html", "notebooks/capstan.html",
          "case-reference.html", "dossier.html", "dossier/closed-forms.html", "dossier/evidence/hinge.html"]
 
@@ -64,7 +69,58 @@ def found(driver, site, words):
     return [link.get_attribute("href") for link in links]
 
 
-def look(site, folder, expect):
+def dissipated(rows):
+    return rows[-1]["DISS"] - next(row["DISS"] for row in rows if row["t"] > 2 - 1e-9)
+
+
+def swing(rows):
+    way = [1000 * row["CU1"] for row in rows if row["t"] > 1.5 - 1e-9]
+    return max(way) - min(way)
+
+
+def off(rows, exact):
+    there = {round(row["t"], 6): (row["CSF2"], row["CSF3"]) for row in exact}
+    return max(math.dist((row["CSF2"], row["CSF3"]), there[t]) for row in rows for t in [round(row["t"], 6)] if t >= 1 and t in there)
+
+
+# The first number that each picture tells, of the rows of a run; of the second case where there are two.
+TOLD = {"stroke": dissipated, "direction": lambda rows: rows[-1]["CSF2"], "wrap": lambda rows: rows[-1]["f_bc"], "n": off, "belt": swing,
+        "alpha": lambda rows: max(abs(row["CSF2"] - row["CSF3"]) for row in rows if row["t"] > 1 - 1e-9)}
+
+
+def play(driver, site, page, program, folder, expect):
+    """Drags each slider of the page to play with, and holds what it tells then against a run of the program made now."""
+    cases = dict(re.findall(r"^ *```yaml case (\w+)\.yaml\n(.*?)^ *```", page.read_text(), re.MULTILINE | re.DOTALL))
+
+    def run(name, number, more=""):
+        text = re.sub(r"^    ", "", cases[name], flags=re.MULTILINE) + more
+        (folder / f"{name}.yaml").write_text(text)
+        parameter = re.search(r"^parameters: {(\w+):", text, re.MULTILINE)[1]
+        done = subprocess.run([program, "run", f"{name}.yaml", "-o", "-", "--set", f"{parameter}={number}"], cwd=folder, capture_output=True, text=True, check=True)
+        return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(line for line in done.stdout.splitlines() if line[0] != "#")]
+
+    driver.get((site / "play.html").as_uri())
+    figures = driver.find_elements(By.CSS_SELECTOR, "figure.play")
+    expect({figure.get_attribute("data-play") for figure in figures} == set(TOLD), "play.html: other pictures than the test knows")
+    for figure in figures:
+        name, slider = figure.get_attribute("data-play"), figure.find_element(By.TAG_NAME, "input")
+        drawn = driver.execute_script("return arguments[0].querySelector('svg').innerHTML", figure)
+        for to in (0.3, -0.2):
+            driver.execute_script("arguments[0].scrollIntoView({block: 'center'})", slider)
+            hand = slider.size["width"] * (int(slider.get_attribute("value")) / int(slider.get_attribute("max")) - 0.5) * 0.96
+            ActionChains(driver).move_to_element_with_offset(slider, int(hand), 0).click_and_hold().move_to_element_with_offset(
+                slider, int(slider.size["width"] * to), 0).release().perform()
+            told = figure.find_element(By.TAG_NAME, "p").text
+            number = re.match(r"[\d.]+", figure.find_element(By.TAG_NAME, "output").text)[0]
+            sets = [run(name, number)] + ([run(name, 360, "integration: {method: exact}\n")] if name == "n" else [])
+            shown, wanted = re.search(r"\d+(\.(\d+))?", told), TOLD[name](*sets)
+            expect(abs(float(shown[0]) - wanted) <= 0.51 * 10.0 ** -len(shown[2] or ""), f"play.html: {name} at {number} tells '{told}', a run gives {wanted}")
+            now = driver.execute_script("return arguments[0].querySelector('svg').innerHTML", figure)
+            expect(now != drawn, f"play.html: {name} is drawn alike wherever its slider stands")
+            drawn = now
+
+
+def look(site, folder, page_to_play, program, expect):
     driver = browser(pathlib.Path(folder))
     for dark, width in ((False, 1280), (True, 1280), (False, 390)):
         screen(driver, width=width, dark=dark)
@@ -81,6 +137,7 @@ def look(site, folder, expect):
             for fault in driver.execute_script(SERIOUS):
                 expect(False, f"{what}: {fault}")
     screen(driver)
+    play(driver, site, page_to_play, program, pathlib.Path(folder), expect)
     for words, wanted in (("CONNECTOR FRICTION", "guide/decks.html"), ("hinge", "tutorials/hinge.html"), ("capstan", "capstan")):
         hits = found(driver, site, words)
         expect(any(wanted in hit for hit in hits[:8]), f"the search for '{words}' finds {hits[:8]}")
