@@ -19,10 +19,10 @@ fail() {
   exit "${2:-1}"
 }
 
-# configure PRESET: quiet unless it fails.
+# configure PRESET [OPTION..]: quiet unless it fails.
 configure() {
   local output
-  output=$(cmake --preset "$1" 2>&1) ||
+  output=$(cmake --preset "$@" 2>&1) ||
     { printf '%s\n' "$output" >&2; fail "configuring preset '$1' failed, see above"; }
 }
 

@@ -9,7 +9,7 @@
 #   fuzz        every target of scripts/fuzz.sh, SLIPBENCH_FUZZ_SECONDS (600) each                   2 h
 #   large       inputs of up to a megabyte, made of what is repeated: 2 s and 256 MB each             3 min
 #   torture     scripts/torture.sh                                                                   3 min
-#   packages    scripts/package.sh, and its packages in a minimal Debian (as root)                    10 min
+#   packages    scripts/package.sh, and its packages in a minimal Debian and an empty root (as root)  10 min
 #   mutate      scripts/mutate.sh: which changes of the code no test sees
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
@@ -78,7 +78,7 @@ large() {
 }
 
 torture() { scripts/torture.sh; }
-packages() { scripts/package.sh && tests/packages/minimal_debian.sh; }
+packages() { scripts/package.sh && tests/packages/minimal_debian.sh && tests/packages/bare_root.sh; }
 mutate() { scripts/mutate.sh; }
 
 parts=(sanitizers threads memory difference fuzz large torture packages mutate)

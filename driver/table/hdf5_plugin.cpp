@@ -16,6 +16,11 @@ constexpr const char* kFile = "slipbench-hdf5.so";
 using Entry = const Hdf5Plugin* (*)();
 
 tl::expected<const Hdf5Plugin*, std::string> load() {
+  // The program itself can be opened, unless it is linked to load nothing (slipbench_static).
+  if (dlopen(nullptr, RTLD_NOW) == nullptr) {
+    return tl::unexpected(
+        fmt::format("HDF5 cannot be used: {}; csv and npy need nothing", dlerror()));
+  }
   const auto place = base::plugin_path(kFile);
   if (!place) {
     return tl::unexpected(fmt::format(

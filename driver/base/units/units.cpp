@@ -10,10 +10,12 @@
 #include <cstdlib>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "driver/base/files/data_path.hpp"
 #include "driver/base/text/diagnostic.hpp"
 #include "driver/base/units/unit_dimension.hpp"
 
@@ -35,12 +37,21 @@ std::mutex& database_mutex() {
   return mutex;
 }
 
+/// Reads the unit data base: the one that comes with the program, if one does, else that of the
+/// library. The library's variable goes before both.
+ut_system* read_database() {
+  const auto shipped = std::getenv("UDUNITS2_XML_PATH") == nullptr
+                           ? shipped_path("units/udunits2.xml")
+                           : std::nullopt;
+  return ut_read_xml(shipped ? shipped->c_str() : nullptr);
+}
+
 /// The unit data base, or null when it cannot be read. Loading takes some milliseconds. It lives
 /// as long as the process.
 ut_system* database() {
   static ut_system* const system = [] {
     ut_set_error_message_handler(ut_ignore);
-    ut_system* loaded = ut_read_xml(nullptr);
+    ut_system* loaded = read_database();
     if (loaded == nullptr) return loaded;
     // UDUNITS-2 knows the degree of angle as "degree" and "°" only.
     const Unit degree(ut_parse(loaded, "degree", UT_UTF8));
