@@ -13,8 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kRooms{".ci", "bench", "c",      "cases",     "cmake",   "docs", "driver",
-                            "law", "plots", "python", "reference", "scripts", "tests"};
+constexpr std::array kRooms{".ci",   ".github", "bench",     "c",       "cases",
+                            "cmake", "docs",    "driver",    "law",     "packaging",
+                            "plots", "python",  "reference", "scripts", "tests"};
 constexpr std::array kRootFiles{".clang-format",   ".clang-tidy",  ".gitignore",
                                 "CHANGELOG.md",    "CITATION.cff", "CMakeLists.txt",
                                 "LICENSE",         "NOTICE",       "CMakePresets.json",
