@@ -123,13 +123,15 @@ class Site:
 
     def pictures(self):
         """Those of the tutorials, and anew those that the guide keeps for who reads it without a site."""
-        for name, picture in self.drawn_by("tutorials").items():
-            (self.folder / "tutorials" / name).parent.mkdir(exist_ok=True)
-            (self.folder / "tutorials" / name).write_bytes(picture)
         (self.folder / "images").mkdir()
         pad = self.folder / "images/pad_on_a_belt.svg"
-        subprocess.run([sys.executable, "-B", ROOT / "tests/fmu/squeal.py", self.program, pad], check=True, capture_output=True)
-        anew = {**self.drawn_by("guide"), "shock_absorber.svg": (self.folder / "gallery/shock_absorber.svg").read_bytes(), pad.name: pad.read_bytes(),
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            tutorials, guide = pool.submit(self.drawn_by, "tutorials"), pool.submit(self.drawn_by, "guide")
+            subprocess.run([sys.executable, "-B", ROOT / "tests/fmu/squeal.py", self.program, pad], check=True, capture_output=True)
+        for name, picture in tutorials.result().items():
+            (self.folder / "tutorials" / name).parent.mkdir(exist_ok=True)
+            (self.folder / "tutorials" / name).write_bytes(picture)
+        anew = {**guide.result(), "shock_absorber.svg": (self.folder / "gallery/shock_absorber.svg").read_bytes(), pad.name: pad.read_bytes(),
                 "shaft.svg": moving.draw(self.program).encode()}
         for kept in (DOCS / "images").iterdir():
             (self.folder / "images" / kept.name).write_bytes(anew[kept.name])
