@@ -12,7 +12,7 @@ tarballs=(build/packages/slipbench-*-linux-*.tar.gz)
 root=$(mktemp -d)
 trap 'rm -rf --one-file-system "$root"' EXIT
 tar -xzf "${tarballs[0]}" -C "$root" --strip-components=1
-mkdir "$root/proc" "$root/work" "$root/tmp"
+mkdir "$root/proc" "$root/data" "$root/built"
 
 # inside ARGUMENT..: the program, with nothing but a file system of processes, as every Linux has it.
 inside() {
@@ -29,20 +29,20 @@ says() {
 say "$(inside --version)"
 says ' 0 failed' check /share/slipbench/cases/examples /share/slipbench/cases/verification
 for name in shock_absorber belt hinge_wear stick_slip_belt; do
-  inside run "/share/slipbench/cases/examples/$name.yaml" -o /work >/dev/null
-  build/release/slipbench run "cases/examples/$name.yaml" -o "$root/tmp" >/dev/null
-  cmp "$root/work/$name.csv" "$root/tmp/$name.csv" || fail "$name: other rows than the program of build/release writes"
+  inside run "/share/slipbench/cases/examples/$name.yaml" -o /data >/dev/null
+  build/release/slipbench run "cases/examples/$name.yaml" -o "$root/built" >/dev/null
+  cmp "$root/data/$name.csv" "$root/built/$name.csv" || fail "$name: other rows than the program of build/release writes"
 done
-inside new HINGE -o /work/first.yaml >/dev/null
-sed -i 's/R_p: 5 /R_p: 25.4 /; s/predefined: {R_p: = R_p/predefined: {R_p: 1 in/' "$root/work/first.yaml"
-grep -q '1 in' "$root/work/first.yaml" || fail 'the case of a HINGE has no R_p'
-says PASS run /work/first.yaml -o /work
-inside report /work/first.yaml -o /work/first.html >/dev/null
-grep -q '</html>' "$root/work/first.html" || fail 'the report is not whole'
-inside export /work/first.yaml --to fmu -o /work/first.fmu >/dev/null
-[ -s "$root/work/first.fmu" ] || fail 'no functional mock-up unit is written'
-says 'linked without libraries' run /work/first.yaml -o /work --format h5
-says gnuplot plot /work/first.yaml -o /work/first.svg
+inside new HINGE -o /data/first.yaml >/dev/null
+sed -i 's/R_p: 5 /R_p: 25.4 /; s/predefined: {R_p: = R_p/predefined: {R_p: 1 in/' "$root/data/first.yaml"
+grep -q '1 in' "$root/data/first.yaml" || fail 'the case of a HINGE has no R_p'
+says PASS run /data/first.yaml -o /data
+inside report /data/first.yaml -o /data/first.html >/dev/null
+grep -q '</html>' "$root/data/first.html" || fail 'the report is not whole'
+inside export /data/first.yaml --to fmu -o /data/first.fmu >/dev/null
+[ -s "$root/data/first.fmu" ] || fail 'no functional mock-up unit is written'
+says 'linked without libraries' run /data/first.yaml -o /data --format h5
+says gnuplot plot /data/first.yaml -o /data/first.svg
 for name in gsl yaml-cpp udunits2 muparser expat1 minizip md fmt cli11 eigen3 c6; do
   [ -s "$root/share/doc/slipbench/licences/lib$name-dev" ] || fail "no licence of lib$name-dev"
 done
