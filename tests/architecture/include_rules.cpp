@@ -31,6 +31,9 @@ const std::vector<Room>& rooms() {
       {std::regex("c/.*"), std::regex("(c|law|driver)/.*"), "c/, law/ and driver/"},
       {std::regex("python/.*"), std::regex("(python|c|law|reference|driver|pybind11)/.*"),
        "python/, c/, law/, reference/, driver/ and pybind11"},
+      {std::regex("live/.*"),
+       std::regex("(live|law|reference|driver|fmt|tl)/.*|udunits2\\.h|units_table\\.inc"),
+       "live/, law/, reference/, driver/, fmt, tl::expected and UDUNITS-2's header"},
       {std::regex("tests/law/.*"),
        std::regex("(law|reference|Eigen|catch2|tests/law|tests/support)/.*"),
        "law/, reference/, tests/law/, tests/support/, Eigen and Catch2"},
@@ -57,8 +60,8 @@ const std::vector<ThirdParty>& third_parties() {
       {std::regex("mpi\\.h"), std::regex("driver/mpi/.*"), "driver/mpi/"},
       {std::regex("muParser.*\\.h"), std::regex("driver/.*expression[^/]*\\.cpp"),
        "an expression .cpp of driver/"},
-      {std::regex("udunits2\\.h"), std::regex("driver/.*units[^/]*\\.cpp"),
-       "a units .cpp of driver/"},
+      {std::regex("udunits2\\.h"), std::regex("driver/.*units[^/]*\\.cpp|(tests/)?live/units/.*"),
+       "a units .cpp of driver/, live/units/"},
       {std::regex("gsl/.*"), std::regex("driver/.*\\.cpp"), "a .cpp of driver/"},
       {std::regex("minizip/.*"), std::regex("driver/export/fmu/fmu_archive\\.cpp"),
        "driver/export/fmu/fmu_archive.cpp"},
@@ -75,7 +78,7 @@ bool is_standard(const Include& include) {
 }
 
 bool is_project(const std::string& name) {
-  static const std::regex kProject("(law|reference|driver|c|python|tests|bench)/.*");
+  static const std::regex kProject("(law|reference|driver|c|live|python|tests|bench)/.*");
   return std::regex_match(name, kProject);
 }
 
