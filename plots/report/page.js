@@ -525,10 +525,19 @@ class Picture {
       const swatch = makeSvg("svg", {viewBox: "0 0 30 10", "aria-hidden": "true"});
       line.swatch = makeSvg("line", {x1: 0, x2: 30, y1: 5, y2: 5, stroke: colourOf(line), "stroke-width": 2.4, "stroke-dasharray": (line.dash || []).join(" ")});
       swatch.append(line.swatch);
-      const button = make("button", {type: "button", "aria-pressed": "true", title: "Show or hide", onclick: () => this.toggle(i, button)}, swatch, quoted(line.label), value);
+      const button = make("button", {type: "button", "aria-pressed": String(!line.off), title: "Show or hide", onclick: () => this.toggle(i, button)}, swatch, quoted(line.label), value);
       this.legend.append(make("li", {}, button));
       return value;
     });
+  }
+
+  /** Other numbers in the same picture; what was hidden stays so. */
+  renew(panel) {
+    const off = new Set(this.panel.lines.filter((line) => line.off).map((line) => line.label));
+    this.panel = panel;
+    for (const line of panel.lines) line.off = off.has(line.label);
+    this.buildLegend();
+    this.rescale();
   }
 
   toggle(at, button) {
@@ -817,18 +826,23 @@ function markEvent(now) {
 function show(one) {
   for (const picture of [...pictures]) picture.destroy();
   view = new View(one);
+  layOut(one, pictureSection(), drawPictures);
+}
+
+/** Fills the page with a case; `draw` draws into its pictures' section. */
+function layOut(one, section, draw) {
   instantParts = null;
   const main = find("case");
   main.replaceChildren(header(one));
   if ((one.rows || []).length > 0) {
-    main.append(instantBar(one), pictureSection());
-    drawPictures();
+    main.append(instantBar(one), section);
+    draw();
   }
   if ((one.checks || []).length > 0) {
     // A reviewer of a failing case comes for the check: it stands above the pictures.
-    const section = checkSection(one);
-    if (failingChecks(one).length > 0 && main.querySelector(".instant")) main.querySelector(".instant").after(section);
-    else main.append(section);
+    const checks = checkSection(one);
+    if (failingChecks(one).length > 0 && main.querySelector(".instant")) main.querySelector(".instant").after(checks);
+    else main.append(checks);
     openChecks();
   }
   if ((one.rows || []).length > 0) {
@@ -950,9 +964,8 @@ function pictureSection() {
       addHistory());
 }
 
-function drawPictures() {
-  const box = find("pictures");
-  for (const picture of pictures.filter((other) => box.contains(other.element))) picture.destroy();
+/** The panels of what is shown: those of the case, with other runs laid over them. */
+function panelsNow() {
   const {one, definition} = view;
   const mine = allPanels(one, definition, view.added);
   const others = view.others.map((other) => ({name: other.name, panels: allPanels(other, sameDefinition(other, definition), view.added)}));
@@ -964,7 +977,15 @@ function drawPictures() {
   const limits = times.length > 0 ? [Math.min(...times.map((time) => time.low)), Math.max(...times.map((time) => time.high))] : undefined;
   shown.forEach((panel, i) => Object.assign(panel, {xLimits: limits && limits[0] < limits[1] ? limits : undefined, spans: definition ? definition.spans : null, last: i === shown.length - 1, windowed: true}));
   if (shown.length > 0 && !shown[0].last) shown[0].last = shown.length < 2;
-  const made = panels.map((panel) => new Picture({...panel, linked: true}, panel.kind === "loop" ? "loop" : panel.last ? "history last" : "history"));
+  return panels.map((panel) => ({...panel, linked: true}));
+}
+
+const picturesShown = () => pictures.filter((other) => find("pictures").contains(other.element));
+
+function drawPictures() {
+  const box = find("pictures");
+  for (const picture of picturesShown()) picture.destroy();
+  const made = panelsNow().map((panel) => new Picture(panel, panel.kind === "loop" ? "loop" : panel.last ? "history last" : "history"));
   const left = make("div", {class: "column"}, made.filter((picture) => picture.panel.kind === "loop").map((picture) => picture.element));
   const right = make("div", {class: "column"}, made.filter((picture) => picture.panel.kind === "history").map((picture) => picture.element));
   box.replaceChildren(...[left, right].filter((column) => column.children.length > 0));
@@ -972,6 +993,17 @@ function drawPictures() {
   left.classList.toggle("stays", left.children.length === 1);
   pictures.push(...made);
   for (const picture of made) picture.draw();
+  showShades();
+  tellShown();
+}
+
+/** Draws other numbers of the same case into the pictures that are there, if they are the same ones. */
+function redrawPictures() {
+  const panels = panelsNow();
+  const shown = picturesShown();
+  const title = ({key, kind, title: words, unit, xName, xUnit, yName}) => [key, kind, words, unit, xName, xUnit, yName].join();
+  if (shown.length !== panels.length || shown.some((picture, i) => title(picture.panel) !== title(panels[i]))) return drawPictures();
+  shown.forEach((picture, i) => picture.renew(panels[i]));
   showShades();
   tellShown();
 }
