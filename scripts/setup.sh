@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# setup.sh [docs|tests|farm|mutation|package]: installs the Debian packages of scripts/packages.txt that are missing, with `docs`
+# setup.sh [docs|tests|farm|mutation|package|wasm]: installs the Debian packages of scripts/packages.txt that are missing, with `docs`
 # those of scripts/packages-docs.txt too, with `tests` those of scripts/packages-test.txt besides (a browser among them), with `farm`
-# those of scripts/packages-farm.txt as well (MPI, Slurm, Dask), with `mutation` or `package` those of scripts/packages-mutation.txt or
-# scripts/packages-package.txt; with all there it touches nothing.
+# those of scripts/packages-farm.txt as well (MPI, Slurm, Dask), with `mutation`, `package` or `wasm` those of scripts/packages-mutation.txt,
+# scripts/packages-package.txt or scripts/packages-wasm.txt; with all there it touches nothing.
 # Exit: 0 all there, 1 the installation failed, 2 a wrong argument, 4 no apt-get here (says what is needed), 5 not root and no sudo.
 # SLIPBENCH_SETUP=skip leaves the machine as it is, for systems where the needs are met in another way.
 set -euo pipefail
@@ -18,7 +18,8 @@ case "$#:${1:-}" in
   1:farm) lists+=(scripts/packages-docs.txt scripts/packages-test.txt scripts/packages-farm.txt) ;;
   1:mutation) lists+=(scripts/packages-mutation.txt) ;;
   1:package) lists+=(scripts/packages-package.txt) ;;
-  *) fail "wanted nothing, 'docs', 'tests', 'farm', 'mutation' or 'package', found '$*'" 2 ;;
+  1:wasm) lists+=(scripts/packages-wasm.txt) ;;
+  *) fail "wanted nothing, 'docs', 'tests', 'farm', 'mutation', 'package' or 'wasm', found '$*'" 2 ;;
 esac
 
 [ "${SLIPBENCH_SETUP:-}" != skip ] || exit 0
