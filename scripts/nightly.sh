@@ -10,6 +10,7 @@
 #   large       inputs of up to a megabyte, made of what is repeated: 2 s and 256 MB each             3 min
 #   torture     scripts/torture.sh                                                                   3 min
 #   packages    scripts/package.sh, and its packages in a minimal Debian and an empty root (as root)  10 min
+#   live        scripts/wasm.sh: the bench in a page; its rows beside the program's, and the page in a browser          a build
 #   mutate      scripts/mutate.sh: which changes of the code no test sees
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
@@ -79,9 +80,17 @@ large() {
 
 torture() { scripts/torture.sh; }
 packages() { scripts/package.sh && tests/packages/minimal_debian.sh && tests/packages/bare_root.sh; }
+live() {
+  scripts/wasm.sh
+  scripts/setup.sh tests
+  configure release
+  build release --target slipbench
+  node tests/live/same_rows.cjs build/wasm/core.js build/release/slipbench cases/examples/*.yaml cases/verification/*.yaml
+  /usr/bin/python3 tests/live/live_test.py build/release/slipbench
+}
 mutate() { scripts/mutate.sh; }
 
-parts=(sanitizers threads memory difference fuzz large torture packages mutate)
+parts=(sanitizers threads memory difference fuzz large torture packages live mutate)
 for part in "$@"; do
   printf '%s\n' "${parts[@]}" | grep -qxF -- "$part" || fail "wanted some of ${parts[*]}; found '$part'" 2
 done

@@ -21,6 +21,9 @@ void declare_report(CLI::App& app, Command& command) {
       ->required();
   declared->add_option("--title", options->title, "Title of the page")->type_name("TEXT");
   declare_settings(*declared, options->settings, options->allow_outside);
+  declared->add_flag("--live", options->live,
+                     "Cases can be changed and run in the page, offline: an editor, a slider for "
+                     "each parameter (built by scripts/wasm.sh)");
   declare_force(*declared, options->force, "no such page");
   declared->footer(
       "One file that opens offline in any browser: verdicts, loops and histories, events, energy.\n"

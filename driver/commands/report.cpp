@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <span>
 #include <system_error>
@@ -116,6 +117,12 @@ int report_command(const ReportOptions& options) {
                      "no case (*.yaml, *.yml) found; there is nothing to report");
     return faults.empty() ? base::kExitBadInput : base::kExitEnvironment;
   }
+  std::optional<report::LiveBench> bench;
+  if (options.live) {
+    auto found = report::read_live_bench();
+    if (!found) return terminal::refuse(base::kExitEnvironment, "--live: " + found.error());
+    bench.emplace(std::move(*found));
+  }
   // Before the work: a page that cannot be written is known at once.
   const std::vector<std::string> inputs = known_inputs(sources);
   const base::Overwriting overwriting{inputs, options.force};
@@ -147,6 +154,7 @@ int report_command(const ReportOptions& options) {
   report::ReportCollection collection(sources.size());
   std::vector<int> codes(sources.size(), base::kExitOk);
   std::vector<std::string> messages(sources.size());
+  std::vector<std::vector<std::string>> data_files(sources.size());
   {
     terminal::SharedProgress progress("cases", sources.size());
     base::for_each_index(sources.size(), threads, [&](std::size_t place) {
@@ -162,6 +170,7 @@ int report_command(const ReportOptions& options) {
       }
       if (!ahead) read(place);
       const suite::Reading reading = std::exchange(readings[place], suite::Reading{});
+      if (bench && reading.read) data_files[place] = reading.read->data_files;
       suite::CheckCaseOptions check_options;
       check_options.stopped = [&](std::size_t rows) {
         progress.tick(rows);
@@ -183,7 +192,11 @@ int report_command(const ReportOptions& options) {
   }
 
   const std::string title = options.title.empty() ? title_of(options.inputs) : options.title;
-  const auto size = report::write_report(options.output, collection, title, overwriting);
+  for (std::size_t place = 0; bench && place < sources.size(); ++place) {
+    bench->files.push_back(report::file_texts(sources[place].candidate.path, data_files[place]));
+  }
+  const auto size = report::write_report(options.output, collection, title, overwriting,
+                                         bench ? &*bench : nullptr);
   if (!size) return terminal::refuse(base::kExitEnvironment, size.error());
   for (const std::string& message : messages) terminal::print_error(message);
   const report::ReportTotals totals = collection.totals();

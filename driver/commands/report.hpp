@@ -13,6 +13,7 @@ struct ReportOptions {
   std::string title;                ///< empty: the name of the only input
   std::vector<std::string> settings;
   bool allow_outside = false;
+  bool live = false;  ///< --live: the cases can be changed and run in the page
 };
 
 /// `slipbench report`: one self-contained HTML page about cases and results. The output does not

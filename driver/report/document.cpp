@@ -380,7 +380,7 @@ void write_case(JsonText& json, const CaseReport& one, const std::string& shown,
   json.begin_object();
   for (const auto& [name, number] : one.parameters) json.member(name, number);
   json.end_object();
-  if (!one.run.facts.empty()) write_run(json, one.run);
+  if (!one.run.facts.empty() || !one.run.text.empty()) write_run(json, one.run);
   json.member_texts("summary", one.summary);
   json.member_texts("warnings", one.warnings);
   json.member("increments", one.increments);

@@ -80,10 +80,15 @@ std::string fill(std::string_view layout, std::span<const Part> parts) {
 
 }  // namespace
 
-std::string report_page(std::string_view json_document, std::string_view title) {
+std::string report_page(std::string_view json_document, std::string_view title,
+                        const LiveBench* bench) {
   const std::string document = escape_json(json_document);
   const std::string heading = escape_html(title);
-  const std::array<Part, 8> parts{{
+  const std::string live =
+      bench == nullptr ? ""
+                       : bench->page_part + "<script type=\"application/json\" id=\"live-files\">" +
+                             escape_json(base::json::Value(bench->files).dump()) + "</script>";
+  const std::array<Part, 12> parts{{
       {"title", heading},
       {"style", page_part::style_css()},
       {"document", document},
@@ -92,6 +97,10 @@ std::string report_page(std::string_view json_document, std::string_view title) 
       {"curves", page_part::curves_js()},
       {"picture_tools", page_part::picture_tools_js()},
       {"script", page_part::page_js()},
+      {"policy", bench == nullptr ? "" : " 'wasm-unsafe-eval'"},
+      {"bench", live},
+      {"live", bench == nullptr ? "" : page_part::live_js()},
+      {"live_style", bench == nullptr ? "" : page_part::live_css()},
   }};
   return fill(page_part::page_html(), parts);
 }

@@ -5,13 +5,16 @@
 #include <string_view>
 
 #include "driver/base/files/file_mark.hpp"
+#include "driver/report/live_bench.hpp"
 
 namespace slipbench::driver::report {
 
 /// A page that needs nothing else: the report's layout, style and program, the chart library with
 /// its licence, and the document it shows. `json_document` is JSON text, `title` plain text; what
 /// either contains stays text, whatever it looks like.
-std::string report_page(std::string_view json_document, std::string_view title);
+/// \param bench runs the cases in the page; null for a page to look at
+std::string report_page(std::string_view json_document, std::string_view title,
+                        const LiveBench* bench = nullptr);
 
 /// The same of a fit: its layout and program, and the document of fit_document.
 /// \param source the name of the fit file

@@ -16,6 +16,8 @@ std::string_view curves_js();         ///< of a report: its rows and how they ar
 std::string_view picture_tools_js();  ///< zooming and saving
 std::string_view page_js();
 std::string_view fit_js();
+std::string_view live_js();   ///< the bench in the page, behind the report's program
+std::string_view live_css();  ///< and its style
 std::string_view chart_js();  ///< Chart.js, minified, with its licence
 
 }  // namespace slipbench::driver::report::page_part

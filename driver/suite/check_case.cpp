@@ -174,8 +174,12 @@ void report_fault(const Candidate& candidate, const Reading& reading, const Case
                   const CheckCaseOptions& options) {
   if (!options.report || outcome.kind != CaseOutcome::Kind::kNotRun) return;
   const bool read = reading.read && reading.read->value;
-  options.report(report::not_run_report(candidate.label, read ? reading.read->value->title : "",
-                                        outcome.messages));
+  report::CaseReport report = report::not_run_report(
+      candidate.label, read ? reading.read->value->title : "", outcome.messages);
+  if (reading.read && !reading.read->sources.empty()) {
+    report.run.text = reading.read->sources.front().text();
+  }
+  options.report(std::move(report));
 }
 
 }  // namespace

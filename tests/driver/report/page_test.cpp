@@ -35,6 +35,21 @@ TEST_CASE("nothing in a page is fetched from elsewhere") {
   CHECK(count(page_part::page_html(), "<link") == 1);  // the empty icon
 }
 
+TEST_CASE(
+    "a page with the bench may run it, carries it along, and its cases' data files stay text") {
+  LiveBench bench{.page_part = "<script>bench</script>"};
+  bench.files.emplace_back(base::json::Object{{"rig.csv", "t</script>\n1\n"}});
+  const std::string page = report_page("{}", "x", &bench);
+  CHECK(page.find("script-src 'unsafe-inline' 'wasm-unsafe-eval'") != std::string::npos);
+  CHECK(count(page, bench.page_part) == 1);
+  CHECK(count(page, page_part::live_js()) == 1);
+  CHECK(count(page, page_part::live_css()) == 1);
+  CHECK(page.find(R"([{"rig.csv": "t\u003c/script>\n1\n"}])") != std::string::npos);
+  const std::string plain = report_page("{}", "x");
+  CHECK(plain.find("wasm") == std::string::npos);
+  CHECK(count(plain, page_part::live_js()) == 0);
+}
+
 TEST_CASE("a title and a document stay text, whatever they look like") {
   const std::string hostile = "</script></title><script>x()</script>{{script}} & \"";
   const std::string page = report_page("{\"title\":\"" + hostile + "\"}", hostile);

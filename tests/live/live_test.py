@@ -1,0 +1,166 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""live_test.py SLIPBENCH: a page of 'slipbench report --live' in headless Chromium. A slider is dragged and a number compared with the
+program's, faults stand at their lines, the editor completes words of the schema, rows are those of 'slipbench run', and 10,000 increments
+take less than 30 ms. Needs build/wasm/live.html (scripts/wasm.sh) and what tests/browser needs.
+"""
+import csv
+import json
+import pathlib
+import statistics
+import subprocess
+import sys
+import tempfile
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "browser"))
+from browser_page import ActionChains, By, Keys, browser, expect, failures, screen  # noqa: E402
+
+CASE = """slipbench: 1
+title: Shaft in a sleeve
+parameters: {mu: 0.15, amplitude: 5}
+units: {length: mm, force: N, time: s}
+connector: {type: CYLINDRICAL}
+friction:
+  - {predefined: {R: 12, L: 40}, coefficient: = mu, stick: {elastic_slip: 0.2}}
+history:
+  - {step: load, increments: 10, force: {f2: {to: 300}, m3: {to: 4000}}}
+  - {step: stroke, duration: 20, increments: 10000, motion: {CP1: {triangle: {amplitude: = amplitude, period: 1}}, CPR1: {to: 3}}}
+"""
+MOST_MS = 30
+
+
+class LivePage:
+    def __init__(self, program, folder, name, text):
+        self.program, self.case, self.page = program, folder / f"{name}.yaml", folder / f"{name}.html"
+        self.case.write_text(text)
+        subprocess.run([program, "report", "--live", self.case, "-o", self.page, "--force"], check=True, capture_output=True)
+
+    def rows(self, *settings):
+        """The bytes that the program writes of the case."""
+        subprocess.run([self.program, "run", self.case, "-q", "--force", "-o", self.case.parent, *settings], check=True, capture_output=True)
+        return self.case.with_suffix(".csv").read_text()
+
+
+def editor(driver, script, *arguments):
+    return driver.execute_script(f"const editor = document.querySelector('.CodeMirror').CodeMirror; {script}", *arguments)
+
+
+def settled(driver):
+    """Waits until what was changed is run and drawn."""
+    driver.execute_async_script("const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 30)))")
+
+
+def wait_for(driver, selector):
+    driver.implicitly_wait(20)
+    found = driver.find_element(By.CSS_SELECTOR, selector)
+    driver.implicitly_wait(0)
+    return found
+
+
+def smallest_and_largest(driver, name):
+    """Of a column, as the page's table tells them."""
+    for row in driver.find_elements(By.CSS_SELECTOR, "#run tbody tr"):
+        cells = [cell.text for cell in row.find_elements(By.CSS_SELECTOR, "th, td")]
+        if cells[0].startswith(name):
+            return [float(cell.replace("\u2212", "-").split()[0]) for cell in cells[1:3]]
+    return None
+
+
+def drag(driver, page):
+    slider = wait_for(driver, "#slider-mu")
+    before = smallest_and_largest(driver, "CSF1")
+    ActionChains(driver).click_and_hold(slider).move_by_offset(slider.size["width"] // 5, 0).move_by_offset(7, 0).release().perform()
+    settled(driver)
+    value = driver.find_element(By.CSS_SELECTOR, "output[for='slider-mu']").text
+    expect(value != "0.15", "the slider does not move its number")
+    expect(f"mu: {value}," in editor(driver, "return editor.getValue();"), f"the text does not say mu: {value}")
+    # The rows of the program, of a case with that number.
+    page.case.write_text(CASE.replace("mu: 0.15", f"mu: {value}"))
+    table = list(csv.DictReader(line for line in page.rows().splitlines() if not line.startswith("#")))
+    wanted = [pick(float(row["CSF1"]) for row in table) for pick in (min, max)]
+    told = smallest_and_largest(driver, "CSF1")
+    expect(told != before and all(abs(a - b) <= 1e-4 * abs(b) for a, b in zip(told, wanted)), f"with mu = {value} the page says CSF1 {told}, the program {wanted}")
+    print(f"slider: mu 0.15 -> {value}, CSF1 {before} -> {told}; slipbench run: {wanted}")
+    kept = driver.execute_async_script("""
+        const done = arguments[0], create = URL.createObjectURL;
+        URL.createObjectURL = (blob) => { blob.text().then(done); URL.createObjectURL = create; return "about:blank#"; };
+        [...document.querySelectorAll("#live button")].find((one) => one.textContent === "Save its rows").click();""")
+    expect(kept == page.rows(), f"the rows that the page saves are not those of 'slipbench run': {kept[:200]!r}")
+
+
+def faults(driver):
+    editor(driver, "editor.setValue(arguments[0]);", CASE.replace("coefficient:", "coeficient:").replace("m3:", "f1:"))
+    settled(driver)
+    messages = [one.text for one in driver.find_elements(By.CSS_SELECTOR, ".live-messages li")]
+    for line, words in ((7, "did you mean 'coefficient'"), (9, "f1")):
+        expect(any(one.startswith(f"line {line} error") and words in one for one in messages), f"no message of line {line} with {words!r}: {messages}")
+    expect(len(driver.find_elements(By.CSS_SELECTOR, ".fault.error")) == 2, "the lines are not marked")
+    expect(driver.find_elements(By.CSS_SELECTOR, "#case.stale"), "the pictures are not marked as those of another text")
+    driver.find_element(By.CSS_SELECTOR, ".live-messages button").click()
+    expect(editor(driver, "return editor.getCursor().line;") == 6, "a message does not lead to its line")
+    editor(driver, "editor.setValue(arguments[0]);", CASE)
+    settled(driver)
+    expect(not driver.find_elements(By.CSS_SELECTOR, "#case.stale, .live-messages .error"), "a mended text is still refused")
+
+
+def completes(driver):
+    for before, word, wanted in (
+            ("slipbench: 1\nconn", "", "connector"), ("connector:\n  ty", "", "type"), ("connector: {type: CYL", "", "CYLINDRICAL"),
+            ("friction:\n  - predefined: {}\n    coef", "", "coefficient"), ("friction:\n  - {predefined: {R: 1}, st", "", "stick"),
+            ("friction:\n  - {stick: {ela", "", "elastic_slip"), ("history:\n- step: a\n  incr", "", "increments"),
+            ("history:\n  - step: a\n    motion:\n      CP1: {tri", "", "triangle"), ("checks:\n  - name: a\n    criterion: sprag", "", "sprague_geers")):
+        editor(driver, "editor.setValue(arguments[0]); editor.setCursor(editor.lineCount(), 0); editor.focus();", before)
+        settled(driver)
+        ActionChains(driver).key_down(Keys.CONTROL).send_keys(" ").key_up(Keys.CONTROL).perform()
+        hints = [one.text for one in driver.find_elements(By.CSS_SELECTOR, ".CodeMirror-hint b")]
+        expect(hints[:1] == [wanted], f"after {before!r} {wanted} should be offered, not {hints}")
+        ActionChains(driver).send_keys(Keys.ENTER).perform()
+        text = editor(driver, "return editor.getValue();")
+        expect(wanted in text, f"{wanted} is not put in: {text!r}")
+
+
+def speed(driver):
+    editor(driver, "editor.setValue(arguments[0]);", CASE)
+    settled(driver)
+    times = []
+    for i in range(15):
+        editor(driver, "editor.setValue(arguments[0]);", CASE.replace("mu: 0.15", f"mu: 0.{16 + i}"))
+        settled(driver)
+        times.append([float(word) for word in driver.find_element(By.ID, "live-state").text.replace(" ms", "").split() if word.replace(".", "").isdigit()])
+    expect(all(one[0] >= 10000 for one in times), f"not 10,000 increments: {times[0]}")
+    ran = statistics.median(one[1] for one in times)
+    drawn = statistics.median(one[2] for one in times)
+    print(f"10,000 increments: run in {ran} ms, drawn in {drawn} ms (medians of {len(times)})")
+    expect(ran < MOST_MS, f"10,000 increments take {ran} ms")
+
+
+def main(program):
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch)
+        page = LivePage(program, folder, "shaft", CASE)
+        driver = browser(folder)
+        driver.get(page.page.as_uri())
+        drag(driver, page)
+        faults(driver)
+        completes(driver)
+        speed(driver)
+        screen(driver, width=390)
+        wide = driver.execute_script("return document.documentElement.scrollWidth")
+        expect(wide <= 390, f"{wide} pixels wide on a phone")
+        for line in driver.get_log("browser"):
+            expect(False, f"the browser says: {line['message'][:300]}")
+        for entry in driver.get_log("performance"):
+            message = json.loads(entry["message"])["message"]
+            if message["method"] == "Network.requestWillBeSent":
+                address = message["params"]["request"]["url"]
+                expect(address.startswith(("file:", "data:", "blob:", "about:", "chrome:", "chrome-untrusted:")), f"{address} is fetched")
+        driver.quit()
+    for failure in failures:
+        print(failure)
+    print(f"{'FAILED' if failures else 'passed'}: {len(failures)} failures")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(pathlib.Path(sys.argv[1]).resolve()))
