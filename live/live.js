@@ -283,7 +283,7 @@ class Live {
 function addressedText() {
   const found = /^#text=(.*)$/s.exec(location.hash);
   if (!found) return;
-  cases[0].original = decodeURIComponent(found[1]);
+  Object.assign(cases[0], {name: "case", original: decodeURIComponent(found[1])});
   show(cases[0]);
 }
 

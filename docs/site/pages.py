@@ -16,6 +16,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import urllib.parse
 
 import dossier
 import joints
@@ -32,6 +33,10 @@ class Site:
     def __init__(self, program, folder):
         self.program, self.folder = pathlib.Path(program).resolve(), pathlib.Path(folder)
         self.shown = set()  # files of the project beside docs/ that some page links to
+        self.folder.mkdir(parents=True, exist_ok=True)
+        # The bench in a page, if scripts/wasm.sh has built it; without it there is no other difference.
+        self.live = subprocess.run([self.program, "report", "--live", EXAMPLES / "shock_absorber.yaml", "-o", self.folder / "live.html", "--title", "slipbench"],
+                                   capture_output=True).returncode == 0
 
     def say(self, *words):
         """What the program prints."""
@@ -67,7 +72,7 @@ class Site:
 
     def page(self, source, page):
         """A page of the project: titles of blocks, lists and links in mkdocs' way."""
-        lines, fence, last, shown, caption = [], None, "", [], ""
+        lines, fence, last, shown, caption, case = [], None, "", [], "", ""
         if source.parent.name == "tutorials":
             lines.append("---\nhide: [toc]\n---")
         for line in source.read_text().splitlines():
@@ -77,10 +82,13 @@ class Site:
                 shown.append(line)
                 if line.strip() == fence:
                     fence = None
+                    if case:
+                        lines += self.live_case("\n".join(shown[:-1]) + "\n", case, page)
                     if caption:
                         lines += ["", *self.figure(re.search(r"[\w./-]+\.svg", "\n".join(shown))[0], caption, page)]
             elif mark:
                 fence, shown, caption = mark[2], [], mark[4] if mark[3] in ("console", "python") else ""
+                case = mark[4].split()[-1] if source.parent.name == "tutorials" and mark[4].startswith("case ") else ""
                 title = "" if caption or not mark[4] else f' title="{mark[4].split()[-1]}"'
                 lines.append(f"{mark[1]}{mark[2]}{mark[3]}{title}")
             else:
@@ -97,6 +105,13 @@ class Site:
         here = (self.folder / page).parent
         both = [(name, "#only-light"), (f"{name}-dark", "#only-dark")] if (here / f"{name}-dark.svg").exists() else [(name, "")]
         return [f"![{words}]({one}.svg{look}){{ loading=lazy }}" for one, look in both]
+
+    def live_case(self, text, name, page):
+        """A case to be changed and run in the page, loaded when it is opened."""
+        if not self.live:
+            return []
+        address = os.path.relpath("live.html", pathlib.Path(page).parent) + "#text=" + urllib.parse.quote(text, safe="")
+        return ["", f'<details class="live"><summary>Change {name} and run it here</summary><iframe loading="lazy" title="{name}, to be changed and run" src="{address}"></iframe></details>', ""]
 
     def drawn_by(self, name):
         """Runs the cases and commands that the pages of a folder show, in one folder and in their order; the pictures drawn, {name: bytes}."""
@@ -252,7 +267,8 @@ class Site:
             sentence = re.match(r".*?[.](?= |$)|.*", first)[0].rstrip(":")
             text.append(f"## {title} {{ #{case.stem} }}\n\n{html.escape(sentence, quote=False)}{'' if sentence[-1] in '.?!' else '.'}\n\n"
                         + "\n".join(self.figure(f"gallery/{case.stem}", f"{title}: friction force over time and motion"))
-                        + f'\n\n??? example "{case.name}"\n\n    ```yaml\n' + re.sub(r"^(?=.)", "    ", body, flags=re.MULTILINE) + "    ```\n")
+                        + f'\n\n??? example "{case.name}"\n\n    ```yaml\n' + re.sub(r"^(?=.)", "    ", body, flags=re.MULTILINE) + "    ```\n"
+                        + "\n".join(self.live_case(body, case.name, "gallery.md")))
         self.write("gallery.md", "\n".join(text))
 
 

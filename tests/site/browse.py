@@ -120,6 +120,20 @@ def play(driver, site, page, program, folder, expect):
             drawn = now
 
 
+def live(site, driver, expect):
+    """The case of a tutorial in the bench that the page carries, if scripts/wasm.sh has built that."""
+    if not (site / "live.html").exists():
+        return
+    for page in ("tutorials/hinge.html", "gallery.html"):
+        driver.get((site / page).as_uri())
+        driver.implicitly_wait(30)
+        driver.find_element(By.CSS_SELECTOR, "details.live summary").click()
+        driver.switch_to.frame(driver.find_element(By.CSS_SELECTOR, "details.live[open] iframe"))
+        expect("increments, run in" in driver.find_element(By.CSS_SELECTOR, "#live-state:not(:empty)").text, f"{page}: its case does not run in the page")
+        driver.implicitly_wait(0)
+        driver.switch_to.default_content()
+
+
 def look(site, folder, page_to_play, program, expect):
     driver = browser(pathlib.Path(folder))
     for dark, width in ((False, 1280), (True, 1280), (False, 390)):
@@ -141,6 +155,7 @@ def look(site, folder, page_to_play, program, expect):
     for words, wanted in (("CONNECTOR FRICTION", "guide/decks.html"), ("hinge", "tutorials/hinge.html"), ("capstan", "capstan")):
         hits = found(driver, site, words)
         expect(any(wanted in hit for hit in hits[:8]), f"the search for '{words}' finds {hits[:8]}")
+    live(site, driver, expect)
     for line in driver.get_log("browser"):
         expect(False, f"the browser says: {line['message'][:300]}")
     for entry in driver.get_log("performance"):

@@ -66,7 +66,8 @@ def check_links(site):
             to = (path.parent / urllib.parse.unquote(address.path)).resolve() if address.path else path
             to = to / "index.html" if to.is_dir() else to
             expect(to.is_file(), f"{where}: no such file")
-            if address.fragment and to in pages:
+            # A text for the bench in a page is no place in it.
+            if address.fragment and to in pages and not address.fragment.startswith("text="):
                 expect(urllib.parse.unquote(address.fragment) in pages[to].names | {"__skip"}, f"{where}: no such place")
     for path in site.rglob("*.css"):
         for target in re.findall(r"url\(\s*['\"]?([^)'\"]+)|@import\s+['\"]([^'\"]+)", path.read_text(errors="replace")):
