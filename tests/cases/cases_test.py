@@ -109,7 +109,7 @@ def fit_schema():
             for error in validator.iter_errors(fit):
                 expect(False, f"{path.name}: does not validate: {error.json_path}: {error.message:.200}")
     faulty_in_form = {"bounds_of_three", "case_for_a_fit", "confidence_one", "huber_without_threshold",
-                      "key_at_the_wrong_level", "missing_experiments", "missing_time", "sigma_zero", "unknown_key",
+                      "key_at_the_wrong_level", "missing_experiments", "missing_time", "sigma_zero", "too_many_experiments", "unknown_key",
                       "unknown_key_of_an_experiment", "unknown_loss", "weight_negative"}
     for path in files("cases/bad/calibration"):
         valid = validator.is_valid(yaml.safe_load(path.read_text()))
