@@ -62,8 +62,8 @@ std::vector<std::size_t> whole_loops(const Series& curve, const std::vector<std:
 /// Energies smaller than this are rounding, or second order of an elastic curve: range x range.
 double product_of_ranges(const Series& curve, std::size_t first, std::size_t last) {
   const std::size_t count = last - first + 1;
-  return extent(std::span(curve.abscissa).subspan(first, count)).width() *
-         extent(std::span(curve.value).subspan(first, count)).width();
+  return extent(std::span<const double>(curve.abscissa).subspan(first, count)).width() *
+         extent(std::span<const double>(curve.value).subspan(first, count)).width();
 }
 
 }  // namespace

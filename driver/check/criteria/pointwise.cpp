@@ -89,7 +89,8 @@ class Reach {
 /// "the reference's rows there go from 0.05 to 0.1, the result from 0 to 0.099".
 std::string uncovered(const MatchedBranches& matched, std::size_t b) {
   const auto range = [](const Series& curve, const Branch& branch) {
-    return extent(std::span(curve.abscissa).subspan(branch.first, branch.last - branch.first + 1));
+    return extent(std::span<const double>(curve.abscissa)
+                      .subspan(branch.first, branch.last - branch.first + 1));
   };
   const Interval theirs = range(matched.reference, matched.reference_branches[b]);
   const Interval ours = range(matched.result, matched.result_branches[b]);
