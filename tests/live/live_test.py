@@ -7,6 +7,7 @@ take less than 30 ms. Needs build/wasm/live.html (scripts/wasm.sh) and what test
 import csv
 import json
 import pathlib
+import re
 import statistics
 import subprocess
 import sys
@@ -84,16 +85,16 @@ def drag(driver, page):
     print(f"slider: mu 0.15 -> {value}, CSF1 {before} -> {told}; slipbench run: {wanted}")
     kept = driver.execute_async_script("""
         const done = arguments[0], create = URL.createObjectURL;
-        URL.createObjectURL = (blob) => { blob.text().then(done); URL.createObjectURL = create; return "about:blank#"; };
+        URL.createObjectURL = (blob) => { blob.text().then(done); URL.createObjectURL = create; return create.call(URL, blob); };
         [...document.querySelectorAll("#live button")].find((one) => one.textContent === "Save its rows").click();""")
     expect(kept == page.rows(), f"the rows that the page saves are not those of 'slipbench run': {kept[:200]!r}")
 
 
 def faults(driver):
-    editor(driver, "editor.setValue(arguments[0]);", CASE.replace("coefficient:", "coeficient:").replace("m3:", "f1:"))
+    editor(driver, "editor.setValue(arguments[0]);", CASE.replace("coefficient:", "coeficient:").replace("increments: 10,", "incremets: 10,"))
     settled(driver)
     messages = [one.text for one in driver.find_elements(By.CSS_SELECTOR, ".live-messages li")]
-    for line, words in ((7, "did you mean 'coefficient'"), (9, "f1")):
+    for line, words in ((7, "did you mean 'coefficient'"), (9, "did you mean 'increments'")):
         expect(any(one.startswith(f"line {line} error") and words in one for one in messages), f"no message of line {line} with {words!r}: {messages}")
     expect(len(driver.find_elements(By.CSS_SELECTOR, ".fault.error")) == 2, "the lines are not marked")
     expect(driver.find_elements(By.CSS_SELECTOR, "#case.stale"), "the pictures are not marked as those of another text")
@@ -127,7 +128,10 @@ def speed(driver):
     for i in range(15):
         editor(driver, "editor.setValue(arguments[0]);", CASE.replace("mu: 0.15", f"mu: 0.{16 + i}"))
         settled(driver)
-        times.append([float(word) for word in driver.find_element(By.ID, "live-state").text.replace(" ms", "").split() if word.replace(".", "").isdigit()])
+        told = driver.find_element(By.ID, "live-state").text
+        found = re.fullmatch(r"(\S+) increments, run in (\S+) ms, drawn in (\S+) ms", told)
+        expect(found, f"the page tells no times: {told!r}")
+        times += [[float(word) for word in found.groups()]] if found else []
     expect(all(one[0] >= 10000 for one in times), f"not 10,000 increments: {times[0]}")
     ran = statistics.median(one[1] for one in times)
     drawn = statistics.median(one[2] for one in times)

@@ -36,7 +36,8 @@ function distance(one, other) {
     const largest = b.slice(1).reduce((most, row) => Math.max(most, Math.abs(Number(row[c])) || 0), 0);
     for (let r = 1; r < a.length; ++r) {
       if (a[r][c] === b[r][c]) continue;
-      const off = Math.abs(Number(a[r][c]) - Number(b[r][c])) / (largest || 1);
+      // A column of what rounding left of zero has no digits in common.
+      const off = Math.abs(Number(a[r][c]) - Number(b[r][c])) / (largest > 1e-9 ? largest : 1);
       if (!(off <= worst.far)) worst = {far: Number.isNaN(off) ? Infinity : off, name, row: r, wasm: a[r][c], native: b[r][c]};
     }
   });
