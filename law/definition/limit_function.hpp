@@ -28,7 +28,7 @@ struct Limit {
   double wear = 0.0;           ///< dF_int/d(accumulated slip) [F/L]
 };
 
-/// How far inside a piece of slips between two knots its slopes are taken: at its ends they may
+/// Distance from the ends of a piece at which its slopes are taken: at a knot itself they may
 /// belong to the neighbours. More than the rounding of its place, and less than its half.
 inline double margin_inside(double low, double high) noexcept {
   const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * high;

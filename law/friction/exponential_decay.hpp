@@ -51,7 +51,7 @@ struct ExponentialDecay {
 
   static ExponentialDecay example() { return {0.3, 0.2, 0.05}; }
 
-  /// What is left of static - kinetic: as the coefficient less `kinetic` it would lose its digits.
+  /// Part of static - kinetic that is left; as the coefficient less `kinetic` it would lose digits.
   template <class Number>
   Number above_kinetic(const Number& slip_rate) const {
     using std::exp;

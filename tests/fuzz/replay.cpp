@@ -46,7 +46,7 @@ std::string grown(const std::string& text, std::size_t begin, std::size_t end, s
   return made + text.substr(end);
 }
 
-/// What has been tried of large inputs.
+/// Record of the large inputs that were tried.
 struct Tried {
   std::set<std::string> shapes;  ///< kinds of lines that need not be tried again
   long most = kMost;             ///< KB that were in use, or may be

@@ -32,7 +32,7 @@ Rows rows_over(Dice* dice, double low, double high, const std::vector<double>& k
   return rows;
 }
 
-/// What the units of a case are in those of the draw.
+/// Units of a case, in those of the draw.
 struct Units {
   double force = 1.0;
   double length = 1.0;
