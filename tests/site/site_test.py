@@ -11,11 +11,11 @@ import html.parser
 import os
 import pathlib
 import re
+import resource
 import shutil
 import subprocess
 import sys
 import tempfile
-import time
 import urllib.parse
 
 from browse import look
@@ -91,13 +91,15 @@ with tempfile.TemporaryDirectory() as scratch:
     if not place:
         if not shutil.which("mkdocs"):
             sys.exit("mkdocs is not there: install the Debian package mkdocs-material (scripts/setup.sh docs)")
-        begun = time.monotonic()
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
         built = subprocess.run([given.source / "scripts/docs.sh", given.slipbench.resolve(), scratch], capture_output=True, text=True,
                                env={**os.environ, "SLIPBENCH_SETUP": "skip"})
-        seconds = time.monotonic() - begun
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
         print(built.stdout, built.stderr, sep="")
         expect(built.returncode == 0, f"scripts/docs.sh ended with {built.returncode}")
-        expect(seconds < 60, f"the site takes {seconds:.0f} s")
+        # Of processors that others use as well: two that are idle take five sixths of it by the clock, less than a minute.
+        expect(seconds < 72, f"the site takes {seconds:.0f} s of processors")
         place = pathlib.Path(scratch) / "site"
     check_nav(given.source / "docs")
     check_links(place.resolve())
