@@ -45,6 +45,9 @@ class Check:
     form: str = ""  # the closed form that it is held against
     part: float | None = None  # the deviation as a part of the largest value, where there is no tolerance
 
+    def verdict(self):
+        return "failed" if not self.passed else "told" if self.kind == BACK else "passed"
+
     def share(self):
         """The deviation as a part of its tolerance, or None; what may not be off at all is off by all of it or by nothing."""
         if self.deviation is None or self.tolerance is None:
@@ -76,7 +79,9 @@ class Claim:
         return max(self.checks, key=Check.rank)
 
     def verdict(self):
-        return "not shown" if not self.checks else "passed" if all(check.passed for check in self.checks) else "failed"
+        """The worst of its checks; "told" where none of them has a tolerance to pass."""
+        words = {check.verdict() for check in self.checks}
+        return next((word for word in ("failed", "passed", "told") if word in words), "not shown")
 
 
 GROUPS = {  # the page of each kind of claim: its title, what counts as evidence
@@ -282,7 +287,7 @@ class Dossier:
         refused, unread = [], 0
         for case, one in done:
             name = f"{self.cases.name}/examples/{case.name}"
-            if one.returncode == 2:
+            if one.returncode == 2 and "is not exported: " in one.stderr:
                 refused.append(one.stderr.strip().rpartition("is not exported: ")[2])
                 continue
             told = json.loads(one.stdout).get("on_the_history", {}) if one.returncode == 0 else {}
@@ -445,10 +450,10 @@ class Dossier:
             if not check.passed and check.kind not in (BACK, DECK):
                 asked += f"<br>{html.escape(check.message)}"
             share = check.share()
-            rows.append(row(heads, "passed" if check.passed else "failed", (self.link(check.case, up),) * (up is not None) + (
+            rows.append(row(heads, check.verdict(), (self.link(check.case, up),) * (up is not None) + (
                 html.escape(check.name) + asked, html.escape(check.kind), "-" if check.deviation is None else f"{number(check.deviation)} {check.unit}",
                 ("none" if check.tolerance is None else f"{number(check.tolerance)} {check.unit}") + f"<br>{html.escape(check.why)}",
-                "-" if share is None else percent(share), f"<strong>{'passed' if check.passed else 'failed'}</strong>")))
+                "-" if share is None else percent(share), f"<strong>{check.verdict()}</strong>")))
         return self.table(heads, rows)
 
     def section(self, claim):
@@ -516,7 +521,8 @@ class Dossier:
         for checks in {id(check): check for claim in self.claims.values() for check in claim.checks}.values():
             kinds[checks.kind] += 1
         verdicts = collections.Counter(claim.verdict() for claim in self.claims.values())
-        summary = (f"{len(self.claims)} claims: {verdicts['passed']} passed, {verdicts['failed']} failed, {verdicts['not shown']} not shown. "
+        summary = (f"{len(self.claims)} claims: {verdicts['passed']} passed, {verdicts['failed']} failed, {verdicts['told']} told without a tolerance, "
+                   f"{verdicts['not shown']} not shown. "
                    f"{kinds.total()} checks: " + ", ".join(f"{count} by {kind}" for kind, count in kinds.most_common()) + ". "
                    + "No check is against " + ", ".join(f"a {kind}" for kind in OTHERS if not any(kind_is(one, kind) for one in kinds)) + ".")
         links = " · ".join(f'<a href="dossier/{page}.html">{html.escape(page.removeprefix("evidence/"))}</a> {count}' for page, count in sorted(pages.items()))

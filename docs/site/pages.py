@@ -35,8 +35,11 @@ class Site:
         self.shown = set()  # files of the project beside docs/ that some page links to
         self.folder.mkdir(parents=True, exist_ok=True)
         # The bench in a page, if scripts/wasm.sh has built it; without it there is no other difference.
-        self.live = subprocess.run([self.program, "report", "--live", EXAMPLES / "shock_absorber.yaml", "-o", self.folder / "live.html", "--title", "slipbench"],
-                                   capture_output=True).returncode == 0
+        made = subprocess.run([self.program, "report", "--live", EXAMPLES / "shock_absorber.yaml", "-o", self.folder / "live.html", "--title", "slipbench"],
+                              capture_output=True, text=True)
+        self.live = made.returncode == 0
+        if not self.live and "scripts/wasm.sh" not in made.stderr:
+            sys.exit(f"slipbench report --live ended with {made.returncode}: {made.stderr}")
 
     def say(self, *words):
         """What the program prints."""
