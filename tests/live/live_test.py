@@ -143,6 +143,9 @@ def main(program):
     with tempfile.TemporaryDirectory() as scratch:
         folder = pathlib.Path(scratch)
         page = LivePage(program, folder, "shaft", CASE)
+        whole = page.page.read_text()
+        for words in ("University Corporation", "GNU GENERAL PUBLIC LICENSE", "Permission is hereby granted", "Mozilla Public License", "musl", "LLVM"):
+            expect(words in whole, f"the licence with '{words}' is not in the page")
         driver = browser(folder)
         driver.get(page.page.as_uri())
         drag(driver, page)
