@@ -91,6 +91,7 @@ class CapstanLimit {
   }
   /// Tells whether the limit is cubic between knots.
   static constexpr bool is_cubic() { return false; }
+  static constexpr double begin_slip() { return 0.0; }  ///< a belt does not wear
 
  private:
   const FrictionDefinition& definition_;

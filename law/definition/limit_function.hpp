@@ -30,8 +30,9 @@ struct Limit {
 
 /// Distance from the ends of a piece at which its slopes are taken: at a knot itself they may
 /// belong to the neighbours. More than the rounding of its place, and less than its half.
-inline double margin_inside(double low, double high) noexcept {
-  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * high;
+/// \param before slip from which the places of knots count [L]
+inline double margin_inside(double low, double high, double before) noexcept {
+  const double rounding = 4.0 * std::numeric_limits<double>::epsilon() * (before + high);
   return std::min(std::max(1e-9 * (high - low), rounding), 0.25 * (high - low));
 }
 
@@ -69,6 +70,9 @@ class LimitFunction {
 
   /// The force limit; infinity if there is none.
   double cap() const { return definition_.force_limit; }
+
+  /// Accumulated slip before the increment [L].
+  double begin_slip() const { return accumulated_; }
 
   /// Tells whether F_lim changes with the slip of this increment at all.
   bool depends_on_slip() const {

@@ -183,7 +183,7 @@ double ExactWalk::rises_until(double tau, double low, double high) noexcept {
   const double stick = points_.stick(tau);
   const auto rises = [&](double x) { return 1.0 + limit(tau, x).to_slip / stick > 0.0; };
   // Slopes just inside: at its ends a piece may have those of its neighbours.
-  const double margin = margin_inside(low, high);
+  const double margin = margin_inside(low, high, begin_slip_);
   if (!rises(low + margin)) return low;
   if (rises(high - margin)) return high;
   for (double falls = high - margin; true;) {

@@ -66,7 +66,7 @@ double first_root(const LimitOf& limit, double trial, double kappa) noexcept {
   const auto slope_at = [&](double x) { return -kappa - limit.slope(limit(x)); };
   while (low < end) {
     double high = std::min(limit.next_knot(low, end), end);
-    const double margin = margin_inside(low, high);
+    const double margin = margin_inside(low, high, limit.begin_slip());
     if (limit.is_cubic()) {
       // h' is a parabola through three of its points; its vertex parts convex from concave.
       const double half = 0.5 * (high - low);

@@ -47,7 +47,7 @@ bool first_slip(const Search& start, double* slip) noexcept {
         *slip = bracketed(start, low, high, radial);
         return true;
       }
-      const double margin = margin_inside(low, high);
+      const double margin = margin_inside(low, high, start.limit.begin_slip());
       if (distance(start, low + margin).slope < 0.0 && distance(start, high - margin).slope > 0.0) {
         double left = low, right = high;
         for (int k = 0; k < 60 && right - left > 1e-15 * right; ++k) {

@@ -18,8 +18,8 @@ void for_each_piece(const LimitFunction& limit, double slip, Visit visit) noexce
   }
 }
 
-double inside(double low, double high, double at) noexcept {
-  const double margin = margin_inside(low, high);
+double inside(const LimitFunction& limit, double low, double high, double at) noexcept {
+  const double margin = margin_inside(low, high, limit.begin_slip());
   return std::clamp(at, low + margin, high - margin);
 }
 
@@ -54,7 +54,7 @@ double largest_snap_back(const LimitFunction& limit, double kappa, double slip) 
   double largest = 0.0;
   for_each_piece(limit, slip, [&](double low, double high) {
     for (const double at : {low, low + 0.5 * (high - low), high}) {
-      const Limit here = limit(inside(low, high, at));
+      const Limit here = limit(inside(limit, low, high, at));
       const double hardening = std::max(limit.slope(here) - here.to_slip, 0.0);
       largest = std::max(largest, -here.to_slip / (kappa + hardening));
     }
@@ -98,8 +98,8 @@ SnapBackPath snap_back_path(const LimitFunction& limit, double kappa, double sli
     if (!below) level = std::max(level, end);
   };
   for_each_piece(limit, slip, [&](double low, double high) {
-    const bool first = rises(inside(low, high, low));
-    const bool last = rises(inside(low, high, high));
+    const bool first = rises(inside(limit, low, high, low));
+    const bool last = rises(inside(limit, low, high, high));
     if (first == last) {
       take(low, high, first);
       return;

@@ -679,19 +679,29 @@ TEST_CASE("with several roots the first one is taken, inside one cell of two tab
 }
 
 TEST_CASE("a root is not passed over in a cell however narrow") {
-  // The same hump over slips from 1 to 1 + w.
-  for (const double w : {1e-3, 1e-6, 1e-9, 1e-12}) {
+  // The same hump over slips from 1 to 1 + w, of which the joint has had `before`.
+  for (const auto [before, w] : {std::pair{0.0, 1e-3},
+                                 {0.0, 1e-6},
+                                 {0.0, 1e-9},
+                                 {0.0, 1e-12},
+                                 {128.0, 1e-5},
+                                 {128.0, 1e-6},
+                                 {128.0, 1e-11},
+                                 {1024.0, 1e-4},
+                                 {65536.0, 3e-3},
+                                 {65536.0, 1e-3}}) {
     FrictionDefinition definition = slider(0.0, 0.0, fixed_stiffness(5.0));
     definition.law =
         TabularCoefficient{make_function({{.1, 0}, {.1, 1}, {1.0, 1 + w}}, {kOverSlipRate})};
     definition.internal_contact_force =
-        make_function({{100, 0}, {100, 1}, {10, 1 + w}}, {kOverAccumulatedSlip});
+        make_function({{100, 0}, {100, before + 1}, {10, before + 1 + w}}, {kOverAccumulatedSlip});
     FrictionRun run(definition);
+    run.state.accumulated_slip = before;
     run.move_to(1, 5.0);
-    INFO("width " << w);
-    CHECK(run.state.accumulated_slip == Approx(1.0).epsilon(w));
+    INFO("width " << w << " after " << before);
+    CHECK(run.last.slip_increment == Approx(1.0).epsilon(w));
     // The limit rises by some 90/w: the rounding of the place counts.
-    CHECK(run.friction(1) == Approx(20.0).margin(5.0 * w + 1e-13 / w));
+    CHECK(run.friction(1) == Approx(20.0).margin(5.0 * w + 1e-13 * (1.0 + before) / w));
   }
 }
 
