@@ -85,7 +85,7 @@ std::to_chars_result write_number(char* first, char* last, double value) {
     } else if (power < 0) {
       text += "0." + std::string(static_cast<std::size_t>(-power - 1), '0') + digits;
     } else {
-      const auto whole = static_cast<std::size_t>(power + 1);
+      const auto whole = static_cast<std::size_t>(power) + 1;
       text += digits.substr(0, whole) + "." + digits.substr(whole);
     }
   }

@@ -30,9 +30,9 @@ std::map<std::string_view, Target>& targets() {
   return all;
 }
 
-constexpr double kLongest = 2.0;    // s of a processor
-constexpr long kMost = 256 * 1024;  // KB
-constexpr std::size_t kShape = 10;  // characters that tell one kind of line from another
+constexpr double kLongest = 2.0;     // s of a processor
+constexpr long kMost = 256L * 1024;  // KB
+constexpr std::size_t kShape = 10;   // characters that tell one kind of line from another
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 

@@ -340,7 +340,7 @@ TEST_CASE("predefined limits do not depend on the unit of length") {
     joint.R_p = 0.1, joint.R_a = 0.08, joint.L_s = 0.2, joint.L_a = 0.35;
     other.R_p = 0.1 * unit, other.R_a = 0.08 * unit, other.L_s = 0.2 * unit,
     other.L_a = 0.35 * unit;
-    for (const std::size_t axis : {0, 1}) same(joint, other, unit, axis);
+    for (const std::size_t axis : {std::size_t{0}, std::size_t{1}}) same(joint, other, unit, axis);
   }
 }
 
