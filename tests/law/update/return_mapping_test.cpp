@@ -680,7 +680,7 @@ TEST_CASE("with several roots the first one is taken, inside one cell of two tab
 
 TEST_CASE("a root is not passed over in a cell however narrow") {
   // The same hump over slips from 1 to 1 + w, of which the joint has had `before`.
-  for (const auto [before, w] : {std::pair{0.0, 1e-3},
+  for (const auto& [before, w] : {std::pair{0.0, 1e-3},
                                  {0.0, 1e-6},
                                  {0.0, 1e-9},
                                  {0.0, 1e-12},
