@@ -681,15 +681,15 @@ TEST_CASE("with several roots the first one is taken, inside one cell of two tab
 TEST_CASE("a root is not passed over in a cell however narrow") {
   // The same hump over slips from 1 to 1 + w, of which the joint has had `before`.
   for (const auto& [before, w] : {std::pair{0.0, 1e-3},
-                                 {0.0, 1e-6},
-                                 {0.0, 1e-9},
-                                 {0.0, 1e-12},
-                                 {128.0, 1e-5},
-                                 {128.0, 1e-6},
-                                 {128.0, 1e-11},
-                                 {1024.0, 1e-4},
-                                 {65536.0, 3e-3},
-                                 {65536.0, 1e-3}}) {
+                                  {0.0, 1e-6},
+                                  {0.0, 1e-9},
+                                  {0.0, 1e-12},
+                                  {128.0, 1e-5},
+                                  {128.0, 1e-6},
+                                  {128.0, 1e-11},
+                                  {1024.0, 1e-4},
+                                  {65536.0, 3e-3},
+                                  {65536.0, 1e-3}}) {
     FrictionDefinition definition = slider(0.0, 0.0, fixed_stiffness(5.0));
     definition.law =
         TabularCoefficient{make_function({{.1, 0}, {.1, 1}, {1.0, 1 + w}}, {kOverSlipRate})};
