@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What Debian has of {fmt} in its shared library only, for a program without one.
+// Definitions that Debian has of {fmt} in its shared library only, for a program without one.
 #include <fmt/format-inl.h>
 
 FMT_BEGIN_NAMESPACE

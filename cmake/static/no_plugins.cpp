@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the program calls in place of dlopen and its like (--wrap): without libraries it cannot load
-// any, since one would need those.
+// Functions that the program calls in place of dlopen and its like (--wrap): without libraries it
+// cannot load any, since one would need those.
 
 extern "C" {
 

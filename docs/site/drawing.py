@@ -28,9 +28,9 @@ def path(points):
 def thinned(points, off=0.1):
     """Points of which those are left out that lie on the line between others (Douglas and Peucker)."""
     points = list(points)
-    kept, todo = {0, len(points) - 1}, [(0, len(points) - 1)]
-    while todo:
-        begin, end = todo.pop()
+    kept, left = {0, len(points) - 1}, [(0, len(points) - 1)]
+    while left:
+        begin, end = left.pop()
         (x0, y0), (x1, y1) = points[begin], points[end]
         length = math.hypot(x1 - x0, y1 - y0)
 
@@ -40,7 +40,7 @@ def thinned(points, off=0.1):
         worst = max(range(begin + 1, end), key=far, default=begin)
         if worst != begin and far(worst) > off:
             kept.add(worst)
-            todo += [(begin, worst), (worst, end)]
+            left += [(begin, worst), (worst, end)]
     return [points[k] for k in sorted(kept)]
 
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the bench calls of UDUNITS-2, over the unit data base of UDUNITS-2 itself: a page has no
+// Functions of UDUNITS-2 for the bench, over the unit data base of UDUNITS-2 itself: a page has no
 // files to read it from, so the build makes the table below of it. Logarithmic units and time
 // stamps are no units here.
 #include <udunits2.h>

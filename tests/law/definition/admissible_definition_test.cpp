@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What updates may be made of: the ends of each range, on either side.
+// Definitions that updates may be made of: the ends of each range, on either side.
 #include "law/definition/admissible_definition.hpp"
 
 #include <catch2/catch.hpp>
