@@ -74,6 +74,16 @@ if(WITH_DRIVER)
   if(NOT text MATCHES "${VERSION}")
     message(FATAL_ERROR "the installed program does not say version ${VERSION}: ${text}")
   endif()
+  # Outside the folder that it was built in, the program reads nothing from there.
+  run(mktemp -d)
+  string(STRIP "${text}" alone)
+  file(COPY ${prefix}/bin/slipbench DESTINATION ${alone}/bin)
+  execute_process(COMMAND ${alone}/bin/slipbench run ${prefix}/share/slipbench/cases/examples/hinge.yaml -o ${alone} --plot
+                  RESULT_VARIABLE code OUTPUT_VARIABLE text ERROR_VARIABLE text)
+  file(REMOVE_RECURSE ${alone})
+  if(code EQUAL 0 OR NOT text MATCHES "template")
+    message(FATAL_ERROR "a program without what is installed beside it should miss its templates: ${text}")
+  endif()
 endif()
 
 # The C program of the guide, by CMake above, by pkg-config here.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "driver/base/files/data_path.hpp"
 
+#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <string>
 #include <system_error>
+#include <vector>
 
 namespace slipbench::driver::base {
 namespace {
@@ -18,6 +20,35 @@ bool lies_in(const fs::path& path, const fs::path& folder) {
       std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
   // A folder written with a slash at its end has an empty last part.
   return at_folder == folder.end() || at_folder->empty();
+}
+
+/// Tells whether a file lies in a folder that the program was built from or in.
+bool lies_in_build(const fs::path& file) {
+  const auto real = [](const fs::path& path) {
+    std::error_code error;
+    return fs::weakly_canonical(path, error);
+  };
+  const auto lies_in_real = [&](const fs::path& folder) {
+    return !folder.empty() && lies_in(real(file), folder);
+  };
+  return lies_in_real(real(SLIPBENCH_SOURCE_DIR)) || lies_in_real(real(SLIPBENCH_BINARY_DIR));
+}
+
+/// Returns the file of the library or the module that this code was loaded from. Of a program the
+/// system tells the name that it was called by, which leads nowhere: then nothing.
+fs::path own_object() {
+  Dl_info info{};
+  if (dladdr(reinterpret_cast<const void*>(&own_object), &info) == 0) return {};
+  const fs::path file = info.dli_fname == nullptr ? "" : info.dli_fname;
+  return file.is_absolute() ? file : fs::path();
+}
+
+/// Returns the prefix that a file is installed below: PREFIX/bin/FILE, or a module of Python in
+/// PREFIX/lib/python3/dist-packages/slipbench/FILE.
+fs::path prefix_of(const fs::path& file) {
+  const fs::path folder = file.parent_path().parent_path();
+  return folder.filename() == "dist-packages" ? folder.parent_path().parent_path().parent_path()
+                                              : folder;
 }
 
 }  // namespace
@@ -64,9 +95,14 @@ tl::expected<fs::path, HistoryError> resolve_data_path(const fs::path& case_fold
 std::optional<std::filesystem::path> shipped_path(const std::filesystem::path& name) {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  const fs::path source = SLIPBENCH_SOURCE_DIR;
-  for (const fs::path& folder :
-       {program.parent_path().parent_path() / "share" / "slipbench", source}) {
+  const fs::path object = own_object();
+  std::vector<fs::path> folders;
+  for (const fs::path& file : {program, object}) {
+    if (!file.empty()) folders.push_back(prefix_of(file) / "share" / "slipbench");
+    // Once installed, the folder that it was built in may be anyone's.
+    if (!file.empty() && lies_in_build(file)) folders.emplace_back(SLIPBENCH_SOURCE_DIR);
+  }
+  for (const fs::path& folder : folders) {
     if (fs::exists(folder / name, error)) return folder / name;
   }
   return std::nullopt;

@@ -22,8 +22,8 @@ tl::expected<std::filesystem::path, HistoryError> resolve_data_path(
     const std::filesystem::path& case_folder, std::string_view text, bool allow_outside = false);
 
 /// Returns where a file or folder is that comes with the program, such as "plots/friction.gp":
-/// under share/slipbench of the installation, else in the source folder; nothing if it is in
-/// neither.
+/// under share/slipbench of the installation, else, for a program or a module that was not
+/// installed, in the source folder; nothing if it is in neither.
 std::optional<std::filesystem::path> shipped_path(const std::filesystem::path& name);
 
 }  // namespace slipbench::driver::base
