@@ -38,7 +38,7 @@ def rows(file, units, prefixes):
             rows(file.parent / element.text.strip(), units, prefixes)
         elif element.tag == "prefix":
             value = float(element.findtext("value"))
-            prefixes += [(word.text.strip(), value) for word in element if word.tag in ("name", "symbol")]
+            prefixes += [(word.text.strip(), value, word.tag == "name") for word in element if word.tag in ("name", "symbol")]
         elif element.tag == "unit":
             names = list(names_of(element))
             definition = element.findtext("def")
@@ -53,7 +53,7 @@ def main():
     text = "// Made from UDUNITS-2's unit data base.\nconstexpr Entry kEntries[] = {\n"
     text += "".join(f"    {{{quoted(name)}, {quoted(definition)}, {str(any_case).lower()}}},\n" for name, definition, any_case in units)
     text += "};\nconstexpr Prefix kPrefixes[] = {\n"
-    text += "".join(f"    {{{quoted(name)}, {value!r}}},\n" for name, value in prefixes)
+    text += "".join(f"    {{{quoted(word)}, {value!r}, {str(is_name).lower()}}},\n" for word, value, is_name in prefixes)
     Path(sys.argv[2]).write_text(text + "};\n", encoding="ascii")
 
 

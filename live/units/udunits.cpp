@@ -26,6 +26,7 @@ struct Entry {
 struct Prefix {
   std::string_view word;
   double value = 1.0;
+  bool name = false;  ///< in any case, and behind another one
 };
 
 #include <units_table.inc>
@@ -73,6 +74,14 @@ class Reader {
   Reader(const ut_system& system, std::string_view text) : system_(system), rest_(text) {}
 
   std::optional<Amount> read() {
+    const auto amount = shifted();
+    return rest_.empty() ? amount : std::nullopt;
+  }
+
+ private:
+  static constexpr int kMostParentheses = 64;
+
+  std::optional<Amount> shifted() {
     auto amount = product();
     skip_blanks();
     if (amount && take("@")) {
@@ -81,17 +90,22 @@ class Reader {
       amount->origin += *shift;
       skip_blanks();
     }
-    return rest_.empty() ? amount : std::nullopt;
+    return amount;
   }
 
- private:
+  /// Factors with blanks between them, or "*", "." or "-" without blanks, or "/" and "per".
   std::optional<Amount> product() {
     auto amount = power();
     while (amount) {
-      skip_blanks();
+      const bool apart = skip_blanks();
       if (rest_.empty() || rest_.front() == ')' || rest_.front() == '@') break;
-      const bool divides = take("/") || take("per ");
-      if (!divides && !take("*")) static_cast<void>(take(".") || take("\302\267"));
+      const bool divides = take("/") || take("per ") || take("PER ");
+      if (divides) {
+        skip_blanks();
+      } else if (!apart && !is_signed_digit()) {
+        // Behind blanks "-2" and ".5" are numbers.
+        static_cast<void>(take("*") || take(".") || take("-") || take("\302\267"));
+      }
       const auto factor = power();
       if (!factor) return std::nullopt;
       multiply(*amount, *factor, divides ? -1 : 1);
@@ -101,7 +115,6 @@ class Reader {
 
   /// A factor with its exponent: "mm^2", "mm2", "s-1", "mm\302\262".
   std::optional<Amount> power() {
-    skip_blanks();
     const bool counts = !rest_.empty() && is_number(rest_.front());
     auto base = factor();
     if (!base) return base;
@@ -110,7 +123,7 @@ class Reader {
         (!counts && !rest_.empty() && (is_digit(rest_.front()) || is_signed_digit()))) {
       const auto [end, error] = std::from_chars(rest_.data() + (rest_.starts_with("+") ? 1 : 0),
                                                 rest_.data() + rest_.size(), exponent);
-      if (error != std::errc{} || std::abs(exponent) > 99) return std::nullopt;
+      if (error != std::errc{} || std::abs(exponent) > 255) return std::nullopt;
       rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
     } else if (take("\302\262")) {
       exponent = 2;
@@ -126,8 +139,9 @@ class Reader {
   std::optional<Amount> factor() {
     if (rest_.empty()) return std::nullopt;
     if (take("(")) {
-      auto inner = product();
-      skip_blanks();
+      if (++depth_ > kMostParentheses) return std::nullopt;
+      const auto inner = shifted();
+      --depth_;
       return inner && take(")") ? inner : std::nullopt;
     }
     if (is_number(rest_.front())) {
@@ -171,7 +185,12 @@ class Reader {
     }
     return static_cast<unsigned char>(c) >= 0x80U;
   }
-  void skip_blanks() { rest_.remove_prefix(std::min(rest_.find_first_not_of(' '), rest_.size())); }
+  /// Tells whether there were any.
+  bool skip_blanks() {
+    const std::size_t blanks = std::min(rest_.find_first_not_of(' '), rest_.size());
+    rest_.remove_prefix(blanks);
+    return blanks > 0;
+  }
   bool take(std::string_view what) {
     if (!rest_.starts_with(what)) return false;
     rest_.remove_prefix(what.size());
@@ -180,6 +199,7 @@ class Reader {
 
   const ut_system& system_;
   std::string_view rest_;
+  int depth_ = 0;
 };
 
 bool same(std::string_view a, std::string_view b, bool any_case) {
@@ -189,30 +209,54 @@ bool same(std::string_view a, std::string_view b, bool any_case) {
   });
 }
 
-/// A word of the table, else its longest prefix and what follows.
-std::optional<Amount> unit_of(const ut_system& system, std::string_view word) {
+std::optional<Amount> known_unit(const ut_system& system, std::string_view word) {
   if (const auto own = system.symbols.find(std::string(word)); own != system.symbols.end()) {
     return own->second;
   }
-  for (const Entry& entry : kEntries) {
-    if (!same(entry.word, word, entry.any_case)) continue;
-    if (entry.definition.front() != '#') return Reader(system, entry.definition).read();
-    Amount basic;
-    const auto at = std::find(kBasics.begin(), kBasics.end(), entry.definition.substr(1));
-    basic.powers[static_cast<std::size_t>(at - kBasics.begin())] = 1;
-    return basic;
-  }
+  const auto entry = std::find_if(std::begin(kEntries), std::end(kEntries), [&](const Entry& one) {
+    return same(one.word, word, one.any_case);
+  });
+  if (entry == std::end(kEntries)) return std::nullopt;
+  if (entry->definition.front() != '#') return Reader(system, entry->definition).read();
+  Amount basic;
+  const auto at = std::find(kBasics.begin(), kBasics.end(), entry->definition.substr(1));
+  basic.powers[static_cast<std::size_t>(at - kBasics.begin())] = 1;
+  return basic;
+}
+
+/// Returns the longest prefix that a word begins with: of those that are names, or symbols.
+const Prefix* prefix_of(std::string_view word, bool name) {
   const Prefix* longest = nullptr;
   for (const Prefix& prefix : kPrefixes) {
-    if (!word.starts_with(prefix.word) || word.size() == prefix.word.size()) continue;
+    if (prefix.name != name || !same(prefix.word, word.substr(0, prefix.word.size()), name)) {
+      continue;
+    }
     if (longest == nullptr || prefix.word.size() > longest->word.size()) longest = &prefix;
   }
-  if (longest == nullptr) return std::nullopt;
-  auto unit = unit_of(system, word.substr(longest->word.size()));
-  if (!unit) return std::nullopt;
-  Amount scaled{.scale = longest->value};
-  multiply(scaled, *unit, 1);
-  return scaled;
+  return longest;
+}
+
+/// Returns the unit of a word, behind any names of prefixes and one symbol of a prefix.
+std::optional<Amount> unit_of(const ut_system& system, std::string_view word) {
+  double scale = 1.0;
+  bool symbol_seen = false;
+  while (!word.empty()) {
+    if (const auto unit = known_unit(system, word)) {
+      if (scale == 1.0) return unit;
+      Amount scaled{.scale = scale};
+      multiply(scaled, *unit, 1);
+      return scaled;
+    }
+    const Prefix* prefix = prefix_of(word, true);
+    if (prefix == nullptr && !symbol_seen) {
+      prefix = prefix_of(word, false);
+      symbol_seen = true;
+    }
+    if (prefix == nullptr) break;
+    scale *= prefix->value;
+    word.remove_prefix(prefix->word.size());
+  }
+  return std::nullopt;
 }
 
 ut_system& the_system() {
