@@ -68,8 +68,7 @@ for use in needs:
 for debian, (one, other, use) in names.items():
     least = wanted[debian]
     for where, told in (("spack/package.py", spack.get(one)), ("conda/meta.yaml", needs.get(use, {}).get(other))):
-        # A recipe that names no version takes any: of programs that the build only calls, and where Debian's words name none.
-        expect(not told or told == least, f"packaging/{where}: {debian} from {told} on, scripts/packages.txt says {least or 'nothing'}")
+        expect(told is None or told == least, f"packaging/{where}: {debian} from {told} on, scripts/packages.txt says {least or 'nothing'}")
 
 # The image and the workflow: what they call is there, and no list of packages of their own.
 docker = (PACKAGING / "Dockerfile").read_text()
