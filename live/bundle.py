@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""bundle.py CORE.js CORE.wasm CODEMIRROR OUT LICENCE..: what a page needs of the bench and its editor as one piece of HTML, with the
+"""bundle.py CORE.js CALL.js CORE.wasm CODEMIRROR OUT LICENCE..: what a page needs of the bench and its editor as one piece of HTML, with the
 licences of what is in it, as the Debian packages of their sources tell them."""
 import base64
 import gzip
@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 
-def main(core, program, codemirror, out, *licences):
+def main(core, call, program, codemirror, out, *licences):
     def text(name):
         content = Path(name).read_text(encoding="utf-8")
         if "</script" in content.lower() or "</style" in content.lower():
@@ -20,7 +20,7 @@ def main(core, program, codemirror, out, *licences):
     # The same program gives the same bytes.
     packed = base64.b64encode(gzip.compress(Path(program).read_bytes(), 9, mtime=0)).decode()
     parts = ["<style>\n" + "\n".join(text(f"{codemirror}/{name}") for name in styles) + "</style>\n"]
-    parts += [f"<script>\n{text(name)}</script>\n" for name in [*(f"{codemirror}/{name}" for name in scripts), core]]
+    parts += [f"<script>\n{text(name)}</script>\n" for name in [*(f"{codemirror}/{name}" for name in scripts), core, call]]
     parts.append(f'<script type="text/plain" id="core">{packed}</script>\n')
     told = "".join(f"==== {name} ====\n{text(name)}\n" for name in licences)
     parts.append(f'<script type="text/plain" id="licences">\n{told}</script>\n')

@@ -2,24 +2,12 @@
 // The bench in the page: the text of the case in an editor, its numbers as sliders, and a run after every change. The core
 // of the program is here as WebAssembly (live/live.cpp), and what it answers is the document of a report: the page draws it.
 
-/** The core, once it has started: its functions take a name and texts, and give a text. */
-let core = null;
-
+/** Starts the core: WebAssembly, in memory of its own. */
 async function startCore() {
   const packed = Uint8Array.from(atob(find("core").textContent), (letter) => letter.charCodeAt(0));
   const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
   const program = await slipbenchCore({wasmBinary: await new Response(unpacked).arrayBuffer()});
-  const call = (name, ...texts) => {
-    const places = texts.map((text) => {
-      const size = program.lengthBytesUTF8(text) + 1;
-      const place = program._malloc(size);
-      program.stringToUTF8(text, place, size);
-      return place;
-    });
-    const answer = program.UTF8ToString(program[`_slipbench_${name}`](...places));
-    places.forEach((place) => program._free(place));
-    return answer;
-  };
+  const call = coreCalls(program);
   return {run: (name, text) => JSON.parse(call("run", name, text)), rows: (name, text) => call("csv", name, text), schema: JSON.parse(call("schema")),
           put: (name, text) => {
             program.FS.createPath("/", name.split("/").slice(0, -1).join("/"), true, true);
@@ -70,7 +58,8 @@ function pathTo(text) {
     // A list may stand no further right than its key.
     const opens = left === indent && path[0] === 0 && !/^ *-/.test(lines[i]);
     if (left >= indent && !opens && !(at < indent)) continue;
-    if (opens) found.splice(0, found.length, /([^\s:]+):/.exec(lines[i])[1]);
+    const key = /([^\s:]+):/.exec(lines[i]);
+    if (opens && key) found.splice(0, found.length, key[1]);
     path.unshift(...found);
     indent = left;
   }
@@ -123,6 +112,12 @@ function wordsFor(schema, text) {
 const liveTexts = new Map();
 let live = null;
 
+/** Milliseconds of a run and its pictures that follow every change, and of the longest pause before one that takes longer. */
+const kShortRun = 300;
+const kLongestPause = 1500;
+
+const kStale = "Not run; the pictures are of the last text that was.";
+
 /** Limits of the slider of a number: from nothing to its double. */
 const sliderLimits = (value) => (value === 0 ? [-1, 1] : [Math.min(0, 2 * value), Math.max(0, 2 * value)]);
 
@@ -153,12 +148,17 @@ class Live {
   name() { return view.one.name.split("/").pop(); }
   original() { return (view.one.original || (view.one.run || {}).text) || ""; }
 
+  /** Gives the core the data files of a case. */
+  putFiles(one) {
+    for (const [name, text] of Object.entries(this.files[cases.indexOf(one)] || {})) this.core.put(name, text);
+  }
+
   /** Shows the text of the case that the page shows. */
   open(one) {
     if (one.original === undefined) one.original = (one.run || {}).text || "";
     this.sliders.clear();
     this.rows.replaceChildren();
-    for (const [name, text] of Object.entries(this.files[cases.indexOf(one)] || {})) this.core.put(name, text);
+    this.putFiles(one);
     this.opening = true;
     this.editor.setValue(liveTexts.get(one.id) || one.original);
     this.opening = false;
@@ -179,8 +179,14 @@ class Live {
     });
   }
 
-  /** Runs when the browser draws next: of many changes the last counts. */
+  /** Runs when the browser draws next, or, where a run takes long, when no more is typed for as long: of many changes the last counts. */
   later() {
+    clearTimeout(this.pause);
+    if (this.took > kShortRun) {
+      this.state.textContent = "Runs when you stop for a moment.";
+      this.pause = setTimeout(() => this.run(), Math.min(this.took, kLongestPause));
+      return;
+    }
     if (this.waiting) return;
     this.waiting = requestAnimationFrame(() => {
       this.waiting = 0;
@@ -193,7 +199,13 @@ class Live {
     const text = this.editor.getValue();
     liveTexts.set(one.id, text);
     const begin = performance.now();
-    const answer = this.core.run(`${this.name()}.yaml`, text);
+    let answer;
+    try {
+      answer = this.core.run(`${this.name()}.yaml`, text);
+    } catch (error) {
+      this.restart(error);
+      return;
+    }
     const ran = performance.now();
     const [fresh] = answer.document.cases;
     const refused = fresh.status === "not_run";
@@ -201,7 +213,17 @@ class Live {
     this.slide(answer.parameters);
     find("case").classList.toggle("stale", refused);
     if (!refused) this.show(one, fresh);
-    this.state.textContent = refused ? "Not run; the pictures are of the last text that was." : `${plural(one.increments, "increment")}, run in ${number(ran - begin, 2)} ms, drawn in ${number(performance.now() - ran, 2)} ms`;
+    this.took = performance.now() - begin;
+    this.state.textContent = refused ? kStale : `${plural(one.increments, "increment")}, run in ${number(ran - begin, 2)} ms, drawn in ${number(this.took - (ran - begin), 2)} ms`;
+  }
+
+  /** Starts another core in place of one that failed (memory, depth of calls): what that left in its memory is not to be used. */
+  async restart(error) {
+    find("case").classList.add("stale");
+    this.tell([], `The bench cannot run this text: ${error.message || error}`);
+    this.state.textContent = kStale;
+    this.core = await startCore();
+    this.putFiles(view.one);
   }
 
   /** Puts another run into the case that is shown. */
@@ -243,7 +265,10 @@ class Live {
   /** A slider for each parameter that is a number; it writes into the text. */
   slide(parameters) {
     const names = new Set(parameters.map(({name}) => name));
-    if (parameters.length === 0 && this.messages.querySelector(".error")) return;  // of a text that cannot be read nobody knows
+    // Of a text that cannot be read no place is known to write to.
+    const unread = parameters.length === 0 && this.messages.querySelector(".error") !== null;
+    for (const {slider} of this.sliders.values()) slider.disabled = unread;
+    if (unread) return;
     for (const [name, {row}] of this.sliders) {
       if (names.has(name)) continue;
       row.remove();
@@ -271,9 +296,10 @@ class Live {
 
   /** Writes a number where the text has that of a parameter. */
   write(name, wanted) {
-    const {place, limits} = this.sliders.get(name);
+    const {place, limits, slider} = this.sliders.get(name);
     const digits = Math.max(0, 2 - Math.floor(Math.log10((limits[1] - limits[0]) / 2)));
-    const text = String(Number(wanted.toFixed(Math.min(digits, 20))));
+    const text = String(Number(wanted.toFixed(Math.min(digits, 100))));
+    if (slider.disabled) return;
     this.editor.replaceRange(text, {line: place.line - 1, ch: place.column - 1}, {line: place.line - 1, ch: place.column - 1 + place.length}, "+slider");
     place.length = text.length;
   }
@@ -283,7 +309,13 @@ class Live {
 function addressedText() {
   const found = /^#text=(.*)$/s.exec(location.hash);
   if (!found) return;
-  Object.assign(cases[0], {name: "case", original: decodeURIComponent(found[1])});
+  let text = "";
+  try {
+    text = decodeURIComponent(found[1]);
+  } catch {
+    return;  // cut off on its way
+  }
+  Object.assign(cases[0], {name: "case", original: text});
   show(cases[0]);
 }
 

@@ -68,6 +68,14 @@ def smallest_and_largest(driver, name):
     return None
 
 
+def saved_rows(driver):
+    """The text that "Save its rows" offers."""
+    return driver.execute_async_script("""
+        const done = arguments[0], create = URL.createObjectURL;
+        URL.createObjectURL = (blob) => { blob.text().then(done); URL.createObjectURL = create; return create.call(URL, blob); };
+        [...document.querySelectorAll("#live button")].find((one) => one.textContent === "Save its rows").click();""")
+
+
 def drag(driver, page):
     slider = wait_for(driver, "#slider-mu")
     before = smallest_and_largest(driver, "CSF1")
@@ -83,10 +91,7 @@ def drag(driver, page):
     told = smallest_and_largest(driver, "CSF1")
     expect(told != before and all(abs(a - b) <= 1e-4 * abs(b) for a, b in zip(told, wanted)), f"with mu = {value} the page says CSF1 {told}, the program {wanted}")
     print(f"slider: mu 0.15 -> {value}, CSF1 {before} -> {told}; slipbench run: {wanted}")
-    kept = driver.execute_async_script("""
-        const done = arguments[0], create = URL.createObjectURL;
-        URL.createObjectURL = (blob) => { blob.text().then(done); URL.createObjectURL = create; return create.call(URL, blob); };
-        [...document.querySelectorAll("#live button")].find((one) => one.textContent === "Save its rows").click();""")
+    kept = saved_rows(driver)
     expect(kept == page.rows(), f"the rows that the page saves are not those of 'slipbench run': {kept[:200]!r}")
 
 
@@ -105,6 +110,26 @@ def faults(driver):
     expect(not driver.find_elements(By.CSS_SELECTOR, "#case.stale, .live-messages .error"), "a mended text is still refused")
 
 
+def unreadable(driver):
+    """A text that cannot be read has no place for a slider to write to; a core that fails is replaced by another one."""
+    broken = CASE.replace("title: Shaft in a sleeve", "title: {")
+    editor(driver, "editor.setValue(arguments[0]);", broken)
+    settled(driver)
+    slider = driver.find_element(By.ID, "slider-mu")
+    expect(not slider.is_enabled(), "a slider can be moved while the text cannot be read")
+    driver.execute_script("arguments[0].value = 0.01; arguments[0].dispatchEvent(new Event('input'));", slider)
+    expect(editor(driver, "return editor.getValue();") == broken, "a slider wrote into a text that cannot be read")
+    driver.execute_script("live.core.run = () => { throw new Error('no more memory'); };")
+    editor(driver, "editor.setValue(arguments[0]);", CASE)
+    settled(driver)
+    said = driver.find_element(By.CSS_SELECTOR, ".live-messages").text
+    expect("no more memory" in said and driver.find_elements(By.CSS_SELECTOR, "#case.stale"), f"a failed core is not told: {said!r}")
+    driver.execute_async_script("const done = arguments[0], old = live.core; const wait = () => (live.core === old ? setTimeout(wait, 20) : done()); wait();")
+    editor(driver, "editor.setValue(arguments[0]);", CASE)
+    settled(driver)
+    expect(not driver.find_elements(By.CSS_SELECTOR, "#case.stale, .live-messages .error") and slider.is_enabled(), "no other core runs the case")
+
+
 def completes(driver):
     for before, word, wanted in (
             ("slipbench: 1\nconn", "", "connector"), ("connector:\n  ty", "", "type"), ("connector: {type: CYL", "", "CYLINDRICAL"),
@@ -119,6 +144,26 @@ def completes(driver):
         ActionChains(driver).send_keys(Keys.ENTER).perform()
         text = editor(driver, "return editor.getValue();")
         expect(wanted in text, f"{wanted} is not put in: {text!r}")
+
+
+def reads_data(program, folder, driver):
+    """A case with a file of data: the page has its text, and saves the rows that the program writes."""
+    (folder / "rig.csv").write_text("time,disp,load\n0,0.000,22.5\n50,0.002,22.5\n100,0.004,22.5\n150,0.001,22.5\n200,-0.003,22.5\n")
+    page = LivePage(program, folder, "measured", """slipbench: 1
+units: {length: mm, force: N, time: s}
+connector: {type: SLOT}
+friction:
+  - {predefined: {}, coefficient: 0.2, stick: {stiffness: 1000}}
+history:
+  csv: rig.csv
+  time: time
+  unit: ms
+  columns: {CP1: {column: disp, unit: in}, f2: {column: load, unit: lbf}}
+""")
+    driver.get(page.page.as_uri())
+    wait_for(driver, "#live-state")
+    settled(driver)
+    expect(saved_rows(driver) == page.rows(), "a case with data is not run as 'slipbench run' runs it")
 
 
 def speed(driver):
@@ -150,8 +195,10 @@ def main(program):
         driver.get(page.page.as_uri())
         drag(driver, page)
         faults(driver)
+        unreadable(driver)
         completes(driver)
         speed(driver)
+        reads_data(program, folder, driver)
         screen(driver, width=390)
         wide = driver.execute_script("return document.documentElement.scrollWidth")
         expect(wide <= 390, f"{wide} pixels wide on a phone")

@@ -12,18 +12,8 @@ const kFarthest = 1e-9;
 
 async function startCore(file) {
   const program = await require(path.resolve(file))({wasmBinary: fs.readFileSync(file.replace(/\.js$/, ".wasm"))});
-  const call = (name, ...texts) => {
-    const places = texts.map((text) => {
-      const size = program.lengthBytesUTF8(text) + 1;
-      const place = program._malloc(size);
-      program.stringToUTF8(text, place, size);
-      return place;
-    });
-    const answer = program.UTF8ToString(program[`_slipbench_${name}`](...places));
-    places.forEach((place) => program._free(place));
-    return answer;
-  };
-  return {program, call};
+  const coreCalls = new Function(`${fs.readFileSync(path.join(__dirname, "../../live/call.js"), "utf8")} return coreCalls;`)();
+  return {program, call: coreCalls(program)};
 }
 
 /** The largest difference of two tables of numbers, in parts of the largest number of its column; infinite if they are no such. */
