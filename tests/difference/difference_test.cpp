@@ -218,8 +218,8 @@ TEST_CASE("double gives what long double gives, but for a stated error") {
   }
   WARN(tally.increments << " increments, " << tally.conditioned << " of them conditioned, "
                         << tally.jumps << " jumps");
-  // Few decisions lie on rounding, or the bound says nothing.
-  CHECK(tally.jumps <= tally.increments / 1000);
+  // Few decisions lie on rounding, or the bound says nothing. Of a short run chance decides.
+  CHECK(tally.jumps <= std::max<std::int64_t>(tally.increments / 1000, 10));
 }
 
 }  // namespace
