@@ -290,10 +290,10 @@ class Reader {
     axes.col(2) = z.normalized();
     axes.col(1) = axes.col(2).cross(axes.col(0));
     if (rows.size() > 1 && rows[1].size() > 1 && rows[1][0] && rows[1][1]) {
-      const auto axis = static_cast<int>(*rows[1][0]) - 1;
+      const double axis = std::trunc(*rows[1][0]);
       const double angle = *rows[1][1] * std::numbers::pi / 180.0;
-      if (axis >= 0 && axis < 3) {
-        const Vector3d about = axes.col(axis);
+      if (axis >= 1.0 && axis <= 3.0) {
+        const Vector3d about = axes.col(static_cast<Eigen::Index>(axis) - 1);
         axes = Eigen::AngleAxisd(angle, about).toRotationMatrix() * axes;
       }
     }
