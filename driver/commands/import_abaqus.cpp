@@ -33,6 +33,13 @@ struct Candidate {
   tl::expected<import::WrittenCase, std::string> written;
 };
 
+/// Cases that are written at once, each read back: some 1 ms a case.
+constexpr std::ptrdiff_t kMostAtOnce = 1000;
+
+bool has_friction(const abaqus::Connector& connector) {
+  return connector.behavior != nullptr && !connector.behavior->frictions.empty();
+}
+
 /// "arm-1.7" as a part of a file's name.
 std::string file_stem(const std::string& deck, const abaqus::Connector& connector) {
   std::string name = fs::path(deck).stem().string() + "_" + connector.name;
@@ -54,9 +61,7 @@ std::string inventory(const abaqus::Model& model, const std::vector<Candidate>& 
     if (!one.written) text += "    passed over: " + base::printable(one.written.error()) + "\n";
   }
   for (const abaqus::Connector& one : model.connectors) {
-    const bool listed = std::any_of(candidates.begin(), candidates.end(),
-                                    [&](const Candidate& c) { return c.connector == &one; });
-    if (!listed) text += "  " + abaqus::described(one) + ": no friction, passed over\n";
+    if (!has_friction(one)) text += "  " + abaqus::described(one) + ": no friction, passed over\n";
   }
   for (const std::string& note : model.notes) text += "  " + base::printable(note) + "\n";
   return text + "  " + plural(model.passed_over, "keyword") + " passed over\n";
@@ -146,20 +151,34 @@ ImportedDeck import_abaqus(const ImportOptions& options) {
     }
     case_options.history = std::move(*history);
   }
+  const std::string name = base::printable(options.deck);
+  const auto is_meant = [&](const abaqus::Connector& one) {
+    return options.connector.empty() || options.connector == one.name ||
+           one.labels.count(abaqus::label_of(options.connector)) > 0;
+  };
+  const auto count_if = [&](auto&& wanted) {
+    return std::count_if(model.connectors.begin(), model.connectors.end(),
+                         [&](const auto& one) { return has_friction(one) && wanted(one); });
+  };
+  if (const auto count = count_if(is_meant); count > kMostAtOnce) {
+    return refused(
+        std::move(imported),
+        fmt::format("{}: {} connectors with friction are more than the {} that are taken "
+                    "over at once: choose one with --connector NUMBER",
+                    name, count, kMostAtOnce));
+  }
+  const bool many = count_if([](const abaqus::Connector&) { return true; }) > kMostAtOnce;
   std::vector<Candidate> candidates;
   for (const abaqus::Connector& one : model.connectors) {
-    if (one.behavior == nullptr || one.behavior->frictions.empty()) continue;
+    if (!has_friction(one) || (many && !is_meant(one))) continue;
     candidates.push_back({&one, abaqus::write_case(*deck, model, one, case_options)});
   }
   imported.messages += inventory(model, candidates);
   for (Candidate& one : candidates) {
-    const bool meant = options.connector.empty() || options.connector == one.connector->name ||
-                       one.connector->labels.count(abaqus::label_of(options.connector)) > 0;
-    if (!meant || !one.written) continue;
+    if (!is_meant(*one.connector) || !one.written) continue;
     imported.cases.push_back({file_stem(options.deck, *one.connector),
                               abaqus::described(*one.connector), std::move(*one.written)});
   }
-  const std::string name = base::printable(options.deck);
   if (imported.cases.empty()) {
     return refused(std::move(imported),
                    name + (options.connector.empty() ? ": has no connector that can be taken over"
