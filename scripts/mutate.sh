@@ -3,7 +3,7 @@
 # mutate.sh [--commit COMMIT] [--all | --count N --seed N] [--no-cases] [FILE..]: mutation tests of law/. All mutants are
 # compiled in one build, each behind a switch; one is caught where a test that reaches it fails. Without FILE a sample over all
 # files. The build takes about a quarter of an hour on two cores, a sample of 600 about another half, all of them a night.
-# Exit: 0, or 1 if a mutant survives that tests/mutation/equivalent.txt does not explain.
+# Exit: 0, or 1 if a mutant that tests/mutation/equivalent.txt does not explain survives or is not reached.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"

@@ -6,7 +6,7 @@ mutant of TREE/mutants.json against it, the quickest first, until one fails.
 A first pass with --most finds what is caught easily; a second one, with --again, takes the rest whole.
 
 A mutant is caught when a test fails, crashes, or takes more than five times as long as it does else. Unreached are those
-that no test runs. Exit: 0, or 1 if one survives that equivalent.txt does not explain.
+that no test runs. What equivalent.txt explains is not run. Exit: 0, or 1 if another one survives or is unreached.
 """
 import argparse
 import collections
@@ -172,10 +172,17 @@ def main():
     print(f"{len(judge.tests)} tests and cases reach {len(judge.reaching)} sites ({time.time() - start:.0f} s); "
           f"{len(mutants)} of {len(judge.mutants)} mutants" + ("" if options.all else f", seed {options.seed}"), flush=True)
 
-    verdicts = {}
+    known = explained(HERE / "equivalent.txt")
+
+    def reason(mutant):
+        reasons = known.get(f"{mutant['file']}: {mutant['text']}", {})
+        return reasons.get(shown(mutant), reasons.get("*"))
+
+    # No test can catch what is explained, and all of them would have to be run.
+    verdicts = {m["id"]: "explained" for m in mutants if reason(m)}
     results = options.results.open("w") if options.results else None
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        running = {pool.submit(judge.judge, m): m for m in mutants}
+        running = {pool.submit(judge.judge, m): m for m in mutants if m["id"] not in verdicts}
         for done in concurrent.futures.as_completed(running):
             mutant = running[done]
             verdicts[mutant["id"]] = done.result()
@@ -184,23 +191,15 @@ def main():
             if len(verdicts) % 100 == 0:
                 print(f"  {len(verdicts)} judged, {time.time() - start:.0f} s", flush=True)
 
-    known = explained(HERE / "equivalent.txt")
-    counts, unknown = collections.Counter(), 0
+    counts = collections.Counter()
     for mutant in sorted(mutants, key=lambda m: m["id"]):
         verdict = verdicts[mutant["id"]]
-        reasons = known.get(f"{mutant['file']}: {mutant['text']}", {})
-        reason = reasons.get(shown(mutant), reasons.get("*"))
-        if verdict not in ("survived", "unreached"):
-            counts["caught"] += 1
-        elif reason:
-            counts["explained"] += 1
-        else:
-            counts[verdict] += 1
-            unknown += verdict == "survived"
+        counts[verdict if verdict in ("survived", "unreached", "explained") else "caught"] += 1
+        if verdict in ("survived", "unreached"):
             print(f"{verdict}: {mutant['file']}:{mutant['line']}: {shown(mutant)}\n    {mutant['text']}")
     print(f"{len(mutants)} mutants: " + ", ".join(f"{counts[k]} {k}" for k in ("caught", "survived", "unreached", "explained")) +
           f"; {time.time() - start:.0f} s")
-    return 1 if unknown else 0
+    return 1 if counts["survived"] + counts["unreached"] else 0
 
 
 if __name__ == "__main__":
