@@ -78,7 +78,7 @@ if(WITH_DRIVER)
   run(mktemp -d)
   string(STRIP "${text}" alone)
   file(COPY ${prefix}/bin/slipbench DESTINATION ${alone}/bin)
-  execute_process(COMMAND ${alone}/bin/slipbench run ${prefix}/share/slipbench/cases/examples/hinge.yaml -o ${alone} --plot
+  execute_process(COMMAND ${alone}/bin/slipbench plot ${prefix}/share/slipbench/cases/examples/hinge.yaml -o ${alone}
                   RESULT_VARIABLE code OUTPUT_VARIABLE text ERROR_VARIABLE text)
   file(REMOVE_RECURSE ${alone})
   if(code EQUAL 0 OR NOT text MATCHES "template")

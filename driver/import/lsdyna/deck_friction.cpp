@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <set>
 #include <string_view>
@@ -46,6 +48,13 @@ Coefficients read_coefficients(CardReader& cards, std::size_t card, std::size_t 
                  "DC must not be negative: the coefficient would grow with the velocity for ever");
   }
   return found;
+}
+
+/// Returns the id that a coefficient stands for; -1, which nothing has, for one that is none.
+int id_of(double value) {
+  const bool is_id =
+      value == std::trunc(value) && std::abs(value) <= std::numeric_limits<int>::max();
+  return is_id ? static_cast<int>(value) : -1;
 }
 
 std::string number(double value) { return base::format_number(value); }
@@ -298,15 +307,16 @@ class FrictionReader {
   }
 
   void take_definition(const Coefficients& set, double fsf, double vsf, Found& found) {
-    const int wanted = static_cast<int>(set.fd);
+    const int wanted = id_of(set.fd);
     const auto definition =
         wanted == 0 && definitions_.size() == 1 ? definitions_.begin() : definitions_.find(wanted);
     if (definition == definitions_.end()) {
-      found.passed_over = wanted == 0 ? fmt::format(
-                                            "FS -2 names no *DEFINE_FRICTION, and there "
-                                            "are {}",
-                                            definitions_.size())
-                                      : fmt::format("*DEFINE_FRICTION {} is not there", wanted);
+      found.passed_over = wanted == 0
+                              ? fmt::format(
+                                    "FS -2 names no *DEFINE_FRICTION, and there "
+                                    "are {}",
+                                    definitions_.size())
+                              : fmt::format("*DEFINE_FRICTION {} is not there", number(set.fd));
       return;
     }
     if (fsf != 1.0 || vsf != 1.0) {
@@ -322,10 +332,11 @@ class FrictionReader {
   }
 
   void take_table(const Coefficients& set, double fsf, double vsf, Found& found) {
-    const int id = static_cast<int>(set.fd);
+    const int id = id_of(set.fd);
     const auto table = tables_.find(id);
     if (table == tables_.end() || table->second.values.empty()) {
-      found.passed_over = fmt::format("FS 2 names *DEFINE_TABLE {}, which is not there", id);
+      found.passed_over =
+          fmt::format("FS 2 names *DEFINE_TABLE {}, which is not there", number(set.fd));
       return;
     }
     std::string rows;
