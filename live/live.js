@@ -113,7 +113,7 @@ const liveTexts = new Map();
 let live = null;
 
 /** Milliseconds of a run and its pictures that follow every change, and of the longest pause before one that takes longer. */
-const kShortRun = 300;
+const kShortRun = 500;
 const kLongestPause = 1500;
 
 const kStale = "Not run; the pictures are of the last text that was.";
@@ -138,6 +138,8 @@ class Live {
             make("p", {class: "live-tools"}, button("As it was", "The text that the page came with", () => this.editor.setValue(this.original())),
                  button("Save the case", "The text, as a YAML file", save(".yaml", "text/yaml", () => this.editor.getValue())),
                  button("Save its rows", "What 'slipbench run' writes (CSV)", save(".csv", "text/csv", () => this.core.rows(`${this.name()}.yaml`, this.editor.getValue())))))));
+    // As the element of an editor has its editor.
+    this.element.live = this;
     this.editor = CodeMirror(place, {mode: "yaml", lineNumbers: true, lineWrapping: true, gutters: ["faults", "CodeMirror-linenumbers"], indentUnit: 2, tabSize: 2, viewportMargin: Infinity,
                                      extraKeys: {"Ctrl-Space": () => this.complete(), Tab: false, "Shift-Tab": false}});
     this.editor.getInputField().setAttribute("aria-label", "The case file; Ctrl and Space complete a word");
@@ -195,6 +197,7 @@ class Live {
   }
 
   run() {
+    this.pause = 0;
     const {one} = view;
     const text = this.editor.getValue();
     liveTexts.set(one.id, text);

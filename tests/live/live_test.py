@@ -49,7 +49,10 @@ def editor(driver, script, *arguments):
 
 def settled(driver):
     """Waits until what was changed is run and drawn."""
-    driver.execute_async_script("const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 30)))")
+    driver.execute_async_script("""
+        const done = arguments[0], {live} = document.getElementById("live");
+        const wait = () => (!live.waiting && !live.pause ? setTimeout(done, 30) : requestAnimationFrame(wait));
+        requestAnimationFrame(() => requestAnimationFrame(wait));""")
 
 
 def wait_for(driver, selector):
@@ -119,12 +122,12 @@ def unreadable(driver):
     expect(not slider.is_enabled(), "a slider can be moved while the text cannot be read")
     driver.execute_script("arguments[0].value = 0.01; arguments[0].dispatchEvent(new Event('input'));", slider)
     expect(editor(driver, "return editor.getValue();") == broken, "a slider wrote into a text that cannot be read")
-    driver.execute_script("live.core.run = () => { throw new Error('no more memory'); };")
+    driver.execute_script("window.failed = document.getElementById('live').live.core; window.failed.run = () => { throw new Error('no more memory'); };")
     editor(driver, "editor.setValue(arguments[0]);", CASE)
     settled(driver)
     said = driver.find_element(By.CSS_SELECTOR, ".live-messages").text
     expect("no more memory" in said and driver.find_elements(By.CSS_SELECTOR, "#case.stale"), f"a failed core is not told: {said!r}")
-    driver.execute_async_script("const done = arguments[0], old = live.core; const wait = () => (live.core === old ? setTimeout(wait, 20) : done()); wait();")
+    driver.execute_async_script("const done = arguments[0], {live} = document.getElementById('live'); const wait = () => (live.core === window.failed ? setTimeout(wait, 20) : done()); wait();")
     editor(driver, "editor.setValue(arguments[0]);", CASE)
     settled(driver)
     expect(not driver.find_elements(By.CSS_SELECTOR, "#case.stale, .live-messages .error") and slider.is_enabled(), "no other core runs the case")
