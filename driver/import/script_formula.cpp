@@ -71,7 +71,7 @@ class FormulaReader {
   void fail(std::string message, std::string unknown = {}) {
     if (!sound_) return;
     sound_ = false;
-    fault_ = {std::move(message), std::min(at_, text_.size()), std::move(unknown)};
+    fault_ = {std::move(message), at_, std::move(unknown)};
     at_ = text_.size();
   }
 
@@ -285,6 +285,7 @@ class FormulaReader {
     const bool whole = is_whole_literal(rest.substr(0, length));
     if (whole && length > 1 && rest.front() == '0' && language_ != FormulaLanguage::kFortran) {
       fail("an integer that begins with 0 is octal in Tcl 8: write it without the 0");
+      return {};
     }
     at_ += length;
     return exact({value, whole});
