@@ -11,10 +11,10 @@ that no test runs. What equivalent.txt explains is not run. Exit: 0, or 1 if ano
 import argparse
 import collections
 import concurrent.futures
+import hashlib
 import json
 import os
 import pathlib
-import random
 import resource
 import subprocess
 import sys
@@ -121,14 +121,15 @@ class Judge:
 
 
 def choose(mutants, count, seed):
-    """Chooses mutants at random, some of every file."""
-    dice = random.Random(seed)
+    """Chooses mutants at random, some of every file. Each has a lot of its own: what is written elsewhere changes no other's."""
+    def lot(mutant):
+        return hashlib.sha256(f"{seed} {mutant['file']} {mutant['text']} {shown(mutant)}".encode()).digest()
     by_file = collections.defaultdict(list)
-    for mutant in dice.sample(mutants, len(mutants)):
+    for mutant in sorted(mutants, key=lambda m: (lot(m), m["line"])):
         by_file[mutant["file"]].append(mutant)
     first = [m for name in sorted(by_file) for m in by_file[name][:LEAST_PER_FILE]]
-    rest = [m for name in sorted(by_file) for m in by_file[name][LEAST_PER_FILE:]]
-    return first + dice.sample(rest, max(0, min(count - len(first), len(rest))))
+    rest = sorted((m for name in by_file for m in by_file[name][LEAST_PER_FILE:]), key=lambda m: (lot(m), m["line"]))
+    return first + rest[:max(0, count - len(first))]
 
 
 def explained(path):
