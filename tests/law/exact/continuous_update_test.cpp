@@ -62,6 +62,21 @@ TEST_CASE("an L-shaped path is exact with one increment a leg (reference case D1
   CHECK(run.work == Approx(run.dissipation + run.last.stored_energy).epsilon(1e-14));
 }
 
+TEST_CASE("an exact increment tells by how much the force is below the limit, or that it slips") {
+  for (const Criterion& criterion : criteria_of_one()) {
+    FrictionDefinition definition = pressed();
+    definition.criterion = criterion.of;
+    ExactRun run(definition, at(0.0, 100.0));
+    CHECK(run.go(at(-0.005, 100.0)).phi == Approx(5.0 - 20.0));
+    run.go(at(-0.05, 100.0));
+    CHECK(run.last.phi == Approx(0.0).margin(1e-8));
+    REQUIRE(run.changes.count > 0);
+    const RegimeChange& slips = run.changes.at[static_cast<std::size_t>(run.changes.count - 1)];
+    CHECK(slips.to == Regime::kSlip);
+    CHECK(slips.force == Approx(-20.0));
+  }
+}
+
 TEST_CASE("one, seven and a thousand increments a segment end alike on a polyline") {
   const std::vector<Waypoint> corners{at(0.05, 100.0),         at(0.05, 100.0, 0.05),
                                       at(-0.03, 100.0, 0.02),  at(-0.03, 100.0, -0.001),
