@@ -20,6 +20,8 @@ bool is_plain_word(std::string_view key) {
 namespace detail {
 
 std::size_t quoted_length(std::string_view rest) {
+  // A tag "!" alone is a quoted text to the library, and has none.
+  if (rest.empty()) return 0;
   const char quote = rest.front();
   for (std::size_t i = 1; i < rest.size() && rest[i] != '\n'; ++i) {
     if (quote == '"' && rest[i] == '\\') {
