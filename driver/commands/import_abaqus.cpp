@@ -52,9 +52,10 @@ std::string plural(std::size_t count, const char* what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
-/// Tells what a deck has.
+/// Tells what a deck has, and what becomes of the connectors that are looked at.
 std::string inventory(const abaqus::Model& model, const std::vector<Candidate>& candidates) {
-  std::string text = plural(candidates.size(), "connector") + " with friction";
+  const auto count = std::count_if(model.connectors.begin(), model.connectors.end(), has_friction);
+  std::string text = plural(static_cast<std::size_t>(count), "connector") + " with friction";
   text += candidates.empty() ? "\n" : ":\n";
   for (const Candidate& one : candidates) {
     text += "  " + abaqus::described(*one.connector) + "\n";

@@ -50,11 +50,9 @@ Coefficients read_coefficients(CardReader& cards, std::size_t card, std::size_t 
   return found;
 }
 
-/// Returns the id that a coefficient stands for; -1, which nothing has, for one that is none.
+/// Returns the id that a coefficient stands for; -1, which nothing has, for one beyond all ids.
 int id_of(double value) {
-  const bool is_id =
-      value == std::trunc(value) && std::abs(value) <= std::numeric_limits<int>::max();
-  return is_id ? static_cast<int>(value) : -1;
+  return std::abs(value) <= std::numeric_limits<int>::max() ? static_cast<int>(value) : -1;
 }
 
 std::string number(double value) { return base::format_number(value); }
