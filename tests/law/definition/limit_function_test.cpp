@@ -73,12 +73,13 @@ TEST_CASE("of three roots within one piece of a cubic limit the first is found")
   const ConnectorIncrement increment = lasting(1.0);
   const LimitFunction limit(definition, increment, {}, 0.0);
   CHECK(limit(0.5).force == Approx(0.125).epsilon(1e-15));
-  // With u = x - 2/3 the distance from the line is u^3 - u/12.
-  const double kappa = 0.25;
-  const double trial = 2.0 / 27.0 + kappa * 2.0 / 3.0;
-  CHECK(first_root(limit, trial, kappa) ==
-        Approx(2.0 / 3.0 - std::sqrt(1.0 / 12.0)).epsilon(1e-12));
-  CHECK(has_later_root(limit, trial, kappa, 0.4) == false);
+  // With u = x - 2/3 the limit is (1/3 - kappa) u - u^3 below a line through its inflection.
+  for (const double kappa : {0.2, 0.25, 0.3, 0.32}) {
+    INFO("kappa " << kappa);
+    const double trial = 2.0 / 27.0 + kappa * 2.0 / 3.0;
+    CHECK(first_root(limit, trial, kappa) ==
+          Approx(2.0 / 3.0 - std::sqrt(1.0 / 3.0 - kappa)).epsilon(1e-12));
+  }
 }
 
 /// A belt over `wrap_angle` whose coefficient sees the slip rate.
