@@ -108,7 +108,7 @@ TEST_CASE("predefined friction acts in available components only, each in one ch
   });
 }
 
-TEST_CASE("the rings of a belt press by tension alone, in their order") {
+TEST_CASE("the rings of a belt press by tension alone in their order") {
   SlipRing belt;
   belt.wrap_angles = {0.5, 2.0};
   int number = 0;

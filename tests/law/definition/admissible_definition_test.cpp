@@ -77,7 +77,7 @@ TEST_CASE("a potential has one to six parts and leaves, and leaves only of its p
   CHECK_FALSE(admits_potential(1, 7, 0));
 }
 
-TEST_CASE("a homogeneous potential has no centers, and any potential finite numbers") {
+TEST_CASE("a homogeneous potential has no centers and any potential finite numbers") {
   const auto admits_leaf = [](bool homogeneous, double center, double direction) {
     return admits([&](FrictionDefinition* d) {
       Potential potential;

@@ -114,7 +114,7 @@ TEST_CASE("a bound that is met at the largest rates, or from below, is a bound")
   CHECK(std::isinf(default_largest(Stribeck<>{0.3, 0.2, 10.0, 2.0, 1e-12})));
 }
 
-TEST_CASE("a coefficient that grows towards a bound with the force is drawn, and bounded") {
+TEST_CASE("a coefficient that grows towards a bound with the force is drawn and bounded") {
   const LawRange range = default_range(Growing<>{});
   CHECK(range.slip_rate == 8.0);
   CHECK(range.contact_force == 200.0);

@@ -90,7 +90,7 @@ TEST_CASE("a law that says nothing of its range is drawn to a few times its spee
   CHECK(range(Stribeck<>{0.3, 0.2, 10.0, 2.0, 1e-4}).contact_force == 0.0);
 }
 
-TEST_CASE("a table is drawn a tenth beyond its last knots, and not over what it does not see") {
+TEST_CASE("a table is drawn a tenth beyond its last knots and not over what it does not see") {
   const LawRange both = range(TabularCoefficient::example());
   CHECK(both.slip_rate == Approx(22.0).epsilon(1e-15));
   CHECK(both.contact_force == Approx(110.0).epsilon(1e-15));
