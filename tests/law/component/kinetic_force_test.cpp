@@ -153,4 +153,11 @@ TEST_CASE("a point of a segment sees the spring at its own place and the velocit
   CHECK(points.limit(1.0 / 3.0, 0, 0, 1).force == Approx(10.15).epsilon(1e-14));
 }
 
+TEST_CASE("a mean velocity is the motion over the time and 0 without any") {
+  for (const double duration : {1e-9, 1e-3, 1.0, 1e9}) {
+    CHECK(mean_velocity(increment_to({0, 0, 3.0, 0, 0, 0}, duration), 2) == 3.0 / duration);
+  }
+  CHECK(mean_velocity(increment_to({0, 0, 3.0, 0, 0, 0}, 0.0), 2) == 0.0);
+}
+
 }  // namespace

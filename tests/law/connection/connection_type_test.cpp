@@ -108,6 +108,19 @@ TEST_CASE("predefined friction acts in available components only, each in one ch
   });
 }
 
+TEST_CASE("the rings of a belt press by tension alone in their order") {
+  SlipRing belt;
+  belt.wrap_angles = {0.5, 2.0};
+  int number = 0;
+  for (const PredefinedFriction& ring : belt.predefined()) {
+    CHECK(std::get<double>(ring.internal_contact_force) == 0.0);
+    CHECK(std::get<Capstan>(ring.criterion).wrap_angle ==
+          belt.wrap_angles.at(static_cast<std::size_t>(number)));
+    CHECK(ring.number == ++number);
+  }
+  CHECK(number == 2);
+}
+
 TEST_CASE("a connection is found by its name, and not by another") {
   for (const Row& row : kTypes) {
     const auto found = find_connection(row.name);

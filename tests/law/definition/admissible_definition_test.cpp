@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 #include <functional>
+#include <limits>
 
 #include "law/friction/law_list.hpp"
 
@@ -74,6 +75,26 @@ TEST_CASE("a potential has one to six parts and leaves, and leaves only of its p
   CHECK_FALSE(admits_potential(0, 1, 0));
   CHECK_FALSE(admits_potential(1, 0, 0));
   CHECK_FALSE(admits_potential(1, 7, 0));
+}
+
+TEST_CASE("a homogeneous potential has no centers and any potential finite numbers") {
+  const auto admits_leaf = [](bool homogeneous, double center, double direction) {
+    return admits([&](FrictionDefinition* d) {
+      Potential potential;
+      potential.parts = potential.leaves = 1;
+      potential.homogeneous = homogeneous;
+      potential.leaf[0].center = center;
+      potential.leaf[0].direction[0] = direction;
+      d->criterion = potential;
+    });
+  };
+  CHECK(admits_leaf(true, 0.0, 1.0));
+  CHECK(admits_leaf(false, 2.0, 1.0));
+  CHECK_FALSE(admits_leaf(true, 2.0, 1.0));
+  for (const bool homogeneous : {false, true}) {
+    CHECK_FALSE(admits_leaf(homogeneous, 0.0, std::numeric_limits<double>::infinity()));
+    CHECK_FALSE(admits_leaf(homogeneous, 0.0, std::numeric_limits<double>::quiet_NaN()));
+  }
 }
 
 }  // namespace

@@ -25,7 +25,8 @@ TEST_CASE("a blend goes from the start value to the law, and its slopes with it"
 
 TEST_CASE("at full weight, and by default, there is the law alone, to the last bit") {
   const CoefficientPoint law{0.1 + 0.2, -0.1 / 3.0, 1.0 / 7.0};
-  for (const CoefficientBlend& blend : {CoefficientBlend{}, CoefficientBlend{0.7, 1.0}}) {
+  for (const CoefficientBlend& blend :
+       {CoefficientBlend{}, CoefficientBlend{0.7, 1.0}, CoefficientBlend{1e9, 1.0}}) {
     const CoefficientPoint point = blended(blend, law);
     CHECK(point.mu == law.mu);
     CHECK(point.to_slip_rate == law.to_slip_rate);

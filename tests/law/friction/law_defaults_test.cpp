@@ -32,6 +32,19 @@ struct Warm {
   }
 };
 
+/// Grows with F_N from 0.1 towards 0.4 over a force, and falls over a rate.
+template <class Number = double>
+struct Growing {
+  Number half{50.0}, fast{2.0};
+  static constexpr auto fields() {
+    return std::tuple{Field{"half", &Growing::half, dimension::kForce, kPositive, true, ""},
+                      Field{"fast", &Growing::fast, Dimension{0, 1, -1}, kPositive, true, ""}};
+  }
+  Number coefficient(const Number& rate, const Number& force) const {
+    return 0.1 + 0.3 * force / (force + half) - 0.05 * rate / (rate + fast);
+  }
+};
+
 /// Level, falling, level, rising, so that there is a kink of either sense; below 0 before its end.
 template <class Number = double>
 struct Broken {
@@ -99,6 +112,16 @@ TEST_CASE("a bound that is met at the largest rates, or from below, is a bound")
   // Rises for ever, but at 1e12, where the scan ends, by 1e-4 only.
   CHECK(default_largest(Stribeck<>{0.3, 0.2, 10.0, 2.0, 1e-16}) == 0.3);
   CHECK(std::isinf(default_largest(Stribeck<>{0.3, 0.2, 10.0, 2.0, 1e-12})));
+}
+
+TEST_CASE("a coefficient that grows towards a bound with the force is drawn and bounded") {
+  const LawRange range = default_range(Growing<>{});
+  CHECK(range.slip_rate == 8.0);
+  CHECK(range.contact_force == 200.0);
+  // Met at rest, and at any rate.
+  for (const double fast : {2.0, 1e30}) {
+    CHECK(default_largest(Growing<>{50.0, fast}) == Approx(0.4).epsilon(1e-9));
+  }
 }
 
 }  // namespace

@@ -5,10 +5,12 @@
 #include <cmath>
 
 #include "law/friction/law_list.hpp"
+#include "tests/support/law_tables.hpp"
 
 namespace {
 
 using namespace slipbench::law;
+using namespace slipbench::test;
 
 TEST_CASE("Renard is drawn beyond its joints, in the case's unit of speed") {
   Renard law = Renard::example();
@@ -86,6 +88,16 @@ TEST_CASE("A law without a scale of its own has none") {
 TEST_CASE("a law that says nothing of its range is drawn to a few times its speed") {
   CHECK(range(Stribeck<>{0.3, 0.2, 10.0, 2.0, 1e-4}).slip_rate == 40.0);
   CHECK(range(Stribeck<>{0.3, 0.2, 10.0, 2.0, 1e-4}).contact_force == 0.0);
+}
+
+TEST_CASE("a table is drawn a tenth beyond its last knots and not over what it does not see") {
+  const LawRange both = range(TabularCoefficient::example());
+  CHECK(both.slip_rate == Approx(22.0).epsilon(1e-15));
+  CHECK(both.contact_force == Approx(110.0).epsilon(1e-15));
+  const LawRange warm =
+      range(TabularCoefficient{make_function({{0.3, 20.0}, {0.2, 90.0}}, {kOverTemperature})});
+  CHECK(warm.slip_rate == 0.0);
+  CHECK(warm.contact_force == 0.0);
 }
 
 }  // namespace

@@ -358,4 +358,40 @@ TEST_CASE("a law without bounds has them up to a rate at a pressure") {
   CHECK(steepest_weakening(kRenard) == Approx(1.5 * 0.2 / 90.0).epsilon(1e-15));
 }
 
+TEST_CASE("an exponential law that falls to nothing bends where the floor holds it") {
+  // exp(-V) = 1e-30.
+  ModifiedDarmstad law;
+  law.c5 = 1.0;
+  law.c6 = -1.0;
+  CHECK(law.next_bend({.end = 100.0, .rate_per_slip = 1.0, .force = 10.0}) ==
+        Approx(30.0 * std::log(10.0)).epsilon(1e-12));
+}
+
+TEST_CASE("a coefficient that has overflown does not bend any more") {
+  // exp(V) - exp(2 V - 352)/4 has an inflection at 352, where the law is infinite: 2 V > 700.
+  const ModifiedDarmstad law{0.0, 0.0, 0.0, -0.25 * std::exp(-352.0), 2.0, 1.0, 1.0, 1.0};
+  const SlipLine line{.slip = 351.0, .end = 354.0, .rate_per_slip = 1.0, .force = 1.0};
+  CHECK(std::isinf(mu(law, 1.0, 351.0)));
+  CHECK(law.next_bend(line) == kNoBend);
+}
+
+TEST_CASE("the raw coefficient of an exponential law is its coefficient above the floor") {
+  const ModifiedDarmstad law = {0.3, 1e-3, -2.0, 2e-2, -1.0, 0.1, -0.5, 1.0};
+  for (const double v : {0.0, 0.25, 2.0}) {
+    CHECK(law.raw_coefficient(3.0, v) == Approx(mu(law, 3.0, v)).epsilon(1e-15));
+  }
+}
+
+TEST_CASE("an exponential law without an exponent does not weaken with the rate") {
+  using L = ModifiedDarmstad;
+  for (const auto factor : {&L::c1, &L::c3, &L::c5}) {
+    for (const double value : {-0.1, 0.1}) {
+      L law;
+      law.fric = 0.3;
+      law.*factor = value;
+      CHECK(law.steepest_weakening() == 0.0);
+    }
+  }
+}
+
 }  // namespace

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// Limits as functions of the slip of an increment: where they bend, and what that finds.
+#include "law/definition/limit_function.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "law/definition/capstan_limit.hpp"
+#include "law/friction/law_list.hpp"
+#include "law/update/first_root.hpp"
+#include "tests/support/law_tables.hpp"
+
+namespace {
+
+using namespace slipbench::law;
+using namespace slipbench::test;
+
+ConnectorIncrement lasting(double duration, double force = 0.0) {
+  ConnectorIncrement increment;
+  increment.duration = duration;
+  increment.force[0] = force;
+  return increment;
+}
+
+/// F_int falls by 1 per slip, from 2 to 0.
+FrictionDefinition wearing(const FrictionLaw& law) {
+  FrictionDefinition definition;
+  definition.contact_force = ComponentContactForce{0};
+  definition.internal_contact_force =
+      make_function({{2.0, 0.0}, {0.0, 2.0}}, {kOverAccumulatedSlip});
+  definition.law = law;
+  return definition;
+}
+
+TEST_CASE("a contact force that wears through 0 presses again from there on") {
+  const FrictionDefinition definition = wearing(TabularCoefficient{
+      make_function({{0.3, 0.0}, {0.2, 0.5}, {0.25, 4.0}}, {kOverContactForce})});
+  const ConnectorIncrement increment = lasting(1.0, -1.0);
+  const LimitFunction limit(definition, increment, {}, 0.0);
+  // F_N = |1 - x|: the knot at 0.5 on the way down, 0 itself, and the knot on the way up.
+  CHECK(limit.next_knot(0.0, 2.0) == Approx(0.5).epsilon(1e-15));
+  CHECK(limit.next_knot(0.5, 2.0) == 1.0);
+  CHECK(limit.next_knot(1.0, 2.0) == Approx(1.5).epsilon(1e-15));
+}
+
+TEST_CASE("a knot that rounding leaves just ahead is passed") {
+  for (int i = 1; i < 200; ++i) {
+    const double force = -0.01 * i;
+    const FrictionDefinition definition = wearing(ConstantCoefficient{0.3});
+    const ConnectorIncrement increment = lasting(1.0, force);
+    FrictionState old;
+    old.accumulated_slip = 1.0 / 3.0;
+    const LimitFunction limit(definition, increment, old, 0.0);
+    // Where F_C + F_int is 0, and the end of the table.
+    const double zero = 2.0 + force - old.accumulated_slip;
+    double slip = 0.0;
+    if (zero > 0.0) {
+      slip = limit.next_knot(0.0, 10.0);
+      CHECK(slip == Approx(zero).epsilon(1e-14));
+    }
+    CHECK(limit.next_knot(slip, 10.0) == Approx(5.0 / 3.0).epsilon(1e-15));
+  }
+}
+
+TEST_CASE("of three roots within one piece of a cubic limit the first is found") {
+  // mu = V F_N and F_N = 1 - x at V = x/duration: F_lim = x (1 - x)^2, a cubic about x = 2/3.
+  FrictionDefinition definition;
+  definition.law = TabularCoefficient{
+      make_function({{0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}, {1.0, 1.0, 1.0}},
+                    {kOverSlipRate, kOverContactForce})};
+  definition.internal_contact_force =
+      make_function({{1.0, 0.0}, {0.0, 1.0}}, {kOverAccumulatedSlip});
+  const ConnectorIncrement increment = lasting(1.0);
+  const LimitFunction limit(definition, increment, {}, 0.0);
+  CHECK(limit(0.5).force == Approx(0.125).epsilon(1e-15));
+  // With u = x - 2/3 the limit is (1/3 - kappa) u - u^3 below a line through its inflection.
+  for (const double kappa : {0.2, 0.25, 0.3, 0.32}) {
+    INFO("kappa " << kappa);
+    const double trial = 2.0 / 27.0 + kappa * 2.0 / 3.0;
+    CHECK(first_root(limit, trial, kappa) ==
+          Approx(2.0 / 3.0 - std::sqrt(1.0 / 3.0 - kappa)).epsilon(1e-12));
+  }
+}
+
+/// A belt over `wrap_angle` whose coefficient sees the slip rate.
+FrictionDefinition belt(const FrictionLaw& law, double wrap_angle) {
+  FrictionDefinition definition;
+  definition.slip = slip_space({2});
+  definition.criterion = Capstan{wrap_angle};
+  definition.contact_force = ComponentContactForce{0};
+  definition.law = law;
+  return definition;
+}
+
+TEST_CASE("the limit of a belt bends where its angle and its blend make it and its tension") {
+  // mu = C3 exp(C4 V) p: -exp(-weight alpha mu) bends where weight alpha mu is 1.
+  ModifiedDarmstad law;
+  law.c3 = 1e5;
+  law.c4 = -2.0;
+  FrictionDefinition definition = belt(law, 3.0);
+  definition.blend = {0.0, 0.5};
+  const ConnectorIncrement increment = lasting(0.5, 1e-4);
+  const CapstanLimit limit(definition, increment, 0.0, FlowSense::kBackward);
+  CHECK(limit.next_knot(0.0, 1.0) ==
+        Approx(0.5 * std::log(0.5 * 3.0 * 1e5 * 1e-4) / 2.0).epsilon(1e-12));
+}
+
+TEST_CASE("a dip of a belt's limit is found in any unit of length") {
+  // mu falls from 10 at rest to 0 at the rate 1: with u = 10 x/length the limit of the unwrapping
+  // side is 1 - exp(u - 10), and its distance from the trial line is least at u = 1.
+  const FrictionDefinition definition =
+      belt(TabularCoefficient{make_function({{10.0, 0.0}, {0.0, 1.0}}, {kOverSlipRate})}, 1.0);
+  for (const double length : {1.0, 1e-8, 1e-16, 1e8}) {
+    INFO("length " << length);
+    const ConnectorIncrement increment = lasting(length, 1.0);
+    const CapstanLimit limit(definition, increment, 0.0, FlowSense::kBackward);
+    const double kappa = 10.0 * std::exp(-9.0) / length;
+    const double trial = 1.0 - 0.5 * std::exp(-10.0);
+    const double u = 10.0 * first_root(limit, trial, kappa) / length;
+    CHECK(std::exp(u) - std::exp(1.0) * u == Approx(0.5).epsilon(1e-9));
+    CHECK(u < 1.0);
+  }
+}
+
+TEST_CASE("the rate of a belt's motion is the motion over the time") {
+  const FrictionDefinition definition = belt(ConstantCoefficient{0.3}, 1.0);
+  const ConnectorIncrement increment = lasting(0.5, 1.0);
+  const CapstanLimit limit(definition, increment, 0.0, FlowSense::kForward);
+  CHECK(limit.motion_rate(3.0) == 6.0);
+}
+
+}  // namespace
