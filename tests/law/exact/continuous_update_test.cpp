@@ -406,6 +406,32 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a jump begins where a smooth limit falls faster than the spring follows") {
+  // F_N = 1000 (1 - x), mu = 0.1 + 0.8 x to x = 0.5: 1000 (0.1 + 0.7 x - 0.8 x^2), which falls by
+  // 50 N/mm at x = 0.46875. Behind 0.5 it is 500 (1 - x), and force and limit meet nowhere.
+  for (const int count : {1, 3}) {
+    FrictionDefinition definition = slider(0.25, 0.0, fixed_stiffness(50.0));
+    definition.contact_force = NoContactForce{};
+    definition.internal_contact_force = make_function({{1000, 0}, {0, 1}}, {kOverAccumulatedSlip});
+    definition.law =
+        TabularCoefficient{make_function({{0.5, 0}, {0.5, 500}, {0.1, 1000}}, {kOverContactForce})};
+    ExactRun run(definition);
+    double lost = 0.0;
+    for (int i = 1; i <= count; ++i) {
+      run.go(at(8.0 * i / count));
+      lost += run.last.lost;
+    }
+    const double x = 0.46875;
+    const double force = 1000.0 * (0.1 + x * (0.7 - x * 0.8));
+    const double before = 1000.0 * x * (0.1 + x * (0.35 - x * 0.8 / 3.0));
+    const double all = 1000.0 * (0.05 + 0.0875 - 0.1 / 3.0) + 62.5;
+    CHECK(run.state.accumulated_slip == Approx(1.0).epsilon(1e-9));
+    CHECK(run.dissipation == Approx(all).epsilon(1e-9));
+    CHECK(lost == Approx(force * force / 100.0 - (all - before)).epsilon(1e-9));
+    CHECK(run.work == Approx(run.dissipation + lost).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("slip that wears the contact force through 0 goes on behind") {
   // F_C + F_int = 50 + 50 u - 100 L, with R = 0.5 |F_C + F_int|/k: 0 at L = 0.5 + 0.5 u = u.
   // Behind, L + 0.5 (100 L - 50 - 50 u)/1000 = u.
@@ -576,6 +602,24 @@ TEST_CASE("a coefficient that rises with the slip rate is followed to the tolera
   }
 }
 
+TEST_CASE("a corner next to the begin of an increment is met under a coefficient over the rate") {
+  // Almost without viscosity: after a millionth of the warming the limit has fallen from 12 N to
+  // 4 N, and rises to 30 N from there on.
+  FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0));
+  definition.law = TabularCoefficient{make_function({{0.2, 0.0}, {0.201, 10.0}}, {kOverSlipRate})};
+  definition.internal_contact_force =
+      make_function({{100, 50.0 - 1e-4}, {20, 50}, {150, 100}}, {kOverTemperature});
+  Waypoint point = at(0.0);
+  point.temperature = 50.0 - 5e-5;
+  ExactRun run(definition, point);
+  point.position[0] = 0.011;
+  run.go(point);
+  CHECK(run.friction(1) == Approx(11.0));
+  point.temperature = 100.0;
+  run.go(point);
+  CHECK(run.friction(1) == Approx(4.0).epsilon(1e-3));
+}
+
 TEST_CASE("a potential is followed to the tolerance") {
   FrictionDefinition definition = pressed({1, 2});
   definition.criterion = norm_of_two();
@@ -667,6 +711,28 @@ TEST_CASE("a shifted potential loses its grip where the limit comes down to its 
   const RegimeChange& last = run.changes.at[static_cast<std::size_t>(run.changes.count - 1)];
   CHECK(last.to == Regime::kStick);
   CHECK(last.fraction == Approx(0.5).epsilon(1e-9));
+}
+
+TEST_CASE("a shifted potential grips between two ends at which it does not") {
+  // P = |y - 1| under 0.5 + 6 t (1 - t), which is above 1 for t within 0.5 +- sqrt(1/6). In that
+  // time the motion stretches the spring to 2 N, the most that a limit of 1 holds.
+  FrictionDefinition definition = slider(0.0, 10.0, fixed_stiffness(1000.0));
+  Potential shifted;
+  shifted.parts = shifted.leaves = 1;
+  shifted.leaf[0].direction[0] = 1.0;
+  shifted.leaf[0].center = 1.0;
+  shifted.homogeneous = false;
+  definition.criterion = shifted;
+  definition.law = TabularCoefficient{make_function(
+      {{0.05, 0, 0}, {0.35, 1, 0}, {0.35, 0, 1}, {0.05, 1, 1}}, {kOverTemperature, over_field(0)})};
+  Waypoint point = at(0.0);
+  point.fields = {0.0};
+  ExactRun run(definition, point, 1e-10);
+  point.position[0] = 0.01;
+  point.temperature = point.fields[0] = 1.0;
+  run.go(point);
+  CHECK(run.state.accumulated_slip == Approx(0.02 * std::sqrt(1.0 / 6.0) - 0.002).epsilon(1e-8));
+  CHECK(run.state.regime == Regime::kOpen);
 }
 
 TEST_CASE("a belt is followed through both sides of its band") {
