@@ -297,7 +297,6 @@ SubIncrement SubIncrements::step(const SlipPoint& begin, double from, double to)
     result.end = {{}, begin.accumulated_slip + slip};
     result.limit = limit_of(slip);
     result.signature.regime = Regime::kOpen;
-    result.point = point(to, result.end, 0.0);
     result.signature.worn = true;
     result.signature.grips = false;
     return result;

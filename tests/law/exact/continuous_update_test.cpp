@@ -37,6 +37,17 @@ std::vector<Criterion> criteria_of_one() {
   return {{EuclideanPotential{}, 1e-13}, {line, 1e-9}};
 }
 
+/// The norm of two components as a potential: its closed solutions are those of the norm.
+Potential norm_of_two() {
+  Potential norm;
+  norm.parts = norm.leaves = 2;
+  for (std::size_t i = 0; i < 2; ++i) {
+    norm.leaf[i].part = static_cast<int>(i);
+    norm.leaf[i].direction[i] = 1.0;
+  }
+  return norm;
+}
+
 TEST_CASE("an L-shaped path is exact with one increment a leg (reference case D1)") {
   struct Point {
     double travel, along, across;
@@ -60,6 +71,20 @@ TEST_CASE("an L-shaped path is exact with one increment a leg (reference case D1
   // 20 N times the slip; the twelfth digit of the printed 1.32542726716717 is misplaced.
   CHECK(run.dissipation == Approx(20.0 * 0.0662713633585835).epsilon(1e-14));
   CHECK(run.work == Approx(run.dissipation + run.last.stored_energy).epsilon(1e-14));
+}
+
+TEST_CASE("a limit that stays is exact at any tolerance whatever changes besides it") {
+  // Reference case D1 while the temperature changes, of which the limit could be a function.
+  FrictionDefinition definition = pressed({1, 2});
+  definition.internal_contact_force = make_function({{50, 0}, {50, 100}}, {kOverTemperature});
+  ExactRun run(definition, at(0.0, 50.0), 1e-3);
+  run.go(at(0.05, 50.0));
+  Waypoint end = at(0.05, 50.0, 0.05);
+  end.temperature = 100.0;
+  run.go(end);
+  CHECK(run.friction(1) == Approx(3.26142463859956).epsilon(2e-14));
+  CHECK(run.friction(2) == Approx(19.7322859630286).epsilon(2e-14));
+  CHECK(run.state.accumulated_slip == Approx(0.0662713633585835).epsilon(1e-14));
 }
 
 TEST_CASE("an exact increment tells by how much the force is below the limit, or that it slips") {
@@ -132,6 +157,18 @@ TEST_CASE("with a limit that grows faster than the spring slip never begins (N1,
   CHECK(run.last.state.regime == Regime::kStick);
   CHECK(run.friction(1) == Approx(500.0));
   CHECK(run.last.slip_increment == 0.0);
+}
+
+TEST_CASE(
+    "a force that is turned sticks under a limit that grows faster than its part of the motion") {
+  // On the limit, 60 degrees from the motion: of 0.01 that turns 0.005 at most, while R grows by
+  // 0.01.
+  ExactRun run(pressed({1, 2}), at(0.0, 100.0));
+  run.go(at(0.02, 100.0));
+  run.go(at(0.025, 150.0, 0.01 * std::sqrt(0.75)));
+  CHECK(run.changes.count == 0);
+  CHECK(run.last.slip_increment == 0.0);
+  CHECK(run.friction(1) == Approx(25.0));
 }
 
 TEST_CASE("unloading at rest slips, reloading does not (reference case N4)") {
@@ -266,33 +303,62 @@ TEST_CASE("slip that wears the limit away opens where it does") {
 }
 
 TEST_CASE("a limit that wears faster than the spring lets the force jump, with its energy booked") {
-  // 3000 N on 1000 N/mm; between 0.5 and 1.5 mm of slip the limit falls by 3000 N/mm: beta = 3.
-  for (const int count : {1, 3, 10}) {
-    FrictionDefinition definition = slider(0.5, 0.0, fixed_stiffness(1000.0));
-    definition.contact_force = NoContactForce{};
-    definition.internal_contact_force =
-        make_function({{6000, 0}, {6000, 0.5}, {0, 1.5}}, {{IndependentKind::kAccumulatedSlip, 0}});
-    ExactRun run(definition);
-    double lost = 0.0;
-    double snap_back = 0.0;
-    int jumps = 0;
-    for (int i = 1; i <= count; ++i) {
-      run.go(at(6.0 * i / count));
-      lost += run.last.lost;
-      snap_back = std::max(snap_back, run.last.snap_back);
-      jumps += run.last.jumps;
-      if (run.last.jumps > 0) {
-        // At 3.5 mm of motion.
-        CHECK((i - 1 + run.last.jump_onset) / count == Approx(3.5 / 6.0));
+  // 3000 N on 1000 N/mm; between 0.5 and 1.5 mm of slip the limit falls by 3000 N/mm: beta = 3. And
+  // the same in units of length in which all of it is small.
+  for (const Criterion& criterion : criteria_of_one()) {
+    for (const double unit : {1.0, 1e-9}) {
+      for (const int count : {1, 3, 10}) {
+        FrictionDefinition definition = slider(0.5, 0.0, fixed_stiffness(1000.0 / unit));
+        definition.criterion = criterion.of;
+        definition.contact_force = NoContactForce{};
+        definition.internal_contact_force =
+            make_function({{6000, 0}, {6000, 0.5 * unit}, {0, 1.5 * unit}}, {kOverAccumulatedSlip});
+        ExactRun run(definition);
+        double lost = 0.0;
+        double snap_back = 0.0;
+        int jumps = 0;
+        for (int i = 1; i <= count; ++i) {
+          run.go(at(6.0 * unit * i / count));
+          lost += run.last.lost;
+          snap_back = std::max(snap_back, run.last.snap_back);
+          jumps += run.last.jumps;
+          if (run.last.jumps > 0) {
+            // At 3.5 mm of motion.
+            CHECK((i - 1 + run.last.jump_onset) / count == Approx(3.5 / 6.0));
+          }
+        }
+        CHECK(jumps == 1);
+        // Extrapolation knows but that the limit is the steeper one.
+        CHECK(snap_back >= (criterion.tolerance < 1e-12 ? 3.0 - 1e-9 : 1.0));
+        // Nothing is left to slip on behind 1.5 mm: the spring relaxes by its 3 mm without
+        // friction.
+        const double near = 10.0 * criterion.tolerance;
+        CHECK(run.state.accumulated_slip / unit == Approx(1.5).epsilon(near));
+        CHECK(run.dissipation / unit == Approx(3000.0 * 0.5 + 1500.0 * 1.0).epsilon(near));
+        CHECK(lost / unit == Approx(4500.0 - 1500.0).epsilon(near));
+        CHECK(run.work == Approx(run.dissipation + lost).epsilon(near));
       }
     }
-    CHECK(jumps == 1);
-    CHECK(snap_back == Approx(3.0));
-    // Nothing is left to slip on behind 1.5 mm: the spring relaxes by its 3 mm without friction.
-    CHECK(run.state.accumulated_slip == Approx(1.5).epsilon(1e-12));
-    CHECK(run.dissipation == Approx(3000.0 * 0.5 + 1500.0 * 1.0).epsilon(1e-12));
-    CHECK(lost == Approx(4500.0 - 1500.0).epsilon(1e-12));
-    CHECK(run.work == Approx(run.dissipation + lost).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("a force at rest jumps as well once its limit has come down to it") {
+  // F = 1100 N at rest, F_C from 1000 N to 50 N: at 100 N force and limit are 1000 N where the wear
+  // begins to let the limit fall by 1500 N/mm, to 25 N. They meet there again.
+  for (const double unit : {1.0, 1e-9}) {
+    FrictionDefinition definition = slider(0.25, 0.0, fixed_stiffness(1000.0 / unit));
+    definition.contact_force = ComponentContactForce{2};
+    definition.internal_contact_force =
+        make_function({{4000, 0}, {3900, 0.1 * unit}, {0, 0.75 * unit}}, {kOverAccumulatedSlip});
+    ExactRun run(definition, at(0.0, 1000.0));
+    run.go(at(1.1 * unit, 1000.0));
+    run.go(at(1.1 * unit, 50.0));
+    CHECK(run.last.jumps == 1);
+    CHECK(run.last.jump_onset == Approx(900.0 / 950.0).epsilon(1e-9));
+    // Of the spring, less (1000 N + 25 N)/2 over 0.65 mm and 25 N over 0.325 mm.
+    CHECK(run.last.lost / unit == Approx(500.0 - 0.3125 - 341.25).epsilon(1e-9));
+    CHECK(run.friction(1) == Approx(12.5).epsilon(1e-9));
+    CHECK(run.state.accumulated_slip / unit == Approx(1.0875).epsilon(1e-10));
   }
 }
 
@@ -337,6 +403,32 @@ TEST_CASE(
     // 1000 (0.1 x + 0.7 x^2/2 - 0.8 x^3/3) to 0.5, then a triangle.
     CHECK(parabola[1] == Approx(1000.0 * (0.05 + 0.0875 - 0.1 / 3.0) + 62.5).epsilon(1e-9));
     CHECK(parabola[2] == Approx(250.0 * 250.0 / 800.0 - 62.5).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("a jump begins where a smooth limit falls faster than the spring follows") {
+  // F_N = 1000 (1 - x), mu = 0.1 + 0.8 x to x = 0.5: 1000 (0.1 + 0.7 x - 0.8 x^2), which falls by
+  // 50 N/mm at x = 0.46875. Behind 0.5 it is 500 (1 - x), and force and limit meet nowhere.
+  for (const int count : {1, 3}) {
+    FrictionDefinition definition = slider(0.25, 0.0, fixed_stiffness(50.0));
+    definition.contact_force = NoContactForce{};
+    definition.internal_contact_force = make_function({{1000, 0}, {0, 1}}, {kOverAccumulatedSlip});
+    definition.law =
+        TabularCoefficient{make_function({{0.5, 0}, {0.5, 500}, {0.1, 1000}}, {kOverContactForce})};
+    ExactRun run(definition);
+    double lost = 0.0;
+    for (int i = 1; i <= count; ++i) {
+      run.go(at(8.0 * i / count));
+      lost += run.last.lost;
+    }
+    const double x = 0.46875;
+    const double force = 1000.0 * (0.1 + x * (0.7 - x * 0.8));
+    const double before = 1000.0 * x * (0.1 + x * (0.35 - x * 0.8 / 3.0));
+    const double all = 1000.0 * (0.05 + 0.0875 - 0.1 / 3.0) + 62.5;
+    CHECK(run.state.accumulated_slip == Approx(1.0).epsilon(1e-9));
+    CHECK(run.dissipation == Approx(all).epsilon(1e-9));
+    CHECK(lost == Approx(force * force / 100.0 - (all - before)).epsilon(1e-9));
+    CHECK(run.work == Approx(run.dissipation + lost).epsilon(1e-9));
   }
 }
 
@@ -394,31 +486,82 @@ TEST_CASE("slip under a limit that changes linearly turns by a power of the limi
   CHECK(run.last.state.regime == Regime::kSlip);
 }
 
-TEST_CASE("a limit that jumps down relaxes the spring at once") {
+TEST_CASE("a limit that jumps down relaxes the spring at once whatever it does later") {
+  for (const Criterion& criterion : criteria_of_one()) {
+    for (const double unit : {1.0, 1e-6}) {  // of length
+      for (const double motion : {0.0, 0.01}) {
+        for (const double later : {40.0, 1e5}) {
+          FrictionDefinition definition = pressed({1}, fixed_stiffness(1000.0 / unit));
+          definition.criterion = criterion.of;
+          ExactRun run(definition, at(0.0, 100.0));
+          run.go(at(0.1 * unit, 100.0));
+          // The history begins its next piece at N = 40.
+          ConnectorIncrement increment;
+          increment.duration = 1.0;
+          increment.begin_position = run.here().position;
+          increment.end.position = increment.begin_position;
+          const Ambient begin = increment.end;
+          ConnectorForce begin_force;
+          begin_force[2] = 40.0;
+          increment.end.position[0] += motion * unit;
+          increment.force[2] = later;
+          RegimeChanges changes;
+          const FrictionUpdate u = continuous_update(
+              run.definition, path_segment(run.definition, increment, begin, begin_force),
+              run.state, 1e-12, &changes);
+          // A limit that grows again holds all that the motion adds.
+          const double slip = later > 40.0 ? 0.0 : motion;
+          const double force = 8.0 + 1000.0 * (motion - slip);
+          CHECK(u.state.force[0] == Approx(force).epsilon(later > 40.0 ? 1e-8 : 1e-14));
+          CHECK(u.slip_increment / unit == Approx(0.012 + slip).epsilon(criterion.tolerance));
+          // (20^2 - 8^2)/(2 k), and 8 N over the motion
+          CHECK(u.dissipation / unit == Approx(0.168 + 8.0 * slip).epsilon(criterion.tolerance));
+          CHECK(u.work / unit ==
+                Approx(0.5 * (8.0 + force) * motion).epsilon(std::max(criterion.tolerance, 1e-8)));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("an allowable elastic slip that jumps down relaxes the spring at once") {
   for (const Criterion& criterion : criteria_of_one()) {
     for (const double motion : {0.0, 0.01}) {
-      FrictionDefinition definition = pressed();
+      FrictionDefinition definition = pressed({1}, allowable_slip(0.02));
       definition.criterion = criterion.of;
       ExactRun run(definition, at(0.0, 100.0));
       run.go(at(0.1, 100.0));
-      // The history begins its next piece at N = 40.
-      ConnectorIncrement increment;
-      increment.duration = 1.0;
-      increment.begin_position = run.here().position;
-      increment.end.position = increment.begin_position;
-      increment.force[2] = 40.0;
-      const Ambient begin = increment.end;
-      increment.end.position[0] += motion;
-      RegimeChanges changes;
-      const FrictionUpdate u = continuous_update(
-          run.definition, path_segment(run.definition, increment, begin, increment.force),
-          run.state, 1e-12, &changes);
-      CHECK(u.state.force[0] == Approx(8.0).epsilon(1e-14));
-      CHECK(u.slip_increment == Approx(0.012 + motion).epsilon(criterion.tolerance));
-      // (20^2 - 8^2)/(2 k), and 8 N over the motion
-      CHECK(u.dissipation == Approx(0.168 + 8.0 * motion).epsilon(criterion.tolerance));
-      CHECK(u.work == Approx(8.0 * motion).epsilon(criterion.tolerance));
+      run.definition.stick.value = 0.008;
+      run.go(at(0.1 + motion, 100.0));
+      CHECK(run.friction(1) == Approx(20.0).epsilon(1e-13));
+      CHECK(run.last.slip_increment == Approx(0.012 + motion).epsilon(criterion.tolerance));
+      CHECK(run.last.dissipation == Approx(20.0 * (0.012 + motion)).epsilon(criterion.tolerance));
+      CHECK(run.last.work == Approx(20.0 * motion).epsilon(criterion.tolerance).margin(1e-10));
     }
+  }
+}
+
+TEST_CASE(
+    "an allowable elastic slip that shrinks at rest lets go where it comes down to the state") {
+  // From 0.02 to 0.005: at 0.01, two thirds on its way.
+  for (const Criterion& criterion : criteria_of_one()) {
+    FrictionDefinition definition = pressed({1}, allowable_slip(0.02));
+    definition.criterion = criterion.of;
+    ExactRun run(definition, at(0.0, 100.0));
+    run.go(at(0.01, 100.0));
+    ConnectorIncrement increment;
+    increment.duration = 1.0;
+    increment.begin_position = run.here().position;
+    increment.end.position = increment.begin_position;
+    increment.force[2] = 100.0;
+    const PathSegment segment =
+        path_segment(run.definition, increment, increment.end, increment.force);
+    run.definition.stick.value = 0.005;
+    const FrictionUpdate u = continuous_update(run.definition, segment, run.state, 1e-12);
+    CHECK(u.state.force[0] == Approx(20.0).epsilon(1e-12));
+    CHECK(u.onset == Approx(2.0 / 3.0).epsilon(criterion.tolerance));
+    CHECK(u.slip_increment == Approx(0.005).epsilon(criterion.tolerance));
+    CHECK(u.dissipation == Approx(0.1).epsilon(criterion.tolerance));
   }
 }
 
@@ -459,16 +602,27 @@ TEST_CASE("a coefficient that rises with the slip rate is followed to the tolera
   }
 }
 
+TEST_CASE("a corner next to the begin of an increment is met under a coefficient over the rate") {
+  // Almost without viscosity: after a millionth of the warming the limit has fallen from 12 N to
+  // 4 N, and rises to 30 N from there on.
+  FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0));
+  definition.law = TabularCoefficient{make_function({{0.2, 0.0}, {0.201, 10.0}}, {kOverSlipRate})};
+  definition.internal_contact_force =
+      make_function({{100, 50.0 - 1e-4}, {20, 50}, {150, 100}}, {kOverTemperature});
+  Waypoint point = at(0.0);
+  point.temperature = 50.0 - 5e-5;
+  ExactRun run(definition, point);
+  point.position[0] = 0.011;
+  run.go(point);
+  CHECK(run.friction(1) == Approx(11.0));
+  point.temperature = 100.0;
+  run.go(point);
+  CHECK(run.friction(1) == Approx(4.0).epsilon(1e-3));
+}
+
 TEST_CASE("a potential is followed to the tolerance") {
-  // The 2-norm written as a potential has the closed solution of the norm.
   FrictionDefinition definition = pressed({1, 2});
-  Potential norm;
-  norm.parts = norm.leaves = 2;
-  for (std::size_t i = 0; i < 2; ++i) {
-    norm.leaf[i].part = static_cast<int>(i);
-    norm.leaf[i].direction[i] = 1.0;
-  }
-  definition.criterion = norm;
+  definition.criterion = norm_of_two();
   ExactRun run(definition, at(0.0, 100.0), 1e-10);
   run.go(at(0.05, 100.0));
   run.go(at(0.05, 100.0, 0.05));
@@ -479,6 +633,37 @@ TEST_CASE("a potential is followed to the tolerance") {
   REQUIRE(run.changes.count >= 1);
   CHECK(run.changes.at[0].to == Regime::kStick);
   CHECK(run.changes.at[0].fraction == 0.0);
+}
+
+TEST_CASE("a peak of the coefficient over the rate of the slip is met on the way of a potential") {
+  // A rate from 0 to 0.48 mm/s as the force turns, a peak at 0.25 mm/s.
+  std::vector<double> dissipated;
+  for (const SlipCriterion& criterion :
+       std::vector<SlipCriterion>{EuclideanPotential{}, norm_of_two()}) {
+    FrictionDefinition definition = slider(0.2, 100.0, allowable_slip(0.02), {1, 2});
+    definition.law = TabularCoefficient{make_function(
+        {{0.2, 0}, {0.2, 0.249}, {0.3, 0.25}, {0.2, 0.251}, {0.2, 1}}, {kOverSlipRate})};
+    definition.criterion = criterion;
+    ExactRun run(definition, at(0.0), 1e-10);
+    run.go(at(0.05));
+    Waypoint across = at(0.05, 0.0, 0.05);
+    across.duration = 0.1;
+    run.go(across);
+    dissipated.push_back(run.last.dissipation);
+  }
+  CHECK(dissipated[1] == Approx(dissipated[0]).epsilon(1e-7));
+}
+
+TEST_CASE("a potential slips on its limit at any tolerance") {
+  for (const StickStiffness stick : {fixed_stiffness(1000.0), allowable_slip(0.02)}) {
+    FrictionDefinition definition = pressed({1, 2}, stick);
+    definition.criterion = norm_of_two();
+    ExactRun run(definition, at(0.0, 100.0), 1e-3);
+    run.go(at(0.05, 100.0));
+    run.go(at(0.05, 80.0, 0.05));
+    CHECK(run.last.converged);
+    CHECK(run.last.phi == Approx(0.0).margin(1e-11));
+  }
 }
 
 TEST_CASE("a limit with forty corners in one increment is followed through them all") {
@@ -526,6 +711,28 @@ TEST_CASE("a shifted potential loses its grip where the limit comes down to its 
   const RegimeChange& last = run.changes.at[static_cast<std::size_t>(run.changes.count - 1)];
   CHECK(last.to == Regime::kStick);
   CHECK(last.fraction == Approx(0.5).epsilon(1e-9));
+}
+
+TEST_CASE("a shifted potential grips between two ends at which it does not") {
+  // P = |y - 1| under 0.5 + 6 t (1 - t), which is above 1 for t within 0.5 +- sqrt(1/6). In that
+  // time the motion stretches the spring to 2 N, the most that a limit of 1 holds.
+  FrictionDefinition definition = slider(0.0, 10.0, fixed_stiffness(1000.0));
+  Potential shifted;
+  shifted.parts = shifted.leaves = 1;
+  shifted.leaf[0].direction[0] = 1.0;
+  shifted.leaf[0].center = 1.0;
+  shifted.homogeneous = false;
+  definition.criterion = shifted;
+  definition.law = TabularCoefficient{make_function(
+      {{0.05, 0, 0}, {0.35, 1, 0}, {0.35, 0, 1}, {0.05, 1, 1}}, {kOverTemperature, over_field(0)})};
+  Waypoint point = at(0.0);
+  point.fields = {0.0};
+  ExactRun run(definition, point, 1e-10);
+  point.position[0] = 0.01;
+  point.temperature = point.fields[0] = 1.0;
+  run.go(point);
+  CHECK(run.state.accumulated_slip == Approx(0.02 * std::sqrt(1.0 / 6.0) - 0.002).epsilon(1e-8));
+  CHECK(run.state.regime == Regime::kOpen);
 }
 
 TEST_CASE("a belt is followed through both sides of its band") {
@@ -597,6 +804,10 @@ TEST_CASE("the force on a falling coefficient with an elastic slip follows the r
   run.go(end);
   CHECK(run.friction(1) == Approx(26.0653065971263).epsilon(1e-13));
   CHECK(run.dissipation == Approx(26.0653065971263 * 0.99).epsilon(1e-12));
+  // Until it slips it knows nothing of a rate.
+  CHECK(run.work == Approx(run.dissipation + 0.5 * 30.0 * 0.01).epsilon(1e-12));
+  REQUIRE(run.changes.count == 1);
+  CHECK(run.changes.at[0].limit == Approx(30.0).epsilon(1e-12));
 }
 
 TEST_CASE("knots of a table over temperature are met inside an increment") {

@@ -43,6 +43,9 @@ TEST_CASE("the stick length is the positive root, without cancellation") {
   const double r = 1.0;
   const double a = 1.0 - 1e-12;
   CHECK(stick_length({a, 0.0}, r) == Approx(1.0 - a).epsilon(1e-12));
+  // 3, 4 and 5 eighths, with 2^-40 more of radius: 2^-40 R/along.
+  CHECK(stick_length({0.375, 0.5}, 0.625 + 0x1p-40) ==
+        Approx(0x1p-40 * 0.625 / 0.375).epsilon(1e-11));
 }
 
 TEST_CASE("after a right angle the force is sech and tanh, the slip ln cosh") {

@@ -55,6 +55,28 @@ TEST_CASE("a dip of the limit between any two looks at it is seen, in a table or
   CHECK(after_warming(definition, begin, -1.0, 1.0) == Approx(backward).epsilon(1e-12));
 }
 
+TEST_CASE("what the cap cuts off of a slip between any two looks at it is seen") {
+  // mu = 0.2025 - 0.35 (t - 0.625)^2 along the diagonal of temperature and a field, held at 0.2.
+  const auto mu = [](double t) { return 0.2025 - 0.35 * (t - 0.625) * (t - 0.625); };
+  const double aside = mu(0.0) + 0.35 * 0.625;
+  FrictionDefinition definition = slider(0.2, 100.0, fixed_stiffness(1000.0));
+  definition.law = TabularCoefficient{
+      make_function({{mu(0.0), 0, 0}, {aside, 1, 0}, {aside, 0, 1}, {mu(1.0), 1, 1}},
+                    {kOverTemperature, over_field(0)})};
+  definition.force_limit = 20.0;
+  Waypoint point = at(0.0);
+  point.fields = {0.0};
+  ExactRun run(definition, point);
+  point.position[0] = 1.0;
+  run.go(point);
+  point.position[0] = 2.0;
+  point.temperature = point.fields[0] = 1.0;
+  run.go(point);
+  const double uncapped = 20.25 - 35.0 * (std::pow(0.375, 3) + std::pow(0.625, 3)) / 3.0;
+  const double above = 0.25 * std::sqrt(0.0025 / 0.35) * 4.0 / 3.0;
+  CHECK(run.last.work == Approx(uncapped - above).epsilon(1e-11));
+}
+
 TEST_CASE("a weight that passes 0 is a corner of the contact force, whichever of its term it is") {
   // F_C = 100 + <100 w>, w from -1 to 1: the limit is 20, from the middle on 20 to 40.
   DerivedTerm term = norm_term({3, 2}, 1.0);
