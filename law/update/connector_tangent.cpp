@@ -10,8 +10,8 @@ namespace slipbench::law {
 
 Eigen::Matrix<double, kComponents, kComponents> kinetic_slopes(
     const KineticBehavior& behavior, const ConnectorIncrement& increment) noexcept {
-  Eigen::Matrix<double, kComponents, kComponents> slopes;
-  slopes.setZero();
+  Eigen::Matrix<double, kComponents, kComponents> slopes =
+      Eigen::Matrix<double, kComponents, kComponents>::Zero();
   for (int c = 0; c < kComponents; ++c) {
     if (!behavior.pressing.contains(c)) continue;
     const ElasticForce elastic = elastic_force(behavior, c, increment.end);

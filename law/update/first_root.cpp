@@ -77,16 +77,18 @@ double first_root(const LimitOf& limit, double trial, double kappa) noexcept {
       const double vertex = -0.25 * (slope_high - slope_low) / bend;
       if (vertex > -1.0 + 1e-6 && vertex < 1.0 - 1e-6) high = low + half + vertex * half;
     }
-    if (trial - kappa * high - limit(high).force <= 0.0 || high >= end) {
+    const double h = trial - kappa * high - limit(high).force;
+    if (h < -1e-12 * trial) {  // far above its rounding
       return bracketed_root(limit, trial, kappa, low, high);
     }
-    // h > 0 at both ends: a dip between them could still hide a root.
+    // No h < 0 at either end: a dip between them could still hide a root, or an earlier one.
     if (slope_at(low + margin) < 0.0 && slope_at(high - margin) > 0.0) {
       const double dip = lowest_point(limit, kappa, low, high);
       if (trial - kappa * dip - limit(dip).force <= 0.0) {
         return bracketed_root(limit, trial, kappa, low, dip);
       }
     }
+    if (h <= 0.0 || high >= end) return bracketed_root(limit, trial, kappa, low, high);
     low = high;
   }
   return end;

@@ -292,6 +292,18 @@ TEST_CASE("constant weights of a derived component count through what they weigh
   CHECK(run.force() == Approx(0.2 * 50.0).epsilon(1e-12));
 }
 
+TEST_CASE("a weight of 0 under Macauley brackets is a corner of slope 0") {
+  FrictionDefinition definition = slider(0.2, 100.0, fixed_stiffness(1000.0));
+  DerivedTerm term = norm_term({2}, 0.0);
+  term.combine = TermOperator::kMacauleySum;
+  definition.contact_force = DerivedComponent{term};
+  SlopeRun run(definition, "weight");
+  run.run().force[1] = 30.0;
+  run.move_to(1, 1.0);
+  CHECK(run.regime() == Regime::kSlip);
+  CHECK(run.force() == 0.0);
+}
+
 TEMPLATE_LIST_TEST_CASE("a law's slopes to its numbers are the derivatives of its coefficient", "",
                         LawList) {
   FrictionDefinition definition;

@@ -256,6 +256,7 @@ TEST_CASE("rows that make no table are refused with the row, the other row and t
   const TableError one = error_of({{1, 0, 0}, {2, 1, 0}, {3, 7, 1}}, 1, 2, Extrapolation::kLinear);
   CHECK(one.kind == Kind::kOneRowLinear);
   CHECK(one.row == 2);
+  CHECK(one.other_row == -1);
   CHECK(one.column == 1);
   CHECK(error_of({{1, 0, 0}, {2, 1, 0}}, 1, 2, Extrapolation::kLinear).column == 2);
 

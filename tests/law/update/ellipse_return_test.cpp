@@ -108,11 +108,14 @@ TEST_CASE("the size of the numbers does not matter") {
   const PlaneVector trial{80.0, -55.0};
   const PlaneVector closest = closest_on_ellipse(trial, kBounds);
   const PlaneVector ratio = ratio_on_ellipse(trial, kBounds);
+  const PlaneVector steady = steady_on_ellipse(trial, kBounds);
   for (const double size : {1e-300, 1e-150, 1e-9, 1e9, 1e150, 1e300}) {
     const PlaneVector a = scaled(kBounds, size);
     // Rounding of a few operations.
     check_near(scaled(closest_on_ellipse(scaled(trial, size), a), 1.0 / size), closest, 1e-13);
     check_near(scaled(ratio_on_ellipse(scaled(trial, size), a), 1.0 / size), ratio, 1e-13);
+    check_near(scaled(steady_on_ellipse(trial, a), 1.0 / size), steady, 1e-13);
+    check_near(steady_on_ellipse(scaled(trial, size), kBounds), steady, 1e-13);
   }
 }
 
@@ -218,6 +221,7 @@ TEST_CASE("the radius of the ellipse is that of its points") {
   CHECK(std::abs(ellipse_radius(scaled(f, 1.0 / length(f)), kBounds) - length(f)) < 1e-14);
   CHECK(ellipse_radius({0.6, 0.8}, {0.0, 10.0}) == 0.0);
   CHECK(ellipse_radius({0.0, 1.0}, {0.0, 10.0}) == 10.0);
+  CHECK(ellipse_radius({0.0, 0.0}, kBounds) == 0.0);
 }
 
 }  // namespace

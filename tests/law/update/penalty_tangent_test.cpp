@@ -198,4 +198,45 @@ TEST_CASE("sticking follows with the penalty, filtered in the share of the filte
   CHECK(slope() == Approx(300.0));
 }
 
+TEST_CASE("under the total speed a slow orthotropic slip follows the slope of its law") {
+  FrictionDefinition definition = slider(0.0, 100.0, fixed_stiffness(1.0), {2, 3});
+  definition.law = ExponentialDecay{0.3, 0.2, 0.05};
+  Formulation& formulation = definition.formulation.emplace();
+  formulation.penalty = StiffnessPenalty{1e9};
+  formulation.orthotropy =
+      Orthotropy{.second = definition.law, .first = {1.0, 0.0}, .speed = Orthotropy::Speed::kTotal};
+  FrictionRun run(definition);
+  run.duration = 1e-4;
+  run.position[1] = 1e-4;
+  const ConnectorIncrement increment = run.increment();
+  const ConnectorTangent tangent = connector_tangent(definition, increment, run.step());
+  // 100 dmu/dv at v = 1, over the duration.
+  CHECK(tangent.to_motion(1, 1) == Approx(-100.0 * 0.1 * 0.05 * std::exp(-0.05) / 1e-4));
+}
+
+TEST_CASE("the viscous force of a light contact follows the root of its stiffness") {
+  // C = sqrt(2 K m) = sqrt(N) with K = N and m = 1/2; where K begins at N = 1 a quarter has none.
+  FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1.0), {2, 3});
+  definition.contact_force = ComponentContactForce{0};
+  Formulation& formulation = definition.formulation.emplace();
+  for (const bool orthotropic : {false, true}) {
+    if (orthotropic) formulation.orthotropy = Orthotropy{.second = ConstantCoefficient{0.2}};
+    for (const double from : {0.0, 1.0}) {
+      ViscousPenalty penalty;
+      penalty.visf = 1.0;
+      penalty.mass = 0.5;
+      penalty.stiffness = make_function({{0, from}, {100, from + 100}}, {kOverContactForce});
+      formulation.penalty = penalty;
+      FrictionRun run(definition);
+      run.position[1] = 0.01;
+      run.force[0] = 0.25;
+      const ConnectorIncrement increment = run.increment();
+      const ConnectorTangent tangent = connector_tangent(definition, increment, run.step());
+      INFO("stiffness from " << from << ", orthotropic " << orthotropic);
+      CHECK(tangent.to_motion(1, 1) == Approx(from > 0.0 ? 0.0 : 0.5));
+      CHECK(tangent.to_force(1, 0) == Approx(from > 0.0 ? 0.0 : 0.01 * 0.5 / 0.5));
+    }
+  }
+}
+
 }  // namespace

@@ -678,6 +678,44 @@ TEST_CASE("with several roots the first one is taken, inside one cell of two tab
   CHECK(run.friction(1) == exactly(20.0 - 5.0 * x));
 }
 
+TEST_CASE("of two roots in a cell the first one is taken though the other is at its end") {
+  // F_lim = (0.1 + 0.9 x)(100 - 100 x) under 50 - 50 x: 50 = 10 + 90 x, and nothing is left at 1.
+  FrictionDefinition definition = slider(0.0, 0.0, fixed_stiffness(50.0));
+  definition.law = TabularCoefficient{make_function({{.1, 0}, {1.0, 1}}, {kOverSlipRate})};
+  definition.internal_contact_force = make_function({{100, 0}, {0, 1}}, {kOverAccumulatedSlip});
+  FrictionRun run(definition);
+  run.move_to(1, 1.0);
+  CHECK(run.state.regime == Regime::kSlip);
+  CHECK(run.state.accumulated_slip == exactly(4.0 / 9.0));
+  CHECK(run.friction(1) == exactly(250.0 / 9.0));
+}
+
+TEST_CASE("the root of a cubic limit is met wherever its bend lies") {
+  // F_lim = (m + p x + q N) N with N = a + b x, steeper nowhere than the spring: one root, at x.
+  for (const double p : {-0.3, -0.1, 0.2, 0.4}) {
+    for (const double q : {-0.003, -0.001, 0.0, 0.002}) {
+      for (const double b : {-80.0, -40.0, 10.0, 30.0}) {
+        const double m = 0.9, a = 90.0;
+        const auto mu = [&](double x, double n) { return m + p * x + q * n; };
+        FrictionDefinition definition = slider(0.0, 0.0, fixed_stiffness(500.0));
+        definition.law = TabularCoefficient{make_function(
+            {{mu(0, 0), 0, 0}, {mu(1, 0), 1, 0}, {mu(0, 150), 0, 150}, {mu(1, 150), 1, 150}},
+            {kOverSlipRate, kOverContactForce})};
+        definition.internal_contact_force =
+            make_function({{a, 0}, {a + b, 1}}, {kOverAccumulatedSlip});
+        for (const double x : {0.1, 0.5, 0.9}) {
+          const double limit = mu(x, a + b * x) * (a + b * x);
+          FrictionRun run(definition);
+          run.move_to(1, x + limit / 500.0);
+          INFO("p " << p << " q " << q << " b " << b << " x " << x);
+          CHECK(run.state.accumulated_slip == exactly(x));
+          CHECK(run.friction(1) == exactly(limit));
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("a root is not passed over in a cell however narrow") {
   // The same hump over slips from 1 to 1 + w, of which the joint has had `before`.
   for (const auto& [before, w] : {std::pair{0.0, 1e-3},
@@ -734,6 +772,17 @@ TEST_CASE("the first of many roots is found and flagged, whatever the duration")
       CHECK(run.last.multiple_roots == (roots > 1));
     }
   }
+}
+
+TEST_CASE("knots behind the only root are no further roots") {
+  // 2000 - 100 x and then less: met by 3000 - 1000 x at 10/9, before two knots within 3 of slip.
+  FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0));
+  definition.internal_contact_force =
+      make_function({{1e4, 0}, {9e3, 2}, {8.8e3, 2.5}}, {kOverAccumulatedSlip});
+  FrictionRun run(definition);
+  run.move_to(1, 3.0);
+  CHECK(run.state.accumulated_slip == exactly(10.0 / 9.0));
+  CHECK_FALSE(run.last.multiple_roots);
 }
 
 TEST_CASE("a limit on its cap at rest may leave the cap within the increment") {

@@ -131,6 +131,20 @@ Potential of_one_component(double shift) {
   return potential;
 }
 
+TEST_CASE("a potential whose limit wears away slips from the limit before it and costs nothing") {
+  FrictionDefinition definition = worn();
+  definition.internal_contact_force = make_function({{400, 0}, {0, 1}}, {kOverAccumulatedSlip});
+  definition.criterion = of_one_component(0.0);
+  for (const StickStiffness stick : {fixed_stiffness(1000.0), allowable_slip(0.1)}) {
+    definition.stick = stick;
+    FrictionRun run(definition);
+    run.move_to(1, 2.0);  // 100 N are met at 0.1 mm
+    CHECK(run.state.regime == Regime::kOpen);
+    CHECK(run.last.onset == Approx(0.05).epsilon(1e-12));
+    CHECK(run.last.dissipation == 0.0);  // the limit of the end times the slip
+  }
+}
+
 TEST_CASE("a potential of one component jumps as the component does, wherever it comes from") {
   // From either side, within the limit of 1500 N and beyond it.
   for (const double begin : {-2.0, -0.8, 0.0, 0.5, 1.6}) {
@@ -217,8 +231,11 @@ TEST_CASE("a coefficient that rises with the slip rate holds the force in a slow
   definition.law = TabularCoefficient{make_function({{.25, 0}, {10.25, 10}}, {kOverSlipRate})};
   FrictionRun run(definition);
   run.move_to(1, 2.0);
-  CHECK(run.last.snap_back > 0.0);
-  CHECK(run.last.snap_back < 1.0);
+  // The fall mu c where the slip ends, over the spring and the rise F_N dmu/dL beside it.
+  const double fall = 5000.0 * run.last.mu;
+  const double holds = 1000.0 + run.last.normal_force;
+  CHECK(fall > 1000.0);
+  CHECK(run.last.snap_back == Approx(fall / holds).epsilon(1e-8));  // taken 1e-9 before the end
   CHECK(run.last.jumps == 0);
 }
 
