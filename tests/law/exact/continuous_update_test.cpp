@@ -689,6 +689,46 @@ TEST_CASE("a limit with forty corners in one increment is followed through them 
   }
 }
 
+TEST_CASE("a dip of the limit is seen behind a begin at which the limit is as near to the force") {
+  // 100 (t - 29/32)^2 ((t - 1/32)^2 + 0.0006) + 9.97, over a force of 10.
+  std::array<double, 5> limit{9.97, 0.0, 0.0, 0.0, 0.0};
+  const std::array dip{29.0 * 29.0 / 1024.0, -29.0 / 16.0, 1.0};
+  const std::array begin{1.0 / 1024.0 + 6e-4, -1.0 / 16.0, 1.0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) limit[i + j] += 100.0 * dip[i] * begin[j];
+  }
+  // Such is a table over four independents along its diagonal. Of t^d a corner with n of them at 1
+  // has n (n - 1) .. (n - d + 1) in 4 (4 - 1) .. (4 - d + 1) parts.
+  Rows rows;
+  for (int corner = 0; corner < 16; ++corner) {
+    std::vector<double> row{0.0};
+    for (int k = 0; k < 4; ++k) row.push_back(corner >> k & 1);
+    const double n = row[1] + row[2] + row[3] + row[4];
+    double part = 1.0;
+    for (int d = 0; d <= 4; ++d) {
+      row[0] += limit[static_cast<std::size_t>(d)] * part;
+      part *= (n - d) / std::max(4 - d, 1);
+    }
+    rows.push_back(row);
+  }
+  for (const Criterion& criterion : criteria_of_one()) {
+    FrictionDefinition definition = slider(1.0, 0.0, fixed_stiffness(1000.0));
+    definition.criterion = criterion.of;
+    definition.internal_contact_force =
+        make_function(rows, {kOverTemperature, over_field(0), over_field(1), over_field(2)});
+    Waypoint point = at(0.0);
+    point.fields = {0.0, 0.0, 0.0};
+    ExactRun run(definition, point);
+    point.position[0] = 0.01;
+    run.go(point);
+    CHECK(run.friction(1) == Approx(10.0));
+    point.temperature = 1.0;
+    point.fields = {1.0, 1.0, 1.0};
+    run.go(point);
+    CHECK(run.friction(1) == Approx(9.97).epsilon(1e-10));
+  }
+}
+
 TEST_CASE("a shifted potential loses its grip where the limit comes down to its value at rest") {
   // P = |y - 1|: a limit of 1 holds no more than the force 0.
   FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0));

@@ -98,4 +98,24 @@ TEST_CASE("a weight that passes 0 is a corner of the contact force, whichever of
   CHECK(run.dissipation == Approx(20.0 * 0.05 + 30.0 * 0.03).epsilon(1e-11));
 }
 
+TEST_CASE("a weight that moves in a part of a segment only has its corners there") {
+  // F_C = 100 + <100 w>, w = -1 but for a peak of 2 between the temperatures 60 and 90: the limit
+  // is 20, and 4 more on average.
+  DerivedTerm term = norm_term({3, 2}, 1.0);
+  term.combine = TermOperator::kMacauleySum;
+  term.weight_table = make_function(
+      {{1, -1, 0}, {1, -1, 60}, {1, 2, 75}, {1, -1, 90}, {1, -1, 100}}, {kOverTemperature}, 2);
+  FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0));
+  definition.contact_force = DerivedComponent{term};
+  Waypoint point = at(0.0, 100.0);
+  point.force[1] = 100.0;
+  ExactRun run(definition, point);
+  point.position[0] = 0.05;
+  run.go(point);
+  point.position[0] = 1.15;
+  point.temperature = 100.0;
+  run.go(point);
+  CHECK(run.last.work == Approx(24.0 * 1.1).epsilon(1e-13));
+}
+
 }  // namespace
