@@ -88,7 +88,7 @@ double first_root(const LimitOf& limit, double trial, double kappa) noexcept {
         return bracketed_root(limit, trial, kappa, low, dip);
       }
     }
-    if (h <= 0.0 || high >= end) return bracketed_root(limit, trial, kappa, low, high);
+    if (h <= 0.0) return bracketed_root(limit, trial, kappa, low, high);
     low = high;
   }
   return end;

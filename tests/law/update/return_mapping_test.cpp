@@ -690,6 +690,41 @@ TEST_CASE("of two roots in a cell the first one is taken though the other is at 
   CHECK(run.friction(1) == exactly(250.0 / 9.0));
 }
 
+TEST_CASE("of the roots of a cubic limit the one before its bend is taken") {
+  // Trial 26 on a spring of 20; N from 35 to 11, mu linear in the rate and in N. The limit of 25.9
+  // falls more slowly than the spring only up to a root near 0.05; others are near 0.33 and 1.03.
+  FrictionDefinition definition = slider(0.0, 0.0, fixed_stiffness(20.0));
+  definition.law = TabularCoefficient{make_function(
+      {{.95, 0, 0}, {.45, 1, 0}, {.35, 0, 100}, {.9, 1, 100}}, {kOverSlipRate, kOverContactForce})};
+  definition.internal_contact_force = make_function({{35, 0}, {11, 1}}, {kOverAccumulatedSlip});
+  FrictionRun run(definition);
+  run.move_to(1, 26.0 / 20.0);
+  const double x = run.state.accumulated_slip;
+  CHECK(x < 0.05);
+  const double n = 35.0 - 24.0 * x;
+  const double mu = (0.95 - 0.5 * x) * (1.0 - 0.01 * n) + (0.35 + 0.55 * x) * 0.01 * n;
+  CHECK(run.friction(1) == exactly(mu * n));
+  CHECK(run.friction(1) == exactly(26.0 - 20.0 * x));
+}
+
+TEST_CASE("of the roots of a cubic limit under a cap the first one is taken") {
+  // Trial 38.4 on a spring of 36 under a cap of 34.6; roots near 0.2 and 0.83 in one cell.
+  FrictionDefinition definition = slider(0.0, 0.0, fixed_stiffness(36.0));
+  definition.law =
+      TabularCoefficient{make_function({{.36, 0, 0}, {.32, 1, 0}, {.38, 0, 100}, {.42, 1, 100}},
+                                       {kOverSlipRate, kOverContactForce})};
+  definition.internal_contact_force = make_function({{100, 0}, {9, 1}}, {kOverAccumulatedSlip});
+  definition.force_limit = 34.6;
+  FrictionRun run(definition);
+  run.move_to(1, 38.4 / 36.0);
+  const double x = run.state.accumulated_slip;
+  CHECK(x < 0.2);
+  const double n = 100.0 - 91.0 * x;
+  const double mu = (0.36 - 0.04 * x) * (1.0 - 0.01 * n) + (0.38 + 0.04 * x) * 0.01 * n;
+  CHECK(run.friction(1) == exactly(mu * n));
+  CHECK(run.friction(1) == exactly(38.4 - 36.0 * x));
+}
+
 TEST_CASE("the root of a cubic limit is met wherever its bend lies") {
   // F_lim = (m + p x + q N) N with N = a + b x, steeper nowhere than the spring: one root, at x.
   for (const double p : {-0.3, -0.1, 0.2, 0.4}) {
