@@ -70,7 +70,7 @@ bool colour_wanted(int descriptor) {
 
 std::string elapsed_text(std::chrono::steady_clock::duration elapsed) {
   const double seconds = std::chrono::duration<double>(elapsed).count();
-  constexpr double kShort = 0.1;
+  constexpr double kShort = 0.0995;  // two digits make 1e+02 ms of more
   if (seconds < kShort) return fmt::format("{:.2g} ms", 1e3 * seconds);
   return fmt::format("{:.2f} s", seconds);
 }
