@@ -74,15 +74,17 @@ if(WITH_DRIVER)
   if(NOT text MATCHES "${VERSION}")
     message(FATAL_ERROR "the installed program does not say version ${VERSION}: ${text}")
   endif()
-  # Outside the folder that it was built in, the program reads nothing from there.
+  # Elsewhere than in PREFIX/bin the program takes nothing from its neighbours, nor by its name from where it was built.
   run(mktemp -d)
   string(STRIP "${text}" alone)
-  file(COPY ${prefix}/bin/slipbench DESTINATION ${alone}/bin)
-  execute_process(COMMAND ${alone}/bin/slipbench plot ${prefix}/share/slipbench/cases/examples/hinge.yaml -o ${alone}
+  file(COPY ${prefix}/bin/slipbench DESTINATION ${alone}/elsewhere)
+  file(COPY ${prefix}/share/slipbench/plots DESTINATION ${alone}/share/slipbench)
+  execute_process(COMMAND bash -c "exec -a \"$0\" \"$1\" plot \"$2\" -o \"$3\"" ${BINARY_DIR}/slipbench ${alone}/elsewhere/slipbench
+                          ${prefix}/share/slipbench/cases/examples/hinge.yaml ${alone}
                   RESULT_VARIABLE code OUTPUT_VARIABLE text ERROR_VARIABLE text)
   file(REMOVE_RECURSE ${alone})
-  if(code EQUAL 0 OR NOT text MATCHES "template")
-    message(FATAL_ERROR "a program without what is installed beside it should miss its templates: ${text}")
+  if(code EQUAL 0 OR NOT text MATCHES "plot templates")
+    message(FATAL_ERROR "a program without what is installed with it should miss its templates: ${text}")
   endif()
 endif()
 

@@ -34,21 +34,24 @@ bool lies_in_build(const fs::path& file) {
   return lies_in_real(real(SLIPBENCH_SOURCE_DIR)) || lies_in_real(real(SLIPBENCH_BINARY_DIR));
 }
 
-/// Returns the file of the library or the module that this code was loaded from. Of a program the
-/// system tells the name that it was called by, which leads nowhere: then nothing.
-fs::path own_object() {
+/// Returns the file of the module that this code was loaded from; nothing for a program, of which
+/// the system tells the words that it was called by.
+fs::path own_module() {
   Dl_info info{};
-  if (dladdr(reinterpret_cast<const void*>(&own_object), &info) == 0) return {};
+  if (dladdr(reinterpret_cast<const void*>(&own_module), &info) == 0) return {};
   const fs::path file = info.dli_fname == nullptr ? "" : info.dli_fname;
-  return file.is_absolute() ? file : fs::path();
+  return file.is_absolute() && file.extension() == ".so" ? file : fs::path();
 }
 
-/// Returns the prefix that a file is installed below: PREFIX/bin/FILE, or a module of Python in
-/// PREFIX/lib/python3/dist-packages/slipbench/FILE.
-fs::path prefix_of(const fs::path& file) {
-  const fs::path folder = file.parent_path().parent_path();
-  return folder.filename() == "dist-packages" ? folder.parent_path().parent_path().parent_path()
-                                              : folder;
+/// Returns the folder of what is installed with PREFIX/bin/FILE, or with a module of Python,
+/// PREFIX/lib/python3/dist-packages/slipbench/FILE; nothing for a file elsewhere.
+fs::path installed_with(const fs::path& file) {
+  const fs::path folder = file.parent_path();
+  const fs::path packages = folder.parent_path();
+  const fs::path share = fs::path("share") / "slipbench";
+  if (folder.filename() == "bin") return packages / share;
+  if (packages.filename() != "dist-packages" && packages.filename() != "site-packages") return {};
+  return packages.parent_path().parent_path().parent_path() / share;
 }
 
 }  // namespace
@@ -95,12 +98,13 @@ tl::expected<fs::path, HistoryError> resolve_data_path(const fs::path& case_fold
 std::optional<std::filesystem::path> shipped_path(const std::filesystem::path& name) {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  const fs::path object = own_object();
+  const fs::path module = own_module();
   std::vector<fs::path> folders;
-  for (const fs::path& file : {program, object}) {
-    if (!file.empty()) folders.push_back(prefix_of(file) / "share" / "slipbench");
+  for (const fs::path& file : {program, module}) {
+    if (file.empty()) continue;
+    if (const fs::path folder = installed_with(file); !folder.empty()) folders.push_back(folder);
     // Once installed, the folder that it was built in may be anyone's.
-    if (!file.empty() && lies_in_build(file)) folders.emplace_back(SLIPBENCH_SOURCE_DIR);
+    if (lies_in_build(file)) folders.emplace_back(SLIPBENCH_SOURCE_DIR);
   }
   for (const fs::path& folder : folders) {
     if (fs::exists(folder / name, error)) return folder / name;

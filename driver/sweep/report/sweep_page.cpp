@@ -277,7 +277,8 @@ std::string sweep_page(const Sweep& sweep, const SweepSummary& summary,
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n"
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
-      "'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'\">\n<link rel=\"icon\" href=\"data:,\">\n<title>{}</title>\n"
+      "'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'\">\n<link rel=\"icon\" "
+      "href=\"data:,\">\n<title>{}</title>\n"
       "<style>\n{}</style></head>\n<body><main>\n<h1>{}</h1>\n",
       generator(sweep), title, report::page_part::sweep_css(), title);
   html += fmt::format("<p class=\"soft\">{} samples of {}, by slipbench {}: {}.</p>\n",
