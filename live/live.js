@@ -137,13 +137,17 @@ class Live {
         make("div", {class: "live-parts"}, place, make("div", {class: "live-side"}, this.rows, this.state, this.messages,
             make("p", {class: "live-tools"}, button("As it was", "The text that the page came with", () => this.editor.setValue(this.original())),
                  button("Save the case", "The text, as a YAML file", save(".yaml", "text/yaml", () => this.editor.getValue())),
-                 button("Save its rows", "What 'slipbench run' writes (CSV)", save(".csv", "text/csv", () => this.core.rows(`${this.name()}.yaml`, this.editor.getValue())))))));
+                 button("Save its rows", "What 'slipbench run' writes (CSV)", save(".csv", "text/csv", () => this.savedRows()))))));
     // As the element of an editor has its editor.
     this.element.live = this;
     this.editor = CodeMirror(place, {mode: "yaml", lineNumbers: true, lineWrapping: true, gutters: ["faults", "CodeMirror-linenumbers"], indentUnit: 2, tabSize: 2, viewportMargin: Infinity,
                                      extraKeys: {"Ctrl-Space": () => this.complete(), Tab: false, "Shift-Tab": false}});
     this.editor.getInputField().setAttribute("aria-label", "The case file; Ctrl and Space complete a word");
-    this.editor.on("change", (_, change) => { if (change.origin !== "setValue" || !this.opening) this.later(); });
+    this.editor.on("change", () => {
+      if (this.opening) return;
+      liveTexts.set(view.one.id, this.editor.getValue());
+      this.later();
+    });
     this.editor.on("inputRead", (_, change) => { if (/^[\w{, ]$/.test(change.text[0])) this.complete(); });
   }
 
@@ -160,6 +164,7 @@ class Live {
     if (one.original === undefined) one.original = (one.run || {}).text || "";
     this.sliders.clear();
     this.rows.replaceChildren();
+    clearTimeout(this.pause);
     this.putFiles(one);
     this.opening = true;
     this.editor.setValue(liveTexts.get(one.id) || one.original);
@@ -198,15 +203,16 @@ class Live {
 
   run() {
     this.pause = 0;
+    if (this.starting) return;
     const {one} = view;
     const text = this.editor.getValue();
-    liveTexts.set(one.id, text);
     const begin = performance.now();
     let answer;
     try {
       answer = this.core.run(`${this.name()}.yaml`, text);
     } catch (error) {
-      this.restart(error);
+      this.took = performance.now() - begin;
+      this.restart(error, text);
       return;
     }
     const ran = performance.now();
@@ -220,13 +226,32 @@ class Live {
     this.state.textContent = refused ? kStale : `${plural(one.increments, "increment")}, run in ${number(ran - begin, 2)} ms, drawn in ${number(this.took - (ran - begin), 2)} ms`;
   }
 
-  /** Starts another core in place of one that failed (memory, depth of calls): what that left in its memory is not to be used. */
-  async restart(error) {
+  /** Starts another core in place of one that failed (memory, depth of calls), and runs what is there by then, if it is another text. */
+  async restart(error, text) {
+    this.starting = true;
     find("case").classList.add("stale");
     this.tell([], `The bench cannot run this text: ${error.message || error}`);
     this.state.textContent = kStale;
-    this.core = await startCore();
+    try {
+      this.core = await startCore();
+    } catch (fault) {
+      this.tell([], `The bench has ended, and does not start again: ${fault.message || fault}; load the page again`);
+      return;
+    }
+    this.starting = false;
     this.putFiles(view.one);
+    if (this.editor.getValue() !== text) this.run();
+  }
+
+  /** The rows as 'slipbench run' writes them, or nothing. */
+  savedRows() {
+    const text = this.editor.getValue();
+    try {
+      return this.core.rows(`${this.name()}.yaml`, text);
+    } catch (error) {
+      this.restart(error, text);
+      return "";
+    }
   }
 
   /** Puts another run into the case that is shown. */
@@ -287,7 +312,7 @@ class Live {
         this.rows.append(row);
       }
       const entry = this.sliders.get(name);
-      entry.place = place;
+      entry.mark = this.mark({line: place.line - 1, ch: place.column - 1}, place.length);
       if (entry.limits === undefined || value < entry.limits[0] || value > entry.limits[1]) {
         entry.limits = sliderLimits(value);
         [entry.slider.min, entry.slider.max] = entry.limits;
@@ -297,14 +322,19 @@ class Live {
     }
   }
 
+  /** Marks a number, so that its place is known whatever is typed before it. */
+  mark(from, length) { return this.editor.markText(from, {line: from.line, ch: from.ch + length}, {className: "live-number"}); }
+
   /** Writes a number where the text has that of a parameter. */
   write(name, wanted) {
-    const {place, limits, slider} = this.sliders.get(name);
-    const digits = Math.max(0, 2 - Math.floor(Math.log10((limits[1] - limits[0]) / 2)));
+    const entry = this.sliders.get(name);
+    const place = entry.mark.find();
+    if (entry.slider.disabled || !place || Number.isNaN(parseFloat(this.editor.getRange(place.from, place.to)))) return;
+    const digits = Math.max(0, 2 - Math.floor(Math.log10((entry.limits[1] - entry.limits[0]) / 2)));
     const text = String(Number(wanted.toFixed(Math.min(digits, 100))));
-    if (slider.disabled) return;
-    this.editor.replaceRange(text, {line: place.line - 1, ch: place.column - 1}, {line: place.line - 1, ch: place.column - 1 + place.length}, "+slider");
-    place.length = text.length;
+    this.editor.replaceRange(text, place.from, place.to, "+slider");
+    entry.mark.clear();
+    entry.mark = this.mark(place.from, text.length);
   }
 }
 

@@ -93,7 +93,7 @@ class Reader {
     return amount;
   }
 
-  /// Factors with blanks between them, or "*", "." or "-" without blanks, or "/" and "per".
+  /// Reads factors with blanks between them, or "*", "." or "-" without blanks, or "/" and "per".
   std::optional<Amount> product() {
     auto amount = power();
     while (amount) {
@@ -242,9 +242,9 @@ std::optional<Amount> unit_of(const ut_system& system, std::string_view word) {
   bool symbol_seen = false;
   while (!word.empty()) {
     if (const auto unit = known_unit(system, word)) {
-      if (scale == 1.0) return unit;
-      Amount scaled{.scale = scale};
-      multiply(scaled, *unit, 1);
+      Amount scaled = *unit;
+      scaled.scale *= scale;
+      scaled.origin /= scale;
       return scaled;
     }
     const Prefix* prefix = prefix_of(word, true);

@@ -59,7 +59,8 @@ constexpr const char* kUnits[] = {"mm",        "m",
                                   "m//s",      "m2s-1",
                                   "m^2^2",     "1/(2 m)",
                                   "pa",        "PA",
-                                  "PASCAL"};
+                                  "PASCAL",    "mdegC",
+                                  "millidegC"};
 
 struct FreeUnit {
   void operator()(ut_unit* unit) const { ut_free(unit); }
