@@ -36,6 +36,7 @@ struct Candidate {
 /// Cases that are written at once, each read back: some 1 ms a case.
 constexpr std::ptrdiff_t kMostAtOnce = 1000;
 
+/// Tells whether a connector makes a case.
 bool has_friction(const abaqus::Connector& connector) {
   return connector.behavior != nullptr && !connector.behavior->frictions.empty();
 }
@@ -165,7 +166,7 @@ ImportedDeck import_abaqus(const ImportOptions& options) {
     return refused(
         std::move(imported),
         fmt::format("{}: {} connectors with friction are more than the {} that are taken "
-                    "over at once: choose one with --connector NUMBER",
+                    "over at once: give the number of one, or a set of fewer, with --connector",
                     name, count, kMostAtOnce));
   }
   const bool many = count_if([](const abaqus::Connector&) { return true; }) > kMostAtOnce;

@@ -37,7 +37,7 @@ PlaneVector ratio_on_ellipse(const PlaneVector& trial, const PlaneVector& bounds
 /// \param motion v, in any unit
 PlaneVector steady_on_ellipse(const PlaneVector& motion, const PlaneVector& bounds) noexcept;
 
-/// Distance of the ellipse from the origin [F] along a direction of length 1; 0 without one.
+/// Returns how far the ellipse is from the origin [F] along a direction of length 1; 0 without one.
 double ellipse_radius(const PlaneVector& direction, const PlaneVector& bounds) noexcept;
 
 /// Returns how the closest point and the ratio point change with trial and bounds, by implicit

@@ -50,9 +50,11 @@ Coefficients read_coefficients(CardReader& cards, std::size_t card, std::size_t 
   return found;
 }
 
-/// Returns the id that a coefficient stands for; -1, which nothing has, for one beyond all ids.
+/// Returns the id that a coefficient stands for; the least int, which no card can give, for one
+/// beyond all ids.
 int id_of(double value) {
-  return std::abs(value) <= std::numeric_limits<int>::max() ? static_cast<int>(value) : -1;
+  using Limits = std::numeric_limits<int>;
+  return std::abs(value) <= Limits::max() ? static_cast<int>(value) : Limits::min();
 }
 
 std::string number(double value) { return base::format_number(value); }

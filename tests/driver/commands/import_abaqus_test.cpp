@@ -7,7 +7,7 @@
 namespace slipbench::driver::commands {
 namespace {
 
-/// A deck of `count` sliders with one behaviour.
+/// Writes a deck of `count` sliders with one behaviour.
 std::string sliders(int count) {
   std::string text = "*NODE\n1, 0, 0, 0\n2, 1, 0, 0\n*ELEMENT, TYPE=CONN3D2, ELSET=PINS\n";
   for (int i = 1; i <= count; ++i) text += std::to_string(i) + ", 1, 2\n";

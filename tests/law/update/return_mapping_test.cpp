@@ -690,6 +690,17 @@ TEST_CASE("of two roots in a cell the first one is taken though the other is at 
   CHECK(run.friction(1) == exactly(250.0 / 9.0));
 }
 
+TEST_CASE("a limit that the force just touches at a knot ends the slip there") {
+  // 50 - 100 x against a limit that rises to 25 at 0.25, where both are the same, and falls faster.
+  FrictionDefinition definition = slider(1.0, 0.0, fixed_stiffness(100.0));
+  definition.internal_contact_force =
+      make_function({{20, 0}, {25, .25}, {10, .3125}, {0, .5}}, {kOverAccumulatedSlip});
+  FrictionRun run(definition);
+  run.move_to(1, 0.5);
+  CHECK(run.state.accumulated_slip == exactly(0.25));
+  CHECK(run.friction(1) == exactly(25.0));
+}
+
 TEST_CASE("of the roots of a cubic limit the one before its bend is taken") {
   // Trial 26 on a spring of 20; N from 35 to 11, mu linear in the rate and in N. The limit of 25.9
   // falls more slowly than the spring only up to a root near 0.05; others are near 0.33 and 1.03.
