@@ -133,6 +133,23 @@ def unreadable(driver):
     expect(not driver.find_elements(By.CSS_SELECTOR, "#case.stale, .live-messages .error") and slider.is_enabled(), "no other core runs the case")
 
 
+def follows_its_number(driver):
+    """A slider writes where its number is, before what was typed above it has been run."""
+    editor(driver, "editor.setValue(arguments[0]);", CASE)
+    settled(driver)
+    text = editor(driver, """
+        editor.replaceRange("# a note\\n", {line: 0, ch: 0});
+        for (const [name, value] of [["mu", 0.2], ["amplitude", 7.5], ["mu", 0.125]]) {
+          const slider = document.getElementById(`slider-${name}`);
+          slider.value = value;
+          slider.dispatchEvent(new Event("input"));
+        }
+        return editor.getValue();""")
+    wanted = "# a note\n" + CASE.replace("mu: 0.15", "mu: 0.125").replace("amplitude: 5}", "amplitude: 7.5}")
+    expect(text == wanted, f"sliders wrote elsewhere: {text!r}")
+    settled(driver)
+
+
 def completes(driver):
     for before, word, wanted in (
             ("slipbench: 1\nconn", "", "connector"), ("connector:\n  ty", "", "type"), ("connector: {type: CYL", "", "CYLINDRICAL"),
@@ -199,6 +216,7 @@ def main(program):
         drag(driver, page)
         faults(driver)
         unreadable(driver)
+        follows_its_number(driver)
         completes(driver)
         speed(driver)
         reads_data(program, folder, driver)
