@@ -141,6 +141,7 @@ TEST_CASE("a table of multilinear data is reproduced for any number of independe
     Rows rows;
     for (int corner = 0; corner < (1 << independents); ++corner) {
       std::vector<double> x;
+      x.reserve(static_cast<std::size_t>(independents));
       for (int k = 0; k < independents; ++k) x.push_back(((corner >> k) & 1) != 0 ? 3.0 : 1.0);
       std::vector<double> row = {exact(x), 2.0 * exact(x)};
       row.insert(row.end(), x.begin(), x.end());
@@ -148,6 +149,7 @@ TEST_CASE("a table of multilinear data is reproduced for any number of independe
     }
     const Table table = make_table(rows, 2, independents, Extrapolation::kLinear);
     std::vector<double> x;
+    x.reserve(static_cast<std::size_t>(independents));
     for (int k = 0; k < independents; ++k) x.push_back(0.7 + 0.45 * k);  // some lie outside
     // Rounding of 2^7 products dominates.
     CHECK(at(table, x) == Approx(exact(x)).epsilon(1e-13));
