@@ -191,9 +191,17 @@ FoundName find_name(std::string_view text, std::span<const std::string_view> nam
   FoundName found;
   if (wanted.empty()) return found;
   for (const std::string_view name : names) {
-    const std::string own = folded(name);
-    if (own == wanted) return {name, {}};
-    if (own.starts_with(wanted)) found.candidates.push_back(name);
+    // As folded(name) begins, letter by letter: decks have many keywords, and each is looked up.
+    std::size_t same = 0;
+    auto at = name.begin();
+    for (; at != name.end() && same < wanted.size(); ++at) {
+      if (*at == ' ') continue;
+      if (std::toupper(static_cast<unsigned char>(*at)) != wanted[same]) break;
+      ++same;
+    }
+    if (same < wanted.size()) continue;
+    if (at == name.end()) return {name, {}};
+    found.candidates.push_back(name);
   }
   if (found.candidates.size() == 1) return {found.candidates.front(), {}};
   return found;
