@@ -73,8 +73,8 @@ large() {
   grow table 999999 cases/calibration/*.csv
   grow lsdyna 999999 tests/decks/lsdyna
   grow opensees 999999 tests/decks/opensees
-  grow abaqus 999999 tests/decks/abaqus
-  # A thousand included files take 40 ms: these decks hold little else.
+  # A line that the case tells of takes 20 us, as its YAML is read back; a thousand included files take 40 ms.
+  grow abaqus 800000 tests/decks/abaqus
   grow radioss 500000 tests/decks/radioss
 }
 
