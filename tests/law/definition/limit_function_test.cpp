@@ -51,7 +51,7 @@ TEST_CASE("a knot that rounding leaves just ahead is passed") {
     FrictionState old;
     old.accumulated_slip = 1.0 / 3.0;
     const LimitFunction limit(definition, increment, old, 0.0);
-    // Where F_C + F_int is 0, and the end of the table.
+    // The place where F_C + F_int is 0, and the end of the table.
     const double zero = 2.0 + force - old.accumulated_slip;
     double slip = 0.0;
     if (zero > 0.0) {

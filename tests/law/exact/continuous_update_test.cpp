@@ -25,6 +25,16 @@ FrictionDefinition pressed(std::initializer_list<int> number = {1},
   return definition;
 }
 
+/// Returns P = |y - 1|.
+Potential shifted_by_one() {
+  Potential potential;
+  potential.parts = potential.leaves = 1;
+  potential.leaf[0].direction[0] = 1.0;
+  potential.leaf[0].center = 1.0;
+  potential.homogeneous = false;
+  return potential;
+}
+
 /// The criteria of one component, a norm and a potential, and the tolerance of their methods.
 struct Criterion {
   SlipCriterion of;
@@ -355,7 +365,7 @@ TEST_CASE("a force at rest jumps as well once its limit has come down to it") {
     run.go(at(1.1 * unit, 50.0));
     CHECK(run.last.jumps == 1);
     CHECK(run.last.jump_onset == Approx(900.0 / 950.0).epsilon(1e-9));
-    // Of the spring, less (1000 N + 25 N)/2 over 0.65 mm and 25 N over 0.325 mm.
+    // What the spring held, less (1000 N + 25 N)/2 over 0.65 mm and 25 N over 0.325 mm.
     CHECK(run.last.lost / unit == Approx(500.0 - 0.3125 - 341.25).epsilon(1e-9));
     CHECK(run.friction(1) == Approx(12.5).epsilon(1e-9));
     CHECK(run.state.accumulated_slip / unit == Approx(1.0875).epsilon(1e-10));
@@ -734,12 +744,7 @@ TEST_CASE("a shifted potential loses its grip where the limit comes down to its 
   FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0));
   definition.internal_contact_force =
       make_function({{100.0, 0.0}, {5.0, 50.0}, {100.0, 100.0}}, {kOverTemperature});
-  Potential shifted;
-  shifted.parts = shifted.leaves = 1;
-  shifted.leaf[0].direction[0] = 1.0;
-  shifted.leaf[0].center = 1.0;
-  shifted.homogeneous = false;
-  definition.criterion = shifted;
+  definition.criterion = shifted_by_one();
   ExactRun run(definition, at(0.0), 1e-10);
   run.go(at(0.01));
   CHECK(run.friction(1) == Approx(10.0));
@@ -757,12 +762,7 @@ TEST_CASE("a shifted potential grips between two ends at which it does not") {
   // P = |y - 1| under 0.5 + 6 t (1 - t), which is above 1 for t within 0.5 +- sqrt(1/6). In that
   // time the motion stretches the spring to 2 N, the most that a limit of 1 holds.
   FrictionDefinition definition = slider(0.0, 10.0, fixed_stiffness(1000.0));
-  Potential shifted;
-  shifted.parts = shifted.leaves = 1;
-  shifted.leaf[0].direction[0] = 1.0;
-  shifted.leaf[0].center = 1.0;
-  shifted.homogeneous = false;
-  definition.criterion = shifted;
+  definition.criterion = shifted_by_one();
   definition.law = TabularCoefficient{make_function(
       {{0.05, 0, 0}, {0.35, 1, 0}, {0.35, 0, 1}, {0.05, 1, 1}}, {kOverTemperature, over_field(0)})};
   Waypoint point = at(0.0);

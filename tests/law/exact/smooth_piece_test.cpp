@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "tests/support/exact_run.hpp"
 #include "tests/support/friction_run.hpp"
@@ -77,18 +78,26 @@ TEST_CASE("what the cap cuts off of a slip between any two looks at it is seen")
   CHECK(run.last.work == Approx(uncapped - above).epsilon(1e-11));
 }
 
-TEST_CASE("a weight that passes 0 is a corner of the contact force, whichever of its term it is") {
-  // F_C = 100 + <100 w>, w from -1 to 1: the limit is 20, from the middle on 20 to 40.
+/// Returns a slider that has gone to a point under F_C = 100 + <100 w>, w over the temperature, and
+/// puts the second force into the point.
+ExactRun weighted_and_slipping(const std::vector<std::vector<double>>& weights, Waypoint* point) {
   DerivedTerm term = norm_term({3, 2}, 1.0);
   term.combine = TermOperator::kMacauleySum;
-  term.weight_table = make_function({{1, -1, 0}, {1, 1, 100}}, {kOverTemperature}, 2);
+  term.weight_table = make_function(weights, {kOverTemperature}, 2);
   FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0));
   definition.contact_force = DerivedComponent{term};
-  Waypoint point = at(0.0, 100.0);
-  point.force[1] = 100.0;
-  ExactRun run(definition, point);
-  point.position[0] = 0.05;
-  run.go(point);
+  point->force[1] = 100.0;
+  Waypoint begin = *point;
+  begin.position[0] = 0.0;
+  ExactRun run(definition, begin);
+  run.go(*point);
+  return run;
+}
+
+TEST_CASE("a weight that passes 0 is a corner of the contact force, whichever of its term it is") {
+  // F_C = 100 + <100 w>, w from -1 to 1: the limit is 20, from the middle on 20 to 40.
+  Waypoint point = at(0.05, 100.0);
+  ExactRun run = weighted_and_slipping({{1, -1, 0}, {1, 1, 100}}, &point);
   run.dissipation = 0.0;
   point.position[0] = 0.15;
   point.temperature = 100.0;
@@ -101,17 +110,9 @@ TEST_CASE("a weight that passes 0 is a corner of the contact force, whichever of
 TEST_CASE("a weight that moves in a part of a segment only has its corners there") {
   // F_C = 100 + <100 w>, w = -1 but for a peak of 2 between the temperatures 60 and 90: the limit
   // is 20, and 4 more on average.
-  DerivedTerm term = norm_term({3, 2}, 1.0);
-  term.combine = TermOperator::kMacauleySum;
-  term.weight_table = make_function(
-      {{1, -1, 0}, {1, -1, 60}, {1, 2, 75}, {1, -1, 90}, {1, -1, 100}}, {kOverTemperature}, 2);
-  FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0));
-  definition.contact_force = DerivedComponent{term};
-  Waypoint point = at(0.0, 100.0);
-  point.force[1] = 100.0;
-  ExactRun run(definition, point);
-  point.position[0] = 0.05;
-  run.go(point);
+  Waypoint point = at(0.05, 100.0);
+  ExactRun run = weighted_and_slipping(
+      {{1, -1, 0}, {1, -1, 60}, {1, 2, 75}, {1, -1, 90}, {1, -1, 100}}, &point);
   point.position[0] = 1.15;
   point.temperature = 100.0;
   run.go(point);

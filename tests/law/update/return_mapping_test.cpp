@@ -701,39 +701,38 @@ TEST_CASE("a limit that the force just touches at a knot ends the slip there") {
   CHECK(run.friction(1) == exactly(25.0));
 }
 
-TEST_CASE("of the roots of a cubic limit the one before its bend is taken") {
-  // Trial 26 on a spring of 20; N from 35 to 11, mu linear in the rate and in N. The limit of 25.9
-  // falls more slowly than the spring only up to a root near 0.05; others are near 0.33 and 1.03.
-  FrictionDefinition definition = slider(0.0, 0.0, fixed_stiffness(20.0));
-  definition.law = TabularCoefficient{make_function(
-      {{.95, 0, 0}, {.45, 1, 0}, {.35, 0, 100}, {.9, 1, 100}}, {kOverSlipRate, kOverContactForce})};
-  definition.internal_contact_force = make_function({{35, 0}, {11, 1}}, {kOverAccumulatedSlip});
-  FrictionRun run(definition);
-  run.move_to(1, 26.0 / 20.0);
-  const double x = run.state.accumulated_slip;
-  CHECK(x < 0.05);
-  const double n = 35.0 - 24.0 * x;
-  const double mu = (0.95 - 0.5 * x) * (1.0 - 0.01 * n) + (0.35 + 0.55 * x) * 0.01 * n;
-  CHECK(run.friction(1) == exactly(mu * n));
-  CHECK(run.friction(1) == exactly(26.0 - 20.0 * x));
-}
-
-TEST_CASE("of the roots of a cubic limit under a cap the first one is taken") {
-  // Trial 38.4 on a spring of 36 under a cap of 34.6; roots near 0.2 and 0.83 in one cell.
-  FrictionDefinition definition = slider(0.0, 0.0, fixed_stiffness(36.0));
-  definition.law =
-      TabularCoefficient{make_function({{.36, 0, 0}, {.32, 1, 0}, {.38, 0, 100}, {.42, 1, 100}},
-                                       {kOverSlipRate, kOverContactForce})};
-  definition.internal_contact_force = make_function({{100, 0}, {9, 1}}, {kOverAccumulatedSlip});
-  definition.force_limit = 34.6;
-  FrictionRun run(definition);
-  run.move_to(1, 38.4 / 36.0);
-  const double x = run.state.accumulated_slip;
-  CHECK(x < 0.2);
-  const double n = 100.0 - 91.0 * x;
-  const double mu = (0.36 - 0.04 * x) * (1.0 - 0.01 * n) + (0.38 + 0.04 * x) * 0.01 * n;
-  CHECK(run.friction(1) == exactly(mu * n));
-  CHECK(run.friction(1) == exactly(38.4 - 36.0 * x));
+TEST_CASE("of the roots of a cubic limit the first one is taken before its bend and under a cap") {
+  // mu is linear in the rate and in N, from its corners, and N falls with the slip.
+  struct Cubic {
+    double trial, stiffness;
+    double rest, fast, pressed, both;  // mu at (rate, N): (0, 0), (1, 0), (0, 100), (1, 100)
+    double from, to;                   // N
+    double cap, below;
+  };
+  for (const Cubic& c : {
+           // Falls more slowly than the spring only up to a root near 0.05; others near 0.33, 1.03.
+           Cubic{26.0, 20.0, .95, .45, .35, .9, 35.0, 11.0, HUGE_VAL, 0.05},
+           // Roots near 0.2 and 0.83 in one cell.
+           Cubic{38.4, 36.0, .36, .32, .38, .42, 100.0, 9.0, 34.6, 0.2},
+       }) {
+    FrictionDefinition definition = slider(0.0, 0.0, fixed_stiffness(c.stiffness));
+    definition.law = TabularCoefficient{
+        make_function({{c.rest, 0, 0}, {c.fast, 1, 0}, {c.pressed, 0, 100}, {c.both, 1, 100}},
+                      {kOverSlipRate, kOverContactForce})};
+    definition.internal_contact_force =
+        make_function({{c.from, 0}, {c.to, 1}}, {kOverAccumulatedSlip});
+    definition.force_limit = c.cap;
+    FrictionRun run(definition);
+    run.move_to(1, c.trial / c.stiffness);
+    const double x = run.state.accumulated_slip;
+    INFO("trial " << c.trial);
+    CHECK(x < c.below);
+    const double n = c.from + (c.to - c.from) * x;
+    const double mu = (c.rest + (c.fast - c.rest) * x) * (1.0 - 0.01 * n) +
+                      (c.pressed + (c.both - c.pressed) * x) * 0.01 * n;
+    CHECK(run.friction(1) == exactly(mu * n));
+    CHECK(run.friction(1) == exactly(c.trial - c.stiffness * x));
+  }
 }
 
 TEST_CASE("the root of a cubic limit is met wherever its bend lies") {
