@@ -420,10 +420,13 @@ class Pieces {
       // friction takes of the spring's energy what it can.
       if (tau_ > 0.0 && run.last.slip > 1e-6 * elastic_ &&
           run.last.slip > 1e3 * (to - tau_) * steps_.length()) {
-        const double spent = steps_.friction_work(to, at_.accumulated_slip, run.last.slip);
-        lost_ += run.end.dissipation - spent;
-        run.end.dissipation = spent;
-        snap_back_ = std::max(snap_back_, 1.0);
+        const SlipAtOnce way = steps_.slip_at_once(to, at_.accumulated_slip, run.last.slip);
+        lost_ += run.end.dissipation - way.work;
+        run.end.dissipation = way.work;
+        // The normal of where it jumps from; a jump needs 1, whatever its rounding.
+        const SlipVector& from = dot(normal_, normal_) > 0.0 ? normal_ : run.last.normal;
+        const double along = steps_.stick(to) * dot(from, from);
+        snap_back_ = std::max({snap_back_, along > 0.0 ? way.steepest / along : 0.0, 1.0});
         if (jumps_++ == 0) jump_onset_ = tau_;
       }
     }

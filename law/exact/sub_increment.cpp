@@ -147,18 +147,23 @@ double SubIncrements::holds(const SlipPoint& at, double tau) noexcept {
   return edge > 0.0 ? 1.0 - measure(at, tau, f) / edge : 0.0;
 }
 
-double SubIncrements::friction_work(double tau, double accumulated_slip, double slip) noexcept {
-  const auto force = [&](double at) { return limit(tau, {{}, at}, 0.0).force; };
+SlipAtOnce SubIncrements::slip_at_once(double tau, double accumulated_slip, double slip) noexcept {
+  const auto limit_at = [&](double at) { return limit(tau, {{}, at}, 0.0); };
+  const auto force = [&](double at) { return limit_at(at).force; };
   const double end = accumulated_slip + slip;
-  double sum = 0.0;
+  SlipAtOnce result;
   int budget = 1000;
   for (double low = accumulated_slip; low < end;) {
     const double step = std::numeric_limits<double>::epsilon() * end;
     const double high = std::min(std::max(points_.next_knot(tau, low, end), low + step), end);
-    sum += integral(force, low, high, 1e-12 * force(low) * (high - low), &budget);
+    result.work += integral(force, low, high, 1e-12 * force(low) * (high - low), &budget);
+    const double margin = margin_inside(low, high, 0.0);
+    for (const double at : {low + margin, low + 0.5 * (high - low), high - margin}) {
+      result.steepest = std::max(result.steepest, -limit_at(at).to_slip);
+    }
     low = high;
   }
-  return sum;
+  return result;
 }
 
 void SubIncrements::begin(const SlipPoint& at, double tau) noexcept {

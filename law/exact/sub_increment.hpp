@@ -45,6 +45,13 @@ struct SubIncrement {
   Signature signature;
 };
 
+/// A slip that no motion accompanies.
+struct SlipAtOnce {
+  double work = 0.0;  ///< integral of F_lim over it [F L]
+  double steepest =
+      0.0;  ///< largest -dF_lim/d(slip) on its way [F/L], 0 where the limit never falls
+};
+
 /// Backward Euler steps of a definition along a segment, to any fraction of it. Refers to its
 /// arguments.
 class SubIncrements {
@@ -82,8 +89,8 @@ class SubIncrements {
   double holds(const SlipPoint& at, double tau) noexcept;
   /// Tells whether the force is beyond the limit, as after a jump of it.
   bool beyond(const SlipPoint& at, double tau) noexcept;
-  /// Integral of F_lim over a slip from an accumulated slip on, at tau [F L].
-  double friction_work(double tau, double accumulated_slip, double slip) noexcept;
+  /// Goes over a slip from an accumulated slip on, at tau, without motion.
+  SlipAtOnce slip_at_once(double tau, double accumulated_slip, double slip) noexcept;
   /// Tells the steps that follow where they begin: a viscous force nears its limit at rest for
   /// ever, and one as near to it as rounding stays there until something else than that moves it.
   void begin(const SlipPoint& at, double tau) noexcept;
