@@ -48,7 +48,13 @@ bool first_slip(const Search& start, double* slip) noexcept {
         return true;
       }
       const double margin = margin_inside(low, high, start.limit.begin_slip());
-      if (distance(start, low + margin).slope < 0.0 && distance(start, high - margin).slope > 0.0) {
+      const Distance before = distance(start, high - margin);
+      if (before.value <= 0.0) {
+        // At the knot itself the limit vanishes.
+        *slip = bracketed(start, low, high - margin, radial);
+        return true;
+      }
+      if (before.slope > 0.0 && distance(start, low + margin).slope < 0.0) {
         double left = low, right = high;
         for (int k = 0; k < 60 && right - left > 1e-15 * right; ++k) {
           const double middle = left + 0.5 * (right - left);

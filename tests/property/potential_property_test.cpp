@@ -207,7 +207,8 @@ TEST_CASE("a quadratic potential on the general path is the Euclidean path") {
     }
   }
   CHECK(slips > 3000);
-  CHECK(largest <= 1e-14);
+  // The rounding of a root, some 50 times that of a number where the limit depends on the slip.
+  CHECK(largest <= 2e-14);
   CHECK(largest_of_steep <= 2e-12);
 }
 
