@@ -152,12 +152,10 @@ double to_decimals(double number, int decimals) {
 }
 
 int decimals_within(double resolution, double largest) {
-  const auto most = [&] {
-    return largest > 0.0 ? kMostDigits - 1 - static_cast<int>(std::floor(std::log10(largest))) : 0;
-  };
-  const int wanted = static_cast<int>(std::ceil(-std::log10(2.0 * resolution) - 1e-9));
-  // 10^308 is the largest there is.
-  return std::clamp(std::min(wanted, most()), -300, 300);
+  const double wanted = std::ceil(-std::log10(2.0 * resolution) - 1e-9);
+  const double most = largest > 0.0 ? kMostDigits - 1 - std::floor(std::log10(largest)) : 0.0;
+  // 10^308 is the largest there is; a resolution of 0 wants all digits.
+  return static_cast<int>(std::clamp(std::min(wanted, most), -300.0, 300.0));
 }
 
 std::string packed_numbers(std::span<const double> numbers, int decimals) {
