@@ -46,12 +46,12 @@ TEST_CASE("a small motion behind a long way has digits of its own, the way has f
 
 TEST_CASE("rounding is no range and no step") {
   const double noise = 1e-14;
-  const SeriesDigits constant(std::array{3.0, 3.0 + noise, 3.0 - noise});
-  CHECK(constant[1] == kFewestDigits);
-  const SeriesDigits limit(std::array{0.0, 100.0, 100.0 + 1e-12, 100.0, 0.0});
-  CHECK(limit[2] == kFewestDigits);
-  CHECK(SeriesDigits(std::array{std::numeric_limits<double>::quiet_NaN(), 1.0})[0] ==
-        kFewestDigits);
+  const std::array constant{3.0, 3.0 + noise, 3.0 - noise};
+  CHECK(SeriesDigits(constant)[1] == kFewestDigits);
+  const std::array limit{0.0, 100.0, 100.0 + 1e-12, 100.0, 0.0};
+  CHECK(SeriesDigits(limit)[2] == kFewestDigits);
+  const std::array unknown{std::numeric_limits<double>::quiet_NaN(), 1.0};
+  CHECK(SeriesDigits(unknown)[0] == kFewestDigits);
 }
 
 TEST_CASE("times are told to a thousandth of the shortest step") {
