@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -17,6 +18,7 @@
 #include "driver/base/files/data_path.hpp"
 #include "driver/base/files/exit_code.hpp"
 #include "driver/base/text/diagnostic.hpp"
+#include "driver/base/text/suggestions.hpp"
 #include "driver/commands/import_units.hpp"
 #include "driver/import/abaqus/case_writer.hpp"
 #include "driver/import/abaqus/keyword_list.hpp"
@@ -39,6 +41,17 @@ constexpr std::ptrdiff_t kMostAtOnce = 1000;
 /// Tells whether a connector makes a case.
 bool has_friction(const abaqus::Connector& connector) {
   return connector.behavior != nullptr && !connector.behavior->frictions.empty();
+}
+
+/// Names the element sets of connectors with friction: "PINS (800), ARMS (300)".
+std::string sets_of_sections(const abaqus::Model& model) {
+  std::map<std::string, std::size_t> count;
+  for (const abaqus::Connector& one : model.connectors) count[one.set] += has_friction(one) ? 1 : 0;
+  std::vector<std::string> texts;
+  for (const auto& [set, connectors] : count) {
+    if (connectors > 0) texts.push_back(fmt::format("{} ({})", set, connectors));
+  }
+  return base::few_in_words(std::vector<std::string_view>(texts.begin(), texts.end()));
 }
 
 /// "arm-1.7" as a part of a file's name.
@@ -166,8 +179,9 @@ ImportedDeck import_abaqus(const ImportOptions& options) {
     return refused(
         std::move(imported),
         fmt::format("{}: {} connectors with friction are more than the {} that are taken "
-                    "over at once: give the number of one, or a set of fewer, with --connector",
-                    name, count, kMostAtOnce));
+                    "over at once: give the number of one, or a set of fewer, with --connector; "
+                    "their sections have {}",
+                    name, count, kMostAtOnce, sets_of_sections(model)));
   }
   const bool many = count_if([](const abaqus::Connector&) { return true; }) > kMostAtOnce;
   std::vector<Candidate> candidates;

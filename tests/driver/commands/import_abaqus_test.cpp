@@ -34,6 +34,7 @@ TEST_CASE("A deck of many connectors is taken over in part, not as a whole") {
     CHECK(whole.cases.empty());
     CHECK(whole.messages.find("1001 connectors with friction are more than the 1000") !=
           std::string::npos);
+    CHECK(whole.messages.find("their sections have PINS (1001)") != std::string::npos);
     CHECK(whole.messages.size() < 500);
   }
   for (const std::string chosen : {"1", "1001"}) {
