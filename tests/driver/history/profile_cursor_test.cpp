@@ -2,15 +2,12 @@
 #include "driver/history/profile_cursor.hpp"
 
 #include <catch2/catch.hpp>
-#include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "driver/history/step_grid.hpp"
 #include "tests/driver/support/temporary_folder.hpp"
 
 namespace slipbench::driver::history {
@@ -270,32 +267,6 @@ TEST_CASE("the first breakpoint of several profiles comes first") {
   CHECK(next_breakpoint(cursors, 0.5) == 0.75);
   CHECK(next_breakpoint(cursors, 0.75) == 1.0);
   CHECK(next_breakpoint({}, 0.0) == kNoBreakpoint);
-}
-
-TEST_CASE("asking a profile is fast", "[.timing]") {
-  const TemporaryFolder folder;
-  const std::vector<std::pair<const char*, Profile>> profiles = {
-      {"constant", Constant{1.0}},
-      {"linear", LinearTo{1.0}},
-      {"smooth", SmoothTo{1.0}},
-      {"sine", Wave{WaveShape::kSine, 1.0, 0.01, 0.0, 0.0}},
-      {"triangle", Wave{WaveShape::kTriangle, 1.0, 0.01, 0.0, 0.0}},
-      {"table", Tabular{{0.0, 0.5, 1.0}, {0.0, 1.0, 0.0}}},
-      {"formula", *compile_profile("0.2*sin(2*pi*t) + 0.45", {})}};
-  for (const auto& [name, profile] : profiles) {
-    constexpr int kTimes = 1'000'000;
-    std::vector<ProfileCursor> cursors;
-    cursors.push_back(begun(profile, {1.0, 0.0, 0.0}));
-    StepGrid grid(1.0, kTimes);
-    double sum = 0.0;
-    const auto start = std::chrono::steady_clock::now();
-    while (!grid.at_end()) {
-      sum += cursors[0].value(grid.advance(next_breakpoint(cursors, grid.time())));
-    }
-    const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - start;
-    CHECK(std::isfinite(sum));
-    std::printf("%-10s %.1f ns an increment, with the grid\n", name, time.count() / kTimes);
-  }
 }
 
 }  // namespace

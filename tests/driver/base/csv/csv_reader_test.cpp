@@ -7,10 +7,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <charconv>
-#include <chrono>
-#include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 #include <locale>
 #include <random>
@@ -310,36 +307,6 @@ TEST_CASE("an error stays an error when the next row is asked for") {
   REQUIRE(reader->next(row).value());
   CHECK(reader->next(row).error().line == 3);
   CHECK(reader->next(row).error().line == 3);
-}
-
-TEST_CASE("a million rows of five columns are read fast", "[.timing]") {
-  const TemporaryFolder folder;
-  for (const int digits : {6, 17}) {
-    const std::filesystem::path file = folder.path() / "million.csv";
-    {
-      std::FILE* out = std::fopen(file.c_str(), "w");
-      REQUIRE(out != nullptr);
-      std::fputs("t,a,b,c,d\n", out);
-      for (int i = 0; i < 1'000'000; ++i) {
-        const double t = i * 1e-4;
-        fmt::print(out, "{:.{}g},{:.{}g},{:.{}g},{:.{}g},{:.{}g}\n", t, digits, std::sin(t), digits,
-                   std::cos(3 * t), digits, 300 * std::sin(t), digits, t * t, digits);
-      }
-      std::fclose(out);
-    }
-    for (const Names& columns : {Names{"t", "a", "b", "c", "d"}, Names{"t", "b"}}) {
-      const auto start = std::chrono::steady_clock::now();
-      auto reader = CsvReader::open(file, columns);
-      REQUIRE(reader);
-      std::vector<double> row(columns.size());
-      long count = 0;
-      while (reader->next(row).value()) ++count;
-      const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-      CHECK(count == 1'000'000);
-      std::printf("10^6 rows x 5 columns of %d digits, %zu read: %.3f s\n", digits, columns.size(),
-                  seconds.count());
-    }
-  }
 }
 
 TEST_CASE("a row also gives its fields as they are written") {

@@ -2,8 +2,6 @@
 #include "driver/base/units/units.hpp"
 
 #include <catch2/catch.hpp>
-#include <chrono>
-#include <cstdio>
 #include <numbers>
 #include <string>
 
@@ -178,16 +176,6 @@ TEST_CASE("the case's unit of a dimension has a text") {
   CHECK(unit_text({}, kMillimetres).empty());
   CHECK(unit_text(kMoment, {"mm", "", "s", ""}).empty());
   CHECK(unit_text(kAngle, {}) == "rad");
-}
-
-TEST_CASE("everyday base units do not load the unit data base", "[.timing]") {
-  const auto start = std::chrono::steady_clock::now();
-  REQUIRE(check_base_unit("mm", kLength));
-  REQUIRE(convert("N mm", kMoment) == UnitConversion{});
-  const std::chrono::duration<double, std::micro> quick = std::chrono::steady_clock::now() - start;
-  REQUIRE(convert("in", kLength).offset == 0.0);
-  const std::chrono::duration<double, std::micro> both = std::chrono::steady_clock::now() - start;
-  std::printf("everyday units %.1f us, with the data base %.1f us\n", quick.count(), both.count());
 }
 
 }  // namespace
