@@ -24,8 +24,8 @@ template <int D>
   // In one dimension the difference is a limit^2, which is lost in it under a small limit.
   const double square_of_root = D == 1 && c > 0.0 ? a * square : b * b - a * c;
   // A limit that fell below a force that turns back is met where the force comes out again, if it
-  // gets inside at all before the predictor.
-  const bool comes_out = b < 0.0 && a + b > 0.0 && square_of_root > 0.0;
+  // gets inside at all before the predictor. A limit of 0 is met where the force passes 0.
+  const bool comes_out = b < 0.0 && a + b > 0.0 && square_of_root >= 0.0;
   if (!(a > 0.0) || (c > 0.0 && !comes_out)) return 0.0;
   // The stable form of the larger root of a x^2 + 2 b x + c = 0.
   const double root = std::sqrt(std::max(square_of_root, 0.0));

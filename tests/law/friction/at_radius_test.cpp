@@ -46,7 +46,9 @@ TEMPLATE_LIST_TEST_CASE("at a radius R a law sees w as w R and M as M/R", "", La
 }
 
 TEST_CASE("at a radius a law without an area has that radius as its area") {
-  GeneralizedViscous law{.fric = 0.1, .c1 = 2e-4};
+  GeneralizedViscous law;
+  law.fric = 0.1;
+  law.c1 = 2e-4;
   REQUIRE_FALSE(law.area.has_value());
   for (const double force : {0.0, 30.0, 400.0}) {
     CHECK(evaluate(at_radius(law, 8.0), {}, {.contact_force = 8.0 * force}).mu ==

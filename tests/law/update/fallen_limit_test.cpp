@@ -5,10 +5,12 @@
 
 #include "law/definition/potential.hpp"
 #include "law/update/return_mapping.hpp"
+#include "tests/support/law_tables.hpp"
 
 namespace {
 
 using namespace slipbench::law;
+namespace test = slipbench::test;
 
 FrictionUpdate turned_back(const SlipCriterion& criterion, double motion) {
   FrictionDefinition definition;
@@ -40,6 +42,33 @@ TEST_CASE("a force that turns back below a fallen limit is split where it comes 
     const FrictionUpdate through = turned_back(criterion, -3.0);
     CHECK(through.onset == Approx(25.0 / 30.0).epsilon(1e-14));
     CHECK(through.work == Approx(0.5 * (20.0 - 5.0) * -2.5 + -5.0 * -0.5).epsilon(1e-14));
+  }
+}
+
+TEST_CASE("a force that turns back through 0 while wear takes all of the limit keeps its energy") {
+  Potential potential;
+  potential.parts = potential.leaves = 1;
+  potential.leaf[0].direction[0] = 1.0;
+  FrictionDefinition definition;
+  definition.contact_force = NoContactForce{};
+  definition.internal_contact_force =
+      test::make_function({{10, 0}, {0, 2}}, {test::kOverAccumulatedSlip});
+  definition.law = ConstantCoefficient{1.0};
+  definition.stick = {StickStiffness::Mode::kStiffness, 10.0};
+  FrictionState old;
+  old.force[0] = -20.0;
+  old.elastic_slip[0] = -2.0;
+  ConnectorIncrement increment;
+  increment.duration = 1.0;
+  increment.end.position[0] = 5.0;
+  for (const SlipCriterion& criterion :
+       {SlipCriterion{EuclideanPotential{}}, SlipCriterion{potential}}) {
+    definition.criterion = criterion;
+    const FrictionUpdate u = update(definition, increment, old);
+    CHECK(u.state.regime == Regime::kOpen);
+    CHECK(u.dissipation == 0.0);
+    // 20^2/(2 10) N mm of the spring, and no friction at the limit of the end.
+    CHECK(u.work == Approx(-20.0).epsilon(1e-14));
   }
 }
 
