@@ -431,7 +431,8 @@ class TclReader {
   void take_if(const std::vector<Word>& words, std::string_view statement, bool open) {
     bool decided = false;
     for (std::size_t i = 1; i < words.size() && !decided;) {
-      std::optional<bool> holds = true;
+      bool known = true;
+      bool holds = true;
       if (words[i].text == "else") {
         ++i;
       } else if (i == 1 || words[i].text == "elseif") {
@@ -439,14 +440,15 @@ class TclReader {
         if (i >= words.size()) return give_up(statement);
         if (words[i].braced) substitute(words[i].text);
         const auto value = names_.expression(words[i++].text);
-        holds = value ? std::optional(value->value != 0.0) : std::nullopt;
+        known = value.has_value();
+        holds = known && value->value != 0.0;
         if (i < words.size() && words[i].text == "then") ++i;
       }
       if (i >= words.size()) return give_up(statement);
-      if (holds.value_or(true)) body(words[i], open || !holds);
-      decided = holds.value_or(false);
+      if (holds || !known) body(words[i], open || !known);
+      decided = holds;
       // An open branch leaves it open whether the others are run.
-      open = open || !holds;
+      open = open || !known;
       ++i;
     }
   }
