@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "law/update/first_root.hpp"
 #include "law/update/potential_projection.hpp"
@@ -15,6 +16,16 @@ namespace {
 
 using Parts = std::array<PartReturn, kComponents>;
 using Search = Start<LimitFunction>;
+
+/// Returns the last slip in [low, high] with a limit, `high` having none; `low` if that has none.
+double last_with_limit(const Search& start, double low, double high) noexcept {
+  for (int i = 0; i < 60; ++i) {
+    const double middle = low + 0.5 * (high - low);
+    if (!(middle > low && middle < high)) break;
+    (start.limit(middle).force > start.least ? low : high) = middle;
+  }
+  return low;
+}
 
 /// The smallest slip at which the force rests on its limit. Between knots of the limit the search
 /// goes in steps of a sixteenth of the way and looks into every dip it sees; two roots within one
@@ -48,14 +59,16 @@ bool first_slip(const Search& start, double* slip) noexcept {
         return true;
       }
       const double margin = margin_inside(low, high, start.limit.begin_slip());
-      const Distance before = distance(start, high - margin);
+      // Where the limit vanishes the force is beyond it, and may have rested on it before.
+      const bool vanishes = !(start.limit(high).force > start.least);
+      const double last = vanishes ? last_with_limit(start, low, high) : high - margin;
+      const Distance before = distance(start, last);
       if (before.value <= 0.0) {
-        // At the knot itself the limit vanishes.
-        *slip = bracketed(start, low, high - margin, radial);
+        *slip = bracketed(start, low, last, radial);
         return true;
       }
       if (before.slope > 0.0 && distance(start, low + margin).slope < 0.0) {
-        double left = low, right = high;
+        double left = low, right = last;
         for (int k = 0; k < 60 && right - left > 1e-15 * right; ++k) {
           const double middle = left + 0.5 * (right - left);
           (distance(start, middle).slope < 0.0 ? left : right) = middle;
@@ -89,12 +102,16 @@ bool beyond_again(const Search& start, double slip, double end) noexcept {
 double meets_limit(const Potential& potential, const SlipVector& y0, const SlipVector& rise,
                    double limit) noexcept {
   const bool beyond = !within(potential, y0, limit);
+  const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * norm(rise);
   double lambda = 1.0;
   for (int i = 0; i < 100; ++i) {
     const SlipVector y = sum_of(y0, lambda, rise);
     const double excess = value(potential, y) - limit;
     const double slope = dot(gradient(potential, y), rise);
-    if (beyond && excess > 0.0 && !(slope > 0.0)) return 0.0;
+    if (beyond && excess > 0.0 && !(slope > 0.0)) {
+      // Where the limit is 0, rounding may have taken the step past the place where it is met.
+      return excess <= rounding ? lambda : 0.0;
+    }
     if (!(slope > 0.0)) break;
     const double next = lambda - excess / slope;
     if (!(excess > 0.0)) return std::min(next, 1.0);

@@ -56,19 +56,23 @@ TEST_CASE("a force that turns back through 0 while wear takes all of the limit k
   definition.law = ConstantCoefficient{1.0};
   definition.stick = {StickStiffness::Mode::kStiffness, 10.0};
   FrictionState old;
-  old.force[0] = -20.0;
-  old.elastic_slip[0] = -2.0;
+  old.force[0] = -17.3;
+  old.elastic_slip[0] = -1.73;
   ConnectorIncrement increment;
   increment.duration = 1.0;
-  increment.end.position[0] = 5.0;
-  for (const SlipCriterion& criterion :
-       {SlipCriterion{EuclideanPotential{}}, SlipCriterion{potential}}) {
-    definition.criterion = criterion;
-    const FrictionUpdate u = update(definition, increment, old);
-    CHECK(u.state.regime == Regime::kOpen);
-    CHECK(u.dissipation == 0.0);
-    // 20^2/(2 10) N mm of the spring, and no friction at the limit of the end.
-    CHECK(u.work == Approx(-20.0).epsilon(1e-14));
+  for (int i = 0; i < 20; ++i) {
+    const double motion = 4.1 + 0.37 * i;
+    increment.end.position[0] = motion;
+    for (const SlipCriterion& criterion :
+         {SlipCriterion{EuclideanPotential{}}, SlipCriterion{potential}}) {
+      INFO(motion << ", criterion " << criterion.index());
+      definition.criterion = criterion;
+      const FrictionUpdate u = update(definition, increment, old);
+      CHECK(u.state.regime == Regime::kOpen);
+      CHECK(u.dissipation == 0.0);
+      // Of the spring alone: the limit of the end is 0.
+      CHECK(u.work == Approx(-17.3 * 17.3 / 20.0).epsilon(1e-12));
+    }
   }
 }
 
