@@ -404,7 +404,7 @@ struct Twin {
   bool angles_at_zero = false;
 };
 
-DerivedTerm weighted_norm(std::vector<std::pair<int, double>> entries) {
+DerivedTerm weighted_norm(const std::vector<std::pair<int, double>>& entries) {
   DerivedTerm term;
   for (const auto& [number, weight] : entries) {
     const auto j = static_cast<std::size_t>(term.count++);
