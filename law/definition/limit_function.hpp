@@ -36,6 +36,14 @@ inline double margin_inside(double low, double high, double before) noexcept {
   return std::min(std::max(1e-9 * (high - low), rounding), 0.25 * (high - low));
 }
 
+/// Largest value of f in a piece [low, high]: at both ends, just inside, and in the middle.
+/// \param before slip from which the places of knots count [L]
+template <class Function>
+double largest_inside(double low, double high, double before, Function&& f) noexcept {
+  const double margin = margin_inside(low, high, before);
+  return std::max({f(low + margin), f(low + 0.5 * (high - low)), f(high - margin)});
+}
+
 /// F_lim as a function of the slip increment dL, all else of the increment given (theory 11.4):
 /// through the slip rate, and through the internal contact force where it wears.
 /// \p motion is |ds| of the increment. References are kept: it must not outlive its arguments.

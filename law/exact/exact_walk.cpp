@@ -256,10 +256,9 @@ void ExactWalk::jump(double tau) noexcept {
   double spent = 0.0;
   for_each_piece(tau, slip_, end, [&](double low, double high) {
     spent += integral(force, low, high, tolerance_ * force_scale_ * (high - low), &budget);
-    const double margin = margin_inside(low, high, begin_slip_);
-    for (const double at : {low + margin, low + 0.5 * (high - low), high - margin}) {
-      snap_back_ = std::max(snap_back_, -limit(tau, at).to_slip / points_.stick(tau));
-    }
+    const double steepest = largest_inside(low, high, begin_slip_,
+                                           [&](double slip) { return -limit(tau, slip).to_slip; });
+    snap_back_ = std::max(snap_back_, steepest / points_.stick(tau));
     return false;
   });
   const double r = radius(tau, end);

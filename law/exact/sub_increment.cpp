@@ -157,10 +157,9 @@ SlipAtOnce SubIncrements::slip_at_once(double tau, double accumulated_slip, doub
     const double step = std::numeric_limits<double>::epsilon() * end;
     const double high = std::min(std::max(points_.next_knot(tau, low, end), low + step), end);
     result.work += integral(force, low, high, 1e-12 * force(low) * (high - low), &budget);
-    const double margin = margin_inside(low, high, 0.0);
-    for (const double at : {low + margin, low + 0.5 * (high - low), high - margin}) {
-      result.steepest = std::max(result.steepest, -limit_at(at).to_slip);
-    }
+    const double steepest =
+        largest_inside(low, high, 0.0, [&](double at) { return -limit_at(at).to_slip; });
+    result.steepest = std::max(result.steepest, steepest);
     low = high;
   }
   return result;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "law/base/bisection.hpp"
 #include "law/update/first_root.hpp"
 #include "law/update/potential_projection.hpp"
 #include "law/update/potential_search.hpp"
@@ -16,16 +17,6 @@ namespace {
 
 using Parts = std::array<PartReturn, kComponents>;
 using Search = Start<LimitFunction>;
-
-/// Returns the last slip in [low, high] with a limit, `high` having none; `low` if that has none.
-double last_with_limit(const Search& start, double low, double high) noexcept {
-  for (int i = 0; i < 60; ++i) {
-    const double middle = low + 0.5 * (high - low);
-    if (!(middle > low && middle < high)) break;
-    (start.limit(middle).force > start.least ? low : high) = middle;
-  }
-  return low;
-}
 
 /// The smallest slip at which the force rests on its limit. Between knots of the limit the search
 /// goes in steps of a sixteenth of the way and looks into every dip it sees; two roots within one
@@ -59,9 +50,10 @@ bool first_slip(const Search& start, double* slip) noexcept {
         return true;
       }
       const double margin = margin_inside(low, high, start.limit.begin_slip());
-      // Where the limit vanishes the force is beyond it, and may have rested on it before.
-      const bool vanishes = !(start.limit(high).force > start.least);
-      const double last = vanishes ? last_with_limit(start, low, high) : high - margin;
+      // Without a limit the force is beyond it; equilibrium may lie before the place where it
+      // vanishes.
+      const auto has_limit = [&](double x) { return start.limit(x).force > start.least; };
+      const double last = has_limit(high) ? high - margin : turn(low, high, has_limit).low;
       const Distance before = distance(start, last);
       if (before.value <= 0.0) {
         *slip = bracketed(start, low, last, radial);
@@ -102,15 +94,14 @@ bool beyond_again(const Search& start, double slip, double end) noexcept {
 double meets_limit(const Potential& potential, const SlipVector& y0, const SlipVector& rise,
                    double limit) noexcept {
   const bool beyond = !within(potential, y0, limit);
-  const double rounding = 8.0 * std::numeric_limits<double>::epsilon() * norm(rise);
   double lambda = 1.0;
   for (int i = 0; i < 100; ++i) {
     const SlipVector y = sum_of(y0, lambda, rise);
     const double excess = value(potential, y) - limit;
     const double slope = dot(gradient(potential, y), rise);
     if (beyond && excess > 0.0 && !(slope > 0.0)) {
-      // Where the limit is 0, rounding may have taken the step past the place where it is met.
-      return excess <= rounding ? lambda : 0.0;
+      // A step to a limit of 0 may end beyond it, by rounding.
+      return excess <= 8.0 * std::numeric_limits<double>::epsilon() * norm(rise) ? lambda : 0.0;
     }
     if (!(slope > 0.0)) break;
     const double next = lambda - excess / slope;

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "law/base/bisection.hpp"
+
 namespace slipbench::law {
 namespace {
 
@@ -37,27 +39,17 @@ double integral(const LimitFunction& limit, double low, double high) noexcept {
   return sum * half / 9.0;
 }
 
-/// The place in [low, high] where `is_low` turns from true to false.
-template <class IsLow>
-double turn(double low, double high, IsLow is_low) noexcept {
-  for (int i = 0; i < 100; ++i) {
-    const double middle = low + 0.5 * (high - low);
-    if (!(middle > low && middle < high)) break;
-    (is_low(middle) ? low : high) = middle;
-  }
-  return high;
-}
-
 }  // namespace
 
 double largest_snap_back(const LimitFunction& limit, double kappa, double slip) noexcept {
   double largest = 0.0;
   for_each_piece(limit, slip, [&](double low, double high) {
-    for (const double at : {low, low + 0.5 * (high - low), high}) {
-      const Limit here = limit(inside(limit, low, high, at));
+    const double steepest = largest_inside(low, high, limit.begin_slip(), [&](double at) {
+      const Limit here = limit(at);
       const double hardening = std::max(limit.slope(here) - here.to_slip, 0.0);
-      largest = std::max(largest, -here.to_slip / (kappa + hardening));
-    }
+      return -here.to_slip / (kappa + hardening);
+    });
+    largest = std::max(largest, steepest);
   });
   return largest;
 }
@@ -85,7 +77,7 @@ SnapBackPath snap_back_path(const LimitFunction& limit, double kappa, double sli
       if (path.jumps++ == 0) path.first_level = level;
     }
     if (below && end > level) {
-      const double lands = turn(low, high, [&](double x) { return sum_at(x) < level; });
+      const double lands = turn(low, high, [&](double x) { return sum_at(x) < level; }).high;
       const double work = integral(limit, low, lands);
       path.friction_work += work;
       fall(low, lands, work);
@@ -104,7 +96,7 @@ SnapBackPath snap_back_path(const LimitFunction& limit, double kappa, double sli
       take(low, high, first);
       return;
     }
-    const double bend = turn(low, high, [&](double x) { return rises(x) == first; });
+    const double bend = turn(low, high, [&](double x) { return rises(x) == first; }).high;
     take(low, bend, first);
     take(bend, high, last);
   });

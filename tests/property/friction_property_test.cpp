@@ -302,7 +302,7 @@ TEST_CASE("units that are powers of two change nothing, to the last bit") {
     const auto rows = in_units(c.rows, units);
     const auto results = run_history(definition, c.rows);
     const auto others = run_history(other, rows);
-    // Of a subnormal number the change takes digits.
+    // Subnormal numbers are rounded by the change.
     const auto same = [](double a, double b) { return a == b || std::abs(a) < 1e-290; };
     for (std::size_t i = 0; i < results.size(); ++i) {
       RC_ASSERT(numbers(results[i]) == numbers(others[i], slip_units(c.description, units)));

@@ -192,8 +192,13 @@ TEST_CASE("a quadratic potential on the general path is the Euclidean path") {
       REQUIRE(u.state.regime == v.state.regime);
       slips += u.state.regime == Regime::kSlip ? 1 : 0;
       const double path = 1.0 + u.state.accumulated_slip;
+      const double stiffness = euclidean.stick.mode == StickStiffness::Mode::kStiffness
+                                   ? euclidean.stick.value
+                                   : u.limit / euclidean.stick.value;
+      // What the trial force gives back leaves its rounding in the force.
+      const double reach = u.limit + stiffness * u.slip_increment + 1e-300;
       for (std::size_t k = 0; k < kComponents; ++k) {
-        worst = std::max({worst, std::abs(u.state.force[k] - v.state.force[k]) / (u.limit + 1e-300),
+        worst = std::max({worst, std::abs(u.state.force[k] - v.state.force[k]) / reach,
                           std::abs(u.state.elastic_slip[k] - v.state.elastic_slip[k]) / path,
                           std::abs(u.direction[k] - v.direction[k])});
       }
@@ -204,9 +209,6 @@ TEST_CASE("a quadratic potential on the general path is the Euclidean path") {
       // Where the way meets the limit is a quadratic equation here and Newton's method there.
       // Forces and stiffnesses have the rounding of what cancels in them.
       const double motion = motion_of(euclidean, row);
-      const double stiffness = euclidean.stick.mode == StickStiffness::Mode::kStiffness
-                                   ? euclidean.stick.value
-                                   : u.limit / euclidean.stick.value;
       CHECK(std::abs(u.work - v.work) <= 1e-12 * energy + 1e-15 * stiffness * motion * motion);
       const auto s = connector_tangent(euclidean, increment, u);
       const auto t = connector_tangent(general, increment, v);
@@ -216,8 +218,8 @@ TEST_CASE("a quadratic potential on the general path is the Euclidean path") {
     }
   }
   CHECK(slips > 3000);
-  // The rounding of a root where little of the trial force is left: 2e-13 for 0.4 of 95 N.
-  CHECK(largest <= 1e-12);
+  // 1e-14 in most seeds; a root of a steep limit has twice that.
+  CHECK(largest <= 2e-14);
   CHECK(largest_of_steep <= 2e-12);
 }
 

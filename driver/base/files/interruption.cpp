@@ -23,14 +23,14 @@ struct Place {
   std::array<char, kLongestPath> path;
 };
 
-constinit std::array<Place, kPlaces> open_places{};
+constinit std::array<Place, kPlaces> registered{};
 constinit std::atomic<int> child{0};
 constinit std::array<char, 2000> last_words{};
 constinit std::atomic<std::size_t> last_words_length{0};
 
 extern "C" void end_at_once(int signal_number) {
   if (const int process = child.load(); process > 0) kill(process, SIGTERM);
-  for (const Place& place : open_places) {
+  for (const Place& place : registered) {
     if (place.taken.load()) unlink(place.path.data());
   }
   remove_empty_folders();
@@ -92,23 +92,23 @@ InterruptionPause::~InterruptionPause() {
 int register_file(const std::string& path) {
   if (path.size() >= kLongestPath) return -1;
   for (std::size_t i = 0; i < kPlaces; ++i) {
-    if (open_places[i].taken.load()) continue;
-    std::memcpy(open_places[i].path.data(), path.c_str(), path.size() + 1);
-    open_places[i].taken.store(true);
+    if (registered[i].taken.load()) continue;
+    std::memcpy(registered[i].path.data(), path.c_str(), path.size() + 1);
+    registered[i].taken.store(true);
     return static_cast<int>(i);
   }
   return -1;
 }
 
 void forget_file(int number) {
-  if (number >= 0) open_places[static_cast<std::size_t>(number)].taken.store(false);
+  if (number >= 0) registered[static_cast<std::size_t>(number)].taken.store(false);
 }
 
 void remove_empty_folders() {
   // The inner ones, which were made later, first. What is no folder stays.
   for (std::size_t i = kPlaces; i-- > 0;) {
-    if (open_places[i].taken.load() && rmdir(open_places[i].path.data()) == 0)
-      open_places[i].taken.store(false);
+    if (registered[i].taken.load() && rmdir(registered[i].path.data()) == 0)
+      registered[i].taken.store(false);
   }
 }
 

@@ -175,7 +175,7 @@ TEST_CASE("A cost that is least where it has kinks is told so, soon, and converg
     INFO("seed " << seed << ", start " << start << ": " << fit.stop_sentence << ", "
                  << fit.residual_evaluations << " + " << fit.derivative_evaluations);
     CHECK(fit.converged);
-    // Where sums are taken without vectors, 82; a rounding decides which way round a kink it goes.
+    // 82 without vector instructions: a rounding of sums decides which side of a kink is tried.
     CHECK(fit.residual_evaluations + fit.derivative_evaluations <= 90);
     CHECK(lowest_beside(problem, fit, 0.1) > -1e-3);
   }
