@@ -42,6 +42,9 @@ ContinuousMethod continuous_method(const FrictionDefinition& definition);
 /// The tangent is that of `update` over the same increment. `dissipation` is the integral of F_lim
 /// over the slip, `onset` the fraction at which the last slip began. Snap-back is gone through,
 /// with `snap_back`, `jumps` and `lost`.
+///
+/// Of an increment of more than 1e13 elastic slips (a coefficient on its floor of 1e-30) the stick
+/// ends within the rounding of its fraction; energies that such a limit has are not told then.
 /// \param tolerance of the force as a part of the limit, > 0; other results alike
 /// \param[out] changes of regime inside the segment, if wanted; what was there is forgotten
 /// \pre no_continuous_solution(definition) is empty

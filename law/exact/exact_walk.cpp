@@ -16,8 +16,6 @@ constexpr double kOnRadius = 64.0 * kEpsilon;
 constexpr double kNoLimit = 1e-12;
 /// Distance ahead of an event at which it is judged what comes, as a part of what is left.
 constexpr double kAhead = 1e-9;
-/// A stick shorter than this part of the segment is the rounding of the limit, and no event.
-constexpr double kLasting = 1e-9;
 /// Step of the difference quotients of R as a part of a smooth piece.
 constexpr double kDifference = 1e-5;
 /// Parts in which a smooth piece is looked at for events.
@@ -374,7 +372,7 @@ double ExactWalk::stick(double from, double to) noexcept {
   const double end = stick_end(from, to);
   must_slip_ = end < to;
   if (!(end > from)) return end;
-  if (end - from > kLasting) note(Regime::kStick, from);
+  if (end - from > kLastingStick) note(Regime::kStick, from);
   const double before = slip_at_.along;
   const double travel = length_ * (end - from);
   if (!(travel > 0.0)) return end;

@@ -376,7 +376,8 @@ class Pieces {
   /// Goes on to `to` with what a piece has come to.
   void take(const Run& run, double to) noexcept {
     const Regime regime = run.last.signature.regime;
-    note(regime, run.last);
+    const bool pauses = regime == Regime::kStick && regime_ == Regime::kSlip;
+    if (!pauses || to - tau_ > kLastingStick) note(regime, run.last);
     if (regime != Regime::kStick) dissipation_ += run.end.dissipation;
     at_.held = run.end.held;
     at_.accumulated_slip += std::max(run.end.slip, 0.0);

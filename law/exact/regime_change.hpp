@@ -7,6 +7,9 @@
 
 namespace slipbench::law {
 
+/// A stick shorter than this part of an increment is the rounding of the limit, and no change.
+inline constexpr double kLastingStick = 1e-9;
+
 /// One change of regime within an increment, where the integration knows it.
 struct RegimeChange {
   double fraction = 0.0;  ///< of the increment that is over, 0..1

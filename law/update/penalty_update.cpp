@@ -45,14 +45,15 @@ class Bound {
                  : norm<D>(y) <= limit_.force * kLimitSlack;
   }
   /// The return of a force outside.
-  Slip<D> returned(const Slip<D>& trial) const {
+  /// \param[out] on_axes the same along the axes of the ellipse
+  Slip<D> returned(const Slip<D>& trial, PlaneVector* on_axes) const {
     if (!axes_) {
       const Slip<D> n = trial / norm<D>(trial);
       return limit_.force * n;
     }
     const auto return_to = uses_ratio_return(formulation_) ? ratio_on_ellipse : closest_on_ellipse;
-    const PlaneVector f = return_to(along(trial), axes_->bound);
-    const PlaneVector y = from_axes(formulation_.orthotropy->first, f);
+    *on_axes = return_to(along(trial), axes_->bound);
+    const PlaneVector y = from_axes(formulation_.orthotropy->first, *on_axes);
     Slip<D> result = Slip<D>::Zero();
     result[0] = y[0];
     result[D - 1] = y[1];
@@ -60,10 +61,14 @@ class Bound {
   }
   /// The coefficient and the limit in the direction of a vector.
   std::pair<double, double> towards(const Slip<D>& v) const {
-    if (!axes_) return {limit_.mu, limit_.force};
-    const double size = norm<D>(v);
+    return axes_ ? towards_axes(along(v)) : std::pair{limit_.mu, limit_.force};
+  }
+  /// Those of a vector along the axes of the ellipse. A thin one needs it as the return gave it:
+  /// turned to the slip and back, rounding across it counts by as much as it is thin.
+  std::pair<double, double> towards_axes(const PlaneVector& v) const {
+    const double size = std::hypot(v[0], v[1]);
     PlaneVector n{1.0, 0.0};
-    if (size > 0.0) n = along(v / size);
+    if (size > 0.0) n = {v[0] / size, v[1] / size};
     return {ellipse_radius(n, axes_->mu), ellipse_radius(n, axes_->bound)};
   }
   /// The fraction of a path from y0 to a trial outside that is over at the limit.
@@ -128,13 +133,16 @@ struct PenaltyReturn : ReturnSteps<Slip<D>, LimitFunction> {
     }
     trial = base + predictor * begin.ds;
     outside = !bound.contains(trial);
-    raw = outside ? bound.returned(trial) : trial;
+    PlaneVector on_axes{};
+    raw = outside ? bound.returned(trial, &on_axes) : trial;
     const double p = norm<D>(raw);
     End end;
     end.limit = rest;
     if (bound.axes() != nullptr) {
       result->trial = bound.along(trial);
-      std::tie(end.limit.mu, end.limit.force) = bound.towards(p > 0.0 ? raw : begin.ds);
+      if (!outside) on_axes = result->trial;
+      std::tie(end.limit.mu, end.limit.force) =
+          p > 0.0 ? bound.towards_axes(on_axes) : bound.towards(begin.ds);
       if (p > 0.0) {
         // A returned force is on the limit; the radius of an ellipse without or hardly with a width
         // does not say so.
@@ -167,7 +175,7 @@ struct PenaltyReturn : ReturnSteps<Slip<D>, LimitFunction> {
     if (filtered) {
       end.force = alpha * raw + (1.0 - alpha) * begin.force;
       if (formulation.filter.clip && !bound.contains(end.force)) {
-        clip = bound.towards(end.force).second / norm<D>(end.force);
+        clip = std::min(bound.towards(end.force).second / norm<D>(end.force), 1.0);
         end.force *= clip;
       }
     }

@@ -157,9 +157,17 @@ std::array<PartReturn, kComponents> Projection::max_parts(double limit) const no
 ///   r_g = (c_g (X + offset) + sum c_h (c_h t_g - c_g t_h)) / sum c_h^2.
 SlipVector Projection::returned(const std::array<PartReturn, kComponents>& parts) const noexcept {
   const auto leaves = static_cast<std::size_t>(potential_.leaves);
+  std::array<double, kComponents> longest{};  // t/c of a part
+  for (std::size_t g = 0; g < leaves; ++g) {
+    double& most = longest[static_cast<std::size_t>(potential_.leaf[g].part)];
+    most = std::max(most, lengths_[g] / potential_.leaf[g].factor);
+  }
+  // Of a part that is left, so is its longest leaf, by however little.
   const auto is_left = [&](std::size_t h) {
     const PotentialLeaf& leaf = potential_.leaf[h];
-    return lengths_[h] > leaf.factor * parts[static_cast<std::size_t>(leaf.part)].pull;
+    const auto i = static_cast<std::size_t>(leaf.part);
+    return lengths_[h] > leaf.factor * parts[i].pull ||
+           (parts[i].magnitude > 0.0 && lengths_[h] / leaf.factor == longest[i]);
   };
   SlipVector y = trial_;
   for (std::size_t g = 0; g < leaves; ++g) {

@@ -18,6 +18,24 @@ namespace {
 using Parts = std::array<PartReturn, kComponents>;
 using Search = Start<LimitFunction>;
 
+/// A limit that no slip changes.
+struct ConstantLimit {
+  double force = 0.0;
+  Limit operator()(double /*slip*/) const noexcept { return {.force = force}; }
+  double slope(const Limit& /*limit*/) const noexcept { return 0.0; }
+};
+
+/// The slip that a constant stick stiffness needs on the cap of the limit, before which no force is
+/// on a lower one; 0 without a cap.
+double slip_at_cap(const Search& start, double end, double guess) noexcept {
+  const ConstantLimit cap{start.limit.cap()};
+  const Start<ConstantLimit> capped{start.potential, cap,         start.trial, start.stick,
+                                    start.least,     start.fixed, start.closed};
+  const bool reaches = start.fixed && cap.force > start.least && std::isfinite(cap.force) &&
+                       distance(capped, 0.0).value > 0.0 && distance(capped, end).value <= 0.0;
+  return reaches ? bracketed(capped, 0.0, end, guess) : 0.0;
+}
+
 /// The smallest slip at which the force rests on its limit. Between knots of the limit the search
 /// goes in steps of a sixteenth of the way and looks into every dip it sees; two roots within one
 /// step that show no dip at its ends are not told apart.
@@ -40,7 +58,11 @@ bool first_slip(const Search& start, double* slip) noexcept {
     return distance(start, end).value <= 0.0;
   }
   constexpr int kSteps = 16;
-  double low = 0.0;
+  double low = slip_at_cap(start, end, radial);
+  if (low > 0.0 && start.limit(low).force >= start.limit.cap()) {
+    *slip = low;
+    return true;
+  }
   for (int i = 0; i < 200; ++i) {  // an end that shifts push out is followed
     const double step = (end - low) / kSteps;
     while (low < end) {
@@ -90,11 +112,15 @@ bool beyond_again(const Search& start, double slip, double end) noexcept {
 /// The fraction of the way from y0 to `trial` at which P reaches the limit, the last time if y0
 /// is beyond it; 0 if it stays beyond. P is convex along it: Newton's method comes down from the
 /// far end. Of a way of many elastic slips the fraction is small, and a step to it has the rounding
-/// of 1: a step back from below takes that away.
+/// of its length: a step back from below takes that away.
 double meets_limit(const Potential& potential, const SlipVector& y0, const SlipVector& rise,
                    double limit) noexcept {
   const bool beyond = !within(potential, y0, limit);
   double lambda = 1.0;
+  // P(lambda rise) <= P(y0 + lambda rise) + P(-y0): from there no step is long beside the fraction.
+  if (const double far = value(potential, rise); potential.homogeneous && far > 0.0) {
+    lambda = std::min((limit + value(potential, scaled(y0, -1.0))) / far, 1.0);
+  }
   for (int i = 0; i < 100; ++i) {
     const SlipVector y = sum_of(y0, lambda, rise);
     const double excess = value(potential, y) - limit;

@@ -21,8 +21,13 @@ template <int D>
   const double square = limit * limit;
   const double excess = y0.squaredNorm() - square;
   const double c = excess <= 2.0 * (kLimitSlack - 1.0) * square ? std::min(excess, 0.0) : excess;
-  // In one dimension the difference is a limit^2, which is lost in it under a small limit.
-  const double square_of_root = D == 1 && c > 0.0 ? a * square : b * b - a * c;
+  double square_of_root = b * b - a * c;
+  if (c > 0.0 && a > 0.0) {
+    // From outside that is a difference of large numbers; how near the path passes to 0 is not.
+    Slip<D> beside = Slip<D>::Zero();
+    if constexpr (D > 1) beside = y0 - b / a * rise;
+    square_of_root = a * (square - beside.squaredNorm());
+  }
   // A limit that fell below a force that turns back is met where the force comes out again, if it
   // gets inside at all before the predictor. A limit of 0 is met where the force passes 0.
   const bool comes_out = b < 0.0 && a + b > 0.0 && square_of_root >= 0.0;

@@ -136,6 +136,14 @@ Comparison compare(Way way, const std::vector<double>& definition,
   const std::size_t count = found.size();
   if (exact.size() != count) return {"long double takes no such definition", false, {}};
 
+  // What has not converged says so; how far off it is has no bound.
+  const auto lost = [&](const auto& results) {
+    return std::any_of(results.begin(), results.end(), [](const auto& one) {
+      return std::string_view(one.name) == "converged" && one.value == 0;
+    });
+  };
+  if (lost(found) && lost(exact)) return {};
+
   const double part = kRounding * kEpsilon + (way == Way::kExact ? kPieces * kExactness : 0.0);
   std::vector<Long> low(count), high(count);
   for (std::size_t i = 0; i < count; ++i) low[i] = high[i] = exact[i].value;

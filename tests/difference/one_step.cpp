@@ -41,7 +41,9 @@ PlainStep<double> plain(Way way_of, const law::FrictionDefinition& definition,
     kappa = spring != nullptr ? spring->stiffness : 0.0;
   }
   const double reached = std::max(length(u.state.force), largest);
-  const double trial = reached + length(old.force) + kappa * ds;
+  // Behind a filter the spring may hold more than the old force.
+  const double trial =
+      reached + std::max(length(old.force), kappa * length(old.elastic_slip)) + kappa * ds;
   // Beside a shift the force is what a pull leaves of all of it.
   const auto* potential = std::get_if<law::Potential>(&definition.criterion);
   const bool shifted = potential != nullptr && !potential->homogeneous;
@@ -61,18 +63,34 @@ PlainStep<double> plain(Way way_of, const law::FrictionDefinition& definition,
   const bool told = potential == nullptr ||
                     (way_of == Way::kBackwardEuler && u.state.regime == law::Regime::kSlip);
   const double held = told ? (shifted ? u.limit : length(u.state.force)) : 0.0;
-  const double known = held > 0.0 ? y / held : std::numeric_limits<double>::infinity();
+  // A force before the filter whose square underflows has no direction.
+  const bool has_square = !definition.formulation || length(u.direction) > 0.0;
+  double known = held > 0.0 && has_square ? y / held : std::numeric_limits<double>::infinity();
+  // On a corner it is the ratio of the parts that the return takes of each.
+  if (potential != nullptr &&
+      (potential->combine == law::PotentialOperator::kMax || potential->exponent == 1.0)) {
+    known = std::max(known, way / u.slip_increment);
+  }
   for (std::size_t k = 0; k < 6; ++k) tell("direction", u.direction[k], known);
   // Where a coefficient falls to nothing, both tell by their smallest number when it is there.
   const bool underflows = u.state.regime == law::Regime::kOpen && u.mu == 0.0;
   const double gone = underflows ? std::numeric_limits<double>::infinity() : way;
   tell("accumulated slip", u.state.accumulated_slip, gone);
   tell("slip increment", u.slip_increment, gone + from);
-  tell("limit", u.limit, 0.0);
-  tell("mu", u.mu, 0.0);
+  // Beside a shift, contact is lost where the limit falls to P(0): that is told, and how exactly
+  // depends on its slope to the slip.
+  const bool lost = shifted && u.state.regime == law::Regime::kOpen && ds > 0.0;
+  const double any = std::numeric_limits<double>::infinity();
+  tell("limit", u.limit, lost ? any : 0.0);
+  tell("mu", u.mu, lost ? any : 0.0);
   tell("contact force", u.contact_force, u.normal_force);
   tell("normal force", u.normal_force, 0.0);
-  tell("slip rate", u.slip_rate, increment.duration > 0.0 ? gone / increment.duration : 0.0);
+  // In a viscous joint the force says how fast it slips.
+  const double stiff = std::max(u.tangent.rate, u.tangent.radial);
+  const bool viscous = way_of == Way::kExact && fixed && stiff > 0.0;
+  const double by_force = viscous ? u.limit / stiff : 0.0;
+  tell("slip rate", u.slip_rate,
+       increment.duration > 0.0 ? (gone + by_force) / increment.duration : 0.0);
   tell("wear", u.wear, 0.0);
   tell("phi", u.phi, trial);
   tell("dissipation", u.dissipation, both * way);
@@ -87,7 +105,7 @@ PlainStep<double> plain(Way way_of, const law::FrictionDefinition& definition,
        vanishes   ? std::numeric_limits<double>::infinity()
        : ds > 0.0 ? way / ds
                   : 1.0);
-  tell("snap-back", u.snap_back, 0.0);
+  tell("snap-back", u.snap_back, way_of == Way::kExact ? 1.0 : 0.0);
   tell("lost", u.lost, both * way);
   tell("jump onset", u.jump_onset, 1.0);
   const law::SlipTangent& t = u.tangent;
@@ -139,6 +157,9 @@ PlainStep<double> one_step<double>(Way way, std::span<const double> packed,
       }
     }
   }
+  // Where it sticks, the fraction of the increment has no digit for.
+  const bool fixed = definition->stick.mode == law::StickStiffness::Mode::kStiffness;
+  if (fixed && largest < 1e-13 * definition->stick.value * motion) return {};
   return plain(way, *definition, increment, old,
                law::continuous_update(*definition, segment, old, kExactness), largest,
                old.accumulated_slip);

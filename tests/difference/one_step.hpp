@@ -48,7 +48,8 @@ struct PlainStep {
 
 enum class Way : std::uint8_t {
   kBackwardEuler,
-  kExact  ///< gives no results of a definition without a continuous solution
+  kExact  ///< gives no results of a definition without a continuous solution, nor of an increment
+          ///< of more than 1e13 elastic slips (law::continuous_update)
 };
 
 /// Tolerance of kExact, of forces as a part of the limit.

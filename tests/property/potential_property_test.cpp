@@ -228,6 +228,8 @@ TEST_CASE("the tangent of a potential meets differences") {
   double largest = 0.0;
   for_each_slip(50000, 300, [&](const Slipped& s) {
     if (s.update.multiple_roots) return;
+    // Behind so little slip the steps of the differences let go of a leaf that it holds at 0.
+    if (s.potential.exponent == 1.0 && s.update.slip_increment < 1e-5) return;
     // At a corner of a maximum the derivative is one-sided, in every direction.
     const auto parts = contributions(s.potential, s.update.state.force);
     const double edge = s.update.limit * (1.0 - 1e-9);
