@@ -134,7 +134,7 @@ double motion_of(const FrictionDefinition& definition, const HistoryRow& row) {
 TEST_CASE("the limit belongs to the slip, and no earlier slip meets it") {
   int failures = 0;
   int implicit = 0;
-  for_each_slip(20000, kRuns, [&](const Slipped& s) {
+  const auto holds = [&](const Slipped& s) {
     const ConnectorIncrement increment = s.row.increment();
     const LimitFunction limit(s.definition, increment, s.old, motion_of(s.definition, s.row));
     if (s.update.limit != limit(s.update.slip_increment).force) ++failures;
@@ -155,7 +155,10 @@ TEST_CASE("the limit belongs to the slip, and no earlier slip meets it") {
       const FrictionUpdate u = update(constant, increment, s.old);
       if (u.slip_increment < x * (1.0 - 1e-9)) ++failures;
     }
-  });
+  };
+  for_each_slip(20000, kRuns, holds);
+  // Of another night: a limit that falls off its cap between the first slip and the next.
+  for_each_slip((std::uint64_t{20261127} << 20U) + 20612, 1, holds);
   CHECK(failures == 0);
   CHECK(implicit > 500);
 }

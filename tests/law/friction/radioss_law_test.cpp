@@ -169,6 +169,20 @@ TEST_CASE("Renard's curve is smooth at its joints and rises from rest as said") 
   CHECK(at(1e9).mu == Approx(0.10).epsilon(1e-15));
 }
 
+TEST_CASE("Renard's coefficient keeps its digits beside a minimum of 0") {
+  const Renard law = renard({0.15, 0.10, 0.25, 0.0, 10.0, 100.0});
+  const auto mu = [&](double v) { return evaluate(law, Ambient{}, {.slip_rate = v}).mu; };
+  for (const double apart : {0x1p-10, 0x1p-20, 0x1p-30}) {
+    const double z = apart / 90.0;
+    CHECK(mu(100.0 - apart) == Approx(0.25 * z * z * (3.0 - 2.0 * z)).epsilon(1e-14));
+    const double t = 0.10 * apart * apart;
+    CHECK(mu(100.0 + apart) == Approx(0.10 * t / (1.0 + t)).epsilon(1e-14));
+  }
+  // From the other side, and without an end.
+  CHECK(mu(10.0 + 0x1p-10) == Approx(0.25).epsilon(1e-9));
+  CHECK(mu(1e200) == 0.10);
+}
+
 TEST_CASE("Renard's last piece is constant where C2 = C4") {
   const Renard law = renard({0.15, 0.05, 0.25, 0.05, 10.0, 100.0});
   for (const double v : {100.0, 101.0, 1e3, 1e8}) {

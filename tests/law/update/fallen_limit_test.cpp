@@ -45,6 +45,46 @@ TEST_CASE("a force that turns back below a fallen limit is split where it comes 
   }
 }
 
+TEST_CASE("a large force that turns back beside 0 is split where it comes out of a small limit") {
+  FrictionDefinition definition;
+  definition.slip = slip_space({1, 2});
+  definition.contact_force = NoContactForce{};
+  definition.internal_contact_force = 5.0;
+  definition.law = ConstantCoefficient{1.0};
+  definition.stick = {StickStiffness::Mode::kStiffness, 10.0};
+  FrictionState old;
+  // 3 beside the line through 0 that it moves along.
+  old.force[0] = 3e7 - 2.4;
+  old.force[1] = 4e7 + 1.8;
+  ConnectorIncrement increment;
+  increment.duration = 1.0;
+  increment.end.position[0] = -3.6e6;
+  increment.end.position[1] = -4.8e6;
+  const FrictionUpdate u = update(definition, increment, old);
+  CHECK(u.onset == Approx((5e7 + 4.0) / 6e7).epsilon(1e-15));
+}
+
+TEST_CASE("the work of any number of elastic slips is that of the limit") {
+  Potential potential;
+  potential.parts = potential.leaves = 1;
+  potential.leaf[0].direction[0] = 1.0;
+  for (const SlipCriterion& criterion :
+       {SlipCriterion{EuclideanPotential{}}, SlipCriterion{potential}}) {
+    FrictionDefinition definition;
+    definition.criterion = criterion;
+    definition.contact_force = NoContactForce{};
+    definition.internal_contact_force = 1e-30;
+    definition.law = ConstantCoefficient{1.0};
+    definition.stick = {StickStiffness::Mode::kStiffness, 10.0};
+    ConnectorIncrement increment;
+    increment.duration = 1.0;
+    increment.end.position[0] = 1e4;
+    const FrictionUpdate u = update(definition, increment, {});
+    CHECK(u.onset == Approx(1e-35).epsilon(1e-14).margin(0.0));
+    CHECK(u.work == Approx(1e-26).epsilon(1e-14).margin(0.0));
+  }
+}
+
 TEST_CASE("a force that turns back through 0 while wear takes all of the limit keeps its energy") {
   Potential potential;
   potential.parts = potential.leaves = 1;

@@ -528,6 +528,16 @@ TEST_CASE("a direction without friction slides freely, the other one holds") {
   CHECK(run.last.mu == Approx(0.3));
 }
 
+TEST_CASE("a thin ellipse along an axis between the components has the coefficient of that axis") {
+  Formulation formulation = orthotropic(stiffness(10.0), 1e-12);
+  formulation.orthotropy->first = {0.6, 0.8};
+  Run run(contact_point(ConstantCoefficient{0.3}, formulation, 2));
+  run.slide(1.0, 0.6 * 77.7, 0.8 * 77.7, 100.0);
+  CHECK(run.state.regime == Regime::kSlip);
+  CHECK(run.last.mu == Approx(0.3).epsilon(1e-14));
+  CHECK(run.last.limit == Approx(30.0).epsilon(1e-14));
+}
+
 TEST_CASE("a force limit bounds both axes, and slopes and coefficients stay those of the law") {
   FrictionDefinition definition =
       contact_point(ConstantCoefficient{0.3}, orthotropic(stiffness(10.0), 0.1), 2);

@@ -72,4 +72,32 @@ TEST_CASE("a large exponent finds the corner of the maximum") {
   }
 }
 
+TEST_CASE("after any number of elastic slips a sum of powers leaves the force in its direction") {
+  PotentialContribution second, third;
+  second.of = DerivedComponent{norm_term({2}, 1.0)};
+  third.of = DerivedComponent{norm_term({3}, 1.0)};
+  for (const double b : {1.5, 2.0, 20.0}) {
+    const FrictionDefinition definition = sliding({PotentialContribution{}, second, third}, b, 1.0);
+    for (const double reach : {1e6, 1e12, 1e18, 1e24}) {
+      ConnectorIncrement increment;
+      increment.duration = 1.0;
+      increment.end.position[0] = reach;
+      increment.end.position[1] = -0.5 * reach;
+      increment.end.position[2] = 0.25 * reach;
+      const FrictionUpdate u = update(definition, increment, {});
+      INFO("b = " << b << ", reach " << reach);
+      CHECK(u.converged);
+      // |y_i|^(b-1) goes with the motion; the way turns by a few elastic slips.
+      const double turned = 10.0 / reach + 1e-13;
+      CHECK(u.state.force[1] / u.state.force[0] ==
+            Approx(-std::pow(0.5, 1.0 / (b - 1.0))).epsilon(turned));
+      CHECK(u.state.force[2] / u.state.force[0] ==
+            Approx(std::pow(0.25, 1.0 / (b - 1.0))).epsilon(turned));
+      double sum = 0.0;
+      for (const double y : u.state.force) sum += std::pow(std::abs(y), b);
+      CHECK(std::pow(sum, 1.0 / b) == Approx(1.0).epsilon(1e-14));
+    }
+  }
+}
+
 }  // namespace
