@@ -5,7 +5,7 @@
 #   sanitizers  all tests under the address and undefined-behaviour sanitizers                       1 h
 #   threads     what runs in parallel, under the thread sanitizer                                    20 min
 #   memory      reads of memory that was never written, by valgrind, in a dozen cases               3 min
-#   difference  the law in double against itself in long double, over a million increments            20 min
+#   difference  the law in double against itself in long double, over a million increments             5 min
 #   properties  the properties of the law over random cases of other seeds every night                 1 min
 #   fuzz        every target of scripts/fuzz.sh, SLIPBENCH_FUZZ_SECONDS (600) each                   2 h
 #   large       inputs of up to a megabyte, made of what is repeated: 2 s and 256 MB each             3 min
