@@ -395,6 +395,10 @@ class Pieces {
   void cross(double to) noexcept {
     Run run;
     run.last = steps_.step(at_, tau_, to);
+    const bool at_once =
+        run.last.slip > 1e-6 * elastic_ && run.last.slip > 1e3 * (to - tau_) * steps_.length();
+    // Slip far beyond the motion has no rate: the limit is that at rest.
+    if (at_once && steps_.by_rate() && !steps_.fixed()) run.last = steps_.step(at_, to, to);
     if (run.last.signature.regime == Regime::kOpen && regime_ == Regime::kSlip &&
         !steps_.ends_where_contact_turns()) {
       // F_C + F_int may vanish here to the last digit, and slip goes on behind it.
@@ -419,8 +423,7 @@ class Pieces {
       run.end.dissipation = run.end.work - stored(to, run.end.held) + stored(tau_, at_.held);
       // Slip far beyond the motion: wear has let the force jump over a steep part of the limit, and
       // friction takes of the spring's energy what it can.
-      if (tau_ > 0.0 && run.last.slip > 1e-6 * elastic_ &&
-          run.last.slip > 1e3 * (to - tau_) * steps_.length()) {
+      if (tau_ > 0.0 && at_once) {
         const SlipAtOnce way = steps_.slip_at_once(to, at_.accumulated_slip, run.last.slip);
         lost_ += run.end.dissipation - way.work;
         run.end.dissipation = way.work;

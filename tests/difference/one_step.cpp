@@ -8,6 +8,7 @@
 #include "law/definition/motion.hpp"
 #include "law/definition/packed_definition.hpp"
 #include "law/exact/continuous_update.hpp"
+#include "law/update/penalty_update.hpp"
 #include "law/update/return_mapping.hpp"
 
 namespace slipbench::test {
@@ -92,7 +93,7 @@ PlainStep<double> plain(Way way_of, const law::FrictionDefinition& definition,
   tell("slip rate", u.slip_rate,
        increment.duration > 0.0 ? (gone + by_force) / increment.duration : 0.0);
   tell("wear", u.wear, 0.0);
-  tell("phi", u.phi, trial);
+  tell("phi", u.phi, trial + std::abs(u.tangent.radial) * way);
   tell("dissipation", u.dissipation, both * way);
   tell("stored energy", u.stored_energy, y * s);
   tell("work", u.work, both * way);
@@ -116,7 +117,9 @@ PlainStep<double> plain(Way way_of, const law::FrictionDefinition& definition,
   tell("contact", t.contact, 0.0);
   tell("clip", t.clip, 1.0);
   tell("regime", static_cast<double>(u.state.regime), 0.0);
-  tell("multiple roots", u.multiple_roots ? 1.0 : 0.0, 0.0);
+  // In stick they are those of the gradient where the force would slip.
+  const bool at_corner = potential != nullptr && u.state.regime == law::Regime::kStick;
+  tell("multiple roots", u.multiple_roots ? 1.0 : 0.0, at_corner ? any : 0.0);
   tell("converged", u.converged ? 1.0 : 0.0, 0.0);
   tell("jumps", u.jumps, 0.0);
   return step;
@@ -138,7 +141,16 @@ PlainStep<double> one_step<double>(Way way, std::span<const double> packed,
                                static_cast<law::Regime>(from.old.regime)};
   if (way == Way::kBackwardEuler) {
     const law::FrictionUpdate u = law::update(*definition, increment, old);
-    return plain(way, *definition, increment, old, u, u.limit, 0.0);
+    PlainStep<double> step = plain(way, *definition, increment, old, u, u.limit, 0.0);
+    if (definition->formulation && definition->formulation->orthotropy) {
+      // Rounding across an ellipse counts by as much as it is thin.
+      law::PenaltyDetail detail;
+      law::update_penalty(*definition, increment, old, &detail);
+      const auto [thin, wide] = std::minmax(detail.mu[0], detail.mu[1]);
+      const double thinness = wide > thin ? wide / thin : 1.0;
+      for (PlainResult<double>& result : step.results) result.size *= thinness;
+    }
+    return step;
   }
   if (definition->formulation || law::no_continuous_solution(*definition)) return {};
   law::PathSegment segment =

@@ -550,6 +550,21 @@ TEST_CASE("an allowable elastic slip that jumps down relaxes the spring at once"
   }
 }
 
+TEST_CASE("slip that happens at once has no rate: the limit is that at rest") {
+  for (const Criterion& criterion : criteria_of_one()) {
+    FrictionDefinition definition = pressed({1}, allowable_slip(0.02));
+    definition.criterion = criterion.of;
+    definition.law = TabularCoefficient{make_function({{0.2, 0.0}, {0.1, 1.0}}, {kOverSlipRate})};
+    ExactRun run(definition, at(0.0, 100.0));
+    run.go(at(0.1, 100.0));
+    run.definition.stick.value = 0.008;
+    run.go(at(0.1, 100.0));
+    CHECK(run.friction(1) == Approx(20.0).epsilon(1e-13));
+    CHECK(run.last.slip_increment == Approx(0.012).epsilon(criterion.tolerance));
+    CHECK(run.last.dissipation == Approx(20.0 * 0.012).epsilon(criterion.tolerance));
+  }
+}
+
 TEST_CASE(
     "an allowable elastic slip that shrinks at rest lets go where it comes down to the state") {
   // From 0.02 to 0.005: at 0.01, two thirds on its way.
