@@ -172,9 +172,13 @@ PlainStep<double> one_step<double>(Way way, std::span<const double> packed,
   // Where it sticks, the fraction of the increment has no digit for.
   const bool fixed = definition->stick.mode == law::StickStiffness::Mode::kStiffness;
   if (fixed && largest < 1e-13 * definition->stick.value * motion) return {};
-  return plain(way, *definition, increment, old,
-               law::continuous_update(*definition, segment, old, kExactness), largest,
-               old.accumulated_slip);
+  PlainStep<double> step = plain(way, *definition, increment, old,
+                                 law::continuous_update(*definition, segment, old, kExactness),
+                                 largest, old.accumulated_slip);
+  if (fixed && law::depends_on_slip_rate(definition->law)) {
+    for (PlainResult<double>& result : step.results) result.size *= kViscousExactness / kExactness;
+  }
+  return step;
 }
 
 }  // namespace slipbench::test

@@ -54,6 +54,9 @@ enum class Way : std::uint8_t {
 
 /// Tolerance of kExact, of forces as a part of the limit.
 constexpr double kExactness = 1e-10;
+/// That of a constant stick stiffness under a coefficient that sees the rate, whatever is asked for
+/// (law::continuous_update).
+constexpr double kViscousExactness = 1e-7;
 
 /// Makes an increment, in double or in long double.
 /// \param definition packed
