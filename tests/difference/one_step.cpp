@@ -96,17 +96,15 @@ PlainStep<double> plain(Way way_of, const law::FrictionDefinition& definition,
   tell("phi", u.phi, trial + std::abs(u.tangent.radial) * way);
   tell("dissipation", u.dissipation, both * way);
   tell("stored energy", u.stored_energy, y * s);
-  tell("work", u.work, both * way);
   // Fourth powers of forces, which may underflow in double, say where a limit is met; and a limit
   // of nothing is met anywhere.
-  const bool vanishes =
-      std::pow(std::min(trial, reached), 4.0) < std::numeric_limits<double>::min() ||
-      u.limit < 1e-10 * length(old.force);
-  tell("onset", u.onset,
-       vanishes   ? std::numeric_limits<double>::infinity()
-       : ds > 0.0 ? way / ds
-                  : 1.0);
-  tell("snap-back", u.snap_back, way_of == Way::kExact ? 1.0 : 0.0);
+  const bool underflow =
+      std::pow(std::min(trial, reached), 4.0) < std::numeric_limits<double>::min();
+  const bool vanishes = underflow || u.limit < 1e-10 * length(old.force);
+  tell("onset", u.onset, vanishes ? any : ds > 0.0 ? way / ds : 1.0);
+  tell("work", u.work, underflow ? any : both * way);
+  // The steepest fall is looked for 1e-9 of a piece beside its ends.
+  tell("snap-back", u.snap_back, way_of == Way::kExact ? 1.0 : 1e5 * u.snap_back);
   tell("lost", u.lost, both * way);
   tell("jump onset", u.jump_onset, 1.0);
   const law::SlipTangent& t = u.tangent;
@@ -147,7 +145,7 @@ PlainStep<double> one_step<double>(Way way, std::span<const double> packed,
       law::PenaltyDetail detail;
       law::update_penalty(*definition, increment, old, &detail);
       const auto [thin, wide] = std::minmax(detail.mu[0], detail.mu[1]);
-      const double thinness = wide > thin ? wide / thin : 1.0;
+      const double thinness = wide > thin ? wide / std::max(thin, 1e-100 * wide) : 1.0;
       for (PlainResult<double>& result : step.results) result.size *= thinness;
     }
     return step;
