@@ -50,7 +50,9 @@ PlainStep<double> plain(Way way_of, const law::FrictionDefinition& definition,
   const bool shifted = potential != nullptr && !potential->homogeneous;
   const double y = shifted ? trial : reached;
   const double both = y + length(old.force);
-  const double s = shifted ? way : elastic;
+  // A steep limit has the rounding of its slip, and what is measured by it.
+  const double by_slip = std::abs(u.tangent.radial) * u.slip_increment;
+  const double s = shifted ? way * (1.0 + (u.limit > 0.0 ? by_slip / u.limit : 0.0)) : elastic;
   PlainStep<double> step{{u.state.elastic_slip, u.state.force, u.state.accumulated_slip,
                           static_cast<int>(u.state.regime)},
                          {}};
@@ -82,8 +84,8 @@ PlainStep<double> plain(Way way_of, const law::FrictionDefinition& definition,
   // depends on its slope to the slip.
   const bool lost = shifted && u.state.regime == law::Regime::kOpen && ds > 0.0;
   const double any = std::numeric_limits<double>::infinity();
-  tell("limit", u.limit, lost ? any : 0.0);
-  tell("mu", u.mu, lost ? any : 0.0);
+  tell("limit", u.limit, lost ? any : by_slip);
+  tell("mu", u.mu, lost || !(u.normal_force > 0.0) ? any : by_slip / u.normal_force);
   tell("contact force", u.contact_force, u.normal_force);
   tell("normal force", u.normal_force, 0.0);
   // In a viscous joint the force says how fast it slips.
@@ -108,7 +110,8 @@ PlainStep<double> plain(Way way_of, const law::FrictionDefinition& definition,
   tell("lost", u.lost, both * way);
   tell("jump onset", u.jump_onset, 1.0);
   const law::SlipTangent& t = u.tangent;
-  const double steep = std::max({std::abs(t.transverse), std::abs(t.radial), std::abs(t.rate)});
+  const double steep = std::max({std::abs(t.transverse), std::abs(t.radial), std::abs(t.rate)}) +
+                       (fixed ? 0.0 : by_slip / stick);
   tell("transverse", t.transverse, steep);
   tell("radial", t.radial, steep);
   tell("rate", t.rate, steep);
