@@ -377,7 +377,8 @@ class Pieces {
   void take(const Run& run, double to) noexcept {
     const Regime regime = run.last.signature.regime;
     const bool pauses = regime == Regime::kStick && regime_ == Regime::kSlip;
-    if (!pauses || to - tau_ > kLastingStick) note(regime, run.last);
+    if (!pauses) slipped_until_ = to;
+    if (!pauses || to - slipped_until_ > kLastingStick) note(regime, run.last);
     if (regime != Regime::kStick) dissipation_ += run.end.dissipation;
     at_.held = run.end.held;
     at_.accumulated_slip += std::max(run.end.slip, 0.0);
@@ -472,6 +473,7 @@ class Pieces {
   double work_ = 0.0;
   double dissipation_ = 0.0;
   double onset_ = 0.0;
+  double slipped_until_ = 0.0;
   SlipVector normal_{};
   double snap_back_ = 0.0;
   double lost_ = 0.0;

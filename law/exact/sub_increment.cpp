@@ -310,7 +310,7 @@ SubIncrement SubIncrements::step(const SlipPoint& begin, double from, double to)
   const double x = scale.kappa * slip;
   const auto parts = potential_->combine == PotentialOperator::kMax
                          ? projection.max_parts(scale.limit)
-                         : projection.sum_parts(x, scale.limit);
+                         : projection.sum_parts(x, scale.limit, true);
   const SlipVector returned = put_on_limit(*potential_, projection.returned(parts), scale.limit);
   result.normal = projection.normal(parts, x);
   result.force = closed_ ? scaled(returned, result.limit.force / stick) : returned;

@@ -215,8 +215,9 @@ struct Renard {
     if (!depends_on_slip_rate()) return {c2, 0.0, 0.0};
     const double v = speed_factor * slip_rate;
     if (v <= c5) {
-      const double x = v / c5;
-      return {c1 + (c3 - c1) * x * (2.0 - x), speed_factor * 2.0 * (c3 - c1) * (1.0 - x) / c5, 0.0};
+      const double x = v / c5, z = (c5 - v) / c5, rise = c3 - c1;
+      return {x < z ? c1 + rise * x * (2.0 - x) : c3 - rise * z * z,
+              speed_factor * 2.0 * rise * z / c5, 0.0};
     }
     if (v < c6) {
       const auto [mu, slope] = falling(v);

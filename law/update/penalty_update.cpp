@@ -40,32 +40,36 @@ class Bound {
   PlaneVector along(const Slip<D>& y) const {
     return along_axes(formulation_.orthotropy->first, y[0], y[D - 1]);
   }
-  bool contains(const Slip<D>& y) const {
-    return axes_ ? within_ellipse(along(y), axes_->bound)
-                 : norm<D>(y) <= limit_.force * kLimitSlack;
+  /// Those of a y1 + b y2, turned before they cancel: rounding across a thin ellipse stays none.
+  PlaneVector along(double a, const Slip<D>& y1, double b, const Slip<D>& y2) const {
+    const PlaneVector first = along(y1), second = along(y2);
+    return {a * first[0] + b * second[0], a * first[1] + b * second[1]};
   }
-  /// The return of a force outside.
-  /// \param[out] on_axes the same along the axes of the ellipse
-  Slip<D> returned(const Slip<D>& trial, PlaneVector* on_axes) const {
-    if (!axes_) {
-      const Slip<D> n = trial / norm<D>(trial);
-      return limit_.force * n;
-    }
-    const auto return_to = uses_ratio_return(formulation_) ? ratio_on_ellipse : closest_on_ellipse;
-    *on_axes = return_to(along(trial), axes_->bound);
-    const PlaneVector y = from_axes(formulation_.orthotropy->first, *on_axes);
+  Slip<D> from(const PlaneVector& on_axes) const {
+    const PlaneVector y = from_axes(formulation_.orthotropy->first, on_axes);
     Slip<D> result = Slip<D>::Zero();
     result[0] = y[0];
     result[D - 1] = y[1];
     return result;
   }
+  bool contains(const Slip<D>& y) const { return norm<D>(y) <= limit_.force * kLimitSlack; }
+  bool contains(const PlaneVector& on_axes) const { return within_ellipse(on_axes, axes_->bound); }
+  /// The return of a force outside.
+  Slip<D> returned(const Slip<D>& trial) const {
+    const Slip<D> n = trial / norm<D>(trial);
+    return limit_.force * n;
+  }
+  PlaneVector returned(const PlaneVector& trial) const {
+    const auto return_to = uses_ratio_return(formulation_) ? ratio_on_ellipse : closest_on_ellipse;
+    return return_to(trial, axes_->bound);
+  }
   /// The coefficient and the limit in the direction of a vector.
   std::pair<double, double> towards(const Slip<D>& v) const {
-    return axes_ ? towards_axes(along(v)) : std::pair{limit_.mu, limit_.force};
+    return axes_ ? towards(along(v)) : std::pair{limit_.mu, limit_.force};
   }
   /// Those of a vector along the axes of the ellipse. A thin one needs it as the return gave it:
   /// turned to the slip and back, rounding across it counts by as much as it is thin.
-  std::pair<double, double> towards_axes(const PlaneVector& v) const {
+  std::pair<double, double> towards(const PlaneVector& v) const {
     const double size = std::hypot(v[0], v[1]);
     PlaneVector n{1.0, 0.0};
     if (size > 0.0) n = {v[0] / size, v[1] / size};
@@ -132,17 +136,22 @@ struct PenaltyReturn : ReturnSteps<Slip<D>, LimitFunction> {
       base = begin.force;
     }
     trial = base + predictor * begin.ds;
-    outside = !bound.contains(trial);
     PlaneVector on_axes{};
-    raw = outside ? bound.returned(trial, &on_axes) : trial;
+    if (bound.axes() == nullptr) {
+      outside = !bound.contains(trial);
+      raw = outside ? bound.returned(trial) : trial;
+    } else {
+      result->trial = bound.along(1.0, base, predictor, begin.ds);
+      outside = !bound.contains(result->trial);
+      on_axes = outside ? bound.returned(result->trial) : result->trial;
+      raw = outside ? bound.from(on_axes) : trial;
+    }
     const double p = norm<D>(raw);
     End end;
     end.limit = rest;
     if (bound.axes() != nullptr) {
-      result->trial = bound.along(trial);
-      if (!outside) on_axes = result->trial;
       std::tie(end.limit.mu, end.limit.force) =
-          p > 0.0 ? bound.towards_axes(on_axes) : bound.towards(begin.ds);
+          bound.towards(p > 0.0 ? on_axes : bound.along(begin.ds));
       if (p > 0.0) {
         // A returned force is on the limit; the radius of an ellipse without or hardly with a width
         // does not say so.
@@ -174,8 +183,14 @@ struct PenaltyReturn : ReturnSteps<Slip<D>, LimitFunction> {
     end.force = raw;
     if (filtered) {
       end.force = alpha * raw + (1.0 - alpha) * begin.force;
-      if (formulation.filter.clip && !bound.contains(end.force)) {
-        clip = std::min(bound.towards(end.force).second / norm<D>(end.force), 1.0);
+      const PlaneVector blended = bound.axes() == nullptr
+                                      ? PlaneVector{}
+                                      : bound.along(alpha, raw, 1.0 - alpha, begin.force);
+      const bool beyond =
+          bound.axes() == nullptr ? !bound.contains(end.force) : !bound.contains(blended);
+      if (formulation.filter.clip && beyond) {
+        const double edge = bound.axes() == nullptr ? rest.force : bound.towards(blended).second;
+        clip = std::min(edge / norm<D>(end.force), 1.0);
         end.force *= clip;
       }
     }

@@ -129,10 +129,28 @@ PartReturn Projection::sum_part(int part, double x, double limit) const noexcept
   return result;
 }
 
-std::array<PartReturn, kComponents> Projection::sum_parts(double x, double limit) const noexcept {
+std::array<PartReturn, kComponents> Projection::sum_parts(double x, double limit,
+                                                          bool on_limit) const noexcept {
   std::array<PartReturn, kComponents> parts{};
   for (int i = 0; i < potential_.parts; ++i) {
     parts[static_cast<std::size_t>(i)] = sum_part(i, x, limit);
+  }
+  if (on_limit && potential_.exponent == 1.0) {
+    // X = level(x) is, after many elastic slips, what two large numbers leave. On the limit the
+    // parts add up to it, and the one that the longest pull is needed for has what others leave.
+    double rest = limit, longest = 0.0;
+    PartReturn* last = nullptr;
+    for (int i = 0; i < potential_.parts; ++i) {
+      PartReturn& part = parts[static_cast<std::size_t>(i)];
+      rest -= part.magnitude;
+      const double pull =
+          pull_to(i, std::max(-potential_.offset[static_cast<std::size_t>(i)], 0.0));
+      if (pull > longest) {
+        longest = pull;
+        last = &part;
+      }
+    }
+    if (last != nullptr) last->magnitude = std::max(last->magnitude + rest, 0.0);
   }
   return parts;
 }
@@ -163,11 +181,15 @@ SlipVector Projection::returned(const std::array<PartReturn, kComponents>& parts
     most = std::max(most, lengths_[g] / potential_.leaf[g].factor);
   }
   // Of a part that is left, so is its longest leaf, by however little.
+  const auto remains = [&](std::size_t i) {
+    const double offset = potential_.offset[i];
+    return parts[i].magnitude + offset > 8.0 * kEpsilon * std::abs(offset);
+  };
   const auto is_left = [&](std::size_t h) {
     const PotentialLeaf& leaf = potential_.leaf[h];
     const auto i = static_cast<std::size_t>(leaf.part);
     return lengths_[h] > leaf.factor * parts[i].pull ||
-           (parts[i].magnitude > 0.0 && lengths_[h] / leaf.factor == longest[i]);
+           (remains(i) && lengths_[h] / leaf.factor == longest[i]);
   };
   SlipVector y = trial_;
   for (std::size_t g = 0; g < leaves; ++g) {

@@ -26,14 +26,14 @@ struct ConstantLimit {
 };
 
 /// The slip that a constant stick stiffness needs on the cap of the limit, before which no force is
-/// on a lower one; 0 without a cap.
+/// on a lower one; infinity without a cap.
 double slip_at_cap(const Search& start, double end, double guess) noexcept {
   const ConstantLimit cap{start.limit.cap()};
   const Start<ConstantLimit> capped{start.potential, cap,         start.trial, start.stick,
                                     start.least,     start.fixed, start.closed};
   const bool reaches = start.fixed && cap.force > start.least && std::isfinite(cap.force) &&
                        distance(capped, 0.0).value > 0.0 && distance(capped, end).value <= 0.0;
-  return reaches ? bracketed(capped, 0.0, end, guess) : 0.0;
+  return reaches ? bracketed(capped, 0.0, end, guess) : std::numeric_limits<double>::infinity();
 }
 
 /// The smallest slip at which the force rests on its limit. Between knots of the limit the search
@@ -58,15 +58,20 @@ bool first_slip(const Search& start, double* slip) noexcept {
     return distance(start, end).value <= 0.0;
   }
   constexpr int kSteps = 16;
-  double low = slip_at_cap(start, end, radial);
-  if (low > 0.0 && start.limit(low).force >= start.limit.cap()) {
-    *slip = low;
-    return true;
-  }
+  // On its way there the limit may vanish, so that place is a knot like others.
+  const double at_cap = slip_at_cap(start, end, radial);
+  double low = 0.0;
   for (int i = 0; i < 200; ++i) {  // an end that shifts push out is followed
     const double step = (end - low) / kSteps;
     while (low < end) {
-      const double high = std::min({start.limit.next_knot(low, end), low + step, end});
+      double high = std::min({start.limit.next_knot(low, end), low + step, end});
+      if (low < at_cap && high >= at_cap) {
+        high = at_cap;
+        if (start.limit(high).force >= start.limit.cap()) {
+          *slip = high;
+          return true;
+        }
+      }
       if (distance(start, high).value <= 0.0) {
         *slip = bracketed(start, low, high, radial);
         return true;
@@ -127,7 +132,7 @@ double meets_limit(const Potential& potential, const SlipVector& y0, const SlipV
     const double slope = dot(gradient(potential, y), rise);
     if (beyond && excess > 0.0 && !(slope > 0.0)) {
       // A step to a limit of 0 may end beyond it, by rounding.
-      return excess <= 8.0 * std::numeric_limits<double>::epsilon() * norm(rise) ? lambda : 0.0;
+      return excess <= 32.0 * std::numeric_limits<double>::epsilon() * norm(rise) ? lambda : 0.0;
     }
     if (!(slope > 0.0)) break;
     const double next = lambda - excess / slope;
@@ -185,7 +190,7 @@ struct PotentialReturn : ReturnSteps<SlipVector, LimitFunction> {
       const double x = scale.kappa * end.slip;
       const Parts parts = potential.combine == PotentialOperator::kMax
                               ? projection.max_parts(scale.limit)
-                              : projection.sum_parts(x, scale.limit);
+                              : projection.sum_parts(x, scale.limit, true);
       y = projection.returned(parts);
       m = projection.normal(parts, x);
       // Far above rounding: what is left is the failure of the search.
@@ -306,10 +311,24 @@ namespace {
 /// The projection of theory 11.7 differentiated at fixed x(T): what dy_tr and dT do to y and x.
 class Linearised {
  public:
-  Linearised(const Potential& potential, const SlipVector& trial, double x, double limit) noexcept
-      : potential_(potential), trial_(trial), projection_(potential, trial), x_(x), limit_(limit) {
+  Linearised(const Potential& potential, const SlipVector& trial, const SlipVector& force, double x,
+             double limit) noexcept
+      : potential_(potential),
+        trial_(trial),
+        force_(force),
+        projection_(potential, trial),
+        x_(x),
+        limit_(limit) {
     maximum_ = potential.combine == PotentialOperator::kMax;
-    parts_ = maximum_ ? projection_.max_parts(limit) : projection_.sum_parts(x, limit);
+    parts_ = maximum_ ? projection_.max_parts(limit) : projection_.sum_parts(x, limit, true);
+    for (PartReturn& part : parts_) {
+      if (part.pull > 0.0) part.stiffness = 0.0;
+    }
+    for (std::size_t g = 0; g < static_cast<std::size_t>(potential.leaves); ++g) {
+      const PotentialLeaf& leaf = potential.leaf[g];
+      PartReturn& part = parts_[static_cast<std::size_t>(leaf.part)];
+      if (part.pull > 0.0 && rest(g) > 0.0) part.stiffness += leaf.factor * leaf.factor;
+    }
     const double power = potential.exponent - 1.0;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       const PartReturn& part = parts_[i];
@@ -395,11 +414,7 @@ class Linearised {
   }
 
   /// Returns what is left of the length of leaf g.
-  double rest(std::size_t g) const noexcept {
-    const PotentialLeaf& leaf = potential_.leaf[g];
-    const double pull = parts_[static_cast<std::size_t>(leaf.part)].pull;
-    return std::max(projection_.lengths()[g] - leaf.factor * pull, 0.0);
-  }
+  double rest(std::size_t g) const noexcept { return length(potential_.leaf[g], force_); }
 
   /// A leaf that is not loaded while others slip. Where its part is pulled it stays at 0; otherwise
   /// its share (r/T)^(b-1) begins with the slope 0, 1/T or without bound. A half line gives way to
@@ -424,6 +439,7 @@ class Linearised {
 
   const Potential& potential_;
   const SlipVector& trial_;
+  const SlipVector& force_;  ///< the return of `trial_`
   Projection projection_;
   double x_;
   double limit_;
@@ -463,7 +479,7 @@ PotentialTangent potential_tangent(const FrictionDefinition& definition,
   const double x = kappa * update.slip_increment;
   const SlipVector m = scaled(update.direction, 1.0 / dot(update.direction, update.direction));
   const SlipVector trial = sum_of(update.state.force, x, m);
-  const Linearised linear(potential, trial, x, limit);
+  const Linearised linear(potential, trial, update.state.force, x, limit);
 
   Eigen::Matrix<double, kComponents, kComponents> y_by_trial;
   Vector x_by_trial, y_by_limit;

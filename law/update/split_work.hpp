@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "law/base/slip_vector.hpp"
 #include "law/definition/limit_function.hpp"
@@ -26,7 +27,11 @@ template <int D>
     // From outside that is a difference of large numbers; how near the path passes to 0 is not.
     Slip<D> beside = Slip<D>::Zero();
     if constexpr (D > 1) beside = y0 - b / a * rise;
-    square_of_root = a * (square - beside.squaredNorm());
+    // What is left of a path through 0 is the rounding of y0.
+    constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
+    const double apart = beside.squaredNorm();
+    const bool through = apart <= kRounding * kRounding * y0.squaredNorm();
+    square_of_root = a * (through ? square : square - apart);
   }
   // A limit that fell below a force that turns back is met where the force comes out again, if it
   // gets inside at all before the predictor. A limit of 0 is met where the force passes 0.

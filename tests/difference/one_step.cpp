@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "law/definition/motion.hpp"
 #include "law/definition/packed_definition.hpp"
@@ -61,14 +62,13 @@ PlainStep<double> plain(Way way_of, const law::FrictionDefinition& definition,
   };
   for (std::size_t k = 0; k < 6; ++k) tell("force", u.state.force[k], y);
   for (std::size_t k = 0; k < 6; ++k) tell("elastic slip", u.state.elastic_slip[k], s);
+  const double any = std::numeric_limits<double>::infinity();
   // That of a potential is its gradient, which has corners wherever a term is 0, in stick; exactly
   // it is that of the last sub-increment, however long.
   const bool told = potential == nullptr ||
                     (way_of == Way::kBackwardEuler && u.state.regime == law::Regime::kSlip);
   const double held = told ? (shifted ? u.limit : length(u.state.force)) : 0.0;
-  // A force before the filter whose square underflows has no direction.
-  const bool has_square = !definition.formulation || length(u.direction) > 0.0;
-  double known = held > 0.0 && has_square ? y / held : std::numeric_limits<double>::infinity();
+  double known = held > 0.0 ? y / held : any;
   // On a corner it is the ratio of the parts that the return takes of each.
   if (potential != nullptr &&
       (potential->combine == law::PotentialOperator::kMax || potential->exponent == 1.0)) {
@@ -82,8 +82,7 @@ PlainStep<double> plain(Way way_of, const law::FrictionDefinition& definition,
   tell("slip increment", u.slip_increment, gone + from);
   // Beside a shift, contact is lost where the limit falls to P(0): that is told, and how exactly
   // depends on its slope to the slip.
-  const bool lost = shifted && u.state.regime == law::Regime::kOpen && ds > 0.0;
-  const double any = std::numeric_limits<double>::infinity();
+  const bool lost = shifted && u.state.regime == law::Regime::kOpen && u.slip_increment > 0.0;
   tell("limit", u.limit, lost ? any : by_slip);
   tell("mu", u.mu, lost || !(u.normal_force > 0.0) ? any : by_slip / u.normal_force);
   tell("contact force", u.contact_force, u.normal_force);
@@ -143,13 +142,22 @@ PlainStep<double> one_step<double>(Way way, std::span<const double> packed,
   if (way == Way::kBackwardEuler) {
     const law::FrictionUpdate u = law::update(*definition, increment, old);
     PlainStep<double> step = plain(way, *definition, increment, old, u, u.limit, 0.0);
-    if (definition->formulation && definition->formulation->orthotropy) {
-      // Rounding across an ellipse counts by as much as it is thin.
+    if (definition->formulation) {
       law::PenaltyDetail detail;
       law::update_penalty(*definition, increment, old, &detail);
+      // Rounding across an ellipse counts by as much as it is thin.
       const auto [thin, wide] = std::minmax(detail.mu[0], detail.mu[1]);
-      const double thinness = wide > thin ? wide / std::max(thin, 1e-100 * wide) : 1.0;
-      for (PlainResult<double>& result : step.results) result.size *= thinness;
+      const bool ellipse = definition->formulation->orthotropy && wide > thin;
+      const double thinness = ellipse ? wide / std::max(thin, 1e-100 * wide) : 1.0;
+      // A force before the filter whose square underflows has no direction.
+      const bool underflows =
+          length(detail.raw) * length(detail.raw) < std::numeric_limits<double>::min();
+      for (PlainResult<double>& result : step.results) {
+        result.size *= thinness;
+        if (underflows && std::string_view(result.name) == "direction") {
+          result.size = std::numeric_limits<double>::infinity();
+        }
+      }
     }
     return step;
   }
@@ -172,7 +180,7 @@ PlainStep<double> one_step<double>(Way way, std::span<const double> packed,
   }
   // Where it sticks, the fraction of the increment has no digit for.
   const bool fixed = definition->stick.mode == law::StickStiffness::Mode::kStiffness;
-  if (fixed && largest < 1e-13 * definition->stick.value * motion) return {};
+  if (fixed && largest > 0.0 && largest < 1e-13 * definition->stick.value * motion) return {};
   PlainStep<double> step = plain(way, *definition, increment, old,
                                  law::continuous_update(*definition, segment, old, kExactness),
                                  largest, old.accumulated_slip);

@@ -64,6 +64,29 @@ TEST_CASE("a large force that turns back beside 0 is split where it comes out of
   CHECK(u.onset == Approx((5e7 + 4.0) / 6e7).epsilon(1e-15));
 }
 
+TEST_CASE("a force that turns back through 0 is split there, however small the limit") {
+  for (const double limit : {1e-8, 1e-12, 1e-20, 1e-30}) {
+    for (const auto& [x, y] : {std::pair{1.0, 0.0}, {0.6, 0.8}, {-0.28, 0.96}}) {
+      FrictionDefinition definition;
+      definition.slip = slip_space({1, 2});
+      definition.contact_force = NoContactForce{};
+      definition.internal_contact_force = limit;
+      definition.law = ConstantCoefficient{1.0};
+      definition.stick = {StickStiffness::Mode::kStiffness, 10.0};
+      FrictionState old;
+      old.force[0] = 5.1 * x;
+      old.force[1] = 5.1 * y;
+      ConnectorIncrement increment;
+      increment.duration = 1.0;
+      increment.end.position[0] = -0.62 * x;
+      increment.end.position[1] = -0.62 * y;
+      const FrictionUpdate u = update(definition, increment, old);
+      CHECK(u.onset == Approx((5.1 + limit) / 6.2).epsilon(1e-14));
+      CHECK(u.work == Approx(-0.5 * 5.1 * 0.51).epsilon(1e-7));
+    }
+  }
+}
+
 TEST_CASE("the work of any number of elastic slips is that of the limit") {
   Potential potential;
   potential.parts = potential.leaves = 1;

@@ -538,6 +538,21 @@ TEST_CASE("a thin ellipse along an axis between the components has the coefficie
   CHECK(run.last.limit == Approx(30.0).epsilon(1e-14));
 }
 
+TEST_CASE("a filter and its clip see no rounding across an axis without friction") {
+  Formulation formulation = orthotropic(stiffness(10.0), 0.0);
+  formulation.filter = {Filter::Kind::kSimple, 0.58, true};
+  Run along(contact_point(ConstantCoefficient{0.3}, formulation, 2));
+  formulation.orthotropy->first = {0.6, 0.8};
+  Run turned(contact_point(ConstantCoefficient{0.3}, formulation, 2));
+  for (const double v : {7.7, -5.3, 0.31, 11.0, -0.7, -9.1, 2.9, -3.3, 0.9, 1.7}) {
+    along.slide(1.0, v, 0.0, 100.0);
+    turned.slide(1.0, 0.6 * v, 0.8 * v, 100.0);
+    CHECK(turned.state.regime == along.state.regime);
+    const double force = 0.6 * turned.state.force[0] + 0.8 * turned.state.force[1];
+    CHECK(force == Approx(along.state.force[0]).margin(1e-13));
+  }
+}
+
 TEST_CASE("a force limit bounds both axes, and slopes and coefficients stay those of the law") {
   FrictionDefinition definition =
       contact_point(ConstantCoefficient{0.3}, orthotropic(stiffness(10.0), 0.1), 2);

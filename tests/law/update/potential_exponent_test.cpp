@@ -5,10 +5,12 @@
 
 #include "law/definition/potential_terms.hpp"
 #include "law/update/potential_return.hpp"
+#include "tests/support/law_tables.hpp"
 
 namespace {
 
 using namespace slipbench::law;
+namespace test = slipbench::test;
 
 FrictionDefinition sliding(std::vector<PotentialContribution> terms, double exponent,
                            double limit) {
@@ -97,6 +99,56 @@ TEST_CASE("after any number of elastic slips a sum of powers leaves the force in
       for (const double y : u.state.force) sum += std::pow(std::abs(y), b);
       CHECK(std::pow(sum, 1.0 / b) == Approx(1.0).epsilon(1e-14));
     }
+  }
+}
+
+TEST_CASE("after any number of elastic slips a sum keeps its last part, and follows its limit") {
+  PotentialContribution plane;
+  plane.of = DerivedComponent{norm_term({2, 3}, 1.0)};
+  for (const double b : {1.0, 3.0}) {
+    const FrictionDefinition definition = sliding({PotentialContribution{}, plane}, b, 2.0);
+    for (const double reach : {1e6, 1e12, 1e17, 1e20}) {
+      ConnectorIncrement increment;
+      increment.duration = 1.0;
+      increment.end.position[0] = reach;
+      increment.end.position[1] = 0.5 * reach;
+      increment.end.position[2] = 0.25 * reach;
+      const FrictionUpdate u = update(definition, increment, {});
+      INFO("b = " << b << ", reach " << reach);
+      if (b == 1.0) {
+        CHECK(u.state.force[0] == Approx(2.0).epsilon(1e-14));
+        CHECK(u.state.force[1] == 0.0);
+        CHECK(u.state.force[2] == 0.0);
+        continue;
+      }
+      // In steady slip the force is in proportion to its limit.
+      const PotentialTangent tangent = potential_tangent(definition, u);
+      for (int i = 0; i < 3; ++i) {
+        const double force = u.state.force[static_cast<std::size_t>(i)];
+        CHECK(tangent.to_contact[i] == Approx(0.5 * force).epsilon(1e-13 + 10.0 / reach));
+      }
+    }
+  }
+}
+
+TEST_CASE("a shifted potential lets go where its limit falls to what it holds without force") {
+  // X = <|f1| + |f2| + 1>: P(0) = 1. Slip comes by that limit before it is on the cap of 5.
+  PotentialContribution two;
+  two.of = DerivedComponent{norm_term({1}, 1.0), norm_term({2}, 1.0)};
+  two.function = ContributionFunction::kMacauley;
+  two.shift = -1.0;
+  FrictionDefinition definition = sliding({two}, 1.0, 1.0);
+  definition.internal_contact_force =
+      test::make_function({{8, 0}, {0.5, 0.1}, {8, 0.2}, {8, 10}}, {test::kOverAccumulatedSlip});
+  definition.stick.value = 10.0;
+  ConnectorIncrement increment;
+  increment.duration = 1.0;
+  increment.end.position[0] = 2.0;
+  for (const double cap : {5.0, 1000.0}) {
+    definition.force_limit = cap;
+    const FrictionUpdate u = update(definition, increment, {});
+    CHECK(u.state.regime == Regime::kOpen);
+    CHECK(u.slip_increment == Approx(0.1 * 7.0 / 7.5).epsilon(1e-9));
   }
 }
 
