@@ -55,6 +55,15 @@ struct StepLimit {
                                              length > 0.0 ? slip / length : 0.0);
   }
   double slope(const Limit& limit) const { return limit.to_slip + limit.to_rate * per_rate; }
+  double next_knot(double slip, double end) const noexcept {
+    const double before = begin.accumulated_slip;
+    // A knot may lie within rounding of the place that it is looked for from.
+    const double least = slip + std::numeric_limits<double>::epsilon() * (before + end);
+    return std::max(steps.next_knot(tau, before + slip, before + end) - before, least);
+  }
+  double begin_slip() const { return begin.accumulated_slip; }
+  double cap() const { return steps.cap(); }
+  bool depends_on_slip() const { return constant == nullptr; }
 };
 
 }  // namespace
@@ -93,6 +102,7 @@ SubIncrements::SubIncrements(const FrictionDefinition& definition, const PathSeg
             potential_->leaves == potential_->parts && potential_->homogeneous;
   by_rate_ = definition.slip_rate == SlipRateMeasure::kSlip && depends_on_slip_rate(definition.law);
   viscous_ = fixed_ && by_rate_;
+  wears_ = fixed_ && !viscous_ && depends_on_accumulated_slip(definition.internal_contact_force);
   varies_with_slip_ = by_rate_ || depends_on_accumulated_slip(definition.internal_contact_force);
 }
 
@@ -283,7 +293,15 @@ SubIncrement SubIncrements::step(const SlipPoint& begin, double from, double to)
                         (kappa * std::max(dot(steepest, steepest), 1e-300));
   // Steps that follow each other slip alike.
   const double guess = last_rate_ > 0.0 ? last_rate_ * length : radial;
-  double slip = bracketed(start, 0.0, end, guess, 1e-15);
+  // Where wear takes the equilibrium of this piece of the table away, that of a later one is a
+  // jump.
+  double slip = 0.0;
+  const double knot = wears_ ? std::min(limit_of.next_knot(0.0, end), end) : end;
+  if (knot < end && distance(start, knot).value > 0.0) {
+    first_slip(start, &slip);
+  } else {
+    slip = bracketed(start, 0.0, knot, guess, 1e-15);
+  }
   result.limit = limit_of(slip);
   result.signature.regime = Regime::kSlip;
   const auto holds = [&](const Limit& l) {

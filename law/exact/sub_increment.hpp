@@ -60,6 +60,10 @@ class SubIncrements {
                 const FrictionState& old) noexcept;
 
   SubIncrement step(const SlipPoint& begin, double from, double to) noexcept;
+  double next_knot(double tau, double slip, double end) noexcept {
+    return points_.next_knot(tau, slip, end);
+  }
+  double cap() const { return definition_.force_limit; }
 
   /// F_lim at the fraction tau, after the accumulated slip of `at` and at the slip per segment
   /// given [L]; of a belt that of the side which `at` holds a force on.
@@ -135,6 +139,7 @@ class SubIncrements {
   bool closed_;
   bool smooth_;  ///< P is a sum of even powers of its leaves
   bool varies_with_slip_;
+  bool wears_ = false;  ///< and a jump may follow: constant stick stiffness, no viscous force
   bool by_rate_;
   bool viscous_;  ///< the limit follows the rate of the slip, and the spring does not the limit
   bool at_rest_ = false;    ///< of a viscous force: as near to the limit as rounding

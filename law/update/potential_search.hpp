@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "law/base/bisection.hpp"
 #include "law/definition/limit_function.hpp"
 #include "law/definition/motion.hpp"
 #include "law/update/potential_projection.hpp"
@@ -21,7 +22,8 @@ inline bool within(const Potential& potential, const SlipVector& y, double limit
          limit * (1.0 + 32.0 * kEpsilon) + 4.0 * kEpsilon * std::sqrt(dot(y, y));
 }
 
-/// Start of the return of an increment; `limit` gives F_lim at a slip, and its slope there.
+/// Start of the return of an increment; `limit` gives F_lim at a slip, and its slope there, and for
+/// first_slip() the knots that LimitFunction has.
 template <class LimitOf>
 struct Start {
   const Potential& potential;
@@ -129,6 +131,96 @@ double bracketed(const Start<LimitOf>& start, double low, double high, double gu
     x = next;
   }
   return high;
+}
+
+/// A limit that no slip changes.
+struct ConstantLimit {
+  double force = 0.0;
+  Limit operator()(double /*slip*/) const noexcept { return {.force = force}; }
+  double slope(const Limit& /*limit*/) const noexcept { return 0.0; }
+};
+
+/// The slip that a constant stick stiffness needs on the cap of the limit, before which no force is
+/// on a lower one; infinity without a cap.
+template <class LimitOf>
+double slip_at_cap(const Start<LimitOf>& start, double end, double guess) noexcept {
+  const ConstantLimit cap{start.limit.cap()};
+  const Start<ConstantLimit> capped{start.potential, cap,         start.trial, start.stick,
+                                    start.least,     start.fixed, start.closed};
+  const bool reaches = start.fixed && cap.force > start.least && std::isfinite(cap.force) &&
+                       distance(capped, 0.0).value > 0.0 && distance(capped, end).value <= 0.0;
+  return reaches ? bracketed(capped, 0.0, end, guess) : std::numeric_limits<double>::infinity();
+}
+
+/// The smallest slip at which the force rests on its limit. Between knots of the limit the search
+/// goes in steps of a sixteenth of the way and looks into every dip it sees; two roots within one
+/// step that show no dip at its ends are not told apart.
+/// \return false if none was found
+template <class LimitOf>
+bool first_slip(const Start<LimitOf>& start, double* slip) noexcept {
+  const Scale at_rest = scale_at(start, start.limit(0.0).force);
+  const double kappa = at_rest.kappa > 0.0 ? at_rest.kappa : 1.0;
+  double end = Projection(start.potential, at_rest.trial).longest() / kappa;
+  // The slip that would do if the force came straight back; with b = 2 it does.
+  const SlipVector m = gradient(start.potential, at_rest.trial);
+  const double radial =
+      (value(start.potential, at_rest.trial) - at_rest.limit) / (kappa * dot(m, m));
+  if (!(end > 0.0)) {
+    *slip = 0.0;
+    return !(start.limit(0.0).force > start.least);
+  }
+  if (start.closed || !start.limit.depends_on_slip()) {
+    for (int i = 0; i < 200 && distance(start, end).value > 0.0; ++i) end *= 2.0;
+    *slip = bracketed(start, 0.0, end, radial);
+    return distance(start, end).value <= 0.0;
+  }
+  constexpr int kSteps = 16;
+  // On its way there the limit may vanish, so that place is a knot like others.
+  const double at_cap = slip_at_cap(start, end, radial);
+  double low = 0.0;
+  for (int i = 0; i < 200; ++i) {  // an end that shifts push out is followed
+    const double step = (end - low) / kSteps;
+    while (low < end) {
+      double high = std::min({start.limit.next_knot(low, end), low + step, end});
+      if (low < at_cap && high >= at_cap) {
+        high = at_cap;
+        if (start.limit(high).force >= start.limit.cap()) {
+          *slip = high;
+          return true;
+        }
+      }
+      if (distance(start, high).value <= 0.0) {
+        *slip = bracketed(start, low, high, radial);
+        return true;
+      }
+      const double margin = margin_inside(low, high, start.limit.begin_slip());
+      // Without a limit the force is beyond it; equilibrium may lie before the place where it
+      // vanishes.
+      const auto has_limit = [&](double x) { return start.limit(x).force > start.least; };
+      const double last = has_limit(high) ? high - margin : turn(low, high, has_limit).low;
+      const Distance before = distance(start, last);
+      if (before.value <= 0.0) {
+        *slip = bracketed(start, low, last, radial);
+        return true;
+      }
+      if (before.slope > 0.0 && distance(start, low + margin).slope < 0.0) {
+        double left = low, right = last;
+        for (int k = 0; k < 60 && right - left > 1e-15 * right; ++k) {
+          const double middle = left + 0.5 * (right - left);
+          (distance(start, middle).slope < 0.0 ? left : right) = middle;
+        }
+        if (distance(start, right).value <= 0.0) {
+          *slip = bracketed(start, low, right, radial);
+          return true;
+        }
+      }
+      low = high;
+    }
+    *slip = end;
+    if (!(start.limit(end).force > start.least)) return true;
+    end *= 2.0;
+  }
+  return false;
 }
 
 /// Projects the rounding of a return away: P(y) = limit.

@@ -351,6 +351,31 @@ TEST_CASE("a limit that wears faster than the spring lets the force jump, with i
   }
 }
 
+TEST_CASE("a jump lands on the first equilibrium of several, and the next begins at a peak") {
+  for (const Criterion& criterion : criteria_of_one()) {
+    FrictionDefinition definition;
+    definition.criterion = criterion.of;
+    definition.contact_force = NoContactForce{};
+    definition.internal_contact_force = make_function(
+        {{100, 0}, {50, 0.1}, {95, 0.15}, {20, 0.3}, {20, 10}}, {kOverAccumulatedSlip});
+    definition.law = ConstantCoefficient{1.0};
+    definition.stick = fixed_stiffness(100.0);
+    // From 100 N the spring's 100 (1 - x) meets 50 + 900 (x - 0.1) at x = 0.14, not 20 at x = 0.8.
+    ExactRun run(definition);
+    run.go(at(1.05));
+    CHECK(run.friction(1) == Approx(90.5).epsilon(criterion.tolerance));
+    CHECK(run.last.slip_increment == Approx(0.145).epsilon(criterion.tolerance));
+    CHECK(run.last.jumps == 1);
+    CHECK(run.last.lost == Approx(2.8).epsilon(criterion.tolerance));
+    // Along the rising limit to 95 at x = 0.15, and from there to 20.
+    run.go(at(1.3));
+    CHECK(run.friction(1) == Approx(20.0).epsilon(criterion.tolerance));
+    CHECK(run.last.slip_increment == Approx(1.1 - 0.145).epsilon(criterion.tolerance));
+    CHECK(run.last.jumps == 1);
+    CHECK(run.last.lost == Approx(22.5).epsilon(criterion.tolerance));
+  }
+}
+
 TEST_CASE("a force at rest jumps as well once its limit has come down to it") {
   // F = 1100 N at rest, F_C from 1000 N to 50 N: at 100 N force and limit are 1000 N where the wear
   // begins to let the limit fall by 1500 N/mm, to 25 N. They meet there again.
