@@ -26,8 +26,7 @@ double first_negative(Function&& f, double low, double high,
   for (int i = 0; i < 100; ++i) {
     const double tolerance = width * std::max({a, b, least});
     if (!(std::abs(b - a) > tolerance)) break;
-    double next = a + part * (b - a);
-    if (next == a || next == b) next = a + 0.5 * (b - a);
+    const double next = a + part * (b - a);
     if (next == a || next == b) break;
     const double value = f(next);
     double c = a;

@@ -47,9 +47,8 @@ struct SubIncrement {
 
 /// A slip that no motion accompanies.
 struct SlipAtOnce {
-  double work = 0.0;  ///< integral of F_lim over it [F L]
-  double steepest =
-      0.0;  ///< largest -dF_lim/d(slip) on its way [F/L], 0 where the limit never falls
+  double work = 0.0;      ///< integral of F_lim over it [F L]
+  double steepest = 0.0;  ///< largest -dF_lim/d(slip) on its way [F/L], or 0
 };
 
 /// Backward Euler steps of a definition along a segment, to any fraction of it. Refers to its

@@ -83,6 +83,17 @@ KineticBehavior random_behavior(Dice& dice) {
   return behavior;
 }
 
+TEST_CASE("an increment without duration has the slopes of its springs, not of its dampers") {
+  KineticBehavior behavior;
+  behavior.elasticity[2].emplace(40.0);
+  behavior.damping[2].emplace(3.0);
+  behavior.pressing = ComponentSet::of(3);
+  ConnectorIncrement increment = increment_to({0, 0, 0.2, 0, 0, 0}, 0.0);
+  CHECK(kinetic_slopes(behavior, increment)(2, 2) == Approx(40.0));
+  increment.duration = 0.5;
+  CHECK(kinetic_slopes(behavior, increment)(2, 2) == Approx(40.0 + 3.0 / 0.5));
+}
+
 TEST_CASE("the tangent under springs that press meets differences") {
   Dice dice(20);
   int slips = 0;

@@ -307,6 +307,8 @@ TEST_CASE("slip that wears the limit away opens where it does") {
         CHECK(run.friction(1) == 0.0);
         // mu integral F_int ds = 0.2 * 100 * 0.5 / 2
         CHECK(run.dissipation == Approx(5.0).epsilon(1e-9));
+        // The limit falls by 40 N/mm, the spring by 1000.
+        if (count == 1) CHECK(run.last.snap_back == Approx(0.04).epsilon(1e-9));
       }
     }
   }
@@ -352,27 +354,33 @@ TEST_CASE("a limit that wears faster than the spring lets the force jump, with i
 }
 
 TEST_CASE("a jump lands on the first equilibrium of several, and the next begins at a peak") {
-  for (const Criterion& criterion : criteria_of_one()) {
-    FrictionDefinition definition;
-    definition.criterion = criterion.of;
-    definition.contact_force = NoContactForce{};
-    definition.internal_contact_force = make_function(
-        {{100, 0}, {50, 0.1}, {95, 0.15}, {20, 0.3}, {20, 10}}, {kOverAccumulatedSlip});
-    definition.law = ConstantCoefficient{1.0};
-    definition.stick = fixed_stiffness(100.0);
-    // From 100 N the spring's 100 (1 - x) meets 50 + 900 (x - 0.1) at x = 0.14, not 20 at x = 0.8.
-    ExactRun run(definition);
-    run.go(at(1.05));
-    CHECK(run.friction(1) == Approx(90.5).epsilon(criterion.tolerance));
-    CHECK(run.last.slip_increment == Approx(0.145).epsilon(criterion.tolerance));
-    CHECK(run.last.jumps == 1);
-    CHECK(run.last.lost == Approx(2.8).epsilon(criterion.tolerance));
-    // Along the rising limit to 95 at x = 0.15, and from there to 20.
-    run.go(at(1.3));
-    CHECK(run.friction(1) == Approx(20.0).epsilon(criterion.tolerance));
-    CHECK(run.last.slip_increment == Approx(1.1 - 0.145).epsilon(criterion.tolerance));
-    CHECK(run.last.jumps == 1);
-    CHECK(run.last.lost == Approx(22.5).epsilon(criterion.tolerance));
+  for (const double unit : {1.0, 1e-4}) {  // of force
+    for (const Criterion& criterion : criteria_of_one()) {
+      const double within = criterion.tolerance;
+      FrictionDefinition definition;
+      definition.criterion = criterion.of;
+      definition.contact_force = NoContactForce{};
+      definition.internal_contact_force = make_function(
+          {{100 * unit, 0}, {50 * unit, 0.1}, {95 * unit, 0.15}, {20 * unit, 0.3}, {20 * unit, 10}},
+          {kOverAccumulatedSlip});
+      definition.law = ConstantCoefficient{1.0};
+      definition.stick = fixed_stiffness(100.0 * unit);
+      // From 100 N the spring's 100 (1 - x) meets 50 + 900 (x - 0.1) at x = 0.14, not 20 at 0.8.
+      ExactRun run(definition);
+      run.go(at(1.05));
+      CHECK(run.friction(1) / unit == Approx(90.5).epsilon(within));
+      CHECK(run.last.slip_increment == Approx(0.145).epsilon(within));
+      CHECK(run.last.jumps == 1);
+      CHECK(run.last.lost / unit == Approx(2.8).epsilon(within));
+      CHECK(run.last.snap_back == Approx(5.0).epsilon(within));
+      // Along the rising limit to 95 at x = 0.15, and from there to 20.
+      run.go(at(1.3));
+      CHECK(run.friction(1) / unit == Approx(20.0).epsilon(within));
+      CHECK(run.last.slip_increment == Approx(1.1 - 0.145).epsilon(within));
+      CHECK(run.last.jumps == 1);
+      CHECK(run.last.lost / unit == Approx(22.5).epsilon(within));
+      CHECK(run.last.snap_back == Approx(5.0).epsilon(within));
+    }
   }
 }
 

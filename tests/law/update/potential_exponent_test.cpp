@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "law/definition/potential_terms.hpp"
+#include "law/friction/law_list.hpp"
 #include "law/update/potential_return.hpp"
 #include "tests/support/law_tables.hpp"
 
@@ -149,6 +150,30 @@ TEST_CASE("a shifted potential lets go where its limit falls to what it holds wi
     const FrictionUpdate u = update(definition, increment, {});
     CHECK(u.state.regime == Regime::kOpen);
     CHECK(u.slip_increment == Approx(0.1 * 7.0 / 7.5).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("an equilibrium in a dip is found in any unit of length") {
+  // F = 100 mu(x) turns down from 50 N at x = 1; the spring's 82.06 - 30 x dips below it for less
+  // than a sixteenth of its way.
+  Renard law;
+  law.c1 = 0.1, law.c2 = 0.2, law.c3 = 0.5, law.c4 = 0.1;
+  PotentialContribution second;
+  second.of = DerivedComponent{norm_term({2}, 1.0)};
+  for (const double unit : {1.0, 1e6, 1e-6}) {
+    law.c5 = unit, law.c6 = 2.0 * unit;
+    FrictionDefinition definition = sliding({PotentialContribution{}, second}, 3.0, 100.0);
+    definition.law = law;
+    definition.stick.value = 30.0 / unit;
+    ConnectorIncrement increment;
+    increment.duration = 1.0;
+    increment.end.position[0] = 82.06 / 30.0 * unit;
+    const FrictionUpdate u = update(definition, increment, {});
+    CHECK(u.converged);
+    const double y = u.slip_increment / unit - 1.0;
+    CHECK(y > 0.0);
+    CHECK(y < 0.1464);
+    CHECK(50.0 - 40.0 * y * y * (3.0 - 2.0 * y) == Approx(82.06 - 30.0 * (1.0 + y)).epsilon(1e-12));
   }
 }
 
