@@ -400,6 +400,85 @@ TEST_CASE("differences that the derivatives do not cover are refused and leave n
   CHECK_FALSE(add_slopes(renard, other_unit, 1.0, 0, &none));
 }
 
+/// Tells whether each of some changes of a definition is refused, from either side, and the
+/// definition beside itself is not.
+template <class... Change>
+bool refuses_each(const FrictionDefinition& base, const Change&... change) {
+  [[maybe_unused]] const auto refuses = [&](const auto& one) {
+    FrictionDefinition other = base;
+    one(other);
+    DefinitionSlopes slopes;
+    return !add_slopes(base, other, 1.0, 0, &slopes) && !add_slopes(other, base, 1.0, 0, &slopes) &&
+           slopes.unknowns == 0;
+  };
+  DefinitionSlopes slopes;
+  return (refuses(change) && ...) && add_slopes(base, base, 1.0, 0, &slopes);
+}
+
+TEST_CASE("what is no number of a contact force may not differ") {
+  FrictionDefinition joint = slider(0.2, 0.0, fixed_stiffness(1000.0));
+  UniversalJointContact contact;
+  contact.R_p = contact.R_a = contact.L_s = contact.L_a = 1.0;
+  joint.contact_force = contact;
+  const auto of = [](FrictionDefinition& d) -> UniversalJointContact& {
+    return *std::get_if<UniversalJointContact>(&d.contact_force);
+  };
+  CHECK(refuses_each(
+      joint, [&](auto& d) { of(d).axis = 3; }, [&](auto& d) { of(d).R_p = 2.0; },
+      [&](auto& d) { of(d).R_a = 2.0; }, [&](auto& d) { of(d).L_s = 2.0; },
+      [&](auto& d) { of(d).L_a = 2.0; }, [&](auto& d) { of(d).shares.k_ax += 1.0; },
+      [&](auto& d) { of(d).shares.t_ax += 1.0; }, [&](auto& d) { of(d).shares.k_tw += 1.0; },
+      [&](auto& d) { of(d).shares.t_tw += 1.0; },
+      [&](auto& d) { d.contact_force = NoContactForce{}; }));
+
+  FrictionDefinition derived = joint;
+  const TableFunction weights = make_function({{1, 2, 0}, {3, 4, 1}}, {over_motion(1)}, 2);
+  DerivedTerm tabulated = norm_term({2, 3}, 1.0);
+  tabulated.weight_table = weights;
+  derived.contact_force = DerivedComponent{norm_term({2, 3}, 1.0), tabulated};
+  const auto term = [](FrictionDefinition& d, std::size_t t) -> DerivedTerm& {
+    return (*std::get_if<DerivedComponent>(&d.contact_force))[t];
+  };
+  const auto table = [&](const Rows& rows, Independent over) {
+    return [=, &term](auto& d) { term(d, 1).weight_table = make_function(rows, {over}, 2); };
+  };
+  CHECK(refuses_each(
+      derived, [&](auto& d) { term(d, 0).combine = TermOperator::kSum; },
+      [&](auto& d) { term(d, 0).sign = -1.0; }, [&](auto& d) { term(d, 0).count = 1; },
+      [&](auto& d) { term(d, 0).component[0] = 4; },
+      [&](auto& d) { term(d, 0).weight_table = weights; },
+      [&](auto& d) {
+        d.contact_force = DerivedComponent{norm_term({2, 3}, 1.0)};
+      },
+      table({{1, 2, 0}, {3, 5, 1}}, over_motion(1)), table({{1, 2, 0}, {3, 4, 2}}, over_motion(1)),
+      table({{1, 2, 0}, {3, 4, 1}}, over_motion(2)),
+      table({{1, 2, 0}, {2, 2, 0.5}, {3, 4, 1}}, over_motion(1))));
+}
+
+TEST_CASE("what is no number of a law may not differ") {
+  FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0));
+  definition.law = Renard::example();
+  const auto renard = [](FrictionDefinition& d) { return get_law_if<Renard>(d.law); };
+  CHECK(refuses_each(
+      definition, [&](auto& d) { renard(d)->speed_unit = UnitName{"m/s"}; },
+      [&](auto& d) { renard(d)->rules = RenardRules::kLenient; },
+      [&](auto& d) { d.law = GeneralizedViscous::example(); }));
+  definition.law = GeneralizedViscous::example();
+  CHECK(refuses_each(definition,
+                     [](auto& d) { get_law_if<GeneralizedViscous>(d.law)->area = std::nullopt; }));
+  // Neither has one.
+  get_law_if<GeneralizedViscous>(definition.law)->area = std::nullopt;
+  CHECK(refuses_each(definition));
+  definition.law = TabularCoefficient{make_function({{0.1, 0}, {0.2, 1}}, {kOverSlipRate})};
+  const auto table = [](const Rows& rows, Independent over, Extrapolation beyond) {
+    return [=](auto& d) { d.law = TabularCoefficient{make_function(rows, {over}, 1, beyond)}; };
+  };
+  CHECK(refuses_each(definition,
+                     table({{0.1, 0}, {0.2, 2}}, kOverSlipRate, Extrapolation::kConstant),
+                     table({{0.1, 0}, {0.2, 1}}, kOverContactForce, Extrapolation::kConstant),
+                     table({{0.1, 0}, {0.2, 1}}, kOverSlipRate, Extrapolation::kLinear)));
+}
+
 TEST_CASE("several unknowns may share a number, and one unknown may move several") {
   const FrictionDefinition base = slider(0.2, 100.0, fixed_stiffness(1000.0));
   DefinitionSlopes slopes;
