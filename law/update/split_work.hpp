@@ -10,35 +10,43 @@
 
 namespace slipbench::law {
 
+/// The fraction at which a force that turns back from outside comes out of the limit again, if it
+/// gets inside at all before the predictor; a limit of 0 is met where the force passes 0.
+template <int D>
+[[gnu::noinline, gnu::cold]] double fraction_from_outside(const Slip<D>& y0, const Slip<D>& trial,
+                                                          double limit) {
+  const Slip<D> rise = trial - y0;
+  const double a = rise.squaredNorm();
+  const double b = y0.dot(rise);
+  if (!(b < 0.0 && a + b > 0.0)) return 0.0;
+  // Not b^2 - a (y0^2 - limit^2), a difference of large numbers: how near the path passes to 0.
+  double apart = 0.0;
+  if constexpr (D > 1) apart = (y0 - b / a * rise).squaredNorm();
+  // What is left of a path through 0 is the rounding of y0.
+  constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
+  if (apart <= kRounding * kRounding * y0.squaredNorm()) apart = 0.0;
+  const double square = limit * limit - apart;
+  return square >= 0.0 ? std::min((std::sqrt(a * square) - b) / a, 1.0) : 0.0;
+}
+
 /// The fraction of an increment [1] at which a force that rises from y0 along the straight line to
 /// the predictor `trial` meets the limit |y| = `limit`; 0 where it does not get inside before.
 template <int D>
 [[gnu::always_inline]] inline double limit_fraction(const Slip<D>& y0, const Slip<D>& trial,
                                                     double limit) {
-  const Slip<D> rise = trial - y0;
-  const double a = rise.squaredNorm();
-  const double b = y0.dot(rise);
-  // A force returned to the limit may lie above it by its rounding; it counts as on the limit.
   const double square = limit * limit;
   const double excess = y0.squaredNorm() - square;
-  const double c = excess <= 2.0 * (kLimitSlack - 1.0) * square ? std::min(excess, 0.0) : excess;
-  double square_of_root = b * b - a * c;
-  if (c > 0.0 && a > 0.0) {
-    // From outside that is a difference of large numbers; how near the path passes to 0 is not.
-    Slip<D> beside = Slip<D>::Zero();
-    if constexpr (D > 1) beside = y0 - b / a * rise;
-    // What is left of a path through 0 is the rounding of y0.
-    constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
-    const double apart = beside.squaredNorm();
-    const bool through = apart <= kRounding * kRounding * y0.squaredNorm();
-    square_of_root = a * (through ? square : square - apart);
+  // A force returned to the limit may lie above it by its rounding; it counts as on the limit.
+  if (excess > 2.0 * (kLimitSlack - 1.0) * square) {
+    return fraction_from_outside<D>(y0, trial, limit);
   }
-  // A limit that fell below a force that turns back is met where the force comes out again, if it
-  // gets inside at all before the predictor. A limit of 0 is met where the force passes 0.
-  const bool comes_out = b < 0.0 && a + b > 0.0 && square_of_root >= 0.0;
-  if (!(a > 0.0) || (c > 0.0 && !comes_out)) return 0.0;
+  const Slip<D> rise = trial - y0;
+  const double a = rise.squaredNorm();
+  if (!(a > 0.0)) return 0.0;
+  const double b = y0.dot(rise);
+  const double c = std::min(excess, 0.0);
   // The stable form of the larger root of a x^2 + 2 b x + c = 0.
-  const double root = std::sqrt(std::max(square_of_root, 0.0));
+  const double root = std::sqrt(std::max(b * b - a * c, 0.0));
   return std::clamp(b > 0.0 ? -c / (b + root) : (root - b) / a, 0.0, 1.0);
 }
 
