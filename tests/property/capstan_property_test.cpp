@@ -17,7 +17,8 @@ namespace {
 using namespace slipbench::law;
 using namespace slipbench::test;
 
-const bool kSeeded = setenv("RC_PARAMS", "seed=20240611 max_success=1500 max_discard_ratio=100", 0) == 0;
+const bool kSeeded =
+    setenv("RC_PARAMS", "seed=20240611 max_success=1500 max_discard_ratio=100", 0) == 0;
 
 /// A random belt with its history; the tension is component 1's force, of both signs.
 struct Case {

@@ -19,7 +19,8 @@ using namespace slipbench::law;
 using namespace slipbench::test;
 
 /// Fixes the seed before RapidCheck first looks; a RC_PARAMS of the environment wins.
-const bool kSeeded = setenv("RC_PARAMS", "seed=20240611 max_success=1500 max_discard_ratio=100", 0) == 0;
+const bool kSeeded =
+    setenv("RC_PARAMS", "seed=20240611 max_success=1500 max_discard_ratio=100", 0) == 0;
 
 template <class Property>
 void check(const std::string& text, const Property& property) {
