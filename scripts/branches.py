@@ -3,7 +3,8 @@
 """branches.py BUILD OUTPUT LEAST FOLDER..: how many branches of the sources in FOLDER.. the tests took, by gcov's counts in BUILD.
 
 A branch of a template is one branch, taken if any of its instances took it; gcovr counts each instance. Branches that only an
-exception takes, and those of lines without a condition (a list in braces is taken down in a loop), do not count. OUTPUT lists by file the lines with a branch never taken.
+exception takes do not count, nor those of lines on which no condition, loop or comparison stands: a list in braces is taken down
+in a loop of the compiler's own. OUTPUT lists by file the lines with a branch never taken.
 Exit: 0, or 1 if less than LEAST percent were taken.
 """
 import collections

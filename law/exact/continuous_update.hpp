@@ -43,11 +43,11 @@ ContinuousMethod continuous_method(const FrictionDefinition& definition);
 /// over the slip, `onset` the fraction at which the last slip began. Snap-back is gone through,
 /// with `snap_back`, `jumps` and `lost`.
 ///
-/// Of an increment of more than 1e13 elastic slips (a coefficient on its floor of 1e-30) the stick
-/// ends within the rounding of its fraction; energies that such a limit has are not told then.
-/// With a constant stick stiffness under a coefficient that sees the slip rate, stick and slip may
-/// hand over to each other many times where the coefficient hardly rises from rest: errors of up to
-/// 1e-6 of the limit were seen there, whatever the tolerance.
+/// Bounds of the method: energies of a limit so small that an increment is more than 1e13 elastic
+/// slips long (a coefficient on its floor of 1e-30) are not told, as stick ends within the rounding
+/// of its fraction. A constant stick stiffness under a coefficient that sees the slip rate and
+/// hardly rises from rest may change between stick and slip many times: errors of up to 1e-6 of the
+/// limit were seen there, whatever the tolerance.
 /// \param tolerance of the force as a part of the limit, > 0; other results alike
 /// \param[out] changes of regime inside the segment, if wanted; what was there is forgotten
 /// \pre no_continuous_solution(definition) is empty

@@ -153,8 +153,7 @@ template <class Visit>
 void ExactWalk::for_each_piece(double tau, double low, double high, Visit visit) noexcept {
   while (low < high) {
     const double next = points_.next_knot(tau, begin_slip_ + low, begin_slip_ + high) - begin_slip_;
-    // A knot may lie within rounding of the place that it was looked for from.
-    const double end = std::min(std::max(next, low + kEpsilon * largest_slip_), high);
+    const double end = std::min(next, high);
     if (visit(low, end)) return;
     low = end;
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <variant>
 
 #include "law/component/kinetic_force.hpp"
@@ -109,12 +110,14 @@ class SegmentPoints {
 
   /// Returns the next total accumulated slip behind `slip`, up to `end`, at which the limit over
   /// the slip at tau has a kink or changes its curvature, its cap apart (LimitFunction::next_knot);
-  /// infinity, or something behind `end`, if there is none [L].
+  /// infinity, or something behind `end`, if there is none [L]. A knot within rounding of `slip` is
+  /// a rounding behind it, so that a walk from knot to knot goes on.
   double next_knot(double tau, double slip, double end) noexcept {
     FrictionState state;
     state.accumulated_slip = slip;
-    return slip +
-           LimitFunction(definition_, increment(tau), state, motion_).next_knot(0.0, end - slip);
+    const double ahead =
+        LimitFunction(definition_, increment(tau), state, motion_).next_knot(0.0, end - slip);
+    return slip + std::max(ahead, std::numeric_limits<double>::epsilon() * end);
   }
 
   /// Returns the force of `limit` before the cap [F].

@@ -57,9 +57,7 @@ struct StepLimit {
   double slope(const Limit& limit) const { return limit.to_slip + limit.to_rate * per_rate; }
   double next_knot(double slip, double end) const noexcept {
     const double before = begin.accumulated_slip;
-    // A knot may lie within rounding of the place that it is looked for from.
-    const double least = slip + std::numeric_limits<double>::epsilon() * (before + end);
-    return std::max(steps.next_knot(tau, before + slip, before + end) - before, least);
+    return steps.next_knot(tau, before + slip, before + end) - before;
   }
   double begin_slip() const { return begin.accumulated_slip; }
   double cap() const { return steps.cap(); }
@@ -102,8 +100,9 @@ SubIncrements::SubIncrements(const FrictionDefinition& definition, const PathSeg
             potential_->leaves == potential_->parts && potential_->homogeneous;
   by_rate_ = definition.slip_rate == SlipRateMeasure::kSlip && depends_on_slip_rate(definition.law);
   viscous_ = fixed_ && by_rate_;
-  wears_ = fixed_ && !viscous_ && depends_on_accumulated_slip(definition.internal_contact_force);
-  varies_with_slip_ = by_rate_ || depends_on_accumulated_slip(definition.internal_contact_force);
+  const bool wears = depends_on_accumulated_slip(definition.internal_contact_force);
+  may_jump_ = wears && fixed_ && !viscous_;
+  varies_with_slip_ = by_rate_ || wears;
 }
 
 Limit SubIncrements::limit(double tau, const SlipPoint& at, double slip_rate) noexcept {
@@ -164,8 +163,7 @@ SlipAtOnce SubIncrements::slip_at_once(double tau, double accumulated_slip, doub
   SlipAtOnce result;
   int budget = 1000;
   for (double low = accumulated_slip; low < end;) {
-    const double step = std::numeric_limits<double>::epsilon() * end;
-    const double high = std::min(std::max(points_.next_knot(tau, low, end), low + step), end);
+    const double high = std::min(points_.next_knot(tau, low, end), end);
     result.work += integral(force, low, high, 1e-12 * force(low) * (high - low), &budget);
     const double steepest =
         largest_inside(low, high, 0.0, [&](double at) { return -limit_at(at).to_slip; });
@@ -293,10 +291,9 @@ SubIncrement SubIncrements::step(const SlipPoint& begin, double from, double to)
                         (kappa * std::max(dot(steepest, steepest), 1e-300));
   // Steps that follow each other slip alike.
   const double guess = last_rate_ > 0.0 ? last_rate_ * length : radial;
-  // Where wear takes the equilibrium of this piece of the table away, that of a later one is a
-  // jump.
+  // Beyond the next knot the equilibrium is that of a jump, and there may be several.
   double slip = 0.0;
-  const double knot = wears_ ? std::min(limit_of.next_knot(0.0, end), end) : end;
+  const double knot = may_jump_ ? std::min(limit_of.next_knot(0.0, end), end) : end;
   if (knot < end && distance(start, knot).value > 0.0) {
     first_slip(start, &slip);
   } else {
@@ -326,9 +323,7 @@ SubIncrement SubIncrements::step(const SlipPoint& begin, double from, double to)
   scale = scale_at(start, result.limit.force);
   const Projection projection(*potential_, scale.trial);
   const double x = scale.kappa * slip;
-  const auto parts = potential_->combine == PotentialOperator::kMax
-                         ? projection.max_parts(scale.limit)
-                         : projection.sum_parts(x, scale.limit, true);
+  const auto parts = projection.parts_on_limit(x, scale.limit);
   const SlipVector returned = put_on_limit(*potential_, projection.returned(parts), scale.limit);
   result.normal = projection.normal(parts, x);
   result.force = closed_ ? scaled(returned, result.limit.force / stick) : returned;

@@ -138,7 +138,7 @@ class SubIncrements {
   bool closed_;
   bool smooth_;  ///< P is a sum of even powers of its leaves
   bool varies_with_slip_;
-  bool wears_ = false;  ///< wear may let the force jump: constant stick stiffness, not viscous
+  bool may_jump_;  ///< wear against a constant stick stiffness, and not viscous
   bool by_rate_;
   bool viscous_;  ///< the limit follows the rate of the slip, and the spring does not the limit
   bool at_rest_ = false;    ///< of a viscous force: as near to the limit as rounding

@@ -177,10 +177,11 @@ struct Renard {
               .until = end_of_piece(c5)};
     }
     if (ahead < c6) {
-      const auto [mu, slope] = falling(v);
+      const CoefficientPoint here = falling(v);
       const double y = (v - c5) / (c6 - c5), dy = dv / (c6 - c5), fall = c3 - c4;
-      return {.numerator = polynomial({mu, slope * dv, -3.0 * fall * (1.0 - 2.0 * y) * dy * dy,
-                                       2.0 * fall * dy * dy * dy}),
+      return {.numerator =
+                  polynomial({here.mu, here.to_slip_rate * line.rate_per_slip * span,
+                              -3.0 * fall * (1.0 - 2.0 * y) * dy * dy, 2.0 * fall * dy * dy * dy}),
               .denominator = {},
               .until = end_of_piece(c6)};
     }
@@ -219,32 +220,24 @@ struct Renard {
       return {x < z ? c1 + rise * x * (2.0 - x) : c3 - rise * z * z,
               speed_factor * 2.0 * rise * z / c5, 0.0};
     }
-    if (v < c6) {
-      const auto [mu, slope] = falling(v);
-      return {mu, speed_factor * slope, 0.0};
-    }
+    if (v < c6) return falling(v);
     const double d = c2 - c4;
     const double s = v - c6;
     // Not 1/(1/d + s^2), which fails where C2 = C4.
     const double square = d * s * s;
     const double q = 1.0 + square;
-    // Two ways to write it: the first cancels where s is small, the second overflows where it is
-    // large.
+    // The first cancels where s is small, the second overflows where it is large.
     const double mu = square > 1.0 ? c2 - d / q : (c4 + c2 * square) / q;
     return {mu, speed_factor * 2.0 * d * d * s / (q * q), 0.0};
   }
 
-  struct Slope {
-    double mu = 0.0;
-    double to_speed = 0.0;
-  };
-  /// mu between C5 and C6 from the nearer of the two, so that no small one is a difference of large
-  /// ones.
-  Slope falling(double v) const noexcept {
+  /// The coefficient between C5 and C6, from the nearer of the two: a small one is no difference of
+  /// large ones.
+  CoefficientPoint falling(double v) const noexcept {
     const double fall = c3 - c4, width = c6 - c5;
     const double y = (v - c5) / width, z = (c6 - v) / width;
     return {y < z ? c3 - fall * y * y * (3.0 - 2.0 * y) : c4 + fall * z * z * (3.0 - 2.0 * z),
-            -6.0 * fall * y * z / width};
+            -speed_factor * 6.0 * fall * y * z / width, 0.0};
   }
 };
 

@@ -45,6 +45,7 @@ class Bound {
     const PlaneVector first = along(y1), second = along(y2);
     return {a * first[0] + b * second[0], a * first[1] + b * second[1]};
   }
+  /// The force that has such entries.
   Slip<D> from(const PlaneVector& on_axes) const {
     const PlaneVector y = from_axes(formulation_.orthotropy->first, on_axes);
     Slip<D> result = Slip<D>::Zero();
@@ -74,6 +75,13 @@ class Bound {
     PlaneVector n{1.0, 0.0};
     if (size > 0.0) n = {v[0] / size, v[1] / size};
     return {ellipse_radius(n, axes_->mu), ellipse_radius(n, axes_->bound)};
+  }
+  /// The factor, at most 1, that brings a y1 + b y2 back to the limit.
+  double clip(double a, const Slip<D>& y1, double b, const Slip<D>& y2) const {
+    const Slip<D> y = a * y1 + b * y2;
+    if (!axes_) return contains(y) ? 1.0 : std::min(limit_.force / norm<D>(y), 1.0);
+    const PlaneVector on_axes = along(a, y1, b, y2);
+    return contains(on_axes) ? 1.0 : std::min(towards(on_axes).second / norm<D>(y), 1.0);
   }
   /// The fraction of a path from y0 to a trial outside that is over at the limit.
   double fraction(const Slip<D>& y0, const Slip<D>& trial) const {
@@ -183,14 +191,8 @@ struct PenaltyReturn : ReturnSteps<Slip<D>, LimitFunction> {
     end.force = raw;
     if (filtered) {
       end.force = alpha * raw + (1.0 - alpha) * begin.force;
-      const PlaneVector blended = bound.axes() == nullptr
-                                      ? PlaneVector{}
-                                      : bound.along(alpha, raw, 1.0 - alpha, begin.force);
-      const bool beyond =
-          bound.axes() == nullptr ? !bound.contains(end.force) : !bound.contains(blended);
-      if (formulation.filter.clip && beyond) {
-        const double edge = bound.axes() == nullptr ? rest.force : bound.towards(blended).second;
-        clip = std::min(edge / norm<D>(end.force), 1.0);
+      if (formulation.filter.clip) {
+        clip = bound.clip(alpha, raw, 1.0 - alpha, begin.force);
         end.force *= clip;
       }
     }

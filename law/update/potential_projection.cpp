@@ -129,28 +129,10 @@ PartReturn Projection::sum_part(int part, double x, double limit) const noexcept
   return result;
 }
 
-std::array<PartReturn, kComponents> Projection::sum_parts(double x, double limit,
-                                                          bool on_limit) const noexcept {
+std::array<PartReturn, kComponents> Projection::sum_parts(double x, double limit) const noexcept {
   std::array<PartReturn, kComponents> parts{};
   for (int i = 0; i < potential_.parts; ++i) {
     parts[static_cast<std::size_t>(i)] = sum_part(i, x, limit);
-  }
-  if (on_limit && potential_.exponent == 1.0) {
-    // X = level(x) is, after many elastic slips, what two large numbers leave. On the limit the
-    // parts add up to it, and the one that the longest pull is needed for has what others leave.
-    double rest = limit, longest = 0.0;
-    PartReturn* last = nullptr;
-    for (int i = 0; i < potential_.parts; ++i) {
-      PartReturn& part = parts[static_cast<std::size_t>(i)];
-      rest -= part.magnitude;
-      const double pull =
-          pull_to(i, std::max(-potential_.offset[static_cast<std::size_t>(i)], 0.0));
-      if (pull > longest) {
-        longest = pull;
-        last = &part;
-      }
-    }
-    if (last != nullptr) last->magnitude = std::max(last->magnitude + rest, 0.0);
   }
   return parts;
 }
@@ -170,6 +152,28 @@ std::array<PartReturn, kComponents> Projection::max_parts(double limit) const no
   return parts;
 }
 
+std::array<PartReturn, kComponents> Projection::parts_on_limit(double x,
+                                                               double limit) const noexcept {
+  if (potential_.combine == PotentialOperator::kMax) return max_parts(limit);
+  auto parts = sum_parts(x, limit);
+  if (potential_.exponent != 1.0) return parts;
+  // X = level(x) is, after many elastic slips, what two large numbers leave. The parts add up to
+  // the limit: the one that the longest pull is needed for has what the others leave of it.
+  double rest = limit, longest = 0.0;
+  PartReturn* last = nullptr;
+  for (int i = 0; i < potential_.parts; ++i) {
+    const auto n = static_cast<std::size_t>(i);
+    rest -= parts[n].magnitude;
+    const double pull = pull_to(i, std::max(-potential_.offset[n], 0.0));
+    if (pull > longest) {
+      longest = pull;
+      last = &parts[n];
+    }
+  }
+  if (last != nullptr) last->magnitude = std::max(last->magnitude + rest, 0.0);
+  return parts;
+}
+
 /// From X and the differences of the lengths: t - c q alone is, after many elastic slips, what two
 /// large numbers leave. Over the leaves h of a part that are not at 0
 ///   r_g = (c_g (X + offset) + sum c_h (c_h t_g - c_g t_h)) / sum c_h^2.
@@ -180,7 +184,7 @@ SlipVector Projection::returned(const std::array<PartReturn, kComponents>& parts
     double& most = longest[static_cast<std::size_t>(potential_.leaf[g].part)];
     most = std::max(most, lengths_[g] / potential_.leaf[g].factor);
   }
-  // Of a part that is left, so is its longest leaf, by however little.
+  // Tells whether anything is left of a part; then it is at least its longest leaf.
   const auto remains = [&](std::size_t i) {
     const double offset = potential_.offset[i];
     return parts[i].magnitude + offset > 8.0 * kEpsilon * std::abs(offset);

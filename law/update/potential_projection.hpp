@@ -30,11 +30,11 @@ class Projection {
   /// The parts of a kSum potential after the multiplier x >= 0 [F], with the shares
   /// mu_i = (X_i/T)^(b-1) of the limit T > 0 [F]. They lie on the limit if combine() of their
   /// magnitudes is T.
-  /// \param on_limit they do: with b = 1 the largest is what the others leave of T
-  std::array<PartReturn, kComponents> sum_parts(double x, double limit,
-                                                bool on_limit = false) const noexcept;
+  std::array<PartReturn, kComponents> sum_parts(double x, double limit) const noexcept;
   /// The parts of a kMax potential, each returned to T on its own; x is the sum of their pulls.
   std::array<PartReturn, kComponents> max_parts(double limit) const noexcept;
+  /// Those of either after the x that brings them to T.
+  std::array<PartReturn, kComponents> parts_on_limit(double x, double limit) const noexcept;
 
   /// y [F].
   SlipVector returned(const std::array<PartReturn, kComponents>& parts) const noexcept;

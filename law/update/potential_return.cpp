@@ -99,9 +99,7 @@ struct PotentialReturn : ReturnSteps<SlipVector, LimitFunction> {
       scale = scale_at(start, l.force);
       const Projection projection(potential, scale.trial);
       const double x = scale.kappa * end.slip;
-      const Parts parts = potential.combine == PotentialOperator::kMax
-                              ? projection.max_parts(scale.limit)
-                              : projection.sum_parts(x, scale.limit, true);
+      const Parts parts = projection.parts_on_limit(x, scale.limit);
       y = projection.returned(parts);
       m = projection.normal(parts, x);
       // Far above rounding: what is left is the failure of the search.
@@ -231,7 +229,7 @@ class Linearised {
         x_(x),
         limit_(limit) {
     maximum_ = potential.combine == PotentialOperator::kMax;
-    parts_ = maximum_ ? projection_.max_parts(limit) : projection_.sum_parts(x, limit, true);
+    parts_ = projection_.parts_on_limit(x, limit);
     for (PartReturn& part : parts_) {
       if (part.pull > 0.0) part.stiffness = 0.0;
     }

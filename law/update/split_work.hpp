@@ -10,8 +10,9 @@
 
 namespace slipbench::law {
 
-/// The fraction at which a force that turns back from outside comes out of the limit again, if it
-/// gets inside at all before the predictor; a limit of 0 is met where the force passes 0.
+/// Returns the fraction [1] at which a force that turns back from outside comes out of the limit
+/// again, 0 if it does not get inside before the predictor; a limit of 0 is met where the force
+/// passes 0.
 template <int D>
 [[gnu::noinline, gnu::cold]] double fraction_from_outside(const Slip<D>& y0, const Slip<D>& trial,
                                                           double limit) {
@@ -22,7 +23,7 @@ template <int D>
   // Not b^2 - a (y0^2 - limit^2), a difference of large numbers: how near the path passes to 0.
   double apart = 0.0;
   if constexpr (D > 1) apart = (y0 - b / a * rise).squaredNorm();
-  // What is left of a path through 0 is the rounding of y0.
+  // A path through 0 leaves the rounding of y0.
   constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
   if (apart <= kRounding * kRounding * y0.squaredNorm()) apart = 0.0;
   const double square = limit * limit - apart;

@@ -143,13 +143,13 @@ Comparison compare(Way way, const std::vector<double>& definition,
   const std::size_t count = found.size();
   if (exact.size() != count) return {"long double takes no such definition", false, {}};
 
-  // What has not converged says so; how far off it is has no bound.
-  const auto lost = [&](const auto& results) {
+  // A search that has not converged says so, and has no bound.
+  const auto gives_up = [&](const auto& results) {
     return std::any_of(results.begin(), results.end(), [](const auto& one) {
       return std::string_view(one.name) == "converged" && one.value == 0;
     });
   };
-  if (lost(found) && lost(exact)) return {};
+  if (gives_up(found) && gives_up(exact)) return {};
 
   const double part = kRounding * kEpsilon + (way == Way::kExact ? kPieces * kExactness : 0.0);
   std::vector<Long> low(count), high(count);

@@ -152,8 +152,12 @@ PlainStep<double> one_step<double>(Way way, std::span<const double> packed,
       // A force before the filter whose square underflows has no direction.
       const bool underflows =
           length(detail.raw) * length(detail.raw) < std::numeric_limits<double>::min();
+      const auto is_decision = [](std::string_view name) {
+        return name == "regime" || name == "multiple roots" || name == "converged" ||
+               name == "jumps";
+      };
       for (PlainResult<double>& result : step.results) {
-        result.size *= thinness;
+        if (!is_decision(result.name)) result.size *= thinness;
         if (underflows && std::string_view(result.name) == "direction") {
           result.size = std::numeric_limits<double>::infinity();
         }
@@ -178,7 +182,7 @@ PlainStep<double> one_step<double>(Way way, std::span<const double> packed,
       }
     }
   }
-  // Where it sticks, the fraction of the increment has no digit for.
+  // The fraction of the increment has no digit for where it sticks.
   const bool fixed = definition->stick.mode == law::StickStiffness::Mode::kStiffness;
   if (fixed && largest > 0.0 && largest < 1e-13 * definition->stick.value * motion) return {};
   PlainStep<double> step = plain(way, *definition, increment, old,

@@ -157,7 +157,7 @@ TEST_CASE("the limit belongs to the slip, and no earlier slip meets it") {
     }
   };
   for_each_slip(20000, kRuns, holds);
-  // Of another night: a limit that falls off its cap between the first slip and the next.
+  // A limit that falls off its cap between the first slip and the next, found by another night.
   for_each_slip((std::uint64_t{20261127} << 20U) + 20612, 1, holds);
   CHECK(failures == 0);
   CHECK(implicit > 500);
@@ -186,7 +186,7 @@ TEST_CASE("a quadratic potential on the general path is the Euclidean path") {
       const ConnectorIncrement increment = row.increment();
       const FrictionUpdate u = update(euclidean, increment, old);
       const FrictionUpdate v = update(general, increment, old);
-      // A limit so steep that it turns the rounding of the slip into more than its own.
+      // So steep a limit turns the rounding of the slip into more than its own.
       const double motion = motion_of(euclidean, row);
       const LimitFunction limit(euclidean, increment, old, motion);
       const double slope = std::abs(limit.slope(limit(u.slip_increment)));
@@ -199,8 +199,9 @@ TEST_CASE("a quadratic potential on the general path is the Euclidean path") {
       const double stiffness = euclidean.stick.mode == StickStiffness::Mode::kStiffness
                                    ? euclidean.stick.value
                                    : u.limit / euclidean.stick.value;
-      // What the trial force gives back leaves its rounding in the force.
-      const double reach = u.limit + stiffness * u.slip_increment + 1e-300;
+      // What the trial force gives back leaves its rounding in the force, as a steep limit leaves
+      // that of the slip.
+      const double reach = u.limit + (stiffness + slope) * u.slip_increment + 1e-300;
       for (std::size_t k = 0; k < kComponents; ++k) {
         worst = std::max({worst, std::abs(u.state.force[k] - v.state.force[k]) / reach,
                           std::abs(u.state.elastic_slip[k] - v.state.elastic_slip[k]) / path,
@@ -221,8 +222,8 @@ TEST_CASE("a quadratic potential on the general path is the Euclidean path") {
     }
   }
   CHECK(slips > 3000);
-  // 1e-14 in most seeds; a root of a steep limit has some times that.
-  CHECK(largest <= 5e-14);
+  // 1e-14 in most seeds; a root of a steep limit has twice that.
+  CHECK(largest <= 2e-14);
   CHECK(largest_of_steep <= 2e-12);
 }
 
@@ -231,7 +232,7 @@ TEST_CASE("the tangent of a potential meets differences") {
   double largest = 0.0;
   for_each_slip(50000, 300, [&](const Slipped& s) {
     if (s.update.multiple_roots) return;
-    // Behind so little slip the steps of the differences let go of a leaf that it holds at 0.
+    // The steps of the differences let go of a leaf that so little slip holds at 0.
     if (s.potential.exponent == 1.0 && s.update.slip_increment < 1e-5) return;
     // At a corner of a maximum the derivative is one-sided, in every direction.
     const auto parts = contributions(s.potential, s.update.state.force);
