@@ -106,6 +106,8 @@ function(slipbench_install_package)
   # cases/bad are inputs of the tests.
   install(DIRECTORY cases plots DESTINATION ${CMAKE_INSTALL_DATADIR}/slipbench COMPONENT program PATTERN cases/bad EXCLUDE)
   install(DIRECTORY reference/curves DESTINATION ${CMAKE_INSTALL_DATADIR}/slipbench/reference COMPONENT program)
+  # If scripts/wasm.sh has built it.
+  install(FILES ${PROJECT_SOURCE_DIR}/build/wasm/live.html DESTINATION ${CMAKE_INSTALL_DATADIR}/slipbench COMPONENT program OPTIONAL)
   install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program PATTERN Doxyfile EXCLUDE)
   install(FILES README.md CHANGELOG.md LICENSE NOTICE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 endfunction()

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # package.sh: builds the program, the libraries and the Python module, and puts them into build/packages, with their checksums: Debian
 # packages slipbench, slipbench-mpi, libslipbench-dev and python3-slipbench, and slipbench-VERSION-linux-PROCESSOR.tar.gz, whose program
-# needs nothing that is installed. What lintian calls an error or a warning ends it with exit code 1.
+# needs nothing that is installed. The bench in a page is in the first and the last, if scripts/wasm.sh has built it. What lintian calls
+# an error or a warning ends it with exit code 1.
 # The sources of muParser come from where apt gets its packages, or from the folder SLIPBENCH_MUPARSER_SOURCE.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh

@@ -41,6 +41,12 @@ grep -q '</svg>' "$root/root/first.svg" || fail 'the picture is not whole'
 say "installed, run and drawn in $taken s"
 [ -f "$root/usr/share/man/man1/slipbench-run.1.gz" ] || fail 'there is no manual page of run'
 
+if [ -f build/wasm/live.html ]; then
+  inside 'slipbench report --live first.yaml -o live.html'
+  cmp "$root/usr/share/slipbench/live.html" build/wasm/live.html || fail 'the bench in a page is older than the one built'
+  [ "$(stat -c %s "$root/root/live.html")" -gt "$(stat -c %s build/wasm/live.html)" ] || fail 'the page does not hold the bench'
+fi
+
 say 'installing the module and the library'
 install './python3-slipbench_*.deb ./libslipbench-dev_*.deb g++ pkg-config'
 inside 'python3 -c "import slipbench; run = slipbench.load(\"first.yaml\").run(); assert len(run[\"CSF1\"]) > 100, run"'

@@ -152,7 +152,8 @@ def look(site, folder, page_to_play, program, expect):
                 expect(False, f"{what}: {fault}")
     screen(driver)
     play(driver, site, page_to_play, program, pathlib.Path(folder), expect)
-    for words, wanted in (("CONNECTOR FRICTION", "guide/decks.html"), ("hinge", "tutorials/hinge.html"), ("capstan", "capstan")):
+    for words, wanted in (("CONNECTOR FRICTION", "guide/decks.html"), ("*CONNECTOR FRICTION", "guide/decks.html"),
+                          ("hinge", "tutorials/hinge.html"), ("capstan", "capstan")):
         hits = found(driver, site, words)
         expect(any(wanted in hit for hit in hits[:8]), f"the search for '{words}' finds {hits[:8]}")
     live(site, driver, expect)
