@@ -71,8 +71,8 @@ tl::expected<std::unique_ptr<SweepResult>, std::string> SweepResult::create(
   if (options.part) result->tally_.indices.reset();
   if (options.no_output) return result;
   const std::string file = sweep::file_name(open.sweep);
-  const base::FileMark mark{"a result of " + file, "# slipbench ", "\n# sweep: " + file + "\n",
-                            true};
+  const base::FileMark mark{"a result of " + file, "# slipbench ",
+                            "\n# sweep: " + base::in_cells(file) + "\n", true};
   const base::Overwriting overwriting{open.inputs, options.force};
   // Makes one file; a sentence if it cannot be made.
   const auto make = [&](const fs::path& path, const base::FileMark& own,

@@ -12,6 +12,7 @@
 #include <system_error>
 #include <utility>
 
+#include "driver/base/text/diagnostic.hpp"
 #include "driver/sweep/rows.hpp"
 #include "driver/sweep/samples.hpp"
 
@@ -66,7 +67,8 @@ std::string Parts::add_rows(const fs::path& file) {
   if (!part) return file.string() + ": is no part of a sweep";
   const std::string wanted = table::csv_head(rows_head(*sweep_, *identity_, part));
   if (head != wanted) {
-    const bool same_sweep = head.find("\n# sweep: " + file_name(*sweep_) + "\n") != head.npos;
+    const bool same_sweep =
+        head.find("\n# sweep: " + base::in_cells(file_name(*sweep_)) + "\n") != head.npos;
     return file.string() + (same_sweep ? ": is of another state of this sweep: an input, a setting "
                                          "or the program has changed since"
                                        : ": is of another sweep");

@@ -183,7 +183,7 @@ std::string SobolEstimate::csv() const {
   std::string text = fmt::format(
       "# slipbench {}\n# sweep: {}\n# Sobol' indices with 95 % intervals, from {} rows\n"
       "number,parameter,first,first_low,first_high,total,total_low,total_high\n",
-      results::program_version(), file_name(*sweep_), rows_);
+      results::program_version(), base::in_cells(file_name(*sweep_)), rows_);
   for (std::size_t n = 0; n < row_.size(); ++n) {
     if (!varies(n)) continue;
     for (std::size_t p = 0; p < parameters_; ++p) {

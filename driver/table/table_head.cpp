@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "driver/base/text/diagnostic.hpp"
+
 namespace slipbench::driver::table {
 
 std::string csv_head(const TableHead& head) {
@@ -13,7 +15,8 @@ std::string csv_head(const TableHead& head) {
     // What would be taken for two names, for another one, or for a comment.
     const bool plain = !name.empty() && name.find(',') == std::string::npos &&
                        name.front() != '#' && name.front() != ' ' && name.back() != ' ';
-    text += plain ? name : '"' + name + '"';
+    const std::string shown = base::in_cells(name, true);
+    text += plain ? shown : '"' + shown + '"';
     text += ',';
   }
   text.back() = '\n';

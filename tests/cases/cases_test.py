@@ -589,12 +589,12 @@ def suite_junit(folder):
 def hostile():
     """Gives every text of a case, and its file, a name made of commands and markup, and reads what comes out."""
     text = '</title></script><script>alert(1)</script><img src=x onerror=alert(2)> $(touch ran) `touch ran` "; system("touch ran"); ' \
-           "set output '|touch ran' # %{touch ran} =cmd|'/c calc'!A1 ]]> --> {/Symbol s} @x_2 ::error::injected"
+           "set output '|touch ran' # %{touch ran} =cmd|'/c calc'!A1 ]]> --> {/Symbol s} @x_2 ::error::injected,=1+1;@SUM(A1),-2+3"
     quoted = json.dumps("\n" + text.replace("::error", "\n::error"))
     case = slider(mu=0.3, name=quoted).replace("slipbench: 1\n", f"slipbench: 1\ntitle: {quoted}\n")
     case = re.sub(r"step: \w+", lambda _: "step: " + quoted, re.sub(r"why: [^}\n]+", lambda _: "why: " + quoted, case))
     expect(case.count("::error") >= 4, f"not every text of the case is replaced:\n{case}")
-    for name in ("plain", "$(touch ran)", "`touch ran`", "\"; system('touch ran'); #", "<script>alert(1)<script>", "=1+1", "|touch ran"):
+    for name in ("plain", "$(touch ran)", "`touch ran`", "\"; system('touch ran'); #", "<script>alert(1)<script>", "=1+1", "a,=1+1;+1", "|touch ran"):
         with tempfile.TemporaryDirectory() as place:
             folder = pathlib.Path(place)
             file = name + ".yaml"
@@ -611,6 +611,7 @@ def hostile():
                 code, output = run(*command, cwd=folder, env={"GITHUB_ACTIONS": "true"})
                 expect(code in (0, 1), f"{command} ended with {code}:\n{output}")
                 said += output.splitlines()
+            said += plots_of_hostile_result(folder, f"out/{name}.csv", text)
             told = [line for line in said if re.match(r"\s*::", line) and not line.startswith("::error file=")]
             expect(not told, f"lines that pass for messages to the runner: {told}")
             expect(not list(folder.rglob("ran")), f"{name}: a text was run as a command")
@@ -619,10 +620,54 @@ def hostile():
                     expect("<script>alert" not in written.read_text() and "<img src=x" not in written.read_text(), f"{written.name} has the text as markup")
                 if written.suffix in (".svg", ".xml"):
                     xml.etree.ElementTree.parse(written)
+                if written.suffix == ".csv" and written != folder / f"out/{name}.csv":  # that one has been spoilt
+                    # What a spreadsheet takes for a cell, whichever of the two separates: no formula but a number.
+                    cells = re.split(r"[,;\n]", written.read_text())
+                    formulas = [cell for cell in cells if cell.lstrip('"')[:1] in tuple("=+-@") and not re.fullmatch(r"-[\d.e+-]+", cell)]
+                    expect(not formulas, f"{written.name}: a spreadsheet takes these for formulas: {formulas[:3]}")
                 if written.suffix in (".csv", ".inp", ".rad", ".k", ".tcl"):
                     expect(not re.search(r"(?m)^\s*(::|=cmd|\$\(|`)", written.read_text()), f"{written.name} has a line that begins with the text")
             expect(json.loads((folder / "check.json").read_text())["cases"][0]["checks"][0]["name"] == " " + text.replace("::error", " ::error"),
                    "JSON changes a name")
+
+
+def plots_of_hostile_result(folder, result, text):
+    """Gives a result's title, units, definition and columns such names, and plots it; returns the lines that the program said."""
+    lines = (folder / result).read_text().splitlines()
+    spoilt = []
+    quoted = text.replace('"', "'")
+    for line in lines:
+        key = line.split(": ")[0]
+        if key == "# title":
+            line = f"{key}: {text}"
+        elif key == "# units":
+            line = f"{key}: length {text}, force {text}, time {text}"
+        elif key == "# friction":
+            line = f"{key}: {text} = CSF1"
+        elif key == "# columns":
+            line = re.sub(r"\[[^]]*\]", lambda _: f"[{text}]", line) + f", {quoted} [{text}]"
+        elif line.startswith("t,"):
+            line += f',"{quoted}"'
+        elif not line.startswith("#"):
+            line += "," + line.split(",")[0]
+        spoilt.append(line + "\n")
+    expect(sum(text in line for line in spoilt) == 4 and sum(quoted in line for line in spoilt) == 2, f"not every line of the head is replaced:\n{spoilt[:9]}")
+    (folder / result).write_text("".join(spoilt))
+    said, drawn = [], 0
+    for number, options in enumerate(([], ["--as", "history"], ["--as", "hysteresis"], ["--as", "bands"], ["--as", "spectrum"], ["--y", quoted],
+                                      ["--x", quoted, "--y", "CSF1"])):
+        for ending in ("svg", "pdf") if number == 0 else ("svg",):
+            picture = f"result_{number}.{ending}"
+            code, output = run("plot", result, *options, "-o", picture, cwd=folder)
+            expect(code == 0 or code == 2 and output.startswith(result), f"plot {result} {options} ended with {code}:\n{output}")
+            expect((folder / picture).exists() == (code == 0), f"plot {result} {options} ended with {code}, with or without a picture:\n{output}")
+            drawn += code == 0
+            said += output.splitlines()
+            if ending == "svg" and code == 0:
+                shown = "".join(xml.etree.ElementTree.parse(folder / picture).getroot().itertext())
+                expect("touch ran" in shown, f"plot {result} {options} shows nothing of the texts")
+    expect(drawn >= 6, f"{result}: only {drawn} pictures are drawn, so this proves little")
+    return said
 
 
 def suite_json(folder):

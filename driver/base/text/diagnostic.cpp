@@ -236,4 +236,14 @@ std::string printable(std::string_view text) {
   return result;
 }
 
+std::string in_cells(std::string_view text, bool begins_cell) {
+  std::string result;
+  for (const char c : printable(text)) {
+    if (begins_cell && std::string_view("=+-@").find(c) != std::string_view::npos) result += '\'';
+    result += c;
+    begins_cell = c == ',' || c == ';';
+  }
+  return result;
+}
+
 }  // namespace slipbench::driver::base

@@ -65,6 +65,9 @@ TEST_CASE("Control characters and broken bytes never reach the terminal") {
   CHECK(printable("\xE2\x80\xAE") == dot);
   CHECK(printable("\xFF") == dot);
   CHECK(printable("a\tb") == "a b");
+  CHECK(in_cells("=a,=b;+c,-d, -e,@f=g") == "=a,'=b;'+c,'-d, -e,'@f=g");
+  CHECK(in_cells("@a,b", true) == "'@a,b");
+  CHECK(in_cells("a,\x1B=b") == "a," + std::string(dot) + "=b");
   const SourceText source("shock.yaml", "\tmu: \x1B[2J5\n");
   CHECK(render(at({1, 2, 2}), &source) == "shock.yaml:1:2: error: mu: wrong\n    1 |  mu: " +
                                               std::string(dot) + "[2J5\n      |  ^~\n");
