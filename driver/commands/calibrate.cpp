@@ -79,7 +79,7 @@ struct Written {
   std::vector<std::string> remarks;
 };
 
-/// Numbers and cases, all or none of them; then the page; then pictures, as many as can be drawn.
+/// Numbers, cases, the page and as many pictures as can be drawn: all or none of them.
 tl::expected<Written, std::string> write_results(const calibrate::Fit& fit,
                                                  const calibrate::Calibration& calibration,
                                                  const CalibrateOptions& options,
@@ -113,17 +113,18 @@ tl::expected<Written, std::string> write_results(const calibrate::Fit& fit,
     written.remarks.insert(written.remarks.end(), one.notes.begin(), one.notes.end());
   }
   written.remarks.insert(written.remarks.end(), cases.faults.begin(), cases.faults.end());
+  written.files.push_back(page);
+  calibrate::FitPictures pictures =
+      calibrate::draw_fit_pictures(fit, calibration, page.parent_path(), stem_of(fit), overwriting);
+  for (const base::OutputFile& picture : pictures.files) written.files.push_back(picture.target());
   std::vector<base::OutputFile*> together;
-  together.reserve(files.size());
-  for (base::OutputFile& file : files) together.push_back(&file);
-  if (auto committed = base::commit(together); !committed) return tl::unexpected(committed.error());
-  if (auto size = calibrate::write_fit_report(fit, calibration, page, overwriting); !size) {
+  for (auto* some : {&files, &pictures.files}) {
+    for (base::OutputFile& file : *some) together.push_back(&file);
+  }
+  if (auto size = calibrate::write_fit_report(fit, calibration, page, overwriting, together);
+      !size) {
     return tl::unexpected(size.error());
   }
-  written.files.push_back(page);
-  const calibrate::FitPictures pictures =
-      calibrate::draw_fit_pictures(fit, calibration, page.parent_path(), stem_of(fit), overwriting);
-  written.files.insert(written.files.end(), pictures.written.begin(), pictures.written.end());
   written.remarks.insert(written.remarks.end(), pictures.notes.begin(), pictures.notes.end());
   return written;
 }

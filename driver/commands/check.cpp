@@ -205,18 +205,20 @@ int check_command(const CheckOptions& options) {
     return base::worse(code, terminal::refuse(base::kExitEnvironment, told.overwritten));
   if (told.junit) files->junit->append(told.junit->text());
   if (told.json) files->json->append(told.json->text(told.totals));
-  for (const std::string& fault : files->complete()) {
-    code = base::worse(code, terminal::refuse(base::kExitEnvironment, fault));
-  }
+  tl::expected<void, std::string> written;
   if (pages) {
     for (std::size_t i = told.cases; i < cases.size(); ++i) {
       pages->put(
           i, report::not_run_report(cases[i].label, "", "not run: an earlier case did not pass"));
     }
     // That the page replaces nothing that was read was made sure of above.
-    const auto size = report::write_report(options.report, *pages, "", {.force = options.force});
-    if (!size) code = base::worse(code, terminal::refuse(base::kExitEnvironment, size.error()));
+    const auto size = report::write_report(options.report, *pages, "", {.force = options.force},
+                                           nullptr, files->all());
+    if (!size) written = tl::unexpected(size.error());
+  } else {
+    written = base::commit(files->all());
   }
+  if (!written) code = base::worse(code, terminal::refuse(base::kExitEnvironment, written.error()));
   return code;
 }
 

@@ -161,10 +161,6 @@ tl::expected<void, PlotFailure> draw_script(const std::string& script, const fs:
     return failed(base::kExitEnvironment,
                   picture.string() + ": cannot be written: it ends early, as on a full disk");
   }
-  base::OutputFile* const together[] = {&output};
-  if (auto committed = base::commit(together); !committed) {
-    return failed(base::kExitEnvironment, committed.error());
-  }
   return {};
 }
 

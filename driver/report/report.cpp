@@ -63,14 +63,16 @@ tl::expected<std::size_t, std::string> write_report(const std::filesystem::path&
                                                     const ReportCollection& collection,
                                                     const std::string& title,
                                                     const base::Overwriting& overwriting,
-                                                    const LiveBench* bench) {
+                                                    const LiveBench* bench,
+                                                    std::span<base::OutputFile* const> with) {
   auto out = base::OutputFile::create(file, report_page_mark(), overwriting);
   if (!out) return tl::unexpected(out.error());
   const std::string shown = title.empty() ? "slipbench report" : title;
   const std::string page = report_page(report_document(collection, shown), shown, bench);
   out->append(page);
-  base::OutputFile* const alone[] = {&*out};
-  if (auto committed = base::commit(alone); !committed) return tl::unexpected(committed.error());
+  std::vector<base::OutputFile*> together(with.begin(), with.end());
+  together.push_back(&*out);
+  if (auto committed = base::commit(together); !committed) return tl::unexpected(committed.error());
   return page.size();
 }
 

@@ -63,12 +63,14 @@ std::string report_document(const ReportCollection& collection, const std::strin
 /// Writes the page as one file that appears only when it is complete. An empty title becomes
 /// "slipbench report". Returns its size in bytes.
 /// \param bench runs the cases in the page; null for a page to look at
+/// \param with what appears together with it, or not at all
 /// Errors: those of OutputFile.
 tl::expected<std::size_t, std::string> write_report(const std::filesystem::path& file,
                                                     const ReportCollection& collection,
                                                     const std::string& title,
                                                     const base::Overwriting& overwriting,
-                                                    const LiveBench* bench = nullptr);
+                                                    const LiveBench* bench = nullptr,
+                                                    std::span<base::OutputFile* const> with = {});
 
 /// "0.8 MB", "12 kB": the size of a page for people.
 std::string size_text(std::size_t bytes);

@@ -70,14 +70,12 @@ tl::expected<SuiteFiles, SuiteFilesFault> SuiteFiles::create(const SuiteTargets&
   return files;
 }
 
-std::vector<std::string> SuiteFiles::complete() {
-  std::vector<std::string> faults;
+std::vector<base::OutputFile*> SuiteFiles::all() {
+  std::vector<base::OutputFile*> files;
   for (std::optional<base::OutputFile>* file : {&junit, &json}) {
-    if (!*file) continue;
-    base::OutputFile* const alone[] = {&**file};
-    if (auto done = base::commit(alone); !done) faults.push_back(done.error());
+    if (*file) files.push_back(&**file);
   }
-  return faults;
+  return files;
 }
 
 }  // namespace slipbench::driver::suite

@@ -29,7 +29,7 @@ struct SuiteFilesFault {
 };
 
 /// The files of verdicts. They are created before a suite begins, so that a place that cannot be
-/// written to is known before the work and not after it, and appear under their names at its end.
+/// written to is known before the work and not after it, and are committed at its end.
 struct SuiteFiles {
   std::optional<base::OutputFile> junit;
   std::optional<base::OutputFile> json;
@@ -41,8 +41,8 @@ struct SuiteFiles {
   static tl::expected<SuiteFiles, SuiteFilesFault> create(const SuiteTargets& targets,
                                                           std::span<const Candidate> cases);
 
-  /// Completes each file for itself; what went wrong, in sentences.
-  std::vector<std::string> complete();
+  /// Those that are wanted.
+  std::vector<base::OutputFile*> all();
 };
 
 }  // namespace slipbench::driver::suite

@@ -110,7 +110,7 @@ class Torture:
             if file.is_dir():
                 continue
             if file.name.startswith("."):
-                # Between two calls files that are named together, or replace others, have hidden names; they are complete.
+                # Between two calls a file that replaces another has a hidden name, or that other one; both are complete.
                 hidden += 1
                 own = re.fullmatch(r"\.(.*)\.[A-Za-z0-9]{6}", file.name)
                 if not own or own[1] not in self.peace[name] or not self.is_whole(file, self.peace[name][own[1]], pathlib.Path(own[1]).suffix):
@@ -156,7 +156,10 @@ class Torture:
             process.communicate()
             killed += process.returncode == -signal.SIGKILL
             what = f"kill -9 of {name}, number {i}"
-            hidden += self.look(name, out, what)
+            left = self.look(name, out, what)
+            if left and not replaces:
+                self.fault(f"{what}: {left} hidden files are left of new results")
+            hidden += left
             if i % 5 == 0 or name == "sweep":
                 # The same command afterwards goes on, or begins anew, to the same end.
                 code, said = self.ended(self.commands[name], out)
@@ -213,8 +216,8 @@ class Torture:
                 slowest = max(slowest, took)
                 if took > INTERRUPTED_WITHIN:
                     self.fault(f"{what}: it takes {took:.2f} s")
-                # Files that belong together come together, if it came too late; those of a calibration and of a check in turn.
-                if left and name in ("run", "report", "sweep") and set(left) != set(self.peace[name]):
+                # Files that belong together come together, if it came too late.
+                if left and set(left) != set(self.peace[name]):
                     self.fault(f"{what}: {left} are there")
             elif process.returncode == -number and not left:
                 pass  # before the program had begun to listen
@@ -353,7 +356,8 @@ class Torture:
         return f"{count} times each, {refused} second sweeps refused"
 
     def clock_back(self):
-        """All inputs, and the results that are replaced, come from the future."""
+        """All inputs, and the results that are replaced, come from the future: as after the clock went back; the program itself looks at no clock
+        on the wall (a test of its sources)."""
         future = time.time() + 10 * 365 * 86400
         for file in [*self.inputs.iterdir(), *self.suite.iterdir()]:
             os.utime(file, (future, future))

@@ -408,9 +408,14 @@ tl::expected<void, std::string> OutputFile::name_beside() {
   return tl::unexpected(fault(errno));
 }
 
-/// Renames a file from its hidden name to its own, by which give_back can take it away again where
-/// the file system knows how; false with errno set.
-bool OutputFile::take_place() {
+/// Gives a complete file its own name: at once where nothing has that yet, else from its hidden
+/// name. give_back can take it away again where the file system knows how.
+tl::expected<void, std::string> OutputFile::take_place() {
+  if (!named_ && link_as(place_)) {
+    placed_ = Placed::kNew;
+    return {};
+  }
+  if (auto named = name_beside(); !named) return named;
   const auto rename_by = [&](unsigned int flags) {
     return renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, place_.c_str(), flags) == 0;
   };
@@ -421,14 +426,16 @@ bool OutputFile::take_place() {
   } else if (rename(temporary_.c_str(), place_.c_str()) == 0) {
     placed_ = Placed::kReplaced;
   } else {
-    return false;
+    return tl::unexpected(fault(errno));
   }
-  return true;
+  return {};
 }
 
 /// Puts back what was at the place of the file.
 void OutputFile::give_back() {
-  if (placed_ == Placed::kNew) {
+  if (placed_ == Placed::kNew && !named_) {
+    unlink(place_.c_str());
+  } else if (placed_ == Placed::kNew) {
     rename(place_.c_str(), temporary_.c_str());
   } else if (placed_ == Placed::kExchanged) {
     renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, place_.c_str(), RENAME_EXCHANGE);
@@ -458,24 +465,21 @@ tl::expected<void, std::string> commit(std::span<OutputFile* const> files,
   std::set<fs::path> folders;
   for (const OutputFile* file : files) folders.insert(folder_of(file->place_));
   const InterruptionPause pause;
-  // One file that takes no other's place needs no second name.
-  const bool alone = files.size() == 1 && !files[0]->named_ && files[0]->link_as(files[0]->place_);
-  if (alone) {
-    files[0]->forget();
-  } else {
-    for (OutputFile* file : files) {
-      if (auto named = file->name_beside(); !named) return named;
-    }
-    for (std::size_t i = 0; i < files.size(); ++i) {
-      if (files[i]->take_place()) continue;
-      const int error = errno;
-      for (std::size_t k = i; k-- > 0;) files[k]->give_back();
-      return tl::unexpected(files[i]->fault(error));
-    }
-    for (OutputFile* file : files) {
-      if (file->placed_ == OutputFile::Placed::kExchanged) unlink(file->temporary_.c_str());
-      file->forget();
-    }
+  // Only a file that takes another's place needs a second name, which a kill may leave behind.
+  for (OutputFile* file : files) {
+    std::error_code ignored;
+    if (!fs::exists(fs::symlink_status(file->place_, ignored))) continue;
+    if (auto named = file->name_beside(); !named) return named;
+  }
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    auto placed = files[i]->take_place();
+    if (placed) continue;
+    for (std::size_t k = i; k-- > 0;) files[k]->give_back();
+    return placed;
+  }
+  for (OutputFile* file : files) {
+    if (file->placed_ == OutputFile::Placed::kExchanged) unlink(file->temporary_.c_str());
+    file->forget();
   }
   for (const fs::path& folder : folders) names_to_disk(folder);
   return {};

@@ -117,7 +117,7 @@ class OutputFile {
   tl::expected<void, std::string> to_disk();
   tl::expected<void, std::string> name_beside();
   bool link_as(const std::filesystem::path& name);
-  bool take_place();
+  tl::expected<void, std::string> take_place();
   void give_back();
   tl::expected<void, std::string> copy_to_name();
   void forget();

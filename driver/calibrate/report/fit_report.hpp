@@ -22,10 +22,10 @@ std::string fit_document(const Fit& fit, const Calibration& calibration);
 /// Writes the page of a fit as one file that appears only when it is complete: verdict, unknowns
 /// with their errors, experiments before and after, residuals, tables, how it was found. It needs
 /// nothing else. Returns its size in bytes.
+/// \param with what appears together with it, or not at all
 /// Errors: those of OutputFile.
-tl::expected<std::size_t, std::string> write_fit_report(const Fit& fit,
-                                                        const Calibration& calibration,
-                                                        const std::filesystem::path& file,
-                                                        const base::Overwriting& overwriting = {});
+tl::expected<std::size_t, std::string> write_fit_report(
+    const Fit& fit, const Calibration& calibration, const std::filesystem::path& file,
+    const base::Overwriting& overwriting = {}, std::span<base::OutputFile* const> with = {});
 
 }  // namespace slipbench::driver::calibrate

@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -33,12 +34,24 @@ struct Failing {
 };
 Failing failing_links, failing_renames;
 
+/// Errors of waiting for a disk, and of closing a second descriptor of a file; 0 for none.
+int failing_sync = 0;
+int failing_close = 0;
+/// Steps of writing, in their order, if a test wants them: "file", "name", "folder".
+std::vector<std::string>* done = nullptr;
+
+bool is_folder(int descriptor) {
+  struct stat status {};
+  return fstat(descriptor, &status) == 0 && S_ISDIR(status.st_mode);
+}
+
 }  // namespace
 
 // These take the place of the C library's in the whole program, and do what it does.
 // NOLINTBEGIN(readability-identifier-naming)
 extern "C" int linkat(int from, const char* source, int to, const char* name, int flags) noexcept {
   if (failing_links.fails(name)) return -1;
+  if (done != nullptr) done->emplace_back("name");
   return static_cast<int>(syscall(SYS_linkat, from, source, to, name, flags));
 }
 extern "C" int renameat2(int from, const char* source, int to, const char* name,
@@ -49,6 +62,23 @@ extern "C" int renameat2(int from, const char* source, int to, const char* name,
 extern "C" int rename(const char* source, const char* name) noexcept {
   if (failing_renames.fails(name)) return -1;
   return static_cast<int>(syscall(SYS_renameat2, AT_FDCWD, source, AT_FDCWD, name, 0U));
+}
+extern "C" int fsync(int descriptor) {
+  if (done != nullptr) done->emplace_back(is_folder(descriptor) ? "folder" : "file");
+  if (failing_sync != 0) {
+    errno = failing_sync;
+    return -1;
+  }
+  return static_cast<int>(syscall(SYS_fsync, descriptor));
+}
+extern "C" int close(int descriptor) {
+  struct stat status {};
+  const bool fails =
+      failing_close != 0 && fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+  const int result = static_cast<int>(syscall(SYS_close, descriptor));
+  if (!fails) return result;
+  errno = failing_close;
+  return -1;
 }
 // NOLINTEND(readability-identifier-naming)
 
@@ -152,7 +182,9 @@ TEST_CASE("where one of several files cannot be named none is, and what was ther
     for (const char* name : {"a.csv", "b.csv", "c.csv"}) {
       const TemporaryFolder folder;
       INFO(link << name);
-      (link ? failing_links : failing_renames) = {name, ENOSPC};
+      // Where no file gets a second name, new ones are renamed as well.
+      failing_links = link ? Failing{name, ENOSPC} : Failing{"csv", EPERM};
+      if (!link) failing_renames = {name, ENOSPC};
       const std::string error = committed_three(folder);
       failing_links = failing_renames = {};
       CHECK(error ==
@@ -161,6 +193,48 @@ TEST_CASE("where one of several files cannot be named none is, and what was ther
       CHECK(text_of(folder.path() / "b.csv") == "before");
     }
   }
+}
+
+TEST_CASE("where the file in another's place cannot be renamed, new ones are gone again",
+          "[files]") {
+  const TemporaryFolder folder;
+  failing_renames = {"b.csv", ENOSPC};
+  const std::string error = committed_three(folder);
+  failing_renames = {};
+  CHECK(error ==
+        (folder.path() / "b.csv").string() + ": cannot be written: No space left on device");
+  CHECK(names_in(folder.path()) == std::vector<std::string>{"b.csv"});
+  CHECK(text_of(folder.path() / "b.csv") == "before");
+}
+
+TEST_CASE("bytes are on the disk before a name is, and names at the end", "[files]") {
+  if (!has_unnamed_files()) return;
+  const TemporaryFolder folder;
+  std::vector<std::string> steps;
+  done = &steps;
+  const std::string error = committed_three(folder);
+  done = nullptr;
+  CHECK(error.empty());
+  // The hidden name of b.csv, then those of the new files.
+  CHECK(steps ==
+        std::vector<std::string>{"file", "file", "file", "name", "name", "name", "folder"});
+}
+
+TEST_CASE("what the disk refuses at the end is told, and nothing is named", "[files]") {
+  for (int* const failing : {&failing_sync, &failing_close}) {
+    const TemporaryFolder folder;
+    *failing = EIO;
+    const std::string error = committed_three(folder);
+    *failing = 0;
+    CHECK(error == (folder.path() / "a.csv").string() + ": cannot be written: Input/output error");
+    CHECK(names_in(folder.path()) == std::vector<std::string>{"b.csv"});
+    CHECK(text_of(folder.path() / "b.csv") == "before");
+  }
+  // Some file systems cannot wait, and say so.
+  const TemporaryFolder folder;
+  failing_sync = EINVAL;
+  CHECK(committed_three(folder).empty());
+  failing_sync = 0;
 }
 
 TEST_CASE("where a file has one name only, it is copied to it", "[files]") {
