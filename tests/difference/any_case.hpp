@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -20,6 +21,18 @@ struct AnyCase {
   std::vector<double> definition;  ///< packed
   std::vector<PlainIncrement<double>> increments;
 };
+
+/// Returns a number of the environment, if it is set.
+inline std::uint64_t number_of(const char* variable, std::uint64_t otherwise) {
+  const char* const text = std::getenv(variable);
+  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
+}
+
+/// Returns how many increments a test compares.
+inline std::uint64_t increments_wanted() {
+  return number_of("SLIPBENCH_DIFFERENCE_INCREMENTS", 10000);
+}
+inline std::uint64_t first_seed() { return number_of("SLIPBENCH_DIFFERENCE_SEED", 1); }
 
 /// Writes the numbers of a formulation in other units.
 inline void put_in_units(law::Formulation& formulation, const Units& units) {

@@ -18,7 +18,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -215,20 +214,13 @@ void run(std::uint64_t seed, Way way, Tally* tally) {
   }
 }
 
-std::uint64_t number_of(const char* variable, std::uint64_t otherwise) {
-  const char* const text = std::getenv(variable);
-  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
-}
-
 TEST_CASE("double gives what long double gives, but for a stated error") {
   Tally tally;
   for (const std::uint64_t seed : kFound) run(seed, Way::kBackwardEuler, &tally);
   for (const std::uint64_t seed : kFoundExactly) run(seed, Way::kExact, &tally);
-  const auto wanted =
-      static_cast<std::int64_t>(number_of("SLIPBENCH_DIFFERENCE_INCREMENTS", 10000));
-  const std::uint64_t first = number_of("SLIPBENCH_DIFFERENCE_SEED", 1);
+  const auto wanted = static_cast<std::int64_t>(increments_wanted());
   // An exact increment takes up to a thousand times as long as another.
-  for (std::uint64_t seed = first; tally.increments < wanted; ++seed) {
+  for (std::uint64_t seed = first_seed(); tally.increments < wanted; ++seed) {
     run(seed, seed % 50 == 0 ? Way::kExact : Way::kBackwardEuler, &tally);
   }
   WARN(tally.increments << " increments, " << tally.conditioned << " of them conditioned, "

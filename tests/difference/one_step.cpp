@@ -11,6 +11,7 @@
 #include "law/exact/continuous_update.hpp"
 #include "law/update/penalty_update.hpp"
 #include "law/update/return_mapping.hpp"
+#include "tests/difference/law_increment.hpp"
 
 namespace slipbench::test {
 namespace {
@@ -20,10 +21,6 @@ double length(const Vector& v) {
   double square = 0.0;
   for (const double x : v) square += x * x;
   return std::sqrt(square);
-}
-
-law::Ambient ambient(const PlainIncrement<double>::End& end) {
-  return {{end.position}, {end.motion}, end.temperature, end.fields};
 }
 
 /// \param largest limit on the way [F]
@@ -132,11 +129,7 @@ PlainStep<double> one_step<double>(Way way, std::span<const double> packed,
                                    const PlainIncrement<double>& from) {
   const auto definition = law::unpack(packed);
   if (!definition) return {};
-  law::ConnectorIncrement increment;
-  increment.duration = from.duration;
-  increment.begin_position.values = from.begin.position;
-  increment.end = ambient(from.end);
-  increment.force.values = from.end.force;
+  const law::ConnectorIncrement increment = law_increment(from);
   const law::FrictionState old{from.old.elastic_slip, from.old.force, from.old.accumulated_slip,
                                static_cast<law::Regime>(from.old.regime)};
   if (way == Way::kBackwardEuler) {

@@ -14,6 +14,7 @@
 
 #include "law/batch/pack.hpp"
 #include "law/update/return_mapping.hpp"
+#include "tests/support/lane_bits.hpp"
 #include "tests/support/random_definition.hpp"
 #include "tests/support/random_history.hpp"
 
@@ -21,35 +22,6 @@ namespace {
 
 using namespace slipbench::law;
 using namespace slipbench::test;
-
-std::vector<InstructionSet> available_instructions() {
-  std::vector<InstructionSet> all;
-  for (const InstructionSet set :
-       {InstructionSet::kPortable, InstructionSet::kAvx2, InstructionSet::kAvx512}) {
-    if (is_available(set)) all.push_back(set);
-  }
-  return all;
-}
-
-/// All numbers of a lane at its end, by their bits.
-using Bits = std::vector<std::uint64_t>;
-
-Bits bits(const FrictionState& state, const LaneSummary& summary) {
-  Bits all;
-  for (std::size_t k = 0; k < kComponents; ++k) {
-    all.push_back(std::bit_cast<std::uint64_t>(state.force[k]));
-    all.push_back(std::bit_cast<std::uint64_t>(state.elastic_slip[k]));
-  }
-  for (const double x :
-       {state.accumulated_slip, summary.peak_force, summary.dissipation, summary.limit}) {
-    all.push_back(std::bit_cast<std::uint64_t>(x));
-  }
-  all.push_back(static_cast<std::uint64_t>(state.regime));
-  for (const std::int64_t count : {summary.slipping, summary.open, summary.doubtful}) {
-    all.push_back(static_cast<std::uint64_t>(count));
-  }
-  return all;
-}
 
 constexpr std::array kKept{LaneKept::kMaximum, LaneKept::kMinimum, LaneKept::kMagnitude};
 
@@ -141,19 +113,10 @@ Bits followed_alone(const FrictionDefinition& definition,
 
 /// Returns those of a definition that is updated by itself.
 Bits alone(const FrictionDefinition& definition, std::span<const ConnectorIncrement> increments,
-           FrictionState state) {
-  LaneSummary sum;
-  for (const ConnectorIncrement& increment : increments) {
-    const FrictionUpdate u = update(definition, increment, state);
-    state = u.state;
-    sum.peak_force = std::max(sum.peak_force, equivalent_force(definition, state));
-    sum.dissipation += u.dissipation;
-    sum.limit = u.limit;
-    if (state.regime == Regime::kSlip) ++sum.slipping;
-    if (state.regime == Regime::kOpen) ++sum.open;
-    if (u.multiple_roots || u.jumps > 0 || !u.converged) ++sum.doubtful;
-  }
-  return bits(state, sum);
+           const FrictionState& state) {
+  AloneLane lane{state, {}};
+  for (const ConnectorIncrement& increment : increments) lane.advance(definition, increment);
+  return bits(lane.state, lane.summary);
 }
 
 /// Replaces what keeps a definition off the common path.
