@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # fuzz.sh TARGET|all|list [SECONDS]: feeds a reader of tests/fuzz with inputs of libFuzzer (clang 14) under the address and
-# undefined-behaviour sanitizers, 60 s unless told otherwise, on the inputs of cases/ and tests/decks. `list` names the targets.
+# undefined-behaviour sanitizers, 60 s unless told otherwise, on the inputs of cases/ and tests/decks, and on runs of some cases.
+# `list` names the targets. The build before it takes 15 to 30 minutes once, on two cores; after a change what that touches.
 # A finding is a crash, a broken promise, an allocation of 256 MB, or 2 s of one processor (SLIPBENCH_FUZZ_TIMEOUT) for an input of
 # up to 16 KB. Exit: 0 nothing found, 1 something found (the input's file is named), 2 a wrong argument.
 # What is found and mended goes into tests/fuzz/corpus/TARGET, which ctest replays.
@@ -36,6 +37,17 @@ with_head() {
 # files_with KEY: cases that have a key at their first level.
 files_with() { find cases -name '*.yaml' -size -16k -exec grep -lE "^$1:" {} +; }
 
+# runs FOLDER: results of a few cases.
+runs() {
+  local file
+  rm -rf "$1"
+  mkdir -p "$1"
+  for file in cases/examples/{puck,universal_joint,belt,hinge_wear,backlash_brake}.yaml cases/verification/clutch_engagement.yaml; do
+    # The scanner of UDUNITS-2 leaks.
+    ASAN_OPTIONS=detect_leaks=0 build/fuzz/slipbench run "$file" -o "$1" >"$1/said" 2>&1 || { cat "$1/said"; fail "no seed of $file"; }
+  done
+}
+
 # seed TARGET FOLDER: what the project has for a reader, and what was found before.
 seed() {
   local files=()
@@ -52,6 +64,15 @@ seed() {
         printf "%s" "$line" >"$2/expression_$number"
       done < <(grep -rhoE '= [^,}"#]+' cases --include='*.yaml' | sort -u)
       ;;
+    result)
+      local run
+      runs build/fuzz/runs
+      for run in build/fuzz/runs/*.json; do
+        run=${run%.json}
+        { head -n 20 "$run.csv"; echo %%%; cat "$run.json"; echo %%%; head -n 20 "$run.events.csv"; } >"$2/run_$(basename "$run")"
+      done
+      ;;
+    comparison) /usr/bin/python3 tests/fuzz/comparison_seeds.py "$2" reference/curves/*.csv ;;
     abaqus | radioss | lsdyna | opensees)
       mapfile -t files < <(find "tests/decks/$1" cases/bad/decks -type f -size -16k ! -name '*.expected')
       with_head '' "$2" "${files[@]}"
@@ -116,7 +137,10 @@ try() {
 
 configure fuzz
 say "building ${targets[*]} for libFuzzer on $(nproc) cores"
-build fuzz --target "${targets[@]/#/fuzz_}"
+programs=("${targets[@]/#/fuzz_}")
+# Seeds of results are what the program itself writes.
+[[ " ${targets[*]} " != *' result '* ]] || programs+=(slipbench)
+build fuzz --target "${programs[@]}"
 findings=0
 for target in "${targets[@]}"; do try "$target"; done
 [ "$findings" -eq 0 ] || fail "$findings of ${#targets[@]} targets found something; the inputs are in build/fuzz/findings" 1

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two curves, by every criterion. Each number is two bytes, hundredths, but for 0x7f.. and 0x80..:
-// powers of ten. The first bytes are the tolerances and how many points the first curve has.
+// powers of ten. The first bytes are the tolerances and how many points the first curve has, 255
+// for half of them.
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -55,7 +56,9 @@ void comparison(std::string_view input) {
   if ((byte(0) & 2U) != 0) tolerance.relative = std::pow(10.0, byte(1) % 16 - 12);
   if ((byte(0) & 4U) != 0) tolerance.abscissa = 0.1;
   const std::string_view rest = input.substr(kHead);
-  const std::size_t first = std::min(rest.size(), std::size_t{4} * byte(2));
+  constexpr std::size_t kHalf = 255;
+  const std::size_t points = byte(2) == kHalf ? rest.size() / 8 : byte(2);
+  const std::size_t first = std::min(rest.size(), 4 * points);
   const Series result = series_of(rest.substr(0, first));
   Series reference = series_of(rest.substr(first));
   if ((byte(0) & 8U) != 0) reference.time = std::vector<double>();
