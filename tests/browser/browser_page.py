@@ -113,7 +113,9 @@ class BrowserPage:
     def __init__(self, path, **how):
         self.path = path
         self.driver = browser(path.parent, **how)
-        self.document = json.loads(re.search(r'<script type="application/json" id="document">(.*?)</script>', path.read_text(), re.DOTALL)[1])
+        embedded = re.search(r'<script type="application/json" id="document">(.*?)</script>', path.read_text(), re.DOTALL)
+        # Pages of sweeps have none, and no script.
+        self.document = json.loads(embedded[1]) if embedded else None
 
     def __enter__(self):
         return self
@@ -141,6 +143,52 @@ class BrowserPage:
 
     def texts(self, selector):
         return self.run("return [...document.querySelectorAll(arguments[0])].map((one) => one.textContent)", selector)
+
+    def asked(self):
+        """The addresses that the page has asked for since this was called last; its own is one of them."""
+        requests = [json.loads(entry["message"])["message"] for entry in self.driver.get_log("performance")]
+        # Of this document only: the browser's own first page asks for things, too.
+        return [one["params"]["request"]["url"] for one in requests
+                if one["method"] == "Network.requestWillBeSent" and one["params"]["documentURL"].startswith("file://")]
+
+    def check_requests(self, what):
+        """The page has asked for nothing but itself since `asked` was called last."""
+        asked = self.asked()
+        expect(any(url.startswith("file://") for url in asked), f"{what}: the log of requests is empty, so this proves nothing")
+        elsewhere = [url for url in asked if not url.startswith((self.path.as_uri(), "data:", "about:"))]
+        expect(not elsewhere, f"{what}: the page asks for {elsewhere}")
+
+    def check_policy(self, what, scripts=True):
+        """The whole content policy of the page, and what it is for: pictures, requests, bases and forms of elsewhere are refused."""
+        wanted = {"default-src": "'none'", "style-src": "'unsafe-inline'", "img-src": "data:", "base-uri": "'none'", "form-action": "'none'"}
+        if scripts:
+            wanted["script-src"] = "'unsafe-inline'"
+        found = self.run("return [...document.querySelectorAll('meta[http-equiv=\"Content-Security-Policy\"]')].map((one) => one.content)")
+        policies = [dict(part.strip().split(" ", 1) for part in one.split(";")) for one in found]
+        expect(policies == [wanted], f"{what}: the content policy is {found}, wanted {wanted}")
+        if policies != [wanted]:
+            return  # what is put in below might be let through, and lead the browser elsewhere
+        early = self.run("""const policy = document.querySelector('head > meta[http-equiv="Content-Security-Policy"]');
+            return [...document.querySelectorAll("script, style, link, img")].filter((one) => !policy ||
+                !(policy.compareDocumentPosition(one) & Node.DOCUMENT_POSITION_FOLLOWING)).map((one) => one.tagName)""")
+        expect(not early, f"{what}: {early} stand before the content policy")
+        refused = self.driver.execute_async_script("""const elsewhere = "http://127.0.0.1:9/", done = arguments[0], refused = [];
+            document.addEventListener("securitypolicyviolation", (event) => {
+                if (refused.push([event.effectiveDirective, event.blockedURI]) === 4) done(refused);
+            });
+            setTimeout(() => done(refused), 5000);
+            const put = (into, name, values) => into.appendChild(Object.assign(document.createElement(name), values));
+            put(document.body, "img", {src: elsewhere + "x.png"});
+            fetch(elsewhere).catch(() => {});
+            put(document.body, "form", {action: elsewhere, method: "post"}).submit();
+            put(document.head, "base", {href: elsewhere});""")
+        elsewhere = "http://127.0.0.1:9/"
+        expect(sorted(refused) == [["base-uri", elsewhere], ["connect-src", elsewhere], ["form-action", elsewhere], ["img-src", elsewhere + "x.png"]],
+               f"{what}: refused are {refused}")
+        expect(self.run("return document.baseURI").startswith(self.path.as_uri()), f"{what}: addresses count from {self.run('return document.baseURI')}")
+        # The browser complains about what was just put in, and about nothing else.
+        other = [line["message"] for line in self.driver.get_log("browser") if "Content Security Policy" not in line["message"]]
+        expect(not other, f"{what}: the browser says: {other}")
 
     def press(self, *keys):
         for key in keys:

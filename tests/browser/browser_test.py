@@ -3,7 +3,8 @@
 """Tests of report pages in headless Chromium: browser_test.py TEST --slipbench EXE --source DIR
 
 TEST is one of
-  loads      a page opens from a file without an error, a warning or any request to elsewhere
+  loads      a page opens from a file without an error, a warning or any request to elsewhere; its content policy, and that of
+             a sweep's page, refuses what is put in later
   linked     pointing at one curve marks the same instant in all, with the values of the result
   keyboard   all keys that the page promises; Tab reaches every part
   cases      choosing, filtering, definitions, the address of case and instant; going back
@@ -13,7 +14,8 @@ TEST is one of
   overlay    two runs in one picture, from the start and by choice
   looks      light, dark, a phone of 360 pixels: readable and nothing beside the screen
   print      the printed page has the verdicts and the pictures, on white, and the screen is as before
-  hostile    titles, names and messages that look like HTML stay text
+  hostile    titles, names of files, steps and checks, and reasons that look like HTML or steer a terminal stay text, in a sweep's
+             page, too; nothing is run and nothing asked for
   large      fifty cases: less than 5 MB, there in less than a second; the next case in less than 200 ms
   press      a press fit of 100 cycles and 10001 rows: all of them, and 100 cycles in the pictures, in less than 1 MB
   squeal     a steady squeal has constant peaks at every zoom, however many rows
@@ -59,6 +61,15 @@ def example(name):
     path = f"{name}.yaml"
     (folder / path).write_text((source / "cases/examples" / path).read_text())
     return path
+
+
+def sweep_page(case, title="A slot"):
+    """A page of a sweep of two samples of a case over its mu; the sweep's file is named as the case."""
+    file = f"sweep of {case}"
+    sweep = {"case": case, "sampler": "grid", "vary": {"mu": {"grid": [0.1, 0.2]}}, "collect": {"peak": {"max": "CSF1"}}}
+    (folder / file).write_text(json.dumps({"slipbench": 1, "title": title, "sweep": sweep}))
+    program_run("sweep", file, "-o", "swept", "--report", "sweep.html")
+    return folder / "sweep.html"
 
 
 class Page(BrowserPage):
@@ -241,18 +252,17 @@ def loads():
             return pixels.size;
         })""")
         expect(min(drawn) > 3, f"an empty picture among {drawn}")
-        requests = [json.loads(entry["message"])["message"] for entry in page.driver.get_log("performance")]
-        # Of this document only: the browser's own first page asks for things, too.
-        asked = [entry["params"]["request"]["url"] for entry in requests
-                 if entry["method"] == "Network.requestWillBeSent" and entry["params"]["documentURL"].startswith("file://")]
-        expect(asked, "the log of requests is empty")
-        elsewhere = [url for url in asked if not url.startswith(("file://" + str(page_file), "data:", "about:"))]
-        expect(not elsewhere, f"the page asks for {elsewhere}")
-        expect(any(url.startswith("file://") for url in asked), "the log of requests is empty, so this proves nothing")
+        page.check_requests("a report")
         for case in page.cases:
             page.go("#" + case)
             expect(page.all("#pictures canvas"), f"{case}: no pictures")
         expect(page.text("#totals").startswith("3 cases"), "the totals do not tell the cases")
+        page.check_policy("a report")
+    with BrowserPage(sweep_page(example("lift_off"))) as page:
+        page.go("")
+        expect(page.text("h1") == "A slot" and page.all("svg.histogram"), "the page of a sweep shows nothing")
+        page.check_requests("a sweep")
+        page.check_policy("a sweep", scripts=False)
 
 
 def linked():
@@ -669,35 +679,69 @@ def print_page():
         expect(wide <= 701, f"pictures reach to {wide} of 700 pixels")
 
 
+def renamed(text, word):
+    """A case whose title, steps, checks and reasons begin with a word."""
+    def quoted(rest=""):
+        # Between single quotes of YAML a quote is doubled.
+        return "'" + (word + rest).replace("'", "''") + "'"
+    text = re.sub(r"^title:.*$", lambda _: "title: " + quoted(), text, count=1, flags=re.MULTILINE)
+    for begin, rest in ((r"\bstep: ", "[a-z ]*[a-z]"), (r"- name: ", "[^\n]+"), (r"\bwhy: ", "[^}\n]+")):
+        text, count = re.subn(f"({begin})({rest})", lambda found: found[1] + quoted(" " + found[2]), text)
+        expect(count >= 3, f"the example has only {count} of '{begin}'")
+    return text
+
+
 def hostile():
     words = ["<script>window.broken = 1</script>", "</script><img src=x onerror='window.broken = 2'>", "<!-- ", "{{script}} &amp; \"'"]
     text = (folder / example("lift_off")).read_text()
     paths = []
     for i, word in enumerate(words):
-        # Between single quotes of YAML a quote is doubled.
-        quoted = "'" + word.replace("'", "''") + "'"
         path = f"case_{i}.yaml"
-        (folder / path).write_text(re.sub(r"^title:.*$", lambda _: "title: " + quoted, text, count=1, flags=re.MULTILINE))
+        (folder / path).write_text(renamed(text, word))
         paths.append(path)
-    nasty = "<b>bold<b> & #@1.yaml"
-    (folder / nasty).write_text(text)
-    with Page(report(*paths, nasty)) as page:
+    # Of the second the letters would end a terminal's line, colour it and turn what follows it around.
+    strange = ["<b>bold<b> & #@1", "\x01\x1b[31m\u202e<u>gpj"]
+    for name in strange:
+        (folder / f"{name}.yaml").write_text(text)
+    with Page(report(*paths, *(f"{name}.yaml" for name in strange))) as page:
         expect(page.run("return window.broken") is None, "a title was run as a script")
-        expect(page.run("return document.querySelectorAll('main img, main script, aside b b, aside script').length") == 0, "a title became an element")
+        untold = "return document.querySelectorAll('main img, main script, main u, aside b b, aside u, aside script').length"
+        expect(page.run(untold) == 0, "a title became an element")
         for i, word in enumerate(words):
             page.run("location.hash = arguments[0]", f"#case_{i}")
             page.wait(f"return document.querySelector('main .case-name').textContent === 'case_{i}'", f"case_{i} does not come")
-            expect(page.text("h2") == page.cases[f"case_{i}"]["title"], f"the title is {page.text('h2')!r}, wanted {word!r}")
+            case = page.cases[f"case_{i}"]
+            expect(page.text("h2") == case["title"], f"the title is {page.text('h2')!r}, wanted {word!r}")
+            page.run("document.querySelectorAll('main button[aria-expanded=\"false\"]').forEach((one) => one.click())")
+            # The file's own text, which the page shows as well, is in none of these.
+            shown = "\n".join(page.texts("main td, main button bdi, main p bdi")).replace("\u00a0", " ")
+            steps = next(table for table in case["run"]["tables"] if table["title"] == "History")["rows"]
+            told = [step[0] for step in steps] + [check[key] for check in case["checks"] for key in ("name", "why")]
+            expect(len(told) == 11, f"case_{i} tells {told}")
+            for one in told:
+                expect(one.startswith(word.strip()), f"the program changes '{one}', so this proves nothing")
+                expect(one in shown, f"case_{i} does not show {one!r}")
+            expect(page.run(untold) == 0 and page.run("return window.broken") is None, f"a text of case_{i} became an element or was run")
         expect(page.cases["case_0"]["title"] == words[0], "the program changes titles, so this proves nothing")
-        name = next(case for case in page.cases if case.startswith("<b>"))
-        page.all("#verdicts tbody tr")[-1].click()
-        page.wait("return document.querySelector('main .case-name').textContent.startsWith('<b>')", "a strange name does not come")
-        expect(page.text("main .case-name") == name, f"a strange name is shown as {page.text('main .case-name')!r}")
-        page.press(Keys.END)
-        page.wait("return location.hash.includes('@')", "no instant in the address")
-        page.go(page.run("return location.hash"))
-        expect(page.text("main .case-name") == name, "a strange name is not found by its address")
-        expect(page.run("return window.broken") is None, "a title was run as a script")
+        for name in strange:
+            expect(name in page.cases, f"{name!r} is not one of {list(page.cases)}")
+            page.run("""[...document.querySelectorAll("#verdicts tbody tr")].find((one) =>
+                one.querySelector("a")?.textContent.trim() === arguments[0].trim())?.click()""", name)
+            page.wait(f"return document.querySelector('main .case-name').textContent === {json.dumps(name)}", f"{name!r} does not come")
+            page.press(Keys.END)
+            page.wait("return location.hash.includes('@')", "no instant in the address")
+            page.go(page.run("return location.hash"))
+            expect(page.text("main .case-name") == name, f"{name!r} is not found by its address, but {page.text('main .case-name')!r}")
+        expect(page.run(untold) == 0 and page.run("return window.broken") is None, "a name became an element or was run")
+        page.check_requests("hostile texts")
+    title = " ".join(words)
+    with BrowserPage(sweep_page("<b>bold<b> & #@1.yaml", title)) as page:
+        page.go("")
+        expect(page.text("h1") == title and page.text("title") == title, f"a sweep's title is shown as {page.text('h1')!r} and {page.text('title')!r}")
+        expect("<b>bold<b>" in page.text("main > p"), f"a sweep's case is shown as {page.text('main > p')!r}")
+        expect(page.run("return document.querySelectorAll('script, img, b b').length") == 0, "a sweep's title became an element")
+        expect(page.run("return window.broken") is None, "a sweep's title was run as a script")
+        page.check_requests("a hostile sweep")
 
 
 def press_fit_cycles(cycles, rows):

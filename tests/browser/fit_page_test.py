@@ -3,7 +3,8 @@
 """Tests of the pages of fits in headless Chromium: fit_page_test.py TEST --pages EXE
 
 EXE writes the pages of fits made by hand (write_fit_pages.cpp). TEST is one of
-  fit_loads     every page opens from a file without an error, a warning or any request to elsewhere
+  fit_loads     every page opens from a file without an error, a warning or any request to elsewhere; its content policy
+                refuses what is put in later
   fit_figures   what is told is what the document has: verdict, unknowns, errors, tables, correlations, searches
   fit_linked    pointing at a curve or moving the slider tells one instant in all pictures of a quantity
   fit_keyboard  all keys that the page promises; Tab reaches every part
@@ -15,7 +16,6 @@ EXE writes the pages of fits made by hand (write_fit_pages.cpp). TEST is one of
 
 import argparse
 import base64
-import json
 import pathlib
 import re
 import subprocess
@@ -64,13 +64,9 @@ def fit_loads():
     for name in kNames:
         with FitPage(name) as page:
             page.draw_all()
-            requests = [json.loads(entry["message"])["message"] for entry in page.driver.get_log("performance")]
-            # Of this document only: the browser's own first page asks for things, too.
-            asked = [one["params"]["request"]["url"] for one in requests
-                     if one["method"] == "Network.requestWillBeSent" and one["params"]["documentURL"].startswith("file://")]
-            elsewhere = [url for url in asked if not url.startswith(("file:", "data:", "about:"))]
-            expect(not elsewhere, f"{name} asks for {elsewhere}")
+            page.check_requests(name)
             expect(page.text("h2") == page.document["title"], f"{name}: the title is '{page.text('h2')}'")
+            page.check_policy(name)
 
 
 def fit_figures():
