@@ -169,7 +169,12 @@ _slipbench() {{
   case ${{words[1]}} in
 {}  esac
 }}
-compdef _slipbench slipbench
+# Loaded as a function the file is called for its first words; read by source it only defines.
+if [[ ${{funcstack[1]-}} == _slipbench ]]; then
+  _slipbench "$@"
+else
+  compdef _slipbench slipbench
+fi
 )",
                      names, options);
 }

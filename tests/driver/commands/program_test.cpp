@@ -146,7 +146,9 @@ TEST_CASE("a wrong command line is exit code 2, help and version are 0") {
   const Ended told = slipbench(folder, "--version --verbose");
   CHECK(told.code == 0);
   for (const char* const fact :
-       {"slipbench ", "\ncommit: ", "\ncompiler: ", "\nlibraries: Eigen 3."}) {
+       {"slipbench ", "\ncommit: ", "\ncompiler: ", "\nlibraries: Eigen 3.", ", GSL ",
+        ", yaml-cpp ", ", fmt ", ", muParser ", ", CLI11 ", ", tl-expected ", ", UDUNITS-2",
+        ", libmd", ", minizip"}) {
     CAPTURE(fact, told.output);
     CHECK(told.output.find(fact) != std::string::npos);
   }
