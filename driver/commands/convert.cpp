@@ -16,6 +16,7 @@
 #include "driver/table/table_reader.hpp"
 #include "driver/table/table_writer.hpp"
 #include "driver/terminal/print.hpp"
+#include "driver/terminal/progress.hpp"
 
 namespace slipbench::driver::commands {
 
@@ -44,13 +45,16 @@ int convert_command(const ConvertOptions& options) {
   const std::size_t width = head.columns.size();
   std::vector<double> block(std::max<std::size_t>(1, kNumbersTogether / width) * width);
   std::uint64_t rows = 0;
+  terminal::Progress progress(std::filesystem::path(options.file).filename().string());
   while (true) {
     const auto count = (*table)->read(block);
     if (!count) return terminal::refuse(base::kExitBadInput, count.error());
     if (*count == 0) break;
     rows += *count;
     writer->write(std::span(block).first(*count * width));
+    progress.say(fmt::format("{} rows", rows));
   }
+  progress.hide();
   auto completed = writer->finish();
   base::OutputFile* const files[] = {&*file};
   if (completed) completed = base::commit(files);

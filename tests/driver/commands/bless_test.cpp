@@ -261,7 +261,7 @@ std::string drawn(const TemporaryFolder& folder, const std::vector<std::string>&
   return text;
 }
 
-TEST_CASE("bless and report show how far they are, on a terminal") {
+TEST_CASE("long work shows how far it is, on a terminal") {
   const TemporaryFolder folder;
   std::string text = kBelt;
   text.replace(text.find("increments: 40"), 14, "increments: 1000000000");
@@ -272,6 +272,14 @@ TEST_CASE("bless and report show how far they are, on a terminal") {
   folder.write("long.yaml", text.substr(0, text.find("checks:")));
   const std::string report = drawn(folder, {"slipbench", "report", "long.yaml", "-o", "page.html"});
   CHECK(contains(report, "] 0 of 1 cases"));
+  CHECK(contains(drawn(folder, {"slipbench", "run", "long.yaml", "--no-output"}), "\rlong: "));
+  // Samples enough for some seconds.
+  text = kBelt;
+  folder.write("short.yaml", text.substr(0, text.find("checks:")));
+  folder.write("sweep.yaml",
+               "slipbench: 1\nsweep:\n  case: short.yaml\n  samples: 1000000\n"
+               "  vary: {mu: {uniform: [0.1, 0.3]}}\n  collect: {work: {last: DISS}}\n");
+  CHECK(contains(drawn(folder, {"slipbench", "sweep", "sweep.yaml"}), " of 1000000 samples"));
 }
 
 TEST_CASE("curves and criteria are listed and described") {
