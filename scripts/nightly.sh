@@ -2,17 +2,20 @@
 # SPDX-License-Identifier: Apache-2.0
 # nightly.sh [PART..]: all that takes too long for every change, one part after the other, or those named. All are tried, whatever
 # one of them finds; the last lines say which found something. Exit: 0 nothing found, 1 something, 2 a wrong argument.
-#   sanitizers  all tests under the address and undefined-behaviour sanitizers                       1 h
-#   threads     what runs in parallel, under the thread sanitizer                                    20 min
+#   sanitizers  all tests under the address and undefined-behaviour sanitizers but those of Python     1 h
+#   threads     what runs in parallel, the Python module too, under the thread sanitizer             35 min
 #   memory      reads of memory that was never written, by valgrind, in a dozen cases               3 min
 #   difference  the law in double against itself in long double, over a million increments             5 min
 #   properties  the properties of the law over random cases of other seeds every night                 1 min
 #   fuzz        every target of scripts/fuzz.sh, SLIPBENCH_FUZZ_SECONDS (600) each                   2 h
+#   long        10^8 increments, a CSV of 2 GB, 100,000 cases, 1,000 definitions, a table of 10^6 rows; 3 GB of disk       10 min
 #   large       inputs of up to a megabyte, made of what is repeated: 2 s and 256 MB each             3 min
 #   torture     scripts/torture.sh                                                                   3 min
 #   packages    scripts/package.sh, and its packages in a minimal Debian and an empty root (as root)  10 min
 #   live        scripts/wasm.sh: the bench in a page; its rows beside the program's, and the page in a browser          a build
-#   mutate      scripts/mutate.sh: which changes of the code no test sees
+#   compilers   results of g++ and clang 14 at -O1 and -O3, byte by byte                               30 min
+#   coverage    scripts/coverage.sh: lines and branches that the tests run                             45 min
+#   mutate      scripts/mutate.sh: which changes of the code no test sees, 600 others every night      45 min
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -36,6 +39,7 @@ threads() {
   race calibrate cases/calibration/wear_table_fit.yaml -o "$out"
   race calibrate cases/calibration/slider_loop_fit.yaml -o "$out" --bootstrap 20 --profile
   rm -r "$out"
+  scripts/threads.sh
 }
 
 memory() {
@@ -71,6 +75,12 @@ properties() {
 
 fuzz() { scripts/fuzz.sh all "${SLIPBENCH_FUZZ_SECONDS:-600}"; }
 
+long() {
+  configure release
+  build release --target slipbench
+  /usr/bin/python3 tests/long/long_test.py --slipbench build/release/slipbench
+}
+
 large() {
   configure release
   build release --target fuzz_replay
@@ -82,6 +92,11 @@ large() {
   grow table 999999 cases/calibration/*.csv
   grow lsdyna 999999 tests/decks/lsdyna
   grow opensees 999999 tests/decks/opensees
+  grow result 999999 tests/fuzz/corpus/result
+  grow comparison 999999 tests/fuzz/corpus/comparison
+  grow expression 999999 tests/fuzz/corpus/expression
+  # A formula has at most 10,000 characters: only a shorter one gets as far as the parser.
+  grow expression 9999 tests/fuzz/corpus/expression
   # A line that the case tells of takes 20 us, as its YAML is read back; a thousand included files take 40 ms.
   grow abaqus 800000 tests/decks/abaqus
   grow radioss 500000 tests/decks/radioss
@@ -97,9 +112,29 @@ live() {
   node tests/live/same_rows.cjs build/wasm/core.js build/release/slipbench cases/examples/*.yaml cases/verification/*.yaml
   /usr/bin/python3 tests/live/live_test.py build/release/slipbench
 }
-mutate() { scripts/mutate.sh; }
+# The release is of g++ at -O3, that of fuzz.sh of clang at -O1.
+compilers() {
+  configure release
+  build release --target slipbench
+  configure fuzz
+  build fuzz --target slipbench
+  local name compiler flags
+  while read -r name compiler flags; do
+    say "  $compiler $flags"
+    cmake -S . -B "build/$name" -G Ninja -D CMAKE_BUILD_TYPE=Debug -D CMAKE_UNITY_BUILD=ON -D SLIPBENCH_BUILD_TESTS=OFF -D SLIPBENCH_BUILD_BENCH=OFF \
+      -D SLIPBENCH_PYTHON=OFF -D SLIPBENCH_INSTALL=OFF -D CMAKE_CXX_COMPILER="$compiler" -D CMAKE_CXX_FLAGS="$flags" >build/cmake.log
+    cmake --build "build/$name" --parallel "$(nproc)" --target slipbench | show_tenths
+  done <<<$'gcc-o1 g++ -O1\nclang-o3 clang++-14 -O3'
+  for name in fuzz gcc-o1 clang-o3; do
+    /usr/bin/python3 tests/cases/same_results.py build/release/slipbench "build/$name/slipbench"
+  done
+}
 
-parts=(sanitizers threads memory difference properties fuzz large torture packages live mutate)
+coverage() { scripts/coverage.sh; }
+
+mutate() { scripts/mutate.sh --seed "$(date +%Y%m%d)"; }
+
+parts=(sanitizers threads memory difference properties fuzz long large torture packages live compilers coverage mutate)
 for part in "$@"; do
   printf '%s\n' "${parts[@]}" | grep -qxF -- "$part" || fail "wanted some of ${parts[*]}; found '$part'" 2
 done

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # The address and undefined-behaviour sanitizers on the tests of the law and of what reads text: YAML, units, numbers.
-# SLIPBENCH_PRESET=asan-ubsan scripts/test.sh runs all tests under them.
+# Takes some 5 minutes on two cores, with the build. SLIPBENCH_PRESET=asan-ubsan scripts/test.sh runs all tests under them.
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"

@@ -68,9 +68,13 @@ def increments(folder, size):
     # The way of a cycle is 4 amplitudes; of it 2 F/k at each of the two reversals, and F/k at the first start, are elastic.
     force, stiffness = 20.0, 1e4
     exact = 4 * force * (AMPLITUDE - force / stiffness) * cycles - force * force / stiffness
-    found = summary_of(folder, "slider")["definitions"][0]["dissipation"]
+    one = summary_of(folder, "slider")["definitions"][0]
+    slip, gap = one["accumulated_slip"] / (exact / force) - 1, one["energy_balance_residual"]
+    print(f"  {count} increments: dissipation off by {one['dissipation'] / exact - 1:.1e}, accumulated slip by {slip:.1e}, energy balance {gap:.1e}")
     # Rounding of as many additions: at the worst half of 2^-52 each, 1e-8; the parts differ, so they mostly cancel.
-    expect(abs(found / exact - 1) < 1e-10, f"{count} increments: dissipated {found!r}, wanted {exact!r}")
+    expect(abs(one["dissipation"] / exact - 1) < 1e-10, f"{count} increments: dissipated {one['dissipation']!r}, wanted {exact!r}")
+    expect(abs(slip) < 1e-10, f"{count} increments: slip {one['accumulated_slip']!r}, wanted {exact / force!r}")
+    expect(abs(gap) < 1e-10, f"{count} increments: the energy balance is off by {gap!r}")
     return cost
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The recipes of packaging/ and the release's workflow, as far as they can be judged without Docker, Spack and conda: recipes_test.py SOURCE
+"""The recipes of packaging/ and the workflows, as far as they can be judged without Docker, Spack and conda: recipes_test.py SOURCE
 
 They can be read, they name what scripts/packages.txt does, by packaging/names.txt, in the versions that its words want, they build the
 version of CMakeLists.txt, and the scripts that they call are there.
@@ -77,10 +77,14 @@ steps = [step for job in release["jobs"].values() for step in job["steps"]]
 called = {path for text in (docker, *(step.get("run", "") for step in steps)) for path in re.findall(r"(?:scripts|tests|packaging)/[\w./]+", re.sub(r"#.*", "", text))}
 expect({"scripts/package.sh", "tests/packages/minimal_debian.sh", "tests/packages/bare_root.sh", "packaging/Dockerfile"} <= called, f"only {sorted(called)} are called")
 for path in called:
-    expect((SOURCE / path).is_file(), f"{path} is called and is not there")
+    expect((SOURCE / path).exists(), f"{path} is called and is not there")
 for package in re.findall(r"apt-get install [^&\\]*?([\w.+-]+)\s*(?:\\|&|$)", docker):
     expect(package in names, f"packaging/Dockerfile: {package} is no package of scripts/packages.txt")
 expect("attestations" in release["jobs"]["release"]["permissions"] and any("attest-build-provenance" in step.get("uses", "") for step in steps), "no provenance")
+nightly = yaml.safe_load((SOURCE / ".github/workflows/nightly.yml").read_text())["jobs"]["part"]
+parts = re.search(r"^parts=\((.*)\)$", (SOURCE / "scripts/nightly.sh").read_text(), re.MULTILINE)[1].split()
+expect(nightly["strategy"]["matrix"]["part"] == parts, f"nightly.yml runs other parts than scripts/nightly.sh has: {parts}")
+expect(any(step.get("run", "").startswith("scripts/nightly.sh ${{ matrix.part }}") for step in nightly["steps"]), "nightly.yml runs no part")
 for message in failures:
     print(message, file=sys.stderr)
 print(f"recipes: {len(names)} packages, {len(failures)} failures")
