@@ -33,6 +33,7 @@ class Site:
     def __init__(self, program, folder):
         self.program, self.folder = pathlib.Path(program).resolve(), pathlib.Path(folder)
         self.shown = set()  # files of the project beside docs/ that some page links to
+        self.cases = {}  # of the tutorials, as each first was: name: text
         self.folder.mkdir(parents=True, exist_ok=True)
         # The bench in a page, if scripts/wasm.sh has built it; without it there is no other difference.
         made = subprocess.run([self.program, "report", "--live", EXAMPLES / "shock_absorber.yaml", "-o", self.folder / "live.html", "--title", "slipbench"],
@@ -75,10 +76,11 @@ class Site:
 
     def page(self, source, page):
         """A page of the project: titles of blocks, lists and links in mkdocs' way."""
-        lines, fence, last, shown, caption, case = [], None, "", [], "", ""
-        if source.parent.name == "tutorials":
+        lines, fence, last, shown, caption, case, text = [], None, "", [], "", "", source.read_text()
+        tutorial = source.parent.name == "tutorials"
+        if tutorial:
             lines.append("---\nhide: [toc]\n---")
-        for line in source.read_text().splitlines():
+        for line in text.splitlines():
             mark = FENCE.match(line)
             if fence:
                 lines.append(line)
@@ -91,7 +93,7 @@ class Site:
                         lines += ["", *self.figure(re.search(r"[\w./-]+\.svg", "\n".join(shown))[0], caption, page)]
             elif mark:
                 fence, shown, caption = mark[2], [], mark[4] if mark[3] in ("console", "python") else ""
-                case = mark[4].split()[-1] if source.parent.name == "tutorials" and mark[4].startswith("case ") else ""
+                case = mark[4].split()[-1] if tutorial and mark[4].startswith("case ") else ""
                 title = "" if caption or not mark[4] else f' title="{mark[4].split()[-1]}"'
                 lines.append(f"{mark[1]}{mark[2]}{mark[3]}{title}")
             else:
@@ -100,7 +102,14 @@ class Site:
                     lines.append("")  # GitHub begins a list below a line of text, mkdocs does not
                 lines.append(self.links(line, source, page))
             last = line
+        if tutorial and not re.search("^```yaml case ", text, re.MULTILINE):
+            for name in self.named_cases(text)[:1]:
+                lines += self.live_case(with_values(self.cases[name], text), name, page)
         self.write(page, "\n".join(lines) + "\n")
+
+    def named_cases(self, text):
+        """The cases of the tutorials that a text names, in its order."""
+        return [name for name in re.findall(r"[\w.-]+\.yaml\b", text) if name in self.cases]
 
     def figure(self, name, words, page="index.md"):
         """A picture that the build has made, for light and dark pages, with words for who does not see it."""
@@ -117,10 +126,11 @@ class Site:
         return ["", f'<details class="live"><summary>Change {name} and run it here</summary><iframe loading="lazy" title="{name}, to be changed and run" src="{address}"></iframe></details>', ""]
 
     def drawn_by(self, name):
-        """Runs the cases and commands that the pages of a folder show, in one folder and in their order; the pictures drawn, {name: bytes}."""
+        """Runs the cases and commands that the pages of a folder show, in one folder and in their order: the pictures drawn, {name: bytes}, and the
+        cases that were written or imported, {name: text}, each before another command changes it."""
         pages = dict.fromkeys(re.findall(r"\]\((\w[\w-]*\.md)\)", (DOCS / name / "README.md").read_text()))
         environment = {**os.environ, "LC_ALL": "C.UTF-8", "MPLBACKEND": "Agg", "PYTHONPATH": str(self.program.parent / "python")}
-        script = ""
+        script, cases = "", {}
         block = re.compile(r"^```(\w+) ?([^\n]*)\n(.*?)^```", re.MULTILINE | re.DOTALL)
         with tempfile.TemporaryDirectory() as scratch:
             (pathlib.Path(scratch) / "bin").mkdir()
@@ -137,7 +147,10 @@ class Site:
                         subprocess.run([sys.executable, "-c", script], cwd=scratch, stdin=subprocess.DEVNULL, capture_output=True, env=environment, check=True)
                 elif kind == "csv" or title.startswith(("case ", "file ")):
                     (pathlib.Path(scratch) / title.split()[-1]).write_text(body)
-            return {picture.name: picture.read_bytes() for picture in pathlib.Path(scratch).glob("*.svg")}
+                for file in pathlib.Path(scratch).glob("*.yaml"):
+                    if file.name not in cases and re.search("^connector:", text := file.read_text(), re.MULTILINE):  # else a sweep or a fit
+                        cases[file.name] = text
+            return {picture.name: picture.read_bytes() for picture in pathlib.Path(scratch).glob("*.svg")}, cases
 
     def pictures(self):
         """Those of the tutorials, and anew those that the guide keeps for who reads it without a site."""
@@ -146,10 +159,11 @@ class Site:
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             tutorials, guide = pool.submit(self.drawn_by, "tutorials"), pool.submit(self.drawn_by, "guide")
             subprocess.run([sys.executable, "-B", ROOT / "tests/fmu/squeal.py", self.program, pad], check=True, capture_output=True)
-        for name, picture in tutorials.result().items():
+        drawn, self.cases = tutorials.result()
+        for name, picture in drawn.items():
             (self.folder / "tutorials" / name).parent.mkdir(exist_ok=True)
             (self.folder / "tutorials" / name).write_bytes(picture)
-        anew = {**guide.result(), "shock_absorber.svg": (self.folder / "gallery/shock_absorber.svg").read_bytes(), pad.name: pad.read_bytes(),
+        anew = {**guide.result()[0], "shock_absorber.svg": (self.folder / "gallery/shock_absorber.svg").read_bytes(), pad.name: pad.read_bytes(),
                 "shaft.svg": moving.draw(self.program).encode()}
         for kept in (DOCS / "images").iterdir():
             (self.folder / "images" / kept.name).write_bytes(anew[kept.name])
@@ -273,6 +287,12 @@ class Site:
                         + f'\n\n??? example "{case.name}"\n\n    ```yaml\n' + re.sub(r"^(?=.)", "    ", body, flags=re.MULTILINE) + "    ```\n"
                         + "\n".join(self.live_case(body, case.name, "gallery.md")))
         self.write("gallery.md", "\n".join(text))
+
+
+def with_values(case, text):
+    """An imported case whose parameters have the values that a page gives them by --set: 'f2:   # why' becomes 'f2: -80   # why'."""
+    given = dict(re.findall(r"--set (\w+)=([^\s`]+)", text))
+    return re.sub(r"^(  (\w+):)(?= +# )", lambda line: f"{line[1]} {given[line[2]]}" if line[2] in given else line[0], case, flags=re.MULTILINE)
 
 
 def made_of(told):

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """live_test.py SLIPBENCH: a page of 'slipbench report --live' in headless Chromium. A slider is dragged and a number compared with the
-program's, faults stand at their lines, the editor completes words of the schema, rows are those of 'slipbench run', and 10,000 increments
-take less than 30 ms. Needs build/wasm/live.html (scripts/wasm.sh) and what tests/browser needs.
+program's, as are the events, and loop and history are drawn anew; faults stand at their lines, the editor completes words of the schema,
+rows are those of 'slipbench run', the page can be read by all, and 10,000 increments take less than 30 ms. Needs build/wasm/live.html
+(scripts/wasm.sh) and what tests/browser needs.
 """
 import csv
 import json
@@ -14,7 +15,9 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "browser"))
+for beside in ("browser", "site"):
+    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / beside))
+from browse import SERIOUS  # noqa: E402
 from browser_page import ActionChains, By, Keys, browser, expect, failures, screen  # noqa: E402
 
 CASE = """slipbench: 1
@@ -71,6 +74,26 @@ def smallest_and_largest(driver, name):
     return None
 
 
+def events_of(driver):
+    """The events as the page lists them: how many it says there are, and the texts of each one's cells."""
+    told = driver.find_element(By.ID, "events-caption").text
+    rows = driver.execute_script("""
+        return [...document.querySelectorAll("table[aria-describedby=events-caption] tbody tr")].map(
+            (row) => [...row.cells].map((cell) => cell.textContent));""")
+    return int(re.search(r"(\d+) events?;", told)[1]), rows
+
+
+def told_number(text):
+    return float(text.replace("\u2212", "-").split()[0])
+
+
+def pictures_of(driver, kind):
+    """Of each loop or history: how many colours it has, and its picture as a text."""
+    return driver.execute_script("""
+        return [...document.querySelectorAll(`#pictures .plot.${arguments[0]} canvas`)].map((canvas) => [
+          new Set(new Uint32Array(canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data.buffer)).size, canvas.toDataURL()]);""", kind)
+
+
 def saved_rows(driver):
     """The text that "Save its rows" offers."""
     return driver.execute_async_script("""
@@ -81,7 +104,8 @@ def saved_rows(driver):
 
 def drag(driver, page):
     slider = wait_for(driver, "#slider-mu")
-    before = smallest_and_largest(driver, "CSF1")
+    before, events_before = smallest_and_largest(driver, "CSF1"), events_of(driver)
+    drawn_before = {kind: pictures_of(driver, kind) for kind in ("loop", "history")}
     ActionChains(driver).click_and_hold(slider).move_by_offset(slider.size["width"] // 5, 0).move_by_offset(7, 0).release().perform()
     settled(driver)
     value = driver.find_element(By.CSS_SELECTOR, "output[for='slider-mu']").text
@@ -94,8 +118,44 @@ def drag(driver, page):
     told = smallest_and_largest(driver, "CSF1")
     expect(told != before and all(abs(a - b) <= 1e-4 * abs(b) for a, b in zip(told, wanted)), f"with mu = {value} the page says CSF1 {told}, the program {wanted}")
     print(f"slider: mu 0.15 -> {value}, CSF1 {before} -> {told}; slipbench run: {wanted}")
+    for kind, pictures in drawn_before.items():
+        now = pictures_of(driver, kind)
+        expect(now and all(colours > 3 for colours, _ in [*pictures, *now]), f"no {kind} is drawn, or an empty one: {[colours for colours, _ in now]} colours")
+        expect({picture for _, picture in now} != {picture for _, picture in pictures}, f"the slider does not change any {kind}")
+    same_events(driver, page, events_before)
     kept = saved_rows(driver)
     expect(kept == page.rows(), f"the rows that the page saves are not those of 'slipbench run': {kept[:200]!r}")
+
+
+def same_events(driver, page, before):
+    """The list of events is another one than before, and that of the program's last run."""
+    count, rows = events_of(driver)
+    wanted = list(csv.DictReader(line for line in page.case.with_suffix(".events.csv").read_text().splitlines() if not line.startswith("#")))
+    expect(rows != before[1], "the slider does not change the list of events")
+    expect(count == len(rows) == len(wanted) > 40, f"the page tells {count} events and lists {len(rows)}, the program has {len(wanted)}")
+    first = next(event for event in wanted if event["to"] == "slip")
+    listed = next((row for row in rows if row[1].endswith("slip")), None)
+    expect(listed and abs(told_number(listed[0]) - float(first["t"])) <= 1e-5 * float(first["t"]),
+           f"the first slip is listed as {listed}, the program has {first}")
+    for row, event in zip(rows, wanted):
+        for text, exact in ((row[0], float(event["t"])), (row[2], float(event["force"])), (row[3], float(event["limit"]))):
+            expect(abs(told_number(text) - exact) <= 1e-3 * abs(exact), f"an event is listed as {row}, the program has {event}")
+
+
+def readable(driver):
+    """What a check of accessibility calls serious, light and dark, also beside a message."""
+    for dark in (False, True):
+        screen(driver, dark=dark)
+        for text in (CASE, CASE.replace("coefficient:", "coeficient:")):
+            editor(driver, "editor.setValue(arguments[0]);", text)
+            settled(driver)
+            wrong = bool(driver.find_elements(By.CSS_SELECTOR, ".live-messages .error"))
+            expect(wrong == (text != CASE), f"a message of an error is{' not' * (not wrong)} shown")
+            for fault in driver.execute_script(SERIOUS, "main"):
+                expect(False, f"{'dark' if dark else 'light'}{', with a message' * wrong}: {fault}")
+    screen(driver)
+    editor(driver, "editor.setValue(arguments[0]);", CASE)
+    settled(driver)
 
 
 def faults(driver):
@@ -215,6 +275,7 @@ def main(program):
         driver.get(page.page.as_uri())
         drag(driver, page)
         faults(driver)
+        readable(driver)
         unreadable(driver)
         follows_its_number(driver)
         completes(driver)

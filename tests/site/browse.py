@@ -16,12 +16,14 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "browser"))
 from browser_page import ActionChains, By, browser, screen  # noqa: E402
 
+# Those that are looked at in each way; the others of the site in one.
 PAGES = ["index.html", "joints.html", "play.html", "gallery.html", "compare.html", "tutorials/index.html", "tutorials/hinge.html", "guide/friction.html",
          "reference/connections.html", "reference/columns.html", "theory/model.html", "notebooks/capstan.html",
          "case-reference.html", "dossier.html", "dossier/closed-forms.html", "dossier/evidence/hinge.html"]
 
 # What a check of accessibility calls serious, and can be told without a person.
 SERIOUS = """
+const main = arguments[0] || ".md-content";
 const faults = [], seen = new Set();
 const shown = (one) => one.getClientRects().length && getComputedStyle(one).visibility !== "hidden" && !one.closest("[hidden], .md-search__suggest");
 const named = (one) => (one.getAttribute("aria-label") || one.title || one.textContent || "").trim() || one.querySelector("img[alt]:not([alt=''])")
@@ -35,7 +37,7 @@ for (const one of document.querySelectorAll("img:not([alt]), svg[role=img]:not([
 for (const one of document.querySelectorAll("a[href], button, input:not([type=hidden]):not(.md-toggle):not(.md-nav__toggle):not(.md-option)"))
   if (shown(one) && !named(one)) faults.push(`no name: ${one.outerHTML.slice(0, 80)}`);
 let level = 1;
-for (const one of document.querySelectorAll(".md-content :is(h1, h2, h3, h4, h5, h6)")) {
+for (const one of document.querySelectorAll(`${main} :is(h1, h2, h3, h4, h5, h6)`)) {
   if (+one.tagName[1] > level + 1) faults.push(`${one.tagName} '${one.textContent.slice(0, 30)}' below h${level}`);
   level = +one.tagName[1];
 }
@@ -55,6 +57,12 @@ for (const one of document.querySelectorAll("p, h1, h2, h3, h4, th, td, li, a, c
 for (const [what, how] of poor) faults.push(`contrast ${how} of ${what}`);
 return faults;
 """
+
+
+def all_pages(source):
+    """The pages that the navigation of the site leads to, in its order."""
+    nav = (source / "docs/site/mkdocs.yml").read_text().partition("\nnav:\n")[2]
+    return [re.sub(r"README$", "index", name) + ".html" for name in re.findall(r"([\w/-]+)\.md$", nav, re.MULTILINE)]
 
 
 def found(driver, site, words):
@@ -120,12 +128,18 @@ def play(driver, site, page, program, folder, expect):
             drawn = now
 
 
-def live(site, driver, expect):
-    """The case of a tutorial in the bench that the page carries, if scripts/wasm.sh has built that."""
+def live(site, source, driver, expect):
+    """The cases of the tutorials in the bench that the pages carry, if scripts/wasm.sh has built that; in the gallery all are there, the first is run."""
     if not (site / "live.html").exists():
         return
-    for page in ("tutorials/hinge.html", "gallery.html"):
+    wanted = {page: 1 for page in all_pages(source) if page.startswith("tutorials/") and page != "tutorials/index.html"}
+    wanted["gallery.html"] = len(list((source / "cases/examples").glob("*.yaml")))
+    for page, least in wanted.items():
         driver.get((site / page).as_uri())
+        there = len(driver.find_elements(By.CSS_SELECTOR, "details.live"))
+        expect(there == least if page == "gallery.html" else there >= least, f"{page}: {there} cases to be run in the page in place of {least}")
+        if not there:
+            continue
         driver.implicitly_wait(30)
         driver.find_element(By.CSS_SELECTOR, "details.live summary").click()
         driver.switch_to.frame(driver.find_element(By.CSS_SELECTOR, "details.live[open] iframe"))
@@ -134,13 +148,14 @@ def live(site, driver, expect):
         driver.switch_to.default_content()
 
 
-def look(site, folder, page_to_play, program, expect):
+def look(site, folder, source, program, expect):
     driver = browser(pathlib.Path(folder))
     for dark, width in ((False, 1280), (True, 1280), (False, 390)):
         screen(driver, width=width, dark=dark)
         driver.get((site / PAGES[0]).as_uri())
         driver.execute_script("localStorage.clear()")  # the palette of the visit before
-        for page in PAGES:
+        # Which colours and how wide is the same style sheet on all pages.
+        for page in PAGES if dark or width < 1280 else dict.fromkeys([*PAGES, *all_pages(source)]):
             driver.get((site / page).as_uri())
             what = f"{page}, {'dark' if dark else 'light'}, {width} wide"
             scheme = driver.find_element(By.TAG_NAME, "body").get_attribute("data-md-color-scheme")
@@ -151,12 +166,12 @@ def look(site, folder, page_to_play, program, expect):
             for fault in driver.execute_script(SERIOUS):
                 expect(False, f"{what}: {fault}")
     screen(driver)
-    play(driver, site, page_to_play, program, pathlib.Path(folder), expect)
+    play(driver, site, source / "docs/site/play.md", program, pathlib.Path(folder), expect)
     for words, wanted in (("CONNECTOR FRICTION", "guide/decks.html"), ("*CONNECTOR FRICTION", "guide/decks.html"),
                           ("hinge", "tutorials/hinge.html"), ("capstan", "capstan")):
         hits = found(driver, site, words)
         expect(any(wanted in hit for hit in hits[:8]), f"the search for '{words}' finds {hits[:8]}")
-    live(site, driver, expect)
+    live(site, source, driver, expect)
     for line in driver.get_log("browser"):
         expect(False, f"the browser says: {line['message'][:300]}")
     for entry in driver.get_log("performance"):

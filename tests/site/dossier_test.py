@@ -3,7 +3,7 @@
 """The validation dossier: dossier_test.py --slipbench PROGRAM --source DIR
 
 Each claim that the program lists has a row, its numbers are those of a run of the checks, the commands it shows run them, and a case that is
-damaged turns the rows of its claims red and those of no others.
+damaged turns the rows of its claims red and those of no others. Decks have their pictures, and their round trips are judged.
 """
 import argparse
 import collections
@@ -100,6 +100,28 @@ def check_commands(folder):
         expect(f"{len(shlex.split(command)) - 2} case" in done.stdout and done.returncode == 0, f"{command}: {done.stdout}{done.stderr}")
 
 
+def check_decks(table, folder):
+    """Each claim on decks that has checks has its picture, light and dark; a round trip is judged where its export tells no loss of the law."""
+    sections = re.split(r"^## ", (folder / "dossier/decks.md").read_text(), flags=re.MULTILINE)[1:]
+    for section in sections:
+        name = section.split(" {", 1)[0]
+        verdict, cells = table["decks", name]
+        if cells[3] == "0":
+            continue
+        pictures = re.findall(r"!\[[^\]]+\]\((\S+\.svg)#only-(light|dark)\)", section)
+        expect([look for _, look in pictures] == ["light", "dark"], f"{name}: its pictures are {pictures}")
+        for picture, _ in pictures:
+            path = folder / "dossier" / picture
+            expect(path.exists() and "<path" in path.read_text(), f"{name}: {picture} is no picture")
+        if name.split()[-1] in ("abaqus", "radioss", "lsdyna", "opensees", "table"):
+            expect(verdict == "passed" and re.match(r"(<? ?[\d.]+ %|0)(;|$)", cells[4]), f"{name}: {verdict}, {cells[4]}: none of its round trips is judged")
+    for off, losses, wanted in ((0.0, {}, "passed"), (0.9e-12, {"dropped": ["checks: a deck has none"]}, "passed"),
+                                (1.1e-12, {"dropped": ["history: x"]}, "failed"), (1.1e-12, {"approximated": ["coefficient: a table"]}, "told"), (0.0, {"dropped": ["force_limit: x"]}, "told")):
+        told = {"text": "", "force_most": 300 * off, "force_largest": 300, "rows_without_counterpart": 0}
+        found = dossier_evidence.round_trip("a case", told, losses, "").verdict()
+        expect(found == wanted, f"a round trip off by {off} of its force, with {losses}: {found}")
+
+
 def check_damage(sound, scratch):
     """A case with another law: the rows that it holds are red, and the others as before."""
     cases = scratch / "damaged/cases"
@@ -131,6 +153,7 @@ given.slipbench, given.source = given.slipbench.resolve(), given.source.resolve(
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(given.source / "docs/site"))
 import dossier  # noqa: E402
+import dossier_evidence  # noqa: E402
 import pages  # noqa: E402
 
 with tempfile.TemporaryDirectory() as name:
@@ -144,6 +167,7 @@ with tempfile.TemporaryDirectory() as name:
     check_numbers(table, told)
     check_kinds(table)
     check_commands(scratch / "sound")
+    check_decks(table, scratch / "sound")
     check_damage(table, scratch)
 print("\n".join(failures))
 print(f"dossier: {len(table)} claims, {len(failures)} failures")

@@ -103,7 +103,7 @@ with tempfile.TemporaryDirectory() as scratch:
         place = pathlib.Path(scratch) / "site"
     check_nav(given.source / "docs")
     check_links(place.resolve())
-    look(place.resolve(), scratch, given.source / "docs/site/play.md", given.slipbench.resolve(), expect)
+    look(place.resolve(), scratch, given.source, given.slipbench.resolve(), expect)
 print("\n".join(failures))
 print(f"site: {len(failures)} failures")
 sys.exit(1 if failures else 0)
