@@ -83,6 +83,8 @@ TEST_CASE("the law builds no strings, writes nothing and throws nothing") {
   CHECK(broken(law_violations) == "");
 }
 
+TEST_CASE("nothing reads the clock on the wall") { CHECK(broken(clock_violations) == ""); }
+
 TEST_CASE("plot templates read result files only") { CHECK(broken(plot_violations) == ""); }
 
 TEST_CASE("every test case is one that ctest runs") { CHECK(broken(test_case_violations) == ""); }

@@ -55,6 +55,16 @@ std::vector<Violation> law_violations(const SourceFile& file) {
                     "the law builds no strings, writes nothing and throws nothing");
 }
 
+std::vector<Violation> clock_violations(const SourceFile& file) {
+  static const std::regex kForbidden(
+      R"(\b(system_clock|high_resolution_clock|gettimeofday|CLOCK_REALTIME|last_write_time)\b)"
+      R"(|\btime\s*\(\s*(0|NULL|nullptr|&\w+)\s*\))");
+  static const std::regex kRooms("(law|reference|driver|c|python|live)/.*");
+  if (!std::regex_match(file.path, kRooms) || !is_cpp(file.path)) return {};
+  return find_lines(file.path, without_comments(file.text, Strings::kBlank), kForbidden,
+                    "the clock on the wall may go back: use std::chrono::steady_clock");
+}
+
 std::vector<Violation> plot_violations(const SourceFile& file) {
   static const std::regex kForbidden(R"(\.ya?ml\b|\bcases/|\bsystem\s*\(|["']\s*<)");
   if (!file.path.starts_with("plots/") || file.path.ends_with(".md") ||

@@ -11,6 +11,10 @@ namespace slipbench::architecture {
 /// law/ builds no strings, writes nothing and throws nothing (comments may speak of it).
 std::vector<Violation> law_violations(const SourceFile& file);
 
+/// Nothing reads the clock on the wall, which may go back: neither a result nor a time that is
+/// shown depends on it.
+std::vector<Violation> clock_violations(const SourceFile& file);
+
 /// Plot templates read result files: they name no case and run no other program.
 std::vector<Violation> plot_violations(const SourceFile& file);
 

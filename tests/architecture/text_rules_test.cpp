@@ -38,6 +38,17 @@ TEST_CASE("a law that throws, writes or builds strings is found") {
   CHECK(law_violations({"driver/a.hpp", "throw 1;\n"}).empty());
 }
 
+TEST_CASE("a look at the clock on the wall is found") {
+  const auto found = [](const std::string& line) {
+    return clock_violations({"driver/a.cpp", line + "\n"}).size();
+  };
+  CHECK(found("auto now = std::chrono::system_clock::now();") == 1);
+  CHECK(found("const auto now = std::time(nullptr);") == 1);
+  CHECK(found("fs::last_write_time(file)") == 1);
+  CHECK(found("auto now = std::chrono::steady_clock::now();") == 0);
+  CHECK(found("const double t = grid.time();") == 0);
+}
+
 TEST_CASE("a plot template that reads a case or runs a program is found") {
   const auto found = [](const std::string& line) {
     return plot_violations({"plots/a.gp", line + "\n"}).size();
