@@ -58,6 +58,7 @@ sys.dont_write_bytecode = True
 import same_results  # noqa: E402
 import transcript  # noqa: E402
 
+PATIENCE = 900  # seconds, more than any build takes for its cases: with counters and without optimisation some 100
 POSITION = re.compile(r":\d+:\d+: ")
 failures = []
 
@@ -70,7 +71,7 @@ def expect(condition, message):
 
 def run(*arguments, cwd=None, env=None):
     """Runs the program; returns exit code and both outputs as one text."""
-    done = subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, cwd=cwd, timeout=120,
+    done = subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, cwd=cwd, timeout=PATIENCE,
                           env={**os.environ, **(env or {})})
     return done.returncode, done.stdout + done.stderr
 
@@ -400,7 +401,7 @@ def increments():
         rows = {}
         for n in (1, 3, 7, 50):
             done = subprocess.run([program, "run", path, "--set", f"n={n}", "-o", "-", "--quiet"], capture_output=True,
-                                  text=True, timeout=120)
+                                  text=True, timeout=PATIENCE)
             expect(done.returncode == 0, f"increments/{path.name}: n = {n} ended with {done.returncode}:\n{done.stderr}")
             table = csv.DictReader(line for line in done.stdout.splitlines() if not line.startswith("#"))
             rows[n] = [row for row in table if min(abs(float(row["t"]) - end) for end in ends) < 1e-9]
@@ -461,7 +462,7 @@ def examples(document, folder):
         elif kind == "console":
             commands = [line[2:] for line in body.splitlines() if line.startswith("$ ")]
             shown = "\n".join(line for line in body.splitlines() if not line.startswith("$ "))
-            done = subprocess.run(["bash", "-c", "\n".join(commands)], cwd=folder, text=True, timeout=120,
+            done = subprocess.run(["bash", "-c", "\n".join(commands)], cwd=folder, text=True, timeout=PATIENCE,
                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                   env={**os.environ, "PATH": path, "LC_ALL": "C.UTF-8"})
             expect(unhurried(shown.strip()) == unhurried(done.stdout.strip()),
@@ -730,7 +731,7 @@ def suite_files(folder):
     # A verdict that cannot be kept is shown all the same: no file may grow beyond a block here.
     code, text = run("check", "a.yaml", "--junit", "x", cwd=folder)
     done = subprocess.run(["bash", "-c", 'ulimit -f 0; trap "" XFSZ; exec "$0" check a.yaml --junit y', program], cwd=folder,
-                          capture_output=True, text=True, timeout=120)
+                          capture_output=True, text=True, timeout=PATIENCE)
     expect(done.returncode == 4 and "y: cannot be written" in done.stderr, f"a full disk: {done.returncode}: {done.stderr}")
     expect("FAIL  a " in done.stdout and "1 failed" in done.stdout, f"a full disk hides the verdict:\n{done.stdout}")
     expect(sorted(file.name for file in folder.iterdir()) == ["a.yaml", "x"], "half a file was left behind")
@@ -770,7 +771,7 @@ def suite_memory(folder):
         return  # a sanitizer needs more than that for itself
     (folder / "greedy.yaml").write_text(slider(increments=2000000000).replace("    tolerance", "    criterion: peak\n    tolerance"))
     (folder / "small.yaml").write_text(slider())
-    done = subprocess.run([*limited, "check", ".", "-j", "2"], cwd=folder, capture_output=True, text=True, timeout=120)
+    done = subprocess.run([*limited, "check", ".", "-j", "2"], cwd=folder, capture_output=True, text=True, timeout=PATIENCE)
     expect(done.returncode == 4, f"a greedy case: ended with {done.returncode}:\n{done.stdout}{done.stderr}")
     expect("FAIL  greedy   cannot be run" in done.stdout and "PASS  small " in done.stdout, f"a greedy case:\n{done.stdout}")
     expect("greedy.yaml: error: check 'limit' keeps the rows it compares: 2e+09 rows need at least 66 GB of memory" in done.stderr, f"a greedy case:\n{done.stderr}")
@@ -837,7 +838,7 @@ def suite_progress(folder):
         return shown.decode()
 
     bar = re.compile(r"\r\[=*> *\] \d of 8 cases, 1 failed, \d+ s left\x1b\[K")
-    done = subprocess.run(arguments, cwd=folder, capture_output=True, text=True, timeout=120)
+    done = subprocess.run(arguments, cwd=folder, capture_output=True, text=True, timeout=PATIENCE)
     expect(done.stderr == "" and "\r" not in done.stdout and "\x1b" not in done.stdout, f"a bar in a log:\n{done!r}")
     try:
         for end in pty.openpty():
