@@ -14,7 +14,7 @@
 #   packages    scripts/package.sh, and its packages in a minimal Debian and an empty root (as root)  10 min
 #   live        scripts/wasm.sh: the bench in a page; its rows beside the program's, and the page in a browser          a build
 #   compilers   results of g++ and clang 14 at -O1 and -O3, byte by byte                               30 min
-#   coverage    scripts/coverage.sh: lines and branches that the tests run                             45 min
+#   coverage    scripts/coverage.sh: lines and branches that the tests run                             75 min
 #   mutate      scripts/mutate.sh: which changes of the code no test sees, 600 others every night      45 min
 set -euo pipefail
 # shellcheck source-path=SCRIPTDIR source=common.sh

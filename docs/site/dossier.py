@@ -224,7 +224,8 @@ def worst_of(claim):
         return "-"
     share = max((check.share() for check in claim.checks if check.share() is not None), default=None)
     told = max((check.part or 0 for check in claim.checks if check.verdict() == "told"), default=None)
-    return "; ".join([percent(share)] * (share is not None) + [f"told: {percent(told)} of the force"] * (told is not None)) or "-"
+    both = ([] if share is None else [percent(share)]) + ([] if told is None else [f"told: {percent(told)} of the force"])
+    return "; ".join(both) or "-"
 
 
 def write(site, cases=ROOT / "cases", draw=True):

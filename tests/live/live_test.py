@@ -90,8 +90,11 @@ def told_number(text):
 def pictures_of(driver, kind):
     """Of each loop or history: how many colours it has, and its picture as a text."""
     return driver.execute_script("""
-        return [...document.querySelectorAll(`#pictures .plot.${arguments[0]} canvas`)].map((canvas) => [
-          new Set(new Uint32Array(canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data.buffer)).size, canvas.toDataURL()]);""", kind)
+        return [...document.querySelectorAll(`#pictures .plot.${arguments[0]} canvas`)].map((canvas) => {
+          const {width, height} = canvas, copy = Object.assign(document.createElement("canvas"), {width, height});
+          const context = copy.getContext("2d", {willReadFrequently: true});
+          context.drawImage(canvas, 0, 0);
+          return [new Set(new Uint32Array(context.getImageData(0, 0, width, height).data.buffer)).size, canvas.toDataURL()]; });""", kind)
 
 
 def saved_rows(driver):
