@@ -373,7 +373,8 @@ class Picture {
         id: "house",
         resize: (chart, {size}) => this.equalise(chart.options.scales, size),
         beforeDatasetsDraw: (chart) => { this.shade(chart); this.drawLines(chart); },
-        afterDraw: (chart) => { this.chart = chart; this.placeMarks(); }
+        // How wide a picture is is known only now, and anew where it becomes visible.
+        afterDraw: (chart) => { this.chart = chart; this.placeMarks(); if (this.panel.windowed) tellShown(); }
       }]
     });
     if (panel.equal) {

@@ -144,6 +144,9 @@ def live(site, source, driver, expect):
         driver.find_element(By.CSS_SELECTOR, "details.live summary").click()
         driver.switch_to.frame(driver.find_element(By.CSS_SELECTOR, "details.live[open] iframe"))
         expect("increments, run in" in driver.find_element(By.CSS_SELECTOR, "#live-state:not(:empty)").text, f"{page}: its case does not run in the page")
+        shown = driver.find_element(By.CSS_SELECTOR, "#shown").text
+        rows = re.search(r"about ([\d.]+) rows", shown)
+        expect(shown and (not rows or float(rows[1]) < 100), f"{page}: its pictures are some hundred pixels wide, and it says '{shown}'")
         driver.implicitly_wait(0)
         driver.switch_to.default_content()
 
