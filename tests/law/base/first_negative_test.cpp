@@ -43,6 +43,13 @@ TEST_CASE("the zero of a falling function is found from its negative side, in fe
   }
 }
 
+TEST_CASE("the bracket of a small zero is as narrow, as a part of it") {
+  const auto jump = [](double x) { return x < 1.23e-13 ? 1.0 : -1.0; };
+  const double found = first_negative(jump, 0.0, 1e-12);
+  CHECK(found >= 1.23e-13);
+  CHECK(found <= 1.23e-13 * (1.0 + 20.0 * kEpsilon));
+}
+
 TEST_CASE("the bracket of a zero need not be narrower than asked for") {
   const auto jump = [](double x) { return x < 0.123 ? 1.0 : -1.0; };
   const double wide = first_negative(jump, 0.0, 1.0, 1e-3);

@@ -34,9 +34,10 @@ FrictionDefinition sheet() {
 }
 
 /// Checks the update along the diagonal by `way`, where F_lim = `first` - `fall` x after the slip
-/// x: 1000 (way - x) = first - fall x.
+/// x: k (way - x) = first - fall x, k the stiffness.
 void check_diagonal(FrictionDefinition definition, double way, double first, double fall) {
-  const double slip = (1000.0 * way - first) / (1000.0 - fall);
+  const double k = definition.stick.value;
+  const double slip = (k * way - first) / (k - fall);
   ConnectorIncrement increment;
   increment.duration = 1.0;
   increment.end.position[0] = increment.end.position[1] = way / std::sqrt(2.0);
@@ -53,12 +54,16 @@ void check_diagonal(FrictionDefinition definition, double way, double first, dou
 }
 
 TEST_CASE("slip ends on the limit before the knot where wear has taken it, by either path") {
-  FrictionDefinition definition = sheet();
-  definition.law = ConstantCoefficient{1.0};
-  definition.internal_contact_force =
-      make_function({{1, 0}, {0, 0.1}, {1, 0.2}}, {test::kOverAccumulatedSlip});
-  for (const double way : {0.05, 0.09, 0.096, 0.098, 0.099, 0.0999}) {
-    check_diagonal(definition, way, 1.0, 10.0);
+  // In mm, in km, and in pm.
+  for (const double unit : {1.0, 1e-6, 1e9}) {
+    FrictionDefinition definition = sheet();
+    definition.stick.value /= unit;
+    definition.law = ConstantCoefficient{1.0};
+    definition.internal_contact_force =
+        make_function({{1, 0}, {0, 0.1 * unit}, {1, 0.2 * unit}}, {test::kOverAccumulatedSlip});
+    for (const double way : {0.05, 0.09, 0.096, 0.098, 0.099, 0.0999}) {
+      check_diagonal(definition, way * unit, 1.0, 10.0 / unit);
+    }
   }
 }
 
