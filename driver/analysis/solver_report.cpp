@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/format_number.hpp"
 #include "driver/bench/belt_motion.hpp"
 #include "driver/bench/connector_increment.hpp"
@@ -118,7 +119,7 @@ SolverDemand solver_demand(const law::FrictionDefinition& definition,
 SolverReport::SolverReport(const cases::Case& problem, base::OutputFile* file)
     : case_(&problem), file_(file), worst_(problem.definitions.size()) {
   if (file_ == nullptr) return;
-  std::string text = results::provenance_lines(problem) + "t,duration";
+  std::string text = base::in_cells(results::provenance_lines(problem)) + "t,duration";
   for (const cases::CaseDefinition& definition : problem.definitions) {
     for (const std::string_view column : kColumns) {
       text += "," + std::string(column);

@@ -119,7 +119,7 @@ tl::expected<std::vector<GoldenCurve>, std::string> golden_curves(const cases::C
     });
     if (curve == curves.end()) {
       const std::string owner = there ? case_of(read_golden_header(reference->file)) : "";
-      if (!owner.empty() && owner != base::in_cells(results::case_name(problem))) {
+      if (!owner.empty() && owner != base::in_cells(base::printable(results::case_name(problem)))) {
         return tl::unexpected(
             fmt::format("{} is the golden curve of {}; give this case one of its own, or remove it",
                         reference->shown_name, owner));
@@ -186,7 +186,7 @@ GoldenHeader golden_header(const cases::Case& problem, const GoldenCurve& curve,
   }
   header.origin.push_back(std::move(columns));
   header.blessings.push_back(
-      fmt::format("{}{}: {}", kBlessed, date_of_blessing(), base::in_cells(in_one_line(reason))));
+      fmt::format("{}{}: {}", kBlessed, date_of_blessing(), in_one_line(reason)));
   for (const std::string& blessing : before.blessings) {
     if (header.blessings.size() == kMostBlessings) break;
     if (blessing != header.blessings.front()) header.blessings.push_back(blessing);
@@ -197,8 +197,9 @@ GoldenHeader golden_header(const cases::Case& problem, const GoldenCurve& curve,
 std::string to_text(const GoldenHeader& header) {
   std::string text(cases::kGoldenMark);
   text += '\n';
-  for (const std::string& line : header.origin) text += line + "\n";
-  for (const std::string& line : header.blessings) text += line + "\n";
+  for (const auto* lines : {&header.origin, &header.blessings}) {
+    for (const std::string& line : *lines) text += base::in_cells(line) + "\n";
+  }
   return text;
 }
 
@@ -207,7 +208,8 @@ std::string names_row(const GoldenCurve& curve) {
   for (const GoldenColumn& column : curve.columns) {
     // A separator in a name, as in an expression's, needs quotes.
     const bool quoted = column.name.find_first_of(",;\t") != std::string::npos;
-    names += (names.empty() ? "" : ",") + (quoted ? '"' + column.name + '"' : column.name);
+    const std::string shown = base::in_cells(column.name, true);
+    names += (names.empty() ? "" : ",") + (quoted ? '"' + shown + '"' : shown);
   }
   return names + "\n";
 }

@@ -79,7 +79,7 @@ struct Written {
   std::vector<std::string> remarks;
 };
 
-/// Numbers, cases, the page and as many pictures as can be drawn: all or none of them.
+/// Numbers, cases and the page, all or none of them; then as many pictures as can be drawn.
 tl::expected<Written, std::string> write_results(const calibrate::Fit& fit,
                                                  const calibrate::Calibration& calibration,
                                                  const CalibrateOptions& options,
@@ -113,18 +113,23 @@ tl::expected<Written, std::string> write_results(const calibrate::Fit& fit,
     written.remarks.insert(written.remarks.end(), one.notes.begin(), one.notes.end());
   }
   written.remarks.insert(written.remarks.end(), cases.faults.begin(), cases.faults.end());
-  written.files.push_back(page);
-  calibrate::FitPictures pictures =
-      calibrate::draw_fit_pictures(fit, calibration, page.parent_path(), stem_of(fit), overwriting);
-  for (const base::OutputFile& picture : pictures.files) written.files.push_back(picture.target());
   std::vector<base::OutputFile*> together;
-  for (auto* some : {&files, &pictures.files}) {
-    for (base::OutputFile& file : *some) together.push_back(&file);
-  }
+  together.reserve(files.size());
+  for (base::OutputFile& file : files) together.push_back(&file);
   if (auto size = calibrate::write_fit_report(fit, calibration, page, overwriting, together);
       !size) {
     return tl::unexpected(size.error());
   }
+  written.files.push_back(page);
+  // Afterwards: what was found in hours is not to hang on gnuplot.
+  calibrate::FitPictures pictures =
+      calibrate::draw_fit_pictures(fit, calibration, page.parent_path(), stem_of(fit), overwriting);
+  std::vector<base::OutputFile*> drawn;
+  for (base::OutputFile& picture : pictures.files) {
+    written.files.push_back(picture.target());
+    drawn.push_back(&picture);
+  }
+  if (auto committed = base::commit(drawn); !committed) return tl::unexpected(committed.error());
   written.remarks.insert(written.remarks.end(), pictures.notes.begin(), pictures.notes.end());
   return written;
 }

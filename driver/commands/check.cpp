@@ -214,7 +214,11 @@ int check_command(const CheckOptions& options) {
     // That the page replaces nothing that was read was made sure of above.
     const auto size = report::write_report(options.report, *pages, "", {.force = options.force},
                                            nullptr, files->all());
-    if (!size) written = tl::unexpected(size.error());
+    if (!size) {
+      // Verdicts do not hang on the page.
+      written = base::commit(files->all());
+      code = base::worse(code, terminal::refuse(base::kExitEnvironment, size.error()));
+    }
   } else {
     written = base::commit(files->all());
   }

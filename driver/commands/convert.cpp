@@ -32,9 +32,10 @@ int convert_command(const ConvertOptions& options) {
   const table::TableHead& head = (*table)->head();
   // A file of the same lines or columns may be replaced.
   base::FileMark as_csv{"this table"};
-  if (const std::size_t first = head.lines.find('\n'); first != std::string::npos) {
-    as_csv.start = head.lines.substr(0, first);
-    as_csv.text = head.lines.substr(first);
+  const std::string lines = base::in_cells(head.lines);
+  if (const std::size_t first = lines.find('\n'); first != std::string::npos) {
+    as_csv.start = lines.substr(0, first);
+    as_csv.text = lines.substr(first);
   }
   const std::array inputs{options.file};
   auto file = base::OutputFile::create(options.target, table::mark_of(*format, head, as_csv),
@@ -48,7 +49,10 @@ int convert_command(const ConvertOptions& options) {
   terminal::Progress progress(std::filesystem::path(options.file).filename().string());
   while (true) {
     const auto count = (*table)->read(block);
-    if (!count) return terminal::refuse(base::kExitBadInput, count.error());
+    if (!count) {
+      progress.hide();
+      return terminal::refuse(base::kExitBadInput, count.error());
+    }
     if (*count == 0) break;
     rows += *count;
     writer->write(std::span(block).first(*count * width));

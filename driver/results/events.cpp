@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/format_number.hpp"
 #include "driver/results/friction_force.hpp"
 #include "driver/results/provenance.hpp"
@@ -173,7 +174,7 @@ void EventDetector::add_located(const bench::Row& row, std::size_t definition) {
 
 EventWriter::EventWriter(const cases::Case& problem, base::OutputFile& file)
     : case_(&problem), detector_(problem), file_(&file) {
-  std::string text = provenance_lines(problem);
+  std::string text = base::in_cells(provenance_lines(problem));
   text += "t,definition,from,to,force,limit,accumulated_slip";
   for (Column& column : result_columns(problem)) {
     if (!is_position(column) || !column.name.starts_with("CP")) continue;

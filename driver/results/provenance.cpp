@@ -33,14 +33,14 @@ std::string case_stem(const cases::Case& problem) {
 
 std::string provenance_lines(const cases::Case& problem) {
   std::string text = "# slipbench " + std::string(program_version()) + "\n";
-  text += "# case: " + base::in_cells(case_name(problem)) + "\n";
-  if (!problem.title.empty()) text += "# title: " + base::in_cells(problem.title) + "\n";
+  text += "# case: " + base::printable(case_name(problem)) + "\n";
+  if (!problem.title.empty()) text += "# title: " + base::printable(problem.title) + "\n";
   std::string units;
   for (const auto& [name, unit] : kUnits) {
     if ((problem.units.*unit).empty()) continue;
     units += (units.empty() ? "" : ", ") + std::string(name) + " " + problem.units.*unit;
   }
-  if (!units.empty()) text += "# units: " + base::in_cells(units) + "\n";
+  if (!units.empty()) text += "# units: " + base::printable(units) + "\n";
   std::string parameters;
   for (const auto& [name, value] : problem.parameters) {
     parameters += (parameters.empty() ? "" : ", ") + name + " = " + base::format_number(value);
@@ -71,7 +71,8 @@ base::FileMark result_mark(const cases::Case& problem, bool is_json) {
   const std::string owner = "a result of " + name;
   if (!is_json) {
     // The origin of a golden curve is told behind a first line of its own.
-    return {owner, "# slipbench ", "\n# case: " + base::in_cells(name) + "\n", true};
+    return {owner, "# slipbench ", "\n# case: " + base::in_cells(base::printable(name)) + "\n",
+            true};
   }
   return {owner, "{\n  \"provenance\": {\n    \"program\": \"slipbench\",",
           "\"case\": " + base::json::Value(name).dump() + ","};

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <string_view>
 
+#include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/format_number.hpp"
 #include "driver/base/text/number.hpp"
 #include "driver/case/quantity.hpp"
@@ -97,6 +98,7 @@ ResultLayout read_layout(const std::filesystem::path& file, std::span<const std:
   std::string line;
   while (in.peek() == '#' && std::getline(in, line)) {
     if (line.ends_with('\r')) line.pop_back();
+    line = base::out_of_cells(line);
     std::string_view text = line;
     const std::string_view key = take(text, ": ");
     if (key == "# title") layout.title = std::string(text);

@@ -32,10 +32,10 @@ bool take_number(std::string_view& text, Number& number) {
 table::TableHead rows_head(const Sweep& sweep, const std::string& identity,
                            const std::optional<Part>& part) {
   table::TableHead head;
-  head.lines = fmt::format("# slipbench {}\n# sweep: {}\n# title: {}\n# case: {}\n",
-                           results::program_version(), base::in_cells(file_name(sweep)),
-                           base::in_cells(sweep.title),
-                           base::in_cells(fs::path(sweep.case_path).filename().string()));
+  head.lines =
+      fmt::format("# slipbench {}\n# sweep: {}\n# title: {}\n# case: {}\n",
+                  results::program_version(), file_name(sweep), base::printable(sweep.title),
+                  base::printable(fs::path(sweep.case_path).filename().string()));
   if (part) {
     head.lines +=
         fmt::format("# part: {}/{}\n# identity: {}\n", part->number, part->count, identity);

@@ -10,7 +10,7 @@
 namespace slipbench::driver::table {
 
 std::string csv_head(const TableHead& head) {
-  std::string text = head.lines;
+  std::string text = base::in_cells(head.lines);
   for (const std::string& name : head.columns) {
     // What would be taken for two names, for another one, or for a comment.
     const bool plain = !name.empty() && name.find(',') == std::string::npos &&

@@ -35,7 +35,7 @@ class CsvTable : public TableReader {
         head_.columns = base::header_names(line, ',');
         return {};
       }
-      head_.lines += std::string(line) + "\n";
+      head_.lines += base::out_of_cells(line) + "\n";
     }
   }
 

@@ -590,12 +590,12 @@ def suite_junit(folder):
 def hostile():
     """Gives every text of a case, and its file, a name made of commands and markup, and reads what comes out."""
     text = '</title></script><script>alert(1)</script><img src=x onerror=alert(2)> $(touch ran) `touch ran` "; system("touch ran"); ' \
-           "set output '|touch ran' # %{touch ran} =cmd|'/c calc'!A1 ]]> --> {/Symbol s} @x_2 ::error::injected,=1+1;@SUM(A1),-2+3"
+           "set output '|touch ran' # %{touch ran} =cmd|'/c calc'!A1 ]]> --> {/Symbol s} @x_2 ::error::injected,=1+1;@SUM(A1),-2+3,\"=1+1\""
     quoted = json.dumps("\n" + text.replace("::error", "\n::error"))
     case = slider(mu=0.3, name=quoted).replace("slipbench: 1\n", f"slipbench: 1\ntitle: {quoted}\n")
     case = re.sub(r"step: \w+", lambda _: "step: " + quoted, re.sub(r"why: [^}\n]+", lambda _: "why: " + quoted, case))
     expect(case.count("::error") >= 4, f"not every text of the case is replaced:\n{case}")
-    for name in ("plain", "$(touch ran)", "`touch ran`", "\"; system('touch ran'); #", "<script>alert(1)<script>", "=1+1", "a,=1+1;+1", "|touch ran"):
+    for name in ("plain", "$(touch ran)", "`touch ran`", "\"; system('touch ran'); #", "<script>alert(1)<script>", "=1+1", "a,=1+1;\"-1", "|touch ran"):
         with tempfile.TemporaryDirectory() as place:
             folder = pathlib.Path(place)
             file = name + ".yaml"

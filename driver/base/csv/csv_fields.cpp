@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "driver/base/text/diagnostic.hpp"
 #include "driver/base/text/utf8.hpp"
 #include "driver/base/units/units.hpp"
 
@@ -134,7 +135,7 @@ std::vector<std::string> header_names(std::string_view header, char separator) {
     if (unit_alone) {
       names.back() += ' ' + as_utf8(field.text);
     } else {
-      names.push_back(as_utf8(field.text));
+      names.push_back(out_of_cells(as_utf8(field.text), true));
     }
   }
   return names;

@@ -54,15 +54,15 @@ class FolderLocks {
 
 /// A file that appears under its name only when it is complete: it is written without a name in the
 /// same folder (O_TMPFILE), and `commit` brings it to the disk and names it. So a program that is
-/// killed leaves nothing behind, but for the moment in which several files are named together, or
-/// one takes the place of another: then a complete file may be left under a hidden name of its own,
-/// ".NAME.XXXXXX". Where the file system or a library wants a name, it is written
-/// under such a one from the start, which is left only by a program that is killed. A name that is
-/// a link stays one: the file that it leads to is written, beside itself. Dropped before that,
-/// interrupted or failed, it leaves nothing behind. Errors are sentences that name the file and the
-/// system's reason; after the first one, writing does nothing. It takes the place of nothing but
-/// what its mark and Overwriting let it, also if another file has come to that place while it was
-/// written.
+/// killed leaves no other file behind, but for the moment in which one takes the place of another:
+/// then a complete file may be left under a hidden name of its own, ".NAME.XXXXXX"; files that are
+/// named together get their names one after the other. Where the file system or a library wants a
+/// name, it is written under such a one from the start, which is left only by a program that is
+/// killed. A name that is a link stays one: the file that it leads to is written, beside itself.
+/// Dropped before that, interrupted or failed, it leaves nothing behind. Errors are sentences that
+/// name the file and the system's reason; after the first one, writing does nothing. It takes the
+/// place of nothing but what its mark and Overwriting let it, also if another file has come to that
+/// place while it was written.
 class OutputFile {
  public:
   /// Makes the folder, too, if it is missing. Errors: a folder that is no folder, or cannot be made

@@ -80,6 +80,9 @@ Excerpt excerpt_of(std::string_view line, const SourcePosition& where) {
   return result;
 }
 
+/// Tells whether a spreadsheet takes a cell that begins with it for a formula.
+bool begins_formula(char c) { return std::string_view("=+-@").find(c) != std::string_view::npos; }
+
 }  // namespace
 
 void Diagnostics::add(Diagnostic diagnostic) {
@@ -238,10 +241,24 @@ std::string printable(std::string_view text) {
 
 std::string in_cells(std::string_view text, bool begins_cell) {
   std::string result;
-  for (const char c : printable(text)) {
-    if (begins_cell && std::string_view("=+-@").find(c) != std::string_view::npos) result += '\'';
+  for (const char c : text) {
+    if (begins_cell && begins_formula(c)) result += '\'';
     result += c;
-    begins_cell = c == ',' || c == ';';
+    begins_cell = c == ',' || c == ';' || (begins_cell && c == '"');
+  }
+  return result;
+}
+
+std::string out_of_cells(std::string_view text, bool begins_cell) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (begins_cell && c == '\'' && i + 1 < text.size() && begins_formula(text[i + 1])) {
+      begins_cell = false;
+      continue;
+    }
+    result += c;
+    begins_cell = c == ',' || c == ';' || (begins_cell && c == '"');
   }
   return result;
 }

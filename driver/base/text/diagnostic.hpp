@@ -103,9 +103,12 @@ class Diagnostics {
 /// points out as in.
 [[nodiscard]] std::string printable(std::string_view text);
 
-/// The printable text with an apostrophe before each =, +, - and @ that begins a cell: behind a
-/// comma or a semicolon, and at the beginning where `begins_cell`. A spreadsheet would take it and
-/// what follows for a formula.
+/// The text with an apostrophe before each =, +, - and @ that begins a cell of a CSV file, quoted
+/// or not: behind a comma or a semicolon, and at the beginning where `begins_cell`. A spreadsheet
+/// would take it and what follows for a formula.
 [[nodiscard]] std::string in_cells(std::string_view text, bool begins_cell = false);
+
+/// The text that in_cells was given.
+[[nodiscard]] std::string out_of_cells(std::string_view text, bool begins_cell = false);
 
 }  // namespace slipbench::driver::base

@@ -241,6 +241,7 @@ std::string drawn(const TemporaryFolder& folder, const std::vector<std::string>&
     const bool ready = terminal >= 0 && dup2(terminal, STDERR_FILENO) >= 0 &&
                        setenv("TERM", "xterm", 1) == 0 && chdir(folder.path().c_str()) == 0;
     std::vector<char*> words;
+    words.reserve(arguments.size() + 1);
     for (const std::string& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
     words.push_back(nullptr);
     if (ready) execv(kProgram.c_str(), words.data());

@@ -16,17 +16,17 @@ namespace {
 using namespace slipbench::law;
 
 TEST_CASE("a component set is written with the users' numbers and asked by index") {
-  constexpr ComponentSet set = ComponentSet::of(1, 4, 6);
-  STATIC_REQUIRE(set.size() == 3);
-  for (int c = 0; c < kComponents; ++c) CHECK(set.contains(c) == (c == 0 || c == 3 || c == 5));
+  constexpr ComponentSet kSet = ComponentSet::of(1, 4, 6);
+  STATIC_REQUIRE(kSet.size() == 3);
+  for (int c = 0; c < kComponents; ++c) CHECK(kSet.contains(c) == (c == 0 || c == 3 || c == 5));
   CHECK(ComponentSet().empty());
   for (int count = 0; count < 2; ++count) {
     ComponentSet some;
     if (count == 1) some.insert(4);
     CHECK(some.size() == count);
   }
-  CHECK((set & ComponentSet::of(4, 5)) == ComponentSet::of(4));
-  CHECK((set | ComponentSet::of(5)) == ComponentSet::of(1, 4, 5, 6));
+  CHECK((kSet & ComponentSet::of(4, 5)) == ComponentSet::of(4));
+  CHECK((kSet | ComponentSet::of(5)) == ComponentSet::of(1, 4, 5, 6));
 }
 
 TEST_CASE("positions, constitutive motions and forces are different types") {
