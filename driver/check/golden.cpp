@@ -208,7 +208,7 @@ std::string names_row(const GoldenCurve& curve) {
   for (const GoldenColumn& column : curve.columns) {
     // A separator in a name, as in an expression's, needs quotes.
     const bool quoted = column.name.find_first_of(",;\t") != std::string::npos;
-    const std::string shown = base::in_cells(column.name, true);
+    const std::string shown = base::in_cell(column.name);
     names += (names.empty() ? "" : ",") + (quoted ? '"' + shown + '"' : shown);
   }
   return names + "\n";

@@ -15,7 +15,7 @@ std::string csv_head(const TableHead& head) {
     // What would be taken for two names, for another one, or for a comment.
     const bool plain = !name.empty() && name.find(',') == std::string::npos &&
                        name.front() != '#' && name.front() != ' ' && name.back() != ' ';
-    const std::string shown = base::in_cells(name, true);
+    const std::string shown = base::in_cell(name);
     text += plain ? shown : '"' + shown + '"';
     text += ',';
   }

@@ -135,7 +135,7 @@ std::vector<std::string> header_names(std::string_view header, char separator) {
     if (unit_alone) {
       names.back() += ' ' + as_utf8(field.text);
     } else {
-      names.push_back(out_of_cells(as_utf8(field.text), true));
+      names.push_back(out_of_cell(as_utf8(field.text)));
     }
   }
   return names;

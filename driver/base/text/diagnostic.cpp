@@ -239,8 +239,19 @@ std::string printable(std::string_view text) {
   return result;
 }
 
-std::string in_cells(std::string_view text, bool begins_cell) {
+std::string in_cell(std::string_view name) {
+  const bool guarded = !name.empty() && begins_formula(name.front());
+  return (guarded ? "'" : "") + std::string(name);
+}
+
+std::string out_of_cell(std::string_view name) {
+  const bool guarded = name.size() > 1 && name.front() == '\'' && begins_formula(name[1]);
+  return std::string(name.substr(guarded ? 1 : 0));
+}
+
+std::string in_cells(std::string_view text) {
   std::string result;
+  bool begins_cell = false;
   for (const char c : text) {
     if (begins_cell && begins_formula(c)) result += '\'';
     result += c;
@@ -249,15 +260,14 @@ std::string in_cells(std::string_view text, bool begins_cell) {
   return result;
 }
 
-std::string out_of_cells(std::string_view text, bool begins_cell) {
+std::string out_of_cells(std::string_view text) {
   std::string result;
+  bool begins_cell = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
-    if (begins_cell && c == '\'' && i + 1 < text.size() && begins_formula(text[i + 1])) {
-      begins_cell = false;
-      continue;
-    }
-    result += c;
+    const bool guards =
+        begins_cell && c == '\'' && i + 1 < text.size() && begins_formula(text[i + 1]);
+    if (!guards) result += c;
     begins_cell = c == ',' || c == ';' || (begins_cell && c == '"');
   }
   return result;

@@ -103,12 +103,16 @@ class Diagnostics {
 /// points out as in.
 [[nodiscard]] std::string printable(std::string_view text);
 
-/// The text with an apostrophe before each =, +, - and @ that begins a cell of a CSV file, quoted
-/// or not: behind a comma or a semicolon, and at the beginning where `begins_cell`. A spreadsheet
-/// would take it and what follows for a formula.
-[[nodiscard]] std::string in_cells(std::string_view text, bool begins_cell = false);
+/// The name of a column with an apostrophe before it if it begins with =, +, - or @: a spreadsheet
+/// would take it for a formula.
+[[nodiscard]] std::string in_cell(std::string_view name);
+/// The name that in_cell was given.
+[[nodiscard]] std::string out_of_cell(std::string_view name);
 
-/// The text that in_cells was given.
-[[nodiscard]] std::string out_of_cells(std::string_view text, bool begins_cell = false);
+/// Lines of a CSV file with an apostrophe before each =, +, - and @ that begins a cell, quoted or
+/// not: behind a comma or a semicolon.
+[[nodiscard]] std::string in_cells(std::string_view text);
+/// The lines that in_cells was given.
+[[nodiscard]] std::string out_of_cells(std::string_view text);
 
 }  // namespace slipbench::driver::base

@@ -65,9 +65,14 @@ TEST_CASE("No cell of a CSV file begins like a formula, and the text comes back"
     CHECK(in_cells(text) == cells);
     CHECK(out_of_cells(cells) == text);
   }
-  CHECK(in_cells("@a,b", true) == "'@a,b");
-  CHECK(out_of_cells("'@a,b", true) == "@a,b");
-  CHECK(out_of_cells("'a,'b", true) == "'a,'b");
+  for (const char* const name : {"=a", "+1", "-CSF2", "@x"}) {
+    CHECK(in_cell(name) == "'" + std::string(name));
+    CHECK(out_of_cell(in_cell(name)) == name);
+  }
+  for (const char* const name : {"", "'", "CSF2", "max(CSF1,-2)", "'CSF2"}) {
+    CHECK(in_cell(name) == name);
+    CHECK(out_of_cell(name) == name);
+  }
 }
 
 TEST_CASE("Control characters and broken bytes never reach the terminal") {
