@@ -146,7 +146,7 @@ std::vector<Field> split(std::string_view line, char separator);
 char detect_separator(std::string_view header, char decimal);
 
 /// The names of a header's columns, as UTF-8 whichever of it and Latin-1 the file is in, without
-/// the apostrophe that in_cell puts before =, +, - and @. Between
+/// the apostrophe that in_cell puts before what begins like a formula. Between
 /// blanks, a unit in brackets belongs to the name before it.
 std::vector<std::string> header_names(std::string_view header, char separator);
 

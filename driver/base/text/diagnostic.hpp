@@ -103,14 +103,14 @@ class Diagnostics {
 /// points out as in.
 [[nodiscard]] std::string printable(std::string_view text);
 
-/// The name of a column with an apostrophe before it if it begins with =, +, - or @: a spreadsheet
-/// would take it for a formula.
+/// The name of a column with an apostrophe before it if it begins with =, +, - or an at sign: a
+/// spreadsheet would take it for a formula.
 [[nodiscard]] std::string in_cell(std::string_view name);
 /// The name that in_cell was given.
 [[nodiscard]] std::string out_of_cell(std::string_view name);
 
-/// Lines of a CSV file with an apostrophe before each =, +, - and @ that begins a cell, quoted or
-/// not: behind a comma or a semicolon.
+/// Lines of a CSV file with an apostrophe before each =, +, - and at sign that begins a cell,
+/// quoted or not: behind a comma or a semicolon.
 [[nodiscard]] std::string in_cells(std::string_view text);
 /// The lines that in_cells was given.
 [[nodiscard]] std::string out_of_cells(std::string_view text);
