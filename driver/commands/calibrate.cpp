@@ -79,7 +79,7 @@ struct Written {
   std::vector<std::string> remarks;
 };
 
-/// Numbers, cases and the page, all or none of them; then as many pictures as can be drawn.
+/// Numbers, cases and the page, all or none of them; then pictures, as many as can be drawn.
 tl::expected<Written, std::string> write_results(const calibrate::Fit& fit,
                                                  const calibrate::Calibration& calibration,
                                                  const CalibrateOptions& options,
@@ -122,14 +122,9 @@ tl::expected<Written, std::string> write_results(const calibrate::Fit& fit,
   }
   written.files.push_back(page);
   // Afterwards: what was found in hours is not to hang on gnuplot.
-  calibrate::FitPictures pictures =
+  const calibrate::FitPictures pictures =
       calibrate::draw_fit_pictures(fit, calibration, page.parent_path(), stem_of(fit), overwriting);
-  std::vector<base::OutputFile*> drawn;
-  for (base::OutputFile& picture : pictures.files) {
-    written.files.push_back(picture.target());
-    drawn.push_back(&picture);
-  }
-  if (auto committed = base::commit(drawn); !committed) return tl::unexpected(committed.error());
+  written.files.insert(written.files.end(), pictures.written.begin(), pictures.written.end());
   written.remarks.insert(written.remarks.end(), pictures.notes.begin(), pictures.notes.end());
   return written;
 }

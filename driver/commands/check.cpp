@@ -205,7 +205,7 @@ int check_command(const CheckOptions& options) {
     return base::worse(code, terminal::refuse(base::kExitEnvironment, told.overwritten));
   if (told.junit) files->junit->append(told.junit->text());
   if (told.json) files->json->append(told.json->text(told.totals));
-  tl::expected<void, std::string> written;
+  bool complete = false;
   if (pages) {
     for (std::size_t i = told.cases; i < cases.size(); ++i) {
       pages->put(
@@ -214,15 +214,15 @@ int check_command(const CheckOptions& options) {
     // That the page replaces nothing that was read was made sure of above.
     const auto size = report::write_report(options.report, *pages, "", {.force = options.force},
                                            nullptr, files->all());
-    if (!size) {
-      // Verdicts do not hang on the page.
-      written = base::commit(files->all());
-      code = base::worse(code, terminal::refuse(base::kExitEnvironment, size.error()));
-    }
-  } else {
-    written = base::commit(files->all());
+    complete = size.has_value();
+    if (!size) code = base::worse(code, terminal::refuse(base::kExitEnvironment, size.error()));
   }
-  if (!written) code = base::worse(code, terminal::refuse(base::kExitEnvironment, written.error()));
+  // Verdicts do not hang on the page.
+  if (!complete) {
+    if (const auto written = base::commit(files->all()); !written) {
+      code = base::worse(code, terminal::refuse(base::kExitEnvironment, written.error()));
+    }
+  }
   return code;
 }
 

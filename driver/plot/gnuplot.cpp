@@ -21,6 +21,8 @@
 #include "driver/base/files/interruption.hpp"
 #include "driver/plot/picture_mark.hpp"
 
+extern char** environ;
+
 namespace slipbench::driver::plot {
 namespace fs = std::filesystem;
 namespace {
@@ -158,6 +160,10 @@ tl::expected<void, PlotFailure> draw_script(const std::string& script, const fs:
   if (!scaled || !write_mark(output.temporary(), ending, output.mark().text)) {
     return failed(base::kExitEnvironment,
                   picture.string() + ": cannot be written: it ends early, as on a full disk");
+  }
+  base::OutputFile* const together[] = {&output};
+  if (auto committed = base::commit(together); !committed) {
+    return failed(base::kExitEnvironment, committed.error());
   }
   return {};
 }

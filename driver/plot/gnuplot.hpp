@@ -35,7 +35,7 @@ std::optional<std::filesystem::path> find_template(std::string_view name);
 /// characters of the enhanced mode are text here.
 std::string gnuplot_string(std::string_view text);
 
-/// Runs gnuplot on a script that writes `output`, which is then complete but for its name.
+/// Runs gnuplot on a script that writes `output`, and puts the picture in its place.
 /// \param picture its final name, beside which the script is kept meanwhile
 /// \param scale of an SVG: how much smaller it is shown than it is laid out
 tl::expected<void, PlotFailure> draw_script(const std::string& script,

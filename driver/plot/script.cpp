@@ -111,20 +111,10 @@ std::string PlotScript::text(const Picture& picture, const std::string& title,
   return text + "load " + gnuplot_string(picture.pattern.string()) + "\n";
 }
 
-tl::expected<void, PlotFailure> draw_unnamed(const PlotScript& script, const std::string& title,
-                                             std::size_t height, Picture& picture) {
-  return draw_script(script.text(picture, title, height), picture.name,
-                     canvas_for(picture, title, height).scale, picture.output);
-}
-
 tl::expected<void, PlotFailure> draw(const PlotScript& script, const std::string& title,
                                      std::size_t height, Picture& picture) {
-  if (auto drawn = draw_unnamed(script, title, height, picture); !drawn) return drawn;
-  base::OutputFile* const alone[] = {&picture.output};
-  if (auto committed = base::commit(alone); !committed) {
-    return failed(base::kExitEnvironment, committed.error());
-  }
-  return {};
+  return draw_script(script.text(picture, title, height), picture.name,
+                     canvas_for(picture, title, height).scale, picture.output);
 }
 
 }  // namespace slipbench::driver::plot

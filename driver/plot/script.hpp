@@ -57,10 +57,6 @@ class PlotScript {
   std::vector<std::pair<std::string, std::string>> blocks_;
 };
 
-/// Runs gnuplot on a script; the picture is complete, but has yet to be committed.
-tl::expected<void, PlotFailure> draw_unnamed(const PlotScript& script, const std::string& title,
-                                             std::size_t height, Picture& picture);
-
 /// Runs gnuplot on a script and puts the picture in its place.
 tl::expected<void, PlotFailure> draw(const PlotScript& script, const std::string& title,
                                      std::size_t height, Picture& picture);

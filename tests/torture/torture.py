@@ -218,7 +218,7 @@ class Torture:
                     self.fault(f"{what}: it takes {took:.2f} s")
                 # Files that belong together come together, if it came too late; the pictures of a fit after the rest.
                 drawn = {file for file in self.peace[name] if name == "calibrate" and file.endswith(".svg")}
-                if left and set(left) not in (set(self.peace[name]), set(self.peace[name]) - drawn):
+                if left and not set(self.peace[name]) - drawn <= set(left) <= set(self.peace[name]):
                     self.fault(f"{what}: {left} are there")
             elif process.returncode == -number and not left:
                 pass  # before the program had begun to listen

@@ -345,9 +345,10 @@ class Pictures {
     auto picture = plot::begin_picture(folder_ / file, options_, pattern);
     if (!picture) return give_up(picture.error());
     const Drawing drawing = make();
-    const auto drawn = plot::draw_unnamed(drawing.script, drawing.title, drawing.height, *picture);
+    const auto drawn =
+        slipbench::driver::plot::draw(drawing.script, drawing.title, drawing.height, *picture);
     if (!drawn) return give_up(drawn.error());
-    found_.files.push_back(std::move(picture->output));
+    found_.written.push_back(folder_ / file);
   }
 
   FitPictures take() { return std::move(found_); }

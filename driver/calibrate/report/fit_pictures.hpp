@@ -15,8 +15,8 @@ namespace slipbench::driver::calibrate {
 
 /// The pictures of a fit, and why one is missing.
 struct FitPictures {
-  std::vector<base::OutputFile> files;  ///< complete, in the fit's order; to be committed
-  std::vector<std::string> notes;       ///< for the user, a sentence each; gnuplot is missing
+  std::vector<std::filesystem::path> written;  ///< in the fit's order
+  std::vector<std::string> notes;  ///< for the user, a sentence each; gnuplot is missing
 };
 
 /// The names of all pictures of a fit: of each experiment the loop and the residuals, then of each

@@ -182,7 +182,7 @@ TEST_CASE("where one of several files cannot be named none is, and what was ther
     for (const char* name : {"a.csv", "b.csv", "c.csv"}) {
       const TemporaryFolder folder;
       INFO(link << name);
-      // Where no file gets a second name, new ones are renamed as well.
+      // New ones are renamed as well where no file gets a second name.
       failing_links = link ? Failing{name, ENOSPC} : Failing{"csv", EPERM};
       if (!link) failing_renames = {name, ENOSPC};
       const std::string error = committed_three(folder);

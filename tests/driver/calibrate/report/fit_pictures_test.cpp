@@ -27,29 +27,14 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-struct Drawn {
-  std::vector<fs::path> written;
-  std::vector<std::string> notes;
-};
-
-/// Draws the pictures of a fit and puts them in their places.
-Drawn draw_all(const TemporaryFolder& folder, const MadeFit& made) {
-  FitPictures pictures = draw_fit_pictures(made.fit, made.calibration, folder.path(), "fit");
-  Drawn drawn{{}, pictures.notes};
-  std::vector<base::OutputFile*> together;
-  for (base::OutputFile& file : pictures.files) {
-    CHECK_FALSE(fs::exists(file.target()));
-    drawn.written.push_back(file.target());
-    together.push_back(&file);
-  }
-  REQUIRE(base::commit(together));
-  return drawn;
+FitPictures draw_all(const TemporaryFolder& folder, const MadeFit& made) {
+  return draw_fit_pictures(made.fit, made.calibration, folder.path(), "fit");
 }
 
 TEST_CASE("each experiment has a loop and its residuals, each table its ordinates") {
   if (no_gnuplot()) return;
   const TemporaryFolder folder;
-  const Drawn pictures = draw_all(folder, made_table_fit());
+  const FitPictures pictures = draw_all(folder, made_table_fit());
   CHECK(pictures.notes.empty());
   const std::vector<std::string> wanted{"fit.cold.loop.svg", "fit.cold.residuals.svg",
                                         "fit.hot.loop.svg", "fit.hot.residuals.svg",
@@ -75,7 +60,7 @@ TEST_CASE("each experiment has a loop and its residuals, each table its ordinate
 TEST_CASE("a table of one independent has its band, and hatches what was never visited") {
   if (no_gnuplot()) return;
   const TemporaryFolder folder;
-  const Drawn pictures = draw_all(folder, made_curve_fit());
+  const FitPictures pictures = draw_all(folder, made_curve_fit());
   REQUIRE(pictures.written.size() == 3);
   const std::string table = file_text(pictures.written[2]);
   CHECK(contains(table, "95 % interval"));
@@ -87,10 +72,10 @@ TEST_CASE("a table of one independent has its band, and hatches what was never v
 TEST_CASE("residuals say what they are, a long history is told to be thinned") {
   if (no_gnuplot()) return;
   const TemporaryFolder folder;
-  const Drawn trend = draw_all(folder, made_unconverged_fit());
+  const FitPictures trend = draw_all(folder, made_unconverged_fit());
   REQUIRE(trend.written.size() == 2);
   CHECK(contains(file_text(trend.written[1]), "A trend, no noise"));
-  const Drawn many = draw_all(folder, made_large_fit());
+  const FitPictures many = draw_all(folder, made_large_fit());
   REQUIRE(many.written.size() == 2);
   CHECK(contains(file_text(many.written[0]), "thinned"));
 }
@@ -118,7 +103,7 @@ TEST_CASE("a picture does not take the place of an input, by whatever name") {
   const FitPictures pictures =
       draw_fit_pictures(made.fit, made.calibration, folder.path(), "fit", {.inputs = inputs});
   CHECK(file_text(data) == "t,F\n");
-  CHECK(pictures.files.size() + 1 == names.size());
+  CHECK(pictures.written.size() + 1 == names.size());
   REQUIRE(pictures.notes.size() == 1);
   CHECK(contains(pictures.notes[0], "is an input"));
 }
@@ -128,7 +113,7 @@ TEST_CASE("cells of which increments only met the edge are drawn as never visite
   const TemporaryFolder folder;
   MadeFit made = made_table_fit();
   made.calibration.tables[0].cells[0].edge_only = true;
-  const Drawn pictures = draw_all(folder, made);
+  const FitPictures pictures = draw_all(folder, made);
   REQUIRE(pictures.written.size() == 5);
   CHECK(contains(file_text(pictures.written[4]), "7 of 12 cells never visited: slip_rate 0 .. 10"));
   const std::string document = fit_document(made.fit, made.calibration);
@@ -144,7 +129,7 @@ TEST_CASE("names become names of files, and two that become one are numbered") {
   made.calibration.experiments[1].index = 1;
   made.fit.experiments[0].name = "../up and/down";
   made.fit.experiments[1].name = "../up and;down";
-  const Drawn pictures = draw_all(folder, made);
+  const FitPictures pictures = draw_all(folder, made);
   CHECK(pictures.notes.empty());
   REQUIRE(pictures.written.size() == 5);
   for (const fs::path& file : pictures.written) CHECK(file.parent_path() == folder.path());
@@ -155,7 +140,7 @@ TEST_CASE("names become names of files, and two that become one are numbered") {
 TEST_CASE("names that look like gnuplot or HTML are shown as they are") {
   if (no_gnuplot()) return;
   const TemporaryFolder folder;
-  const Drawn pictures = draw_all(folder, made_hostile_fit());
+  const FitPictures pictures = draw_all(folder, made_hostile_fit());
   CHECK(pictures.notes.empty());
   REQUIRE(pictures.written.size() == 7);
   const std::string loop = file_text(pictures.written[0]);
@@ -167,7 +152,7 @@ TEST_CASE("without gnuplot there is a note and no picture") {
   const TemporaryFolder folder;
   const std::string path = getenv("PATH") == nullptr ? "" : getenv("PATH");
   setenv("PATH", folder.path().c_str(), 1);
-  const Drawn pictures = draw_all(folder, made_slider_fit());
+  const FitPictures pictures = draw_all(folder, made_slider_fit());
   setenv("PATH", path.c_str(), 1);
   CHECK(pictures.written.empty());
   REQUIRE(pictures.notes.size() == 1);
@@ -178,7 +163,7 @@ TEST_CASE("without gnuplot there is a note and no picture") {
 TEST_CASE("a folder that cannot be written to is one note, no failure") {
   const FitPictures pictures = draw_fit_pictures(
       made_slider_fit().fit, made_slider_fit().calibration, "/proc/nowhere", "fit");
-  CHECK(pictures.files.empty());
+  CHECK(pictures.written.empty());
   REQUIRE(pictures.notes.size() == 1);
   CHECK(contains(pictures.notes[0], "not all pictures were drawn: "));
   CHECK(pictures.notes[0].back() != '\n');
