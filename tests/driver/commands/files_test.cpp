@@ -138,6 +138,22 @@ TEST_CASE("folders are made for every kind of file") {
   CHECK(fs::exists(folder.path() / "m/n.svg"));
 }
 
+TEST_CASE("verdicts are kept where their page cannot be written") {
+  const TemporaryFolder folder;
+  folder.write("slider.yaml", kSlider);
+  // The page alone is larger than a file may be.
+  const Ended ended =
+      shell(folder, "trap '' XFSZ; ulimit -f 100; '" + kProgram +
+                        "' check slider.yaml -q --junit j.xml --json j.json --report r.html");
+  CHECK(ended.code == 4);
+  const std::string fault = "slipbench: error: r.html: cannot be written: File too large\n";
+  CHECK(ended.output.ends_with(fault));
+  CHECK(ended.output.find("error: ") == ended.output.rfind("error: "));
+  CHECK(file_text(folder.path() / "j.xml").find("</testsuites>") != std::string::npos);
+  CHECK(file_text(folder.path() / "j.json").back() == '\n');
+  CHECK_FALSE(fs::exists(folder.path() / "r.html"));
+}
+
 TEST_CASE("files of verdicts and pages are replaced by their kind only") {
   const TemporaryFolder folder;
   folder.write("slider.yaml", kSlider);
