@@ -21,8 +21,6 @@
 #include "driver/base/files/interruption.hpp"
 #include "driver/plot/picture_mark.hpp"
 
-extern char** environ;
-
 namespace slipbench::driver::plot {
 namespace fs = std::filesystem;
 namespace {
