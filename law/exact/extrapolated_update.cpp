@@ -14,6 +14,8 @@ namespace {
 
 /// An event is located to this part of the segment.
 constexpr double kSameFraction = 1e-13;
+/// A step that goes over more of the segment at once is not exact.
+constexpr double kLongestCrossing = 1e-8;
 /// A change so near behind the begin of the segment is at its begin.
 constexpr double kSoon = 1e-9;
 /// Distance behind the begin of a piece at which its common traits are taken.
@@ -83,7 +85,9 @@ class Pieces {
         changes_(changes) {
     at_ = {steps_.fixed() ? old.force : old.elastic_slip, old.accumulated_slip};
     for (const double tau : kSamples) {
-      scale_ = std::max(scale_, steps_.strength(tau, begin_slip_));
+      scale_ = std::max(scale_, steps_.limit(tau, {{}, begin_slip_}, 0.0).force);
+      // At rest a coefficient that follows the rate may be next to nothing.
+      if (steps_.by_rate()) scale_ = std::max(scale_, steps_.step(at_, 0.0, tau).limit.force);
     }
     negative_ = steps_.limit(0.0, at_, 0.0).contact_force < 0.0;
     elastic_ = steps_.fixed() ? scale_ / steps_.stick(1.0) : steps_.stick(1.0);
@@ -107,6 +111,7 @@ class Pieces {
         shortest = 1e-3;
       }
       if (event <= 1.0 && event - tau_ <= shortest) {
+        converged_ = converged_ && event - tau_ <= kLongestCrossing;
         cross(event);
         event = 2.0;
         step = 1.0;

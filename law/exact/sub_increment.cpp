@@ -115,10 +115,15 @@ Limit SubIncrements::limit(double tau, const SlipPoint& at, double slip_rate) no
 
 double SubIncrements::strength(double tau, double accumulated_slip) noexcept {
   const Limit rest = limit(tau, {{}, accumulated_slip}, 0.0);
-  if (rest.force > least_ || !potential_->homogeneous || !(rest.normal_force > 0.0)) {
-    return rest.force;
-  }
-  return limit(tau, {{}, accumulated_slip}, length_).force;
+  if (!by_rate_ || !potential_->homogeneous || !(rest.normal_force > 0.0)) return rest.force;
+  return std::max(rest.force, limit(tau, {{}, accumulated_slip}, length_).force);
+}
+
+double SubIncrements::reserve(double tau, double accumulated_slip) noexcept {
+  const Limit rest = limit(tau, {{}, accumulated_slip}, 0.0);
+  const bool on_floor = rest.force > least_ && rest.mu <= kCoefficientFloor;
+  return on_floor ? std::numeric_limits<double>::infinity()
+                  : strength(tau, accumulated_slip) - least_;
 }
 
 bool SubIncrements::grips(double tau, double accumulated_slip, double slip_rate) noexcept {
@@ -203,9 +208,11 @@ bool SubIncrements::can_begin(const Signature& signature, const SlipPoint& at,
     const double slack = kTouching * edge;
     switch (signature.leaf[g]) {
       case Signature::kNotPulled:
-        // Of a maximum it may be any that is not the largest; of a sum, one that is 0.
+        // Of a maximum it may be any that is not the largest; of a sum, one that is 0, or whose
+        // contribution is.
         if (potential_->combine == PotentialOperator::kSum &&
-            parts[static_cast<std::size_t>(leaf.part)] > slack) {
+            parts[static_cast<std::size_t>(leaf.part)] > slack &&
+            slipbench::law::length(leaf, y) > slack) {
           return false;
         }
         break;
@@ -337,6 +344,7 @@ SubIncrement SubIncrements::step(const SlipPoint& begin, double from, double to)
   }
   result.point = point(to, result.end, result.slip_rate);
   result.negative = result.limit.contact_force < 0.0;
+  const auto left = projection.lengths_left(parts);
   for (std::size_t g = 0; g < static_cast<std::size_t>(potential_->leaves); ++g) {
     const PotentialLeaf& leaf = potential_->leaf[g];
     const double pull = parts[static_cast<std::size_t>(leaf.part)].pull;
@@ -350,7 +358,8 @@ SubIncrement SubIncrements::step(const SlipPoint& begin, double from, double to)
       where = Signature::kNotPulled;
     } else if (is_smooth_at_zero(leaf)) {
       where = Signature::kAbove;
-    } else if (projection.lengths()[g] - leaf.factor * pull <= zero) {
+    } else if (projection.lengths()[g] - leaf.factor * pull <= zero &&
+               left[g] <= kTouching * scale.limit) {
       where = Signature::kAtZero;
     } else if (!(pull > 0.0)) {
       where = Signature::kNotPulled;

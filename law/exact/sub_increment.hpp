@@ -67,13 +67,12 @@ class SubIncrements {
   /// F_lim at the fraction tau, after the accumulated slip of `at` and at the slip per segment
   /// given [L]; of a belt that of the side which `at` holds a force on.
   Limit limit(double tau, const SlipPoint& at, double slip_rate) noexcept;
-  /// The same without slip; where that is 0, and P is homogeneous, with all motion as slip: a
+  /// The same without slip or, where P is homogeneous and it is larger, with all motion as slip: a
   /// coefficient that vanishes only at rest still grips.
   double strength(double tau, double accumulated_slip) noexcept;
-  /// By how much that exceeds P(0), which it has to.
-  double reserve(double tau, double accumulated_slip) noexcept {
-    return strength(tau, accumulated_slip) - least_;
-  }
+  /// By how much that exceeds P(0), which it has to; infinity for a coefficient on its floor, which
+  /// grips however small it is.
+  double reserve(double tau, double accumulated_slip) noexcept;
   /// Tells whether the limit holds a force, at rest or with a slip per segment [L].
   bool grips(double tau, double accumulated_slip, double slip_rate) noexcept;
   /// Goes to the smooth piece of the limit that holds `here`, or begins there towards `ahead`.

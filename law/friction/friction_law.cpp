@@ -139,15 +139,7 @@ std::string_view overflow(const FrictionLaw& law, double slip_rate) {
 }
 
 LawRange range(const FrictionLaw& law) {
-  return visit_law(
-      [](const auto& l) {
-        if constexpr (requires { l.range(); }) {
-          return l.range();
-        } else {
-          return default_range(l);
-        }
-      },
-      law);
+  return visit_law([](const auto& l) { return own_range(l); }, law);
 }
 
 double area_of(const FrictionLaw& law) {

@@ -257,23 +257,35 @@ double scanned_maximum(std::span<const double> places, const F& f, double* place
   return largest;
 }
 
-/// Returns 0 and the powers of a number between 1e-9 and 1e12.
-inline std::vector<double> scales(int per_decade) {
+/// Returns the range that a law gives itself, or the one of its numbers.
+template <class Law>
+LawRange own_range(const Law& law) {
+  if constexpr (requires { law.range(); }) {
+    return law.range();
+  } else {
+    return default_range(law);
+  }
+}
+
+/// Returns 0 and the powers of a number between 1e-9 and 1e12 units; without a unit, of 1.
+inline std::vector<double> scales(int per_decade, double unit) {
   std::vector<double> places{0.0};
   for (int i = -9 * per_decade; i <= 12 * per_decade; ++i) {
-    places.push_back(std::pow(10.0, static_cast<double>(i) / per_decade));
+    places.push_back((unit > 0.0 ? unit : 1.0) *
+                     std::pow(10.0, static_cast<double>(i) / per_decade));
   }
   return places;
 }
 
 /// Returns the largest f(CoefficientPoint, F_N) of a law over all rates and forces, by a scan of
-/// their scales; infinity where it still grows at the end of it, and for a law that sees the
-/// temperature or a field. Allocates: not for the update.
+/// their scales around the law's own, so that no unit counts; infinity where it still grows at the
+/// end of it, and for a law that sees the temperature or a field. Allocates: not for the update.
 template <class Law, class F>
 double scanned_bound(const Law& law, const F& f) {
   constexpr double kUnknown = std::numeric_limits<double>::infinity();
   if constexpr (OfRateForceAndAmbient<Law, double>) return kUnknown;
-  const std::vector<double> rates = scales(8);
+  const LawRange own = own_range(law);
+  const std::vector<double> rates = scales(8, own.slip_rate);
   const auto at = [&](double rate, double force) {
     return f(default_point(law, Ambient{}, {.slip_rate = rate, .contact_force = force}), force);
   };
@@ -283,16 +295,21 @@ double scanned_bound(const Law& law, const F& f) {
   const auto grows = [](double last, double before) {
     return last - before > 1e-6 * std::abs(last);
   };
+  const double fastest = rates.back();
+  const auto unbounded_at = [&](double force, double largest) {
+    return grows(at(fastest, force), at(0.1 * fastest, force)) && at(fastest, force) >= largest;
+  };
   if constexpr (!kSeesForce<Law>) {
     const double largest = over_rates(0.0);
-    const bool unbounded = grows(at(1e12, 0.0), at(1e11, 0.0)) && at(1e12, 0.0) >= largest;
-    return unbounded ? kUnknown : largest;
+    return unbounded_at(0.0, largest) ? kUnknown : largest;
   } else {
+    const std::vector<double> forces = scales(2, own.contact_force);
+    const double strongest = forces.back();
     double force = 0.0;
-    const double largest = scanned_maximum(scales(2), over_rates, &force);
-    const bool unbounded =
-        (grows(at(1e12, force), at(1e11, force)) && at(1e12, force) >= largest) ||
-        (grows(over_rates(1e12), over_rates(1e11)) && over_rates(1e12) >= largest);
+    const double largest = scanned_maximum(forces, over_rates, &force);
+    const bool unbounded = unbounded_at(force, largest) ||
+                           (grows(over_rates(strongest), over_rates(0.1 * strongest)) &&
+                            over_rates(strongest) >= largest);
     return unbounded ? kUnknown : largest;
   }
 }

@@ -177,7 +177,8 @@ std::array<PartReturn, kComponents> Projection::parts_on_limit(double x,
 /// From X and the differences of the lengths: t - c q alone is, after many elastic slips, what two
 /// large numbers leave. Over the leaves h of a part that are not at 0
 ///   r_g = (c_g (X + offset) + sum c_h (c_h t_g - c_g t_h)) / sum c_h^2.
-SlipVector Projection::returned(const std::array<PartReturn, kComponents>& parts) const noexcept {
+std::array<double, kComponents> Projection::lengths_left(
+    const std::array<PartReturn, kComponents>& parts) const noexcept {
   const auto leaves = static_cast<std::size_t>(potential_.leaves);
   std::array<double, kComponents> longest{};  // t/c of a part
   for (std::size_t g = 0; g < leaves; ++g) {
@@ -195,30 +196,39 @@ SlipVector Projection::returned(const std::array<PartReturn, kComponents>& parts
     return lengths_[h] > leaf.factor * parts[i].pull ||
            (remains(i) && lengths_[h] / leaf.factor == longest[i]);
   };
-  SlipVector y = trial_;
+  std::array<double, kComponents> left = lengths_;
   for (std::size_t g = 0; g < leaves; ++g) {
     const PotentialLeaf& leaf = potential_.leaf[g];
     const auto i = static_cast<std::size_t>(leaf.part);
     if (!(lengths_[g] > 0.0) || !(parts[i].pull > 0.0)) continue;
-    double rest = 0.0;
-    if (is_left(g)) {
-      double sum = leaf.factor * (parts[i].magnitude + potential_.offset[i]);
-      double stiffness = 0.0;
-      for (std::size_t h = 0; h < leaves; ++h) {
-        const PotentialLeaf& other = potential_.leaf[h];
-        if (other.part != leaf.part || !is_left(h)) continue;
-        sum += other.factor * (other.factor * lengths_[g] - leaf.factor * lengths_[h]);
-        stiffness += other.factor * other.factor;
-      }
-      rest = std::max(sum / stiffness, 0.0);
+    left[g] = 0.0;
+    if (!is_left(g)) continue;
+    double sum = leaf.factor * (parts[i].magnitude + potential_.offset[i]);
+    double stiffness = 0.0;
+    for (std::size_t h = 0; h < leaves; ++h) {
+      const PotentialLeaf& other = potential_.leaf[h];
+      if (other.part != leaf.part || !is_left(h)) continue;
+      sum += other.factor * (other.factor * lengths_[g] - leaf.factor * lengths_[h]);
+      stiffness += other.factor * other.factor;
     }
+    left[g] = std::max(sum / stiffness, 0.0);
+  }
+  return left;
+}
+
+SlipVector Projection::returned(const std::array<PartReturn, kComponents>& parts) const noexcept {
+  const std::array<double, kComponents> left = lengths_left(parts);
+  SlipVector y = trial_;
+  for (std::size_t g = 0; g < static_cast<std::size_t>(potential_.leaves); ++g) {
+    const PotentialLeaf& leaf = potential_.leaf[g];
+    if (!(lengths_[g] > 0.0) || !(parts[static_cast<std::size_t>(leaf.part)].pull > 0.0)) continue;
     const double v = coordinate(leaf, trial_);
     const bool norm = leaf.kind == PotentialLeaf::Kind::kNorm;
     for (std::size_t k = 0; k < y.size(); ++k) {
       const double d = leaf.direction[k];
       if (d == 0.0) continue;
-      y[k] =
-          norm ? rest / lengths_[g] * trial_[k] : (trial_[k] - d * v) + d * std::copysign(rest, v);
+      y[k] = norm ? left[g] / lengths_[g] * trial_[k]
+                  : (trial_[k] - d * v) + d * std::copysign(left[g], v);
     }
   }
   return y;

@@ -36,6 +36,9 @@ class Projection {
   /// Those of either after the x that brings them to T.
   std::array<PartReturn, kComponents> parts_on_limit(double x, double limit) const noexcept;
 
+  /// r_g of the leaves in y [F].
+  std::array<double, kComponents> lengths_left(
+      const std::array<PartReturn, kComponents>& parts) const noexcept;
   /// y [F].
   SlipVector returned(const std::array<PartReturn, kComponents>& parts) const noexcept;
   /// m = (y_tr - y) / x [1], from the shares and not from the difference.

@@ -692,6 +692,25 @@ TEST_CASE("a potential is followed to the tolerance") {
   CHECK(run.changes.at[0].fraction == 0.0);
 }
 
+TEST_CASE("a contribution goes on where one of its terms pulls and another does not") {
+  // X_2 = <y_2> + <y_4> with y_4 < 0: the path is that of the norm, in any number of increments.
+  FrictionDefinition definition = pressed({1, 2, 4});
+  Potential potential = norm_of_two();
+  potential.leaves = 3;
+  potential.leaf[1].kind = potential.leaf[2].kind = PotentialLeaf::Kind::kHalfLine;
+  potential.leaf[2].part = 1;
+  potential.leaf[2].direction[2] = 1.0;
+  definition.criterion = potential;
+  ExactRun run(definition, at(0.0, 100.0), 1e-10);
+  Waypoint along = at(0.05, 100.0), across = at(0.05, 100.0, 0.05);
+  along.position[3] = across.position[3] = -0.005;
+  run.go(along);
+  run.go(across, 3);
+  CHECK(run.friction(1) == Approx(3.26142463859956).epsilon(1e-8));
+  CHECK(run.friction(2) == Approx(19.7322859630286).epsilon(1e-8));
+  CHECK(run.friction(4) == Approx(-5.0).epsilon(1e-12));
+}
+
 TEST_CASE("a peak of the coefficient over the rate of the slip is met on the way of a potential") {
   // A rate from 0 to 0.48 mm/s as the force turns, a peak at 0.25 mm/s.
   std::vector<double> dissipated;

@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <tuple>
 
@@ -109,9 +110,18 @@ TEST_CASE("kinks part a limit where they turn it, and the floor holds it") {
 TEST_CASE("a bound that is met at the largest rates, or from below, is a bound") {
   CHECK(default_largest(Stribeck<>{0.2, 0.2, 10.0, 2.0, 0.0}) == 0.2);
   CHECK(default_largest(Stribeck<>{0.3, 0.2, 10.0, 2.0, 0.0}) == 0.3);
-  // Rises for ever, but at 1e12, where the scan ends, by 1e-4 only.
+  // Rises for ever, but where the scan ends, at 4e13, by 4e-3 only.
   CHECK(default_largest(Stribeck<>{0.3, 0.2, 10.0, 2.0, 1e-16}) == 0.3);
   CHECK(std::isinf(default_largest(Stribeck<>{0.3, 0.2, 10.0, 2.0, 1e-12})));
+}
+
+TEST_CASE("a bound is found whatever the unit of the rate") {
+  // The steepest fall of exp(-x^2) is sqrt(2/e), at x = sqrt(1/2).
+  for (const double fast : {1e-30, 1e-16, 10.0, 1e30}) {
+    const Stribeck<> law{0.3, 0.2, fast, 2.0, 0.0};
+    CHECK(default_steepest_weakening(law) * fast ==
+          Approx(0.1 * std::sqrt(2.0 / std::numbers::e)).epsilon(1e-12));
+  }
 }
 
 TEST_CASE("a coefficient that grows towards a bound with the force is drawn and bounded") {
