@@ -57,9 +57,16 @@ PlainStep<double> plain(Way way_of, const law::FrictionDefinition& definition,
   const auto tell = [&](const char* name, double value, double size) {
     step.results.push_back({name, value, std::max(size, std::abs(value))});
   };
-  for (std::size_t k = 0; k < 6; ++k) tell("force", u.state.force[k], y);
-  for (std::size_t k = 0; k < 6; ++k) tell("elastic slip", u.state.elastic_slip[k], s);
   const double any = std::numeric_limits<double>::infinity();
+  // The slip is a difference of what is as long as the way, and a limit that depends on it follows.
+  const double by_way = std::abs(u.tangent.radial) * way;
+  // Where a coefficient falls to nothing, both tell by their smallest number when it is there.
+  const bool underflows =
+      u.state.regime == law::Regime::kOpen && u.mu < std::numeric_limits<double>::min();
+  for (std::size_t k = 0; k < 6; ++k) tell("force", u.state.force[k], std::max(y, by_way));
+  for (std::size_t k = 0; k < 6; ++k) {
+    tell("elastic slip", u.state.elastic_slip[k], underflows ? any : s);
+  }
   // That of a potential is its gradient, which has corners wherever a term is 0, in stick; exactly
   // it is that of the last sub-increment, however long.
   const bool told = potential == nullptr ||
@@ -68,20 +75,19 @@ PlainStep<double> plain(Way way_of, const law::FrictionDefinition& definition,
   double known = held > 0.0 ? y / held : any;
   // On a corner it is the ratio of the parts that the return takes of each.
   if (potential != nullptr &&
-      (potential->combine == law::PotentialOperator::kMax || potential->exponent == 1.0)) {
+      (potential->combine == law::PotentialOperator::kMax || potential->exponent == 1.0 ||
+       potential->leaves > potential->parts)) {
     known = std::max(known, way / u.slip_increment);
   }
   for (std::size_t k = 0; k < 6; ++k) tell("direction", u.direction[k], known);
-  // Where a coefficient falls to nothing, both tell by their smallest number when it is there.
-  const bool underflows = u.state.regime == law::Regime::kOpen && u.mu == 0.0;
-  const double gone = underflows ? std::numeric_limits<double>::infinity() : way;
+  const double gone = underflows ? any : way;
   tell("accumulated slip", u.state.accumulated_slip, gone);
   tell("slip increment", u.slip_increment, gone + from);
   // Beside a shift, contact is lost where the limit falls to P(0): that is told, and how exactly
   // depends on its slope to the slip.
   const bool lost = shifted && u.state.regime == law::Regime::kOpen && u.slip_increment > 0.0;
-  tell("limit", u.limit, lost ? any : by_slip);
-  tell("mu", u.mu, lost || !(u.normal_force > 0.0) ? any : by_slip / u.normal_force);
+  tell("limit", u.limit, lost ? any : by_way);
+  tell("mu", u.mu, lost || !(u.normal_force > 0.0) ? any : by_way / u.normal_force);
   tell("contact force", u.contact_force, u.normal_force);
   tell("normal force", u.normal_force, 0.0);
   // In a viscous joint the force says how fast it slips.
@@ -111,9 +117,9 @@ PlainStep<double> plain(Way way_of, const law::FrictionDefinition& definition,
   tell("transverse", t.transverse, steep);
   tell("radial", t.radial, steep);
   tell("rate", t.rate, steep);
-  tell("contact", t.contact, 0.0);
+  tell("contact", t.contact, u.normal_force > 0.0 ? by_way / u.normal_force : 0.0);
   tell("clip", t.clip, 1.0);
-  tell("regime", static_cast<double>(u.state.regime), 0.0);
+  tell("regime", static_cast<double>(u.state.regime), underflows ? any : 0.0);
   // In stick they are those of the gradient where the force would slip.
   const bool at_corner = potential != nullptr && u.state.regime == law::Regime::kStick;
   tell("multiple roots", u.multiple_roots ? 1.0 : 0.0, at_corner ? any : 0.0);
