@@ -5,6 +5,13 @@
 #include <cmath>
 
 namespace slipbench::law {
+namespace {
+
+/// tan(psi/2) below which nothing is left beside the motion: on its way to 0 it would lose its
+/// digits, and vanish, sooner or later as the units are.
+constexpr double kNothingBeside = 1e-100;
+
+}  // namespace
 
 HalfAngle half_angle(const PlaneSlip& slip) noexcept {
   const double length = std::sqrt(slip.square());
@@ -22,6 +29,7 @@ HalfAngle turned(const HalfAngle& from, double turn) noexcept {
   // Straight on, or straight back, nothing turns; `turn` may be infinite then.
   if (from.sine == 0.0 || from.cosine == 0.0) return from;
   const double sine = from.sine * std::exp(-turn);
+  if (sine < kNothingBeside * from.cosine) return {};
   const double norm = std::sqrt(from.cosine * from.cosine + sine * sine);
   return {from.cosine / norm, sine / norm};
 }

@@ -310,7 +310,10 @@ SubIncrement SubIncrements::step(const SlipPoint& begin, double from, double to)
   result.signature.regime = Regime::kSlip;
   const auto holds = [&](const Limit& l) {
     const bool turned = (l.contact_force < 0.0) != (rest.contact_force < 0.0);
-    return l.force > least_ && !(turned && ends_where_contact_turns());
+    // A coefficient that vanishes at the rate of the slip takes the force, not the contact: the
+    // slip goes on without it.
+    const bool touches = closed_ && by_rate_ && l.normal_force > no_contact_;
+    return (l.force > least_ || touches) && !(turned && ends_where_contact_turns());
   };
   if (rest.force > least_ && !holds(result.limit)) {
     // The slip takes the limit away: where that happens.

@@ -916,6 +916,34 @@ TEST_CASE("the force on a falling coefficient with an elastic slip follows the r
   CHECK(run.changes.at[0].limit == Approx(30.0).epsilon(1e-12));
 }
 
+TEST_CASE("a coefficient that vanishes at the rate of the slip takes the force, not the contact") {
+  // As one that falls to next to nothing: the slip goes on, and the elastic slip is kept.
+  for (const double left : {0.0, 1e-12}) {
+    for (const Criterion& criterion : criteria_of_one()) {
+      FrictionDefinition definition = pressed({1}, allowable_slip(0.01));
+      definition.criterion = criterion.of;
+      definition.law =
+          TabularCoefficient{make_function({{0.2, 0.0}, {left, 1.0}}, {kOverSlipRate})};
+      for (const int count : {1, 7}) {
+        CAPTURE(left, count);
+        Waypoint fast = at(1.0, 100.0);
+        fast.duration = 0.25;
+        ExactRun run(definition, at(0.0, 100.0));
+        run.go(fast, count);
+        CHECK(run.state.regime == Regime::kSlip);
+        CHECK(std::abs(run.friction(1)) <= 1e-9);
+        CHECK(run.state.accumulated_slip == Approx(0.99).epsilon(criterion.tolerance));
+        CHECK(run.dissipation <= 1e-9);
+        CHECK(run.work == Approx(0.5 * 20.0 * 0.01).margin(1e-9));
+        run.go(at(1.003, 100.0), count);
+        CHECK(run.friction(1) == Approx(20.0 * 0.997).epsilon(criterion.tolerance));
+        CHECK(run.state.accumulated_slip == Approx(0.993).epsilon(criterion.tolerance));
+        CHECK(run.dissipation == Approx(20.0 * 0.997 * 0.003).epsilon(1e-7));
+      }
+    }
+  }
+}
+
 TEST_CASE("knots of a table over temperature are met inside an increment") {
   // F_int over temperature: 100 at 0, 20 at 50, 150 at 100; the force at rest follows the dip.
   FrictionDefinition definition = slider(0.2, 0.0, fixed_stiffness(1000.0));

@@ -32,6 +32,18 @@ TEST_CASE("straight on and straight back do not turn, however far") {
   CHECK(far.sine == 0.0);
 }
 
+TEST_CASE("what a turn leaves beside the motion vanishes in all units alike") {
+  const double r = 0x1p-10;
+  for (const double turn : {1.0, 100.0, 225.0, 235.0, 700.0, 735.0}) {
+    CAPTURE(turn);
+    const HalfAngle angle = turned(half_angle({0.0, 1.0}), turn);
+    CHECK((angle.sine == 0.0) == (turn > 230.3));  // exp(-turn) < 1e-100
+    for (const double unit : {0x1p-40, 0x1p30}) {
+      CHECK(on_radius(angle, unit * r).across == unit * on_radius(angle, r).across);
+    }
+  }
+}
+
 TEST_CASE("the stick length is the positive root, without cancellation") {
   CHECK(stick_length({0.0, 0.0}, 0.02) == 0.02);
   CHECK(stick_length({-0.02, 0.0}, 0.02) == Approx(0.04).epsilon(1e-15));
