@@ -46,11 +46,17 @@ PlainStep<double> plain(Way way_of, const law::FrictionDefinition& definition,
   // Beside a shift the force is what a pull leaves of all of it.
   const auto* potential = std::get_if<law::Potential>(&definition.criterion);
   const bool shifted = potential != nullptr && !potential->homogeneous;
-  const double y = shifted ? trial : reached;
+  // The slip is a difference of what is as long as the way, and a limit that depends on it follows.
+  // A table has the rounding of its ordinates.
+  const auto* tabular = std::get_if<law::TabularCoefficient>(&definition.law);
+  const double by_table = tabular != nullptr ? tabular->table.table().largest() : 0.0;
+  const double by_way = std::max(std::abs(u.tangent.radial) * way, by_table * u.normal_force);
+  const double y = std::max(shifted ? trial : reached, by_way);
   const double both = y + length(old.force);
   // A steep limit has the rounding of its slip, and what is measured by it.
   const double by_slip = std::abs(u.tangent.radial) * u.slip_increment;
-  const double s = shifted ? way * (1.0 + (u.limit > 0.0 ? by_slip / u.limit : 0.0)) : elastic;
+  const double s = shifted ? way * (1.0 + (u.limit > 0.0 ? by_slip / u.limit : 0.0))
+                           : std::max(elastic, fixed ? y / stick : 0.0);
   PlainStep<double> step{{u.state.elastic_slip, u.state.force, u.state.accumulated_slip,
                           static_cast<int>(u.state.regime)},
                          {}};
@@ -58,12 +64,10 @@ PlainStep<double> plain(Way way_of, const law::FrictionDefinition& definition,
     step.results.push_back({name, value, std::max(size, std::abs(value))});
   };
   const double any = std::numeric_limits<double>::infinity();
-  // The slip is a difference of what is as long as the way, and a limit that depends on it follows.
-  const double by_way = std::abs(u.tangent.radial) * way;
   // Where a coefficient falls to nothing, both tell by their smallest number when it is there.
   const bool underflows =
       u.state.regime == law::Regime::kOpen && u.mu < std::numeric_limits<double>::min();
-  for (std::size_t k = 0; k < 6; ++k) tell("force", u.state.force[k], std::max(y, by_way));
+  for (std::size_t k = 0; k < 6; ++k) tell("force", u.state.force[k], y);
   for (std::size_t k = 0; k < 6; ++k) {
     tell("elastic slip", u.state.elastic_slip[k], underflows ? any : s);
   }
@@ -97,7 +101,7 @@ PlainStep<double> plain(Way way_of, const law::FrictionDefinition& definition,
   tell("slip rate", u.slip_rate,
        increment.duration > 0.0 ? (gone + by_force) / increment.duration : 0.0);
   tell("wear", u.wear, 0.0);
-  tell("phi", u.phi, trial + std::abs(u.tangent.radial) * way);
+  tell("phi", u.phi, trial + by_way);
   tell("dissipation", u.dissipation, both * way);
   tell("stored energy", u.stored_energy, y * s);
   // Fourth powers of forces, which may underflow in double, say where a limit is met; and a limit
@@ -105,15 +109,23 @@ PlainStep<double> plain(Way way_of, const law::FrictionDefinition& definition,
   const bool underflow =
       std::pow(std::min(trial, reached), 4.0) < std::numeric_limits<double>::min();
   const bool vanishes = underflow || u.limit < 1e-10 * length(old.force);
-  tell("onset", u.onset, vanishes ? any : ds > 0.0 ? way / ds : 1.0);
+  const double off =
+      std::clamp(y / std::max(reached, std::numeric_limits<double>::min()), 1.0, 1e6);
+  tell("onset", u.onset,
+       vanishes   ? any
+       : ds > 0.0 ? (way + u.state.accumulated_slip) / ds * off
+                  : 1.0);
   tell("work", u.work, underflow ? any : both * way);
-  // The steepest fall is looked for 1e-9 of a piece beside its ends.
-  tell("snap-back", u.snap_back, way_of == Way::kExact ? 1.0 : 1e5 * u.snap_back);
+  // The steepest fall is looked for 1e-9 of a piece beside its ends, or by the rounding of the
+  // accumulated slip, which may be more of a narrow cell.
+  tell("snap-back", u.snap_back,
+       way_of == Way::kExact ? 1.0 + 1e5 * u.snap_back : 1e8 * u.snap_back);
   tell("lost", u.lost, both * way);
   tell("jump onset", u.jump_onset, 1.0);
   const law::SlipTangent& t = u.tangent;
-  const double steep = std::max({std::abs(t.transverse), std::abs(t.radial), std::abs(t.rate)}) +
-                       (fixed ? 0.0 : by_slip / stick);
+  const double steep =
+      off * std::max({std::abs(t.transverse), std::abs(t.radial), std::abs(t.rate)}) +
+      (fixed ? 0.0 : by_slip / stick);
   tell("transverse", t.transverse, steep);
   tell("radial", t.radial, steep);
   tell("rate", t.rate, steep);
