@@ -152,7 +152,10 @@ void ExactWalk::put_on(double radius) noexcept {
 template <class Visit>
 void ExactWalk::for_each_piece(double tau, double low, double high, Visit visit) noexcept {
   while (low < high) {
-    const double next = points_.next_knot(tau, begin_slip_ + low, begin_slip_ + high) - begin_slip_;
+    // Taken from the begin, a knot one digit ahead may be rounded back to where it is looked from.
+    const double next =
+        std::max(points_.next_knot(tau, begin_slip_ + low, begin_slip_ + high) - begin_slip_,
+                 low + kEpsilon * (begin_slip_ + high));
     const double end = std::min(next, high);
     if (visit(low, end)) return;
     low = end;

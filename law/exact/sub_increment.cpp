@@ -57,7 +57,9 @@ struct StepLimit {
   double slope(const Limit& limit) const { return limit.to_slip + limit.to_rate * per_rate; }
   double next_knot(double slip, double end) const noexcept {
     const double before = begin.accumulated_slip;
-    return steps.next_knot(tau, before + slip, before + end) - before;
+    // Taken from the begin, a knot one digit ahead may be rounded back to where it is looked from.
+    return std::max(steps.next_knot(tau, before + slip, before + end) - before,
+                    slip + std::numeric_limits<double>::epsilon() * (before + end));
   }
   double begin_slip() const { return begin.accumulated_slip; }
   double cap() const { return steps.cap(); }
