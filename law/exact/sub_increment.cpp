@@ -94,7 +94,6 @@ SubIncrements::SubIncrements(const FrictionDefinition& definition, const PathSeg
       definition, segment, points_,
       old.accumulated_slip + 2.0 * (length_ + held + (fixed_ ? 0.0 : points_.stick(1.0))),
       no_contact_);
-  holds_all_ = holds_all(*potential_);
   no_contact_ *= ends_where_contact_turns() ? kNoContact : 0.0;
   least_ = value(*potential_, SlipVector{});
   closed_ = !fixed_ && potential_->homogeneous;

@@ -103,9 +103,9 @@ class SubIncrements {
   SlipVector force(const SlipPoint& at, double tau, double slip_rate) noexcept;
   const Potential& potential() const { return *potential_; }
   /// Tells whether slip that takes F_C + F_int through 0 ends there: an elastic slip is lost with
-  /// the limit and sticks first behind it, and so is a force that the limit does not hold. Others
-  /// of a constant stiffness come to 0 with the limit and slip on.
-  bool ends_where_contact_turns() const { return !fixed_ || !holds_all_; }
+  /// the limit and sticks first behind it, and a shifted potential holds no force. The force of a
+  /// constant stiffness comes to 0 with the limit and slips on.
+  bool ends_where_contact_turns() const { return !fixed_ || !potential_->homogeneous; }
   bool fixed() const { return fixed_; }
   /// Tells whether the limit follows the rate of the slip, and if the slip follows that limit.
   bool by_rate() const { return by_rate_; }
@@ -134,7 +134,6 @@ class SubIncrements {
   double least_;             ///< P(0): a limit has to exceed it
   double no_contact_ = 0.0;  ///< F_N up to here is the rounding of F_C + F_int [F]
   bool fixed_;
-  bool holds_all_;  ///< no force is beside what the limit holds
   bool closed_;
   bool smooth_;  ///< P is a sum of even powers of its leaves
   bool varies_with_slip_;

@@ -223,22 +223,17 @@ bool first_slip(const Start<LimitOf>& start, double* slip) noexcept {
   return false;
 }
 
-/// Tells whether a limit holds all forces: not so beside a Macauley term, or a sum of forces.
-inline bool holds_all(const Potential& potential) noexcept {
-  return potential.homogeneous &&
-         std::all_of(potential.leaf.begin(), potential.leaf.begin() + potential.leaves,
-                     [](const PotentialLeaf& leaf) {
-                       return leaf.kind == PotentialLeaf::Kind::kNorm ||
-                              (leaf.kind == PotentialLeaf::Kind::kLine && leaf.factor == 1.0);
-                     });
-}
-
 /// Projects the rounding of a return away: P(y) = limit.
 inline SlipVector put_on_limit(const Potential& potential, const SlipVector& y,
                                double limit) noexcept {
+  const double p = value(potential, y);
   // Scaling is good for every corner, but moves forces the limit does not hold, too.
-  if (holds_all(potential)) {
-    const double p = value(potential, y);
+  const auto holds = [](const PotentialLeaf& leaf) {
+    return leaf.kind == PotentialLeaf::Kind::kNorm ||
+           (leaf.kind == PotentialLeaf::Kind::kLine && leaf.factor == 1.0);
+  };
+  if (potential.homogeneous &&
+      std::all_of(potential.leaf.begin(), potential.leaf.begin() + potential.leaves, holds)) {
     return p > 0.0 ? scaled(y, limit / p) : y;
   }
   SlipVector result = y;
