@@ -195,6 +195,9 @@ TEST_CASE("potentials and viscous laws do not see the number of increments") {
     // Where the force would jump there is no continuous solution, and teeth of a saw without number
     // are not followed; both are told.
     if (one.snap_back >= 1.0 || !one.converged || !three.converged) continue;
+    // Of an instant without limit it depends on where increments end what is left of a force beside
+    // the limit, that of a one-sided term.
+    if (one.opens != three.opens) continue;
     ++judged;
     CAPTURE(seed, d.name);
     // The tolerance of 1e-10 holds for each piece, and there are dozens.
