@@ -178,7 +178,7 @@ TEST_CASE("backward Euler goes to the exact path with the first power of the inc
     const double fine = apart(800);
     RC_ASSERT(fine <= 0.02 * line.limit);
     // Where the error is not rounding it halves, up to what is of higher order.
-    if (coarse > 1e-5 * line.limit) RC_ASSERT(std::abs(fine / coarse - 0.5) < 0.05);
+    if (coarse > 1e-6 * line.limit) RC_ASSERT(std::abs(fine / coarse - 0.5) < 0.05);
   });
 }
 
@@ -240,8 +240,7 @@ TEST_CASE("whatever the law, exact results are finite, admissible and dissipate"
       const double held = run.last.stored_energy;
       const FrictionUpdate& u = run.go(waypoint(row));
       for (const double x : numbers(u)) REQUIRE(std::isfinite(x));
-      // Teeth of a saw without number are not followed, which is told.
-      if (!u.converged) break;
+      REQUIRE(u.converged);
       REQUIRE(magnitude(u.state.force) <= u.limit * (1.0 + 1e-12));
       REQUIRE(u.dissipation >= 0.0);
       REQUIRE(u.slip_increment >= 0.0);
@@ -283,7 +282,6 @@ Trace trace(const FrictionDefinition& definition, const std::vector<HistoryRow>&
     for (int i = 0; i < run.changes.count; ++i) {
       if (run.changes.at[static_cast<std::size_t>(i)].to == Regime::kOpen) result.opens = true;
     }
-    result.opens = result.opens || run.opened;
     result.force.push_back(magnitude(run.state.force));
     result.slip.push_back(run.state.accumulated_slip);
     result.dissipation.push_back(run.dissipation);
@@ -316,14 +314,14 @@ TEST_CASE("whatever the law, dividing increments changes nothing beyond the tole
     for (const int count : {3, 7, 50}) {
       CAPTURE(seed, c->description.name, count);
       const Trace parts = trace(c->definition, c->rows, count);
-      CHECK(apart(whole.force, parts.force) <= 4e-9);
-      CHECK(apart(whole.slip, parts.slip) <= 4e-9);
-      CHECK(apart(whole.dissipation, parts.dissipation) <= 4e-9);
-      CHECK(apart(whole.stored, parts.stored) <= 4e-9);
-      CHECK(apart(whole.work, parts.work) <= 4e-9);
+      CHECK(apart(whole.force, parts.force) <= 1e-9);
+      CHECK(apart(whole.slip, parts.slip) <= 1e-9);
+      CHECK(apart(whole.dissipation, parts.dissipation) <= 1e-9);
+      CHECK(apart(whole.stored, parts.stored) <= 1e-9);
+      CHECK(apart(whole.work, parts.work) <= 1e-9);
     }
   }
-  CHECK(belts >= 10);
+  CHECK(belts >= 15);
 }
 
 TEST_CASE("whatever the law, a fine backward Euler tends to the exact end of every row") {
@@ -337,37 +335,27 @@ TEST_CASE("whatever the law, a fine backward Euler tends to the exact end of eve
     const Trace exact = trace(c->definition, c->rows, 1);
     // Backward Euler does not see an opening of an instant, in which an elastic slip is forgotten.
     if (!fixed && exact.opens) continue;
+    ++drawn;
+    if (c->description.belt) ++belts;
     // Where the speed of the next row lets the limit fall at once, the spring relaxes in one
     // increment against the force of its end, whatever its length; exactly, against that on the
     // way.
     const bool falls_at_once = fixed && !c->description.rate_independent();
-    bool opens = false;
-    const auto error_of = [&](int count) {
-      const Trace euler = trace(c->definition, c->rows, count, true);
-      opens = opens || euler.opens;
+    for (const std::size_t half : {0u, 1u}) {
+      const Trace euler = trace(c->definition, c->rows, half == 0 ? 300 : 600, true);
       double error = apart(exact.force, euler.force) + apart(exact.slip, euler.slip) +
                      apart(exact.stored, euler.stored);
       if (!falls_at_once) error += apart(exact.dissipation, euler.dissipation);
-      return error;
-    };
-    const std::array<double, 2> error{error_of(300), error_of(600)};
-    // Backward Euler opens where the coefficient is 0 at the rate of the slip, and sticks next.
-    if (opens && !exact.opens) continue;
-    ++drawn;
-    if (c->description.belt) ++belts;
-    CAPTURE(seed, c->description.name, error[0], error[1]);
-    if (std::max(error[0], error[1]) > 0.05) {
-      // Slip or a layer no longer than an increment: shorter ones see it.
-      CHECK(error_of(30000) <= std::max(0.05, 0.3 * error[1]));
-      continue;
+      CAPTURE(seed, c->description.name, half, error);
+      CHECK(error <= 0.05);
+      sum[half] += error;
     }
-    for (const std::size_t half : {0u, 1u}) sum[half] += error[half];
   }
   CHECK(belts >= 5);
   CAPTURE(sum[0], sum[1]);
   // Of the first order, and far above rounding (1e-13 a case).
   CHECK(sum[1] > 1e-3);
-  CHECK(sum[0] / sum[1] == Approx(2.0).margin(0.8));
+  CHECK(sum[0] / sum[1] == Approx(2.0).margin(0.4));
 }
 
 }  // namespace

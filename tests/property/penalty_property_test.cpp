@@ -217,8 +217,8 @@ bool within_limit(const FrictionDefinition& definition, const Step& step) {
   double level = 0.0;
   for (std::size_t i = 0; i < 2; ++i) {
     const double bound = std::min(step.detail.mu[i] * u.normal_force, definition.force_limit);
-    // Turned to the axes and back, and filtered, a force has an entry of its rounding along both.
-    const double entry = std::max(0.0, std::abs(along[i]) - 1e-13 * magnitude(u.state.force));
+    // Turned to the axes and back a force has an entry of its rounding along both.
+    const double entry = std::max(0.0, std::abs(along[i]) - 1e-14 * magnitude(u.state.force));
     if (entry > 0.0) level = std::hypot(level, entry / bound);
   }
   return level <= 1.0 + kRounding;

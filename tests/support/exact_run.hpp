@@ -31,7 +31,6 @@ class ExactRun {
   law::FrictionState state;
   law::FrictionUpdate last;
   law::RegimeChanges changes;
-  bool opened = false;       ///< an increment has ended open
   double dissipation = 0.0;  ///< sums over the run
   double work = 0.0;
 
@@ -73,7 +72,6 @@ class ExactRun {
     last = backward_euler ? law::update(definition, increment, state)
                           : law::continuous_update(definition, segment, state, tolerance, &changes);
     state = last.state;
-    opened = opened || state.regime == law::Regime::kOpen;
     dissipation += last.dissipation;
     work += last.work;
     here_ = to;
