@@ -142,16 +142,20 @@ class LimitFunction {
       const auto internal =
           evaluate(definition_.internal_contact_force, increment_.end, accumulated_ + slip);
       const double force = contact_ + internal.value;
-      const double fall = internal.to_accumulated_slip;
-      const auto zero_of = [&](double value) {
-        const double x = slip - value / fall;
-        if (value * fall < 0.0 && is_ahead(line, x)) next = std::min(next, x);
+      double change = internal.to_accumulated_slip;
+      // Whether a value moves away from 0, or stands on it: rounding may not have quite reached 0.
+      const auto leaves_zero = [&](double value) {
+        const double x = slip - value / change;
+        if (!(value * change < 0.0) || !is_ahead(line, x)) return true;
+        next = std::min(next, x);
+        return false;
       };
-      zero_of(force);
-      zero_of(internal.value);  // a table that is prolonged below 0 stops there
+      const bool grows = leaves_zero(force);
+      // A table that is prolonged below 0 stops there.
+      if (leaves_zero(internal.value) && change < 0.0) change = 0.0;
       // F_N moves one way within a piece of the wear table.
       line.force = std::abs(force);
-      line.force_per_slip = force < 0.0 ? -fall : (force > 0.0 ? fall : std::abs(fall));
+      line.force_per_slip = grows ? std::abs(change) : -std::abs(change);
       line.end = std::min(next, end);
     } else if (slip_in_rate_ > 0.0) {
       // A constant F_N matters to the coefficient alone.

@@ -41,7 +41,7 @@ double first_peak(Function&& f, double from, double to, double size) {
 }  // namespace
 
 double ExactWalk::slip_at_varying_radius(double begin, double to) noexcept {
-  const double ratio = wear_ratio(begin, slip_);
+  const double ratio = wear_ratio(begin, slip_ + kNoLimit * largest_slip_);
   snap_back_ = std::max(snap_back_, ratio);
   if (ratio >= 1.0) {
     // The limit falls faster than the spring: the force drops without any motion.
@@ -125,11 +125,18 @@ double ExactWalk::slip_at_varying_radius(double begin, double to) noexcept {
     // Where even that is not enough, as beside a limit that vanishes, it is not for long.
     if (error > 1.0) shortest *= 2.0;
     step = (next - tau) * std::clamp(0.9 * std::pow(std::max(error, 1e-10), -0.2), 0.2, 5.0);
+    if (wears_) {
+      // Steepest where a piece ends, and there it is another one's already.
+      const double low = slip_of(tau, x);
+      const double high = slip_of(next, trial.end);
+      const double inside = margin_inside(low, high, begin_slip_);
+      snap_back_ = std::max(snap_back_, wear_ratio(next - margin_inside(tau, next, 0.0),
+                                                   std::max(high, low) - std::max(inside, 0.0)));
+    }
     x = trial.end;
     tau = next;
     ends = leaves || rests;
     must_stick_ = rests;
-    if (wears_) snap_back_ = std::max(snap_back_, wear_ratio(tau, slip_of(tau, x)));
   }
 
   const double end = std::max(slip_of(tau, x), start);

@@ -12,8 +12,6 @@ namespace {
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 /// R^2 - |s_el|^2 as a part of R^2 that is rounding: the state is on the radius.
 constexpr double kOnRadius = 64.0 * kEpsilon;
-/// A limit below this part of the segment's is 0, up to the rounding of where it vanishes.
-constexpr double kNoLimit = 1e-12;
 /// Distance ahead of an event at which it is judged what comes, as a part of what is left.
 constexpr double kAhead = 1e-9;
 /// Step of the difference quotients of R as a part of a smooth piece.
@@ -272,7 +270,7 @@ void ExactWalk::jump(double tau) noexcept {
 
 double ExactWalk::wear_ratio(double tau, double slip) noexcept {
   if (!fixed_ || !wears_) return 0.0;
-  return -limit(tau, slip + kNoLimit * largest_slip_).to_slip / points_.stick(tau);
+  return -limit(tau, slip).to_slip / points_.stick(tau);
 }
 
 void ExactWalk::run() noexcept {

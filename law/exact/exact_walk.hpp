@@ -43,6 +43,8 @@ class ExactWalk {
 
  private:
   static constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+  /// A limit below this part of the segment's is 0, up to the rounding of where it vanishes.
+  static constexpr double kNoLimit = 1e-12;
   /// Times closer than this part of the segment are one.
   static constexpr double kSameFraction = 1e-13;
   /// Steps or pieces after which an integration takes what it has: rounding is in its way.
@@ -100,7 +102,7 @@ class ExactWalk {
   void relax(double tau) noexcept;
   /// Goes through a snap-back at constant motion, to where spring and limit meet again.
   void jump(double tau) noexcept;
-  /// Wear against the stick stiffness just behind a slip: at 1 the force drops by itself.
+  /// Wear against the stick stiffness at a slip: at 1 the force drops by itself.
   double wear_ratio(double tau, double slip) noexcept;
 
   /// From tau to the next event.

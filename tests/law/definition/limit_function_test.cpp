@@ -62,6 +62,31 @@ TEST_CASE("a knot that rounding leaves just ahead is passed") {
   }
 }
 
+TEST_CASE("behind a zero of the contact force its knots come again, whatever rounding leaves there") {
+  FrictionDefinition definition = wearing(TabularCoefficient{
+      make_function({{1.0, 0.0}, {1.0, 0.1}, {0.05, 0.12}}, {kOverContactForce})});
+  for (int i = 1; i < 200; ++i) {
+    INFO("case " << i);
+    const double wear = std::sqrt(i);
+    const double worn = std::cbrt(i);
+    definition.internal_contact_force = make_function(
+        {{worn + 1.0, 0.0}, {worn + 1.0 - 2.0 * wear, 2.0}}, {kOverAccumulatedSlip});
+    const ConnectorIncrement increment = lasting(1.0, -worn);
+    FrictionState old;
+    old.accumulated_slip = 0.3 / wear;
+    const LimitFunction limit(definition, increment, old, 0.0);
+    // F_N = |0.7 - wear x|
+    double slip = 0.0;
+    for (const double force : {0.12, 0.1, 0.0, -0.1, -0.12}) {
+      if (worn < -force) break;
+      slip = limit.next_knot(slip, 2.0);
+      CHECK(slip == Approx((0.7 - force) / wear).epsilon(1e-11));
+    }
+    // The first of three roots lies where mu is still 1; the last where it is 0.05.
+    CHECK(first_root(limit, 0.85, wear) == Approx(0.775 / wear).epsilon(1e-11));
+  }
+}
+
 TEST_CASE("of three roots within one piece of a cubic limit the first is found") {
   // mu = V F_N and F_N = 1 - x at V = x/duration: F_lim = x (1 - x)^2, a cubic about x = 2/3.
   FrictionDefinition definition;

@@ -353,6 +353,27 @@ TEST_CASE("a limit that wears faster than the spring lets the force jump, with i
   }
 }
 
+TEST_CASE("the steepest wear is told to the end of a piece, whatever steps come there") {
+  // At the temperature T in [0, 1] F_int falls by 20 + 80 T per slip, up to a slip of 1.
+  FrictionDefinition definition = slider(0.5, 0.0, fixed_stiffness(1000.0));
+  definition.contact_force = NoContactForce{};
+  definition.internal_contact_force =
+      make_function({{500, 0, 0}, {480, 1, 0}, {480, 9, 0}, {500, 0, 1}, {400, 1, 1}, {400, 9, 1}},
+                    {kOverAccumulatedSlip, kOverTemperature});
+  for (const Criterion& criterion : criteria_of_one()) {
+    definition.criterion = criterion.of;
+    for (const double tolerance : {1e-4, 1e-7, 1e-10}) {
+      INFO("tolerance " << tolerance);
+      ExactRun run(definition, {}, tolerance);
+      Waypoint end = at(2.0);
+      end.temperature = 1.0;
+      run.go(end);
+      // At L = 1 the spring holds (480 - 80 T) / 2 = 1000 (s - 1), with T = s / 2: s = 1.24 / 1.02.
+      CHECK(run.last.snap_back == Approx((10.0 + 20.0 * 1.24 / 1.02) / 1000.0).epsilon(1e-5));
+    }
+  }
+}
+
 TEST_CASE("a jump lands on the first equilibrium of several, and the next begins at a peak") {
   for (const double unit : {1.0, 1e-4}) {  // of force
     for (const Criterion& criterion : criteria_of_one()) {
