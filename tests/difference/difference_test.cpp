@@ -59,9 +59,10 @@ constexpr std::array<std::uint64_t, 34> kFound{
     20261126001160, 20261126007445, 20261126020662, 20261226017527, 20270601007112, 20270601056337,
     20270601076517, 20270801028134, 20270801055741, 20270901033084};  // the bound's own
 /// The fourth: a rest of next to no length, told as a change of regime; the fifth and sixth: a
-/// contribution of several terms that do not all pull; the last: a walk over knots without an end.
-constexpr std::array<std::uint64_t, 7> kFoundExactly{
-    34, 39, 73, 20261226004250, 20270226007850, 20270301011750, 20261126080800};
+/// contribution of several terms that do not all pull; the seventh: a walk over knots without an
+/// end; the last: the steepest wear at the end of a piece.
+constexpr std::array<std::uint64_t, 8> kFoundExactly{
+    34, 39, 73, 20261226004250, 20270226007850, 20270301011750, 20261126080800, 20270901008650};
 
 /// Makes numbers long, and off. Equal ones stay equal, as those of a table that belong together
 /// have to, and counts stay as they are.
@@ -144,7 +145,11 @@ Comparison compare(Way way, const std::vector<double>& definition,
   };
   const auto exact = in_long(0);
   const std::size_t count = found.size();
-  if (exact.size() != count) return {.fault = "long double takes no such definition"};
+  Comparison result;
+  if (exact.size() != count) {
+    result.fault = "long double takes no such definition";
+    return result;
+  }
 
   // A search that has not converged says so, and has no bound; where exact integration has to go
   // over changes as near to each other as rounding, double may end a run that long double does not.
@@ -154,7 +159,8 @@ Comparison compare(Way way, const std::vector<double>& definition,
     });
   };
   if (gives_up(found) && (way == Way::kExact || gives_up(exact))) {
-    return {.refused = true};
+    result.refused = true;
+    return result;
   }
 
   const double part = kRounding * kEpsilon + (way == Way::kExact ? kPieces * kExactness : 0.0);
@@ -167,7 +173,6 @@ Comparison compare(Way way, const std::vector<double>& definition,
     while (i < count && apart(i) <= part * size(i) + kUnseen * (high[i] - low[i]) + kNothing) ++i;
     return i;
   };
-  Comparison result;
   std::size_t beyond = first_beyond();
   result.conditioned = beyond < count;
   for (std::uint64_t sample = 1; sample <= kSamples && beyond < count; ++sample) {

@@ -6,6 +6,8 @@
 #include <limits>
 #include <string_view>
 
+#include "law/definition/capstan_limit.hpp"
+#include "law/definition/limit_function.hpp"
 #include "law/definition/motion.hpp"
 #include "law/definition/packed_definition.hpp"
 #include "law/exact/continuous_update.hpp"
@@ -21,6 +23,35 @@ double length(const Vector& v) {
   double square = 0.0;
   for (const double x : v) square += x * x;
   return std::sqrt(square);
+}
+
+/// Returns the slope of the limit to the slip of an increment, at its end [F/L].
+double slope_of_limit(const law::FrictionDefinition& definition,
+                      const law::ConnectorIncrement& increment, const law::FrictionState& old,
+                      double motion, const law::FrictionUpdate& u) {
+  const auto slope = [&](const auto& limit) { return limit.slope(limit(u.slip_increment)); };
+  if (!std::holds_alternative<law::Capstan>(definition.criterion)) {
+    return slope(law::LimitFunction(definition, increment, old, motion));
+  }
+  const double force = u.state.force[static_cast<std::size_t>(definition.slip.component[0])];
+  return slope(
+      law::CapstanLimit(definition, increment, motion,
+                        force < 0.0 ? law::FlowSense::kBackward : law::FlowSense::kForward));
+}
+
+/// Returns the length of the shortest piece between two knots of a limit that wears, on the slip of
+/// an increment [L].
+double narrowest_piece(const law::FrictionDefinition& definition,
+                       const law::ConnectorIncrement& increment, const law::FrictionState& old,
+                       double motion, const law::FrictionUpdate& u) {
+  const law::LimitFunction limit(definition, increment, old, motion);
+  double narrowest = u.slip_increment;
+  for (double low = 0.0; low < u.slip_increment;) {
+    const double high = std::min(limit.next_knot(low, u.slip_increment), u.slip_increment);
+    narrowest = std::min(narrowest, high - low);
+    low = high;
+  }
+  return narrowest;
 }
 
 /// \param largest limit on the way [F]
@@ -46,15 +77,13 @@ PlainStep<double> plain(Way way_of, const law::FrictionDefinition& definition,
   // Beside a shift the force is what a pull leaves of all of it.
   const auto* potential = std::get_if<law::Potential>(&definition.criterion);
   const bool shifted = potential != nullptr && !potential->homogeneous;
-  // The slip is a difference of what is as long as the way, and a limit that depends on it follows.
-  // A table has the rounding of its ordinates.
-  const auto* tabular = std::get_if<law::TabularCoefficient>(&definition.law);
-  const double by_table = tabular != nullptr ? tabular->table.table().largest() : 0.0;
-  const double by_way = std::max(std::abs(u.tangent.radial) * way, by_table * u.normal_force);
-  const double y = std::max(shifted ? trial : reached, by_way);
+  // The force is put on the limit, which has the rounding of its slip, however steep it is; with an
+  // elastic slip that is a difference of what is as long as the way.
+  const double slope =
+      way_of == Way::kExact ? u.tangent.radial : slope_of_limit(definition, increment, old, ds, u);
+  const double by_slip = std::abs(slope) * (fixed ? u.slip_increment : way);
+  const double y = std::max(shifted ? trial : reached, by_slip);
   const double both = y + length(old.force);
-  // A steep limit has the rounding of its slip, and what is measured by it.
-  const double by_slip = std::abs(u.tangent.radial) * u.slip_increment;
   const double s = shifted ? way * (1.0 + (u.limit > 0.0 ? by_slip / u.limit : 0.0))
                            : std::max(elastic, fixed ? y / stick : 0.0);
   PlainStep<double> step{{u.state.elastic_slip, u.state.force, u.state.accumulated_slip,
@@ -90,8 +119,8 @@ PlainStep<double> plain(Way way_of, const law::FrictionDefinition& definition,
   // Beside a shift, contact is lost where the limit falls to P(0): that is told, and how exactly
   // depends on its slope to the slip.
   const bool lost = shifted && u.state.regime == law::Regime::kOpen && u.slip_increment > 0.0;
-  tell("limit", u.limit, lost ? any : by_way);
-  tell("mu", u.mu, lost || !(u.normal_force > 0.0) ? any : by_way / u.normal_force);
+  tell("limit", u.limit, lost ? any : by_slip);
+  tell("mu", u.mu, lost || !(u.normal_force > 0.0) ? any : by_slip / u.normal_force);
   tell("contact force", u.contact_force, u.normal_force);
   tell("normal force", u.normal_force, 0.0);
   // In a viscous joint the force says how fast it slips.
@@ -101,7 +130,7 @@ PlainStep<double> plain(Way way_of, const law::FrictionDefinition& definition,
   tell("slip rate", u.slip_rate,
        increment.duration > 0.0 ? (gone + by_force) / increment.duration : 0.0);
   tell("wear", u.wear, 0.0);
-  tell("phi", u.phi, trial + by_way);
+  tell("phi", u.phi, trial + std::abs(u.tangent.radial) * way + by_slip);
   tell("dissipation", u.dissipation, both * way);
   tell("stored energy", u.stored_energy, y * s);
   // Fourth powers of forces, which may underflow in double, say where a limit is met; and a limit
@@ -109,27 +138,28 @@ PlainStep<double> plain(Way way_of, const law::FrictionDefinition& definition,
   const bool underflow =
       std::pow(std::min(trial, reached), 4.0) < std::numeric_limits<double>::min();
   const bool vanishes = underflow || u.limit < 1e-10 * length(old.force);
-  const double off =
-      std::clamp(y / std::max(reached, std::numeric_limits<double>::min()), 1.0, 1e6);
   tell("onset", u.onset,
        vanishes   ? any
-       : ds > 0.0 ? (way + u.state.accumulated_slip) / ds * off
+       : ds > 0.0 ? (way + (kappa > 0.0 ? by_slip / kappa : 0.0)) / ds
                   : 1.0);
   tell("work", u.work, underflow ? any : both * way);
-  // The steepest fall is looked for 1e-9 of a piece beside its ends, or by the rounding of the
-  // accumulated slip, which may be more of a narrow cell.
+  // The steepest fall is looked for 1e-9 of a piece beside its ends, and a place in a piece has the
+  // rounding of the accumulated slip.
+  const bool wears = way_of == Way::kBackwardEuler && u.snap_back > 0.0;
+  const double narrow = wears ? narrowest_piece(definition, increment, old, ds, u) : 0.0;
   tell("snap-back", u.snap_back,
-       way_of == Way::kExact ? 1.0 + 1e5 * u.snap_back : 1e8 * u.snap_back);
+       wears ? (1e5 + u.state.accumulated_slip / narrow) * u.snap_back : 1.0);
   tell("lost", u.lost, both * way);
   tell("jump onset", u.jump_onset, 1.0);
   const law::SlipTangent& t = u.tangent;
-  const double steep =
-      off * std::max({std::abs(t.transverse), std::abs(t.radial), std::abs(t.rate)}) +
-      (fixed ? 0.0 : by_slip / stick);
-  tell("transverse", t.transverse, steep);
+  const double steep = std::max({std::abs(t.transverse), std::abs(t.radial), std::abs(t.rate)}) +
+                       (fixed ? 0.0 : by_slip / stick);
+  // That one is of the force over the trial.
+  tell("transverse", t.transverse,
+       std::max(steep, reached > 0.0 ? std::abs(t.transverse) * (y / reached) : 0.0));
   tell("radial", t.radial, steep);
   tell("rate", t.rate, steep);
-  tell("contact", t.contact, u.normal_force > 0.0 ? by_way / u.normal_force : 0.0);
+  tell("contact", t.contact, u.normal_force > 0.0 ? by_slip / u.normal_force : 0.0);
   tell("clip", t.clip, 1.0);
   tell("regime", static_cast<double>(u.state.regime), underflows ? any : 0.0);
   // In stick they are those of the gradient where the force would slip.

@@ -62,15 +62,16 @@ TEST_CASE("a knot that rounding leaves just ahead is passed") {
   }
 }
 
-TEST_CASE("behind a zero of the contact force its knots come again, whatever rounding leaves there") {
+TEST_CASE(
+    "behind a zero of the contact force its knots come again, whatever rounding leaves there") {
   FrictionDefinition definition = wearing(TabularCoefficient{
       make_function({{1.0, 0.0}, {1.0, 0.1}, {0.05, 0.12}}, {kOverContactForce})});
   for (int i = 1; i < 200; ++i) {
     INFO("case " << i);
     const double wear = std::sqrt(i);
     const double worn = std::cbrt(i);
-    definition.internal_contact_force = make_function(
-        {{worn + 1.0, 0.0}, {worn + 1.0 - 2.0 * wear, 2.0}}, {kOverAccumulatedSlip});
+    definition.internal_contact_force =
+        make_function({{worn + 1.0, 0.0}, {worn + 1.0 - 2.0 * wear, 2.0}}, {kOverAccumulatedSlip});
     const ConnectorIncrement increment = lasting(1.0, -worn);
     FrictionState old;
     old.accumulated_slip = 0.3 / wear;
