@@ -52,6 +52,10 @@ struct BeltReturn : RadialReturn<BeltReturn, 1, CapstanLimit, Wanted::kAll> {
     } else {
       result->work = 0.5 * (y_old + y) * begin.ds[0];
     }
+    // A force of 0 does not tell where its slip began.
+    if (slips && !begin.fixed && !(end.limit.force > 0.0)) {
+      result->onset = std::clamp((z * begin.stick - s_old) / begin.ds[0], 0.0, 1.0);
+    }
   }
 };
 

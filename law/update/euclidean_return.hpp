@@ -39,7 +39,7 @@ struct EuclideanReturn : RadialReturn<EuclideanReturn<D, LimitOf, kWants>, D, Li
                                  end.limit.force, &result->onset);
     const bool opens = end.regime == Regime::kOpen;
     // Nothing holds at the end: what slipped on the way began at the limit before it.
-    if (opens) {
+    if (!(end.limit.force > 0.0)) {
       const Slip<D> from = begin.fixed ? y_old : load<D>(begin.old.elastic_slip);
       result->onset = limit_fraction<D>(from, begin.trial, begin.fixed ? rest.force : begin.stick);
     }

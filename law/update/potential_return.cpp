@@ -92,7 +92,9 @@ struct PotentialReturn : ReturnSteps<SlipVector, LimitFunction> {
     if (slips) {
       result->converged = first_slip(start, &end.slip);
       end.limit = limit(end.slip);
-      end.regime = l.force > start.least ? Regime::kSlip : Regime::kOpen;
+      const bool goes_on = l.force > start.least ||
+                           (start.closed && slips_without_force(fixed, limit, l, end.slip));
+      end.regime = goes_on ? Regime::kSlip : Regime::kOpen;
     }
     const bool opens = end.regime == Regime::kOpen;
     if (end.regime == Regime::kSlip) {
@@ -143,7 +145,7 @@ struct PotentialReturn : ReturnSteps<SlipVector, LimitFunction> {
     }
     result->work =
         split_work(potential, begin.force, trial_force, y, ds, end.limit.force, &result->onset);
-    if (opens) {
+    if (opens || !(end.limit.force > 0.0)) {
       result->onset = begin.fixed
                           ? meets_limit(potential, begin.force, scaled(ds, begin.stick), rest.force)
                           : meets_limit(potential, begin.old.elastic_slip, ds, begin.stick);
@@ -384,6 +386,8 @@ PotentialTangent potential_tangent(const FrictionDefinition& definition,
     return result;
   }
 
+  // Of slip without force there is nothing to follow.
+  if (!(limit > 0.0)) return result;
   const Potential& potential = *std::get_if<Potential>(&definition.criterion);
   const double x = kappa * update.slip_increment;
   const SlipVector m = scaled(update.direction, 1.0 / dot(update.direction, update.direction));

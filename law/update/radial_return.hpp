@@ -46,7 +46,7 @@ struct RadialReturn : ReturnSteps<Slip<D>, LimitOf, kWants> {
       return end;
     }
     end.direction = begin.trial / reach;
-    if (l.force > 0.0) {
+    if (l.force > 0.0 || slips_without_force(begin.fixed, limit, l, end.slip)) {
       // The force is put on the limit; with the root at rounding accuracy both agree.
       end.regime = Regime::kSlip;
       end.force = l.force * end.direction;

@@ -116,6 +116,15 @@ struct ReturnSteps {
   const Limit rest;  ///< without slip
 };
 
+/// Tells whether slip goes on where its limit is 0: an elastic slip stays, if it is but the rate of
+/// the slip that takes the coefficient (docs/theory, section 11.5).
+/// \param at_slip the limit of a slip [L]
+template <class LimitOf>
+bool slips_without_force(bool fixed, const LimitOf& limit, const Limit& at_slip,
+                         double slip) noexcept {
+  return !fixed && at_slip.normal_force > 0.0 && limit.at(slip, limit.rate(0.0)).force > 0.0;
+}
+
 /// Puts a limit and all that led to it into a result.
 inline void report(const Limit& limit, FrictionUpdate* result) noexcept {
   result->contact_force = limit.contact_force;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "law/connection/cylindrical.hpp"
+#include "law/definition/potential.hpp"
 #include "law/update/connector_tangent.hpp"
 #include "reference/coulomb_slider.hpp"
 #include "reference/parallel_sliders.hpp"
@@ -940,6 +941,45 @@ TEST_CASE("a coefficient that vanishes only at rest grips as soon as there is sl
       CHECK(run.friction(1) == Approx(0.2 * normal_force * run.last.slip_rate).epsilon(1e-12));
     }
   }
+}
+
+TEST_CASE("a coefficient that is 0 at the rate of an elastic slip takes the force, not the slip") {
+  Potential line;
+  line.parts = line.leaves = 1;
+  line.leaf[0].direction[0] = 1.0;
+  for (const SlipCriterion& criterion :
+       {SlipCriterion(EuclideanPotential{}), SlipCriterion(line), SlipCriterion(Capstan{1.0})}) {
+    for (const int count : {1, 10, 1000}) {
+      INFO("criterion " << criterion.index() << ", increments " << count);
+      FrictionDefinition definition = slider(0.0, 0.0, allowable_slip(0.05));
+      definition.criterion = criterion;
+      definition.contact_force = ComponentContactForce{2};
+      definition.law = TabularCoefficient{make_function({{0.3, 0}, {0, 10}}, {kOverSlipRate})};
+      FrictionRun run(definition);
+      run.force[2] = 100.0;
+      run.duration = 0.1 / count;
+      // At 20 mm/s, and back at 5 mm/s.
+      run.ramp_to(1, 2.0, count);
+      CHECK(run.state.regime == Regime::kSlip);
+      CHECK(run.friction(1) == 0.0);
+      CHECK(run.state.accumulated_slip == exactly(1.95));
+      CHECK(run.state.elastic_slip[0] == exactly(0.05));
+      CHECK(connector_tangent(run.definition, run.increment(), run.last).to_motion(0, 0) == 0.0);
+      if (count == 1) CHECK(run.last.onset == exactly(0.025));
+      run.ramp_to(1, 1.4, count);
+      run.ramp_to(1, 0.9, count);
+      CHECK(run.state.accumulated_slip == exactly(1.95 + 1.0));
+      if (criterion.index() != 2) CHECK(run.friction(1) == exactly(-15.0));
+      CHECK(run.dissipation > 0.0);
+    }
+  }
+  // A contact that the slip wears away is lost all the same.
+  FrictionDefinition worn = slider(0.3, 0.0, allowable_slip(0.05));
+  worn.internal_contact_force = make_function({{100, 0}, {0, 1}}, {kOverAccumulatedSlip});
+  FrictionRun run(worn);
+  run.move_to(1, 2.0);
+  CHECK(run.state.regime == Regime::kOpen);
+  CHECK(run.state.accumulated_slip == exactly(1.0));
 }
 
 TEST_CASE("a grip that the least slip wears away holds as long as it is there") {
