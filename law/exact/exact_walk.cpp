@@ -312,9 +312,12 @@ double ExactWalk::advance(double tau) noexcept {
     open(tau);
     // No limit at a corner and in the middle of what follows: none in all of it, unless slip that
     // wears F_C + F_int through 0 finds one behind.
-    const bool behind =
-        fixed_ && wears_ && length_ > 0.0 &&
-        limit(tau, slip_ + 1e-6 * largest_slip_).normal_force > kNoLimit * contact_scale_;
+    const auto contact_beside = [&](double part) {
+      return limit(tau, slip_ + part * largest_slip_).contact_force / contact_scale_;
+    };
+    const double beyond = contact_beside(1e-6);
+    const bool behind = fixed_ && wears_ && length_ > 0.0 && std::abs(beyond) > kNoLimit &&
+                        std::signbit(beyond) != std::signbit(contact_beside(-1e-6));
     if (!behind && !grips(tau + 0.5 * (end - tau))) return end;
   }
   const bool constant = has_constant_radius(tau, end);

@@ -3,6 +3,7 @@
 // on its limit. The law takes the first; a scan of the increment is the judge.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "law/update/return_mapping.hpp"
@@ -92,14 +93,20 @@ FrictionLaw random_law(Dice& dice, Kind kind) {
 }
 
 struct Tally {
+  int draws = 0;
   int slips = 0;
   int with_several_roots = 0;
 };
 
+constexpr double kSlipRounding = 4.0 * std::numeric_limits<double>::epsilon();
+
+/// Tries as many as are asked for, and more until several have several roots.
 Tally try_many(Kind kind, int draws) {
   Dice dice(20240117 + static_cast<std::uint64_t>(kind));
   Tally tally;
-  for (int draw = 0; draw < draws; ++draw) {
+  for (int draw = 0; draw < draws || tally.with_several_roots <= 5; ++draw) {
+    REQUIRE(draw < 10 * draws);  // else the test would show nothing
+    ++tally.draws;
     FrictionDefinition definition;
     definition.slip = slip_space({1});
     definition.law = random_law(dice, kind);
@@ -148,8 +155,10 @@ Tally try_many(Kind kind, int draws) {
     if (changes > 1) ++tally.with_several_roots;
     INFO("kind " << static_cast<int>(kind) << ", draw " << draw << ", kappa " << kappa);
     if (first >= 0.0) REQUIRE(u.slip_increment <= first + 1e-9 * step);
-    // It is a root: the residual of the return mapping is rounding.
-    REQUIRE(std::abs(u.phi) <= 1e-12 * trial);
+    // It is a root: the residual changes its sign within the rounding of the slip and its own.
+    const auto residual = [&](double slip) { return trial - kappa * slip - limit(slip); };
+    REQUIRE(residual(u.slip_increment * (1.0 - kSlipRounding)) >= -1e-12 * trial);
+    REQUIRE(residual(u.slip_increment * (1.0 + kSlipRounding)) <= 1e-12 * trial);
   }
   return tally;
 }
@@ -161,8 +170,7 @@ TEST_CASE("The first root is taken whatever makes the limit fall") {
       GENERATE(Kind::kContactForce, Kind::kExponential, Kind::kRate, Kind::kRateAndContactForce,
                Kind::kViscous, Kind::kDarmstad, Kind::kRenard);
   const Tally tally = try_many(kind, 4000);
-  CHECK(tally.slips > 3000);
-  CHECK(tally.with_several_roots > 5);  // else the test would show nothing
+  CHECK(tally.slips > tally.draws * 3 / 4);
 }
 
 }  // namespace slipbench::law

@@ -374,6 +374,27 @@ TEST_CASE("the steepest wear is told to the end of a piece, whatever steps come 
   }
 }
 
+TEST_CASE("a contact that slip builds up opens all the same where time takes it") {
+  // F_int = 10 + 2 L - 40 T, never below 0, while the motion goes from 0 to 2 and T from 0 to 1:
+  // slip ends at L = 2 T = 10 / 18.
+  FrictionDefinition definition = slider(0.5, 0.0, fixed_stiffness(1e5));
+  definition.contact_force = NoContactForce{};
+  definition.internal_contact_force =
+      make_function({{10, 0, 0}, {14, 2, 0}, {-30, 0, 1}, {-26, 2, 1}},
+                    {kOverAccumulatedSlip, kOverTemperature});
+  for (const Criterion& criterion : criteria_of_one()) {
+    definition.criterion = criterion.of;
+    ExactRun run(definition);
+    Waypoint end = at(2.0);
+    end.temperature = 1.0;
+    run.go(end);
+    CHECK(run.last.converged);
+    CHECK(run.state.regime == Regime::kOpen);
+    CHECK(run.state.accumulated_slip == Approx(10.0 / 18.0).epsilon(1e-9));
+    CHECK(run.friction(1) == 0.0);
+  }
+}
+
 TEST_CASE("a jump lands on the first equilibrium of several, and the next begins at a peak") {
   for (const double unit : {1.0, 1e-4}) {  // of force
     for (const Criterion& criterion : criteria_of_one()) {
