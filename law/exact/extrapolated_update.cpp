@@ -409,6 +409,7 @@ class Pieces {
         !steps_.ends_where_contact_turns()) {
       // F_C + F_int may vanish here to the last digit, and slip goes on behind it.
       at_.accumulated_slip *= 1.0 + 4.0 * std::numeric_limits<double>::epsilon();
+      to = std::min(to + kSameFraction, 1.0);
       run.last = steps_.step(at_, tau_, to);
     }
     const double least = std::min(steps_.reserve(tau_, at_.accumulated_slip),
