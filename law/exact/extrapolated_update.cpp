@@ -412,8 +412,10 @@ class Pieces {
       to = std::min(to + kSameFraction, 1.0);
       run.last = steps_.step(at_, tau_, to);
     }
-    const double least = std::min(steps_.reserve(tau_, at_.accumulated_slip),
-                                  steps_.reserve(to, run.last.end.accumulated_slip));
+    const double before = steps_.reserve(tau_, at_.accumulated_slip);
+    const double after = steps_.reserve(to, run.last.end.accumulated_slip);
+    // Next to a coefficient on its floor a limit is small, and does not vanish.
+    const double least = std::isfinite(before + after) ? std::min(before, after) : scale_;
     // A limit that vanishes for an instant loses the grip, too.
     const bool lost = regime_ != Regime::kOpen && steps_.ends_where_contact_turns() &&
                       (negative_ != run.last.negative ||

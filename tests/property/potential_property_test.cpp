@@ -232,8 +232,13 @@ TEST_CASE("the tangent of a potential meets differences") {
   double largest = 0.0;
   for_each_slip(50000, 300, [&](const Slipped& s) {
     if (s.update.multiple_roots) return;
-    // The steps of the differences let go of a leaf that so little slip holds at 0.
-    if (s.potential.exponent == 1.0 && s.update.slip_increment < 1e-5) return;
+    // The steps of the differences let go of a leaf that so little slip holds at 0: X = x
+    // (X/T)^(b-1) is where it lets go.
+    const double kappa = s.update.tangent.transverse;
+    const double limit = s.update.limit;
+    const double power = 1.0 / (2.0 - s.potential.exponent);
+    const double held = limit * std::pow(kappa * s.update.slip_increment / limit, power);
+    if (s.potential.exponent < 2.0 && held < 1e-5 * kappa) return;
     // At a corner of a maximum the derivative is one-sided, in every direction.
     const auto parts = contributions(s.potential, s.update.state.force);
     const double edge = s.update.limit * (1.0 - 1e-9);
