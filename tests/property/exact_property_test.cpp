@@ -184,7 +184,8 @@ TEST_CASE("backward Euler goes to the exact path with the first power of the inc
       return fine <= 0.02 * line.limit &&
              (coarse <= 1e-6 * line.limit || std::abs(fine / coarse - 0.5) < 0.05);
     };
-    RC_ASSERT(is_of_first_order(400) || is_of_first_order(12800));
+    // In parentheses: RC_ASSERT takes both sides of an || first.
+    RC_ASSERT((is_of_first_order(400) || is_of_first_order(12800)));
   });
 }
 
