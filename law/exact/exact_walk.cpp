@@ -374,7 +374,12 @@ double ExactWalk::radius_growth(double from, double to) noexcept {
 double ExactWalk::stick(double from, double to) noexcept {
   const double end = stick_end(from, to);
   must_slip_ = end < to;
-  if (!(end > from)) return end;
+  if (!(end > from)) {
+    // The force turns over in less than the rounding of tau.
+    const double chord = length_ > 0.0 ? stick_length(slip_at_, radius(from, slip_)) : 0.0;
+    if (chord <= kSameFraction * length_) slip_at_.along += chord;
+    return end;
+  }
   if (end - from > kLastingStick) note(Regime::kStick, from);
   const double before = slip_at_.along;
   const double travel = length_ * (end - from);

@@ -122,7 +122,7 @@ class Pieces {
       double to = std::min(tau_ + step, 1.0);
       if (event <= 1.0) to = std::min(to, again ? event : 0.5 * (tau_ + event));
       again = false;
-      if (1.0 - to < kSameFraction) to = 1.0;
+      if (event > 1.0 && 1.0 - to < kSameFraction) to = 1.0;
       const Run run = extrapolate(tau_, to);
       if (run.outcome == Run::Outcome::kMixed) {
         event = to;

@@ -395,6 +395,34 @@ TEST_CASE("a contact that slip builds up opens all the same where time takes it"
   }
 }
 
+TEST_CASE("a viscous joint lifts off at the very end of an increment") {
+  FrictionDefinition definition = slider(0.0, 0.0, fixed_stiffness(1000.0));
+  definition.contact_force = DerivedComponent{norm_term({3}, 1.0)};
+  definition.law = TabularCoefficient{make_function({{0.2, 0}, {0.3, 10}}, {kOverSlipRate})};
+  for (const int count : {1, 10}) {
+    ExactRun run(definition, at(0.0, 100.0), 1e-10);
+    run.go(at(5.0, 100.0), count);
+    CHECK(run.friction(1) == Approx(25.0).epsilon(1e-9));
+    run.go(at(10.0), count);
+    CHECK(run.last.converged);
+    CHECK(run.state.regime == Regime::kOpen);
+    CHECK(run.state.accumulated_slip == Approx(10.0).epsilon(1e-9));
+    CHECK(run.work == Approx(run.dissipation).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("a force turns over in less of an increment than rounding") {
+  FrictionDefinition definition = pressed();
+  definition.law = ConstantCoefficient{1e-30};
+  ExactRun run(definition, at(0.0, 100.0));
+  run.go(at(1.0, 100.0));
+  run.go(at(0.0, 110.0));
+  CHECK(run.last.converged);
+  CHECK(run.state.regime == Regime::kSlip);
+  CHECK(run.friction(1) == Approx(-1.1e-28).epsilon(1e-12));
+  CHECK(run.state.accumulated_slip == Approx(2.0).epsilon(1e-12));
+}
+
 TEST_CASE("a jump lands on the first equilibrium of several, and the next begins at a peak") {
   for (const double unit : {1.0, 1e-4}) {  // of force
     for (const Criterion& criterion : criteria_of_one()) {
