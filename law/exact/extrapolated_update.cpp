@@ -89,6 +89,8 @@ class Pieces {
       // At rest a coefficient that follows the rate may be next to nothing.
       if (steps_.by_rate()) scale_ = std::max(scale_, steps_.step(at_, 0.0, tau).limit.force);
     }
+    // And a viscous force may outlive a limit that goes at once.
+    if (steps_.viscous()) scale_ = std::max(scale_, value(steps_.potential(), at_.held));
     negative_ = steps_.limit(0.0, at_, 0.0).contact_force < 0.0;
     elastic_ = steps_.fixed() ? scale_ / steps_.stick(1.0) : steps_.stick(1.0);
     const double length = steps_.length();

@@ -411,6 +411,22 @@ TEST_CASE("a viscous joint lifts off at the very end of an increment") {
   }
 }
 
+TEST_CASE("a viscous joint turns back while the last of its contact wears away") {
+  FrictionDefinition definition = slider(0.0, 0.0, fixed_stiffness(1000.0), {1, 2});
+  definition.contact_force = NoContactForce{};
+  definition.internal_contact_force = make_function({{1000, 0}, {0, 1}}, {kOverAccumulatedSlip});
+  definition.law = TabularCoefficient{make_function({{0, 0}, {0.3, 4}}, {kOverSlipRate})};
+  for (const int count : {1, 3}) {
+    ExactRun run(definition, {}, 1e-10);
+    run.go(at(0.999), count);
+    CHECK(run.state.regime == Regime::kSlip);
+    run.go(at(0.5), count);
+    CHECK(run.last.converged);
+    CHECK(run.state.regime == Regime::kOpen);
+    CHECK(run.state.accumulated_slip == Approx(1.0).epsilon(1e-6));
+  }
+}
+
 TEST_CASE("a force turns over in less of an increment than rounding") {
   FrictionDefinition definition = pressed();
   definition.law = ConstantCoefficient{1e-30};
