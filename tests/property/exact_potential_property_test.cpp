@@ -41,8 +41,13 @@ struct Units {
 
 /// A maximum or sum over two or three components, one of them perhaps one-sided; or the
 /// norm with a coefficient that rises with the rate.
-Draw draw(std::uint64_t seed, const Units& units = {}) {
+/// \param round numbers are quarters of their range: what happens falls on the ends of segments
+Draw draw(std::uint64_t seed, const Units& units = {}, bool round = false) {
   Dice dice(seed);
+  const auto number = [&](double low, double high) {
+    const double part = dice.between(0.0, 1.0);
+    return low + (high - low) * (round ? std::round(4.0 * part) / 4.0 : part);
+  };
   Draw d;
   FrictionDefinition& f = d.definition;
   const double force = units.force * dice.one_of(std::vector<double>{50.0, 1000.0});
@@ -52,8 +57,8 @@ Draw draw(std::uint64_t seed, const Units& units = {}) {
     d.name = "viscous";
     f.slip.dimension = dimension;
     for (int i = 0; i < dimension; ++i) f.slip.component[static_cast<std::size_t>(i)] = i;
-    const double mu = dice.between(0.05, 0.3);
-    const double middle = dice.between(0.1, 1.0);
+    const double mu = number(0.05, 0.3);
+    const double middle = number(0.1, 1.0);
     const double rate = units.length / units.time;
     f.law = TabularCoefficient{make_function(
         {{mu, 0.0}, {mu + 0.08 * middle, middle * rate}, {mu + 0.3, 4.0 * rate}}, {kOverSlipRate})};
@@ -62,7 +67,7 @@ Draw draw(std::uint64_t seed, const Units& units = {}) {
     for (int i = 0; i < dimension; ++i) {
       PotentialContribution term;
       term.of = i;
-      term.scale = dice.between(0.5, 2.0);
+      term.scale = number(0.5, 2.0);
       terms.push_back(term);
     }
     if (dice.chance(0.2)) terms[0].function = ContributionFunction::kMacauley;
@@ -75,7 +80,7 @@ Draw draw(std::uint64_t seed, const Units& units = {}) {
     f.criterion = built.criterion;
     switch (dice.pick(3)) {
       case 0:
-        f.law = ConstantCoefficient{dice.between(0.05, 0.6)};
+        f.law = ConstantCoefficient{number(0.05, 0.6)};
         break;
       case 1:
         f.law = TabularCoefficient{make_function(
@@ -85,16 +90,16 @@ Draw draw(std::uint64_t seed, const Units& units = {}) {
         f.law = TabularCoefficient{
             make_function(rows_over(&dice, 0.05, 0.5, {20.0, 70.0}), {kOverTemperature})};
     }
-    if (dice.chance(0.25)) f.force_limit = dice.between(0.05, 0.3) * force;
+    if (dice.chance(0.25)) f.force_limit = number(0.05, 0.3) * force;
   }
   if (dice.chance(0.6)) {
-    const double worn = units.length * dice.between(0.2, 1.5);
-    f.internal_contact_force = make_function({{force * dice.between(0.8, 1.2), 0.0},
-                                              {force * dice.between(0.3, 0.8), 0.4 * worn},
+    const double worn = units.length * number(0.2, 1.5);
+    f.internal_contact_force = make_function({{force * number(0.8, 1.2), 0.0},
+                                              {force * number(0.3, 0.8), 0.4 * worn},
                                               {dice.chance(0.4) ? 0.0 : 0.2 * force, worn}},
                                              {kOverAccumulatedSlip});
   } else {
-    f.internal_contact_force = dice.between(0.2, 1.0) * force;
+    f.internal_contact_force = number(0.2, 1.0) * force;
   }
   f.contact_force = ComponentContactForce{5};
   const double elastic = units.length * dice.one_of(std::vector<double>{1e-3, 0.01, 0.1});
@@ -105,14 +110,14 @@ Draw draw(std::uint64_t seed, const Units& units = {}) {
   const double stride = units.length * dice.one_of(std::vector<double>{0.1, 0.5});
   Waypoint here;
   here.temperature = 20.0;
-  here.force[5] = dice.between(-force, force);
+  here.force[5] = number(-force, force);
   d.corners.push_back(here);
   for (int n = 0; n < 3; ++n) {
     for (int i = 0; i < dimension; ++i) {
-      if (n == 0 || dice.chance(0.7)) here.position[i] = dice.between(-stride, stride);
+      if (n == 0 || dice.chance(0.7)) here.position[i] = number(-stride, stride);
     }
-    if (dice.chance(0.6)) here.force[5] = dice.between(-force, force);
-    if (dice.chance(0.4)) here.temperature = dice.between(0.0, 100.0);
+    if (dice.chance(0.6)) here.force[5] = number(-force, force);
+    if (dice.chance(0.4)) here.temperature = number(0.0, 100.0);
     here.duration = units.time * dice.one_of(std::vector<double>{0.5, 1.0, 2.0});
     d.corners.push_back(here);
   }
@@ -213,6 +218,24 @@ TEST_CASE("potentials and viscous laws do not see the number of increments") {
     CHECK(three.imbalance <= 1e-9);
   }
   CHECK(judged >= 52);
+}
+
+TEST_CASE("events on the ends of increments change nothing") {
+  int judged = 0;
+  for (std::uint64_t seed = 0; judged < 40; ++seed) {
+    const Draw d = draw(seed, {}, true);
+    const Course one = follow(d, 1);
+    const Course three = follow(d, 3);
+    // A contact that opens and closes on a row forgets what is beside the limit, or the elastic
+    // slip.
+    if (one.snap_back >= 1.0 || one.opens || three.opens) continue;
+    ++judged;
+    CAPTURE(seed, d.name);
+    CHECK(one.converged);
+    CHECK(three.converged);
+    // Of a viscous joint the force is exact to 1e-7, whatever is asked for.
+    CHECK(apart(one, three) <= (d.name == "viscous" ? 1e-6 : 3e-9));
+  }
 }
 
 TEST_CASE("under potentials and viscous laws a fine backward Euler tends to the exact end") {
