@@ -31,7 +31,7 @@ def main():
                 if case.parent.name == "bad" or "\ncalibrate:" in text or "\nsweep:" in text:
                     continue
                 done = subprocess.run([SLIPBENCH, "export", case, "--to", program, "--json", "--force", "-o", deck],
-                                      capture_output=True, text=True, timeout=300)
+                                      capture_output=True, text=True, timeout=1200)
                 if done.returncode != 0:
                     reason = done.stderr.strip().rpartition("is not exported: ")[2]
                     counts["refused"] += 1

@@ -19,7 +19,7 @@ REFUSED_AT_MOST = 40
 
 
 def run(*words):
-    return subprocess.run([SLIPBENCH, *map(str, words)], capture_output=True, text=True, timeout=300)
+    return subprocess.run([SLIPBENCH, *map(str, words)], capture_output=True, text=True, timeout=1200)
 
 
 def rows(file):
