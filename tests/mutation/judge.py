@@ -159,7 +159,7 @@ def main():
     parser.add_argument("--most", type=float, default=float("inf"), help="seconds of tests for one mutant")
     parser.add_argument("--results", type=pathlib.Path, help="where the verdicts go, a line each")
     parser.add_argument("--again", type=pathlib.Path, help="only what survived or was unreached in these verdicts")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     start = time.time()
 
     judge = Judge(options.build, options.tree, not options.no_cases, options.most)
