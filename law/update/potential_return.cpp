@@ -92,8 +92,8 @@ struct PotentialReturn : ReturnSteps<SlipVector, LimitFunction> {
     if (slips) {
       result->converged = first_slip(start, &end.slip);
       end.limit = limit(end.slip);
-      const bool goes_on = l.force > start.least ||
-                           (start.closed && slips_without_force(fixed, limit, l, end.slip));
+      const bool goes_on =
+          l.force > start.least || (start.closed && slips_without_force(fixed, limit, l, end.slip));
       end.regime = goes_on ? Regime::kSlip : Regime::kOpen;
     }
     const bool opens = end.regime == Regime::kOpen;

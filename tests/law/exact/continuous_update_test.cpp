@@ -379,9 +379,8 @@ TEST_CASE("a contact that slip builds up opens all the same where time takes it"
   // slip ends at L = 2 T = 10 / 18.
   FrictionDefinition definition = slider(0.5, 0.0, fixed_stiffness(1e5));
   definition.contact_force = NoContactForce{};
-  definition.internal_contact_force =
-      make_function({{10, 0, 0}, {14, 2, 0}, {-30, 0, 1}, {-26, 2, 1}},
-                    {kOverAccumulatedSlip, kOverTemperature});
+  definition.internal_contact_force = make_function(
+      {{10, 0, 0}, {14, 2, 0}, {-30, 0, 1}, {-26, 2, 1}}, {kOverAccumulatedSlip, kOverTemperature});
   for (const Criterion& criterion : criteria_of_one()) {
     definition.criterion = criterion.of;
     ExactRun run(definition);
