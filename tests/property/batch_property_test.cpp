@@ -241,7 +241,7 @@ TEST_CASE("lanes of one form go the common path and end in the bits of update()"
   // What was drawn: entries, constant kappa, wear, what the coefficients have in common, own
   // forces.
   std::set<std::tuple<int, bool, bool, Alike, bool>> drawn;
-  constexpr std::size_t kForms = 2 * 2 * 2 * 3 * 2;
+  constexpr std::size_t kForms = std::size_t{2} * 2 * 2 * 3 * 2;
   for (std::uint64_t seed = 0; seed < 500 || drawn.size() < kForms; ++seed) {
     INFO("seed " << seed);
     REQUIRE(seed < 5000);
