@@ -143,7 +143,7 @@ class LimitFunction {
           evaluate(definition_.internal_contact_force, increment_.end, accumulated_ + slip);
       const double force = contact_ + internal.value;
       double change = internal.to_accumulated_slip;
-      // Whether a value moves away from 0, or stands on it: rounding may not have quite reached 0.
+      // Tells whether a value moves away from 0, or stands on it but for rounding.
       const auto leaves_zero = [&](double value) {
         const double x = slip - value / change;
         if (!(value * change < 0.0) || !is_ahead(line, x)) return true;

@@ -128,10 +128,9 @@ double ExactWalk::slip_at_varying_radius(double begin, double to) noexcept {
     if (wears_) {
       // Steepest where a piece ends, and there it is another one's already.
       const double low = slip_of(tau, x);
-      const double high = slip_of(next, trial.end);
-      const double inside = margin_inside(low, high, begin_slip_);
+      const double high = std::max(slip_of(next, trial.end), low);
       snap_back_ = std::max(snap_back_, wear_ratio(next - margin_inside(tau, next, 0.0),
-                                                   std::max(high, low) - std::max(inside, 0.0)));
+                                                   high - margin_inside(low, high, begin_slip_)));
     }
     x = trial.end;
     tau = next;

@@ -386,7 +386,7 @@ PotentialTangent potential_tangent(const FrictionDefinition& definition,
     return result;
   }
 
-  // Of slip without force there is nothing to follow.
+  // Slip without force follows nothing.
   if (!(limit > 0.0)) return result;
   const Potential& potential = *std::get_if<Potential>(&definition.criterion);
   const double x = kappa * update.slip_increment;

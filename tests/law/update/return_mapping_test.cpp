@@ -965,7 +965,7 @@ TEST_CASE("a coefficient that is 0 at the rate of an elastic slip takes the forc
       CHECK(run.state.accumulated_slip == exactly(1.95));
       CHECK(run.state.elastic_slip[0] == exactly(0.05));
       CHECK(connector_tangent(run.definition, run.increment(), run.last).to_motion(0, 0) == 0.0);
-      if (count == 1) CHECK(run.last.onset == exactly(0.025));
+      CHECK(run.last.onset == exactly(count == 1 ? 0.025 : 0.0));
       run.ramp_to(1, 1.4, count);
       run.ramp_to(1, 0.9, count);
       CHECK(run.state.accumulated_slip == exactly(1.95 + 1.0));
@@ -973,6 +973,13 @@ TEST_CASE("a coefficient that is 0 at the rate of an elastic slip takes the forc
       CHECK(run.dissipation > 0.0);
     }
   }
+  // A limit that is but small tells where its slip began.
+  FrictionDefinition small = slider(0.0, 1.0, fixed_stiffness(kStiffness));
+  small.law = TabularCoefficient{make_function({{0.2, 0}, {0.3, 1}}, {kOverSlipRate})};
+  FrictionRun weak(small);
+  weak.move_to(1, 1.0);
+  CHECK(weak.last.onset == exactly(weak.last.limit / kStiffness));
+  CHECK(weak.last.limit > 0.29);
   // A contact that the slip wears away is lost all the same.
   FrictionDefinition worn = slider(0.3, 0.0, allowable_slip(0.05));
   worn.internal_contact_force = make_function({{100, 0}, {0, 1}}, {kOverAccumulatedSlip});
