@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "law/exact/neville_table.hpp"
 #include "law/exact/sub_increment.hpp"
 #include "law/update/six_steps.hpp"
 
@@ -38,26 +39,6 @@ constexpr double kRounding = 1e-10;
 /// Attempts after which rounding is in the way and pieces are taken as they are.
 constexpr int kMostAttempts = 100000;
 
-/// Values that are extrapolated: those at the end of a piece, and sums over it.
-struct Sums {
-  SlipVector held{};
-  double slip = 0.0;
-  double slip_rate = 0.0;
-  double dissipation = 0.0;
-  double work = 0.0;
-};
-
-template <class Function>
-Sums combined(const Sums& a, const Sums& b, Function&& f) {
-  Sums sum;
-  for (std::size_t i = 0; i < sum.held.size(); ++i) sum.held[i] = f(a.held[i], b.held[i]);
-  sum.slip = f(a.slip, b.slip);
-  sum.slip_rate = f(a.slip_rate, b.slip_rate);
-  sum.dissipation = f(a.dissipation, b.dissipation);
-  sum.work = f(a.work, b.work);
-  return sum;
-}
-
 /// A piece of the segment, as its sub-increments have it.
 struct Run {
   enum class Outcome {
@@ -68,7 +49,7 @@ struct Run {
   Outcome outcome = Outcome::kUnsettled;
   int rows = 0;
   double error = 0.0;  ///< as a part of limit and elastic slip
-  Sums end;
+  PieceSums end;
   SubIncrement last;
   double snap_back = 0.0;
 };
@@ -121,7 +102,7 @@ class Pieces {
         ++flickers;
         continue;
       }
-      double to = std::min(tau_ + step, 1.0);
+      double to = tau_ + step;
       if (event <= 1.0) to = std::min(to, again ? event : 0.5 * (tau_ + event));
       again = false;
       if (event > 1.0 && 1.0 - to < kSameFraction) to = 1.0;
@@ -141,7 +122,7 @@ class Pieces {
       } else {
         error = std::numeric_limits<double>::infinity();
         // What settles late only would not at twice the length.
-        step = (run.rows < kRows - 1 ? 2.0 : 1.0) * (to - tau_);
+        step = (run.rows < NevilleTable::kMostRows - 1 ? 2.0 : 1.0) * (to - tau_);
         const bool long_enough = to - tau_ > 1e3 * shortest;
         if (long_enough) flickers = 0;
         take(run, to);
@@ -196,31 +177,29 @@ class Pieces {
   }
 
  private:
-  static constexpr int kRows = 8;
   static constexpr int kLeastRows = 3;
 
   /// Work and dissipation of a step, by the force at its end throughout: their errors are smooth in
   /// the length of steps. y.m is F_lim without shifts.
-  void add(const SubIncrement& step, double length, Sums* sums) const noexcept {
+  void add(const SubIncrement& step, double length, PieceSums* sums) const noexcept {
     sums->work += length * dot(step.force, steps_.motion());
     sums->dissipation += dot(step.force, step.normal) * step.slip;
   }
 
-  /// The table of Aitken and Neville over 1, 2, 3, ... sub-increments.
+  /// Goes over a piece in 1, 2, 3, ... sub-increments, until what they are extrapolated to settles.
   Run extrapolate(double from, double to) noexcept {
     Run result;
     Signature common;
     steps_.begin(at_, from);
-    std::array<Sums, kRows> table;  // the last row
-    for (int j = 0; j < kRows; ++j) {
-      const int count = j + 1;
-      Sums entry;
+    NevilleTable table;
+    for (int count = 1; count <= NevilleTable::kMostRows; ++count) {
+      PieceSums sums;
       SlipPoint point = at_;
       double tau = from;
       for (int i = 1; i <= count; ++i) {
         const double next = i == count ? to : from + (to - from) * i / count;
         result.last = steps_.step(point, tau, next);
-        if (i == 1 && j == 0) {
+        if (i == 1 && count == 1) {
           common = result.last.signature;
           if (!begins(result.last, from, to)) {
             result.outcome = Run::Outcome::kMixed;
@@ -231,30 +210,19 @@ class Pieces {
           return result;
         }
         result.snap_back = std::max(result.snap_back, result.last.snap_back);
-        add(result.last, next - tau, &entry);
-        entry.slip += result.last.slip;
+        add(result.last, next - tau, &sums);
+        sums.slip += result.last.slip;
         point = result.last.end;
         tau = next;
       }
-      entry.held = point.held;
-      entry.slip_rate = result.last.slip_rate;
-      // The row grows from its first entry; `above` are the entries of the row before.
-      Sums previous = entry;
-      for (int k = 0; k < j; ++k) {
-        const auto n = static_cast<std::size_t>(k);
-        const Sums above = table[n];
-        table[n] = entry;
-        const double weight = 1.0 / ((j + 1.0) / (j - k) - 1.0);
-        previous = entry;
-        entry =
-            combined(entry, above, [weight](double a, double b) { return a + weight * (a - b); });
-      }
-      table[static_cast<std::size_t>(j)] = entry;
-      const Sums corner = result.end;  // of the row before
-      result.end = entry;
+      sums.held = point.held;
+      sums.slip_rate = result.last.slip_rate;
+      table.add(sums);
+      result.end = table.corner();
       result.rows = count;
       if (count < kLeastRows) continue;
-      result.error = std::max(difference(entry, previous), difference(entry, corner));
+      result.error =
+          std::max(difference(result.end, table.beside()), difference(result.end, table.above()));
       const bool gone = common.regime == Regime::kOpen;
       if (gone || result.error <= tolerance_) {
         result.outcome = goes_on(result, from, to) ? Run::Outcome::kSettled : Run::Outcome::kMixed;
@@ -320,16 +288,15 @@ class Pieces {
     const bool slips = signature.regime == Regime::kSlip;
     const bool sticks = signature.regime == Regime::kStick && steps_.holds(at_, from) < kAhead;
     if (!slips && !sticks) return true;
-    // By a motion that turns no force; a viscous one may still be beyond its limit at rest.
-    const double far =
-        (steps_.viscous() ? kNearRate : kNearLetGo) * std::min(elastic_ / steps_.length(), 1.0);
-    const double near = from + std::min(far, 0.5 * (to - from));
+    // A viscous force may still be beyond its limit at rest.
+    const double far = steps_.viscous() ? kNearRate : kNearLetGo;
+    const double near = std::min(from + far, from + 0.5 * (to - from));
     const Signature here = steps_.step(at_, from, near).signature;
     return sticks ? here.regime == Regime::kStick : !lets_go(here, signature);
   }
 
   /// The larger of the differences, as a part of limit and elastic slip, beyond their rounding.
-  double difference(const Sums& a, const Sums& b) const noexcept {
+  double difference(const PieceSums& a, const PieceSums& b) const noexcept {
     const auto apart = [](double x, double y) {
       constexpr double kRounded = 1000.0 * std::numeric_limits<double>::epsilon();
       return std::max(std::abs(x - y) - kRounded * std::abs(x), 0.0);
